@@ -1,0 +1,81 @@
+//! Whole bakes: a house from rooms to bytes in memory, to a folder, and again with nothing changed.
+
+use std::path::Path;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use roomwright::audit::audit_room;
+use roomwright::batch::{BakeInput, BakeOptions, OutputFolder, bake};
+use roomwright::catalog::{Catalog, load_catalog};
+use roomwright::gltf::write_glb;
+use roomwright::layout::{FurnishOptions, furnish};
+use roomwright::model::ModelLibrary;
+use roomwright::plan::{Level, PlacedBuilding, Plan, PlanOptions, read_plans};
+use roomwright::scene::{SceneInput, build_scene};
+
+/// Seed of all rooms.
+const SEED: u64 = 1;
+
+fn house(catalog: &Catalog) -> Plan {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/plans/house.yaml");
+    read_plans(&[path], &PlanOptions { words: &catalog.room_words }).plan
+}
+
+/// The stages of one level, without batch: rooms, judgement, scene, bytes.
+fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models: &ModelLibrary) -> usize {
+    let options = FurnishOptions { seed: SEED, building: &placed.id, style: None };
+    let furnished: Vec<_> =
+        (0..level.rooms.len()).map(|room| furnish(level, room, catalog, &options)).collect();
+    let findings: Vec<_> = furnished.iter().map(|room| audit_room(level, room.room, room, catalog)).collect();
+    let scene = build_scene(&SceneInput {
+        level,
+        building: &placed.id,
+        site: placed.site,
+        furnished: &furnished,
+        findings: &findings,
+        catalog,
+        models: &|class, variant, geometry| models.model(class, variant, geometry),
+        seed: SEED,
+    });
+    write_glb(&scene).expect("a house fits into a file").len()
+}
+
+fn in_memory(criterion: &mut Criterion) {
+    let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
+    let models = ModelLibrary::load(&catalog).expect("the built-in models are valid");
+    let plan = house(&catalog);
+    criterion.bench_function("bake/house in memory", |bencher| {
+        bencher.iter(|| {
+            let levels = plan
+                .buildings
+                .iter()
+                .flat_map(|placed| placed.building.levels.iter().map(move |level| (placed, level)));
+            levels.map(|(placed, level)| level_bytes(placed, level, &catalog, &models)).sum::<usize>()
+        });
+    });
+}
+
+fn to_a_folder(criterion: &mut Criterion) {
+    let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
+    let models = ModelLibrary::load(&catalog).expect("the built-in models are valid");
+    let plan = house(&catalog);
+    let options = BakeOptions { seed: SEED, ..BakeOptions::default() };
+    let input = BakeInput { plan: &plan, catalog: &catalog, models: &models, options: &options };
+    let run = |folder: &Path| {
+        let folder = OutputFolder::open(folder, false).expect("a temporary folder can be written");
+        bake(&input, &folder, &|_| {}).expect("threads can be started").in_place.placed
+    };
+    let folder = || tempfile::tempdir().expect("a temporary folder can be created");
+    criterion.bench_function("bake/house to a new folder", |bencher| {
+        bencher.iter_with_large_drop(|| {
+            let folder = folder();
+            run(folder.path());
+            folder
+        });
+    });
+    let kept = folder();
+    run(kept.path());
+    criterion.bench_function("bake/house with nothing changed", |bencher| bencher.iter(|| run(kept.path())));
+}
+
+criterion_group!(benches, in_memory, to_a_folder);
+criterion_main!(benches);

@@ -1,0 +1,52 @@
+//! The furnished floor that both benches work on.
+
+use std::path::Path;
+
+use roomwright::catalog::{Catalog, load_catalog};
+use roomwright::layout::{FurnishOptions, Furnished, furnish};
+use roomwright::model::ModelLibrary;
+use roomwright::plan::{Level, PlanOptions, SitePlacement, read_plans};
+use roomwright::scene::SceneInput;
+
+/// A level with what its scene needs.
+pub(crate) struct Floor {
+    level: Level,
+    furnished: Vec<Furnished>,
+    catalog: Catalog,
+    library: ModelLibrary,
+}
+
+/// Seed of the furniture.
+const SEED: u64 = 1;
+
+impl Floor {
+    /// The second floor of the ready hotel tower.
+    pub(crate) fn hotel() -> Self {
+        let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
+        let library = ModelLibrary::load(&catalog).expect("all recipes exist");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/plans/hotel-tower.yaml");
+        let reading = read_plans(&[path], &PlanOptions { words: &catalog.room_words });
+        let level = reading.plan.buildings[0].building.levels[1].clone();
+        let options = FurnishOptions { seed: SEED, building: "hotel", style: None };
+        let rooms = 0..level.rooms.len();
+        let furnished: Vec<Furnished> = rooms.map(|room| furnish(&level, room, &catalog, &options)).collect();
+        let objects: usize = furnished.iter().map(|room| room.placements.len()).sum();
+        eprintln!("{} rooms, {objects} objects", furnished.len());
+        Self { level, furnished, catalog, library }
+    }
+
+    /// Runs `use_it` with the scene's input.
+    pub(crate) fn with_input<T>(&self, use_it: impl FnOnce(&SceneInput<'_>) -> T) -> T {
+        let models = |class, variant, geometry: &str| self.library.model(class, variant, geometry);
+        use_it(&SceneInput {
+            level: &self.level,
+            building: "hotel",
+            site: SitePlacement::default(),
+            furnished: &self.furnished,
+            findings: &[],
+            catalog: &self.catalog,
+            models: &models,
+            seed: SEED,
+        })
+    }
+}

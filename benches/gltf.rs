@@ -1,0 +1,32 @@
+//! Writing a hotel floor, one thread; beside it the time to copy the same bytes once.
+#![allow(clippy::print_stderr, reason = "what was measured is said beside the result")]
+
+mod floor;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use roomwright::gltf::{LibraryReference, SharedLibrary, write_glb, write_glb_with_library, write_gltf};
+use roomwright::scene::build_scene;
+
+fn gltf(criterion: &mut Criterion) {
+    let floor = floor::Floor::hotel();
+    let scene = floor.with_input(build_scene);
+    let bytes = write_glb(&scene).expect("a floor is small");
+    let shared = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())));
+    let library = SharedLibrary::new(shared);
+    let reference = LibraryReference { library: &library, path: "../library.bin" };
+    let sharing = write_glb_with_library(&scene, reference).expect("a floor is small");
+    eprintln!("{} bytes, {} with a shared library of {}", bytes.len(), sharing.len(), library.bytes().len());
+    let mut group = criterion.benchmark_group("gltf");
+    group.throughput(Throughput::Bytes(bytes.len() as u64));
+    group.bench_function("hotel floor/glb", |bencher| bencher.iter(|| write_glb(&scene)));
+    group.bench_function("hotel floor/gltf", |bencher| bencher.iter(|| write_gltf(&scene, "floor.bin")));
+    group.bench_function("hotel floor/copy", |bencher| bencher.iter(|| bytes.clone()));
+    group.throughput(Throughput::Bytes(sharing.len() as u64));
+    group.bench_function("hotel floor/glb with library", |bencher| {
+        bencher.iter(|| write_glb_with_library(&scene, reference));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, gltf);
+criterion_main!(benches);

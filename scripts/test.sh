@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# Runs every check of the project: bash scripts/test.sh
+#
+# Sets up what it needs by itself (.venv/ from scripts/requirements.txt, scripts/node_modules/ from the lock
+# file), asks nothing, stops at the first step that fails, and ends with "N passed, N failed".
+# Needs Rust 1.90 or newer, Python 3.11 or newer with venv, Node 20 or newer.
+# ROOMWRIGHT_PYTHON names another Python.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+top=$PWD
+work=$(mktemp -d)
+log=$work/log
+passed=0
+failed=0
+step_name=
+started=$SECONDS
+
+finish() {
+  local status=$?
+  if [ "$status" -ne 0 ] && [ -n "$step_name" ]; then
+    [ "$failed" -gt 0 ] || failed=1
+    printf '\nFAILED: %s\n' "$step_name"
+  fi
+  printf '\n%s passed, %s failed\n' "$passed" "$failed"
+  rm -rf "$work"
+}
+trap finish EXIT
+
+# step TITLE COMMAND...: runs a command under a heading.
+step() {
+  step_name=$1
+  shift
+  printf '\n== %s (after %s s)\n' "$step_name" "$((SECONDS - started))"
+  "$@"
+}
+
+# Adds up the "N passed ... N failed" lines of cargo and pytest.
+count_tests() {
+  passed=$((passed + $(sum_of passed)))
+  failed=$((failed + $(sum_of failed)))
+}
+
+sum_of() {
+  grep -Eo "[0-9]+ $1" "$log" | awk '{ sum += $1 } END { print sum + 0 }'
+}
+
+# Runs a command that counts its tests.
+counted() {
+  local status=0
+  "$@" 2>&1 | tee "$log" || status=$?
+  count_tests
+  return "$status"
+}
+
+# A check that is no test runner's counts as one.
+checked() {
+  "$@"
+  passed=$((passed + 1))
+}
+
+set_up_python() {
+  local python=${ROOMWRIGHT_PYTHON:-python3}
+  [ -x .venv/bin/python ] || "$python" -m venv .venv
+  # The stamp spares a second run the question.
+  if ! cmp -s scripts/requirements.txt .venv/requirements.txt; then
+    .venv/bin/python -m pip install --quiet --requirement scripts/requirements.txt
+    cp scripts/requirements.txt .venv/requirements.txt
+  fi
+  .venv/bin/python --version
+}
+
+set_up_validator() {
+  if ! cmp -s scripts/package-lock.json scripts/node_modules/.lock; then
+    (cd scripts && npm ci --loglevel=error)
+    cp scripts/package-lock.json scripts/node_modules/.lock
+  fi
+  node --version
+}
+
+# The demo as the README bakes it: no arguments, from the project's folder, in debug and in release.
+bake_twice() {
+  local out
+  for out in debug release; do
+    "$top/target/$out/roomwright" bake --out "$work/$out" --quiet
+  done
+  # The release build wrote what the debug build wrote, byte for byte.
+  diff -r "$work/debug" "$work/release"
+  (cd "$work/debug" && find . -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
+}
+
+step "Python environment" set_up_python
+step "Khronos validator" set_up_validator
+step "cargo fmt" checked cargo fmt --check
+step "cargo clippy" checked cargo clippy --all-targets --locked -- -D warnings
+step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked
+step "cargo test (debug)" counted cargo test --locked
+step "cargo test (release)" counted cargo test --release --locked
+step "cargo build" cargo build --locked
+step "The demo, twice" checked bake_twice
+step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"
+step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --out "$work/usd"
+step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" .venv/bin/python -m pytest -q tests/scripts
+step_name=

@@ -1,0 +1,240 @@
+//! `blocked_use`: a body, a column or a wall in the space that people need before a side.
+
+use std::collections::BTreeMap;
+
+use crate::catalog::{Clearance, Side};
+use crate::geometry::{Point, direction};
+use crate::layout::Parent;
+use crate::plan::OpeningKind;
+
+use super::convex::clip_segment;
+use super::finding::{Code, Finding};
+use super::subject::{Body, Subject};
+use super::thresholds::{FLAT_DEPTH, FLAT_ELEVATION, ROUNDING, USE_DEPTH};
+use super::zone::{NearPair, Purpose, Zone};
+
+/// The smallest clearances of all bodies.
+pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
+    let mut zones = Vec::new();
+    for (owner, body) in subject.bodies.iter().enumerate() {
+        for (number, clearance) in body.class.clearances.iter().enumerate() {
+            if clearance.minimum > 0.0 {
+                zones.push(zone(body, clearance, Purpose::Using(owner, number)));
+            }
+        }
+    }
+    zones
+}
+
+fn zone(body: &Body<'_>, clearance: &Clearance, purpose: Purpose) -> Zone {
+    let placement = body.placement;
+    let (half_width, half_depth) = (placement.size.width / 2.0, placement.size.depth / 2.0);
+    // Out of the side, and how far the side lies from the middle and reaches left and right of it.
+    let (out, reach, half) = match clearance.side {
+        Side::Front => (Point::NEG_Y, half_depth, half_width),
+        Side::Back => (Point::Y, half_depth, half_width),
+        Side::Left => (Point::NEG_X, half_width, half_depth),
+        Side::Right => (Point::X, half_width, half_depth),
+        Side::Above | Side::Below => unreachable!("the catalogue allows clearances at upright sides only"),
+    };
+    let turn = direction(placement.angle);
+    let place = |out_by: f64, along_by: f64| {
+        placement.position + turn.rotate(out * (reach + out_by) + out.perp() * along_by)
+    };
+    let half = half + clearance.margin;
+    let depth = clearance.minimum;
+    Zone {
+        purpose,
+        base: vec![place(0.0, -half), place(depth, -half), place(depth, half), place(0.0, half)],
+        heights: (placement.elevation, placement.elevation + clearance.height),
+        face: (place(0.0, -half), place(0.0, half)),
+    }
+}
+
+/// Judges the pairs of zone and body that the broad phase found, then the walls and columns; an object and
+/// what blocks it make one finding.
+pub(crate) fn judge(
+    subject: &Subject<'_>,
+    zones: &[Zone],
+    hits: &[NearPair<'_>],
+    findings: &mut Vec<Finding>,
+) {
+    let mut blocked = Blocked::default();
+    for &(zone, body) in hits {
+        let Purpose::Using(owner, number) = zone.purpose else { continue };
+        let clearance = &subject.bodies[owner].class.clearances[number];
+        let other = &subject.bodies[body];
+        if is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner) {
+            continue;
+        }
+        if !is_flat(other) && zone.intrusion(subject, other) > USE_DEPTH + ROUNDING {
+            blocked.note(owner, other.id.clone(), zone.free_depth(other), clearance.minimum);
+        }
+    }
+    for zone in zones {
+        if let Purpose::Using(owner, number) = zone.purpose {
+            let minimum = subject.bodies[owner].class.clearances[number].minimum;
+            for (part, segment) in fixed_edges(subject, zone) {
+                blocked.note(owner, part, zone.free_depth_to(segment), minimum);
+            }
+        }
+    }
+    findings.extend(blocked.0.into_iter().map(|((owner, blocker), (free, minimum))| {
+        Finding::new(Code::BlockedUse, vec![subject.bodies[owner].id.clone(), blocker], free, minimum)
+    }));
+}
+
+/// By object and blocker: what is left of the narrowest clearance, and what it must be.
+#[derive(Default)]
+struct Blocked(BTreeMap<(usize, String), (f64, f64)>);
+
+impl Blocked {
+    fn note(&mut self, owner: usize, blocker: String, free: f64, minimum: f64) {
+        let known = self.0.entry((owner, blocker)).or_insert((free, minimum));
+        if free < known.0 {
+            *known = (free, minimum);
+        }
+    }
+}
+
+/// Whether a body belongs to the owner of a clearance: the owner itself, what it stands at, what stands on or
+/// under it, a child at that side, or what rests on one of these (the cushion on the chair).
+fn is_relative(subject: &Subject<'_>, owner: usize, side: Side, body: usize) -> bool {
+    let is_welcome_child = |object: usize| {
+        let placement = subject.bodies[object].placement;
+        let is_out_of_the_way = matches!(placement.side, Side::Above | Side::Below);
+        placement.parent == Parent::Object(owner) && (is_out_of_the_way || placement.side == side)
+    };
+    subject.descends_from(owner, body)
+        || (owner + 1..=body).any(|object| is_welcome_child(object) && subject.descends_from(body, object))
+}
+
+/// Whether something hangs flat on a wall, where nobody walks into it.
+fn is_flat(body: &Body<'_>) -> bool {
+    matches!(body.placement.parent, Parent::Wall(_) | Parent::Opening(_))
+        && body.placement.size.depth <= FLAT_DEPTH
+        && body.low() >= FLAT_ELEVATION
+}
+
+/// The edges of walls and columns inside a zone, with the names of their parts. Where the wall is open, a
+/// zone may reach into the next room.
+fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(String, (Point, Point))> {
+    let room = subject.room;
+    let inside = |edge: (Point, Point)| clip_segment(&zone.base, edge, USE_DEPTH + ROUNDING);
+    let walls = room.region.borders().enumerate().filter_map(|(number, border)| {
+        let segment = inside(border)?;
+        (!is_open(subject, number, segment)).then(|| (format!("wall.{number}"), segment))
+    });
+    let tall = room.obstacles.iter().enumerate().filter(|(_, column)| column.height > zone.heights.0);
+    let columns = tall.flat_map(|(number, column)| {
+        column.outline.edges().filter_map(inside).map(move |segment| (format!("column.{number}"), segment))
+    });
+    walls.chain(columns).collect()
+}
+
+/// Whether a stretch of a wall lies in an opening that nothing closes.
+fn is_open(subject: &Subject<'_>, wall: usize, (start, end): (Point, Point)) -> bool {
+    let face = &subject.room.walls[wall];
+    let along = |point: Point| (point - face.start).dot(face.direction());
+    let (from, to) = (along(start).min(along(end)), along(start).max(along(end)));
+    subject.room.openings.iter().filter(|place| place.wall == wall).any(|place| {
+        let kind = subject.level.openings[place.opening].kind;
+        let is_free = matches!(kind, OpeningKind::OpenBoundary | OpeningKind::Passage);
+        is_free && place.from - ROUNDING <= from && to <= place.to + ROUNDING
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Code;
+    use crate::audit::testing::{TestRoom, at};
+    use crate::catalog::Side;
+    use crate::geometry::Polygon;
+    use crate::layout::Parent;
+    use crate::plan::{Obstacle, OpeningKind};
+
+    /// A desk (1.5 × 0.75, front clearance 0.75 that lets its chair in) with its front at y = 2.
+    fn desk_room() -> TestRoom {
+        let mut room = TestRoom::rectangle(6.0, 5.0);
+        room.stand("desk", at(3.0, 2.375));
+        room
+    }
+
+    #[test]
+    fn a_body_before_the_desk_blocks_it() {
+        let mut room = desk_room();
+        let chest = room.stand("chest", at(3.0, 0.75));
+        assert_eq!(room.count(Code::BlockedUse), 0, "its edge is at 1.25, where the clearance ends");
+        room.placements[chest].position.y = 0.85;
+        let findings = room.audit();
+        assert_eq!((findings[0].code, findings.len()), (Code::BlockedUse, 1));
+        assert_eq!(findings[0].objects, ["chest.1", "desk.1"]);
+        assert!((findings[0].measured - 0.65).abs() < 1e-9);
+        assert!((findings[0].threshold - 0.75).abs() < 1e-9);
+    }
+
+    #[test]
+    fn its_own_chair_may_stand_there_and_what_lies_on_it_and_nobody_elses() {
+        let mut room = desk_room();
+        let chair = room.add("stool", at(3.0, 1.7), Parent::Object(0));
+        room.placements[chair].side = Side::Front;
+        let cushion = room.add("lamp", at(3.0, 1.7), Parent::Object(chair));
+        room.placements[cushion].elevation = 0.45;
+        assert_eq!(room.count(Code::BlockedUse), 0);
+        room.placements[chair].parent = Parent::Floor;
+        room.placements[chair].side = Side::Above;
+        assert_eq!(room.count(Code::BlockedUse), 2);
+    }
+
+    #[test]
+    fn the_front_turns_with_the_desk() {
+        let mut room = desk_room();
+        room.stand("chest", at(3.0, 0.85));
+        room.placements[0].angle = core::f64::consts::PI;
+        assert_eq!(room.count(Code::BlockedUse), 0);
+        room.placements[0].angle = -core::f64::consts::FRAC_PI_2;
+        room.placements[1].position = at(1.6, 2.4);
+        assert_eq!(room.count(Code::BlockedUse), 1, "turned clockwise the front faces west");
+        room.placements[1].position = at(4.4, 2.4);
+        assert_eq!(room.count(Code::BlockedUse), 0);
+    }
+
+    #[test]
+    fn a_lamp_above_the_clearance_takes_nothing() {
+        let mut room = desk_room();
+        let lamp = room.add("lamp", at(3.0, 1.7), Parent::Ceiling);
+        room.placements[lamp].elevation = 2.2;
+        assert_eq!(room.count(Code::BlockedUse), 0);
+        room.placements[lamp].elevation = 1.5;
+        assert_eq!(room.count(Code::BlockedUse), 1);
+    }
+
+    #[test]
+    fn a_wall_or_a_column_before_the_desk_blocks_it_and_an_opening_does_not() {
+        let mut room = desk_room();
+        room.placements[0].position.y = 0.375 + 0.74;
+        assert_eq!(room.count(Code::BlockedUse), 0, "a centimetre is tolerated");
+        room.placements[0].position.y = 0.375 + 0.7;
+        let findings = room.audit();
+        assert_eq!(findings[0].objects, ["desk.1", "wall.0"]);
+        assert!((findings[0].measured - 0.7).abs() < 1e-9);
+        room.open(0, OpeningKind::OpenBoundary, (1.0, 5.0), (0.0, 2.5));
+        assert_eq!(room.count(Code::BlockedUse), 0);
+        room.placements[0].position.y = 2.375;
+        let outline = Polygon::rectangle(at(3.0, 1.5), at(0.2, 0.2));
+        room.level.rooms[0].obstacles.push(Obstacle { outline, height: 2.5 });
+        assert_eq!(room.audit()[0].objects, ["column.0", "desk.1"]);
+    }
+
+    #[test]
+    fn a_picture_on_the_wall_is_in_nobodys_way_and_a_cabinet_is() {
+        let mut room = desk_room();
+        room.placements[0].position.y = 0.375 + 0.76;
+        let picture = room.add("picture", at(3.0, 0.025), Parent::Wall(0));
+        room.placements[picture].elevation = 1.2;
+        assert_eq!(room.count(Code::BlockedUse), 0);
+        room.placements[picture].size.depth = 0.2;
+        room.placements[picture].position.y = 0.1;
+        assert_eq!(room.count(Code::BlockedUse), 1);
+    }
+}

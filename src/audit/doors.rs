@@ -1,0 +1,198 @@
+//! `door_blocked`: a body in a door's swing or approach.
+
+use std::collections::BTreeMap;
+
+use crate::geometry::{Point, direction};
+use crate::plan::{Leaf, Opening, OpeningKind, RoomOpening};
+
+use super::finding::{Code, Finding};
+use super::subject::Subject;
+use super::thresholds::{APPROACH_DEPTH, DOOR_DEPTH, OPEN_BOUNDARY_DEPTH, ROUNDING};
+use super::zone::{NearPair, Purpose, Zone};
+
+/// Corners of the arc of each eighth of a turn; the chords then stay within 1.1 mm of a 0.9 m leaf's arc.
+const ARC_CORNERS: u32 = 8;
+
+/// The zones of all openings that people walk through, on the room's side.
+pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
+    let mut zones = Vec::new();
+    for place in &subject.room.openings {
+        let opening = &subject.level.openings[place.opening];
+        if opening.kind.is_walkable() {
+            zones.push(approach(subject, place, opening));
+            let wall = &subject.room.walls[place.wall];
+            let opens_here = |leaf: &&Leaf| (middle_of_swing(leaf) - wall.start).dot(wall.normal()) > 0.0;
+            for leaf in opening.leaves.iter().filter(opens_here) {
+                zones.extend(swing(place.opening, opening, leaf));
+            }
+        }
+    }
+    zones
+}
+
+/// The box before an opening: as deep as the opening is wide, at most [`APPROACH_DEPTH`].
+fn approach(subject: &Subject<'_>, place: &RoomOpening, opening: &Opening) -> Zone {
+    let wall = &subject.room.walls[place.wall];
+    let most = if opening.kind == OpeningKind::OpenBoundary { OPEN_BOUNDARY_DEPTH } else { APPROACH_DEPTH };
+    let inward = wall.normal() * opening.width.min(most);
+    let start = wall.start + wall.direction() * place.from;
+    let end = wall.start + wall.direction() * place.to;
+    Zone {
+        purpose: Purpose::Passing(place.opening),
+        base: vec![start, end, end + inward, start + inward],
+        heights: (opening.bottom, opening.top),
+        face: (start, end),
+    }
+}
+
+/// The sector that a leaf sweeps, in convex pieces of at most an eighth of a turn.
+fn swing(index: usize, opening: &Opening, leaf: &Leaf) -> Vec<Zone> {
+    let radius = leaf.hinge.distance(leaf.closed_tip);
+    let sweep = swept_angle(leaf);
+    let first = leaf.closed_tip - leaf.hinge;
+    let start = libm::atan2(first.y, first.x);
+    let piece_count = (sweep.abs() / core::f64::consts::FRAC_PI_4).ceil().max(1.0);
+    let step = sweep / piece_count;
+    let arc_point = |angle: f64| leaf.hinge + direction(angle) * radius;
+    let piece = |number: f64| {
+        let from = start + number * step;
+        let arc = (0..=ARC_CORNERS).map(|i| arc_point(from + step * f64::from(i) / f64::from(ARC_CORNERS)));
+        let mut base: Vec<Point> = core::iter::once(leaf.hinge).chain(arc).collect();
+        if sweep < 0.0 {
+            base.reverse();
+        }
+        let half_width = opening.along * (opening.width / 2.0);
+        Zone {
+            purpose: Purpose::Passing(index),
+            base,
+            heights: (opening.bottom, opening.top),
+            face: (opening.center - half_width, opening.center + half_width),
+        }
+    };
+    (0..piece_count as u32).map(|number| piece(f64::from(number))).collect()
+}
+
+/// Radians from shut to open, above zero counter-clockwise.
+fn swept_angle(leaf: &Leaf) -> f64 {
+    let (closed, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
+    libm::atan2(closed.perp_dot(open), closed.dot(open))
+}
+
+/// A point well inside the swept sector.
+fn middle_of_swing(leaf: &Leaf) -> Point {
+    let closed = leaf.closed_tip - leaf.hinge;
+    let half = direction(swept_angle(leaf) / 2.0);
+    leaf.hinge + half.rotate(closed)
+}
+
+/// Judges the pairs of zone and body that the broad phase found; a door and a body make one finding.
+pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
+    let mut deepest: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+    for &(zone, body) in hits {
+        if let Purpose::Passing(opening) = zone.purpose {
+            let depth = zone.intrusion(subject, &subject.bodies[body]);
+            let known = deepest.entry((opening, body)).or_insert(0.0);
+            *known = known.max(depth);
+        }
+    }
+    for ((opening, body), depth) in deepest {
+        if depth > DOOR_DEPTH + ROUNDING {
+            let door = format!("door:{}", subject.level.openings[opening].id);
+            let objects = vec![subject.bodies[body].id.clone(), door];
+            findings.push(Finding::new(Code::DoorBlocked, objects, depth, DOOR_DEPTH));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Code;
+    use crate::audit::testing::{TestRoom, at};
+    use crate::plan::{Leaf, OpeningKind};
+
+    /// A chest of one metre, its near edge `gap` metres from wall 0, before the middle of the door.
+    fn chest_before(kind: OpeningKind, gap: f64) -> TestRoom {
+        let mut room = TestRoom::rectangle(6.0, 4.0);
+        room.open(0, kind, (2.0, 2.9), (0.0, 2.0));
+        room.stand("chest", at(2.45, gap + 0.5));
+        room
+    }
+
+    #[test]
+    fn the_approach_is_as_deep_as_the_door_is_wide_at_most_eighty_centimetres() {
+        for kind in [OpeningKind::Door, OpeningKind::SlidingDoor, OpeningKind::Passage] {
+            assert_eq!(chest_before(kind, 0.80).count(Code::DoorBlocked), 0, "{kind:?}");
+            let findings = chest_before(kind, 0.75).audit();
+            assert_eq!((findings[0].code, findings.len()), (Code::DoorBlocked, 1));
+            assert!((findings[0].measured - 0.05).abs() < 1e-9);
+            assert_eq!(findings[0].objects, ["chest.1", "door:0"]);
+        }
+        let mut narrow = chest_before(OpeningKind::Passage, 0.62);
+        narrow.level.openings[0].width = 0.6;
+        assert_eq!(narrow.count(Code::DoorBlocked), 0);
+    }
+
+    #[test]
+    fn an_open_boundary_needs_thirty_centimetres_and_a_window_none() {
+        assert_eq!(chest_before(OpeningKind::OpenBoundary, 0.31).count(Code::DoorBlocked), 0);
+        assert_eq!(chest_before(OpeningKind::OpenBoundary, 0.25).count(Code::DoorBlocked), 1);
+        assert_eq!(chest_before(OpeningKind::Window, 0.0).count(Code::DoorBlocked), 0);
+    }
+
+    #[test]
+    fn a_lamp_over_the_door_is_out_of_its_way() {
+        let mut room = chest_before(OpeningKind::Door, 0.0);
+        room.placements[0].elevation = 2.0;
+        assert_eq!(room.count(Code::DoorBlocked), 0);
+        room.placements[0].elevation = 1.9;
+        assert_eq!(room.count(Code::DoorBlocked), 1);
+    }
+
+    #[test]
+    fn the_swing_reaches_past_the_approach() {
+        // Hinge at x = 2.9, opening inwards through 90 degrees, 0.9 m long: the arc's top is at y = 0.9.
+        let mut room = chest_before(OpeningKind::Door, 0.85);
+        assert_eq!(room.count(Code::DoorBlocked), 0);
+        let leaf = Leaf { hinge: at(2.9, 0.0), closed_tip: at(2.0, 0.0), open_tip: at(2.9, 0.9) };
+        room.level.openings[0].leaves = vec![leaf];
+        assert_eq!(room.count(Code::DoorBlocked), 1);
+        room.placements[0].position.y = 0.91 + 0.5;
+        assert_eq!(room.count(Code::DoorBlocked), 0);
+        // Outside the arc, though inside its square.
+        room.placements[0].position = at(1.5, 1.3);
+        assert_eq!(room.count(Code::DoorBlocked), 0);
+    }
+
+    #[test]
+    fn a_door_that_opens_the_other_way_needs_its_approach_only() {
+        let mut room = chest_before(OpeningKind::Door, 0.85);
+        let leaf = Leaf { hinge: at(2.9, -0.1), closed_tip: at(2.0, -0.1), open_tip: at(2.9, -1.0) };
+        room.level.openings[0].leaves = vec![leaf];
+        assert_eq!(room.count(Code::DoorBlocked), 0);
+    }
+
+    #[test]
+    fn a_leaf_that_opens_half_a_turn_sweeps_both_quarters() {
+        let mut room = TestRoom::rectangle(6.0, 4.0);
+        room.open(0, OpeningKind::Door, (2.0, 2.9), (0.0, 2.0));
+        let leaf = Leaf { hinge: at(2.9, 0.0), closed_tip: at(2.0, 0.0), open_tip: at(3.8, 0.001) };
+        room.level.openings[0].leaves = vec![leaf];
+        room.stand("lamp", at(3.4, 0.4));
+        assert_eq!(room.count(Code::DoorBlocked), 1);
+        room.placements[0].position = at(3.8, 0.6);
+        assert_eq!(room.count(Code::DoorBlocked), 0);
+    }
+
+    #[test]
+    fn a_wall_between_door_and_body_hides_it() {
+        // A room around a thin tongue of wall, 0.5 m before the door.
+        let corners =
+            [(0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (0.0, 4.0), (0.0, 0.6), (4.0, 0.6), (4.0, 0.5), (0.0, 0.5)];
+        let mut room = TestRoom::outline(&corners);
+        room.open(0, OpeningKind::Passage, (1.0, 1.9), (0.0, 2.0));
+        room.stand("lamp", at(1.45, 0.7));
+        assert_eq!(room.count(Code::DoorBlocked), 0);
+        room.placements[0].position.y = 0.3;
+        assert_eq!(room.count(Code::DoorBlocked), 1);
+    }
+}

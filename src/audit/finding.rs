@@ -1,0 +1,144 @@
+//! What an audit says.
+
+use serde::Serialize;
+
+/// A fault of a furnished room.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// What kind.
+    pub code: Code,
+    /// Whether the room fails by it.
+    pub severity: Severity,
+    /// Ids of the objects concerned, sorted; an opening is `door:<id>`, a missing piece its class.
+    pub objects: Vec<String>,
+    /// The measured value, in metres or as a share.
+    pub measured: f64,
+    /// The threshold that it breaks.
+    pub threshold: f64,
+}
+
+impl Finding {
+    /// A finding of a kind; sorts the objects.
+    pub(crate) fn new(code: Code, mut objects: Vec<String>, measured: f64, threshold: f64) -> Self {
+        objects.sort_unstable();
+        Self { code, severity: code.severity(), objects, measured, threshold }
+    }
+}
+
+/// The kinds of findings; the words are part of the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Code {
+    /// Two bodies intersect.
+    Collision,
+    /// Part of a body lies outside the room.
+    OutOfRoom,
+    /// Not in contact with its support.
+    Floating,
+    /// Hangs over the edge of what it stands on.
+    Unsupported,
+    /// A body in a door's swing or approach.
+    DoorBlocked,
+    /// A body in the clearance of a functional side.
+    BlockedUse,
+    /// A required piece is absent.
+    MissingRequired,
+    /// Fewer than nine tenths of the requested pieces rest.
+    Unfulfilled,
+}
+
+impl Code {
+    /// All kinds, in the order of their declaration.
+    pub const ALL: [Self; 8] = [
+        Self::Collision,
+        Self::OutOfRoom,
+        Self::Floating,
+        Self::Unsupported,
+        Self::DoorBlocked,
+        Self::BlockedUse,
+        Self::MissingRequired,
+        Self::Unfulfilled,
+    ];
+
+    /// The word in the output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Collision => "collision",
+            Self::OutOfRoom => "out_of_room",
+            Self::Floating => "floating",
+            Self::Unsupported => "unsupported",
+            Self::DoorBlocked => "door_blocked",
+            Self::BlockedUse => "blocked_use",
+            Self::MissingRequired => "missing_required",
+            Self::Unfulfilled => "unfulfilled",
+        }
+    }
+
+    /// How bad a finding of this kind is.
+    #[must_use]
+    pub fn severity(self) -> Severity {
+        if self == Self::Unfulfilled { Severity::Minor } else { Severity::Failed }
+    }
+
+    /// Whether no room may ever have it: the laws of bodies, as against the customs of use.
+    #[must_use]
+    pub fn is_physical(self) -> bool {
+        matches!(self, Self::Collision | Self::OutOfRoom | Self::Floating | Self::Unsupported)
+    }
+}
+
+/// How bad a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Severity {
+    /// The room is usable all the same.
+    Minor,
+    /// The room fails.
+    Failed,
+}
+
+/// The paper's three grades (section 6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Grade {
+    /// No finding.
+    None,
+    /// Minor findings only.
+    Minor,
+    /// At least one finding that fails the room.
+    Failed,
+}
+
+impl Grade {
+    /// The grade of a room with these findings.
+    #[must_use]
+    pub fn of(findings: &[Finding]) -> Self {
+        findings.iter().fold(Self::None, |grade, finding| {
+            grade.max(if finding.severity == Severity::Failed { Self::Failed } else { Self::Minor })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_finding_is_the_grade() {
+        let minor = Finding::new(Code::Unfulfilled, Vec::new(), 0.5, 0.9);
+        let failed = Finding::new(Code::Collision, vec!["b.1".into(), "a.1".into()], 0.1, 0.001);
+        assert_eq!(Grade::of(&[]), Grade::None);
+        assert_eq!(Grade::of(std::slice::from_ref(&minor)), Grade::Minor);
+        assert_eq!(Grade::of(&[failed.clone(), minor]), Grade::Failed);
+        assert_eq!(failed.objects, ["a.1", "b.1"]);
+    }
+
+    #[test]
+    fn names_are_the_serialized_words_and_all_lists_each_once_in_order() {
+        for code in Code::ALL {
+            assert_eq!(serde_json::to_value(code).unwrap(), code.name());
+        }
+        assert!(Code::ALL.is_sorted() && Code::ALL.last() == Some(&Code::Unfulfilled));
+    }
+}

@@ -1,0 +1,204 @@
+//! Whether an empty room could hold a piece: what separates a fault of the layout from a room too small.
+
+use core::f64::consts::FRAC_PI_2;
+
+use crate::catalog::{Class, ClassIndex, ParentName, Side, Size};
+use crate::geometry::{Point, direction};
+use crate::plan::Wall;
+
+use super::convex::{clip_segment, edges, penetration};
+use super::doors;
+use super::subject::Subject;
+use super::thresholds::{FIT_STEP, ROUNDING};
+use super::zone::Zone;
+
+/// Whether some size of a class, with its smallest clearances, fits somewhere on the empty floor: clear of
+/// walls, columns and door zones, and with its back to a solid stretch of wall if it can stand in no other
+/// way. Positions are tried every [`FIT_STEP`]; "no" may miss a fit without slack, "yes" never errs.
+pub(crate) fn can_hold(subject: &Subject<'_>, class: ClassIndex) -> bool {
+    let class = &subject.catalog.classes[class];
+    let empty = EmptyRoom::new(subject);
+    let hangs = |wanted: &ParentName| class.parents.iter().any(|rule| rule.parent == *wanted);
+    let needs_wall = hangs(&ParentName::Wall) && !hangs(&ParentName::Floor);
+    let fits_under = |size: &&Size| lowest_underside(class) + size.height <= subject.room.height;
+    class.sizes.iter().filter(fits_under).any(|&size| {
+        let boxes = needed_boxes(class, size);
+        let walls = subject.room.walls.iter().enumerate().filter(|(_, wall)| wall.length() > ROUNDING);
+        walls.into_iter().any(|(number, wall)| {
+            empty.holds_at_wall(&boxes, size, (number, wall))
+                || (!needs_wall && empty.holds_inside(&boxes, wall))
+        })
+    })
+}
+
+/// Metres above the floor of the underside of a piece hung as low as its class allows.
+fn lowest_underside(class: &Class) -> f64 {
+    let on_parts = class.parents.iter().filter(|rule| !matches!(rule.parent, ParentName::Classes(_)));
+    let lowest = on_parts.map(|rule| rule.elevation.0).fold(f64::INFINITY, f64::min);
+    if lowest.is_finite() { lowest } else { 0.0 }
+}
+
+/// A box of a piece or its clearance in the class's frame: lowest and highest corner.
+type LocalBox = (Point, Point);
+
+/// The piece itself and the clearances without which it is of no use.
+fn needed_boxes(class: &Class, size: Size) -> Vec<LocalBox> {
+    let half = Point::new(size.width, size.depth) / 2.0;
+    let mut boxes = vec![(-half, half)];
+    for clearance in &class.clearances {
+        let (mut low, mut high) = (-half, half);
+        match clearance.side {
+            Side::Front => (low.y, high.y) = (-half.y - clearance.minimum, -half.y),
+            Side::Back => (low.y, high.y) = (half.y, half.y + clearance.minimum),
+            Side::Left => (low.x, high.x) = (-half.x - clearance.minimum, -half.x),
+            Side::Right => (low.x, high.x) = (half.x, half.x + clearance.minimum),
+            Side::Above | Side::Below => continue,
+        }
+        boxes.push((low, high));
+    }
+    boxes.retain(|(low, high)| low.cmplt(*high).all());
+    boxes
+}
+
+/// The room without furniture.
+struct EmptyRoom<'s, 'a> {
+    subject: &'s Subject<'a>,
+    borders: Vec<(Point, Point)>,
+    door_zones: Vec<Zone>,
+}
+
+impl<'s, 'a> EmptyRoom<'s, 'a> {
+    fn new(subject: &'s Subject<'a>) -> Self {
+        let columns = subject.room.obstacles.iter().flat_map(|column| column.outline.edges());
+        let borders = subject.room.region.borders().chain(columns).collect();
+        Self { subject, borders, door_zones: doors::zones(subject) }
+    }
+
+    /// Tries the piece along a wall, its back to it.
+    fn holds_at_wall(&self, boxes: &[LocalBox], size: Size, (number, wall): (usize, &Wall)) -> bool {
+        let angle = libm::atan2(wall.direction().y, wall.direction().x) + core::f64::consts::PI;
+        let off_wall = wall.normal() * (size.depth / 2.0 + ROUNDING);
+        let is_solid = |along: f64| {
+            let mut here = self.subject.room.openings.iter().filter(|place| place.wall == number);
+            let (from, to) = (along - size.width / 2.0, along + size.width / 2.0);
+            !here.any(|place| place.from < to && from < place.to)
+        };
+        steps(size.width / 2.0 + ROUNDING, wall.length() - size.width / 2.0)
+            .filter(|&along| is_solid(along))
+            .any(|along| self.is_free(boxes, wall.start + wall.direction() * along + off_wall, angle))
+    }
+
+    /// Tries the piece anywhere, parallel to a wall, in four directions.
+    fn holds_inside(&self, boxes: &[LocalBox], wall: &Wall) -> bool {
+        let first = libm::atan2(wall.direction().y, wall.direction().x);
+        let (low, high) = self.subject.room.region.outline.bounds();
+        let turns = (0..4).map(|quarter| first + FRAC_PI_2 * f64::from(quarter));
+        turns.into_iter().any(|angle| {
+            steps(low.x, high.x)
+                .any(|x| steps(low.y, high.y).any(|y| self.is_free(boxes, Point::new(x, y), angle)))
+        })
+    }
+
+    fn is_free(&self, boxes: &[LocalBox], position: Point, angle: f64) -> bool {
+        // The middle decides most positions; the rest is asked only where it is inside.
+        self.subject.room.region.contains(position)
+            && boxes.iter().enumerate().all(|(number, &local)| {
+                let footprint = placed(local, position, angle);
+                let is_body = number == 0;
+                self.is_inside(&footprint) && !(is_body && self.blocks_a_door(&footprint))
+            })
+    }
+
+    fn is_inside(&self, footprint: &[Point]) -> bool {
+        let in_column =
+            |point: Point| self.subject.room.obstacles.iter().any(|column| column.outline.contains(point));
+        let corner = footprint[0];
+        self.subject.room.region.contains(corner)
+            && !in_column(corner)
+            && !self.borders.iter().any(|&border| clip_segment(footprint, border, ROUNDING / 2.0).is_some())
+    }
+
+    fn blocks_a_door(&self, footprint: &[Point]) -> bool {
+        self.door_zones.iter().any(|zone| penetration(&zone.base, footprint) > 0.0)
+    }
+}
+
+fn placed((low, high): LocalBox, position: Point, angle: f64) -> Vec<Point> {
+    let turn = direction(angle);
+    let corners = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
+    let placed: Vec<Point> = corners.map(|corner| position + turn.rotate(corner)).to_vec();
+    debug_assert!(edges(&placed).count() == 4, "empty boxes were dropped");
+    placed
+}
+
+/// `from`, then on by [`FIT_STEP`] up to `to`.
+fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let mut number = 0_u32;
+    core::iter::from_fn(move || {
+        let value = from + f64::from(number) * FIT_STEP;
+        number += 1;
+        (value <= to).then_some(value)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::testing::{TestRoom, at};
+    use crate::geometry::Polygon;
+    use crate::plan::{Obstacle, OpeningKind};
+
+    fn holds(room: &TestRoom, class: &str) -> bool {
+        let furnished = room.furnished();
+        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
+        can_hold(&subject, room.catalog.class_index(class).unwrap())
+    }
+
+    #[test]
+    fn a_chest_needs_its_own_size() {
+        assert!(holds(&TestRoom::rectangle(1.01, 1.01), "chest"));
+        assert!(!holds(&TestRoom::rectangle(0.99, 3.0), "chest"));
+    }
+
+    #[test]
+    fn a_desk_needs_its_clearance_too() {
+        assert!(holds(&TestRoom::rectangle(1.52, 1.52), "desk"));
+        assert!(!holds(&TestRoom::rectangle(1.45, 1.45), "desk"));
+    }
+
+    #[test]
+    fn a_door_or_a_column_takes_the_room() {
+        let mut room = TestRoom::rectangle(1.6, 1.1);
+        assert!(holds(&room, "chest"));
+        room.open(0, OpeningKind::Passage, (0.4, 1.2), (0.0, 2.0));
+        assert!(!holds(&room, "chest"));
+        let mut room = TestRoom::rectangle(1.6, 1.1);
+        let outline = Polygon::rectangle(at(0.7, 0.4), at(0.2, 0.2));
+        room.level.rooms[0].obstacles.push(Obstacle { outline, height: 2.5 });
+        assert!(!holds(&room, "chest"));
+    }
+
+    #[test]
+    fn a_picture_needs_a_wall_beside_the_window() {
+        let mut room = TestRoom::rectangle(3.0, 3.0);
+        assert!(holds(&room, "picture"));
+        let picture = room.catalog.class_index("picture").unwrap();
+        room.catalog.classes[picture].parents[0].elevation = (2.1, 2.2);
+        assert!(!holds(&room, "picture"), "half a metre under the ceiling at 2.5 m is too little");
+        room.catalog.classes[picture].parents[0].elevation = (1.2, 2.2);
+        assert!(holds(&room, "picture"));
+        for wall in 0..4 {
+            room.open(wall, OpeningKind::Window, (0.2, 2.8), (0.9, 2.2));
+        }
+        assert!(!holds(&room, "picture"));
+    }
+
+    #[test]
+    fn a_slanted_room_is_tried_along_its_own_walls() {
+        let turn = direction(0.5);
+        let corners = [(0.0, 0.0), (1.02, 0.0), (1.02, 1.02), (0.0, 1.02)]
+            .map(|(x, y)| turn.rotate(Point::new(x, y)))
+            .map(|corner| (corner.x, corner.y));
+        assert!(holds(&TestRoom::outline(&corners), "chest"));
+    }
+}

@@ -1,0 +1,76 @@
+//! Building and placements to findings; never changes a layout.
+//!
+//! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
+//! ([`crate::layout::solids`]). What each code means and where its figure comes from stands in
+//! `thresholds` and at the head of the file that judges it.
+
+mod clearances;
+mod collision;
+mod containment;
+mod convex;
+mod doors;
+mod finding;
+mod fit;
+mod programme;
+mod subject;
+mod summary;
+mod support;
+mod sweep;
+#[cfg(test)]
+mod testing;
+mod thresholds;
+mod zone;
+
+pub use finding::{Code, Finding, Grade, Severity};
+pub use summary::{AuditSummary, GradeCounts};
+
+use crate::catalog::Catalog;
+use crate::layout::Furnished;
+use crate::plan::Level;
+
+use subject::Subject;
+use sweep::{Bounds, touching_pairs};
+use zone::{NearPair, Zone};
+
+/// Judges one furnished room.
+///
+/// `room` is an index into `level.rooms`, `furnished` what the layout made of it. The findings are sorted by
+/// code, then by objects; an empty list is a good room.
+///
+/// # Panics
+/// If `furnished` names a class, parent, wall or opening that does not exist.
+#[must_use]
+pub fn audit_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Vec<Finding> {
+    let subject = Subject::new(level, room, furnished, catalog);
+    let mut findings = Vec::new();
+    // The physical faults that one body can have by itself.
+    containment::judge(&subject, &mut findings);
+    support::judge(&subject, &mut findings);
+    // What two bodies, or a body and a zone that people need, do to each other.
+    let mut zones = doors::zones(&subject);
+    zones.extend(clearances::zones(&subject));
+    let (collisions, hits) = near_pairs(&subject, &zones);
+    collision::judge(&subject, &collisions, &mut findings);
+    doors::judge(&subject, &hits, &mut findings);
+    clearances::judge(&subject, &zones, &hits, &mut findings);
+    // What should be there and is not.
+    programme::judge(&subject, &mut findings);
+    findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
+    findings
+}
+
+/// Pairs of bodies whose boxes touch, and pairs of a zone and a body whose boxes touch.
+fn near_pairs<'z>(subject: &Subject<'_>, zones: &'z [Zone]) -> (Vec<(usize, usize)>, Vec<NearPair<'z>>) {
+    let body_count = subject.bodies.len();
+    let bodies = subject.bodies.iter().map(|body| body.bounds);
+    let boxes: Vec<Bounds> = bodies.chain(zones.iter().map(Zone::bounds)).collect();
+    let (mut collisions, mut hits) = (Vec::new(), Vec::new());
+    for (a, b) in touching_pairs(&boxes) {
+        if b < body_count {
+            collisions.push((a, b));
+        } else if a < body_count {
+            hits.push((&zones[b - body_count], a));
+        }
+    }
+    (collisions, hits)
+}

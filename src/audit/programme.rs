@@ -1,0 +1,135 @@
+//! `missing_required` and `unfulfilled`: what the programme asks for and the room does not have.
+
+use std::collections::BTreeSet;
+
+use crate::catalog::{ClassIndex, Count, DEFAULT_STYLE, Request};
+
+use super::finding::{Code, Finding};
+use super::fit::can_hold;
+use super::subject::Subject;
+use super::thresholds::{REST_SHARE, ROUNDING};
+
+/// Judges a room against its programme.
+pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+    for class in missing_classes(subject) {
+        if can_hold(subject, class) {
+            let (rest, asked) =
+                (resting(subject, &[class]), resting(subject, &[class]) + removed(subject, class));
+            let objects = vec![subject.catalog.classes[class].id.clone()];
+            findings.push(Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked)));
+        }
+    }
+    let requested = subject.furnished.requested;
+    let share = f64::from(count(subject.bodies.len())) / f64::from(requested.max(1));
+    if requested > 0 && share < REST_SHARE - ROUNDING {
+        findings.push(Finding::new(Code::Unfulfilled, Vec::new(), share, REST_SHARE));
+    }
+}
+
+/// Classes with a required removal whose line of the programme is left without what it is for: no piece at
+/// all, or a piece of another class without its companion (a desk without a chair).
+fn missing_classes(subject: &Subject<'_>) -> BTreeSet<ClassIndex> {
+    let removals = subject.furnished.removals.iter().filter(|removal| removal.is_required);
+    let classes: BTreeSet<ClassIndex> = removals.map(|removal| removal.class).collect();
+    classes.into_iter().filter(|&class| !is_met(subject, class)).collect()
+}
+
+/// Whether some required line that may ask for the class is met by what rests.
+fn is_met(subject: &Subject<'_>, class: ClassIndex) -> bool {
+    let lines = programme(subject);
+    let mut asking = lines.iter().filter(|line| line.is_required && line.classes.contains(&class)).peekable();
+    if asking.peek().is_none() {
+        return resting(subject, &[class]) > 0;
+    }
+    asking.any(|line| {
+        let needed = match line.count {
+            Count::PerPiece(companion, each) => f64::from(resting(subject, &[companion])) * each.min(1.0),
+            _ => 1.0,
+        };
+        f64::from(resting(subject, &line.classes)) >= needed.floor()
+    })
+}
+
+fn programme<'a>(subject: &Subject<'a>) -> Vec<&'a Request> {
+    let catalog = subject.catalog;
+    let style = catalog.styles.get(&subject.furnished.style).or_else(|| catalog.styles.get(DEFAULT_STYLE));
+    let room_type = catalog.room_types.get(&subject.room.room_type);
+    match (style, room_type) {
+        (Some(style), Some(room_type)) => style.programme(room_type).collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn resting(subject: &Subject<'_>, classes: &[ClassIndex]) -> u32 {
+    count(subject.bodies.iter().filter(|body| classes.contains(&body.placement.class)).count())
+}
+
+fn removed(subject: &Subject<'_>, class: ClassIndex) -> u32 {
+    let removals = subject.furnished.removals.iter();
+    count(removals.filter(|removal| removal.class == class && removal.is_required).count())
+}
+
+fn count(length: usize) -> u32 {
+    u32::try_from(length).expect("a room holds fewer than four thousand million objects")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Code;
+    use crate::audit::testing::{TestRoom, at, per_piece, required};
+
+    #[test]
+    fn a_required_piece_that_fits_and_is_absent_fails_the_room() {
+        let mut room = TestRoom::rectangle(5.0, 4.0);
+        room.ask(required("chest"));
+        room.remove("chest", true);
+        let findings = room.audit();
+        assert_eq!((findings[0].code, findings.len()), (Code::MissingRequired, 1));
+        assert_eq!(findings[0].objects, ["chest"]);
+        assert_eq!((findings[0].measured, findings[0].threshold), (0.0, 1.0));
+        room.stand("chest", at(2.0, 2.0));
+        assert_eq!(room.audit(), [], "one of two asked for is there");
+    }
+
+    #[test]
+    fn what_was_not_required_may_be_absent() {
+        let mut room = TestRoom::rectangle(5.0, 4.0);
+        room.remove("chest", false);
+        assert_eq!(room.audit(), []);
+    }
+
+    #[test]
+    fn nothing_is_said_where_the_room_cannot_hold_it() {
+        let mut room = TestRoom::rectangle(0.9, 4.0);
+        room.ask(required("chest"));
+        room.remove("chest", true);
+        assert_eq!(room.audit(), []);
+    }
+
+    #[test]
+    fn each_desk_needs_its_stool() {
+        let mut room = TestRoom::rectangle(6.0, 5.0);
+        room.ask(per_piece("stool", "desk", 1.0));
+        room.stand("desk", at(1.0, 3.0));
+        room.stand("desk", at(4.0, 3.0));
+        room.stand("stool", at(5.5, 4.5));
+        room.remove("stool", true);
+        assert_eq!(room.count(Code::MissingRequired), 1);
+        room.stand("stool", at(0.3, 4.5));
+        assert_eq!(room.count(Code::MissingRequired), 0);
+    }
+
+    #[test]
+    fn nine_of_ten_are_enough() {
+        let mut room = TestRoom::rectangle(5.0, 4.0);
+        for number in 0..9 {
+            room.stand("lamp", at(0.3 + 0.5 * f64::from(number), 2.0));
+        }
+        room.requested = Some(10);
+        assert_eq!(room.audit(), []);
+        room.requested = Some(11);
+        let findings = room.audit();
+        assert_eq!(findings[0].code, Code::Unfulfilled);
+        assert!((findings[0].measured - 9.0 / 11.0).abs() < 1e-12);
+    }
+}

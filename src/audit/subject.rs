@@ -1,0 +1,90 @@
+//! What the audit looks at: one room with the bodies that stand in it.
+
+use glam::DVec3;
+
+use crate::catalog::{Catalog, Class};
+use crate::geometry::Solid;
+use crate::layout::{Furnished, Parent, Placement, solids};
+use crate::plan::{Level, Room};
+
+use super::convex::edges;
+use super::sweep::Bounds;
+
+/// One furnished room.
+pub(crate) struct Subject<'a> {
+    /// The level around the room.
+    pub(crate) level: &'a Level,
+    /// The room.
+    pub(crate) room: &'a Room,
+    /// What the layout says about it.
+    pub(crate) furnished: &'a Furnished,
+    /// The classes and programmes.
+    pub(crate) catalog: &'a Catalog,
+    /// One per placement, in its order.
+    pub(crate) bodies: Vec<Body<'a>>,
+}
+
+/// One placed object and the space that it fills.
+pub(crate) struct Body<'a> {
+    /// `<class>.<number>`.
+    pub(crate) id: String,
+    /// Where it stands.
+    pub(crate) placement: &'a Placement,
+    /// What it is.
+    pub(crate) class: &'a Class,
+    /// Its solid parts in the level's frame.
+    pub(crate) solids: Vec<Solid>,
+    /// The box around them.
+    pub(crate) bounds: Bounds,
+}
+
+impl<'a> Subject<'a> {
+    /// Builds the bodies of a furnished room.
+    pub(crate) fn new(level: &'a Level, room: usize, furnished: &'a Furnished, catalog: &'a Catalog) -> Self {
+        let bodies = furnished.placements.iter().map(|placement| Body::new(placement, catalog)).collect();
+        Self { level, room: &level.rooms[room], furnished, catalog, bodies }
+    }
+
+    /// Whether `object` is `ancestor` or rests on it, directly or over others.
+    pub(crate) fn descends_from(&self, object: usize, ancestor: usize) -> bool {
+        let mut current = object;
+        loop {
+            if current == ancestor {
+                return true;
+            }
+            match self.bodies[current].placement.parent {
+                // A parent is always an earlier placement, so this walk ends.
+                Parent::Object(parent) if parent < current => current = parent,
+                _ => return false,
+            }
+        }
+    }
+}
+
+impl<'a> Body<'a> {
+    fn new(placement: &'a Placement, catalog: &'a Catalog) -> Self {
+        let class = &catalog.classes[placement.class];
+        let solids = solids(class, placement);
+        let bounds = solids.iter().map(solid_bounds).fold(Bounds::EMPTY, Bounds::union);
+        Self { id: format!("{}.{}", class.id, placement.number), placement, class, solids, bounds }
+    }
+
+    /// Metres of its underside above the floor.
+    pub(crate) fn low(&self) -> f64 {
+        self.bounds.low.z
+    }
+
+    /// Metres of its top above the floor.
+    pub(crate) fn high(&self) -> f64 {
+        self.bounds.high.z
+    }
+}
+
+/// The box around a prism.
+pub(crate) fn solid_bounds(solid: &Solid) -> Bounds {
+    let flat = edges(solid.footprint()).fold(Bounds::EMPTY, |bounds, (corner, _)| {
+        let corner = DVec3::new(corner.x, corner.y, solid.low);
+        bounds.union(Bounds { low: corner, high: corner })
+    });
+    Bounds { low: flat.low, high: flat.high.with_z(solid.high) }
+}

@@ -1,0 +1,256 @@
+//! Small rooms and a small catalogue for the audit's tests.
+
+use crate::catalog::{
+    Along, Catalog, Class, Clearance, Count, Extent, Finish, ModelSource, Orientation, ParentName,
+    ParentRule, PrismRule, Request, RoomType, Shape, Side, SideOffer, Size, Style, Turn, Untidiness,
+};
+use crate::geometry::{Point, Polygon, Region};
+use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
+use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
+
+use super::{Code, Finding, audit_room};
+
+/// A room 2.5 m high with hand-placed objects of the test catalogue:
+/// chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3, picture 0.6 × 0.05 × 0.5,
+/// table 1.5 × 0.75 × 0.75 with four legs, desk the same as a box with a clearance of 0.75 before it.
+pub(crate) struct TestRoom {
+    pub(crate) level: Level,
+    pub(crate) catalog: Catalog,
+    pub(crate) placements: Vec<Placement>,
+    pub(crate) removals: Vec<Removal>,
+    pub(crate) requested: Option<u32>,
+}
+
+pub(crate) fn at(x: f64, y: f64) -> Point {
+    Point::new(x, y)
+}
+
+impl TestRoom {
+    pub(crate) fn rectangle(width: f64, depth: f64) -> Self {
+        Self::outline(&[(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)])
+    }
+
+    pub(crate) fn outline(corners: &[(f64, f64)]) -> Self {
+        let corners: Vec<Point> = corners.iter().map(|&(x, y)| at(x, y)).collect();
+        let region = Region::simple(Polygon::new(&corners).unwrap());
+        let level = Level {
+            id: "ground".into(),
+            name: "ground".into(),
+            elevation: 0.0,
+            height: 3.0,
+            rooms: vec![room(region)],
+            openings: Vec::new(),
+            digest: [0; 32],
+        };
+        Self { level, catalog: catalog(), placements: Vec::new(), removals: Vec::new(), requested: None }
+    }
+
+    pub(crate) fn set_holes(&mut self, holes: Vec<Polygon>) {
+        let outline = self.level.rooms[0].region.outline.clone();
+        self.level.rooms[0] = room(Region { outline, holes });
+    }
+
+    /// Puts an opening `(from, to)` metres along a wall, `(bottom, top)` metres high.
+    pub(crate) fn open(&mut self, wall: usize, kind: OpeningKind, along: (f64, f64), heights: (f64, f64)) {
+        let number = self.level.openings.len();
+        let face = self.level.rooms[0].walls[wall].clone();
+        let (from, to) = along;
+        self.level.openings.push(Opening {
+            id: number.to_string(),
+            kind,
+            center: face.start + face.direction() * (from + to) / 2.0,
+            along: face.direction(),
+            width: to - from,
+            bottom: heights.0,
+            top: heights.1,
+            leaves: Vec::new(),
+            sides: vec![OpeningSide { room: 0, wall, from, to }],
+        });
+        self.level.rooms[0].openings.push(RoomOpening { opening: number, wall, from, to });
+    }
+
+    /// Stands an object on the floor; the answer is its index.
+    pub(crate) fn stand(&mut self, class: &str, position: Point) -> usize {
+        self.add(class, position, Parent::Floor)
+    }
+
+    /// Adds an object at floor height; the answer is its index.
+    pub(crate) fn add(&mut self, class: &str, position: Point, parent: Parent) -> usize {
+        let class = self.catalog.class_index(class).unwrap();
+        let earlier = self.placements.iter().filter(|placement| placement.class == class).count();
+        self.placements.push(Placement {
+            class,
+            number: u32::try_from(earlier).unwrap() + 1,
+            parent,
+            side: if matches!(parent, Parent::Ceiling) { Side::Below } else { Side::Above },
+            position,
+            elevation: 0.0,
+            angle: 0.0,
+            variant: 0,
+            size: self.catalog.classes[class].sizes[0],
+        });
+        self.placements.len() - 1
+    }
+
+    pub(crate) fn remove(&mut self, class: &str, is_required: bool) {
+        let class = self.catalog.class_index(class).unwrap();
+        self.removals.push(Removal { class, reason: RemovalReason::Collision, is_required });
+    }
+
+    /// Adds a line to the programme of the room's type.
+    pub(crate) fn ask(&mut self, line: impl Fn(&Catalog) -> Request) {
+        let line = line(&self.catalog);
+        self.catalog.room_types.get_mut("office").unwrap().programme.push(line);
+    }
+
+    pub(crate) fn furnished(&self) -> Furnished {
+        Furnished {
+            room: 0,
+            seed: 1,
+            style: "default".into(),
+            requested: self.requested.unwrap_or(0),
+            placements: self.placements.clone(),
+            removals: self.removals.clone(),
+        }
+    }
+
+    pub(crate) fn audit(&self) -> Vec<Finding> {
+        audit_room(&self.level, 0, &self.furnished(), &self.catalog)
+    }
+
+    pub(crate) fn count(&self, code: Code) -> usize {
+        self.audit().iter().filter(|finding| finding.code == code).count()
+    }
+}
+
+fn room(region: Region) -> Room {
+    let wall = |(start, end)| Wall {
+        start,
+        end,
+        thickness: 0.1,
+        is_exterior: false,
+        kind: WallKind::Solid,
+        tags: Vec::new(),
+    };
+    let walls = region.borders().map(wall).collect();
+    Room {
+        id: "101".into(),
+        number: 1,
+        name: None,
+        room_type: "office".into(),
+        style: None,
+        region,
+        height: 2.5,
+        walls,
+        obstacles: Vec::new(),
+        openings: Vec::new(),
+    }
+}
+
+/// A required line for one piece of a class.
+pub(crate) fn required(class: &'static str) -> impl Fn(&Catalog) -> Request {
+    move |catalog| line(catalog, class, Count::Fixed(1))
+}
+
+/// A required line for pieces of a class by pieces of another.
+pub(crate) fn per_piece(class: &'static str, of: &'static str, each: f64) -> impl Fn(&Catalog) -> Request {
+    move |catalog| line(catalog, class, Count::PerPiece(catalog.class_index(of).unwrap(), each))
+}
+
+fn line(catalog: &Catalog, class: &str, count: Count) -> Request {
+    let classes = vec![catalog.class_index(class).unwrap()];
+    Request { classes, count, area: (0.0, 1000.0), is_required: true, chance: 1.0, needs_window: false }
+}
+
+fn catalog() -> Catalog {
+    let mut desk = class("desk", (1.5, 0.75, 0.75), ParentName::Floor);
+    desk.clearances.push(Clearance {
+        side: Side::Front,
+        minimum: 0.75,
+        good: 0.91,
+        margin: 0.0,
+        height: 2.0,
+        allows_children: true,
+    });
+    let mut table = class("table", (1.5, 0.75, 0.75), ParentName::Floor);
+    table.shape = table_shape();
+    let room_type = RoomType {
+        id: "office".into(),
+        label: "Office".into(),
+        is_furnished: true,
+        programme: Vec::new(),
+        excludes: Vec::new(),
+        density: (0.1, 0.4),
+        finish: Finish { floor: "parquet".into(), wall: "plaster".into(), ceiling: "ceiling".into() },
+    };
+    let style = Style {
+        id: "default".into(),
+        label: "Plain".into(),
+        room_types: Vec::new(),
+        programmes: std::collections::BTreeMap::new(),
+        additions: std::collections::BTreeMap::new(),
+        geometry: "plain".into(),
+        palette: "modern".into(),
+        untidiness: Untidiness::default(),
+        density: 1.0,
+    };
+    Catalog {
+        classes: vec![
+            class("chest", (1.0, 1.0, 0.8), ParentName::Floor),
+            desk,
+            class("lamp", (0.2, 0.2, 0.3), ParentName::Ceiling),
+            class("picture", (0.6, 0.05, 0.5), ParentName::Wall),
+            class("stool", (0.4, 0.4, 0.45), ParentName::Floor),
+            table,
+        ],
+        room_types: [("office".to_owned(), room_type)].into(),
+        styles: [("default".to_owned(), style)].into(),
+        ..Catalog::default()
+    }
+}
+
+fn class(id: &str, (width, depth, height): (f64, f64, f64), parent: ParentName) -> Class {
+    let rule = ParentRule {
+        parent,
+        sides: vec![Side::Above],
+        tag: None,
+        orientation: Orientation { turn: Turn::Parallel, jitter: 0.0 },
+        along: Along::Random,
+        gap: (0.0, 0.0),
+        elevation: (0.0, 0.0),
+    };
+    Class {
+        id: id.into(),
+        label: id.into(),
+        groups: Vec::new(),
+        sizes: vec![Size { width, depth, height }],
+        looks: 1,
+        shape: Shape::Box,
+        parents: vec![rule],
+        sides: [SideOffer::NONE; 6],
+        clearances: Vec::new(),
+        relations: Vec::new(),
+        grid: None,
+        priority: 0,
+        model: ModelSource::Recipe { name: "cabinet".into(), parameters: Vec::new() },
+        depth: 0,
+    }
+}
+
+/// A top of 4 cm on four legs of 5 cm at the corners.
+fn table_shape() -> Shape {
+    const LEG: f64 = 0.05;
+    let low = |offset: f64| Extent { share: 0.0, offset };
+    let high = |offset: f64| Extent { share: 1.0, offset };
+    let leg_ends = |at_far_end: bool| if at_far_end { (high(-LEG), high(0.0)) } else { (low(0.0), low(LEG)) };
+    let mut parts = vec![PrismRule {
+        is_disc: false,
+        low: [low(0.0), low(0.0), high(-0.04)],
+        high: [high(0.0), high(0.0), high(0.0)],
+    }];
+    for (right, back) in [(false, false), (true, false), (false, true), (true, true)] {
+        let ((x0, x1), (y0, y1)) = (leg_ends(right), leg_ends(back));
+        parts.push(PrismRule { is_disc: false, low: [x0, y0, low(0.0)], high: [x1, y1, high(-0.04)] });
+    }
+    Shape::Prisms(parts)
+}

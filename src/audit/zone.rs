@@ -1,0 +1,85 @@
+//! Regions of a room that must stay free, and how far a body reaches into one.
+
+use crate::geometry::{Point, Solid};
+
+use super::convex::{intersection, middle, nearest_on_segment, penetration};
+use super::subject::{Body, Subject};
+use super::sweep::Bounds;
+
+/// An upright convex prism that people need.
+pub(crate) struct Zone {
+    /// Why it must stay free.
+    pub(crate) purpose: Purpose,
+    /// Corners in the level's frame, counter-clockwise.
+    pub(crate) base: Vec<Point>,
+    /// Metres of its underside and top above the floor.
+    pub(crate) heights: (f64, f64),
+    /// Where it is entered from: the opening, or the side of the object.
+    pub(crate) face: (Point, Point),
+}
+
+/// A zone and the index of a body whose box touches it.
+pub(crate) type NearPair<'z> = (&'z Zone, usize);
+
+/// Why a zone must stay free.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Purpose {
+    /// The swing or approach of an opening, by index into the level's openings.
+    Passing(usize),
+    /// The use of an object: its index and that of the clearance in its class.
+    Using(usize, usize),
+}
+
+impl Zone {
+    /// The box around it.
+    pub(crate) fn bounds(&self) -> Bounds {
+        let corners = self
+            .base
+            .iter()
+            .map(|corner| Bounds { low: corner.extend(self.heights.0), high: corner.extend(self.heights.1) });
+        corners.fold(Bounds::EMPTY, Bounds::union)
+    }
+
+    /// How far a body reaches into the zone; zero where it does not, or where a wall stands between
+    /// (a zone before a thin wall reaches through it, its user does not).
+    pub(crate) fn intrusion(&self, subject: &Subject<'_>, body: &Body<'_>) -> f64 {
+        let visible = body.solids.iter().map(|solid| (self.reach(solid), solid));
+        let deep = visible.filter(|&(depth, solid)| depth > 0.0 && self.is_in_sight(subject, solid));
+        deep.map(|(depth, _)| depth).fold(0.0, f64::max)
+    }
+
+    /// Metres that a body leaves free between the zone's face and itself.
+    pub(crate) fn free_depth(&self, body: &Body<'_>) -> f64 {
+        let parts = body.solids.iter().filter(|solid| self.reach(solid) > 0.0);
+        let corners = parts.flat_map(|solid| intersection(&self.base, solid.footprint()));
+        let depths = corners.map(|corner| corner.distance(nearest_on_segment(corner, self.face)));
+        depths.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Metres between the zone's face and a segment inside the zone.
+    pub(crate) fn free_depth_to(&self, (start, end): (Point, Point)) -> f64 {
+        let apart = |point: Point, segment| point.distance(nearest_on_segment(point, segment));
+        let from_ends = apart(start, self.face).min(apart(end, self.face));
+        from_ends.min(apart(self.face.0, (start, end))).min(apart(self.face.1, (start, end)))
+    }
+
+    fn reach(&self, solid: &Solid) -> f64 {
+        let upright = (self.heights.1 - solid.low).min(solid.high - self.heights.0);
+        if upright <= 0.0 { upright } else { upright.min(penetration(&self.base, solid.footprint())) }
+    }
+
+    fn is_in_sight(&self, subject: &Subject<'_>, solid: &Solid) -> bool {
+        let witness = middle(&intersection(&self.base, solid.footprint()));
+        let face = nearest_on_segment(witness, self.face);
+        !subject.room.region.borders().any(|border| cross((witness, face), border))
+    }
+}
+
+/// Whether two segments cross in a point inside both.
+fn cross((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+    /// Square metres: a segment that ends on a border does not cross it.
+    const TOUCHING: f64 = 1e-9;
+    let side = |p: Point, q: Point, r: Point| (q - p).perp_dot(r - p);
+    let opposed = |one: f64, other: f64| one.min(other) < -TOUCHING && one.max(other) > TOUCHING;
+    opposed(side(a, b, c), side(a, b, d)) && opposed(side(c, d, a), side(c, d, b))
+}

@@ -1,0 +1,244 @@
+//! One level from rooms to files.
+
+use rayon::prelude::*;
+
+use crate::audit::{Finding, Grade, audit_room};
+use crate::catalog::{Catalog, DEFAULT_STYLE};
+use crate::layout::{FurnishOptions, Furnished, furnish};
+use crate::model::ModelLibrary;
+use crate::plan::Level;
+use crate::scene::{Scene, SceneInput, build_scene};
+
+use super::bug::catch_bug;
+use super::event::{LevelFailure, Stage, Stopwatch};
+use super::fault::{FaultCode, OutputFault};
+use super::files::{LevelFiles, encode};
+use super::folder::OutputFolder;
+use super::job::{BakeOptions, Job};
+use super::library::GeometryLibrary;
+use super::record::{LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
+
+/// What all levels of a run share.
+pub(crate) struct Workshop<'a> {
+    pub(crate) catalog: &'a Catalog,
+    pub(crate) options: &'a BakeOptions,
+    pub(crate) folder: &'a OutputFolder,
+    pub(crate) models: &'a ModelLibrary,
+    pub(crate) library: Option<GeometryLibrary>,
+    pub(crate) watch: Stopwatch,
+}
+
+/// A level that is in place.
+pub(crate) struct BakedLevel {
+    /// Its sums.
+    pub(crate) totals: Totals,
+    /// Bytes written.
+    pub(crate) bytes: u64,
+    /// Rooms that the program failed to furnish.
+    pub(crate) failures: Vec<LevelFailure>,
+}
+
+/// One room on its way to the scene.
+struct BakedRoom {
+    furnished: Furnished,
+    findings: Vec<Finding>,
+    failure: Option<String>,
+}
+
+/// Bakes one level: rooms, judgement, scene, bytes, files, record.
+///
+/// # Errors
+/// Why the level is not in place.
+pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
+    // Rooms in parallel, collected in the plan's order: whoever finishes first, the file is the same.
+    let rooms: Vec<BakedRoom> =
+        (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(workshop, job, room)).collect();
+    let (furnished, judged): (Vec<_>, Vec<_>) =
+        rooms.into_iter().map(|room| (room.furnished, (room.findings, room.failure))).unzip();
+    let (findings, failures): (Vec<_>, Vec<_>) = judged.into_iter().unzip();
+
+    // The tree of nodes, and what it becomes.
+    let built = catch_bug(|| {
+        let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &furnished, &findings));
+        workshop.watch.measure(Stage::Encoding, || encode(workshop, job, &scene))
+    });
+    let files = match built {
+        Ok(Ok(files)) => files,
+        Ok(Err(fault)) => return Err(Box::new(level_failure(workshop, job, fault))),
+        Err(bug) => return Err(Box::new(bug_failure(workshop, job, None, bug))),
+    };
+
+    // Files first, the record after them: what is recorded is there.
+    let record = record(workshop, job, &files, &RoomResults { furnished, findings, failures: &failures });
+    let written = workshop.watch.measure(Stage::Writing, || write(workshop.folder, &files, &record));
+    written.map_err(|fault| Box::new(level_failure(workshop, job, fault)))?;
+    Ok(BakedLevel {
+        totals: record.totals,
+        bytes: record.files.iter().map(|file| file.bytes).sum(),
+        failures: room_failures(workshop, job, failures),
+    })
+}
+
+fn bake_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
+    let Workshop { catalog, options, watch, .. } = workshop;
+    let furnish_options =
+        FurnishOptions { seed: options.seed, building: &job.placed.id, style: options.style.as_deref() };
+    let baked = catch_bug(|| {
+        let furnished = watch.measure(Stage::Layout, || furnish(job.level, room, catalog, &furnish_options));
+        let findings = watch.measure(Stage::Audit, || audit_room(job.level, room, &furnished, catalog));
+        BakedRoom { furnished, findings, failure: None }
+    });
+    baked.unwrap_or_else(|bug| BakedRoom {
+        furnished: unfurnished(room, options),
+        findings: Vec::new(),
+        failure: Some(bug),
+    })
+}
+
+/// The bare room that stands in for one that could not be furnished.
+fn unfurnished(room: usize, options: &BakeOptions) -> Furnished {
+    Furnished {
+        room,
+        seed: options.seed,
+        style: options.style.clone().unwrap_or_else(|| DEFAULT_STYLE.to_owned()),
+        requested: 0,
+        placements: Vec::new(),
+        removals: Vec::new(),
+    }
+}
+
+fn scene(
+    workshop: &Workshop<'_>,
+    job: &Job<'_>,
+    furnished: &[Furnished],
+    findings: &[Vec<Finding>],
+) -> Scene {
+    let catalog = workshop.catalog;
+    build_scene(&SceneInput {
+        level: job.level,
+        building: &job.placed.id,
+        site: job.placed.site,
+        furnished,
+        findings,
+        catalog,
+        models: &|class, variant, geometry| workshop.models.model(class, variant, geometry),
+        seed: workshop.options.seed,
+    })
+}
+
+/// Puts the files of a level into place and records them.
+fn write(folder: &OutputFolder, files: &LevelFiles, record: &LevelRecord) -> Result<(), OutputFault> {
+    folder.announce(&record.files)?;
+    // The file to open comes last, so that it never stands there without what it refers to.
+    for (file, bytes) in files.files.iter().rev() {
+        folder.place(file, bytes)?;
+    }
+    folder.record(record)?;
+    folder.retire_replaced(record)
+}
+
+/// What became of the rooms of a level, in the plan's order.
+struct RoomResults<'a> {
+    furnished: Vec<Furnished>,
+    findings: Vec<Vec<Finding>>,
+    failures: &'a [Option<String>],
+}
+
+fn record(
+    workshop: &Workshop<'_>,
+    job: &Job<'_>,
+    files: &LevelFiles,
+    rooms: &RoomResults<'_>,
+) -> LevelRecord {
+    let site = job.placed.site;
+    let mut record = LevelRecord {
+        building: job.placed.id.clone(),
+        level: job.level.id.clone(),
+        program: None,
+        inputs: job.inputs.clone(),
+        seed: workshop.options.seed,
+        site: SiteRecord { position: [site.position.x, site.position.y], turn: site.turn },
+        files: files.files.iter().map(|(file, _)| file.clone()).collect(),
+        library: workshop.library.iter().map(|library| library.file.path.clone()).collect(),
+        totals: Totals { rooms: rooms.furnished.len() as u64, ..Totals::default() },
+        classes: std::collections::BTreeMap::new(),
+        rooms: Vec::new(),
+    };
+    let results = rooms.furnished.iter().zip(&rooms.findings).zip(rooms.failures);
+    for ((furnished, findings), failure) in results {
+        count_room(&mut record, workshop.catalog, furnished);
+        record.totals.count_grade(Grade::of(findings));
+        record.totals.broken += u64::from(failure.is_some());
+        let room = room_record(job.level, workshop.catalog, furnished, findings, failure.is_some());
+        record.rooms.extend(room);
+    }
+    record
+}
+
+fn count_room(record: &mut LevelRecord, catalog: &Catalog, furnished: &Furnished) {
+    record.totals.requested += u64::from(furnished.requested);
+    record.totals.placed += furnished.placements.len() as u64;
+    record.totals.removed += furnished.removals.len() as u64;
+    for placement in &furnished.placements {
+        let class = &catalog.classes[placement.class].id;
+        match record.classes.get_mut(class) {
+            Some(count) => *count += 1,
+            None => drop(record.classes.insert(class.clone(), 1)),
+        }
+    }
+}
+
+fn room_record(
+    level: &Level,
+    catalog: &Catalog,
+    furnished: &Furnished,
+    findings: &[Finding],
+    is_broken: bool,
+) -> Option<RoomRecord> {
+    if furnished.removals.is_empty() && findings.is_empty() && !is_broken {
+        return None;
+    }
+    let removed = furnished.removals.iter().map(|removal| RemovedRecord {
+        class: catalog.classes[removal.class].id.clone(),
+        reason: removal.reason.name().to_owned(),
+    });
+    let to_value = |finding| serde_json::to_value(finding).expect("findings are plain data");
+    Some(RoomRecord {
+        room: level.rooms[furnished.room].id.clone(),
+        removed: removed.collect(),
+        findings: findings.iter().map(to_value).collect(),
+        failure: is_broken.then(|| FaultCode::RoomBroken.name().to_owned()),
+    })
+}
+
+fn room_failures(workshop: &Workshop<'_>, job: &Job<'_>, failures: Vec<Option<String>>) -> Vec<LevelFailure> {
+    let failure = |(room, bug): (usize, Option<String>)| {
+        let room = job.level.rooms[room].id.clone();
+        bug.map(|bug| bug_failure(workshop, job, Some(room), bug))
+    };
+    failures.into_iter().enumerate().filter_map(failure).collect()
+}
+
+fn bug_failure(workshop: &Workshop<'_>, job: &Job<'_>, room: Option<String>, bug: String) -> LevelFailure {
+    LevelFailure {
+        building: job.placed.id.clone(),
+        level: job.level.id.clone(),
+        code: if room.is_some() { FaultCode::RoomBroken } else { FaultCode::LevelBroken },
+        room,
+        message: format!("the program failed: {bug}"),
+        hint: Some("this is a fault of roomwright; please report it with these ids and the seed".to_owned()),
+        seed: workshop.options.seed,
+    }
+}
+
+fn level_failure(workshop: &Workshop<'_>, job: &Job<'_>, fault: OutputFault) -> LevelFailure {
+    LevelFailure {
+        building: job.placed.id.clone(),
+        level: job.level.id.clone(),
+        room: None,
+        code: fault.code,
+        message: fault.to_string(),
+        hint: fault.hint,
+        seed: workshop.options.seed,
+    }
+}

@@ -1,0 +1,67 @@
+//! SHA-256 of inputs and files.
+
+use sha2::{Digest, Sha256};
+
+/// Changes whenever the bytes that a level becomes may change although its inputs did not: the program's
+/// version and a hash of its own sources and locked dependencies (see `build.rs`).
+pub const PROGRAM: &str = concat!(env!("CARGO_PKG_VERSION"), "+", env!("ROOMWRIGHT_SOURCE_HASH"));
+
+/// A SHA-256 as lower-case hexadecimal digits.
+pub(crate) fn to_hex(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 16] = b"0123456789abcdef";
+    let digit = |nibble: u8| char::from(DIGITS[usize::from(nibble)]);
+    bytes.iter().flat_map(|&byte| [digit(byte >> 4), digit(byte & 0xF)]).collect()
+}
+
+/// The hash of a file's content as the manifest shows it.
+pub(crate) fn content_hash(bytes: &[u8]) -> String {
+    to_hex(&Sha256::digest(bytes))
+}
+
+/// Collects fields of different lengths so that no two lists of fields look the same.
+pub(crate) struct FieldHash(Sha256);
+
+impl FieldHash {
+    /// Starts a hash for one purpose.
+    pub(crate) fn new(purpose: &str) -> Self {
+        let mut hash = Self(Sha256::new());
+        hash.field(purpose.as_bytes());
+        hash
+    }
+
+    /// Adds one field, preceded by its length.
+    pub(crate) fn field(&mut self, bytes: &[u8]) -> &mut Self {
+        self.0.update((bytes.len() as u64).to_le_bytes());
+        self.0.update(bytes);
+        self
+    }
+
+    /// The hash of all fields.
+    pub(crate) fn finish(&self) -> String {
+        to_hex(&self.0.clone().finalize())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_of_nothing_is_the_published_one() {
+        assert_eq!(content_hash(b""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    }
+
+    #[test]
+    fn moving_a_letter_to_the_next_field_changes_the_hash() {
+        let one = FieldHash::new("test").field(b"ab").field(b"c").finish();
+        let two = FieldHash::new("test").field(b"a").field(b"bc").finish();
+        assert_ne!(one, two);
+    }
+
+    #[test]
+    fn the_program_names_version_and_sources() {
+        let (version, sources) = PROGRAM.split_once('+').unwrap();
+        assert_eq!(version, env!("CARGO_PKG_VERSION"));
+        assert!(sources.len() >= 12 && sources.bytes().all(|byte| byte.is_ascii_hexdigit()));
+    }
+}

@@ -1,0 +1,233 @@
+//! What is to be baked: settings, and one job per level in a fixed order.
+
+use sha2::{Digest, Sha256};
+
+use crate::catalog::Catalog;
+use crate::plan::{Building, Level, PlacedBuilding, Plan};
+
+use super::file_name::distinct_names;
+use super::hash::FieldHash;
+use super::record::LevelKey;
+
+/// What a bake depends on besides plan and catalogue.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BakeOptions {
+    /// Seed of all rooms; another number gives other rooms. Default 1.
+    pub seed: u64,
+    /// Style for rooms whose plan names none; default the catalogue's default style.
+    pub style: Option<String>,
+    /// Kind of file; default `.glb`.
+    pub format: Format,
+    /// Whether floors refer to one library of furniture instead of carrying their own copies; default no.
+    pub has_shared_library: bool,
+    /// Threads; more bake faster and hold more floors in memory. Never changes a byte. Default 1.
+    pub threads: usize,
+    /// The share of the levels to bake; default all.
+    pub shard: Option<Shard>,
+}
+
+impl Default for BakeOptions {
+    fn default() -> Self {
+        Self { seed: 1, style: None, format: Format::Glb, has_shared_library: false, threads: 1, shard: None }
+    }
+}
+
+/// The kinds of output files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// One binary file per level.
+    Glb,
+    /// A `.gltf` in JSON and a `.bin` beside it.
+    Gltf,
+}
+
+impl Format {
+    /// The word on the command line, and the extension of the file to open.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Glb => "glb",
+            Self::Gltf => "gltf",
+        }
+    }
+}
+
+/// One of several shares of the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Which, from 1.
+    index: u32,
+    /// Of how many; at least `index`.
+    count: u32,
+}
+
+impl Shard {
+    /// The share `index` of `count`, counted from 1; `None` if there is no such share.
+    #[must_use]
+    pub fn new(index: u32, count: u32) -> Option<Self> {
+        (1..=count).contains(&index).then_some(Self { index, count })
+    }
+
+    /// Whether a job belongs to the share. Jobs are dealt like cards, so that every share gets levels of
+    /// every building.
+    pub(crate) fn takes(self, job: usize) -> bool {
+        job % self.count as usize == (self.index - 1) as usize
+    }
+
+    /// The file that keeps the share's records until all are there.
+    pub(crate) fn part_name(self) -> String {
+        format!("manifest.{}-of-{}.json", self.index, self.count)
+    }
+}
+
+/// One level to bake.
+#[derive(Clone, Debug)]
+pub(crate) struct Job<'a> {
+    /// The building on its site.
+    pub(crate) placed: &'a PlacedBuilding,
+    /// Its level.
+    pub(crate) level: &'a Level,
+    /// `<building>/<level>` in the output folder, without extension.
+    pub(crate) path: String,
+    /// Hash of all that the level is made from, the program excepted.
+    pub(crate) inputs: String,
+}
+
+impl Job<'_> {
+    /// Building id and level id.
+    pub(crate) fn key(&self) -> LevelKey {
+        (self.placed.id.clone(), self.level.id.clone())
+    }
+}
+
+/// All levels of the plan, sorted by building id, then level id: whatever order the files were named in,
+/// shares and manifests are the same.
+pub(crate) fn list_jobs<'a>(plan: &'a Plan, catalog: &Catalog, options: &BakeOptions) -> Vec<Job<'a>> {
+    let mut buildings: Vec<&PlacedBuilding> = plan.buildings.iter().collect();
+    buildings.sort_by(|one, other| one.id.cmp(&other.id));
+    let ids: Vec<&str> = buildings.iter().map(|placed| placed.id.as_str()).collect();
+    let folders = distinct_names(&ids);
+    let common = common_hash(catalog, options);
+    let mut jobs = Vec::new();
+    for (placed, folder) in buildings.into_iter().zip(folders) {
+        for (level, name) in sorted_levels(&placed.building) {
+            let inputs = input_hash(&common, placed, level);
+            jobs.push(Job { placed, level, path: format!("{folder}/{name}"), inputs });
+        }
+    }
+    jobs
+}
+
+fn sorted_levels(building: &Building) -> Vec<(&Level, String)> {
+    let mut levels: Vec<&Level> = building.levels.iter().collect();
+    levels.sort_by(|one, other| one.id.cmp(&other.id));
+    let ids: Vec<&str> = levels.iter().map(|level| level.id.as_str()).collect();
+    let names = distinct_names(&ids);
+    levels.into_iter().zip(names).collect()
+}
+
+/// Hash of what all levels have in common.
+fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
+    let mut hash = Sha256::new();
+    hash.update(catalog.digest);
+    hash.update(options.seed.to_le_bytes());
+    hash.update([u8::from(options.format == Format::Gltf), u8::from(options.has_shared_library)]);
+    // Last, so that its length needs no mark.
+    hash.update(options.style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
+    hash.finalize().into()
+}
+
+fn input_hash(common: &[u8; 32], placed: &PlacedBuilding, level: &Level) -> String {
+    let site = placed.site;
+    let mut hash = FieldHash::new("level");
+    hash.field(common).field(&level.digest).field(placed.id.as_bytes()).field(level.id.as_bytes());
+    for number in [site.position.x, site.position.y, site.turn] {
+        hash.field(&number.to_le_bytes());
+    }
+    hash.finish()
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::plan::SitePlacement;
+
+    pub(crate) fn empty_level(id: &str, digest: u8) -> Level {
+        Level {
+            id: id.to_owned(),
+            name: id.to_owned(),
+            elevation: 0.0,
+            height: 3.0,
+            rooms: Vec::new(),
+            openings: Vec::new(),
+            digest: [digest; 32],
+        }
+    }
+
+    pub(crate) fn tower(id: &str, levels: &[&str]) -> PlacedBuilding {
+        let levels = levels.iter().map(|level| empty_level(level, 7)).collect();
+        PlacedBuilding {
+            id: id.to_owned(),
+            site: SitePlacement::default(),
+            building: Arc::new(Building { name: None, levels }),
+        }
+    }
+
+    fn paths(plan: &Plan) -> Vec<String> {
+        let jobs = list_jobs(plan, &Catalog::default(), &BakeOptions::default());
+        jobs.into_iter().map(|job| job.path).collect()
+    }
+
+    #[test]
+    fn the_order_of_the_plan_does_not_matter() {
+        let (a, b) = (tower("a", &["2", "1"]), tower("b", &["1"]));
+        let one = paths(&Plan { buildings: vec![a.clone(), b.clone()] });
+        let other = paths(&Plan { buildings: vec![b, a] });
+        assert_eq!(one, ["a/1", "a/2", "b/1"]);
+        assert_eq!(one, other);
+    }
+
+    #[test]
+    fn shards_share_everything_once() {
+        let shards: Vec<Shard> = (1..=3).map(|index| Shard::new(index, 3).unwrap()).collect();
+        for job in 0..20 {
+            assert_eq!(shards.iter().filter(|shard| shard.takes(job)).count(), 1);
+        }
+        assert_eq!(Shard::new(0, 3), None);
+        assert_eq!(Shard::new(4, 3), None);
+    }
+
+    #[test]
+    fn every_input_changes_the_hash() {
+        let plan = Plan { buildings: vec![tower("a", &["1"])] };
+        let inputs = |plan: &Plan, options: &BakeOptions| {
+            list_jobs(plan, &Catalog::default(), options)[0].inputs.clone()
+        };
+        let base = inputs(&plan, &BakeOptions::default());
+        let options = [
+            BakeOptions { seed: 2, ..BakeOptions::default() },
+            BakeOptions { style: Some("hotel".to_owned()), ..BakeOptions::default() },
+            BakeOptions { format: Format::Gltf, ..BakeOptions::default() },
+            BakeOptions { has_shared_library: true, ..BakeOptions::default() },
+        ];
+        for changed in options {
+            assert_ne!(inputs(&plan, &changed), base);
+        }
+        let mut moved = plan.clone();
+        moved.buildings[0].site.turn = 1.0;
+        assert_ne!(inputs(&moved, &BakeOptions::default()), base);
+        let renamed = Plan { buildings: vec![tower("b", &["1"])] };
+        assert_ne!(inputs(&renamed, &BakeOptions::default()), base);
+    }
+
+    #[test]
+    fn threads_and_shards_are_no_input() {
+        let plan = Plan { buildings: vec![tower("a", &["1"])] };
+        let base = BakeOptions::default();
+        let other = BakeOptions { threads: 7, shard: Shard::new(1, 2), ..BakeOptions::default() };
+        let jobs = |options| list_jobs(&plan, &Catalog::default(), options)[0].inputs.clone();
+        assert_eq!(jobs(&base), jobs(&other));
+    }
+}

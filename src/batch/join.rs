@@ -1,0 +1,148 @@
+//! Joins the records of all runs into the manifest: the same bytes, however many processes wrote them.
+
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use super::fault::OutputFault;
+use super::folder::{OutputFolder, create_folder, find_runs, lock_state, state_folder};
+use super::hash::content_hash;
+use super::job::Shard;
+use super::manifest::{MANIFEST_NAME, is_part_name, write_manifest};
+use super::record::{FileRecord, LevelRecord, Totals};
+use super::sources::{Contents, Found, Sources, manifest_paths};
+
+/// How temporary manifests begin; they live in our own corner of the output folder.
+pub(crate) const JOINING_PREFIX: &str = "joining-";
+
+/// What became of the records when a run ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Joined {
+    /// The manifest is complete: its path.
+    Whole(PathBuf),
+    /// Other shards are missing; the records wait in this file.
+    Part(PathBuf),
+}
+
+/// What a merge did.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MergeReport {
+    /// The manifest.
+    pub manifest: PathBuf,
+    /// Sums over its levels.
+    pub totals: Totals,
+    /// Runs that are still writing into the folder; their records so far are included.
+    pub living_runs: usize,
+}
+
+/// Joins the records of an output folder into its manifest.
+///
+/// # Errors
+/// If there is no such folder, it cannot be written, or it holds a manifest that is not ours.
+pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
+    fs::read_dir(root).map_err(|error| OutputFault::of(root, "open the output folder", &error))?;
+    let state = state_folder(root);
+    create_folder(&state)?;
+    let _lock = lock_state(&state)?;
+    let runs = find_runs(&state)?;
+    let sources = Sources::read(&manifest_paths(root)?, &runs.journals())?;
+    let manifest = root.join(MANIFEST_NAME);
+    let totals = write_joined(root, &sources.contents(false)?, &manifest)?;
+    clear(root, &runs.abandoned)?;
+    Ok(MergeReport { manifest, totals, living_runs: runs.living.len() })
+}
+
+impl OutputFolder {
+    /// Ends the run: moves its records into the manifest, or, for a shard while others are missing, into a
+    /// part of it. `is_whole` says whether all levels of the plan are in place.
+    ///
+    /// # Errors
+    /// If the manifest cannot be written; the records stay where the next run or merge finds them.
+    pub(crate) fn finish(
+        &self,
+        shard: Option<Shard>,
+        is_whole: impl FnOnce(&Contents<'_>) -> bool,
+    ) -> Result<Joined, OutputFault> {
+        let state = state_folder(&self.root);
+        let _lock = lock_state(&state)?;
+        let mut runs = find_runs(&state)?;
+        let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
+        let contents = sources.contents(self.is_forced)?;
+        let joined = match shard {
+            Some(shard) if !is_whole(&contents) => {
+                let part = self.root.join(shard.part_name());
+                let known = part.exists().then(|| part.clone());
+                runs.living.retain(|run| *run == self.run);
+                let own = Sources::read(known.as_slice(), &runs.journals())?;
+                write_joined(&self.root, &own.contents(self.is_forced)?, &part)?;
+                remove_runs(&runs.abandoned)?;
+                Joined::Part(part)
+            }
+            _ => {
+                let manifest = self.root.join(MANIFEST_NAME);
+                if self.has_news() || !runs.abandoned.is_empty() || !sources.is_one_manifest() {
+                    write_joined(&self.root, &contents, &manifest)?;
+                    clear(&self.root, &runs.abandoned)?;
+                }
+                Joined::Whole(manifest)
+            }
+        };
+        remove_runs(std::slice::from_ref(&self.run))?;
+        Ok(joined)
+    }
+}
+
+/// Writes the records to `target` in one step.
+fn write_joined(root: &Path, contents: &Contents<'_>, target: &Path) -> Result<Totals, OutputFault> {
+    let fault = |error: io::Error| OutputFault::of(target, "write the manifest", &error);
+    let temporary = super::place::new_file(&state_folder(root), JOINING_PREFIX).map_err(fault)?;
+    let records = contents.levels.values().filter_map(|found| choose(root, found).transpose());
+    let mut out = BufWriter::new(temporary);
+    let totals = write_manifest(&mut out, records, &contents.library).map_err(fault)?;
+    out.flush().map_err(fault)?;
+    let temporary = out.into_inner().map_err(|error| fault(error.into_error()))?;
+    temporary.persist(target).map_err(|failed| fault(failed.error))?;
+    Ok(totals)
+}
+
+/// The record of what lies on the disk: normally the newest. Where runs with different inputs wrote the
+/// same level at the same time, the files say who came last. A level without its file is dropped.
+fn choose(root: &Path, found: &[Found<'_>]) -> io::Result<Option<LevelRecord>> {
+    let heads: Vec<_> = found.iter().map(Found::head).collect();
+    let Some(newest) = heads.last() else { return Ok(None) };
+    let agree = heads.iter().all(|head| head.files == newest.files);
+    let index = if agree {
+        heads.len() - 1
+    } else {
+        heads.iter().rposition(|head| is_in_place(root, &head.files)).unwrap_or(heads.len() - 1)
+    };
+    if !heads[index].files.iter().all(|file| root.join(&file.path).is_file()) {
+        return Ok(None);
+    }
+    let mut record: LevelRecord = serde_json::from_str(found[index].text.get())?;
+    record.program = Some(found[index].program.clone());
+    Ok(Some(record))
+}
+
+/// Whether the files have exactly these contents.
+pub(crate) fn is_in_place(root: &Path, files: &[FileRecord]) -> bool {
+    files
+        .iter()
+        .all(|file| fs::read(root.join(&file.path)).is_ok_and(|bytes| content_hash(&bytes) == file.sha256))
+}
+
+/// Deletes the texts that the manifest now contains.
+fn clear(root: &Path, abandoned: &[PathBuf]) -> Result<(), OutputFault> {
+    let is_part = |path: &PathBuf| path.file_name().and_then(|name| name.to_str()).is_some_and(is_part_name);
+    for part in manifest_paths(root)?.into_iter().filter(is_part) {
+        fs::remove_file(&part).map_err(|error| OutputFault::of(&part, "delete the joined part", &error))?;
+    }
+    remove_runs(abandoned)
+}
+
+fn remove_runs(runs: &[PathBuf]) -> Result<(), OutputFault> {
+    for run in runs {
+        fs::remove_dir_all(run).map_err(|error| OutputFault::of(run, "delete the ended run", &error))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,74 @@
+//! The geometry that floors share instead of each carrying a copy.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use crate::catalog::{Catalog, ClassIndex};
+use crate::gltf::{LibraryReference, SharedLibrary};
+use crate::model::{Model, ModelLibrary};
+use crate::scene::ModelKey;
+
+use super::LIBRARY_FOLDER;
+use super::fault::OutputFault;
+use super::files::with_record;
+use super::folder::OutputFolder;
+use super::record::FileRecord;
+
+/// Digits of the content's hash in the library's name.
+const NAME_DIGITS: usize = 16;
+
+/// A library that is in place.
+pub(crate) struct GeometryLibrary {
+    /// The file.
+    pub(crate) file: FileRecord,
+    shared: SharedLibrary,
+    /// From the folder of a building.
+    relative_path: String,
+}
+
+impl GeometryLibrary {
+    /// How the levels of a building refer to it.
+    pub(crate) fn reference(&self) -> LibraryReference<'_> {
+        LibraryReference { library: &self.shared, path: &self.relative_path }
+    }
+
+    /// Builds every model that any level may use and writes them to one file. Its content depends on the
+    /// catalogue only, so that processes and shards agree on it; its name tells its content, so that runs
+    /// with other catalogues do not disturb each other.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub(crate) fn create(
+        catalog: &Catalog,
+        models: &ModelLibrary,
+        folder: &OutputFolder,
+    ) -> Result<Self, OutputFault> {
+        let built = all_models(catalog, models);
+        let shared = SharedLibrary::new(built.iter().map(|(key, model)| (key.clone(), model.as_ref())));
+        let (mut file, bytes) = with_record(String::new(), shared.bytes());
+        let name = format!("{LIBRARY_FOLDER}/{}.bin", &file.sha256[..NAME_DIGITS]);
+        let relative_path = format!("../{name}");
+        file.path = name;
+        folder.announce(std::slice::from_ref(&file))?;
+        folder.place(&file, &bytes)?;
+        folder.record_library_file(&file)?;
+        Ok(Self { file, shared, relative_path })
+    }
+}
+
+fn all_models(catalog: &Catalog, models: &ModelLibrary) -> Vec<(ModelKey, Arc<Model>)> {
+    let geometries: BTreeSet<&str> = catalog.styles.values().map(|style| style.geometry.as_str()).collect();
+    let of_class = |class: ClassIndex| {
+        let geometries = geometries.clone();
+        let count = catalog.classes[class].variant_count();
+        (0..count).flat_map(move |variant| {
+            geometries.clone().into_iter().map(move |geometry| (class, variant, geometry))
+        })
+    };
+    let build = |(class, variant, geometry): (ClassIndex, u32, &str)| {
+        let id = catalog.classes[class].id.clone();
+        let key = ModelKey { class: id, variant, geometry: geometry.to_owned() };
+        (key, models.model(class, variant, geometry))
+    };
+    (0..catalog.classes.len()).flat_map(of_class).map(build).collect()
+}

@@ -1,0 +1,247 @@
+//! `manifest.json`: every file with its hash, and what is in it. Sorted, without times or machine facts.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use serde::{Deserialize, Serialize};
+use serde_json::ser::{Formatter, PrettyFormatter};
+use serde_json::value::RawValue;
+
+use super::hash::PROGRAM;
+use super::record::{FileRecord, LevelRecord, Totals};
+
+/// The file in the output folder.
+pub(crate) const MANIFEST_NAME: &str = "manifest.json";
+
+/// Whether a file name is that of a manifest or of a shard's part of one.
+pub(crate) fn is_manifest_name(name: &str) -> bool {
+    name == MANIFEST_NAME || is_part_name(name)
+}
+
+/// Whether a file name is that of a shard's part: `manifest.<i>-of-<n>.json`.
+pub(crate) fn is_part_name(name: &str) -> bool {
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    name.strip_prefix("manifest.")
+        .and_then(|rest| rest.strip_suffix(".json"))
+        .and_then(|share| share.split_once("-of-"))
+        .is_some_and(|(index, count)| is_number(index) && is_number(count))
+}
+
+/// The version of the format.
+const MANIFEST_VERSION: u32 = 1;
+
+/// A manifest as found, its levels not yet read.
+#[derive(Deserialize)]
+pub(crate) struct ManifestText<'a> {
+    /// [`MANIFEST_VERSION`].
+    pub(crate) manifest: u32,
+    /// The program that wrote it.
+    pub(crate) program: String,
+    /// A [`LevelRecord`] each.
+    #[serde(borrow)]
+    pub(crate) levels: Vec<&'a RawValue>,
+    /// Shared geometry.
+    #[serde(default)]
+    pub(crate) library: Vec<FileRecord>,
+}
+
+/// Reads a manifest's frame.
+///
+/// # Errors
+/// Says in one sentence why the text is no manifest of ours.
+pub(crate) fn parse_manifest(text: &[u8]) -> Result<ManifestText<'_>, String> {
+    let found: ManifestText<'_> = serde_json::from_slice(text).map_err(|error| error.to_string())?;
+    if found.manifest == MANIFEST_VERSION {
+        Ok(found)
+    } else {
+        Err(format!("manifest version {} is not {MANIFEST_VERSION}", found.manifest))
+    }
+}
+
+/// Writes a manifest from records that arrive in order, one at a time, so that a city need not be in memory.
+///
+/// # Errors
+/// Passes on the errors of `records` and of the writer.
+pub(crate) fn write_manifest<W: Write>(
+    out: &mut W,
+    records: impl Iterator<Item = io::Result<LevelRecord>>,
+    library: &BTreeMap<String, FileRecord>,
+) -> io::Result<Totals> {
+    write!(out, "{{\n\"manifest\": {MANIFEST_VERSION},\n\"program\": \"{PROGRAM}\",\n\"levels\": [")?;
+    let mut totals = Totals::default();
+    let mut used = BTreeMap::new();
+    for (index, record) in records.enumerate() {
+        let mut record = record?;
+        // The manifest names its own program once; a level names another one only.
+        record.program = record.program.filter(|program| program != PROGRAM);
+        totals.add(&record.totals);
+        used.extend(record.library.iter().filter_map(|path| Some((path.clone(), library.get(path)?))));
+        out.write_all(if index == 0 { b"\n" } else { b",\n" })?;
+        write_value(out, &record)?;
+    }
+    out.write_all(b"\n],\n\"library\": ")?;
+    write_value(out, &used.values().collect::<Vec<_>>())?;
+    out.write_all(b",\n\"totals\": ")?;
+    write_value(out, &totals)?;
+    out.write_all(b"\n}\n")?;
+    Ok(totals)
+}
+
+fn write_value<W: Write>(out: &mut W, value: &impl Serialize) -> io::Result<()> {
+    let mut serializer = serde_json::Serializer::with_formatter(out, ShallowFormatter::default());
+    value.serialize(&mut serializer).map_err(io::Error::from)
+}
+
+/// Nesting down to which keys and items get a line of their own: one line per file, per room, per count.
+const BROKEN_DEPTH: usize = 2;
+
+/// Breaks lines near the root only, so that a changed room is a changed line.
+struct ShallowFormatter {
+    pretty: PrettyFormatter<'static>,
+    depth: usize,
+}
+
+impl Default for ShallowFormatter {
+    fn default() -> Self {
+        Self { pretty: PrettyFormatter::with_indent(b" "), depth: 0 }
+    }
+}
+
+impl ShallowFormatter {
+    fn is_broken(&self) -> bool {
+        self.depth <= BROKEN_DEPTH
+    }
+}
+
+impl Formatter for ShallowFormatter {
+    fn begin_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.depth += 1;
+        if self.is_broken() { self.pretty.begin_array(writer) } else { writer.write_all(b"[") }
+    }
+
+    fn end_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        let is_broken = self.is_broken();
+        self.depth -= 1;
+        if is_broken { self.pretty.end_array(writer) } else { writer.write_all(b"]") }
+    }
+
+    fn begin_array_value<W: ?Sized + Write>(&mut self, writer: &mut W, first: bool) -> io::Result<()> {
+        match (self.is_broken(), first) {
+            (true, _) => self.pretty.begin_array_value(writer, first),
+            (false, true) => Ok(()),
+            (false, false) => writer.write_all(b", "),
+        }
+    }
+
+    fn end_array_value<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        if self.is_broken() { self.pretty.end_array_value(writer) } else { Ok(()) }
+    }
+
+    fn begin_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        self.depth += 1;
+        if self.is_broken() { self.pretty.begin_object(writer) } else { writer.write_all(b"{") }
+    }
+
+    fn end_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        let is_broken = self.is_broken();
+        self.depth -= 1;
+        if is_broken { self.pretty.end_object(writer) } else { writer.write_all(b"}") }
+    }
+
+    fn begin_object_key<W: ?Sized + Write>(&mut self, writer: &mut W, first: bool) -> io::Result<()> {
+        match (self.is_broken(), first) {
+            (true, _) => self.pretty.begin_object_key(writer, first),
+            (false, true) => Ok(()),
+            (false, false) => writer.write_all(b", "),
+        }
+    }
+
+    fn begin_object_value<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        writer.write_all(b": ")
+    }
+
+    fn end_object_value<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
+        if self.is_broken() { self.pretty.end_object_value(writer) } else { Ok(()) }
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::super::record::{RemovedRecord, RoomRecord, SiteRecord};
+    use super::*;
+
+    pub(crate) fn record(building: &str, level: &str) -> LevelRecord {
+        LevelRecord {
+            building: building.to_owned(),
+            level: level.to_owned(),
+            program: Some(PROGRAM.to_owned()),
+            inputs: "00".to_owned(),
+            seed: 1,
+            site: SiteRecord { position: [0.1 + 0.2, -4.0], turn: 1.0 / 3.0 },
+            files: vec![FileRecord {
+                path: format!("{building}/{level}.glb"),
+                sha256: super::super::hash::content_hash(level.as_bytes()),
+                bytes: level.len() as u64,
+            }],
+            library: Vec::new(),
+            totals: Totals { rooms: 2, requested: 5, placed: 4, removed: 1, none: 2, ..Totals::default() },
+            classes: BTreeMap::from([("bed".to_owned(), 1), ("chair".to_owned(), 3)]),
+            rooms: vec![RoomRecord {
+                room: "12".to_owned(),
+                removed: vec![RemovedRecord { class: "lamp".to_owned(), reason: "no place".to_owned() }],
+                findings: vec![serde_json::json!({"measured": 0.7299999999999999})],
+                failure: None,
+            }],
+        }
+    }
+
+    fn written(records: &[LevelRecord]) -> String {
+        let mut out = Vec::new();
+        write_manifest(&mut out, records.iter().cloned().map(Ok), &BTreeMap::new()).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn what_is_written_is_read_back_to_the_last_digit() {
+        let records = [record("a", "1"), record("a", "2")];
+        let text = written(&records);
+        let found = parse_manifest(text.as_bytes()).unwrap();
+        let again: Vec<LevelRecord> =
+            found.levels.iter().map(|level| serde_json::from_str(level.get()).unwrap()).collect();
+        assert_eq!(written(&again), text);
+        assert_eq!(again[1].site, records[1].site);
+    }
+
+    #[test]
+    fn a_room_is_one_line() {
+        let text = written(&[record("a", "1")]);
+        let line = text.lines().find(|line| line.contains("\"room\"")).unwrap();
+        assert_eq!(
+            line.trim(),
+            r#"{"room": "12", "removed": [{"class": "lamp", "reason": "no place"}], "findings": [{"measured": 0.7299999999999999}]}"#
+        );
+        assert!(text.lines().any(|line| line.trim() == r#""classes": {"#));
+    }
+
+    #[test]
+    fn no_level_is_still_a_manifest() {
+        assert!(parse_manifest(written(&[]).as_bytes()).unwrap().levels.is_empty());
+    }
+
+    #[test]
+    fn the_programs_name_stands_once() {
+        assert_eq!(written(&[record("a", "1"), record("b", "1")]).matches(PROGRAM).count(), 1);
+    }
+
+    #[test]
+    fn parts_are_known_by_name() {
+        assert!(is_manifest_name("manifest.json") && is_manifest_name("manifest.2-of-16.json"));
+        assert!(!is_part_name("manifest.json") && !is_part_name("manifest.a-of-b.json"));
+    }
+
+    #[test]
+    fn something_else_is_no_manifest() {
+        assert!(parse_manifest(b"{\"name\": \"web app\"}").is_err());
+        assert!(parse_manifest(b"{\"manifest\": 99, \"program\": \"x\", \"levels\": []}").is_err());
+    }
+}

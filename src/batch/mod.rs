@@ -1,0 +1,35 @@
+//! Many plans to many files: scheduling, cache, manifest, progress.
+
+mod bug;
+mod event;
+mod fault;
+mod file_name;
+mod files;
+mod floor;
+mod folder;
+mod hash;
+mod job;
+mod join;
+mod journal;
+mod library;
+mod lock;
+mod manifest;
+mod place;
+mod record;
+mod sources;
+mod work;
+
+pub use bug::collect_panics;
+pub use event::{BakeReport, Event, LevelFailure, Observer, Stage, Timings};
+pub use fault::{FaultCode, OutputFault};
+pub(crate) use file_name::distinct_names;
+pub use folder::OutputFolder;
+pub use hash::PROGRAM;
+pub use job::{BakeOptions, Format, Shard};
+pub use join::{Joined, MergeReport, merge};
+pub(crate) use place::new_result_file;
+pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
+pub use work::{BakeInput, bake};
+
+/// The folder of geometry that floors share, in the output folder.
+pub(crate) const LIBRARY_FOLDER: &str = "shared-geometry";

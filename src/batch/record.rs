@@ -1,0 +1,141 @@
+//! What the manifest says about one level.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::audit::Grade;
+
+/// One level of one building as it was written. The keys and their order are part of the output.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LevelRecord {
+    /// Building id.
+    pub building: String,
+    /// Level id.
+    pub level: String,
+    /// The program that wrote it, where it is not the one that wrote the manifest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub program: Option<String>,
+    /// Hash of all that the level was made from.
+    pub inputs: String,
+    /// The seed of the run.
+    pub seed: u64,
+    /// Where the building stands.
+    pub site: SiteRecord,
+    /// The files, the one to open first.
+    pub files: Vec<FileRecord>,
+    /// Paths of shared geometry that the files refer to, sorted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub library: Vec<String>,
+    /// Sums over the rooms.
+    pub totals: Totals,
+    /// Objects by class id.
+    pub classes: BTreeMap<String, u64>,
+    /// Rooms with something missing or found, in the plan's order.
+    pub rooms: Vec<RoomRecord>,
+}
+
+/// A building's place on the site.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SiteRecord {
+    /// Metres east and north.
+    pub position: [f64; 2],
+    /// Radians counter-clockwise.
+    pub turn: f64,
+}
+
+/// A file in the output folder.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct FileRecord {
+    /// Relative to the output folder, with `/`.
+    pub path: String,
+    /// SHA-256 of the content.
+    pub sha256: String,
+    /// Length.
+    pub bytes: u64,
+}
+
+/// Sums over rooms.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Totals {
+    /// All rooms, furnished or not.
+    pub rooms: u64,
+    /// Pieces that were asked for.
+    pub requested: u64,
+    /// Pieces that rest.
+    pub placed: u64,
+    /// Pieces that are missing.
+    pub removed: u64,
+    /// Rooms without a finding.
+    pub none: u64,
+    /// Rooms with minor findings only.
+    pub minor: u64,
+    /// Rooms that fail the audit.
+    pub failed: u64,
+    /// Rooms left empty by a fault of the program; their level is baked again next time.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub broken: u64,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+fn is_zero(count: &u64) -> bool {
+    *count == 0
+}
+
+impl Totals {
+    /// Adds another sum.
+    pub fn add(&mut self, other: &Self) {
+        self.rooms += other.rooms;
+        self.requested += other.requested;
+        self.placed += other.placed;
+        self.removed += other.removed;
+        self.none += other.none;
+        self.minor += other.minor;
+        self.failed += other.failed;
+        self.broken += other.broken;
+    }
+
+    /// Counts a room's grade.
+    pub(crate) fn count_grade(&mut self, grade: Grade) {
+        match grade {
+            Grade::None => self.none += 1,
+            Grade::Minor => self.minor += 1,
+            Grade::Failed => self.failed += 1,
+        }
+    }
+}
+
+/// What is missing or wrong in one room.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RoomRecord {
+    /// Room id.
+    pub room: String,
+    /// Missing pieces in the order of removal.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub removed: Vec<RemovedRecord>,
+    /// Findings of the audit.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub findings: Vec<serde_json::Value>,
+    /// Why the room could not be furnished: a fault of the program.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
+}
+
+/// A missing piece.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RemovedRecord {
+    /// Class id.
+    pub class: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// Building id and level id; the order of the manifest.
+pub(crate) type LevelKey = (String, String);
+
+impl LevelRecord {
+    /// Building id and level id.
+    pub(crate) fn key(&self) -> LevelKey {
+        (self.building.clone(), self.level.clone())
+    }
+}

@@ -1,0 +1,185 @@
+//! The work loop: threads take the next level until none is left.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use super::event::{BakeReport, Event, LevelFailure, Observer, Stopwatch};
+use super::fault::{FaultCode, OutputFault};
+use super::floor::{BakedLevel, Workshop, bake_floor};
+use super::folder::OutputFolder;
+use super::hash::PROGRAM;
+use super::job::{BakeOptions, Job, list_jobs};
+use super::library::GeometryLibrary;
+use super::record::Totals;
+use super::sources::{Contents, RecordHead};
+use crate::catalog::Catalog;
+use crate::model::ModelLibrary;
+use crate::plan::Plan;
+
+/// What is baked.
+#[derive(Clone, Copy, Debug)]
+pub struct BakeInput<'a> {
+    /// The buildings.
+    pub plan: &'a Plan,
+    /// What furnishes them.
+    pub catalog: &'a Catalog,
+    /// The models of that catalogue.
+    pub models: &'a ModelLibrary,
+    /// Everything else that the output depends on.
+    pub options: &'a BakeOptions,
+}
+
+/// Bakes all levels of a plan, or of this shard, into a folder.
+///
+/// One bad room or level does not stop the others; see [`BakeReport::failures`]. The files do not depend on
+/// the number of threads or the order of the plan's buildings.
+///
+/// # Errors
+/// If the threads cannot be started, or the shared library cannot be written.
+pub fn bake(
+    input: &BakeInput<'_>,
+    folder: &OutputFolder,
+    observer: &Observer<'_>,
+) -> Result<BakeReport, OutputFault> {
+    let &BakeInput { plan, catalog, models, options } = input;
+    // The levels of this share; those that are up to date are kept.
+    let jobs = list_jobs(plan, catalog, options);
+    let is_ours = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
+    let share = jobs.iter().enumerate().filter(|(index, _)| is_ours(*index)).map(|(_, job)| job);
+    let (kept, open): (Vec<&Job<'_>>, Vec<&Job<'_>>) = share.partition(|job| folder.is_current(job));
+    let rooms = open.iter().map(|job| job.level.rooms.len()).sum();
+    observer(&Event::Started { levels: open.len(), rooms, kept: kept.len() });
+
+    // The others are baked.
+    let pool = thread_pool(options, folder.root())?;
+    let library = match options.has_shared_library && !open.is_empty() {
+        true => Some(GeometryLibrary::create(catalog, models, folder)?),
+        false => None,
+    };
+    let workshop = Workshop { catalog, options, folder, models, library, watch: Stopwatch::default() };
+    let tally = work(&pool, &workshop, &open, observer);
+
+    // The records become the manifest.
+    let joined = folder.finish(options.shard, |contents| jobs.iter().all(|job| is_recorded(contents, job)));
+    let mut in_place = tally.totals;
+    kept.iter().for_each(|job| in_place.add(&folder.known.levels[&job.key()].1.totals));
+    let done = tally.baked + tally.failed_levels;
+    Ok(BakeReport {
+        baked: tally.baked,
+        kept: kept.len(),
+        skipped: open.len() - done,
+        failures: tally.failures,
+        written: tally.totals,
+        in_place,
+        bytes: tally.bytes,
+        timings: workshop.watch.timings(),
+        joined,
+    })
+}
+
+/// What the threads have done so far. Sums only: the order in which levels finish leaves no trace.
+#[derive(Default)]
+struct Tally {
+    baked: usize,
+    failed_levels: usize,
+    totals: Totals,
+    bytes: u64,
+    failures: Vec<LevelFailure>,
+}
+
+/// Each thread takes the next level until none is left, so that no more levels are in memory than there are
+/// threads. A thread that finds none left helps the others with their rooms.
+fn work(
+    pool: &rayon::ThreadPool,
+    workshop: &Workshop<'_>,
+    jobs: &[&Job<'_>],
+    observer: &Observer<'_>,
+) -> Tally {
+    let next = AtomicUsize::new(0);
+    let is_stopped = AtomicBool::new(false);
+    let tally = Mutex::new(Tally::default());
+    // A broadcast runs once on every thread; a plain `spawn` per thread could be picked up by a thread
+    // that waits for rooms of its own level, and that level would then stay in memory to the end.
+    pool.broadcast(|_| {
+        while !is_stopped.load(Ordering::Relaxed) {
+            let Some(job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
+            let result = bake_floor(workshop, job);
+            tell(observer, job, &result);
+            if result.as_ref().is_err_and(|failure| failure.code.stops_the_run()) {
+                is_stopped.store(true, Ordering::Relaxed);
+            }
+            tally.lock().expect("counting does not panic").add(result);
+        }
+    });
+    let mut tally = tally.into_inner().expect("counting does not panic");
+    tally.failures.sort();
+    tally
+}
+
+impl Tally {
+    fn add(&mut self, result: Result<BakedLevel, Box<LevelFailure>>) {
+        match result {
+            Ok(level) => {
+                self.baked += 1;
+                self.totals.add(&level.totals);
+                self.bytes += level.bytes;
+                self.failures.extend(level.failures);
+            }
+            Err(failure) => {
+                self.failed_levels += 1;
+                self.failures.push(*failure);
+            }
+        }
+    }
+}
+
+fn tell(observer: &Observer<'_>, job: &Job<'_>, result: &Result<BakedLevel, Box<LevelFailure>>) {
+    match result {
+        Ok(baked) => {
+            for failure in &baked.failures {
+                observer(&Event::Failed(failure));
+            }
+            let (building, level) = (&job.placed.id, &job.level.id);
+            observer(&Event::Baked { building, level, totals: baked.totals });
+        }
+        Err(failure) => observer(&Event::Failed(failure)),
+    }
+}
+
+fn thread_pool(options: &BakeOptions, root: &Path) -> Result<rayon::ThreadPool, OutputFault> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1)).build();
+    pool.map_err(|error| OutputFault {
+        code: FaultCode::NoThreads,
+        path: root.to_owned(),
+        message: format!("cannot start {} threads: {error}", options.threads),
+        hint: Some("use a smaller number with --threads".to_owned()),
+    })
+}
+
+impl OutputFolder {
+    /// Whether a level is in place, made from the same inputs by the same program.
+    fn is_current(&self, job: &Job<'_>) -> bool {
+        let Some((program, head)) = self.known.levels.get(&job.key()) else { return false };
+        let library: BTreeSet<&String> = head.library.iter().collect();
+        let library = self.known.library.values().filter(|file| library.contains(&file.path));
+        is_up_to_date(program, head, job)
+            && library.clone().count() == head.library.len()
+            && head.files.iter().chain(library).all(|file| self.has_length(&file.path, file.bytes))
+    }
+
+    fn has_length(&self, path: &str, bytes: u64) -> bool {
+        self.root.join(path).metadata().is_ok_and(|found| found.is_file() && found.len() == bytes)
+    }
+}
+
+/// Whether the newest record of a level is of these inputs and this program.
+fn is_recorded(contents: &Contents<'_>, job: &Job<'_>) -> bool {
+    let newest = contents.levels.get(&job.key()).and_then(|found| found.last());
+    newest.is_some_and(|found| is_up_to_date(&found.program, &found.head(), job))
+}
+
+fn is_up_to_date(program: &str, head: &RecordHead, job: &Job<'_>) -> bool {
+    program == PROGRAM && head.inputs == job.inputs && head.totals.broken == 0
+}

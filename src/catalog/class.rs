@@ -1,0 +1,347 @@
+//! Semantic descriptions of classes (the paper's sections 3.2 and 4.3, and what `configs/` adds to them).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::Point;
+
+/// Index of a class in [`crate::catalog::Catalog::classes`].
+pub type ClassIndex = usize;
+
+/// One class of furniture, all inheritance resolved.
+///
+/// The frame of a class, seen from above: width along x, depth along y, origin in the middle of the
+/// underside, the front at −y (towards the person who uses it), left and right as that person sees them.
+///
+/// ```text
+///            back
+///        +----------+
+///  left  |          |  right     y ↑
+///        +----------+              → x
+///            front
+/// ```
+#[derive(Clone, Debug)]
+pub struct Class {
+    /// The word used in configuration, names and messages.
+    pub id: String,
+    /// A title for people.
+    pub label: String,
+    /// Further names under which others may refer to it (`seat`, `surface`, `sleeping`), sorted.
+    pub groups: Vec<String>,
+    /// The sizes it is made in; at least one.
+    pub sizes: Vec<Size>,
+    /// How many looks of each size the model recipe makes; at least one.
+    pub looks: u32,
+    /// The solid parts of its box.
+    pub shape: Shape,
+    /// Where it may stand, best first.
+    pub parents: Vec<ParentRule>,
+    /// What its own sides offer to children, by [`Side::index`].
+    pub sides: [SideOffer; 6],
+    /// Regions before its sides that no body may enter.
+    pub clearances: Vec<Clearance>,
+    /// Wishes about other objects that are not its parent.
+    pub relations: Vec<Relation>,
+    /// Regular intervals instead of random positions (section 3.3).
+    pub grid: Option<Grid>,
+    /// What is given up first when room is short: lower goes first.
+    pub priority: i32,
+    /// How it looks.
+    pub model: ModelSource,
+    /// Expected depth in the hierarchy: 0 for what stands on room parts, else one more than its nearest
+    /// possible parent class. Agents are served in this order (section 3.2).
+    pub depth: u32,
+}
+
+/// Metres: x width, y depth, z height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Left to right.
+    pub width: f64,
+    /// Front to back.
+    pub depth: f64,
+    /// Underside to top.
+    pub height: f64,
+}
+
+/// One of the six sides of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// Where one uses it from.
+    Front,
+    /// Opposite the front.
+    Back,
+    /// Left of the person before the front.
+    Left,
+    /// Right of the person before the front.
+    Right,
+    /// The top.
+    Above,
+    /// The underside.
+    Below,
+}
+
+impl Side {
+    /// All sides, in the order of [`Side::index`].
+    pub const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Left, Self::Right, Self::Above, Self::Below];
+
+    /// Position in [`Side::ALL`].
+    #[must_use]
+    pub fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The side that touches this one: below touches above.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Front => Self::Back,
+            Self::Back => Self::Front,
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+            Self::Above => Self::Below,
+            Self::Below => Self::Above,
+        }
+    }
+
+    /// The word in configuration and output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        ["front", "back", "left", "right", "above", "below"][self.index()]
+    }
+}
+
+/// The solid parts of a class inside its box. Fractions scale with the size, metres do not.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// The whole box.
+    Box,
+    /// An upright cylinder (an ellipse where width and depth differ).
+    Disc,
+    /// Several convex prisms: a table top and its legs, the two arms of an L.
+    Prisms(Vec<PrismRule>),
+}
+
+/// A box-shaped or disc-shaped part of a [`Shape`], given by its faces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrismRule {
+    /// Whether the part is round.
+    pub is_disc: bool,
+    /// Left, front, underside.
+    pub low: [Extent; 3],
+    /// Right, back, top.
+    pub high: [Extent; 3],
+}
+
+/// A coordinate inside a box: `share × length + offset`, from the low end of that axis (left, front, below).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Share of the box's length along the axis, 0 to 1.
+    pub share: f64,
+    /// Metres added.
+    pub offset: f64,
+}
+
+/// One way to stand somewhere.
+#[derive(Clone, Debug)]
+pub struct ParentRule {
+    /// What to stand on or beside.
+    pub parent: ParentName,
+    /// The parent's sides that will do, best first.
+    pub sides: Vec<Side>,
+    /// A tag that a wall or room must carry, if any.
+    pub tag: Option<String>,
+    /// How to turn.
+    pub orientation: Orientation,
+    /// Where along the side.
+    pub along: Along,
+    /// Metres between the touching sides, lowest and highest; below zero slides under the parent.
+    pub gap: (f64, f64),
+    /// Metres of the underside above the parent's underside (above its top for `above`), lowest and
+    /// highest; zero for what stands.
+    pub elevation: (f64, f64),
+}
+
+/// What a class may name as its parent.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParentName {
+    /// The floor of the room.
+    Floor,
+    /// The ceiling.
+    Ceiling,
+    /// A wall, between its openings.
+    Wall,
+    /// The wall strip at a door.
+    Door,
+    /// The wall strip at a window.
+    Window,
+    /// A column or other fixed body.
+    Column,
+    /// Classes by id or group, as sorted indices.
+    Classes(Vec<ClassIndex>),
+}
+
+/// How a child turns relative to its parent (section 3.2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orientation {
+    /// The rule.
+    pub turn: Turn,
+    /// Random offset, up to this many radians either way.
+    pub jitter: f64,
+}
+
+/// The rule of an [`Orientation`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Turn {
+    /// Front in the same direction as the parent's (a wall's front is its inner face).
+    Parallel,
+    /// Front against the side it touches: a chair at a table.
+    Facing,
+    /// Back against the side it touches.
+    Away,
+    /// Front towards the middle of the parent.
+    TowardsCenter,
+    /// One of the four directions of the parent.
+    Quarter,
+    /// Any angle.
+    Any,
+}
+
+/// Where along a side, or on a surface, a child goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Along {
+    /// Anywhere (the paper's random position).
+    Random,
+    /// In the middle.
+    Center,
+    /// Spread evenly over the side's places.
+    Even,
+    /// Flush with one end, or in a corner of the room.
+    Ends,
+    /// Flush with the back (for children above: at the back edge, random along it).
+    Back,
+    /// Near the front edge (for children above).
+    Front,
+}
+
+/// What one side of a class offers to children.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SideOffer {
+    /// How many children; zero for none.
+    pub places: u32,
+    /// Metres free along the side (for above: along the width); defaults to the side's length.
+    pub space: Option<f64>,
+    /// For above: height of the surface over the underside where it is not the top of the box (a mattress).
+    pub surface: Option<f64>,
+    /// For above: the part of the top that carries, as left, front, right, back margins in metres.
+    pub margin: [f64; 4],
+}
+
+impl SideOffer {
+    /// Takes no children.
+    pub const NONE: Self = Self { places: 0, space: None, surface: None, margin: [0.0; 4] };
+}
+
+/// A region before a side, as deep as people need to use it. Two clearances may share space; a body and a
+/// clearance may not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearance {
+    /// Before which side: front, back, left or right.
+    pub side: Side,
+    /// Metres that must stay free.
+    pub minimum: f64,
+    /// Metres that should stay free.
+    pub good: f64,
+    /// Metres left and right of the side's ends that belong to it.
+    pub margin: f64,
+    /// Metres from the underside up to which it reaches.
+    pub height: f64,
+    /// Whether children on that side may stand in it (the chair before a desk).
+    pub allows_children: bool,
+}
+
+/// A wish about another object, scored when candidates are compared.
+#[derive(Clone, Debug)]
+pub struct Relation {
+    /// What is wished.
+    pub kind: RelationKind,
+    /// Of what: classes by sorted index, or a room part.
+    pub target: ParentName,
+    /// Metres, lowest and highest that are good.
+    pub distance: (f64, f64),
+    /// Radians off the axis that are good.
+    pub angle: f64,
+    /// Share in the score.
+    pub weight: f64,
+}
+
+/// The kinds of [`Relation`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RelationKind {
+    /// Its front points at the target.
+    Faces,
+    /// Stands across from the target, fronts towards each other.
+    Opposite,
+    /// Within the distance.
+    Near,
+    /// Within the distance too, whose lower end is what counts: at least so far away.
+    AwayFrom,
+    /// Not in front of the target (a window).
+    NotBefore,
+    /// Side by side with the target.
+    Beside,
+    /// Fronts or backs on one line.
+    AlignedWith,
+}
+
+/// A regular layout on a side (section 3.3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    /// Metres between neighbours along x and y of the parent's side.
+    pub interval: Point,
+    /// Whether the grid is centred on the side instead of starting at a random first position.
+    pub is_centered: bool,
+}
+
+/// How a class looks.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ModelSource {
+    /// A recipe of `model/recipes/`, with named numbers.
+    Recipe {
+        /// Its name.
+        name: String,
+        /// Parameters, sorted by name.
+        parameters: Vec<(String, f64)>,
+    },
+    /// A user's `.glb` or `.gltf`.
+    File {
+        /// Path as found: absolute or relative to the working folder.
+        path: std::path::PathBuf,
+        /// Radians by which the file's model is turned so that its front faces +Z.
+        turn: f64,
+    },
+}
+
+impl Class {
+    /// Number of variants: sizes times looks.
+    #[must_use]
+    pub fn variant_count(&self) -> u32 {
+        u32::try_from(self.sizes.len()).expect("a class lists a handful of sizes") * self.looks
+    }
+
+    /// The size of a variant; variant = index of the size × looks + look.
+    #[must_use]
+    pub fn size(&self, variant: u32) -> Size {
+        self.sizes[(variant / self.looks) as usize]
+    }
+
+    /// What a side offers.
+    #[must_use]
+    pub fn offer(&self, side: Side) -> &SideOffer {
+        &self.sides[side.index()]
+    }
+}

@@ -1,0 +1,236 @@
+//! One class.
+
+use serde_json::{Map, Value, json};
+
+use super::lines::{Lines, class_names, degrees, parent_names, range, rounded};
+use crate::catalog::{
+    Catalog, Class, ClassIndex, Extent, ModelSource, ParentName, ParentRule, Relation, Shape, Side, Size,
+};
+
+/// The label, and the size of the first variant.
+pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
+    let class = catalog.class_index(id).map(|index| &catalog.classes[index]);
+    class.map(|class| (class.label.clone(), show_size(&class.sizes[0]))).unwrap_or_default()
+}
+
+/// Everything about a class.
+pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Value) {
+    let class = &catalog.classes[index];
+    let children = list_children(catalog, index);
+    let room_types = list_room_types(catalog, index);
+    let mut lines = Lines::default();
+    lines.add("label", &class.label);
+    lines.add("groups", &class.groups.join(", "));
+    lines.add_all("size", class.sizes.iter().map(show_size));
+    lines.add("looks", &format!("{} of each size", class.looks));
+    lines.add("shape", &show_shape(&class.shape));
+    lines.add_all("stands", class.parents.iter().map(|rule| show_parent(catalog, rule)));
+    lines.add("offers", &show_offers(class));
+    lines.add_all(
+        "keeps free",
+        class.clearances.iter().map(|clearance| {
+            let (minimum, good) = (rounded(clearance.minimum), rounded(clearance.good));
+            format!("{} {minimum} m, better {good} m", clearance.side.name())
+        }),
+    );
+    lines.add_all("wishes", class.relations.iter().map(|relation| show_relation(catalog, relation)));
+    lines.add(
+        "grid",
+        &class.grid.map_or_else(String::new, |grid| {
+            format!("every {} × {} m", rounded(grid.interval.x), rounded(grid.interval.y))
+        }),
+    );
+    lines.add("priority", &class.priority.to_string());
+    lines.add("depth", &class.depth.to_string());
+    lines.add("model", &show_model(&class.model));
+    lines.add("children", &class_names(catalog, &children).join(", "));
+    lines.add("asked for", &room_types.join(", "));
+    (lines, value_of(catalog, class, (&children, &room_types)))
+}
+
+fn show_size(size: &Size) -> String {
+    format!("{} × {} × {} m", rounded(size.width), rounded(size.depth), rounded(size.height))
+}
+
+fn show_shape(shape: &Shape) -> String {
+    match shape {
+        Shape::Box => "box".to_owned(),
+        Shape::Disc => "disc".to_owned(),
+        Shape::Prisms(prisms) => format!("{} parts", prisms.len()),
+    }
+}
+
+fn word<T: serde::Serialize>(value: T) -> String {
+    json!(value).as_str().unwrap_or_default().replace('_', " ")
+}
+
+fn show_parent(catalog: &Catalog, rule: &ParentRule) -> String {
+    let sides: Vec<&str> = rule.sides.iter().map(|side| side.name()).collect();
+    let parents = parent_names(catalog, &rule.parent).join(", ");
+    let mut text = format!("{} of {parents}; turned {}", sides.join(", "), word(rule.orientation.turn));
+    if rule.orientation.jitter > 0.0 {
+        text += &format!(" ± {}°", degrees(rule.orientation.jitter));
+    }
+    text += &format!(", along {}", word(rule.along));
+    if rule.gap != (0.0, 0.0) {
+        text += &format!(", gap {} m", range(rule.gap));
+    }
+    if rule.elevation != (0.0, 0.0) {
+        text += &format!(", {} m up", range(rule.elevation));
+    }
+    if let Some(tag) = &rule.tag {
+        text += &format!(", tagged {tag}");
+    }
+    text
+}
+
+fn show_offers(class: &Class) -> String {
+    let offers = Side::ALL.into_iter().filter(|&side| class.offer(side).places > 0);
+    let offers: Vec<String> =
+        offers.map(|side| format!("{} {}", side.name(), class.offer(side).places)).collect();
+    offers.join(", ")
+}
+
+fn show_relation(catalog: &Catalog, relation: &Relation) -> String {
+    let targets = parent_names(catalog, &relation.target).join(", ");
+    format!(
+        "{} {targets}, {} m, weight {}",
+        word(relation.kind),
+        range(relation.distance),
+        rounded(relation.weight)
+    )
+}
+
+fn show_model(model: &ModelSource) -> String {
+    match model {
+        ModelSource::Recipe { name, parameters } => {
+            let parameters: Vec<String> =
+                parameters.iter().map(|(name, value)| format!("{name} {}", rounded(*value))).collect();
+            format!("recipe {name} {}", parameters.join(", ")).trim_end().to_owned()
+        }
+        ModelSource::File { path, .. } => format!("file {}", path.display()),
+    }
+}
+
+/// The classes that name this one as a parent, at a side where it has places.
+fn list_children(catalog: &Catalog, parent: ClassIndex) -> Vec<ClassIndex> {
+    let accepts = |rule: &ParentRule| {
+        let is_named = matches!(&rule.parent, ParentName::Classes(classes) if classes.contains(&parent));
+        is_named && rule.sides.iter().any(|&side| catalog.classes[parent].offer(side).places > 0)
+    };
+    (0..catalog.classes.len()).filter(|&child| catalog.classes[child].parents.iter().any(accepts)).collect()
+}
+
+/// The room types whose own programme asks for the class.
+fn list_room_types(catalog: &Catalog, class: ClassIndex) -> Vec<&str> {
+    let asks = catalog
+        .room_types
+        .values()
+        .filter(|room_type| room_type.programme.iter().any(|request| request.classes.contains(&class)));
+    asks.map(|room_type| room_type.id.as_str()).collect()
+}
+
+fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIndex], &[&str])) -> Value {
+    let sizes: Vec<[f64; 3]> = class.sizes.iter().map(|size| [size.width, size.depth, size.height]).collect();
+    let parents: Vec<Value> = class.parents.iter().map(|rule| value_of_parent(catalog, rule)).collect();
+    let relations: Vec<Value> =
+        class.relations.iter().map(|relation| value_of_relation(catalog, relation)).collect();
+    json!({
+        "label": class.label,
+        "groups": class.groups,
+        "sizes": sizes,
+        "looks": class.looks,
+        "shape": value_of_shape(&class.shape),
+        "parents": parents,
+        "sides": value_of_sides(class),
+        "clearances": class.clearances.iter().map(value_of_clearance).collect::<Vec<_>>(),
+        "relations": relations,
+        "grid": class.grid.map(|grid| json!({
+            "interval": [grid.interval.x, grid.interval.y], "centered": grid.is_centered
+        })),
+        "priority": class.priority,
+        "depth": class.depth,
+        "model": value_of_model(&class.model),
+        "children": class_names(catalog, children),
+        "room_types": room_types,
+    })
+}
+
+fn value_of_shape(shape: &Shape) -> Value {
+    let prisms = match shape {
+        Shape::Box => return json!("box"),
+        Shape::Disc => return json!("disc"),
+        Shape::Prisms(prisms) => prisms,
+    };
+    let extent = |extent: &Extent| {
+        if extent.share == 0.0 {
+            return json!(extent.offset);
+        }
+        let share = format!("{}%", rounded(extent.share * 100.0));
+        json!(if extent.offset == 0.0 { share } else { format!("{share}{:+}", rounded(extent.offset)) })
+    };
+    let part = |low: &[Extent; 3], high: &[Extent; 3], is_disc: bool| json!({"disc": is_disc, "from": low.each_ref().map(extent), "to": high.each_ref().map(extent)});
+    json!(prisms.iter().map(|prism| part(&prism.low, &prism.high, prism.is_disc)).collect::<Vec<_>>())
+}
+
+fn value_of_parent(catalog: &Catalog, rule: &ParentRule) -> Value {
+    json!({
+        "on": parent_names(catalog, &rule.parent),
+        "side": rule.sides,
+        "tag": rule.tag,
+        "turn": rule.orientation.turn,
+        "jitter": degrees(rule.orientation.jitter),
+        "along": rule.along,
+        "gap": [rule.gap.0, rule.gap.1],
+        "elevation": [rule.elevation.0, rule.elevation.1],
+    })
+}
+
+fn value_of_sides(class: &Class) -> Value {
+    let mut sides = Map::new();
+    for side in Side::ALL {
+        let offer = class.offer(side);
+        if offer.places > 0 {
+            let value = json!({
+                "places": offer.places, "space": offer.space, "surface": offer.surface, "margin": offer.margin
+            });
+            sides.insert(side.name().to_owned(), value);
+        }
+    }
+    Value::Object(sides)
+}
+
+fn value_of_clearance(clearance: &crate::catalog::Clearance) -> Value {
+    json!({
+        "side": clearance.side,
+        "minimum": clearance.minimum,
+        "good": clearance.good,
+        "margin": clearance.margin,
+        "height": clearance.height,
+        "children": clearance.allows_children,
+    })
+}
+
+fn value_of_relation(catalog: &Catalog, relation: &Relation) -> Value {
+    json!({
+        json!(relation.kind).as_str().unwrap_or_default(): parent_names(catalog, &relation.target),
+        "distance": [relation.distance.0, relation.distance.1],
+        "angle": degrees(relation.angle),
+        "weight": relation.weight,
+    })
+}
+
+fn value_of_model(model: &ModelSource) -> Value {
+    match model {
+        ModelSource::Recipe { name, parameters } => {
+            let mut value = json!({"recipe": name});
+            for (parameter, number) in parameters {
+                value[parameter] = json!(number);
+            }
+            value
+        }
+        ModelSource::File { path, turn } => {
+            json!({"file": path.display().to_string(), "turn": degrees(*turn)})
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! What exists: lists and single definitions, as text for people and as values for programs.
+
+mod class;
+mod lines;
+mod palette;
+mod programme;
+mod room;
+mod style;
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::{Catalog, DefinitionKind};
+use crate::document::{Fault, Faults, did_you_mean};
+use lines::Lines;
+
+/// An answer about the catalogue.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Description {
+    /// For people: lines of text, each ended by a newline.
+    pub text: String,
+    /// For programs: the same as JSON, keys as in configuration files, lengths in metres, angles in degrees,
+    /// colours in sRGB.
+    pub value: Value,
+}
+
+/// Describes one definition, all of a kind, or (with no kind) how many there are of each.
+///
+/// # Errors
+/// If there is no definition of that id; the fault names the kind and hints at a similar id.
+pub fn describe(
+    catalog: &Catalog,
+    kind: Option<DefinitionKind>,
+    id: Option<&str>,
+) -> Result<Description, Faults> {
+    match (kind, id) {
+        (None, None) => Ok(describe_all(catalog)),
+        (Some(kind), None) => Ok(describe_kind(catalog, kind)),
+        (Some(kind), Some(id)) => {
+            describe_one(catalog, kind, id).ok_or_else(|| unknown(catalog, &[kind], id))
+        }
+        (None, Some(id)) => {
+            let mut found =
+                DefinitionKind::ALL.into_iter().filter_map(|kind| describe_one(catalog, kind, id));
+            found.next().ok_or_else(|| unknown(catalog, &DefinitionKind::ALL, id))
+        }
+    }
+}
+
+/// The ids of a kind, sorted; what is abstract is left out.
+fn ids(catalog: &Catalog, kind: DefinitionKind) -> Vec<&str> {
+    match kind {
+        DefinitionKind::Class => catalog.classes.iter().map(|class| class.id.as_str()).collect(),
+        DefinitionKind::RoomType => catalog.room_types.keys().map(String::as_str).collect(),
+        DefinitionKind::Style => catalog.styles.keys().map(String::as_str).collect(),
+        DefinitionKind::Palette => catalog.palettes.keys().map(String::as_str).collect(),
+    }
+}
+
+fn unknown(catalog: &Catalog, kinds: &[DefinitionKind], id: &str) -> Faults {
+    let names: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
+    let candidates: Vec<&str> = kinds.iter().flat_map(|&kind| ids(catalog, kind)).collect();
+    let fault = Fault::of_file(Path::new("catalog"), format!("there is no {} \"{id}\"", names.join(" or ")));
+    match did_you_mean(id, candidates) {
+        Some(hint) => fault.with_hint(hint).into(),
+        None => fault.into(),
+    }
+}
+
+fn describe_all(catalog: &Catalog) -> Description {
+    let mut lines = Lines::default();
+    let mut value = serde_json::Map::new();
+    for kind in DefinitionKind::ALL {
+        let count = ids(catalog, kind).len();
+        lines.add(kind.plural(), &count.to_string());
+        value.insert(kind.plural().replace(' ', "_"), json!(count));
+    }
+    Description { text: lines.text(), value: Value::Object(value) }
+}
+
+/// One line for each: id, label, what matters most, file.
+fn describe_kind(catalog: &Catalog, kind: DefinitionKind) -> Description {
+    let mut rows = Vec::new();
+    let mut values = Vec::new();
+    for id in ids(catalog, kind) {
+        let (label, fact) = match kind {
+            DefinitionKind::Class => class::summary(catalog, id),
+            DefinitionKind::RoomType => room::summary(catalog, id),
+            DefinitionKind::Style => style::summary(catalog, id),
+            DefinitionKind::Palette => palette::summary(catalog, id),
+        };
+        let file = origin(catalog, kind, id);
+        values.push(describe_one(catalog, kind, id).map(|description| description.value));
+        rows.push([id.to_owned(), label, fact, file]);
+    }
+    let key = kind.plural().replace(' ', "_");
+    Description { text: lines::table(&rows), value: json!({ key: values }) }
+}
+
+fn describe_one(catalog: &Catalog, kind: DefinitionKind, id: &str) -> Option<Description> {
+    let (mut lines, mut value) = match kind {
+        DefinitionKind::Class => class::describe_class(catalog, catalog.class_index(id)?),
+        DefinitionKind::RoomType => room::describe_room_type(catalog, catalog.room_types.get(id)?),
+        DefinitionKind::Style => style::describe_style(catalog, catalog.styles.get(id)?),
+        DefinitionKind::Palette => palette::describe_palette(catalog, catalog.palettes.get(id)?),
+    };
+    let file = origin(catalog, kind, id);
+    lines.add("written in", &file);
+    value["file"] = json!(file);
+    value["id"] = json!(id);
+    Some(Description { text: format!("{} {id}\n{}", kind.name(), lines.text()), value })
+}
+
+/// The file that defines it, with `/` on every system.
+fn origin(catalog: &Catalog, kind: DefinitionKind, id: &str) -> String {
+    let file = catalog.origins.get(&(kind, id.to_owned()));
+    file.map(|file| file.display().to_string().replace('\\', "/")).unwrap_or_default()
+}

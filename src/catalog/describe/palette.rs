@@ -1,0 +1,68 @@
+//! One palette.
+
+use serde_json::{Map, Value, json};
+
+use super::lines::{Lines, rounded};
+use crate::catalog::resolve::srgb_hex;
+use crate::catalog::{Catalog, Material, Palette};
+
+/// Nothing for a title, and the styles that use it.
+pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
+    (String::new(), list_styles(catalog, id).join(", "))
+}
+
+fn list_styles<'a>(catalog: &'a Catalog, palette: &str) -> Vec<&'a str> {
+    let styles = catalog.styles.values().filter(|style| style.palette == palette);
+    styles.map(|style| style.id.as_str()).collect()
+}
+
+/// Everything about a palette.
+pub(super) fn describe_palette(catalog: &Catalog, palette: &Palette) -> (Lines, Value) {
+    let styles = list_styles(catalog, &palette.id);
+    let mut lines = Lines::default();
+    for (slot, material) in &palette.materials {
+        lines.add(slot, &show_material(material));
+    }
+    lines.add("styles", &styles.join(", "));
+    let materials: Map<String, Value> = palette
+        .materials
+        .iter()
+        .map(|(slot, material)| (slot.clone(), value_of_material(material)))
+        .collect();
+    (lines, json!({"materials": materials, "styles": styles}))
+}
+
+fn color(material: &Material) -> String {
+    let [red, green, blue, _] = material.base_color;
+    srgb_hex([red, green, blue])
+}
+
+fn show_material(material: &Material) -> String {
+    let mut text = format!("{} roughness {}", color(material), rounded(f64::from(material.roughness)));
+    let others = [
+        ("metallic", material.metallic, 0.0),
+        ("opacity", material.base_color[3], 1.0),
+        ("transmission", material.transmission, 0.0),
+    ];
+    for (name, value, usual) in others {
+        if value != usual {
+            text += &format!(", {name} {}", rounded(f64::from(value)));
+        }
+    }
+    if material.emissive != [0.0; 3] {
+        text += &format!(", gives off {}", srgb_hex(material.emissive));
+    }
+    text
+}
+
+fn value_of_material(material: &Material) -> Value {
+    let number = |value: f32| rounded(f64::from(value));
+    json!({
+        "color": color(material),
+        "roughness": number(material.roughness),
+        "metallic": number(material.metallic),
+        "opacity": number(material.base_color[3]),
+        "emissive": srgb_hex(material.emissive),
+        "transmission": number(material.transmission),
+    })
+}

@@ -1,0 +1,69 @@
+//! Lines of programmes.
+
+use serde_json::{Value, json};
+
+use super::lines::{class_names, range, rounded};
+use crate::catalog::{Catalog, Count, Request};
+
+/// Square metres from which on an upper bound is none.
+const UNBOUNDED_AREA: f64 = 1e6;
+
+/// `2 armchair, chair (chance 0.5, from 9 m²)`.
+pub(super) fn show_request(catalog: &Catalog, request: &Request) -> String {
+    let mut terms = Vec::new();
+    let (low, high) = request.area;
+    if high < UNBOUNDED_AREA {
+        terms.push(format!("{} m²", range(request.area)));
+    } else if low > 0.0 {
+        terms.push(format!("from {} m²", rounded(low)));
+    }
+    if request.is_required {
+        terms.push("required".to_owned());
+    }
+    if request.chance < 1.0 {
+        terms.push(format!("chance {}", rounded(request.chance)));
+    }
+    if request.needs_window {
+        terms.push("with a window".to_owned());
+    }
+    let terms = if terms.is_empty() { String::new() } else { format!(" ({})", terms.join(", ")) };
+    format!(
+        "{} {}{terms}",
+        show_count(catalog, request.count),
+        class_names(catalog, &request.classes).join(" or ")
+    )
+}
+
+fn show_count(catalog: &Catalog, count: Count) -> String {
+    match count {
+        Count::Fixed(count) => count.to_string(),
+        Count::Range(least, most) => format!("{least} to {most}"),
+        Count::PerArea(pieces, least, most) => format!("{} per m², {least} to {most},", rounded(pieces)),
+        Count::PerPiece(class, each) => format!("{} per {}:", rounded(each), catalog.classes[class].id),
+        Count::Fill(most) => format!("up to {most}"),
+    }
+}
+
+/// As in a configuration file.
+pub(super) fn value_of_request(catalog: &Catalog, request: &Request) -> Value {
+    let count = match request.count {
+        Count::Fixed(count) => json!(count),
+        Count::Range(least, most) => json!([least, most]),
+        Count::PerArea(pieces, least, most) => json!({"per_area": pieces, "least": least, "most": most}),
+        Count::PerPiece(class, each) => json!({"per": catalog.classes[class].id, "each": each}),
+        Count::Fill(most) => json!({"fill": most}),
+    };
+    json!({
+        "class": class_names(catalog, &request.classes),
+        "count": count,
+        "area": [request.area.0, request.area.1],
+        "required": request.is_required,
+        "chance": request.chance,
+        "window": request.needs_window,
+    })
+}
+
+/// All lines as in a configuration file.
+pub(super) fn value_of_programme(catalog: &Catalog, programme: &[Request]) -> Value {
+    programme.iter().map(|request| value_of_request(catalog, request)).collect()
+}

@@ -1,0 +1,47 @@
+//! One room type.
+
+use serde_json::{Value, json};
+
+use super::lines::{Lines, range};
+use super::programme::{show_request, value_of_programme};
+use crate::catalog::{Catalog, RoomType};
+
+/// The label, and how much it holds.
+pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
+    let Some(room_type) = catalog.room_types.get(id) else { return Default::default() };
+    let fact = if room_type.is_furnished {
+        format!("{} lines", room_type.programme.len())
+    } else {
+        "not furnished".to_owned()
+    };
+    (room_type.label.clone(), fact)
+}
+
+/// Everything about a room type.
+pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Lines, Value) {
+    let finish = &room_type.finish;
+    let styles: Vec<&str> = catalog
+        .styles
+        .values()
+        .filter(|style| style.room_types.is_empty() || style.room_types.contains(&room_type.id))
+        .map(|style| style.id.as_str())
+        .collect();
+    let mut lines = Lines::default();
+    lines.add("label", &room_type.label);
+    lines.add("furnished", if room_type.is_furnished { "yes" } else { "no" });
+    lines.add("density", &range(room_type.density));
+    lines.add("excludes", &room_type.excludes.join(", "));
+    lines.add("finish", &format!("floor {}, wall {}, ceiling {}", finish.floor, finish.wall, finish.ceiling));
+    lines.add_all("holds", room_type.programme.iter().map(|request| show_request(catalog, request)));
+    lines.add("styles", &styles.join(", "));
+    let value = json!({
+        "label": room_type.label,
+        "furnish": room_type.is_furnished,
+        "density": [room_type.density.0, room_type.density.1],
+        "excludes": room_type.excludes,
+        "finish": {"floor": finish.floor, "wall": finish.wall, "ceiling": finish.ceiling},
+        "programme": value_of_programme(catalog, &room_type.programme),
+        "styles": styles,
+    });
+    (lines, value)
+}

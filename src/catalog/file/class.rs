@@ -1,0 +1,283 @@
+//! `configs/classes/*.yaml`.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+
+use super::{Edges, ExtentText, FormatVersion, OneOrMany, Pair};
+use crate::catalog::table::Extends;
+use crate::catalog::{Along, Side, Turn};
+
+/// Classes of furniture: what they are, where they may stand, what may stand on them.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Classes")]
+pub(crate) struct ClassFile {
+    #[expect(dead_code, reason = "checked while reading")]
+    pub(crate) version: FormatVersion,
+    /// The classes by id: lower-case words joined by `_`.
+    pub(crate) classes: BTreeMap<String, ClassEntry>,
+}
+
+/// The semantic description of one class. Lengths in metres, angles in degrees; seen from above, width is
+/// along x and depth along y, the front is at -y, and right is the right hand of a person before the front.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ClassEntry {
+    /// A title for people; the id with spaces if absent.
+    pub(crate) label: Option<String>,
+    /// Another class, whose keys are taken where this one has none. Lists and maps are replaced whole, but
+    /// `sides` is merged side by side. A class that names itself builds on the definition of an earlier folder.
+    pub(crate) extends: Option<String>,
+    /// Whether it is only there to be extended; never inherited.
+    #[serde(default, rename = "abstract")]
+    pub(crate) is_abstract: bool,
+    /// Further names under which parents, relations, programmes and `excludes` may refer to it.
+    pub(crate) groups: Option<OneOrMany<String>>,
+    /// The sizes it is made in, each [width, depth, height].
+    pub(crate) sizes: Option<Vec<[f64; 3]>>,
+    /// How many looks of each size the recipe makes; default 1.
+    pub(crate) looks: Option<i64>,
+    /// The solid parts of its box: `box` (default), `disc`, or a list of parts.
+    pub(crate) shape: Option<ShapeEntry>,
+    /// Where it may stand, best first.
+    pub(crate) parents: Option<OneOrMany<ParentEntry>>,
+    /// What its own sides offer to children; sides that are not named take none.
+    pub(crate) sides: Option<SidesEntry>,
+    /// Regions before its sides that no body may enter.
+    pub(crate) clearances: Option<OneOrMany<ClearanceEntry>>,
+    /// Wishes about objects that are not its parent.
+    pub(crate) relations: Option<OneOrMany<RelationEntry>>,
+    /// Regular intervals instead of random positions.
+    pub(crate) grid: Option<GridEntry>,
+    /// What is given up first when room is short: lower goes first; default 0.
+    pub(crate) priority: Option<i32>,
+    /// How it looks: a recipe, or a model file.
+    pub(crate) model: Option<ModelEntry>,
+}
+
+impl Extends for ClassEntry {
+    const KIND: &'static str = "class";
+    const TABLE: &'static str = "classes";
+
+    fn base(&self) -> Option<&str> {
+        self.extends.as_deref()
+    }
+}
+
+/// The solid parts of a box.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum ShapeEntry {
+    /// `box` or `disc`.
+    Word(String),
+    /// Boxes and discs.
+    Parts(Vec<PartEntry>),
+}
+
+impl JsonSchema for ShapeEntry {
+    fn schema_name() -> Cow<'static, str> {
+        "Shape".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let part = generator.subschema_for::<PartEntry>();
+        json_schema!({
+            "anyOf": [{"enum": ["box", "disc"]}, {"type": "array", "items": part, "minItems": 1}]
+        })
+    }
+}
+
+/// A box-shaped or round part of a shape.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PartEntry {
+    /// Whether the part is round.
+    #[serde(default)]
+    pub(crate) disc: bool,
+    /// Its left, front and underside.
+    pub(crate) from: [ExtentText; 3],
+    /// Its right, back and top.
+    pub(crate) to: [ExtentText; 3],
+}
+
+/// One way to stand somewhere.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ParentEntry {
+    /// `floor`, `ceiling`, `wall`, `door`, `window`, `column`, or classes and groups.
+    pub(crate) on: OneOrMany<String>,
+    /// The parent's sides that will do, best first. Needed where the parent is a class; room parts have
+    /// their own: floor above, ceiling below, wall, door and window front, column all four.
+    pub(crate) side: Option<OneOrMany<Side>>,
+    /// A tag that the wall or room must carry.
+    pub(crate) tag: Option<String>,
+    /// How to turn; default `quarter` on the floor, else `parallel`.
+    pub(crate) turn: Option<Turn>,
+    /// Random offset of the turn, up to this many degrees either way; default 0.
+    pub(crate) jitter: Option<f64>,
+    /// Where along the side; default `random`.
+    pub(crate) along: Option<Along>,
+    /// Metres between the touching sides; below zero it slides under the parent; default 0.
+    pub(crate) gap: Option<Pair>,
+    /// Metres of the underside above the floor, for what hangs; default 0.
+    pub(crate) elevation: Option<Pair>,
+}
+
+/// What the sides offer to children.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SidesEntry {
+    /// Where one uses it from.
+    pub(crate) front: Option<SideEntry>,
+    /// Opposite the front.
+    pub(crate) back: Option<SideEntry>,
+    /// Left of the person before the front.
+    pub(crate) left: Option<SideEntry>,
+    /// Right of the person before the front.
+    pub(crate) right: Option<SideEntry>,
+    /// The top.
+    pub(crate) above: Option<SideEntry>,
+    /// The underside.
+    pub(crate) below: Option<SideEntry>,
+}
+
+impl SidesEntry {
+    /// What is written for a side.
+    pub(crate) fn get(&self, side: Side) -> Option<&SideEntry> {
+        match side {
+            Side::Front => self.front.as_ref(),
+            Side::Back => self.back.as_ref(),
+            Side::Left => self.left.as_ref(),
+            Side::Right => self.right.as_ref(),
+            Side::Above => self.above.as_ref(),
+            Side::Below => self.below.as_ref(),
+        }
+    }
+}
+
+/// What one side offers to children.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SideEntry {
+    /// How many children it takes.
+    pub(crate) places: Option<i64>,
+    /// Metres free along the side; default its length.
+    pub(crate) space: Option<f64>,
+    /// Above only: height of the carrying surface where it is not the top of the box (a mattress).
+    pub(crate) surface: Option<f64>,
+    /// Above only: metres at the edges that do not carry, one number or [left, front, right, back].
+    pub(crate) margin: Option<Edges>,
+}
+
+/// A region before a side that people need to use it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ClearanceEntry {
+    /// Before which sides: front, back, left or right.
+    pub(crate) side: OneOrMany<Side>,
+    /// Metres that must stay free.
+    pub(crate) minimum: f64,
+    /// Metres that should stay free; default `minimum`.
+    pub(crate) good: Option<f64>,
+    /// Metres left and right of the side's ends that belong to it; default 0.
+    pub(crate) margin: Option<f64>,
+    /// Metres from the underside up to which it reaches; default 2.
+    pub(crate) height: Option<f64>,
+    /// Whether children of that side may stand in it (the chair before a desk); default false.
+    #[serde(default)]
+    pub(crate) children: bool,
+}
+
+/// A wish about another object: exactly one of the kinds, with what it is about (classes, groups, or
+/// `window`, `door`, `wall`, `column`).
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RelationEntry {
+    /// Its front points at the target.
+    pub(crate) faces: Option<OneOrMany<String>>,
+    /// Stands across from the target, fronts towards each other.
+    pub(crate) opposite: Option<OneOrMany<String>>,
+    /// Within the distance.
+    pub(crate) near: Option<OneOrMany<String>>,
+    /// At least the lowest distance away.
+    pub(crate) away_from: Option<OneOrMany<String>>,
+    /// Not in front of the target.
+    pub(crate) not_before: Option<OneOrMany<String>>,
+    /// Side by side with the target.
+    pub(crate) beside: Option<OneOrMany<String>>,
+    /// Fronts or backs on one line.
+    pub(crate) aligned_with: Option<OneOrMany<String>>,
+    /// Metres that are good, [lowest, highest]; one number is the highest, from 0, but the lowest of
+    /// `away_from`.
+    pub(crate) distance: Option<Pair>,
+    /// Degrees off the axis that are good; default 30.
+    pub(crate) angle: Option<f64>,
+    /// Share in the score; default 1.
+    pub(crate) weight: Option<f64>,
+}
+
+/// A regular layout.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct GridEntry {
+    /// Metres between neighbours, one number or [along x, along y] of the parent's side.
+    pub(crate) interval: Pair,
+    /// Whether the grid is centred on the side instead of starting at a random place; default false.
+    #[serde(default)]
+    pub(crate) centered: bool,
+}
+
+/// How a class looks.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum ModelEntry {
+    /// The name of a recipe.
+    Recipe(String),
+    /// A recipe with parameters, or a file.
+    Fields(ModelFields),
+}
+
+/// The long form of a model.
+#[derive(Clone, Debug, Deserialize)]
+pub(crate) struct ModelFields {
+    /// The name of a recipe.
+    pub(crate) recipe: Option<String>,
+    /// A `.glb` or `.gltf`, relative to the file that names it.
+    pub(crate) file: Option<String>,
+    /// Degrees by which the file's model is turned so that its front faces +Z.
+    pub(crate) turn: Option<f64>,
+    /// Parameters of the recipe.
+    #[serde(flatten)]
+    pub(crate) parameters: BTreeMap<String, Parameter>,
+}
+
+/// A parameter of a recipe.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum Parameter {
+    /// A number.
+    Number(f64),
+    /// On is 1, off is 0.
+    Switch(bool),
+}
+
+impl JsonSchema for ModelEntry {
+    fn schema_name() -> Cow<'static, str> {
+        "Model".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": ["string", "object"],
+            "properties": {
+                "recipe": {"type": "string", "description": "The name of a recipe; its parameters stand beside it."},
+                "file": {"type": "string", "description": "A .glb or .gltf file, relative to this file."},
+                "turn": {"type": "number", "description": "Degrees that turn the file's front to +Z."}
+            },
+            "additionalProperties": {"type": ["number", "boolean"]}
+        })
+    }
+}

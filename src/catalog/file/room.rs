@@ -1,0 +1,140 @@
+//! `configs/rooms/*.yaml`.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+
+use super::{FormatVersion, OneOrMany, Pair};
+use crate::catalog::table::Extends;
+
+/// Room types: what each kind of room holds.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Room types")]
+pub(crate) struct RoomFile {
+    #[expect(dead_code, reason = "checked while reading")]
+    pub(crate) version: FormatVersion,
+    /// The room types by id: lower-case words joined by `_`.
+    pub(crate) room_types: BTreeMap<String, RoomTypeEntry>,
+}
+
+/// A kind of room.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RoomTypeEntry {
+    /// A title for people; the id with spaces if absent.
+    pub(crate) label: Option<String>,
+    /// Another room type, whose keys are taken where this one has none. `finish` is merged key by key.
+    pub(crate) extends: Option<String>,
+    /// Whether it is only there to be extended; never inherited.
+    #[serde(default, rename = "abstract")]
+    pub(crate) is_abstract: bool,
+    /// Whether it is furnished at all; default true.
+    pub(crate) furnish: Option<bool>,
+    /// Lowest and highest share of the floor that furniture covers; default [0, 1].
+    pub(crate) density: Option<Pair>,
+    /// Classes and groups that contradict it.
+    pub(crate) excludes: Option<OneOrMany<String>>,
+    /// Material slots of the shell.
+    pub(crate) finish: Option<FinishEntry>,
+    /// What it holds unless the style says otherwise.
+    pub(crate) programme: Option<Vec<RequestEntry>>,
+}
+
+impl Extends for RoomTypeEntry {
+    const KIND: &'static str = "room type";
+    const TABLE: &'static str = "room_types";
+
+    fn base(&self) -> Option<&str> {
+        self.extends.as_deref()
+    }
+}
+
+/// Material slots of the shell.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FinishEntry {
+    /// Default `parquet`.
+    pub(crate) floor: Option<String>,
+    /// Default `plaster`.
+    pub(crate) wall: Option<String>,
+    /// Default `ceiling`.
+    pub(crate) ceiling: Option<String>,
+}
+
+/// One line of a programme.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RequestEntry {
+    /// A class or group, or several of which one is drawn for each room.
+    pub(crate) class: OneOrMany<String>,
+    /// How many; default 1.
+    pub(crate) count: Option<CountEntry>,
+    /// Square metres of floor between which the line applies; one number is the least.
+    pub(crate) area: Option<Pair>,
+    /// Whether the room is wrong without it; default false.
+    #[serde(default)]
+    pub(crate) required: bool,
+    /// Probability that the line applies at all, 0 to 1; default 1.
+    pub(crate) chance: Option<f64>,
+    /// Only where the room has a window; default false.
+    #[serde(default)]
+    pub(crate) window: bool,
+}
+
+/// How many pieces.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum CountEntry {
+    /// Exactly.
+    Fixed(i64),
+    /// At least, at most.
+    Range([i64; 2]),
+    /// Depending on the room.
+    Fields(CountFields),
+}
+
+/// The long forms of a count: exactly one of `per`, `per_area`, `fill`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CountFields {
+    /// For each piece of this class.
+    pub(crate) per: Option<String>,
+    /// With `per`: how many for each.
+    pub(crate) each: Option<f64>,
+    /// Pieces per square metre.
+    pub(crate) per_area: Option<f64>,
+    /// With `per_area`: at least.
+    pub(crate) least: Option<i64>,
+    /// With `per_area`: at most.
+    pub(crate) most: Option<i64>,
+    /// As many as fit, at most this many.
+    pub(crate) fill: Option<i64>,
+}
+
+impl JsonSchema for CountEntry {
+    fn schema_name() -> Cow<'static, str> {
+        "Count".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "A number, [least, most], {per: class, each: n}, {per_area: n, least: n, most: n} or {fill: n}.",
+            "type": ["integer", "array", "object"],
+            "items": {"type": "integer"},
+            "minItems": 2,
+            "maxItems": 2,
+            "properties": {
+                "per": {"type": "string", "description": "So many for each piece of this class that was asked for."},
+                "each": {"type": "number", "description": "With per: how many for each piece; default 1."},
+                "per_area": {"type": "number", "description": "Pieces per square metre of floor."},
+                "least": {"type": "integer", "description": "With per_area: at least; default 0."},
+                "most": {"type": "integer", "description": "With per_area: at most."},
+                "fill": {"type": "integer", "description": "As many as fit, at most this many."}
+            },
+            "additionalProperties": false
+        })
+    }
+}

@@ -1,0 +1,160 @@
+//! Values that may be written in more than one way: one or several, one number or two.
+
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+
+/// One value or a list of values.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum OneOrMany<T> {
+    /// A list.
+    Many(Vec<T>),
+    /// A value that stands for the list of itself.
+    One(T),
+}
+
+impl<T> OneOrMany<T> {
+    /// The values, each with its place in the list where there is one.
+    pub(crate) fn items(&self) -> impl Iterator<Item = (Option<usize>, &T)> {
+        let (values, is_list) = match self {
+            Self::Many(values) => (values.as_slice(), true),
+            Self::One(value) => (std::slice::from_ref(value), false),
+        };
+        values.iter().enumerate().map(move |(index, value)| (is_list.then_some(index), value))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for OneOrMany<T> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("OneOrMany{}", T::schema_name()).into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<T>();
+        let item = one.clone();
+        json_schema!({"anyOf": [one, {"type": "array", "items": item, "minItems": 1}]})
+    }
+}
+
+/// A number, or the lowest and the highest.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum Pair {
+    /// One number.
+    One(f64),
+    /// Lowest and highest.
+    Two([f64; 2]),
+}
+
+impl Pair {
+    /// Lowest and highest, one number standing for both.
+    pub(crate) fn both(self) -> (f64, f64) {
+        match self {
+            Self::One(value) => (value, value),
+            Self::Two([low, high]) => (low, high),
+        }
+    }
+
+    /// Lowest and highest, one number standing for the highest.
+    pub(crate) fn with_lowest(self, lowest: f64) -> (f64, f64) {
+        match self {
+            Self::One(highest) => (lowest, highest),
+            Self::Two([low, high]) => (low, high),
+        }
+    }
+
+    /// Lowest and highest, one number standing for the lowest.
+    pub(crate) fn with_highest(self, highest: f64) -> (f64, f64) {
+        match self {
+            Self::One(lowest) => (lowest, highest),
+            Self::Two([low, high]) => (low, high),
+        }
+    }
+}
+
+impl JsonSchema for Pair {
+    fn schema_name() -> Cow<'static, str> {
+        "Pair".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": ["number", "array"],
+            "items": {"type": "number"},
+            "minItems": 2,
+            "maxItems": 2
+        })
+    }
+}
+
+/// A number for all edges, or left, front, right, back.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum Edges {
+    /// The same at all edges.
+    One(f64),
+    /// Left, front, right, back.
+    Four([f64; 4]),
+}
+
+impl Edges {
+    /// Left, front, right, back.
+    pub(crate) fn all(self) -> [f64; 4] {
+        match self {
+            Self::One(value) => [value; 4],
+            Self::Four(values) => values,
+        }
+    }
+}
+
+impl JsonSchema for Edges {
+    fn schema_name() -> Cow<'static, str> {
+        "Edges".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": ["number", "array"],
+            "items": {"type": "number"},
+            "minItems": 4,
+            "maxItems": 4
+        })
+    }
+}
+
+/// A coordinate inside a box as written: metres from the low end, or a share of the length.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum ExtentText {
+    /// Metres from the low end.
+    Metres(f64),
+    /// `P%`, `P%+m` or `P%-m`.
+    Share(String),
+}
+
+impl JsonSchema for ExtentText {
+    fn schema_name() -> Cow<'static, str> {
+        "Extent".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "Metres from the low end (left, front, underside), or a share of the length: \"50%\", \"100%-0.03\".",
+            "type": ["number", "string"]
+        })
+    }
+}

@@ -1,0 +1,109 @@
+//! The way from folders to a [`Catalog`].
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::check::{check_programmes, find_depths};
+use super::digest::finish_digest;
+use super::read::{Definitions, Files};
+use super::report::Report;
+use super::resolve::{
+    Names, StyleWorld, resolve_classes, resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
+};
+use super::table::{Extends, Table};
+use super::{Catalog, Class, DEFAULT_STYLE, DefinitionKind};
+use crate::document::{Fault, Faults, Warned};
+use crate::plan::GENERIC_ROOM_TYPE;
+
+/// Reads the built-in configuration and then the users' folders, each of which may hold `classes/`,
+/// `rooms/`, `styles/`, `palettes/` and `room_words.yaml`.
+///
+/// A definition replaces the one of the same id in an earlier folder whole, unless it `extends` itself.
+/// What extends or names an id always means its last definition. Room words are merged word by word.
+///
+/// # Errors
+/// All faults of all files at once, by file and place.
+pub fn load_catalog(extra_folders: &[PathBuf]) -> Result<Warned<Catalog>, Faults> {
+    let mut files = Files::default();
+    files.add_builtin();
+    for folder in extra_folders {
+        files.add_folder(folder);
+    }
+    load_files(&files)
+}
+
+/// From files to the catalogue.
+pub(super) fn load_files(files: &Files) -> Result<Warned<Catalog>, Faults> {
+    let (definitions, mut report) = files.parse();
+    let catalog = resolve(&definitions, files, &mut report);
+    report.faults.into_result(catalog)
+}
+
+/// The catalogue as far as it is without faults.
+fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) -> Catalog {
+    let class_chains = definitions.classes.chains(report);
+    let names = Names::new(&definitions.classes, &class_chains, report);
+    let mut classes = resolve_classes(&class_chains, &names, files, report);
+    // A class that is missing for a fault of its own would take its children with it.
+    if classes.len() == names.class_count() && !report.faults.has_errors() {
+        find_depths(&mut classes, report);
+    }
+    let palettes = resolve_palettes(&definitions.palettes.chains(report), report);
+    let room_types = resolve_room_types(&definitions.room_types.chains(report), &names, report);
+    let world =
+        StyleWorld { names: &names, room_types: &definitions.room_types, palettes: &definitions.palettes };
+    let styles = resolve_styles(&definitions.styles.chains(report), &world, report);
+    check_programmes(&room_types, &styles, &names, report);
+    let room_words = resolve_words(&definitions.words, &definitions.room_types, report);
+    check_indispensable(definitions, report);
+
+    let classes: Vec<Class> = classes.into_iter().map(|resolved| resolved.class).collect();
+    Catalog {
+        digest: finish_digest(files.digest(), &classes, report),
+        classes,
+        room_types: by_id(room_types.into_iter().map(|resolved| resolved.room_type), |one| &one.id),
+        styles: by_id(styles.into_iter().map(|resolved| resolved.style), |one| &one.id),
+        palettes: by_id(palettes, |one| &one.id),
+        room_words,
+        origins: find_origins(definitions, files),
+    }
+}
+
+fn by_id<T>(values: impl IntoIterator<Item = T>, id: impl Fn(&T) -> &String) -> BTreeMap<String, T> {
+    values.into_iter().map(|value| (id(&value).clone(), value)).collect()
+}
+
+/// What other stages fall back to must be there.
+fn check_indispensable(definitions: &Definitions, report: &mut Report<'_>) {
+    if definitions.styles.get(DEFAULT_STYLE).is_none() {
+        let message = format!("no folder defines the style \"{DEFAULT_STYLE}\"");
+        report.error_of_all(Fault::of_file(Path::new("styles"), message));
+    }
+    let generic = definitions.room_types.get(GENERIC_ROOM_TYPE);
+    if generic.is_none_or(|definition| definition.entry.is_abstract) {
+        let message = format!("no folder defines the room type \"{GENERIC_ROOM_TYPE}\"");
+        report.error_of_all(Fault::of_file(Path::new("rooms"), message));
+    }
+}
+
+fn find_origins(definitions: &Definitions, files: &Files) -> BTreeMap<(DefinitionKind, String), PathBuf> {
+    let mut origins = BTreeMap::new();
+    add_origins(&definitions.classes, DefinitionKind::Class, files, &mut origins);
+    add_origins(&definitions.room_types, DefinitionKind::RoomType, files, &mut origins);
+    add_origins(&definitions.styles, DefinitionKind::Style, files, &mut origins);
+    add_origins(&definitions.palettes, DefinitionKind::Palette, files, &mut origins);
+    origins
+}
+
+fn add_origins<T: Extends>(
+    table: &Table<T>,
+    kind: DefinitionKind,
+    files: &Files,
+    origins: &mut BTreeMap<(DefinitionKind, String), PathBuf>,
+) {
+    for id in table.ids() {
+        let definition = table.get(id).expect("the id comes from the table");
+        let file = files.sources[definition.spot.source].file();
+        origins.insert((kind, id.to_owned()), file.to_owned());
+    }
+}

@@ -1,0 +1,96 @@
+//! `configs/` to a checked [`Catalog`]: classes, room types, styles and palettes, all inheritance resolved.
+//!
+//! What later stages may rely on: every class index points into [`Catalog::classes`], every name into its
+//! table; sizes are positive; every palette fills every slot; no class has itself as its only ancestor.
+
+mod builtin;
+mod check;
+mod class;
+mod describe;
+mod digest;
+mod file;
+mod load;
+mod palette;
+mod read;
+mod report;
+mod resolve;
+mod style;
+mod table;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+pub use builtin::{BuiltinFile, builtin_file, builtin_files};
+pub use class::{
+    Along, Class, ClassIndex, Clearance, Extent, Grid, ModelSource, Orientation, ParentName, ParentRule,
+    PrismRule, Relation, RelationKind, Shape, Side, SideOffer, Size, Turn,
+};
+pub use describe::{Description, describe};
+pub use load::load_catalog;
+pub use palette::{MATERIAL_SLOTS, Material, Palette};
+pub use style::{Count, Finish, Request, RoomType, Style, Untidiness};
+
+use crate::plan::RoomWords;
+
+/// Everything that configuration says about furniture and rooms.
+#[derive(Clone, Debug, Default)]
+pub struct Catalog {
+    /// The classes, sorted by id.
+    pub classes: Vec<Class>,
+    /// Room types by id.
+    pub room_types: BTreeMap<String, RoomType>,
+    /// Styles by id; always contains [`DEFAULT_STYLE`].
+    pub styles: BTreeMap<String, Style>,
+    /// Palettes by id.
+    pub palettes: BTreeMap<String, Palette>,
+    /// The room words of plan formats.
+    pub room_words: RoomWords,
+    /// The file in which each definition is written: the last one where later folders replace earlier ones.
+    /// Built-in files stand below `configs/`.
+    pub origins: BTreeMap<(DefinitionKind, String), PathBuf>,
+    /// SHA-256 over all configuration and model files that were read.
+    pub digest: [u8; 32],
+}
+
+/// What a definition in `configs/` defines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum DefinitionKind {
+    /// A class of furniture.
+    Class,
+    /// A room type.
+    RoomType,
+    /// A style.
+    Style,
+    /// A palette.
+    Palette,
+}
+
+impl DefinitionKind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [Self::Class, Self::RoomType, Self::Style, Self::Palette];
+
+    /// The word in messages.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        ["class", "room type", "style", "palette"][self as usize]
+    }
+
+    /// The word for several.
+    #[must_use]
+    pub fn plural(self) -> &'static str {
+        ["classes", "room types", "styles", "palettes"][self as usize]
+    }
+}
+
+/// The style of rooms for which neither plan nor command line name one.
+pub const DEFAULT_STYLE: &str = "default";
+
+impl Catalog {
+    /// Index of a class by id.
+    #[must_use]
+    pub fn class_index(&self, id: &str) -> Option<ClassIndex> {
+        self.classes.binary_search_by(|class| class.id.as_str().cmp(id)).ok()
+    }
+}

@@ -1,0 +1,71 @@
+//! Named materials of a style.
+
+use std::collections::BTreeMap;
+
+/// Materials by slot (`wood`, `fabric`, `metal`): recipes name slots, the palette says what they are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Palette {
+    /// The word used in styles.
+    pub id: String,
+    /// Every slot of [`MATERIAL_SLOTS`].
+    pub materials: BTreeMap<String, Material>,
+}
+
+/// A glTF metallic-roughness material without textures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Linear red, green, blue and opacity, each 0 to 1.
+    pub base_color: [f32; 4],
+    /// 0 for everything but bare metal.
+    pub metallic: f32,
+    /// 0 a mirror, 1 chalk.
+    pub roughness: f32,
+    /// Linear light given off, each 0 to 1.
+    pub emissive: [f32; 3],
+    /// Share of light that passes (`KHR_materials_transmission`); 0 for what is not glass.
+    pub transmission: f32,
+}
+
+/// Every slot that a recipe or the shell may name.
+pub const MATERIAL_SLOTS: [&str; 40] = [
+    "wood",
+    "wood_dark",
+    "wood_light",
+    "painted",
+    "painted_accent",
+    "laminate",
+    "metal",
+    "metal_dark",
+    "chrome",
+    "brass",
+    "glass",
+    "mirror",
+    "ceramic",
+    "fabric",
+    "fabric_accent",
+    "fabric_light",
+    "leather",
+    "mattress",
+    "linen",
+    "plastic",
+    "plastic_dark",
+    "rubber",
+    "stone",
+    "concrete",
+    "plaster",
+    "ceiling",
+    "tile",
+    "tile_wall",
+    "parquet",
+    "carpet",
+    "linoleum",
+    "paper",
+    "book",
+    "leaf",
+    "soil",
+    "terracotta",
+    "screen",
+    "lamp",
+    "shade",
+    "appliance",
+];

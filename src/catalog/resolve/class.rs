@@ -1,0 +1,94 @@
+//! Classes.
+
+use super::model::resolve_model;
+use super::names::Names;
+use super::number::{LENGTH, Quantity, check_count};
+use super::parents::{ResolvedParent, resolve_parents};
+use super::relations::resolve_relations;
+use super::resolve_label;
+use super::shape::{resolve_shape, resolve_sizes};
+use super::sides::{resolve_clearances, resolve_sides};
+use crate::catalog::file::ClassEntry;
+use crate::catalog::read::Files;
+use crate::catalog::report::{Report, Spot};
+use crate::catalog::table::Chain;
+use crate::catalog::{Class, Grid};
+use crate::geometry::Point;
+
+/// Looks of each size where the file says nothing.
+const DEFAULT_LOOKS: i64 = 1;
+
+/// A class whose depth is not known yet, and what its parent rules were made of.
+pub(crate) struct ResolvedClass {
+    /// The class; its depth is 0.
+    pub(crate) class: Class,
+    /// Where it is defined.
+    pub(crate) spot: Spot,
+    /// Its parent rules with the words that they were made of.
+    pub(crate) parents: Vec<ResolvedParent>,
+}
+
+/// All classes that are not abstract and not broken, sorted by id. Abstract ones are checked too.
+pub(crate) fn resolve_classes(
+    chains: &[Chain<'_, ClassEntry>],
+    names: &Names<'_>,
+    files: &Files,
+    report: &mut Report<'_>,
+) -> Vec<ResolvedClass> {
+    chains.iter().filter_map(|chain| resolve_class(chain, names, files, report)).collect()
+}
+
+fn resolve_class(
+    chain: &Chain<'_, ClassEntry>,
+    names: &Names<'_>,
+    files: &Files,
+    report: &mut Report<'_>,
+) -> Option<ResolvedClass> {
+    let own = chain.own();
+    let sizes = resolve_sizes(chain, report);
+    let shape = resolve_shape(chain, &sizes, report);
+    let parents = resolve_parents(chain, names, report);
+    let sides = resolve_sides(chain, &sizes, report);
+    let clearances = resolve_clearances(chain, report);
+    let relations = resolve_relations(chain, names, report);
+    let looks = resolve_looks(chain, report);
+    let grid = resolve_grid(chain, report);
+    let model = resolve_model(chain, files, report);
+    let index = names.index(&own.id).filter(|_| !sizes.is_empty())?;
+    let class = Class {
+        id: own.id.clone(),
+        label: resolve_label(chain, |entry| entry.label.as_ref()),
+        groups: names.groups(index).to_vec(),
+        sizes,
+        looks,
+        shape,
+        parents: parents.iter().map(|parent| parent.rule.clone()).collect(),
+        sides,
+        clearances,
+        relations,
+        grid,
+        priority: chain.find("priority", |entry| entry.priority.as_ref()).map_or(0, |found| *found.value),
+        model: model?,
+        depth: 0,
+    };
+    Some(ResolvedClass { class, spot: own.spot.clone(), parents })
+}
+
+fn resolve_looks(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> u32 {
+    let Some(found) = chain.find("looks", |entry| entry.looks.as_ref()) else {
+        return check_count("looks", DEFAULT_LOOKS, &chain.own().spot, report);
+    };
+    if *found.value == 0 {
+        report.error_with_hint(&found.spot, "looks is 0", "every class has at least one look");
+    }
+    check_count("looks", *found.value, &found.spot, report).max(1)
+}
+
+fn resolve_grid(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Option<Grid> {
+    let found = chain.find("grid", |entry| entry.grid.as_ref())?;
+    let spot = found.spot.key("interval");
+    let quantity = Quantity::metres("interval", LENGTH);
+    let (x, y) = found.value.interval.both();
+    let interval = Point::new(quantity.check(x, &spot, report), quantity.check(y, &spot, report));
+    Some(Grid { interval, is_centered: found.value.centered })
+}

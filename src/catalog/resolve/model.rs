@@ -1,0 +1,124 @@
+//! How a class looks.
+
+use std::path::Path;
+
+use super::number::{PARAMETER, Quantity, TURN};
+use crate::catalog::ModelSource;
+use crate::catalog::file::{ClassEntry, ModelEntry, ModelFields, Parameter};
+use crate::catalog::read::Files;
+use crate::catalog::report::{Report, Spot};
+use crate::catalog::table::Chain;
+use crate::model::{recipe_names, recipe_parameters};
+
+/// The model of a class, if it has one.
+pub(super) fn resolve_model(
+    chain: &Chain<'_, ClassEntry>,
+    files: &Files,
+    report: &mut Report<'_>,
+) -> Option<ModelSource> {
+    let Some(found) = chain.find("model", |entry| entry.model.as_ref()) else {
+        if !chain.own().entry.is_abstract {
+            let message = format!("class \"{}\" has no model", chain.own().id);
+            report.error_at_key(
+                &chain.own().spot,
+                message,
+                "write `model:` with a recipe, or {file: name.glb}",
+            );
+        }
+        return None;
+    };
+    match found.value {
+        ModelEntry::Recipe(name) => {
+            check_recipe(name, &found.spot, report);
+            Some(ModelSource::Recipe { name: name.clone(), parameters: Vec::new() })
+        }
+        ModelEntry::Fields(fields) => match (&fields.recipe, &fields.file) {
+            (Some(name), None) => resolve_recipe(name, fields, &found.spot, report),
+            (None, Some(file)) => resolve_file(file, fields, (&found.spot, files), report),
+            (Some(_), Some(_)) => {
+                report.error_with_hint(
+                    &found.spot,
+                    "the model is both a recipe and a file",
+                    "write one of the two",
+                );
+                None
+            }
+            (None, None) => {
+                let hint = "write `model:` with a recipe, or {file: name.glb}";
+                report.error_with_hint(&found.spot, "the model is neither a recipe nor a file", hint);
+                None
+            }
+        },
+    }
+}
+
+fn check_recipe(name: &str, spot: &Spot, report: &mut Report<'_>) {
+    if recipe_parameters(name).is_none() {
+        report.unknown(spot, "model recipe", name, recipe_names().iter().copied());
+    }
+}
+
+fn resolve_recipe(
+    name: &str,
+    fields: &ModelFields,
+    spot: &Spot,
+    report: &mut Report<'_>,
+) -> Option<ModelSource> {
+    check_recipe(name, &spot.key("recipe"), report);
+    if fields.turn.is_some() {
+        report.error_with_hint(
+            &spot.key("turn"),
+            "a recipe cannot be turned",
+            "only models from files are turned",
+        );
+    }
+    let known = recipe_parameters(name)?;
+    let mut parameters = Vec::new();
+    for (key, parameter) in &fields.parameters {
+        if !known.iter().any(|(name, _)| name == key) {
+            let candidates = known.iter().map(|(name, _)| *name);
+            report.unknown(&spot.key(key), &format!("parameter of recipe \"{name}\""), key, candidates);
+        }
+        let value = match parameter {
+            Parameter::Number(value) => {
+                Quantity::plain("a parameter", PARAMETER).check(*value, &spot.key(key), report)
+            }
+            Parameter::Switch(is_on) => f64::from(u8::from(*is_on)),
+        };
+        parameters.push((key.clone(), value));
+    }
+    Some(ModelSource::Recipe { name: name.to_owned(), parameters })
+}
+
+fn resolve_file(
+    file: &str,
+    fields: &ModelFields,
+    (spot, files): (&Spot, &Files),
+    report: &mut Report<'_>,
+) -> Option<ModelSource> {
+    for name in fields.parameters.keys() {
+        let message = format!("a model from a file has no parameter \"{name}\"");
+        report.error_with_hint(&spot.key(name), message, "possible here: file, turn");
+    }
+    let turn = Quantity::degrees("turn", TURN);
+    let turn = turn.check(fields.turn.unwrap_or(0.0), &spot.key("turn"), report);
+    let spot = spot.key("file");
+    if files.is_builtin(spot.source) {
+        report.error(&spot, "built-in classes have no model files");
+        return None;
+    }
+    let folder = files.sources[spot.source].file().parent().unwrap_or(Path::new(""));
+    let path = folder.join(file);
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    if !["glb", "gltf"].iter().any(|known| extension.eq_ignore_ascii_case(known)) {
+        report.error_with_hint(
+            &spot,
+            format!("\"{file}\" is no glTF file"),
+            "write a path that ends in .glb or .gltf",
+        );
+    } else if !path.is_file() {
+        let hint = format!("paths are relative to the file that names them: {}", path.display());
+        report.error_with_hint(&spot, format!("there is no model file \"{file}\""), &hint);
+    }
+    Some(ModelSource::File { path, turn: turn.to_radians() })
+}

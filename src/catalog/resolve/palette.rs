@@ -1,0 +1,75 @@
+//! Palettes.
+
+use std::collections::BTreeMap;
+
+use super::color::linear_color;
+use super::merged_keys;
+use super::number::{Quantity, SHARE};
+use super::room::check_slot;
+use crate::catalog::file::{MaterialEntry, PaletteEntry};
+use crate::catalog::report::Report;
+use crate::catalog::table::Chain;
+use crate::catalog::{MATERIAL_SLOTS, Material, Palette};
+
+const DEFAULT_ROUGHNESS: f64 = 0.7;
+const DEFAULT_COLOR: &str = "#808080";
+const DEFAULT_EMISSIVE: &str = "#000000";
+
+/// All palettes that are not broken, sorted by id.
+pub(crate) fn resolve_palettes(chains: &[Chain<'_, PaletteEntry>], report: &mut Report<'_>) -> Vec<Palette> {
+    chains.iter().map(|chain| resolve_palette(chain, report)).collect()
+}
+
+fn resolve_palette(chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> Palette {
+    let mut materials = BTreeMap::new();
+    for slot in merged_keys(chain, |entry| entry.materials.as_ref()) {
+        let found = chain.find("materials", |entry| entry.materials.as_ref()?.get(slot));
+        check_slot(slot, &found.expect("the slot comes from the chain").spot.key(slot), report);
+        materials.insert(slot.clone(), resolve_material(slot, chain, report));
+    }
+    let missing: Vec<&str> =
+        MATERIAL_SLOTS.into_iter().filter(|slot| !materials.contains_key(*slot)).collect();
+    if !missing.is_empty() {
+        let own = chain.own();
+        let message = format!("palette \"{}\" leaves slots empty: {}", own.id, missing.join(", "));
+        report.error_at_key(
+            &own.spot,
+            message,
+            "write materials for them, or `extends` a palette that has them",
+        );
+    }
+    Palette { id: chain.own().id.clone(), materials }
+}
+
+/// A material, merged key by key along the chain.
+fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> Material {
+    let entry = |palette: &'_ PaletteEntry| palette.materials.as_ref().and_then(|all| all.get(slot)).cloned();
+    let mut share = |key: &'static str, get: fn(&MaterialEntry) -> Option<f64>, default: f64| {
+        let found = chain.0.iter().find_map(|one| Some((one, get(&entry(&one.entry)?)?)));
+        found.map_or(default, |(definition, value)| {
+            let spot = definition.spot.key("materials").key(slot).key(key);
+            Quantity::plain(key, SHARE).check(value, &spot, report)
+        })
+    };
+    let roughness = share("roughness", |material| material.roughness, DEFAULT_ROUGHNESS);
+    let metallic = share("metallic", |material| material.metallic, 0.0);
+    let opacity = share("opacity", |material| material.opacity, 1.0);
+    let transmission = share("transmission", |material| material.transmission, 0.0);
+    let mut color = |key: &str, get: fn(MaterialEntry) -> Option<String>, default: &str| {
+        let found = chain.0.iter().find_map(|one| Some((one, get(entry(&one.entry)?)?)));
+        let (spot, text) = found.map_or_else(
+            || (chain.own().spot.clone(), default.to_owned()),
+            |(definition, text)| (definition.spot.key("materials").key(slot).key(key), text),
+        );
+        linear_color(&text, &spot, report)
+    };
+    let [red, green, blue] = color("color", |material| material.color, DEFAULT_COLOR);
+    let emissive = color("emissive", |material| material.emissive, DEFAULT_EMISSIVE);
+    Material {
+        base_color: [red, green, blue, opacity as f32],
+        metallic: metallic as f32,
+        roughness: roughness as f32,
+        emissive,
+        transmission: transmission as f32,
+    }
+}

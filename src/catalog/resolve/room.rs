@@ -1,0 +1,89 @@
+//! Room types.
+
+use super::names::{NamedClasses, Names};
+use super::number::{Quantity, SHARE};
+use super::request::{ResolvedProgramme, resolve_programme};
+use super::resolve_label;
+use crate::catalog::file::RoomTypeEntry;
+use crate::catalog::report::{Report, Spot};
+use crate::catalog::table::Chain;
+use crate::catalog::{Finish, MATERIAL_SLOTS, RoomType};
+
+/// A room type and the words that it was made of.
+pub(crate) struct ResolvedRoomType {
+    /// The room type.
+    pub(crate) room_type: RoomType,
+    /// Its own programme, with the words that it was made of.
+    pub(crate) programme: ResolvedProgramme,
+    /// What contradicts it.
+    pub(crate) excluded: Vec<NamedClasses>,
+}
+
+/// All room types that are not abstract and not broken, sorted by id. Abstract ones are checked too.
+pub(crate) fn resolve_room_types(
+    chains: &[Chain<'_, RoomTypeEntry>],
+    names: &Names<'_>,
+    report: &mut Report<'_>,
+) -> Vec<ResolvedRoomType> {
+    let resolved =
+        chains.iter().map(|chain| (chain.own().entry.is_abstract, resolve_room_type(chain, names, report)));
+    resolved.filter(|(is_abstract, _)| !is_abstract).map(|(_, room_type)| room_type).collect()
+}
+
+fn resolve_room_type(
+    chain: &Chain<'_, RoomTypeEntry>,
+    names: &Names<'_>,
+    report: &mut Report<'_>,
+) -> ResolvedRoomType {
+    let density = chain.find("density", |entry| entry.density.as_ref());
+    let density = density.map_or((0.0, 1.0), |found| {
+        Quantity::plain("density", SHARE).check_pair(found.value.both(), &found.spot, report)
+    });
+    let excluded = resolve_excludes(chain, names, report);
+    let programme = chain.find("programme", |entry| entry.programme.as_deref());
+    let programme =
+        programme.map(|found| resolve_programme(found.value, &found.spot, names, report)).unwrap_or_default();
+    let mut excludes: Vec<String> = excluded.iter().map(|one| one.word.clone()).collect();
+    excludes.sort();
+    excludes.dedup();
+    let room_type = RoomType {
+        id: chain.own().id.clone(),
+        label: resolve_label(chain, |entry| entry.label.as_ref()),
+        is_furnished: chain.find("furnish", |entry| entry.furnish.as_ref()).is_none_or(|found| *found.value),
+        programme: programme.requests.clone(),
+        excludes,
+        density,
+        finish: resolve_finish(chain, report),
+    };
+    ResolvedRoomType { room_type, programme, excluded }
+}
+
+fn resolve_excludes(
+    chain: &Chain<'_, RoomTypeEntry>,
+    names: &Names<'_>,
+    report: &mut Report<'_>,
+) -> Vec<NamedClasses> {
+    let Some(found) = chain.find("excludes", |entry| entry.excludes.as_ref()) else { return Vec::new() };
+    let words = found.value.items();
+    words.filter_map(|(place, word)| names.classes(word, &found.spot.item(place), report)).collect()
+}
+
+fn resolve_finish(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Finish {
+    let mut slot = |key: &str, get: fn(&RoomTypeEntry) -> Option<&String>, default: &str| {
+        let Some(found) = chain.find("finish", get) else { return default.to_owned() };
+        check_slot(found.value, &found.spot.key(key), report);
+        found.value.clone()
+    };
+    Finish {
+        floor: slot("floor", |entry| entry.finish.as_ref()?.floor.as_ref(), "parquet"),
+        wall: slot("wall", |entry| entry.finish.as_ref()?.wall.as_ref(), "plaster"),
+        ceiling: slot("ceiling", |entry| entry.finish.as_ref()?.ceiling.as_ref(), "ceiling"),
+    }
+}
+
+/// Reports a material slot that does not exist.
+pub(super) fn check_slot(slot: &str, spot: &Spot, report: &mut Report<'_>) {
+    if !MATERIAL_SLOTS.contains(&slot) {
+        report.unknown(spot, "material slot", slot, MATERIAL_SLOTS);
+    }
+}

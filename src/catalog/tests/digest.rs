@@ -1,0 +1,56 @@
+//! The digest tells whether anything that was read has changed, and nothing else.
+
+use std::path::PathBuf;
+
+use tempfile::TempDir;
+
+use super::cases::load_above_base;
+use super::resolved::{folder, write};
+use crate::catalog::load_catalog;
+
+const VASE: &str = "version: 1\nclasses:\n  vase: {sizes: [[0.1, 0.1, 0.3]], parents: {on: floor}, model: {file: vase.gltf}}\n";
+const MODEL: &str = r#"{"asset": {"version": "2.0"}, "buffers": [{"uri": "vase.bin"}, {"uri": "data:,"}]}"#;
+
+fn vase() -> TempDir {
+    folder(&[("classes/vase.yaml", VASE), ("classes/vase.gltf", MODEL), ("classes/vase.bin", "bytes")])
+}
+
+fn digest(folders: &[&TempDir]) -> [u8; 32] {
+    let folders: Vec<PathBuf> = folders.iter().map(|folder| folder.path().to_owned()).collect();
+    load_above_base(&folders).unwrap_or_else(|faults| panic!("{faults}")).0.digest
+}
+
+#[test]
+fn it_is_the_same_wherever_the_folder_stands() {
+    assert_eq!(digest(&[&vase()]), digest(&[&vase()]));
+    assert_eq!(load_catalog(&[]).unwrap().value.digest, load_catalog(&[]).unwrap().value.digest);
+}
+
+#[test]
+fn it_changes_with_every_byte_that_is_read() {
+    let folder = vase();
+    let before = digest(&[&folder]);
+    let mut seen = vec![digest(&[]), before];
+    for (name, text) in [
+        ("classes/vase.yaml", format!("{VASE}# a comment\n")),
+        ("classes/vase.gltf", format!("{MODEL}\n")),
+        ("classes/vase.bin", "other bytes".to_owned()),
+    ] {
+        write(folder.path(), name, &text);
+        let after = digest(&[&folder]);
+        assert!(!seen.contains(&after), "{name}");
+        seen.push(after);
+    }
+}
+
+#[test]
+fn it_changes_with_names_and_order_but_not_with_what_is_not_read() {
+    let (first, second) = (folder(&[("classes/a.yaml", "version: 1\nclasses: {}\n")]), vase());
+    assert_ne!(digest(&[&first, &second]), digest(&[&second, &first]));
+    let renamed = folder(&[("classes/b.yaml", "version: 1\nclasses: {}\n")]);
+    assert_ne!(digest(&[&first]), digest(&[&renamed]));
+    let before = digest(&[&first]);
+    write(first.path(), "notes.txt", "not read");
+    write(first.path(), "classes/notes.txt", "not read");
+    assert_eq!(digest(&[&first]), before);
+}

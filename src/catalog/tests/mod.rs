@@ -1,0 +1,10 @@
+//! Tests of the catalogue as a whole.
+
+mod builtin;
+mod cases;
+mod descriptions;
+mod digest;
+mod guide;
+mod hostile;
+mod resolved;
+mod schemas;

@@ -1,0 +1,251 @@
+//! What was typed.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use super::exit::EXIT_CODES;
+use crate::batch::Shard;
+
+/// Furnishes the rooms of building floor plans and writes one glTF file per floor.
+///
+/// Without a command, the built-in demo is baked into out/.
+#[derive(Debug, Parser)]
+#[command(version, after_help = EXIT_CODES, max_term_width = 100, subcommand_help_heading = "Commands")]
+pub(crate) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+    /// How to speak.
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+/// Options of all commands.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct Manner {
+    /// Show errors only.
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+    /// Print the result as JSON on stdout.
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Furnish plans and write one glTF file per level.
+    #[command(after_help = EXIT_CODES)]
+    Bake(BakeArguments),
+    /// Read plans and configuration, report all faults, write nothing.
+    #[command(after_help = EXIT_CODES)]
+    Check(CheckArguments),
+    /// Show what the catalogue holds.
+    Catalog(CatalogArguments),
+    /// Draw furnished levels as SVG.
+    #[command(after_help = EXIT_CODES)]
+    Draw(DrawArguments),
+    /// Turn foreign plans into native ones.
+    #[command(after_help = EXIT_CODES)]
+    Import(ImportArguments),
+    /// Join the records of several bakes in one folder into its manifest.
+    #[command(after_help = EXIT_CODES)]
+    Merge(MergeArguments),
+}
+
+/// Where plans and configuration come from.
+#[derive(Clone, Debug, Default, Args)]
+pub(crate) struct SourceArguments {
+    /// Plans, projects, folders or patterns; the built-in demo if there is none.
+    #[arg(value_name = "PATH")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Further folders of configuration: classes/, rooms/, styles/, palettes/. May be repeated; later ones win.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
+}
+
+/// What the furniture depends on.
+#[derive(Clone, Debug, Default, Args)]
+pub(crate) struct FurnishArguments {
+    /// Seed of all rooms; another number gives other rooms [default: the project's, or 1].
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+    /// Style of rooms whose plan names none [default: the project's, or `default`].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) style: Option<String>,
+}
+
+/// `bake`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct BakeArguments {
+    #[command(flatten)]
+    pub(crate) sources: SourceArguments,
+    #[command(flatten)]
+    pub(crate) furnish: FurnishArguments,
+    /// Folder to write into.
+    #[arg(short, long, value_name = "DIR", default_value = "out")]
+    pub(crate) out: PathBuf,
+    /// Threads to work with [default: one per core]. Never changes a byte of the output.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Overwrite files that roomwright did not write, or that were changed since.
+    #[arg(long)]
+    pub(crate) force: bool,
+    /// Kind of file.
+    #[arg(long, value_enum, default_value = "glb")]
+    pub(crate) format: FormatWord,
+    /// Let floors refer to one library of furniture instead of carrying their own copies.
+    #[arg(long)]
+    pub(crate) shared_library: bool,
+    /// Bake share I of N, so that N machines can split the work.
+    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
+    pub(crate) shard: Option<Shard>,
+    /// How to show progress on stderr.
+    #[arg(long, value_enum, default_value = "auto")]
+    pub(crate) progress: ProgressWord,
+}
+
+/// `check`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct CheckArguments {
+    #[command(flatten)]
+    pub(crate) sources: SourceArguments,
+    /// Style of rooms whose plan names none, as for `bake`.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) style: Option<String>,
+}
+
+/// `catalog`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct CatalogArguments {
+    /// What to list: classes, rooms, styles or palettes; or an id, to see all about it.
+    #[arg(value_name = "PART|ID")]
+    pub(crate) what: Option<String>,
+    /// One entry of that part, in full.
+    #[arg(value_name = "ID")]
+    pub(crate) id: Option<String>,
+    /// Further folders of configuration.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
+}
+
+/// `import`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct ImportArguments {
+    /// Foreign plans.
+    #[arg(value_name = "PATH", required = true)]
+    pub(crate) paths: Vec<PathBuf>,
+    /// File (one building) or folder to write into.
+    #[arg(short, long, value_name = "DIR|FILE")]
+    pub(crate) out: PathBuf,
+    /// Overwrite existing files.
+    #[arg(long)]
+    pub(crate) force: bool,
+    /// Further folders of configuration, for their room words.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
+}
+
+/// `draw`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct DrawArguments {
+    #[command(flatten)]
+    pub(crate) sources: SourceArguments,
+    #[command(flatten)]
+    pub(crate) furnish: FurnishArguments,
+    /// Draw this building only.
+    #[arg(long, value_name = "ID")]
+    pub(crate) building: Option<String>,
+    /// Draw this level only.
+    #[arg(long, value_name = "ID")]
+    pub(crate) level: Option<String>,
+    /// File (`.svg`, one level) or folder to write into; stdout if one level is drawn and none is given.
+    #[arg(short, long, value_name = "FILE|DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Show the clearances that furniture and doors need.
+    #[arg(long)]
+    pub(crate) clearances: bool,
+    /// Overwrite existing files.
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+/// `merge`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct MergeArguments {
+    /// The output folder.
+    #[arg(value_name = "DIR", default_value = "out")]
+    pub(crate) folder: PathBuf,
+}
+
+/// Kinds of files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FormatWord {
+    /// One binary file per level.
+    Glb,
+    /// A JSON file and a binary one beside it.
+    Gltf,
+}
+
+/// Kinds of progress reports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ProgressWord {
+    /// A bar on a terminal, plain lines elsewhere.
+    Auto,
+    /// A bar.
+    Bar,
+    /// A line every few seconds.
+    Plain,
+    /// A JSON object per line and level.
+    Json,
+    /// Nothing.
+    None,
+}
+
+/// Parts of the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum CatalogWord {
+    /// Pieces of furniture.
+    Classes,
+    /// Room types.
+    Rooms,
+    /// Styles.
+    Styles,
+    /// Sets of materials.
+    Palettes,
+}
+
+fn parse_shard(text: &str) -> Result<Shard, String> {
+    let numbers =
+        text.split_once('/').and_then(|(index, count)| Some((index.parse().ok()?, count.parse().ok()?)));
+    let (index, count) = numbers.ok_or("write it as I/N, for example 2/8")?;
+    Shard::new(index, count).ok_or_else(|| format!("shares are counted from 1 to {count}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_definition_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn shards_are_counted_from_one() {
+        assert!(parse_shard("2/8").is_ok());
+        for wrong in ["0/8", "9/8", "2", "a/b", "1/0", "-1/2"] {
+            assert!(parse_shard(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn options_of_all_commands_stand_anywhere() {
+        for line in [["roomwright", "--json", "merge"], ["roomwright", "merge", "--json"]] {
+            assert!(Arguments::try_parse_from(line).unwrap().manner.json);
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! `bake`: what was typed to a run, then the run.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use super::arguments::{BakeArguments, FormatWord, ProgressWord};
+use super::exit::Outcome;
+use super::progress::Progress;
+use super::room_styles::check_room_styles;
+use super::screen::Screen;
+use super::sources::{Sources, read_sources, run_style};
+use super::summary::{failure_text, summary_json, summary_text, timing_text, where_to_look};
+use crate::batch::{BakeInput, BakeOptions, BakeReport, Format, OutputFault, OutputFolder, bake};
+
+/// Most failures that are listed one by one.
+const LISTED_FAILURES: usize = 20;
+
+/// Seed of runs for which nobody names one.
+pub(crate) const DEFAULT_SEED: u64 = 1;
+
+/// What a command line means.
+struct Run {
+    sources: Sources,
+    options: BakeOptions,
+    out: PathBuf,
+    is_forced: bool,
+    is_demo: bool,
+    progress: ProgressWord,
+    has_input_faults: bool,
+}
+
+/// Runs the command.
+pub(crate) fn run(arguments: BakeArguments, screen: Screen) -> Outcome {
+    // Everything that can be refused is refused before the first second of work.
+    if let Err(fault) = OutputFolder::check(&arguments.out) {
+        return refuse(screen, &fault);
+    }
+    let run = match understand(arguments, screen) {
+        Ok(run) => run,
+        Err(outcome) => return outcome,
+    };
+    match OutputFolder::open(&run.out, run.is_forced) {
+        Ok(folder) => work(&run, &folder, screen),
+        Err(fault) => refuse(screen, &fault),
+    }
+}
+
+/// From what was typed to what it means.
+fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> {
+    let is_demo = arguments.sources.paths.is_empty();
+    let read = read_sources(&arguments.sources).and_then(|sources| {
+        let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
+        Ok((sources, style))
+    });
+    let (mut sources, style) = read.map_err(|faults| {
+        screen.faults(&faults);
+        Outcome::NotStarted
+    })?;
+    let style_faults = check_room_styles(&sources.plan, &sources.catalog);
+    sources.faults.merge(style_faults);
+    screen.faults(&sources.faults);
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    let options = BakeOptions {
+        seed: arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED),
+        style,
+        format: match arguments.format {
+            FormatWord::Glb => Format::Glb,
+            FormatWord::Gltf => Format::Gltf,
+        },
+        has_shared_library: arguments.shared_library,
+        threads: arguments.threads.map_or_else(cores, usize::from),
+        shard: arguments.shard,
+    };
+    Ok(Run {
+        has_input_faults: sources.faults.has_errors(),
+        sources,
+        options,
+        out: arguments.out,
+        is_forced: arguments.force,
+        is_demo,
+        progress: arguments.progress,
+    })
+}
+
+fn refuse(screen: Screen, fault: &OutputFault) -> Outcome {
+    show_fault(screen, fault);
+    Outcome::NotStarted
+}
+
+fn show_fault(screen: Screen, fault: &OutputFault) {
+    screen.error(&format!("error[{}]: {fault}", fault.code.name()));
+    if let Some(hint) = &fault.hint {
+        screen.error(&format!("  hint: {hint}"));
+    }
+}
+
+fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
+    screen.note(&announcement(run));
+    let started = Instant::now();
+    let progress = Progress::new(run.progress, screen.is_quiet);
+    let Sources { plan, catalog, models, .. } = &run.sources;
+    let input = BakeInput { plan, catalog, models, options: &run.options };
+    let baked = bake(&input, folder, &|event| progress.observe(event));
+    let report = match baked {
+        Ok(report) => report,
+        Err(fault) => return refuse(screen, &fault),
+    };
+    progress.finish(&report);
+    let elapsed = started.elapsed();
+
+    show_failures(&report, screen);
+    if screen.is_json {
+        screen.json(&summary_json(&report, &run.out));
+    } else if !screen.is_quiet {
+        screen.result(&summary_text(&report, elapsed));
+        screen.result(&where_to_look(&report, &run.out));
+        if run.is_demo {
+            screen.result(NEXT_STEPS);
+        }
+    }
+    if report.baked > 0 {
+        screen.note(&timing_text(&report));
+    }
+    outcome(run, &report)
+}
+
+fn announcement(run: &Run) -> String {
+    let Run { sources, options, out, .. } = run;
+    let levels: usize = sources.plan.buildings.iter().map(|placed| placed.building.levels.len()).sum();
+    let what = if run.is_demo { "the built-in demo: " } else { "" };
+    format!(
+        "Baking {what}{levels} levels of {} buildings into {} (seed {}, {} threads).",
+        sources.plan.buildings.len(),
+        out.display(),
+        options.seed,
+        options.threads,
+    )
+}
+
+fn show_failures(report: &BakeReport, screen: Screen) {
+    for failure in report.failures.iter().take(LISTED_FAILURES) {
+        screen.error(&failure_text(failure));
+    }
+    if report.failures.len() > LISTED_FAILURES {
+        let more = report.failures.len() - LISTED_FAILURES;
+        screen.error(&format!("… and {more} more failures; --json lists all"));
+    }
+    if let Err(fault) = &report.joined {
+        show_fault(screen, fault);
+    }
+}
+
+/// What to try after the demo.
+const NEXT_STEPS: &str = "\
+Open a .glb in Blender or any glTF viewer, or try next:
+  roomwright draw --out drawings     the same levels as SVG
+  roomwright bake --seed 2 --out out2     other rooms
+  roomwright bake PLAN.yaml --out out     your own plan; `roomwright check PLAN.yaml` explains its faults
+  roomwright catalog rooms     what rooms there are and what they hold";
+
+fn outcome(run: &Run, report: &BakeReport) -> Outcome {
+    let nothing_done = report.baked + report.kept == 0 && !report.failures.is_empty();
+    if nothing_done {
+        return Outcome::NotStarted;
+    }
+    let has_failures = run.has_input_faults || !report.failures.is_empty() || report.joined.is_err();
+    Outcome::of_failures(has_failures || report.skipped > 0)
+}

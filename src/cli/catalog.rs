@@ -1,0 +1,75 @@
+//! `catalog`: what exists.
+
+use std::path::Path;
+
+use clap::ValueEnum;
+
+use super::arguments::{CatalogArguments, CatalogWord};
+use super::exit::Outcome;
+use super::screen::Screen;
+use crate::catalog::{DefinitionKind, Description, describe, load_catalog};
+use crate::document::{Fault, Faults};
+
+/// Runs the command.
+pub(crate) fn run(arguments: &CatalogArguments, screen: Screen) -> Outcome {
+    match find(arguments, screen) {
+        Ok(description) => {
+            if screen.is_json {
+                screen.json(&description.value);
+            } else {
+                screen.result(description.text.trim_end());
+            }
+            Outcome::Done
+        }
+        Err(faults) => {
+            screen.faults(&faults);
+            Outcome::NotStarted
+        }
+    }
+}
+
+fn find(arguments: &CatalogArguments, screen: Screen) -> Result<Description, Faults> {
+    let (kind, id) = question(arguments.what.as_deref(), arguments.id.as_deref())?;
+    let loaded = load_catalog(&arguments.catalog)?;
+    screen.faults(&loaded.warnings);
+    describe(&loaded.value, kind, id)
+}
+
+/// What two words ask for: a kind, a kind and an id, or an id of any kind.
+fn question<'a>(
+    what: Option<&'a str>,
+    id: Option<&'a str>,
+) -> Result<(Option<DefinitionKind>, Option<&'a str>), Faults> {
+    let Some(what) = what else { return Ok((None, None)) };
+    match (CatalogWord::from_str(what, true), id) {
+        (Ok(word), id) => Ok((Some(kind(word)), id)),
+        (Err(_), None) => Ok((None, Some(what))),
+        (Err(_), Some(_)) => {
+            let fault =
+                Fault::of_file(Path::new("catalog"), format!("\"{what}\" is no part of the catalogue"));
+            Err(fault.with_hint("the parts are classes, rooms, styles and palettes").into())
+        }
+    }
+}
+
+fn kind(word: CatalogWord) -> DefinitionKind {
+    match word {
+        CatalogWord::Classes => DefinitionKind::Class,
+        CatalogWord::Rooms => DefinitionKind::RoomType,
+        CatalogWord::Styles => DefinitionKind::Style,
+        CatalogWord::Palettes => DefinitionKind::Palette,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_word_is_a_part_or_an_id() {
+        assert_eq!(question(Some("rooms"), None), Ok((Some(DefinitionKind::RoomType), None)));
+        assert_eq!(question(Some("desk"), None), Ok((None, Some("desk"))));
+        assert_eq!(question(Some("classes"), Some("desk")), Ok((Some(DefinitionKind::Class), Some("desk"))));
+        assert!(question(Some("desk"), Some("chair")).is_err());
+    }
+}

@@ -1,0 +1,58 @@
+//! Exit codes.
+
+/// How a command ended; the worst of its parts counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// Everything was done.
+    Done = 0,
+    /// Some inputs failed; the rest is done.
+    SomeFailed = 1,
+    /// Nothing could start.
+    NotStarted = 2,
+}
+
+/// For the help page.
+pub(crate) const EXIT_CODES: &str = "\
+Exit codes:
+  0  everything was done
+  1  some inputs failed; the rest is done
+  2  nothing could start: bad arguments, no readable input, no output folder";
+
+impl Outcome {
+    /// The worse of two.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    /// `Done` if there was no failure, else `SomeFailed`.
+    #[must_use]
+    pub fn of_failures(has_failures: bool) -> Self {
+        if has_failures { Self::SomeFailed } else { Self::Done }
+    }
+}
+
+impl From<Outcome> for std::process::ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        Self::from(outcome as u8)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_counts() {
+        assert_eq!(Outcome::Done.and(Outcome::SomeFailed), Outcome::SomeFailed);
+        assert_eq!(Outcome::NotStarted.and(Outcome::SomeFailed), Outcome::NotStarted);
+        assert_eq!(Outcome::of_failures(false), Outcome::Done);
+    }
+
+    #[test]
+    fn the_help_page_lists_every_code() {
+        for code in [Outcome::Done, Outcome::SomeFailed, Outcome::NotStarted] {
+            assert!(EXIT_CODES.lines().any(|line| line.trim().starts_with(&(code as u8).to_string())));
+        }
+    }
+}

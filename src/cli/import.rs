@@ -1,0 +1,96 @@
+//! `import`: foreign plans as native ones.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use super::arguments::{ImportArguments, SourceArguments};
+use super::exit::Outcome;
+use super::files::write_text;
+use super::screen::{FaultReport, Screen};
+use super::sources::read_plans_only;
+use crate::batch::distinct_names;
+use crate::document::{Fault, Faults};
+use crate::plan::{Level, PlacedBuilding, write_native};
+
+/// One building and where it goes.
+struct Target<'a> {
+    placed: &'a PlacedBuilding,
+    path: PathBuf,
+}
+
+/// Runs the command.
+pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
+    let ImportArguments { paths, out, force, catalog } = arguments;
+    let read = read_plans_only(&SourceArguments { paths, catalog });
+    let (plan, mut faults) = match read {
+        Ok(read) => read,
+        Err(faults) => {
+            screen.faults(&faults);
+            return Outcome::NotStarted;
+        }
+    };
+    let targets = match targets(&plan.buildings, &out) {
+        Ok(targets) => targets,
+        Err(faults) => {
+            screen.faults(&faults);
+            return Outcome::NotStarted;
+        }
+    };
+    let mut written = Vec::new();
+    for target in &targets {
+        let text = write_native(&target.placed.building, &target.placed.id);
+        match write_text(&target.path, &text, force) {
+            Ok(()) => written.push(target),
+            Err(fault) => faults.merge(fault),
+        }
+    }
+    screen.faults(&faults);
+    report(&written, &faults, screen);
+    match written.is_empty() {
+        true => Outcome::NotStarted,
+        false => Outcome::of_failures(faults.has_errors()),
+    }
+}
+
+/// A file for each building: `out` itself if it is named like a plan, else a file in it.
+fn targets<'a>(buildings: &'a [PlacedBuilding], out: &Path) -> Result<Vec<Target<'a>>, Faults> {
+    let is_file = out.extension().is_some_and(|extension| extension == "yaml" || extension == "yml");
+    match buildings {
+        [placed] if is_file => Ok(vec![Target { placed, path: out.to_owned() }]),
+        _ if is_file => {
+            let message = format!("is one file, but {} buildings were read", buildings.len());
+            Err(Fault::of_file(out, message).with_hint("name a folder with --out").into())
+        }
+        _ => {
+            let ids: Vec<&str> = buildings.iter().map(|placed| placed.id.as_str()).collect();
+            let path = |name: String| out.join(format!("{name}.yaml"));
+            let names = distinct_names(&ids).into_iter().map(path);
+            Ok(buildings.iter().zip(names).map(|(placed, path)| Target { placed, path }).collect())
+        }
+    }
+}
+
+fn report(written: &[&Target<'_>], faults: &Faults, screen: Screen) {
+    let counts = |target: &&Target<'_>| {
+        let levels = &target.placed.building.levels;
+        let sum = |count: fn(&Level) -> usize| levels.iter().map(count).sum::<usize>();
+        (levels.len(), sum(|level| level.rooms.len()), sum(|level| level.openings.len()))
+    };
+    if screen.is_json {
+        let building = |target: &&Target<'_>| {
+            let (levels, rooms, openings) = counts(target);
+            let path = target.path.display().to_string();
+            json!({"id": target.placed.id, "path": path, "levels": levels, "rooms": rooms, "openings": openings})
+        };
+        let faults: Vec<_> = faults.0.iter().map(FaultReport::from).collect();
+        let buildings: Vec<_> = written.iter().map(building).collect();
+        screen.json(&json!({"buildings": buildings, "faults": faults}));
+        return;
+    }
+    for target in written {
+        let (levels, rooms, openings) = counts(target);
+        let path = target.path.display();
+        screen.note(&format!("{path}: {levels} levels, {rooms} rooms, {openings} openings"));
+    }
+}

@@ -1,0 +1,45 @@
+//! Arguments to a job to an exit code; the only place that prints.
+
+mod arguments;
+mod bake;
+mod catalog;
+mod check;
+mod draw;
+mod exit;
+mod files;
+mod import;
+mod merge;
+mod progress;
+mod room_styles;
+mod screen;
+mod sources;
+mod summary;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+pub use exit::Outcome;
+use screen::Screen;
+
+/// Runs the command line of this process.
+#[must_use]
+pub fn run() -> Outcome {
+    crate::batch::collect_panics();
+    let arguments = Arguments::parse();
+    let screen = Screen { is_quiet: arguments.manner.quiet, is_json: arguments.manner.json };
+    match arguments.command.unwrap_or_else(demo) {
+        Command::Bake(arguments) => bake::run(arguments, screen),
+        Command::Check(arguments) => check::run(&arguments, screen),
+        Command::Catalog(arguments) => catalog::run(&arguments, screen),
+        Command::Draw(arguments) => draw::run(&arguments, screen),
+        Command::Import(arguments) => import::run(arguments, screen),
+        Command::Merge(arguments) => merge::run(&arguments, screen),
+    }
+}
+
+/// What the program does when nothing is typed: it bakes the demo, so that the first thing a new user sees
+/// is furniture.
+fn demo() -> Command {
+    let typed = Arguments::parse_from(["roomwright", "bake"]);
+    typed.command.expect("a command was given")
+}

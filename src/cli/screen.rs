@@ -1,0 +1,100 @@
+//! The two streams: results to stdout, everything else to stderr.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use crate::document::{Fault, Faults};
+
+/// What goes where.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Screen {
+    /// No warnings, notes and summaries; errors are still shown.
+    pub(crate) is_quiet: bool,
+    /// Results for machines.
+    pub(crate) is_json: bool,
+}
+
+impl Screen {
+    /// Writes a result to stdout, with a newline. A reader that has gone away is no error.
+    pub(crate) fn result(self, text: &str) {
+        let mut out = io::stdout().lock();
+        let _ = writeln!(out, "{text}").and_then(|()| out.flush());
+    }
+
+    /// Writes a result for machines to stdout.
+    pub(crate) fn json(self, value: &impl Serialize) {
+        self.result(&serde_json::to_string_pretty(value).expect("reports are plain data"));
+    }
+
+    /// Tells people something on stderr, unless they asked for quiet.
+    pub(crate) fn note(self, text: &str) {
+        if !self.is_quiet {
+            self.error(text);
+        }
+    }
+
+    /// Tells people what went wrong, on stderr.
+    #[expect(clippy::unused_self, reason = "one way to print, from a screen")]
+    pub(crate) fn error(self, text: &str) {
+        let _ = writeln!(io::stderr().lock(), "{text}");
+    }
+
+    /// Shows errors, and warnings unless quiet, each with place, line and hint.
+    pub(crate) fn faults(self, faults: &Faults) {
+        for fault in faults {
+            if fault.is_error() {
+                self.error(&fault.report());
+            } else {
+                self.note(&fault.report());
+            }
+        }
+    }
+}
+
+/// A fault for machines.
+#[derive(Serialize)]
+pub(crate) struct FaultReport<'a> {
+    file: String,
+    line: Option<usize>,
+    column: Option<usize>,
+    path: String,
+    severity: &'static str,
+    message: &'a str,
+    hint: Option<&'a str>,
+}
+
+impl<'a> From<&'a Fault> for FaultReport<'a> {
+    fn from(fault: &'a Fault) -> Self {
+        Self {
+            file: fault.file.display().to_string(),
+            line: fault.position.map(|(line, _)| line),
+            column: fault.position.map(|(_, column)| column),
+            path: crate::document::show_path(&fault.path),
+            severity: if fault.is_error() { "error" } else { "warning" },
+            message: &fault.message,
+            hint: fault.hint.as_deref(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn a_fault_for_machines_has_place_value_and_hint() {
+        let fault = Fault {
+            position: Some((3, 7)),
+            path: vec!["levels".into(), 0.into()],
+            ..Fault::of_file(Path::new("a.yaml"), "odd").as_warning().with_hint("mend it")
+        };
+        assert_eq!(
+            serde_json::to_value(FaultReport::from(&fault)).unwrap(),
+            serde_json::json!({"file": "a.yaml", "line": 3, "column": 7, "path": "levels[0]",
+                "severity": "warning", "message": "odd", "hint": "mend it"})
+        );
+    }
+}

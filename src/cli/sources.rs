@@ -1,0 +1,95 @@
+//! Reads plans and configuration for all commands that need them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::arguments::SourceArguments;
+use crate::catalog::{Catalog, builtin_files, load_catalog};
+use crate::document::{Fault, Faults, Warned, did_you_mean};
+use crate::model::ModelLibrary;
+use crate::plan::{Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
+
+/// The project that is baked when no path is given, below `configs/`.
+const DEMO: &str = "demo.yaml";
+
+/// Everything that was read.
+pub(crate) struct Sources {
+    /// The catalogue.
+    pub(crate) catalog: Catalog,
+    /// The models of its classes.
+    pub(crate) models: ModelLibrary,
+    /// The buildings that could be read.
+    pub(crate) plan: Plan,
+    /// What project files say about the run.
+    pub(crate) settings: ProjectSettings,
+    /// Errors and warnings; after an error some rooms or buildings are missing.
+    pub(crate) faults: Faults,
+}
+
+/// Reads the catalogue, its models, then the plans.
+///
+/// # Errors
+/// If nothing could be read: faults of the catalogue, of the project, or of every plan.
+pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Sources, Faults> {
+    let demo;
+    let mut paths = arguments.paths.clone();
+    if paths.is_empty() {
+        demo = extract_demo().map_err(|error| {
+            Fault::of_file(&std::env::temp_dir(), format!("cannot unpack the demo: {error}"))
+        })?;
+        paths.push(demo.path().join(DEMO));
+    }
+    let settings = project_settings(&paths)?;
+    // The command line comes after the project: what is typed wins.
+    let folders: Vec<PathBuf> = settings.catalog.iter().chain(&arguments.catalog).cloned().collect();
+    let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
+    let models = ModelLibrary::load(&catalog)?;
+    let plan = read_some_plans(&paths, &catalog, &mut faults)?;
+    Ok(Sources { catalog, models, plan, settings, faults })
+}
+
+/// Reads plans for which no furniture is needed; the catalogue says what their words mean.
+///
+/// # Errors
+/// As [`read_sources`].
+pub(crate) fn read_plans_only(arguments: &SourceArguments) -> Result<(Plan, Faults), Faults> {
+    let settings = project_settings(&arguments.paths)?;
+    let folders: Vec<PathBuf> = settings.catalog.iter().chain(&arguments.catalog).cloned().collect();
+    let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
+    let plan = read_some_plans(&arguments.paths, &catalog, &mut faults)?;
+    Ok((plan, faults))
+}
+
+fn read_some_plans(paths: &[PathBuf], catalog: &Catalog, faults: &mut Faults) -> Result<Plan, Faults> {
+    let reading = read_plans(paths, &PlanOptions { words: &catalog.room_words });
+    faults.merge(reading.faults);
+    if reading.plan.buildings.is_empty() { Err(std::mem::take(faults)) } else { Ok(reading.plan) }
+}
+
+/// The plans inside the program as files, for as long as the answer lives.
+fn extract_demo() -> std::io::Result<tempfile::TempDir> {
+    let folder = tempfile::Builder::new().prefix("roomwright-demo-").tempdir()?;
+    for file in builtin_files() {
+        let path = folder.path().join(file.path);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent)?;
+        }
+        fs::write(path, file.text)?;
+    }
+    Ok(folder)
+}
+
+/// The style of the run: what was typed, else what the project says.
+///
+/// # Errors
+/// If the catalogue has no such style.
+pub(crate) fn run_style(typed: Option<&String>, sources: &Sources) -> Result<Option<String>, Faults> {
+    let Some(style) = typed.or(sources.settings.style.as_ref()) else { return Ok(None) };
+    if sources.catalog.styles.contains_key(style) {
+        return Ok(Some(style.clone()));
+    }
+    let fault = Fault::of_file(Path::new("--style"), format!("unknown style \"{style}\""));
+    let known = sources.catalog.styles.keys().map(String::as_str);
+    let hint = did_you_mean(style, known).unwrap_or_else(|| "see `roomwright catalog styles`".to_owned());
+    Err(fault.with_hint(hint).into())
+}

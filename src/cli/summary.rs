@@ -1,0 +1,136 @@
+//! What a bake did, for people and for machines.
+
+use std::path::Path;
+use std::time::Duration;
+
+use indicatif::{HumanBytes, HumanCount};
+use serde_json::{Value, json};
+
+use crate::batch::{BakeReport, Joined, LevelFailure, Stage, Totals};
+
+/// The summary for people.
+pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
+    let count = |number: u64| HumanCount(number).to_string();
+    let Totals { rooms, placed, .. } = report.written;
+    let rate = rooms as f64 / elapsed.as_secs_f64().max(f64::EPSILON);
+    let mut lines = vec![format!(
+        "Baked {}, {} rooms, {} objects ({}) in {:.2} s ({} rooms/s).",
+        levels(report.baked),
+        count(rooms),
+        count(placed),
+        HumanBytes(report.bytes),
+        elapsed.as_secs_f64(),
+        count(rate as u64),
+    )];
+    if report.kept > 0 {
+        lines.push(format!("Kept {} that nothing has changed for.", levels(report.kept)));
+    }
+    let Totals { none, minor, failed, requested, removed, .. } = report.in_place;
+    lines.push(format!(
+        "Rooms by verdict: {} without findings, {} with minor ones, {} failed. Of {} requested pieces {} found no \
+         place.",
+        count(none),
+        count(minor),
+        count(failed),
+        count(requested),
+        count(removed),
+    ));
+    if report.skipped > 0 {
+        lines.push(format!("Stopped early: {} were not tried.", levels(report.skipped)));
+    }
+    lines.join("\n")
+}
+
+fn levels(number: usize) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{} level{plural}", HumanCount(number as u64))
+}
+
+/// Where the results are.
+pub(crate) fn where_to_look(report: &BakeReport, out: &Path) -> String {
+    match &report.joined {
+        Ok(Joined::Whole(manifest)) => {
+            format!("Results: {}/<building>/<level>, all listed in {}", out.display(), manifest.display())
+        }
+        Ok(Joined::Part(part)) => format!(
+            "Results: {}/<building>/<level>, this share listed in {}; the last share, or `roomwright merge {}`, joins \
+             the lists.",
+            out.display(),
+            part.display(),
+            out.display()
+        ),
+        Err(_) => format!("Results: {}/<building>/<level>", out.display()),
+    }
+}
+
+/// Where the time went, as shares of the work of all threads.
+pub(crate) fn timing_text(report: &BakeReport) -> String {
+    let all: f64 = Stage::ALL.iter().map(|stage| report.timings.of(*stage).as_secs_f64()).sum();
+    let share = |stage: &Stage| {
+        let share = 100.0 * report.timings.of(*stage).as_secs_f64() / all.max(f64::EPSILON);
+        format!("{} {share:.0} %", stage.name())
+    };
+    let shares: Vec<String> = Stage::ALL.iter().map(share).collect();
+    format!("Time: {} of {all:.2} s of work", shares.join(", "))
+}
+
+/// The summary for machines: no times, so that two runs can be compared.
+pub(crate) fn summary_json(report: &BakeReport, out: &Path) -> Value {
+    json!({
+        "out": out.display().to_string(),
+        "manifest": manifest_path(report),
+        "is_complete": matches!(report.joined, Ok(Joined::Whole(_))),
+        "baked_levels": report.baked,
+        "kept_levels": report.kept,
+        "skipped_levels": report.skipped,
+        "totals": report.in_place,
+        "failures": report.failures.iter().map(failure_json).collect::<Vec<_>>(),
+    })
+}
+
+fn manifest_path(report: &BakeReport) -> Option<String> {
+    match &report.joined {
+        Ok(Joined::Whole(path) | Joined::Part(path)) => Some(path.display().to_string()),
+        Err(_) => None,
+    }
+}
+
+/// A failure for machines.
+pub(crate) fn failure_json(failure: &LevelFailure) -> Value {
+    json!({
+        "code": failure.code.name(), "building": failure.building, "level": failure.level,
+        "room": failure.room, "message": failure.message, "hint": failure.hint, "seed": failure.seed,
+    })
+}
+
+/// A failure for people.
+pub(crate) fn failure_text(failure: &LevelFailure) -> String {
+    let LevelFailure { building, level, room, code, message, hint, seed } = failure;
+    let room = room.as_ref().map(|room| format!("/{room}")).unwrap_or_default();
+    let hint = hint.as_ref().map(|hint| format!("\n  hint: {hint}")).unwrap_or_default();
+    format!("error[{}]: {building}/{level}{room} (seed {seed}): {message}{hint}", code.name())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::FaultCode;
+
+    #[test]
+    fn a_failure_says_code_place_seed_and_hint() {
+        let failure = LevelFailure {
+            building: "tower".to_owned(),
+            level: "3".to_owned(),
+            room: Some("12".to_owned()),
+            code: FaultCode::RoomBroken,
+            message: "the program failed: index out of range".to_owned(),
+            hint: Some("report it".to_owned()),
+            seed: 9,
+        };
+        assert_eq!(
+            failure_text(&failure),
+            "error[room_broken]: tower/3/12 (seed 9): the program failed: index out of range\n  hint: report it"
+        );
+        assert_eq!(failure_json(&failure)["room"], "12");
+    }
+}

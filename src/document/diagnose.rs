@@ -1,0 +1,249 @@
+//! All faults of a document that serde refused, found with the JSON Schema of its type.
+
+use jsonschema::error::ValidationErrorKind;
+use jsonschema::paths::LocationSegment;
+use jsonschema::{JsonType, ValidationError};
+use schemars::JsonSchema;
+use serde_json::Value;
+
+use super::choice::{Choice, condense, types, words};
+use super::fault::{Fault, FaultSeverity, PathStep};
+use super::faults::Faults;
+use super::format::{Format, Refusal};
+use super::limits::FAULT_LIMIT;
+use super::source::Source;
+use super::suggest::did_you_mean;
+use super::tree::{Content, Node};
+
+/// Everything that is wrong with the text, with places; at least one fault.
+///
+/// Order: by place. Faults of syntax stand alone, for what follows them is guesswork.
+pub(super) fn diagnose<T: JsonSchema>(source: &Source, refusal: &Refusal) -> Faults {
+    let is_json = Format::of(source.file()) == Format::Json;
+    let tree = match source.tree() {
+        Ok(tree) if !(is_json && refusal.is_syntax) => tree,
+        Err(flaw) if !is_json => return source.fault_of_flaw(flaw).into(),
+        _ => return fault_of_refusal(source, refusal).into(),
+    };
+    let schema = schemars::schema_for!(T).to_value();
+    let mut faults = source.flaws();
+    faults.merge(schema_faults(source, &tree.root, &schema));
+    if faults.is_empty() {
+        faults.push(fault_of_refusal(source, refusal));
+    }
+    faults.sort();
+    shorten(&mut faults, source);
+    faults
+}
+
+fn schema_faults(source: &Source, root: &Node, schema: &Value) -> Faults {
+    let value = root.to_value();
+    // A schema derived from a type is valid; if it were not, serde's own fault is reported.
+    let Ok(validator) = jsonschema::validator_for(schema) else { return Faults::default() };
+    let mut diagnosis = Diagnosis { source, root, schema, faults: Faults::default() };
+    for error in validator.iter_errors(&value) {
+        diagnosis.take(&error);
+    }
+    diagnosis.faults
+}
+
+fn fault_of_refusal(source: &Source, refusal: &Refusal) -> Fault {
+    let fault = source.fault_at(refusal.position, refusal.message.as_str());
+    match (refusal.is_cut_off, refusal.is_syntax) {
+        (true, _) => fault.with_hint("the file ends here: is it complete?"),
+        (false, true) => fault.with_hint("this is no valid JSON from here on"),
+        (false, false) => fault,
+    }
+}
+
+fn shorten(faults: &mut Faults, source: &Source) {
+    let more = faults.0.len().saturating_sub(FAULT_LIMIT);
+    if more > 0 {
+        faults.0.truncate(FAULT_LIMIT);
+        faults.push(Fault::of_file(source.file(), format!("and {more} more faults")));
+    }
+}
+
+struct Diagnosis<'a> {
+    source: &'a Source,
+    root: &'a Node,
+    schema: &'a Value,
+    faults: Faults,
+}
+
+impl Diagnosis<'_> {
+    fn take(&mut self, error: &ValidationError<'_>) {
+        let path = steps(error);
+        match error.kind() {
+            ValidationErrorKind::AdditionalProperties { unexpected }
+            | ValidationErrorKind::UnevaluatedProperties { unexpected } => {
+                for key in unexpected {
+                    self.unknown_key(error, &path, key);
+                }
+            }
+            ValidationErrorKind::Required { property } => {
+                self.add(&path, format!("key {property} is missing"), None);
+            }
+            ValidationErrorKind::Type { kind } => self.wrong_type(&path, &types(kind)),
+            ValidationErrorKind::Enum { .. } | ValidationErrorKind::Constant { .. } => {
+                let place = error.instance_path().as_str();
+                self.unknown_word(&path, &words(error, place).unwrap_or_default());
+            }
+            ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
+                match condense(context, error.instance_path().as_str()) {
+                    Choice::Types(kinds) => self.wrong_type(&path, &kinds),
+                    Choice::Words(options) => self.unknown_word(&path, &options),
+                    Choice::Nearest(errors) => errors.into_iter().for_each(|error| self.take(error)),
+                }
+            }
+            // serde takes the first alternative that fits.
+            ValidationErrorKind::OneOfMultipleValid { .. } => {}
+            kind => {
+                if let Some(message) = bound_message(kind, &error.instance().to_string()) {
+                    self.add(&path, message, None);
+                } else {
+                    self.add(&path, error.to_string(), None);
+                }
+            }
+        }
+    }
+
+    fn unknown_key(&mut self, error: &ValidationError<'_>, path: &[PathStep], key: &str) {
+        let known = self.known_keys(error);
+        let hint = did_you_mean(key, &known);
+        let path = [path, &[key.into()]].concat();
+        self.faults.push(self.source.fault_of_key(&path, format!("unknown key \"{key}\""), hint));
+    }
+
+    /// The keys of the schema that forbids others.
+    fn known_keys(&self, error: &ValidationError<'_>) -> Vec<String> {
+        let mut schema = self.schema;
+        let segments: Vec<_> = error.evaluation_path().iter().collect();
+        for segment in &segments[..segments.len().saturating_sub(1)] {
+            let next = match segment {
+                LocationSegment::Property(name) if name.as_ref() == "$ref" => referenced(self.schema, schema),
+                LocationSegment::Property(name) => schema.get(name.as_ref()),
+                LocationSegment::Index(index) => schema.get(index),
+            };
+            let Some(next) = next else { return Vec::new() };
+            schema = next;
+        }
+        let mut keys = Vec::new();
+        collect_keys(self.schema, schema, &mut keys);
+        keys
+    }
+
+    fn wrong_type(&mut self, path: &[PathStep], expected: &[JsonType]) {
+        let Some(node) = self.root.find(path) else { return };
+        let found = match &node.content {
+            // YAML lets an unquoted number stand where a text is asked for, and so does serde.
+            Content::Scalar { value, plain: Some(_) }
+                if expected.contains(&JsonType::String) && !value.is_null() && self.is_yaml() =>
+            {
+                return;
+            }
+            Content::Scalar { value: Value::Null, .. } => "nothing".to_owned(),
+            Content::Scalar { value: Value::String(text), .. } => format!("text \"{text}\""),
+            Content::Scalar { value, .. } => value.to_string(),
+            Content::Sequence(_) => "a list".to_owned(),
+            Content::Mapping(_) => "a mapping of keys".to_owned(),
+        };
+        let is_asked = |kind: &&JsonType| **kind != JsonType::Null || expected.len() == 1;
+        let names: Vec<&str> = expected.iter().filter(is_asked).map(|kind| type_name(*kind)).collect();
+        let starts_with_digit =
+            found.starts_with("text \"") && found[6..].starts_with(|c: char| c.is_ascii_digit());
+        let is_measure = expected.iter().any(|kind| matches!(kind, JsonType::Number | JsonType::Integer));
+        let hint =
+            (starts_with_digit && is_measure).then(|| "write the number alone, without a unit".to_owned());
+        self.add(path, format!("expected {}, found {found}", names.join(" or ")), hint);
+    }
+
+    fn unknown_word(&mut self, path: &[PathStep], options: &[Value]) {
+        let Some(node) = self.root.find(path) else { return };
+        let candidates: Vec<String> = options.iter().map(plain_text).collect();
+        let found = node.to_value();
+        if found.is_array() || found.is_object() || found.is_null() {
+            self.wrong_type(path, &[JsonType::String]);
+            return;
+        }
+        let (word, listed) = (plain_text(&found), candidates.join(", "));
+        let one_only = candidates.len() == 1;
+        let hint =
+            if one_only { Some(format!("it must be {listed}")) } else { did_you_mean(&word, &candidates) };
+        self.add(path, format!("unknown value {found}"), hint);
+    }
+
+    fn add(&mut self, path: &[PathStep], message: String, hint: Option<String>) {
+        self.faults.push(self.source.fault(path, message, hint, FaultSeverity::Error));
+    }
+
+    fn is_yaml(&self) -> bool {
+        Format::of(self.source.file()) == Format::Yaml
+    }
+}
+
+fn steps(error: &ValidationError<'_>) -> Vec<PathStep> {
+    let step = |segment: LocationSegment<'_>| match segment {
+        LocationSegment::Property(name) => PathStep::Key(name.into_owned()),
+        LocationSegment::Index(index) => PathStep::Index(index),
+    };
+    error.instance_path().iter().map(step).collect()
+}
+
+fn referenced<'a>(root: &'a Value, schema: &'a Value) -> Option<&'a Value> {
+    root.pointer(schema.get("$ref")?.as_str()?.trim_start_matches('#'))
+}
+
+/// The keys that a schema names itself, by reference, or in one of its alternatives.
+fn collect_keys(root: &Value, schema: &Value, keys: &mut Vec<String>) {
+    if let Some(properties) = schema.get("properties").and_then(Value::as_object) {
+        keys.extend(properties.keys().cloned());
+    }
+    for keyword in ["allOf", "anyOf", "oneOf"] {
+        let alternatives = schema.get(keyword).and_then(Value::as_array);
+        for alternative in alternatives.into_iter().flatten() {
+            let target = referenced(root, alternative).unwrap_or(alternative);
+            keys.extend(
+                target
+                    .get("properties")
+                    .and_then(Value::as_object)
+                    .into_iter()
+                    .flat_map(|p| p.keys().cloned()),
+            );
+        }
+    }
+}
+
+fn bound_message(kind: &ValidationErrorKind, found: &str) -> Option<String> {
+    Some(match kind {
+        ValidationErrorKind::Minimum { limit } => format!("{found} is too small, {limit} is the least"),
+        ValidationErrorKind::Maximum { limit } => format!("{found} is too large, {limit} is the most"),
+        ValidationErrorKind::ExclusiveMinimum { limit } => format!("{found} must be above {limit}"),
+        ValidationErrorKind::ExclusiveMaximum { limit } => format!("{found} must be below {limit}"),
+        ValidationErrorKind::MinItems { limit } => {
+            format!("the list is too short, it takes at least {limit} items")
+        }
+        ValidationErrorKind::MaxItems { limit } => {
+            format!("the list is too long, it takes at most {limit} items")
+        }
+        ValidationErrorKind::MinLength { .. } => "the text is too short".to_owned(),
+        ValidationErrorKind::Pattern { pattern } => format!("{found} does not match {pattern}"),
+        _ => return None,
+    })
+}
+
+fn plain_text(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+}
+
+fn type_name(kind: JsonType) -> &'static str {
+    match kind {
+        JsonType::Array => "a list",
+        JsonType::Boolean => "true or false",
+        JsonType::Integer => "a whole number",
+        JsonType::Null => "nothing",
+        JsonType::Number => "a number",
+        JsonType::Object => "a mapping of keys",
+        JsonType::String => "a text",
+    }
+}

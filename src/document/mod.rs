@@ -1,0 +1,51 @@
+//! YAML and JSON files to typed values, with all faults of a file at once.
+//!
+//! Shared by `plan/` and `catalog/`, which know what the values mean. A good file is read by serde straight
+//! into its type. Only when that fails is it read again into a `tree` that knows the place of every
+//! value, and checked against the JSON Schema of the type, so that every fault is found and located:
+//! positions cost nothing for files without faults.
+
+mod choice;
+mod diagnose;
+mod excerpt;
+mod fault;
+mod faults;
+mod format;
+mod keys;
+mod limits;
+mod scalar;
+mod source;
+mod suggest;
+mod tree;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
+
+pub use fault::{Fault, FaultSeverity, PathStep, show_path};
+pub use faults::{Faults, Warned};
+pub use format::Format;
+pub use limits::FILE_SIZE_LIMIT;
+pub use source::{Source, locate};
+pub use suggest::{did_you_mean, suggest};
+
+/// Reads a YAML or JSON file (by its extension) into a value.
+///
+/// # Errors
+/// All faults of the file at once: unreadable, too large (see [`FILE_SIZE_LIMIT`]), not UTF-8, bad syntax,
+/// unknown, duplicate and missing keys, wrong types and words, numbers that are not finite.
+pub fn read_document<T: DeserializeOwned + JsonSchema>(path: &Path) -> Result<T, Faults> {
+    Source::read(path)?.parse()
+}
+
+/// As [`read_document`], for a text in memory; `file` is the name for messages and tells the format.
+///
+/// # Errors
+/// As [`read_document`].
+pub fn parse_document<T: DeserializeOwned + JsonSchema>(file: &Path, text: &str) -> Result<T, Faults> {
+    Source::new(file, text).parse()
+}

@@ -1,0 +1,385 @@
+//! A document as a tree that knows the place of every key and value; JSON is read as the YAML it is.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+use serde_saphyr::granit_parser::{Event, Marker, Options, Parser, ScalarStyle, StructureStyle};
+
+use super::fault::PathStep;
+use super::limits::{DEPTH_LIMIT, VALUE_LIMIT};
+use super::scalar::{Plain, resolve};
+
+/// Line and column, both from 1.
+pub(super) type Position = (usize, usize);
+
+/// One value and its place.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    /// Its first letter; that of the first key for a mapping without braces.
+    pub(super) position: Position,
+    /// What it is.
+    pub(super) content: Content,
+}
+
+/// What a [`Node`] is.
+#[derive(Clone, Debug)]
+pub(super) enum Content {
+    /// A single value.
+    Scalar {
+        /// The value.
+        value: Value,
+        /// The text of an unquoted word, which YAML lets stand for a text as well.
+        plain: Option<String>,
+    },
+    /// A list.
+    Sequence(Vec<Node>),
+    /// A mapping, in the order of the file.
+    Mapping(Vec<Entry>),
+}
+
+/// A key and its value.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// The key.
+    pub(super) key: String,
+    /// Where the key stands.
+    pub(super) key_position: Position,
+    /// The value.
+    pub(super) value: Node,
+}
+
+/// Something wrong with a document whatever it is to mean: a key named twice, an infinite number.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Flaw {
+    /// Where in the text.
+    pub(super) position: Position,
+    /// Where in the document.
+    pub(super) path: Vec<PathStep>,
+    /// The fact.
+    pub(super) message: String,
+    /// What to do about it.
+    pub(super) hint: Option<&'static str>,
+}
+
+/// A document without syntax errors.
+#[derive(Clone, Debug)]
+pub(super) struct Tree {
+    /// The document; null for an empty file.
+    pub(super) root: Node,
+    /// What is wrong all the same.
+    pub(super) flaws: Vec<Flaw>,
+}
+
+impl Tree {
+    /// Reads a text.
+    ///
+    /// # Errors
+    /// The first flaw that ends the reading: a syntax error or a bound of [`super::limits`].
+    pub(super) fn parse(text: &str) -> Result<Self, Flaw> {
+        let mut builder = Builder::default();
+        for event in Parser::new_from_str_with_options(text, parser_options()) {
+            let (event, span) = event.map_err(|error| Flaw {
+                position: place(error.marker()),
+                path: builder.path(),
+                message: error.info().to_string(),
+                hint: Some("is an indent, a bracket or a quote missing here or above?"),
+            })?;
+            builder.take(event, place(&span.start))?;
+        }
+        let empty = Node { position: (1, 1), content: Content::Scalar { value: Value::Null, plain: None } };
+        Ok(Self { root: builder.root.unwrap_or(empty), flaws: builder.flaws })
+    }
+}
+
+impl Node {
+    /// The value without places. Not deeper than [`DEPTH_LIMIT`], for the tree is not.
+    pub(super) fn to_value(&self) -> Value {
+        match &self.content {
+            Content::Scalar { value, .. } => value.clone(),
+            Content::Sequence(items) => Value::Array(items.iter().map(Self::to_value).collect()),
+            Content::Mapping(entries) => Value::Object(
+                entries.iter().map(|entry| (entry.key.clone(), entry.value.to_value())).collect(),
+            ),
+        }
+    }
+
+    /// The value at a path, if it exists.
+    pub(super) fn find(&self, path: &[PathStep]) -> Option<&Self> {
+        path.iter().try_fold(self, |node, step| node.child(step).map(|(_, child)| child))
+    }
+
+    /// Where to point for a path: at its value if that begins on the line of its key, else at the key; at
+    /// the nearest value around it if there is nothing at the path.
+    pub(super) fn locate(&self, path: &[PathStep]) -> Position {
+        let (mut node, mut position) = (self, self.position);
+        for step in path {
+            let Some((key_position, child)) = node.child(step) else { break };
+            let same_line = key_position.is_none_or(|key| key.0 == child.position.0);
+            position = if same_line { child.position } else { key_position.unwrap_or(child.position) };
+            node = child;
+        }
+        position
+    }
+
+    /// Where the key at the end of a path stands, if the path exists and ends with a key.
+    pub(super) fn locate_key(&self, path: &[PathStep]) -> Option<Position> {
+        let (last, parents) = path.split_last()?;
+        self.find(parents)?.child(last)?.0
+    }
+
+    fn child(&self, step: &PathStep) -> Option<(Option<Position>, &Self)> {
+        match (&self.content, step) {
+            (Content::Sequence(items), PathStep::Index(index)) => items.get(*index).map(|item| (None, item)),
+            (Content::Mapping(entries), PathStep::Key(key)) => {
+                let entry = entries.iter().find(|entry| entry.key == *key)?;
+                Some((Some(entry.key_position), &entry.value))
+            }
+            _ => None,
+        }
+    }
+
+    fn count(&self) -> usize {
+        1 + match &self.content {
+            Content::Scalar { .. } => 0,
+            Content::Sequence(items) => items.iter().map(Self::count).sum(),
+            Content::Mapping(entries) => entries.iter().map(|entry| entry.value.count()).sum(),
+        }
+    }
+}
+
+fn parser_options() -> Options {
+    let mut options = Options::default();
+    options.set_emit_comments(false);
+    options
+}
+
+fn place(marker: &Marker) -> Position {
+    (marker.line().max(1), marker.col() + 1)
+}
+
+/// An unfinished list or mapping.
+struct Frame {
+    position: Position,
+    anchor: usize,
+    content: Content,
+    /// The key that waits for its value, in a mapping.
+    key: Option<(String, Position)>,
+}
+
+#[derive(Default)]
+struct Builder {
+    frames: Vec<Frame>,
+    root: Option<Node>,
+    flaws: Vec<Flaw>,
+    anchors: BTreeMap<usize, Node>,
+    count: usize,
+}
+
+impl Builder {
+    fn take(&mut self, event: Event<'_>, position: Position) -> Result<(), Flaw> {
+        match event {
+            Event::Scalar(text, style, anchor, _) => {
+                let node = self.scalar(&text, style, position);
+                self.finish(node, anchor)
+            }
+            Event::SequenceStart(_, anchor, _) => self.open(Content::Sequence(Vec::new()), anchor, position),
+            Event::MappingStart(style, anchor, _) => {
+                debug_assert!(matches!(style, StructureStyle::Block | StructureStyle::Flow));
+                self.open(Content::Mapping(Vec::new()), anchor, position)
+            }
+            Event::SequenceEnd | Event::MappingEnd => match self.frames.pop() {
+                Some(frame) => {
+                    let node = Node { position: frame.position, content: frame.content };
+                    self.finish(node, frame.anchor)
+                }
+                None => Ok(()),
+            },
+            Event::Alias(anchor) => match self.anchors.get(&anchor) {
+                Some(node) if self.count + node.count() <= VALUE_LIMIT => {
+                    let node = Node { position, content: node.content.clone() };
+                    self.count += node.count();
+                    self.finish(node, 0)
+                }
+                Some(_) => Err(self.flaw(position, too_many())),
+                None => Err(self.flaw(position, "an alias stands inside the very value it names".to_owned())),
+            },
+            Event::DocumentStart(..) if self.root.is_some() => {
+                Err(self
+                    .flaw(position, "a second document begins here; one file holds one document".to_owned()))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn scalar(&mut self, text: &str, style: ScalarStyle, position: Position) -> Node {
+        let content = if style != ScalarStyle::Plain {
+            Content::Scalar { value: Value::String(text.to_owned()), plain: None }
+        } else if self.awaits_key() {
+            Content::Scalar { value: Value::String(text.to_owned()), plain: Some(text.to_owned()) }
+        } else {
+            let value = match resolve(text) {
+                Plain::Value(value) => value,
+                Plain::NotFinite => {
+                    let flaw = self.flaw(position, format!("{text} is not a finite number"));
+                    self.flaws.push(flaw);
+                    Value::from(0.0)
+                }
+            };
+            Content::Scalar { value, plain: Some(text.to_owned()) }
+        };
+        Node { position, content }
+    }
+
+    fn open(&mut self, content: Content, anchor: usize, position: Position) -> Result<(), Flaw> {
+        if self.frames.len() >= DEPTH_LIMIT {
+            return Err(self.flaw(position, format!("nested deeper than {DEPTH_LIMIT} levels")));
+        }
+        self.frames.push(Frame { position, anchor, content, key: None });
+        Ok(())
+    }
+
+    fn finish(&mut self, node: Node, anchor: usize) -> Result<(), Flaw> {
+        self.count += 1;
+        if self.count > VALUE_LIMIT {
+            return Err(self.flaw(node.position, too_many()));
+        }
+        if anchor != 0 {
+            self.count += node.count();
+            self.anchors.insert(anchor, node.clone());
+        }
+        let awaits_key = self.awaits_key();
+        match self.frames.last_mut() {
+            None => self.root = Some(node),
+            Some(Frame { content: Content::Sequence(items), .. }) => items.push(node),
+            Some(_) if awaits_key => self.take_key(node),
+            Some(frame) => {
+                if let (Content::Mapping(entries), Some((key, key_position))) =
+                    (&mut frame.content, frame.key.take())
+                {
+                    entries.push(Entry { key, key_position, value: node });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn take_key(&mut self, node: Node) {
+        let key = match &node.content {
+            Content::Scalar { value: Value::String(key), .. } => key.clone(),
+            _ => {
+                let flaw = self.flaw(node.position, "a key must be a word".to_owned());
+                self.flaws.push(flaw);
+                String::from("?")
+            }
+        };
+        let frame = self.frames.last().expect("a key stands in a mapping");
+        let earlier = match &frame.content {
+            Content::Mapping(entries) => entries.iter().find(|entry| entry.key == key),
+            _ => None,
+        };
+        if let Some(line) = earlier.map(|entry| entry.key_position.0) {
+            let mut flaw = self.flaw(node.position, format!("duplicate key \"{key}\", first in line {line}"));
+            flaw.hint = Some("keep one of them");
+            self.flaws.push(flaw);
+        }
+        if key == "<<" {
+            let mut flaw = self.flaw(node.position, "merge keys (<<) are not supported".to_owned());
+            flaw.hint = Some("write the keys out, or use what the format has for it (extends, prototypes)");
+            self.flaws.push(flaw);
+        }
+        let frame = self.frames.last_mut().expect("a key stands in a mapping");
+        frame.key = Some((key, node.position));
+    }
+
+    fn awaits_key(&self) -> bool {
+        self.frames
+            .last()
+            .is_some_and(|frame| matches!(frame.content, Content::Mapping(_)) && frame.key.is_none())
+    }
+
+    fn flaw(&self, position: Position, message: String) -> Flaw {
+        Flaw { position, path: self.path(), message, hint: None }
+    }
+
+    /// The path of the value that is being read.
+    fn path(&self) -> Vec<PathStep> {
+        let step = |frame: &Frame| match &frame.content {
+            Content::Sequence(items) => Some(PathStep::Index(items.len())),
+            _ => frame.key.as_ref().map(|(key, _)| PathStep::Key(key.clone())),
+        };
+        self.frames.iter().filter_map(step).collect()
+    }
+}
+
+fn too_many() -> String {
+    format!("the document holds more than {VALUE_LIMIT} values, aliases counted each time")
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    const PLAN: &str = "levels:\n  - id: ground\n    rooms:\n      - {id: hall, size: [1, 2.5]}\n";
+
+    #[test]
+    fn values_are_those_of_the_text() {
+        let tree = Tree::parse(PLAN).unwrap();
+        let expected = json!({"levels": [{"id": "ground", "rooms": [{"id": "hall", "size": [1, 2.5]}]}]});
+        assert_eq!(tree.root.to_value(), expected);
+        assert!(tree.flaws.is_empty());
+    }
+
+    #[test]
+    fn json_is_read_too() {
+        let tree = Tree::parse("{\n\t\"a\": [1, {\"b\": \"x\\n\\u00e9\\/\"}],\n\t\"c\": null\n}").unwrap();
+        assert_eq!(tree.root.to_value(), json!({"a": [1, {"b": "x\né/"}], "c": null}));
+        assert_eq!(tree.root.locate(&["a".into(), 1.into(), "b".into()]), (2, 17));
+    }
+
+    #[test]
+    fn a_path_points_at_the_value_or_at_its_key() {
+        let root = Tree::parse(PLAN).unwrap().root;
+        let rooms = ["levels".into(), 0.into(), "rooms".into()];
+        assert_eq!(root.locate(&rooms), (3, 5), "the list begins on a later line than its key");
+        let width = [&rooms[..], &[0.into(), "size".into(), 1.into()]].concat();
+        assert_eq!(root.locate(&width), (4, 30));
+        let missing = [&rooms[..], &[0.into(), "height".into()]].concat();
+        assert_eq!(root.locate(&missing), (4, 9), "the mapping that lacks the key");
+    }
+
+    #[test]
+    fn duplicate_keys_and_infinite_numbers_are_flaws() {
+        let tree = Tree::parse("a: 1\nb: {c: .nan}\na: 2\n").unwrap();
+        let messages: Vec<&str> = tree.flaws.iter().map(|flaw| flaw.message.as_str()).collect();
+        assert_eq!(messages, [".nan is not a finite number", "duplicate key \"a\", first in line 1"]);
+        assert_eq!(tree.flaws[0].path, ["b".into(), "c".into()]);
+        assert_eq!(tree.flaws[1].position, (3, 1));
+    }
+
+    #[test]
+    fn aliases_are_bounded() {
+        let mut bomb = String::from("a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n");
+        for level in 1..12 {
+            let aliases = vec![format!("*a{}", level - 1); 10].join(", ");
+            bomb.push_str(&format!("a{level}: &a{level} [{aliases}]\n"));
+        }
+        assert!(Tree::parse(&bomb).unwrap_err().message.contains("more than"));
+        assert!(Tree::parse("a: &a [1, *a]").is_err());
+        let twice = Tree::parse("a: &a {b: 1}\nc: *a\n").unwrap();
+        assert_eq!(twice.root.to_value(), json!({"a": {"b": 1}, "c": {"b": 1}}));
+    }
+
+    #[test]
+    fn deep_nesting_is_refused() {
+        assert!(Tree::parse(&"[".repeat(10_000)).is_err());
+        assert!(Tree::parse(&"- ".repeat(10_000)).is_err());
+    }
+
+    #[test]
+    fn syntax_errors_have_a_place() {
+        let flaw = Tree::parse("a: [1, 2\nb: 3\n").unwrap_err();
+        assert!(flaw.position.0 >= 1 && !flaw.message.is_empty(), "{flaw:?}");
+    }
+}

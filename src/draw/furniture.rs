@@ -1,0 +1,123 @@
+//! Objects from above, low ones first, with their fronts marked.
+
+use crate::catalog::{Class, Shape};
+use crate::geometry::{Point, direction};
+use crate::layout::{Parent, Placement, clearance_solids, solids};
+
+use super::Drawing;
+use super::canvas::{Canvas, TextStyle};
+use super::color::class_colors;
+
+const MINIMUM_CLEARANCE: &str =
+    "fill=\"#d9480f\" fill-opacity=\"0.08\" stroke=\"#d9480f\" stroke-width=\"0.8\" stroke-dasharray=\"3 2\"";
+const GOOD_CLEARANCE: &str = "fill=\"none\" stroke=\"#d9480f\" stroke-width=\"0.5\" stroke-dasharray=\"1 2\"";
+
+/// Metres of an object's shorter side from which its front is marked.
+const MARKED_SIDE: f64 = 0.25;
+
+/// Metres of an underside above the floor from which an object counts as hanging.
+const HANGING: f64 = 1.0;
+
+/// Metres of an object's longer side from which it is named.
+const NAMED_SIDE: f64 = 0.6;
+
+/// Mean width of a letter as a share of its size, in the widest of the usual fonts.
+pub(crate) const LETTER_WIDTH: f64 = 0.58;
+
+/// Pixels of the largest and the smallest letters on furniture.
+const LETTERS: (f64, f64) = (10.0, 6.0);
+
+/// The regions that objects need before their sides.
+pub(crate) fn draw_clearances(canvas: &mut Canvas, drawing: &Drawing<'_>) {
+    for placement in drawing.furnished.iter().flat_map(|room| &room.placements) {
+        let class = &drawing.catalog.classes[placement.class];
+        for (_, solid) in clearance_solids(class, placement, true) {
+            canvas.polygon(solid.base.corners(), GOOD_CLEARANCE);
+        }
+        for (_, solid) in clearance_solids(class, placement, false) {
+            canvas.polygon(solid.base.corners(), MINIMUM_CLEARANCE);
+        }
+    }
+}
+
+/// All objects of all rooms; names come after all bodies, so that nothing covers them.
+pub(crate) fn draw_furniture(canvas: &mut Canvas, drawing: &Drawing<'_>) {
+    let mut placements: Vec<&Placement> =
+        drawing.furnished.iter().flat_map(|room| &room.placements).collect();
+    let top = |placement: &Placement| placement.elevation + placement.size.height;
+    placements.sort_by(|a, b| top(a).total_cmp(&top(b)));
+    for placement in &placements {
+        draw_object(canvas, &drawing.catalog.classes[placement.class], placement);
+    }
+    for placement in placements.iter().filter(|placement| carries_name(placement)) {
+        draw_name(canvas, &drawing.catalog.classes[placement.class].label, placement);
+    }
+}
+
+fn draw_object(canvas: &mut Canvas, class: &Class, placement: &Placement) {
+    let (fill, edge) = class_colors(&class.id);
+    if placement.parent == Parent::Ceiling {
+        let attributes =
+            format!("fill=\"none\" stroke=\"{edge}\" stroke-width=\"0.8\" stroke-dasharray=\"3 2\"");
+        return draw_outline(canvas, class, placement, &attributes);
+    }
+    // What hangs on a wall lets see what stands below.
+    let opacity = if placement.elevation > HANGING { 0.3 } else { 0.85 };
+    let attributes =
+        format!("fill=\"{fill}\" fill-opacity=\"{opacity}\" stroke=\"{edge}\" stroke-width=\"1\"");
+    match class.shape {
+        Shape::Box | Shape::Disc => draw_outline(canvas, class, placement, &attributes),
+        Shape::Prisms(_) => {
+            let faint =
+                format!("fill=\"{fill}\" fill-opacity=\"0.5\" stroke=\"{edge}\" stroke-width=\"0.7\"");
+            for solid in solids(class, placement) {
+                canvas.polygon(solid.base.corners(), &faint);
+            }
+        }
+    }
+    if placement.size.width.min(placement.size.depth) >= MARKED_SIDE {
+        draw_front(canvas, placement, &edge);
+    }
+}
+
+fn draw_outline(canvas: &mut Canvas, class: &Class, placement: &Placement, attributes: &str) {
+    for solid in solids(class, placement) {
+        canvas.polygon(solid.base.corners(), attributes);
+    }
+}
+
+/// A small arrowhead inside the middle of the front edge.
+fn draw_front(canvas: &mut Canvas, placement: &Placement, color: &str) {
+    const LARGEST: f64 = 0.12;
+    const SHARE: f64 = 0.2;
+    const INSET: f64 = 0.02;
+    let right = direction(placement.angle);
+    let front = -right.perp();
+    let length = LARGEST.min(SHARE * placement.size.depth);
+    let tip = placement.position + front * (placement.size.depth / 2.0 - INSET);
+    let base = tip - front * length;
+    canvas.polygon(&[tip, base - right * length, base + right * length], &format!("fill=\"{color}\""));
+}
+
+/// What stands on the floor and is large enough; a rug under a table would be named over it.
+fn carries_name(placement: &Placement) -> bool {
+    const LOWEST: f64 = 0.1;
+    let hangs = placement.parent == Parent::Ceiling || placement.elevation > HANGING;
+    !hangs && placement.size.height > LOWEST && placement.size.width.max(placement.size.depth) >= NAMED_SIDE
+}
+
+/// The label along the object's longer side on the screen, as large as fits.
+fn draw_name(canvas: &mut Canvas, label: &str, placement: &Placement) {
+    let right = direction(placement.angle).abs();
+    let (width, depth) = (placement.size.width, placement.size.depth);
+    let extent = Point::new(right.x * width + right.y * depth, right.y * width + right.x * depth);
+    let room = extent * canvas.scale();
+    let is_upright = room.y > room.x * 1.3;
+    let (length, height) = if is_upright { (room.y, room.x) } else { (room.x, room.y) };
+    let fitting = length * 0.92 / (label.chars().count() as f64 * LETTER_WIDTH);
+    let size = fitting.min(height * 0.6).min(LETTERS.0);
+    if size >= LETTERS.1 {
+        let style = TextStyle { size, anchor: "middle", is_upright, has_halo: true, ..TextStyle::default() };
+        canvas.text(placement.position, label, style);
+    }
+}

@@ -1,0 +1,82 @@
+//! A furnished level as SVG: people look before they read.
+//!
+//! y points up in plans and down in SVG; `canvas` is the only file that knows.
+
+mod canvas;
+mod color;
+mod furniture;
+mod labels;
+mod sheet;
+mod shell;
+
+use crate::audit::Finding;
+use crate::catalog::Catalog;
+use crate::geometry::Point;
+use crate::layout::Furnished;
+use crate::plan::{Level, SitePlacement};
+
+use canvas::Canvas;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawing<'a> {
+    /// Id of the building.
+    pub building: &'a str,
+    /// Where it stands: turns the north arrow.
+    pub site: SitePlacement,
+    /// The level.
+    pub level: &'a Level,
+    /// One per room, in the order of the level's rooms.
+    pub furnished: &'a [Furnished],
+    /// Findings of the audit, in the same order; listed below the plan.
+    pub findings: &'a [Vec<Finding>],
+    /// Classes and room types.
+    pub catalog: &'a Catalog,
+    /// Seed of the run, for the title.
+    pub seed: u64,
+    /// Whether to show the regions that furniture needs in front of it.
+    pub has_clearances: bool,
+}
+
+/// Metres of paper around the walls.
+const MARGIN: f64 = 0.6;
+
+/// Draws a level.
+///
+/// # Panics
+/// If `furnished` has not one entry per room, or an index in it points nowhere.
+#[must_use]
+pub fn draw_level(drawing: &Drawing<'_>) -> String {
+    assert_eq!(drawing.furnished.len(), drawing.level.rooms.len(), "one furnished room per room");
+    let mut canvas = Canvas::new(bounds(drawing.level));
+    // From the ground up: walls, floors, openings, then what stands on the floors.
+    shell::draw_walls(&mut canvas, drawing.level);
+    shell::draw_floors(&mut canvas, drawing);
+    shell::draw_obstacles(&mut canvas, drawing.level);
+    if drawing.has_clearances {
+        furniture::draw_clearances(&mut canvas, drawing);
+    }
+    shell::draw_openings(&mut canvas, drawing.level);
+    furniture::draw_furniture(&mut canvas, drawing);
+    // Then everything to read.
+    labels::draw_labels(&mut canvas, drawing);
+    sheet::draw_notes(&mut canvas, drawing);
+    canvas.finish()
+}
+
+/// Lowest and highest point of the sheet in plan metres.
+fn bounds(level: &Level) -> (Point, Point) {
+    let nothing = (Point::INFINITY, Point::NEG_INFINITY);
+    let corners = level.rooms.iter().flat_map(|room| room.region.outline.corners());
+    let (low, high) = corners.fold(nothing, |(low, high), &corner| (low.min(corner), high.max(corner)));
+    if !low.is_finite() {
+        return (Point::ZERO, Point::ONE);
+    }
+    let walls = level.rooms.iter().flat_map(|room| &room.walls);
+    let thickness = walls.fold(0.0, |most: f64, wall| most.max(wall.thickness));
+    let margin = Point::splat(MARGIN + thickness);
+    (low - margin, high + margin)
+}
+
+#[cfg(test)]
+mod tests;

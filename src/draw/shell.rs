@@ -1,0 +1,115 @@
+//! Walls, floors and openings.
+
+use crate::geometry::Point;
+use crate::plan::{Level, Opening, OpeningKind, Room, Wall, WallKind};
+
+use super::Drawing;
+use super::canvas::Canvas;
+
+const WALL: &str = "fill=\"#555\" stroke=\"#555\" stroke-width=\"0.7\"";
+const THIN_WALL: &str = "stroke=\"#555\" stroke-width=\"2\" stroke-linecap=\"square\"";
+const RAILING: &str = "stroke=\"#555\" stroke-width=\"1.2\" stroke-dasharray=\"2 2\"";
+const FLOOR: &str = "fill=\"#fdfbf6\" stroke=\"#555\" stroke-width=\"0.5\"";
+const UNFURNISHED: &str = "fill=\"url(#hatch)\" stroke=\"#555\" stroke-width=\"0.5\"";
+const OBSTACLE: &str = "fill=\"#777\" stroke=\"#444\" stroke-width=\"1\"";
+const GAP: &str = "fill=\"#fdfbf6\" stroke=\"#fdfbf6\" stroke-width=\"0.7\"";
+const GLASS: &str = "fill=\"#e4f1fa\" stroke=\"#3f7fb0\" stroke-width=\"1\"";
+const GLASS_LINE: &str = "stroke=\"#3f7fb0\" stroke-width=\"1\"";
+const LEAF: &str = "stroke=\"#9a6a2f\" stroke-width=\"2\"";
+const SWING: &str = "fill=\"#f5e6cf\" fill-opacity=\"0.45\" stroke=\"#c79a5e\" stroke-width=\"0.8\"";
+const DASHES: &str = "stroke=\"#999\" stroke-width=\"1\" stroke-dasharray=\"4 3\"";
+
+/// Metres that a gap reaches beyond the faces of its wall, so that no sliver of wall remains.
+const GAP_OVERLAP: f64 = 0.01;
+
+/// Metres of wall that are drawn where the plan's walls have no thickness.
+const LEAST_THICKNESS: f64 = 0.06;
+
+/// All walls, each behind its inner face. The floors are drawn over what reaches into rooms.
+pub(crate) fn draw_walls(canvas: &mut Canvas, level: &Level) {
+    for wall in level.rooms.iter().flat_map(|room| &room.walls) {
+        match wall.kind {
+            WallKind::Solid if wall.thickness > 0.0 => canvas.polygon(&wall_body(wall), WALL),
+            WallKind::Solid => canvas.line(wall.start, wall.end, THIN_WALL),
+            WallKind::Railing(_) => canvas.line(wall.start, wall.end, RAILING),
+        }
+    }
+}
+
+/// The wall's footprint, lengthened at both ends so that corners are filled.
+fn wall_body(wall: &Wall) -> [Point; 4] {
+    let (back, along) = (-wall.normal() * wall.thickness, wall.direction() * wall.thickness);
+    let (start, end) = (wall.start - along, wall.end + along);
+    [start, end, end + back, start + back]
+}
+
+/// All floors; rooms that are not furnished are hatched.
+pub(crate) fn draw_floors(canvas: &mut Canvas, drawing: &Drawing<'_>) {
+    for room in &drawing.level.rooms {
+        let outline = room.region.outline.corners();
+        let holes = room.region.holes.iter().map(crate::geometry::Polygon::corners);
+        let rings: Vec<&[Point]> = std::iter::once(outline).chain(holes).collect();
+        canvas.polygons(&rings, if is_furnished(drawing, room) { FLOOR } else { UNFURNISHED });
+    }
+}
+
+/// Whether the catalogue furnishes rooms of this type.
+pub(crate) fn is_furnished(drawing: &Drawing<'_>, room: &Room) -> bool {
+    drawing.catalog.room_types.get(&room.room_type).is_some_and(|room_type| room_type.is_furnished)
+}
+
+/// Columns and other fixed bodies.
+pub(crate) fn draw_obstacles(canvas: &mut Canvas, level: &Level) {
+    for obstacle in level.rooms.iter().flat_map(|room| &room.obstacles) {
+        canvas.polygon(obstacle.outline.corners(), OBSTACLE);
+    }
+}
+
+/// All openings, over the walls that they pierce.
+pub(crate) fn draw_openings(canvas: &mut Canvas, level: &Level) {
+    for opening in &level.openings {
+        match opening.kind {
+            OpeningKind::Window => draw_window(canvas, level, opening),
+            OpeningKind::Door => draw_door(canvas, level, opening),
+            OpeningKind::SlidingDoor => draw_sliding_door(canvas, level, opening),
+            OpeningKind::Passage | OpeningKind::OpenBoundary => draw_passage(canvas, level, opening),
+        }
+    }
+}
+
+fn draw_window(canvas: &mut Canvas, level: &Level, opening: &Opening) {
+    canvas.polygon(&gap(level, opening, 0.0), GLASS);
+    let half = opening.along * (opening.width / 2.0);
+    canvas.line(opening.center - half, opening.center + half, GLASS_LINE);
+}
+
+fn draw_door(canvas: &mut Canvas, level: &Level, opening: &Opening) {
+    canvas.polygon(&gap(level, opening, GAP_OVERLAP), GAP);
+    for leaf in &opening.leaves {
+        canvas.sector(leaf.hinge, leaf.closed_tip, leaf.open_tip, SWING);
+        canvas.line(leaf.hinge, leaf.open_tip, LEAF);
+    }
+}
+
+fn draw_sliding_door(canvas: &mut Canvas, level: &Level, opening: &Opening) {
+    canvas.polygon(&gap(level, opening, GAP_OVERLAP), GAP);
+    let half = opening.along * (opening.width / 2.0);
+    canvas.line(opening.center - half, opening.center + half, LEAF);
+}
+
+fn draw_passage(canvas: &mut Canvas, level: &Level, opening: &Opening) {
+    let corners = gap(level, opening, GAP_OVERLAP);
+    canvas.polygon(&corners, GAP);
+    canvas.line(corners[0], corners[1], DASHES);
+    canvas.line(corners[2], corners[3], DASHES);
+}
+
+/// The opening's footprint through the whole wall.
+fn gap(level: &Level, opening: &Opening, overlap: f64) -> [Point; 4] {
+    let thickness: f64 =
+        opening.sides.iter().map(|side| level.rooms[side.room].walls[side.wall].thickness).sum();
+    let along = opening.along * (opening.width / 2.0);
+    let across = opening.along.perp() * (thickness.max(LEAST_THICKNESS) / 2.0 + overlap);
+    let center = opening.center;
+    [center - along - across, center + along - across, center + along + across, center - along + across]
+}

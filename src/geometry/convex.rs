@@ -1,0 +1,188 @@
+//! Convex footprints and the separating axis test.
+//!
+//! S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A Hierarchical Structure for Rapid Interference
+//! Detection", SIGGRAPH 1996, section 5 (the test that the paper cites), here in the plane: two convex
+//! polygons are apart if and only if the normal of one of their edges separates their projections.
+
+use super::Point;
+
+/// Corners of a [`Convex`] that stands for a disc; its flats touch the disc, so its extent along the
+/// class's axes is the disc's own.
+pub const DISC_CORNERS: usize = 12;
+
+/// A convex polygon of at most [`DISC_CORNERS`] corners, counter-clockwise, kept in place (no heap) because
+/// the layout makes thousands a millisecond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Convex {
+    corners: [Point; DISC_CORNERS],
+    count: usize,
+    /// Opposite edges are parallel, so that half of the normals suffice.
+    is_symmetric: bool,
+}
+
+impl Convex {
+    /// A rectangle around `center`; `axis` is the unit vector along its width.
+    #[must_use]
+    pub fn rectangle(center: Point, half: Point, axis: Point) -> Self {
+        let (along, across) = (axis * half.x, axis.perp() * half.y);
+        let mut corners = [Point::ZERO; DISC_CORNERS];
+        corners[0] = center - along - across;
+        corners[1] = center + along - across;
+        corners[2] = center + along + across;
+        corners[3] = center - along + across;
+        Self { corners, count: 4, is_symmetric: true }
+    }
+
+    /// The polygon around an ellipse with half axes `half`, `axis` along the first.
+    #[must_use]
+    pub fn disc(center: Point, half: Point, axis: Point) -> Self {
+        // Circumscribed about the unit circle with flats at 0°, 30°, 60°, ...: corners at odd multiples of 15°.
+        const LONG: f64 = 1.0;
+        const MIDDLE: f64 = 0.732_050_807_568_877_2; // sin 45° / cos 15°
+        const SHORT: f64 = 0.267_949_192_431_122_7; // tan 15°
+        const UNIT: [(f64, f64); DISC_CORNERS] = [
+            (LONG, SHORT),
+            (MIDDLE, MIDDLE),
+            (SHORT, LONG),
+            (-SHORT, LONG),
+            (-MIDDLE, MIDDLE),
+            (-LONG, SHORT),
+            (-LONG, -SHORT),
+            (-MIDDLE, -MIDDLE),
+            (-SHORT, -LONG),
+            (SHORT, -LONG),
+            (MIDDLE, -MIDDLE),
+            (LONG, -SHORT),
+        ];
+        let corners = UNIT.map(|(x, y)| center + axis * (x * half.x) + axis.perp() * (y * half.y));
+        Self { corners, count: DISC_CORNERS, is_symmetric: true }
+    }
+
+    /// A convex polygon from its counter-clockwise corners.
+    ///
+    /// # Panics
+    /// If there are fewer than three or more than [`DISC_CORNERS`] corners.
+    #[must_use]
+    pub fn from_corners(points: &[Point]) -> Self {
+        assert!((3..=DISC_CORNERS).contains(&points.len()), "a convex footprint has 3 to 12 corners");
+        let mut corners = [Point::ZERO; DISC_CORNERS];
+        corners[..points.len()].copy_from_slice(points);
+        Self { corners, count: points.len(), is_symmetric: false }
+    }
+
+    /// The corners, counter-clockwise.
+    #[must_use]
+    pub fn corners(&self) -> &[Point] {
+        &self.corners[..self.count]
+    }
+
+    /// The middle of the corners.
+    #[must_use]
+    pub fn center(&self) -> Point {
+        self.corners().iter().sum::<Point>() / self.count as f64
+    }
+
+    /// Lowest and highest corner of the axis-parallel bounding box.
+    #[must_use]
+    pub fn bounds(&self) -> (Point, Point) {
+        let first = self.corners[0];
+        self.corners()[1..].iter().fold((first, first), |(low, high), &c| (low.min(c), high.max(c)))
+    }
+
+    /// Lowest and highest projection on a direction.
+    #[must_use]
+    pub fn project(&self, direction: Point) -> (f64, f64) {
+        let first = self.corners[0].dot(direction);
+        self.corners()[1..].iter().fold((first, first), |(low, high), corner| {
+            let value = corner.dot(direction);
+            (low.min(value), high.max(value))
+        })
+    }
+
+    /// Unit normals of the edges, each direction once where opposite edges are parallel.
+    fn normals(&self) -> impl Iterator<Item = Point> + '_ {
+        let used = if self.is_symmetric { self.count / 2 } else { self.count };
+        (0..used).filter_map(move |i| {
+            let edge = self.corners[(i + 1) % self.count] - self.corners[i];
+            let length = edge.length();
+            (length > 0.0).then(|| Point::new(edge.y, -edge.x) / length)
+        })
+    }
+
+    /// Whether two polygons overlap by more than `tolerance` metres along every separating axis.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self, tolerance: f64) -> bool {
+        let apart = |normal: Point| {
+            let (low, high) = self.project(normal);
+            let (other_low, other_high) = other.project(normal);
+            high.min(other_high) - low.max(other_low) <= tolerance
+        };
+        !self.normals().any(apart) && !other.normals().any(apart)
+    }
+
+    /// Whether a segment enters the polygon by more than `tolerance` metres.
+    #[must_use]
+    pub fn is_entered_by(&self, start: Point, end: Point, tolerance: f64) -> bool {
+        if self.normals().any(|normal| {
+            let (low, high) = self.project(normal);
+            let (a, b) = (start.dot(normal), end.dot(normal));
+            // A segment has no width of its own: inside means beyond the faces by the tolerance.
+            a.max(b) <= low + tolerance || a.min(b) >= high - tolerance
+        }) {
+            return false;
+        }
+        let across = (end - start).perp().normalize_or_zero();
+        if across == Point::ZERO {
+            return true;
+        }
+        let (low, high) = self.project(across);
+        let level = start.dot(across);
+        level > low + tolerance && level < high - tolerance
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: f64, y: f64, turn: f64) -> Convex {
+        let (sin, cos) = libm::sincos(turn);
+        Convex::rectangle(Point::new(x, y), Point::splat(0.5), Point::new(cos, sin))
+    }
+
+    #[test]
+    fn touching_squares_do_not_overlap() {
+        assert!(!square(0.0, 0.0, 0.0).overlaps(&square(1.0, 0.0, 0.0), 1e-4));
+        assert!(square(0.0, 0.0, 0.0).overlaps(&square(0.999, 0.0, 0.0), 1e-4));
+    }
+
+    #[test]
+    fn a_turned_square_reaches_further() {
+        let quarter = core::f64::consts::FRAC_PI_4;
+        assert!(square(0.0, 0.0, 0.0).overlaps(&square(1.15, 0.0, quarter), 1e-4));
+        assert!(!square(0.0, 0.0, 0.0).overlaps(&square(1.21, 0.0, quarter), 1e-4));
+    }
+
+    #[test]
+    fn boxes_of_squares_meet_but_diagonals_do_not() {
+        let quarter = core::f64::consts::FRAC_PI_4;
+        assert!(!square(0.0, 0.0, quarter).overlaps(&square(0.9, 0.9, quarter), 1e-4));
+    }
+
+    #[test]
+    fn a_disc_is_as_wide_as_its_radius_and_lets_corners_pass() {
+        let disc = Convex::disc(Point::ZERO, Point::splat(1.0), Point::X);
+        let (low, high) = disc.bounds();
+        assert!((low + Point::ONE).length() < 1e-12 && (high - Point::ONE).length() < 1e-12);
+        let near_corner = Convex::rectangle(Point::splat(1.3), Point::splat(0.5), Point::X);
+        assert!(!disc.overlaps(&near_corner, 1e-4));
+    }
+
+    #[test]
+    fn a_wall_along_the_back_does_not_enter() {
+        let body = square(0.0, 0.0, 0.0);
+        assert!(!body.is_entered_by(Point::new(-2.0, 0.5), Point::new(2.0, 0.5), 1e-3));
+        assert!(body.is_entered_by(Point::new(-2.0, 0.4), Point::new(2.0, 0.4), 1e-3));
+        assert!(!body.is_entered_by(Point::new(0.6, 0.0), Point::new(2.0, 0.0), 1e-3));
+    }
+}

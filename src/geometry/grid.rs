@@ -1,0 +1,141 @@
+//! A uniform grid over a room: the broad phase of collision and containment.
+
+use super::Point;
+
+/// Metres of a cell; about the size of one piece of furniture, so that most bodies lie in one to four cells.
+const CELL: f64 = 1.0;
+/// Cells along one axis at most; larger halls get larger cells.
+const MAXIMUM_CELLS: usize = 64;
+const NONE: u32 = u32::MAX;
+
+/// Items by the cells that their bounding boxes touch. Items are numbers of the caller's; an item may be
+/// reported more than once by a query.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    origin: Point,
+    /// Cells per metre.
+    scale: Point,
+    columns: usize,
+    rows: usize,
+    /// First entry of each cell.
+    heads: Vec<u32>,
+    /// Item and next entry of the same cell.
+    entries: Vec<(u32, u32)>,
+}
+
+impl Grid {
+    /// A grid over the box from `low` to `high`; what lies outside is kept in the border cells.
+    #[must_use]
+    pub fn new(low: Point, high: Point) -> Self {
+        let size = (high - low).max(Point::splat(CELL));
+        let cells = |length: f64| ((length / CELL).ceil() as usize).clamp(1, MAXIMUM_CELLS);
+        let (columns, rows) = (cells(size.x), cells(size.y));
+        let scale = Point::new(columns as f64 / size.x, rows as f64 / size.y);
+        Self { origin: low, scale, columns, rows, heads: vec![NONE; columns * rows], entries: Vec::new() }
+    }
+
+    fn cells(&self, (low, high): (Point, Point)) -> (usize, usize, usize, usize) {
+        let cell = |value: f64, count: usize| (value.max(0.0) as usize).min(count - 1);
+        let (low, high) = ((low - self.origin) * self.scale, (high - self.origin) * self.scale);
+        (
+            cell(low.x, self.columns),
+            cell(high.x, self.columns),
+            cell(low.y, self.rows),
+            cell(high.y, self.rows),
+        )
+    }
+
+    /// Adds an item with its bounding box.
+    pub fn insert(&mut self, item: u32, bounds: (Point, Point)) {
+        let (left, right, bottom, top) = self.cells(bounds);
+        for row in bottom..=top {
+            for column in left..=right {
+                let head = &mut self.heads[row * self.columns + column];
+                let entry =
+                    u32::try_from(self.entries.len()).expect("a room holds fewer than 2^32 cells of bodies");
+                self.entries.push((item, *head));
+                *head = entry;
+            }
+        }
+    }
+
+    /// Takes an item out again; `bounds` as it was added.
+    pub fn remove(&mut self, item: u32, bounds: (Point, Point)) {
+        let (left, right, bottom, top) = self.cells(bounds);
+        for row in bottom..=top {
+            for column in left..=right {
+                self.unlink(row * self.columns + column, item);
+            }
+        }
+    }
+
+    fn unlink(&mut self, cell: usize, item: u32) {
+        let mut previous = NONE;
+        let mut entry = self.heads[cell];
+        while entry != NONE {
+            let (found, next) = self.entries[entry as usize];
+            if found == item {
+                match previous {
+                    NONE => self.heads[cell] = next,
+                    _ => self.entries[previous as usize].1 = next,
+                }
+                return;
+            }
+            previous = entry;
+            entry = next;
+        }
+    }
+
+    /// Whether any item whose cells meet the box answers yes; stops at the first.
+    pub fn any(&self, bounds: (Point, Point), mut question: impl FnMut(u32) -> bool) -> bool {
+        let (left, right, bottom, top) = self.cells(bounds);
+        (bottom..=top).any(|row| {
+            (left..=right).any(|column| self.items(row * self.columns + column).any(&mut question))
+        })
+    }
+
+    fn items(&self, cell: usize) -> impl Iterator<Item = u32> + '_ {
+        let mut entry = self.heads[cell];
+        std::iter::from_fn(move || {
+            let &(item, next) = self.entries.get(entry as usize)?;
+            entry = next;
+            Some(item)
+        })
+    }
+
+    /// Calls `visit` for every item whose cells meet the box.
+    pub fn each(&self, bounds: (Point, Point), mut visit: impl FnMut(u32)) {
+        self.any(bounds, |item| {
+            visit(item);
+            false
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_what_is_near_and_forgets_what_is_removed() {
+        let mut grid = Grid::new(Point::ZERO, Point::splat(10.0));
+        grid.insert(7, (Point::splat(1.2), Point::splat(3.4)));
+        grid.insert(8, (Point::splat(8.0), Point::splat(8.5)));
+        let found = |grid: &Grid, x: f64| {
+            let mut items = Vec::new();
+            grid.each((Point::splat(x), Point::splat(x + 0.1)), |item| items.push(item));
+            items
+        };
+        assert_eq!(found(&grid, 2.5), [7]);
+        assert_eq!(found(&grid, 8.2), [8]);
+        grid.remove(7, (Point::splat(1.2), Point::splat(3.4)));
+        assert!(found(&grid, 2.5).is_empty());
+    }
+
+    #[test]
+    fn what_lies_outside_is_found_at_the_border() {
+        let mut grid = Grid::new(Point::ZERO, Point::splat(4.0));
+        grid.insert(1, (Point::splat(-3.0), Point::splat(-2.0)));
+        assert!(grid.any((Point::splat(-5.0), Point::splat(-1.0)), |item| item == 1));
+    }
+}

@@ -1,0 +1,27 @@
+//! Two-dimensional and box questions: overlap, containment, distance, free area.
+//!
+//! Everything here is pure, works in plan metres (x east, y north, z up) and knows neither files nor
+//! rooms. Angles are radians, counter-clockwise seen from above.
+
+mod convex;
+mod grid;
+mod interval;
+mod polygon;
+mod solid;
+
+pub use convex::{Convex, DISC_CORNERS};
+pub use grid::Grid;
+pub use interval::Intervals;
+pub use polygon::{CORNER_TOLERANCE, MINIMUM_AREA, Polygon, PolygonFault, Region};
+pub use solid::{Solid, bounds_overlap};
+
+/// A point or direction in the plan frame: metres, x east, y north. Scene points are [`glam::Vec3`]
+/// and cross over in `scene/` only.
+pub type Point = glam::DVec2;
+
+/// The unit vector at an angle from east.
+#[must_use]
+pub fn direction(angle: f64) -> Point {
+    let (sin, cos) = libm::sincos(angle);
+    Point::new(cos, sin)
+}

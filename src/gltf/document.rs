@@ -1,0 +1,139 @@
+//! The JSON of a level and the buffer it describes.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use gltf_json::scene::UnitQuaternion;
+use gltf_json::{Asset, Image, Index, Node, Root, Scene as JsonScene, Texture, image};
+
+use super::library::LibraryReference;
+use super::material::{Images, TRANSMISSION, material};
+use super::mesh::{accessors, mesh};
+use super::pack::{PackedPrimitive, Packer};
+use super::view::Views;
+use crate::model::Model;
+use crate::scene::{GENERATOR, Scene};
+
+/// A level ready to be written.
+pub(crate) struct Document {
+    root: Root,
+    /// The level's own buffer.
+    pub packer: Packer,
+}
+
+impl Document {
+    /// The JSON, without line breaks.
+    pub(crate) fn json(&self) -> Vec<u8> {
+        serde_json::to_vec(&self.root).expect("names are strings and numbers are finite")
+    }
+}
+
+/// Triangles that one or several meshes show: meshes that differ only in material share accessors.
+struct Source<'l> {
+    is_library: bool,
+    primitives: Cow<'l, [PackedPrimitive]>,
+}
+
+/// Lays out the buffer, then describes it. `uri` is the path of the buffer's file; `None` inside a container.
+pub(crate) fn build(scene: &Scene, uri: Option<&str>, library: Option<LibraryReference<'_>>) -> Document {
+    let mut packer = Packer::default();
+    let mut images = Images::default();
+    let (sources, source_of_mesh) = pack(scene, library, &mut packer);
+    let materials = scene.materials.iter().map(|source| material(source, &mut images, &mut packer));
+    let mut root = Root { asset: asset(), materials: materials.collect(), ..Root::default() };
+    let mut views = Views::new(&mut root, &packer, uri, library);
+    let accessors: Vec<_> = sources
+        .iter()
+        .map(|source| accessors(&mut root, &mut views, source.is_library, &source.primitives))
+        .collect();
+    for (scene_mesh, &source) in scene.meshes.iter().zip(&source_of_mesh) {
+        root.meshes.push(mesh(scene_mesh, &accessors[source]));
+    }
+    add_images(&mut root, &mut views, &images);
+    let level = add_node(&mut root.nodes, &scene.root);
+    let level_scene = JsonScene { extensions: None, extras: None, name: None, nodes: vec![level] };
+    root.scene = Some(root.push(level_scene));
+    root.extensions_used = extensions_used(&root);
+    Document { root, packer }
+}
+
+fn asset() -> Asset {
+    Asset { generator: Some(GENERATOR.to_owned()), ..Asset::default() }
+}
+
+/// Packs each model once and says which source each mesh shows.
+fn pack<'l>(
+    scene: &Scene,
+    library: Option<LibraryReference<'l>>,
+    packer: &mut Packer,
+) -> (Vec<Source<'l>>, Vec<usize>) {
+    let mut sources: Vec<Source<'l>> = Vec::new();
+    let mut known: BTreeMap<*const Model, usize> = BTreeMap::new();
+    let mut source_of_mesh = Vec::with_capacity(scene.meshes.len());
+    for mesh in &scene.meshes {
+        let source = *known.entry(Arc::as_ptr(&mesh.model)).or_insert_with(|| {
+            let shared = mesh.key.as_ref().zip(library).and_then(|(key, to)| to.library.models.get(key));
+            sources.push(match shared {
+                Some(primitives) => Source { is_library: true, primitives: Cow::Borrowed(primitives) },
+                None => Source { is_library: false, primitives: Cow::Owned(packer.model(&mesh.model)) },
+            });
+            sources.len() - 1
+        });
+        source_of_mesh.push(source);
+    }
+    (sources, source_of_mesh)
+}
+
+fn add_images(root: &mut Root, views: &mut Views, images: &Images) {
+    for (index, (source, packed)) in images.all().enumerate() {
+        let buffer_view = views.image(root, packed);
+        root.images.push(Image {
+            buffer_view: Some(buffer_view),
+            mime_type: Some(image::MimeType(source.mime_type.clone())),
+            name: None,
+            uri: None,
+            extensions: None,
+            extras: None,
+        });
+        root.textures.push(Texture {
+            name: None,
+            sampler: None,
+            source: Index::new(u32::try_from(index).expect("a level has few images")),
+            extensions: None,
+            extras: None,
+        });
+    }
+}
+
+/// Adds a node and all below it, parents first.
+fn add_node(nodes: &mut Vec<Node>, source: &crate::scene::Node) -> Index<Node> {
+    let extras = source.extras.as_ref().map(|extras| {
+        serde_json::value::to_raw_value(extras).expect("extras are plain data with string keys")
+    });
+    let is_moved = source.translation != glam::Vec3::ZERO;
+    let is_turned = source.rotation != glam::Quat::IDENTITY;
+    let index = Index::push(
+        nodes,
+        Node {
+            name: Some(source.name.clone()),
+            translation: is_moved.then(|| source.translation.to_array()),
+            rotation: is_turned.then(|| UnitQuaternion(source.rotation.to_array())),
+            mesh: source.mesh.map(|mesh| Index::new(mesh as u32)),
+            extras,
+            ..Node::default()
+        },
+    );
+    let children: Vec<Index<Node>> = source.children.iter().map(|child| add_node(nodes, child)).collect();
+    if !children.is_empty() {
+        nodes[index.value()].children = Some(children);
+    }
+    index
+}
+
+fn extensions_used(root: &Root) -> Vec<String> {
+    let is_used = |material: &gltf_json::Material| {
+        material.extensions.as_ref().is_some_and(|extensions| extensions.transmission.is_some())
+    };
+    if root.materials.iter().any(is_used) { vec![TRANSMISSION.to_owned()] } else { Vec::new() }
+}

@@ -1,0 +1,104 @@
+//! Materials, textures and images.
+
+use std::sync::Arc;
+
+use gltf_json::material as json;
+use gltf_json::validation::Checked;
+use gltf_json::{Index, extensions, texture};
+
+use super::pack::{Packed, Packer};
+use crate::catalog::Material;
+use crate::model::{Image, OwnMaterial, TextureUse};
+use crate::scene::SceneMaterial;
+
+/// The one extension in use: glass lets light through.
+pub(crate) const TRANSMISSION: &str = "KHR_materials_transmission";
+
+/// Images of a document, each once; texture `i` is image `i`.
+#[derive(Debug, Default)]
+pub(crate) struct Images {
+    known: Vec<(Arc<Image>, Packed)>,
+}
+
+impl Images {
+    /// Images in the order of first use, with their places in the buffer.
+    pub(crate) fn all(&self) -> impl ExactSizeIterator<Item = (&Image, &Packed)> {
+        self.known.iter().map(|(image, packed)| (&**image, packed))
+    }
+
+    fn texture(&mut self, image: &Arc<Image>, packer: &mut Packer) -> Index<texture::Texture> {
+        let known = self.known.iter().position(|(other, _)| Arc::ptr_eq(image, other) || image == other);
+        let index = known.unwrap_or_else(|| {
+            self.known.push((Arc::clone(image), packer.image(&image.bytes)));
+            self.known.len() - 1
+        });
+        Index::new(u32::try_from(index).expect("a level has few images"))
+    }
+}
+
+/// A material of the scene.
+pub(crate) fn material(source: &SceneMaterial, images: &mut Images, packer: &mut Packer) -> json::Material {
+    match source {
+        SceneMaterial::Slot { name, material } => plain(name, material),
+        SceneMaterial::Own(own) => textured(own, images, packer),
+    }
+}
+
+fn plain(name: &str, source: &Material) -> json::Material {
+    let transmission = (source.transmission > 0.0).then(|| extensions::material::Material {
+        transmission: Some(extensions::material::Transmission {
+            transmission_factor: extensions::material::TransmissionFactor(source.transmission),
+            ..Default::default()
+        }),
+    });
+    // A whole opacity is needed where light passes by transmission: both together would count twice.
+    let is_blended = source.base_color[3] < 1.0;
+    json::Material {
+        name: Some(name.to_owned()),
+        alpha_mode: Checked::Valid(if is_blended { json::AlphaMode::Blend } else { json::AlphaMode::Opaque }),
+        pbr_metallic_roughness: json::PbrMetallicRoughness {
+            base_color_factor: json::PbrBaseColorFactor(source.base_color),
+            metallic_factor: json::StrengthFactor(source.metallic),
+            roughness_factor: json::StrengthFactor(source.roughness),
+            ..Default::default()
+        },
+        emissive_factor: json::EmissiveFactor(source.emissive),
+        extensions: transmission,
+        ..Default::default()
+    }
+}
+
+fn textured(own: &OwnMaterial, images: &mut Images, packer: &mut Packer) -> json::Material {
+    let mut material = plain(&own.name, &own.material);
+    material.double_sided = own.is_double_sided;
+    if let Some(cutoff) = own.alpha_cutoff {
+        material.alpha_mode = Checked::Valid(json::AlphaMode::Mask);
+        material.alpha_cutoff = Some(json::AlphaCutoff(cutoff));
+    }
+    for (purpose, image) in &own.textures {
+        set_texture(&mut material, *purpose, images.texture(image, packer));
+    }
+    material
+}
+
+fn set_texture(material: &mut json::Material, purpose: TextureUse, index: Index<texture::Texture>) {
+    let (tex_coord, extensions, extras) = (0, None, None);
+    let info = texture::Info { index, tex_coord, extensions: None, extras: None };
+    match purpose {
+        TextureUse::BaseColor => material.pbr_metallic_roughness.base_color_texture = Some(info),
+        TextureUse::MetallicRoughness => {
+            material.pbr_metallic_roughness.metallic_roughness_texture = Some(info);
+        }
+        TextureUse::Emissive => material.emissive_texture = Some(info),
+        TextureUse::Normal => {
+            let scale = 1.0;
+            material.normal_texture =
+                Some(json::NormalTexture { index, scale, tex_coord, extensions, extras });
+        }
+        TextureUse::Occlusion => {
+            let (strength, extensions) = (json::StrengthFactor(1.0), None);
+            let texture = json::OcclusionTexture { index, strength, tex_coord, extensions, extras };
+            material.occlusion_texture = Some(texture);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Meshes and their accessors.
+
+use std::collections::BTreeMap;
+
+use gltf_json::accessor::{Accessor, ComponentType, GenericComponentType, Type};
+use gltf_json::mesh::{Mesh, Mode, Primitive, Semantic};
+use gltf_json::validation::{Checked, USize64};
+use gltf_json::{Index, Root, Value};
+
+use super::pack::{Packed, PackedPrimitive, Section};
+use super::view::Views;
+use crate::scene::SceneMesh;
+
+/// The accessors of a primitive.
+pub(crate) struct PrimitiveAccessors {
+    attributes: BTreeMap<Checked<Semantic>, Index<Accessor>>,
+    indices: Index<Accessor>,
+}
+
+/// Describes packed primitives.
+pub(crate) fn accessors(
+    root: &mut Root,
+    views: &mut Views<'_>,
+    is_library: bool,
+    primitives: &[PackedPrimitive],
+) -> Vec<PrimitiveAccessors> {
+    let mut add = |packed: &Packed| {
+        let view = views.section(root, is_library, packed.section);
+        root.push(accessor(packed, view))
+    };
+    let accessors = primitives.iter().map(|primitive| {
+        let mut attributes = BTreeMap::from([
+            (Checked::Valid(Semantic::Positions), add(&primitive.positions)),
+            (Checked::Valid(Semantic::Normals), add(&primitive.normals)),
+        ]);
+        if let Some(coordinates) = &primitive.coordinates {
+            attributes.insert(Checked::Valid(Semantic::TexCoords(0)), add(coordinates));
+        }
+        PrimitiveAccessors { attributes, indices: add(&primitive.indices) }
+    });
+    accessors.collect()
+}
+
+/// A mesh over accessors that other meshes may use too.
+pub(crate) fn mesh(source: &SceneMesh, accessors: &[PrimitiveAccessors]) -> Mesh {
+    let primitive = |(accessors, &material): (&PrimitiveAccessors, &usize)| Primitive {
+        attributes: accessors.attributes.clone(),
+        indices: Some(accessors.indices),
+        material: Some(Index::new(u32::try_from(material).expect("a level has few materials"))),
+        mode: Checked::Valid(Mode::Triangles),
+        targets: None,
+        extensions: None,
+        extras: None,
+    };
+    Mesh {
+        name: Some(source.name.clone()),
+        primitives: accessors.iter().zip(&source.materials).map(primitive).collect(),
+        weights: None,
+        extensions: None,
+        extras: None,
+    }
+}
+
+fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
+    let (component, kind) = match packed.section {
+        Section::Vectors => (ComponentType::F32, Type::Vec3),
+        Section::Coordinates => (ComponentType::F32, Type::Vec2),
+        Section::ShortIndices => (ComponentType::U16, Type::Scalar),
+        Section::LongIndices | Section::Images => (ComponentType::U32, Type::Scalar),
+    };
+    let value = |[x, y, z]: [f32; 3]| Value::from(vec![x, y, z]);
+    Accessor {
+        buffer_view: Some(view),
+        byte_offset: (packed.offset > 0).then(|| USize64::from(packed.offset)),
+        count: USize64::from(packed.count),
+        component_type: Checked::Valid(GenericComponentType(component)),
+        type_: Checked::Valid(kind),
+        min: packed.bounds.map(|(low, _)| value(low)),
+        max: packed.bounds.map(|(_, high)| value(high)),
+        name: None,
+        normalized: false,
+        sparse: None,
+        extensions: None,
+        extras: None,
+    }
+}

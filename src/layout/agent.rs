@@ -1,0 +1,105 @@
+//! Agents: pieces of furniture that arrange themselves (section 3.2).
+
+use crate::catalog::{Side, Size};
+use crate::geometry::Point;
+
+use super::body::Pose;
+use super::furnished::RemovalReason;
+use super::programme::Piece;
+
+/// Index into [`super::environment::Environment::agents`].
+pub(crate) type AgentIndex = usize;
+
+/// One piece of furniture.
+#[derive(Clone, Debug)]
+pub(crate) struct Agent {
+    /// What the programme asked for.
+    pub(crate) piece: Piece,
+    /// Size of its variant.
+    pub(crate) size: Size,
+    /// What it is doing.
+    pub(crate) state: State,
+    /// Children on each of its sides, by [`Side::index`].
+    pub(crate) taken: [u32; 6],
+    /// Metres that they occupy along each side.
+    pub(crate) occupied: [f64; 6],
+    /// The agents that stand on or belong to it.
+    pub(crate) children: Vec<AgentIndex>,
+    /// Its solid parts, as a range of [`super::environment::Environment::bodies`].
+    pub(crate) bodies: std::ops::Range<usize>,
+    /// Its clearances, as a range of [`super::environment::Environment::clearances`].
+    pub(crate) clearances: std::ops::Range<usize>,
+    /// How often it has searched, for the random stream.
+    pub(crate) searches: u32,
+}
+
+/// The states of figure 3, and what is left of an agent without a parent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum State {
+    /// Looks for a parent. (Arranging happens within one step: a candidate is tried as soon as it is found.)
+    Search,
+    /// Stands where it is.
+    Rest(Rest),
+    /// Found no parent.
+    Removed(RemovalReason),
+}
+
+/// Where a resting agent is, and by whom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rest {
+    /// Where it stands.
+    pub(crate) pose: Pose,
+    /// What it stands on or belongs to.
+    pub(crate) parent: ParentPart,
+    /// The parent's side that it touches.
+    pub(crate) side: Side,
+    /// Metres that it takes along that side.
+    pub(crate) extent: f64,
+}
+
+/// A resting agent or a part of the room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ParentPart {
+    /// The floor.
+    Floor,
+    /// The ceiling.
+    Ceiling,
+    /// A wall by index into the room's walls.
+    Wall(usize),
+    /// An opening by index into the room's openings.
+    Opening(usize),
+    /// A column by index into the room's obstacles.
+    Column(usize),
+    /// A resting agent.
+    Agent(AgentIndex),
+}
+
+impl Agent {
+    /// A searching agent for a piece.
+    pub(crate) fn new(piece: Piece, size: Size) -> Self {
+        Self {
+            piece,
+            size,
+            state: State::Search,
+            taken: [0; 6],
+            occupied: [0.0; 6],
+            children: Vec::new(),
+            bodies: 0..0,
+            clearances: 0..0,
+            searches: 0,
+        }
+    }
+
+    /// Where it rests, if it does.
+    pub(crate) fn rest(&self) -> Option<&Rest> {
+        match &self.state {
+            State::Rest(rest) => Some(rest),
+            State::Search | State::Removed(_) => None,
+        }
+    }
+
+    /// Half of its extent along a direction of the plan, turned as in `right`.
+    pub(crate) fn half_extent(size: Size, right: Point, along: Point) -> f64 {
+        (size.width * right.dot(along).abs() + size.depth * right.perp().dot(along).abs()) / 2.0
+    }
+}

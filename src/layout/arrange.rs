@@ -1,0 +1,77 @@
+//! The loop of section 4: agents act according to their state until all rest or are removed.
+
+use super::agent::{AgentIndex, State};
+use super::constants::SEARCH_ROUNDS;
+use super::environment::{Environment, Place};
+use super::furnished::RemovalReason;
+use super::search::search;
+use super::seed::RoomKey;
+
+/// Lets all searching agents act until each rests or is removed.
+pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
+    let order = service_order(environment);
+    for _ in 0..SEARCH_ROUNDS {
+        let searching = |agent: &&AgentIndex| environment.agents[**agent].state == State::Search;
+        let round: Vec<AgentIndex> = order.iter().filter(searching).copied().collect();
+        if round.is_empty() {
+            return;
+        }
+        for agent in round {
+            act(environment, agent, key);
+        }
+    }
+}
+
+/// One agent's step: a found parent and a free place lead to rest, else it is removed.
+fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
+    let reason = match search_in_any_size(environment, agent, key) {
+        Ok(place) => return environment.settle(agent, &place),
+        Err(reason) => reason,
+    };
+    let has_lost_parent = environment.agents[agent].searches > 0;
+    let reason = if has_lost_parent { RemovalReason::LostParent } else { reason };
+    environment.agents[agent].state = State::Removed(reason);
+    environment.is_exhausted[environment.agents[agent].piece.class] = true;
+}
+
+/// Searches in the size that was drawn, then in the smaller sizes of the class, largest first: a narrow
+/// wardrobe is better than none.
+fn search_in_any_size(
+    environment: &mut Environment<'_>,
+    agent: AgentIndex,
+    key: &RoomKey,
+) -> Result<Place, RemovalReason> {
+    let drawn = search(environment, agent, key);
+    let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
+    if drawn.is_ok() || class.sizes.len() == 1 || environment.is_exhausted[piece.class] {
+        return drawn;
+    }
+    let area = |variant: u32| class.size(variant).width * class.size(variant).depth;
+    let look = piece.variant % class.looks;
+    let variants = (0..class.variant_count()).filter(|variant| variant % class.looks == look);
+    let mut smaller: Vec<u32> = variants.filter(|&variant| area(variant) < area(piece.variant)).collect();
+    smaller.sort_by(|&a, &b| area(b).total_cmp(&area(a)).then(a.cmp(&b)));
+    for variant in smaller {
+        environment.agents[agent].piece.variant = variant;
+        environment.agents[agent].size = class.size(variant);
+        let found = search(environment, agent, key);
+        if found.is_ok() {
+            return found;
+        }
+    }
+    drawn
+}
+
+/// "We prioritize agents according to their expected depth in the hierarchy, so that the arrangement of tables
+/// is attempted before chairs search for parents" (section 3.2). Within a depth: by priority, the pieces that
+/// only fill last, large before small, then as the programme lists them.
+fn service_order(environment: &Environment<'_>) -> Vec<AgentIndex> {
+    let mut order: Vec<AgentIndex> = (0..environment.agents.len()).collect();
+    let rank = |&agent: &AgentIndex| {
+        let (class, size) = (environment.class(agent), environment.agents[agent].size);
+        let square_millimetres = (size.width * size.depth * 1e6) as i64;
+        (class.depth, environment.agents[agent].piece.is_fill, -class.priority, -square_millimetres, agent)
+    };
+    order.sort_by_cached_key(rank);
+    order
+}

@@ -1,0 +1,54 @@
+//! The tuning constants of the layout, in one place.
+
+/// Metres that bodies may overlap before it counts as a collision: contact must pass, and the audit's limit
+/// is 1 mm. Larger lets bodies sink into each other, smaller makes touching bodies collide by rounding.
+pub(crate) const CONTACT_TOLERANCE: f64 = 5e-4;
+/// Metres by which a clearance may reach into a wall or another body: people do not measure centimetres.
+pub(crate) const CLEARANCE_TOLERANCE: f64 = 0.01;
+/// Candidates compared where an agent has wishes about other objects; more finds better places, slower.
+pub(crate) const CANDIDATES_WITH_RELATIONS: usize = 10;
+/// Candidates compared where only clearances and windows tell places apart.
+pub(crate) const CANDIDATES_WITH_CLEARANCES: usize = 4;
+/// Random positions tried on one side or surface before another parent is looked for (section 3.2: "a few
+/// trials").
+pub(crate) const TRIALS_PER_SIDE: usize = 8;
+/// Random positions tried on a floor or ceiling.
+pub(crate) const TRIALS_PER_FLOOR: usize = 40;
+/// Positions along one wall that are compared; its free stretches are known exactly, so few suffice.
+pub(crate) const TRIALS_PER_WALL: usize = 3;
+/// Metres between the points of the scan that follows when random positions on a floor fail.
+pub(crate) const SCAN_STEP: f64 = 0.2;
+/// Points of that scan at most; larger floors are scanned more coarsely.
+pub(crate) const SCAN_POINTS: f64 = 1500.0;
+/// Metres from the end of a free stretch of wall within which a piece slides flush to the end: nobody leaves a
+/// gap that a broom does not fit into.
+pub(crate) const SNAP_DISTANCE: f64 = 0.25;
+/// Depth in metres of the free space before a door, at most (a narrower door keeps its own width).
+pub(crate) const DOOR_APPROACH: f64 = 0.8;
+/// Depth in metres of the free space along an open boundary.
+pub(crate) const OPEN_BOUNDARY_APPROACH: f64 = 0.3;
+/// Metres left and right of a door or passage that stay free on the wall, for its frame.
+pub(crate) const FRAME_WIDTH: f64 = 0.06;
+/// Depth in metres of the strip before a window that tall pieces avoid.
+pub(crate) const WINDOW_STRIP: f64 = 0.5;
+/// Metres over the sill from which a piece counts as tall.
+pub(crate) const SILL_MARGIN: f64 = 0.1;
+/// Depth in metres up to which a wall-hung piece does not stand in the way of people.
+pub(crate) const THIN_DEPTH: f64 = 0.15;
+/// Underside in metres from which a piece counts as wall-hung.
+pub(crate) const HUNG_ELEVATION: f64 = 0.3;
+/// Metres over its parent from which a piece hangs and needs a wall, and how far that may be behind it.
+pub(crate) const HANGING_GAP: f64 = 0.008;
+/// Metres from the front edge of a surface at which things at the front lie.
+pub(crate) const FRONT_MARGIN: f64 = 0.04;
+/// Share of a score lost by standing before a window.
+pub(crate) const WINDOW_PENALTY: f64 = 2.0;
+/// Share of a score lost where a clearance is only at its minimum.
+pub(crate) const TIGHT_PENALTY: f64 = 0.3;
+/// Rounds in which agents that lost their parent may search again.
+pub(crate) const SEARCH_ROUNDS: usize = 4;
+/// Times that a room is furnished from derived seeds while a required piece is missing or many pieces are;
+/// rooms that come out well, nearly all, are furnished once.
+pub(crate) const ATTEMPTS: u32 = 4;
+/// Share of the requested pieces that may be missing before another attempt.
+pub(crate) const MISSING_SHARE: f64 = 0.1;

@@ -1,0 +1,403 @@
+//! The environment of the agents: who rests where, and whether a place is free.
+
+use std::cell::Cell;
+
+use crate::catalog::{Catalog, Class, ClassIndex, Shape, Side, Size};
+use crate::geometry::{Grid, Point, Solid, bounds_overlap};
+
+use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
+use super::body::{Pose, append_solids, box_solid, clearance_solid};
+use super::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, HANGING_GAP, HUNG_ELEVATION, THIN_DEPTH};
+use super::furnished::RemovalReason;
+use super::programme::Piece;
+use super::surroundings::Surroundings;
+
+/// Owner of what belongs to the room and not to an agent.
+const ROOM: AgentIndex = AgentIndex::MAX;
+
+/// The room with its agents.
+pub(crate) struct Environment<'a> {
+    /// The classes.
+    pub(crate) catalog: &'a Catalog,
+    /// The fixed part.
+    pub(crate) surroundings: Surroundings<'a>,
+    /// All agents, in the order of the programme.
+    pub(crate) agents: Vec<Agent>,
+    /// Resting agents by class (section 4: "lists according to their type").
+    pub(crate) resting: Vec<Vec<AgentIndex>>,
+    /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
+    pub(crate) is_exhausted: Vec<bool>,
+    borders: Vec<(Point, Point)>,
+    border_grid: Grid,
+    bodies: Vec<Body>,
+    body_grid: Grid,
+    clearances: Vec<Region>,
+    clearance_grid: Grid,
+    kept_free_grid: Grid,
+    /// Room for the parts of the shape under test: thousands of tests a room share one allocation.
+    scratch: Cell<Vec<Solid>>,
+}
+
+/// A solid part of an agent or column.
+#[derive(Clone, Copy, Debug)]
+struct Body {
+    solid: Solid,
+    owner: AgentIndex,
+    /// Hangs flat on a wall and is in nobody's way.
+    is_flat: bool,
+}
+
+/// A clearance of a resting agent.
+#[derive(Clone, Copy, Debug)]
+struct Region {
+    solid: Solid,
+    owner: AgentIndex,
+    allows_children: bool,
+}
+
+/// An agent's body where it would stand.
+struct Probe<'a> {
+    agent: AgentIndex,
+    place: &'a Place,
+    /// Its box.
+    whole: Solid,
+    /// Its true shape.
+    parts: &'a [Solid],
+}
+
+impl Probe<'_> {
+    fn meets(&self, solid: &Solid, tolerance: f64) -> bool {
+        bounds_overlap(solid.bounds, self.whole.bounds, tolerance)
+            && self.parts.iter().any(|part| part.overlaps(solid, tolerance))
+    }
+}
+
+/// A place that an agent considers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    /// Where it would stand.
+    pub(crate) pose: Pose,
+    /// On or beside what.
+    pub(crate) parent: ParentPart,
+    /// On which side of it.
+    pub(crate) side: Side,
+}
+
+impl<'a> Environment<'a> {
+    /// An environment without resting agents.
+    pub(crate) fn new(catalog: &'a Catalog, surroundings: Surroundings<'a>, pieces: &[Piece]) -> Self {
+        let region = &surroundings.room.region;
+        let (low, high) = region.outline.bounds();
+        let borders: Vec<(Point, Point)> = region.borders().collect();
+        let mut border_grid = Grid::new(low, high);
+        for (index, &(start, end)) in borders.iter().enumerate() {
+            border_grid.insert(item(index), (start.min(end), start.max(end)));
+        }
+        let mut kept_free_grid = Grid::new(low, high);
+        for (index, solid) in surroundings.kept_free.iter().enumerate() {
+            kept_free_grid.insert(item(index), solid.bounds);
+        }
+        let agent = |piece: &Piece| Agent::new(*piece, catalog.classes[piece.class].size(piece.variant));
+        let mut environment = Self {
+            catalog,
+            agents: pieces.iter().map(agent).collect(),
+            resting: vec![Vec::new(); catalog.classes.len()],
+            is_exhausted: vec![false; catalog.classes.len()],
+            borders,
+            border_grid,
+            bodies: Vec::with_capacity(pieces.len() * 2),
+            body_grid: Grid::new(low, high),
+            clearances: Vec::new(),
+            clearance_grid: Grid::new(low, high),
+            kept_free_grid,
+            scratch: Cell::default(),
+            surroundings,
+        };
+        for solid in environment.surroundings.columns.clone() {
+            environment.push_body(Body { solid, owner: ROOM, is_flat: false });
+        }
+        environment
+    }
+
+    /// The class of an agent.
+    pub(crate) fn class(&self, agent: AgentIndex) -> &'a Class {
+        &self.catalog.classes[self.agents[agent].piece.class]
+    }
+
+    /// Resting agents of some classes, in the order of those classes, then of coming to rest.
+    pub(crate) fn resting_of<'b>(
+        &'b self,
+        classes: &'b [ClassIndex],
+    ) -> impl Iterator<Item = AgentIndex> + 'b {
+        classes.iter().flat_map(|&class| self.resting[class].iter().copied())
+    }
+
+    /// Why an agent cannot stand at a place, or `None` if it can. Cheap questions first.
+    pub(crate) fn obstruction(&self, agent: AgentIndex, place: &Place) -> Option<RemovalReason> {
+        let (class, size) = (self.class(agent), self.agents[agent].size);
+        let whole = box_solid(size, &place.pose);
+        let height = self.surroundings.room.height;
+        if whole.low < -CONTACT_TOLERANCE || whole.high > height + CONTACT_TOLERANCE {
+            return Some(RemovalReason::Outside);
+        }
+        if self.hangs_in_the_air(agent, place) {
+            return Some(RemovalReason::Outside);
+        }
+        if class.shape == Shape::Box {
+            return self.shape_obstruction(agent, place, whole, std::slice::from_ref(&whole));
+        }
+        let mut parts = self.scratch.take();
+        parts.clear();
+        append_solids(&mut parts, &class.shape, size, &place.pose);
+        let reason = self.shape_obstruction(agent, place, whole, &parts);
+        self.scratch.set(parts);
+        reason
+    }
+
+    /// Whether something that hangs over or beside its parent (a mirror over a basin, a cupboard over a worktop)
+    /// has no wall behind it: its back must lie on one wall, clear of that wall's openings.
+    fn hangs_in_the_air(&self, agent: AgentIndex, place: &Place) -> bool {
+        let ParentPart::Agent(parent) = place.parent else { return false };
+        let Some(rest) = self.agents[parent].rest() else { return true };
+        let (holder, size) = (&self.agents[parent], self.agents[agent].size);
+        let carried_from = match place.side {
+            Side::Below => return false,
+            Side::Above => self.class(parent).offer(Side::Above).surface.unwrap_or(holder.size.height),
+            Side::Front | Side::Back | Side::Left | Side::Right => 0.0,
+        };
+        if place.pose.elevation <= rest.pose.elevation + carried_from + HANGING_GAP {
+            return false;
+        }
+        let back = place.pose.place(Point::new(0.0, size.depth / 2.0));
+        let room = self.surroundings.room;
+        !room.walls.iter().enumerate().any(|(index, wall)| {
+            let at = (back - wall.start).dot(wall.direction());
+            let (from, to) = (at - size.width / 2.0, at + size.width / 2.0);
+            let is_behind = (back - wall.start).dot(wall.normal()).abs() <= HANGING_GAP
+                && wall.normal().dot(place.pose.front()) > 1.0 - HANGING_GAP
+                && from >= -HANGING_GAP
+                && to <= wall.length() + HANGING_GAP;
+            is_behind
+                && !room.openings.iter().filter(|side| side.wall == index).any(|side| {
+                    let opening = &self.surroundings.level.openings[side.opening];
+                    from < side.to
+                        && to > side.from
+                        && place.pose.elevation < opening.top
+                        && place.pose.elevation + size.height > opening.bottom
+                })
+        })
+    }
+
+    fn shape_obstruction(
+        &self,
+        agent: AgentIndex,
+        place: &Place,
+        whole: Solid,
+        parts: &[Solid],
+    ) -> Option<RemovalReason> {
+        let probe = Probe { agent, place, whole, parts };
+        if !self.is_inside(&whole) && !parts.iter().all(|part| self.is_inside(part)) {
+            Some(RemovalReason::Outside)
+        } else if self.has_collision(&probe) {
+            Some(RemovalReason::Collision)
+        } else if self.blocks_a_way(&probe) || !self.has_clearances(agent, place, false) {
+            Some(RemovalReason::Clearance)
+        } else {
+            None
+        }
+    }
+
+    /// Whether a solid lies inside the outline and outside the holes.
+    pub(crate) fn is_inside(&self, solid: &Solid) -> bool {
+        self.is_free_of_walls(solid, CONTACT_TOLERANCE)
+            && self.surroundings.room.region.contains(solid.base.center())
+    }
+
+    fn is_free_of_walls(&self, solid: &Solid, tolerance: f64) -> bool {
+        !self.border_grid.any(solid.bounds, |index| {
+            let (start, end) = self.borders[index as usize];
+            bounds_overlap((start.min(end), start.max(end)), solid.bounds, -tolerance)
+                && solid.base.is_entered_by(start, end, tolerance)
+        })
+    }
+
+    /// The paper leaves the parent out of the test; here its true shape takes part, because a chair that slides
+    /// under a table may touch the top's shadow but not a leg. Contact alone never counts.
+    fn has_collision(&self, probe: &Probe<'_>) -> bool {
+        self.body_grid.any(probe.whole.bounds, |index| {
+            let body = &self.bodies[index as usize];
+            body.owner != probe.agent && probe.meets(&body.solid, CONTACT_TOLERANCE)
+        })
+    }
+
+    /// Whether a body would stand in a door's way or in another object's clearance.
+    fn blocks_a_way(&self, probe: &Probe<'_>) -> bool {
+        let bounds = probe.whole.bounds;
+        let kept_free = &self.surroundings.kept_free;
+        let is_in_a_door = |index: u32| probe.meets(&kept_free[index as usize], CONTACT_TOLERANCE);
+        let is_in_a_clearance = |index: u32| {
+            let region = &self.clearances[index as usize];
+            region.owner != probe.agent
+                && probe.meets(&region.solid, CLEARANCE_TOLERANCE)
+                && !(region.allows_children && self.descends(probe.place.parent, region.owner))
+        };
+        let is_flat = is_flat(self.agents[probe.agent].size, probe.place);
+        self.kept_free_grid.any(bounds, is_in_a_door)
+            || (!is_flat && self.clearance_grid.any(bounds, is_in_a_clearance))
+    }
+
+    /// Whether a parent is an agent or one of its descendants.
+    fn descends(&self, parent: ParentPart, ancestor: AgentIndex) -> bool {
+        let mut parent = parent;
+        while let ParentPart::Agent(index) = parent {
+            if index == ancestor {
+                return true;
+            }
+            match self.agents[index].rest() {
+                Some(rest) => parent = rest.parent,
+                None => return false,
+            }
+        }
+        false
+    }
+
+    /// Whether all clearances of an agent are free at a place: inside the room, and of bodies other than its
+    /// relatives and what hangs flat on a wall.
+    pub(crate) fn has_clearances(&self, agent: AgentIndex, place: &Place, is_good: bool) -> bool {
+        let (class, size) = (self.class(agent), self.agents[agent].size);
+        class.clearances.iter().all(|clearance| {
+            let depth = if is_good { clearance.good } else { clearance.minimum };
+            let solid = clearance_solid(clearance, size, &place.pose, depth);
+            self.is_free_of_walls(&solid, CLEARANCE_TOLERANCE)
+                && self.surroundings.room.region.contains(solid.base.center())
+                && !self.body_grid.any(solid.bounds, |index| {
+                    let body = &self.bodies[index as usize];
+                    !body.is_flat
+                        && body.owner != agent
+                        && body.solid.overlaps(&solid, CLEARANCE_TOLERANCE)
+                        && !self.is_relative(agent, place.parent, body.owner)
+                })
+        })
+    }
+
+    /// Whether an owner is an ancestor or a descendant of an agent that would have this parent.
+    fn is_relative(&self, agent: AgentIndex, parent: ParentPart, owner: AgentIndex) -> bool {
+        owner != ROOM
+            && (self.descends(parent, owner)
+                || self.agents[owner].rest().is_some_and(|rest| self.descends(rest.parent, agent)))
+    }
+
+    /// Calls `visit` with every body that meets a region, relatives of nobody excepted.
+    pub(crate) fn each_obstacle(&self, region: &Solid, mut visit: impl FnMut(&Solid, bool)) {
+        self.body_grid.each(region.bounds, |index| {
+            let body = &self.bodies[index as usize];
+            if body.solid.overlaps(region, CONTACT_TOLERANCE) {
+                visit(&body.solid, body.is_flat);
+            }
+        });
+    }
+
+    /// Calls `visit` with every door's way and clearance that meets a region.
+    pub(crate) fn each_kept_free(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
+        self.kept_free_grid.each(region.bounds, |index| {
+            let solid = &self.surroundings.kept_free[index as usize];
+            if solid.overlaps(region, CONTACT_TOLERANCE) {
+                visit(solid);
+            }
+        });
+        self.clearance_grid.each(region.bounds, |index| {
+            let solid = &self.clearances[index as usize].solid;
+            if solid.overlaps(region, CLEARANCE_TOLERANCE) {
+                visit(solid);
+            }
+        });
+    }
+
+    /// Calls `visit` with every border of the room near a region.
+    pub(crate) fn each_border(&self, region: &Solid, mut visit: impl FnMut(usize, Point, Point)) {
+        self.border_grid.each(region.bounds, |index| {
+            let (start, end) = self.borders[index as usize];
+            visit(index as usize, start, end);
+        });
+    }
+
+    /// Lets an agent rest at a place.
+    pub(crate) fn settle(&mut self, agent: AgentIndex, place: &Place) {
+        let extent = self.extent_along(agent, place);
+        self.agents[agent].state =
+            State::Rest(Rest { pose: place.pose, parent: place.parent, side: place.side, extent });
+        if let ParentPart::Agent(parent) = place.parent {
+            let parent = &mut self.agents[parent];
+            parent.taken[place.side.index()] += 1;
+            parent.occupied[place.side.index()] += extent;
+            parent.children.push(agent);
+        }
+        self.resting[self.agents[agent].piece.class].push(agent);
+        self.add_shapes(agent, place);
+    }
+
+    /// Takes a resting agent out of the room; its children keep their state and must be seen to by the caller.
+    pub(crate) fn unsettle(&mut self, agent: AgentIndex) {
+        let Some(rest) = self.agents[agent].rest().copied() else { return };
+        if let ParentPart::Agent(parent) = rest.parent {
+            let parent = &mut self.agents[parent];
+            parent.taken[rest.side.index()] -= 1;
+            parent.occupied[rest.side.index()] -= rest.extent;
+            parent.children.retain(|&child| child != agent);
+        }
+        self.resting[self.agents[agent].piece.class].retain(|&other| other != agent);
+        for index in self.agents[agent].bodies.clone() {
+            self.body_grid.remove(item(index), self.bodies[index].solid.bounds);
+        }
+        for index in self.agents[agent].clearances.clone() {
+            self.clearance_grid.remove(item(index), self.clearances[index].solid.bounds);
+        }
+        self.agents[agent].state = State::Search;
+    }
+
+    fn add_shapes(&mut self, agent: AgentIndex, place: &Place) {
+        let (class, size) = (self.class(agent), self.agents[agent].size);
+        let mut parts = Vec::new();
+        append_solids(&mut parts, &class.shape, size, &place.pose);
+        let is_flat = is_flat(size, place);
+        let first = self.bodies.len();
+        for solid in parts {
+            self.push_body(Body { solid, owner: agent, is_flat });
+        }
+        let first_clearance = self.clearances.len();
+        for clearance in &class.clearances {
+            let solid = clearance_solid(clearance, size, &place.pose, clearance.minimum);
+            self.clearance_grid.insert(item(self.clearances.len()), solid.bounds);
+            self.clearances.push(Region { solid, owner: agent, allows_children: clearance.allows_children });
+        }
+        self.agents[agent].bodies = first..self.bodies.len();
+        self.agents[agent].clearances = first_clearance..self.clearances.len();
+    }
+
+    fn push_body(&mut self, body: Body) {
+        self.body_grid.insert(item(self.bodies.len()), body.solid.bounds);
+        self.bodies.push(body);
+    }
+
+    /// Metres that an agent takes along the side of its parent.
+    pub(crate) fn extent_along(&self, agent: AgentIndex, place: &Place) -> f64 {
+        let ParentPart::Agent(parent) = place.parent else { return 0.0 };
+        let Some(rest) = self.agents[parent].rest() else { return 0.0 };
+        let along = match place.side {
+            Side::Left | Side::Right => rest.pose.right.perp(),
+            Side::Front | Side::Back | Side::Above | Side::Below => rest.pose.right,
+        };
+        2.0 * Agent::half_extent(self.agents[agent].size, place.pose.right, along)
+    }
+}
+
+/// Whether something hangs flat on a wall or opening, where nobody walks into it.
+fn is_flat(size: Size, place: &Place) -> bool {
+    matches!(place.parent, ParentPart::Wall(_) | ParentPart::Opening(_))
+        && size.depth <= THIN_DEPTH
+        && place.pose.elevation >= HUNG_ELEVATION
+}
+
+fn item(index: usize) -> u32 {
+    u32::try_from(index).expect("a room holds fewer than 2^32 shapes")
+}

@@ -1,0 +1,107 @@
+//! The result of furnishing a room.
+
+use crate::catalog::{ClassIndex, Side, Size};
+use crate::geometry::Point;
+
+/// A furnished room.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Furnished {
+    /// Index of the room in its level.
+    pub room: usize,
+    /// The seed that repeats it: first eight bytes of the room's key.
+    pub seed: u64,
+    /// Id of the style that was used.
+    pub style: String,
+    /// How many pieces the programme asked for.
+    pub requested: u32,
+    /// What rests, parents before children.
+    pub placements: Vec<Placement>,
+    /// What was asked for and is not there, in the order of removal.
+    pub removals: Vec<Removal>,
+}
+
+/// One object at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placement {
+    /// Index into the catalogue's classes.
+    pub class: ClassIndex,
+    /// Counts the objects of a class in a room from 1; the id is `<class>.<number>`.
+    pub number: u32,
+    /// What it stands on or belongs to.
+    pub parent: Parent,
+    /// The parent's side that it touches.
+    pub side: Side,
+    /// Middle of its underside in the level's plan frame.
+    pub position: Point,
+    /// Metres of its underside above the room's floor.
+    pub elevation: f64,
+    /// Radians counter-clockwise; at zero the front faces −y (south).
+    pub angle: f64,
+    /// Which of the class's variants.
+    pub variant: u32,
+    /// Its size, that of the variant.
+    pub size: Size,
+}
+
+/// A parent in the hierarchy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parent {
+    /// The floor.
+    Floor,
+    /// The ceiling.
+    Ceiling,
+    /// A wall by index.
+    Wall(usize),
+    /// An opening by index into the level's openings.
+    Opening(usize),
+    /// A column by index into the room's obstacles.
+    Column(usize),
+    /// Another object by index into [`Furnished::placements`]; always an earlier one.
+    Object(usize),
+}
+
+/// A piece that was asked for and does not rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Removal {
+    /// Index into the catalogue's classes.
+    pub class: ClassIndex,
+    /// Why.
+    pub reason: RemovalReason,
+    /// Whether the programme calls it required.
+    pub is_required: bool,
+}
+
+/// Why a piece is missing; the texts are part of the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RemovalReason {
+    /// The room has nothing that the class could stand on.
+    NoParent,
+    /// All possible parents' sides are taken or too short.
+    NoPlace,
+    /// Every position tried collides with another body.
+    Collision,
+    /// Every position tried leaves the room or hangs over its support.
+    Outside,
+    /// Every position tried stands in a door's way or takes another object's clearance.
+    Clearance,
+    /// Its parent was lost and no other was found.
+    LostParent,
+    /// Taken away again by the repair pass.
+    Repair,
+}
+
+impl RemovalReason {
+    /// The word in the output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoParent => "no parent",
+            Self::NoPlace => "no place",
+            Self::Collision => "collision",
+            Self::Outside => "outside",
+            Self::Clearance => "clearance",
+            Self::LostParent => "lost parent",
+            Self::Repair => "repair",
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! A room, the catalogue and a seed to a [`Furnished`] room: the agent system.
+//!
+//! T. Germer, M. Schwarz, "Procedural Arrangement of Furniture for Real-Time Walkthroughs", Computer
+//! Graphics Forum, 2009, section 3. Pure: no files, no threads, no clock. Departures from the paper:
+//! - the parent's true shape takes part in the collision test (`environment`), so that a chair slides under a
+//!   table without meeting a leg;
+//! - along walls, positions are drawn from the stretches that are really free (`rules`);
+//! - clearances, door swings and approaches are regions that bodies keep out of;
+//! - a room that lacks a required piece, or many, is furnished again from a derived seed, a few times at most;
+//! - an agent with wishes about other objects compares a few free places instead of taking the first.
+
+mod agent;
+mod arrange;
+mod body;
+mod constants;
+mod environment;
+mod furnished;
+mod movement;
+mod programme;
+mod result;
+mod rules;
+mod search;
+mod seed;
+mod surroundings;
+#[cfg(test)]
+mod tests;
+mod untidy;
+
+pub use body::{clearance_solids, solids};
+pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
+
+use crate::catalog::{Catalog, DEFAULT_STYLE, Style, Untidiness};
+use crate::plan::{Level, OpeningKind, Room};
+
+use constants::{ATTEMPTS, MISSING_SHARE};
+use environment::Environment;
+use programme::Site;
+use seed::RoomKey;
+use surroundings::Surroundings;
+
+/// What furnishing a room depends on besides plan and catalogue.
+#[derive(Clone, Copy, Debug)]
+pub struct FurnishOptions<'a> {
+    /// The seed of the whole run.
+    pub seed: u64,
+    /// Id of the building, part of the room's seed.
+    pub building: &'a str,
+    /// Style for rooms whose plan names none, where it suits their type; else [`DEFAULT_STYLE`].
+    pub style: Option<&'a str>,
+}
+
+/// Furnishes one room of a level.
+///
+/// `room` is an index into `level.rooms`. The answer depends on the arguments only. Rooms whose type is not
+/// furnished come back empty.
+#[must_use]
+pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishOptions<'_>) -> Furnished {
+    let plan = &level.rooms[room];
+    let key = RoomKey::new(options.seed, options.building, level, plan);
+    let style = style(plan, catalog, options);
+    let room_type = catalog.room_types.get(&plan.room_type).filter(|room_type| room_type.is_furnished);
+    let (Some(style), Some(room_type)) = (style, room_type) else {
+        return result::empty(room, key.seed(), style);
+    };
+
+    // The programme is drawn once: another attempt must not ask for other pieces.
+    let pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
+    let surroundings = Surroundings::new(level, plan);
+    let attempt = |number: u32| {
+        let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);
+        act_all(&mut environment, &style.untidiness, &key.attempt(number));
+        result::furnished(&environment, room, key.seed(), style)
+    };
+    let mut best = attempt(0);
+    for number in 1..ATTEMPTS {
+        if !is_lacking(&best) {
+            break;
+        }
+        let next = attempt(number);
+        if lack(&next) < lack(&best) {
+            best = next;
+        }
+    }
+    best
+}
+
+/// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness.
+fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) {
+    arrange::arrange(environment, key);
+    if untidy::make_untidy(environment, untidiness, key) {
+        arrange::arrange(environment, key);
+    }
+}
+
+/// Required pieces that are missing, then all that are: what attempts are compared by.
+fn lack(furnished: &Furnished) -> (usize, usize) {
+    (furnished.removals.iter().filter(|removal| removal.is_required).count(), furnished.removals.len())
+}
+
+/// Whether another attempt is worth its time.
+fn is_lacking(furnished: &Furnished) -> bool {
+    let (required, all) = lack(furnished);
+    required > 0 || all as f64 > MISSING_SHARE * f64::from(furnished.requested)
+}
+
+/// The style of a room: its own, else the run's if that is made for such rooms, else the default.
+fn style<'a>(room: &Room, catalog: &'a Catalog, options: &FurnishOptions<'_>) -> Option<&'a Style> {
+    let own = room.style.as_ref().and_then(|id| catalog.styles.get(id));
+    let of_run = options.style.and_then(|id| catalog.styles.get(id));
+    let suits = |style: &&Style| style.room_types.is_empty() || style.room_types.contains(&room.room_type);
+    own.or(of_run.filter(suits)).or_else(|| catalog.styles.get(DEFAULT_STYLE))
+}
+
+fn site(level: &Level, room: &Room) -> Site {
+    let is_window =
+        |side: &crate::plan::RoomOpening| level.openings[side.opening].kind == OpeningKind::Window;
+    Site { area: room.region.area(), has_window: room.openings.iter().any(is_window) }
+}

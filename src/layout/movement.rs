@@ -1,0 +1,82 @@
+//! Moving what rests: children follow, and those that collide lose their parent (section 3.2, "rest").
+
+use crate::geometry::Point;
+
+use super::agent::{AgentIndex, ParentPart, Rest, State};
+use super::body::Pose;
+use super::environment::{Environment, Place};
+
+/// Moves a resting agent and all that stands on it. Returns whether it moved: if its own new place is not free,
+/// everything stays. A descendant that collides at its new place searches again, and so does what stood on it.
+pub(crate) fn move_agent(environment: &mut Environment<'_>, agent: AgentIndex, pose: Pose) -> bool {
+    let family = family(environment, agent);
+    let Some(&(_, old)) = family.first() else { return false };
+    for &(member, _) in family.iter().rev() {
+        environment.unsettle(member);
+    }
+    let place = Place { pose, parent: old.parent, side: old.side };
+    if environment.obstruction(agent, &place).is_some() {
+        for &(member, rest) in &family {
+            environment.settle(member, &Place { pose: rest.pose, parent: rest.parent, side: rest.side });
+        }
+        return false;
+    }
+    environment.settle(agent, &place);
+    for &(member, rest) in &family[1..] {
+        follow(environment, member, &rest, (&old.pose, &pose));
+    }
+    true
+}
+
+fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, (from, to): (&Pose, &Pose)) {
+    let has_parent = match rest.parent {
+        ParentPart::Agent(parent) => environment.agents[parent].rest().is_some(),
+        _ => true,
+    };
+    let pose = carried(&rest.pose, from, to);
+    let place = Place { pose, parent: rest.parent, side: rest.side };
+    if has_parent && environment.obstruction(member, &place).is_none() {
+        environment.settle(member, &place);
+    } else {
+        environment.agents[member].state = State::Search;
+        environment.agents[member].searches += 1;
+    }
+}
+
+/// A pose after the frame it stands in went from one pose to another.
+fn carried(pose: &Pose, from: &Pose, to: &Pose) -> Pose {
+    let offset = pose.position - from.position;
+    let local = Point::new(offset.dot(from.right), offset.dot(from.right.perp()));
+    let elevation = pose.elevation + to.elevation - from.elevation;
+    Pose::new(to.place(local), elevation, pose.angle + to.angle - from.angle)
+}
+
+/// An agent and its descendants, parents first, with where they rest.
+fn family(environment: &Environment<'_>, agent: AgentIndex) -> Vec<(AgentIndex, Rest)> {
+    let mut family = Vec::new();
+    let mut waiting = vec![agent];
+    while let Some(member) = waiting.pop() {
+        if let Some(rest) = environment.agents[member].rest() {
+            family.push((member, *rest));
+            waiting.extend(environment.agents[member].children.iter().rev());
+        }
+    }
+    family
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn what_stands_on_a_turned_table_turns_with_it() {
+        let from = Pose::new(Point::new(1.0, 1.0), 0.0, 0.0);
+        let to = Pose::new(Point::new(3.0, 1.0), 0.0, FRAC_PI_2);
+        let lamp = Pose::new(Point::new(1.5, 1.0), 0.74, 0.2);
+        let moved = carried(&lamp, &from, &to);
+        assert!(moved.position.distance(Point::new(3.0, 1.5)) < 1e-12);
+        assert!((moved.angle - 0.2 - FRAC_PI_2).abs() < 1e-12);
+        assert_eq!(moved.elevation, 0.74);
+    }
+}

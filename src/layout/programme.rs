@@ -1,0 +1,85 @@
+//! The programme of a room: which pieces it asks for (sections 4.2 and 6.2: counts depend on room size).
+
+use crate::catalog::{Catalog, ClassIndex, Count, Request, RoomType, Style};
+
+use super::seed::{Purpose, RoomKey, Stream};
+
+/// One piece that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Piece {
+    /// Index into the catalogue's classes.
+    pub(crate) class: ClassIndex,
+    /// Counts the pieces of a class from 1.
+    pub(crate) number: u32,
+    /// Which of the class's variants.
+    pub(crate) variant: u32,
+    /// Whether the room is wrong without it.
+    pub(crate) is_required: bool,
+    /// Whether it only fills what room is left and is not missed.
+    pub(crate) is_fill: bool,
+}
+
+/// What a programme may look at.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Site {
+    /// Square metres of floor.
+    pub(crate) area: f64,
+    /// Whether the room has a window.
+    pub(crate) has_window: bool,
+}
+
+/// Draws the pieces of a room, in the order of the programme.
+pub(crate) fn pieces(
+    catalog: &Catalog,
+    (style, room_type): (&Style, &RoomType),
+    site: Site,
+    key: &RoomKey,
+) -> Vec<Piece> {
+    let mut counts = vec![0_u32; catalog.classes.len()];
+    let mut pieces = Vec::new();
+    for request in style.programme(room_type) {
+        let name = &catalog.classes[request.classes[0]].id;
+        // Lines that begin with the same class share a stream name; their order tells them apart.
+        let line = counts[request.classes[0]];
+        let mut stream = key.stream(Purpose::Programme, name, line);
+        if !applies(request, site, &mut stream) {
+            continue;
+        }
+        let class = request.classes[stream.below(request.classes.len())];
+        let count = count(request, style.density, site, &counts, &mut stream);
+        for _ in 0..count {
+            counts[class] += 1;
+            let id = &catalog.classes[class].id;
+            let variants = catalog.classes[class].variant_count();
+            let mut stream = key.stream(Purpose::Variant, id, counts[class]);
+            pieces.push(Piece {
+                class,
+                number: counts[class],
+                variant: stream.count(0, variants - 1),
+                is_required: request.is_required,
+                is_fill: matches!(request.count, Count::Fill(_)),
+            });
+        }
+    }
+    pieces
+}
+
+fn applies(request: &Request, site: Site, stream: &mut Stream) -> bool {
+    // Drawn even where the line does not apply: the numbers after it stay the same.
+    let is_lucky = stream.unit() < request.chance;
+    let (least, most) = request.area;
+    is_lucky && site.area >= least && site.area < most && (site.has_window || !request.needs_window)
+}
+
+fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &mut Stream) -> u32 {
+    let base = match request.count {
+        Count::Fixed(count) | Count::Fill(count) => f64::from(count),
+        Count::Range(least, most) => f64::from(stream.count(least, most)),
+        Count::PerArea(per_area, least, most) => {
+            (site.area * per_area).round().clamp(f64::from(least), f64::from(most))
+        }
+        Count::PerPiece(class, each) => f64::from(counts[class]) * each,
+    };
+    let factor = if request.is_required { 1.0 } else { density };
+    (base * factor).round().max(0.0) as u32
+}

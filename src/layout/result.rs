@@ -1,0 +1,85 @@
+//! From agents at rest to the [`Furnished`] room.
+
+use crate::catalog::Style;
+
+use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
+use super::environment::Environment;
+use super::furnished::{Furnished, Parent, Placement, Removal};
+
+/// A room that is not furnished.
+pub(crate) fn empty(room: usize, seed: u64, style: Option<&Style>) -> Furnished {
+    Furnished {
+        room,
+        seed,
+        style: style.map_or_else(String::new, |style| style.id.clone()),
+        requested: 0,
+        placements: Vec::new(),
+        removals: Vec::new(),
+    }
+}
+
+/// What the agents came to. Pieces that only fill what room is left are not missed where they found none.
+pub(crate) fn furnished(environment: &Environment<'_>, room: usize, seed: u64, style: &Style) -> Furnished {
+    let agents = &environment.agents;
+    let mut result = empty(room, seed, Some(style));
+    let mut indices = vec![None; agents.len()];
+    for agent in 0..agents.len() {
+        place(environment, agent, &mut indices, &mut result.placements);
+    }
+    let removal = |agent: &Agent| match agent.state {
+        State::Removed(reason) if !agent.piece.is_fill => {
+            Some(Removal { class: agent.piece.class, reason, is_required: agent.piece.is_required })
+        }
+        _ => None,
+    };
+    result.removals = agents.iter().filter_map(removal).collect();
+    let count = result.placements.len() + result.removals.len();
+    result.requested = u32::try_from(count).expect("a programme asks for fewer than 2^32 pieces");
+    result
+}
+
+/// Appends an agent's placement after its parent's.
+fn place(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    indices: &mut [Option<usize>],
+    placements: &mut Vec<Placement>,
+) {
+    let Some(rest) = environment.agents[agent].rest() else { return };
+    if indices[agent].is_some() {
+        return;
+    }
+    if let ParentPart::Agent(parent) = rest.parent {
+        place(environment, parent, indices, placements);
+    }
+    indices[agent] = Some(placements.len());
+    placements.push(placement(environment, agent, rest, indices));
+}
+
+fn placement(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    rest: &Rest,
+    indices: &[Option<usize>],
+) -> Placement {
+    let parent = match rest.parent {
+        ParentPart::Floor => Parent::Floor,
+        ParentPart::Ceiling => Parent::Ceiling,
+        ParentPart::Wall(wall) => Parent::Wall(wall),
+        ParentPart::Opening(side) => Parent::Opening(environment.surroundings.room.openings[side].opening),
+        ParentPart::Column(column) => Parent::Column(column),
+        ParentPart::Agent(parent) => Parent::Object(indices[parent].expect("parents are placed first")),
+    };
+    let piece = &environment.agents[agent].piece;
+    Placement {
+        class: piece.class,
+        number: piece.number,
+        parent,
+        side: rest.side,
+        position: rest.pose.position,
+        elevation: rest.pose.elevation,
+        angle: rest.pose.angle,
+        variant: piece.variant,
+        size: environment.agents[agent].size,
+    }
+}

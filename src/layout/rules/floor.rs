@@ -1,0 +1,98 @@
+//! On the floor or under the ceiling: a random position in the room (section 3.2).
+
+use crate::catalog::{Along, Turn};
+use crate::geometry::Point;
+use crate::layout::agent::{Agent, ParentPart};
+use crate::layout::body::Pose;
+use crate::layout::constants::{SCAN_POINTS, SCAN_STEP, TRIALS_PER_FLOOR};
+use crate::layout::seed::Stream;
+
+use super::View;
+use super::turn::{self, Bearing, angle_of_front};
+
+/// Poses on the floor or ceiling: in the room's corners, around its middle, or anywhere.
+pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    if view.rule.along == Along::Ends {
+        propose_corners(view, stream, poses);
+    }
+    let region = &view.environment.surroundings.room.region;
+    let (low, high) = region.outline.bounds();
+    let middle = (low + high) / 2.0;
+    for trial in 0..TRIALS_PER_FLOOR {
+        // Around the middle the circle of trials grows; elsewhere every point is as likely.
+        let spread = match view.rule.along {
+            Along::Center => trial as f64 / TRIALS_PER_FLOOR as f64,
+            _ => 1.0,
+        };
+        let offset = Point::new(stream.signed(), stream.signed()) * (high - low) / 2.0 * spread;
+        if region.contains(middle + offset) {
+            poses.push(pose_at(view, middle + offset, stream));
+        }
+    }
+}
+
+/// Poses on a regular lattice over the whole room, in a fixed order.
+pub(super) fn scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    let region = &view.environment.surroundings.room.region;
+    let (low, high) = region.outline.bounds();
+    let size = high - low;
+    let step = SCAN_STEP.max((size.x * size.y / SCAN_POINTS).sqrt());
+    let (columns, rows) = ((size.x / step) as usize, (size.y / step) as usize);
+    for row in 0..=rows {
+        for column in 0..=columns {
+            let point = low + Point::new(column as f64 + 0.5, row as f64 + 0.5) * step;
+            if region.contains(point) {
+                poses.push(pose_at(view, point, stream));
+            }
+        }
+    }
+}
+
+/// The corners of the room from a random one on: flush with the wall that leaves the corner and the one
+/// before.
+fn propose_corners(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    let corners = view.environment.surroundings.room.region.outline.corners();
+    let count = corners.len();
+    let first = stream.below(count);
+    for index in first..first + count {
+        let (before, at, after) =
+            (corners[(index + count - 1) % count], corners[index % count], corners[(index + 1) % count]);
+        let (incoming, along) = ((at - before).normalize(), (after - at).normalize());
+        let sine = incoming.perp_dot(along);
+        if sine <= 0.0 {
+            continue;
+        }
+        let angle = angle_of_front(along.perp());
+        let right = crate::geometry::direction(angle);
+        let half = Point::new(
+            Agent::half_extent(view.size, right, along),
+            Agent::half_extent(view.size, right, along.perp()),
+        );
+        // In an acute corner the other wall leans over the box; it starts where that wall is high enough.
+        let shift = (-incoming.dot(along) / sine * 2.0 * half.y).max(0.0);
+        let gap = view.rule.gap.0;
+        let position = at + along * (half.x + gap + shift) + along.perp() * (half.y + gap);
+        poses.push(Pose::new(position, elevation(view), angle));
+    }
+}
+
+fn pose_at(view: &View<'_>, position: Point, stream: &mut Stream) -> Pose {
+    let surroundings = &view.environment.surroundings;
+    let bearing = Bearing { parent_angle: surroundings.main_angle, outward: Point::ZERO };
+    let angle = match view.rule.orientation.turn {
+        Turn::TowardsCenter => {
+            let (low, high) = surroundings.room.region.outline.bounds();
+            turn::towards(&view.rule.orientation, position, (low + high) / 2.0, stream)
+        }
+        _ => turn::angle(&view.rule.orientation, &bearing, stream),
+    };
+    Pose::new(position, elevation(view), angle)
+}
+
+/// Metres of the underside: standing on the floor, or hanging with the top at the ceiling.
+pub(super) fn elevation(view: &View<'_>) -> f64 {
+    match view.parent {
+        ParentPart::Ceiling => view.environment.surroundings.room.height - view.size.height,
+        _ => view.rule.elevation.0,
+    }
+}

@@ -1,0 +1,64 @@
+//! What agents want: each file is one rule, a pure function from what an agent sees to the poses that it
+//! would like, best first. Whether a pose is free is not asked here.
+
+mod beside;
+mod floor;
+mod grid;
+mod relation;
+mod surface;
+mod turn;
+mod wall;
+
+pub(crate) use relation::score;
+
+use crate::catalog::{Class, ParentRule, Side, Size};
+
+use super::agent::{AgentIndex, ParentPart};
+use super::body::Pose;
+use super::environment::Environment;
+use super::seed::{RoomKey, Stream};
+
+/// What an agent sees when it considers a side of a parent.
+#[derive(Clone, Copy)]
+pub(crate) struct View<'a> {
+    /// The room and all agents.
+    pub(crate) environment: &'a Environment<'a>,
+    /// Itself.
+    pub(crate) agent: AgentIndex,
+    /// Its class.
+    pub(crate) class: &'a Class,
+    /// Its size.
+    pub(crate) size: Size,
+    /// The line of its description under which the parent was found.
+    pub(crate) rule: &'a ParentRule,
+    /// The parent.
+    pub(crate) parent: ParentPart,
+    /// The side.
+    pub(crate) side: Side,
+}
+
+/// Appends the poses that an agent would take at a side of a parent, best first.
+pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    if let (Some(grid), ParentPart::Floor | ParentPart::Ceiling) = (&view.class.grid, view.parent) {
+        return grid::propose(view, grid, key, poses);
+    }
+    match view.parent {
+        ParentPart::Floor | ParentPart::Ceiling => floor::propose(view, stream, poses),
+        ParentPart::Wall(wall) => wall::propose(view, wall, stream, poses),
+        ParentPart::Opening(opening) => wall::propose_at_opening(view, opening, stream, poses),
+        ParentPart::Column(column) => beside::propose_at_column(view, column, stream, poses),
+        ParentPart::Agent(parent) => match view.side {
+            Side::Above | Side::Below => surface::propose(view, parent, stream, poses),
+            Side::Front | Side::Back | Side::Left | Side::Right => {
+                beside::propose_at_agent(view, parent, stream, poses);
+            }
+        },
+    }
+}
+
+/// Appends a regular scan of a floor or ceiling, for an agent that found no place at random.
+pub(crate) fn propose_scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    if matches!(view.parent, ParentPart::Floor | ParentPart::Ceiling) {
+        floor::scan(view, stream, poses);
+    }
+}

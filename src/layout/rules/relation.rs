@@ -1,0 +1,122 @@
+//! Wishes about objects that are not the parent (beyond the paper, its section 6.1).
+
+use crate::catalog::{ParentName, Relation, RelationKind};
+use crate::geometry::Point;
+use crate::layout::agent::{AgentIndex, ParentPart};
+use crate::layout::body::box_solid;
+use crate::layout::constants::{CONTACT_TOLERANCE, TIGHT_PENALTY, WINDOW_PENALTY};
+use crate::layout::environment::{Environment, Place};
+use crate::plan::OpeningKind;
+
+/// Radians beyond the good angle over which a wish about direction fades to nothing.
+const ANGLE_FADE: f64 = 1.0;
+/// Metres beyond the good distance over which a wish about distance fades to half.
+const DISTANCE_FADE: f64 = 1.0;
+
+/// How well a place suits an agent; more is better, zero is indifferent.
+pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+    let class = environment.class(agent);
+    let is_before_window = stands_before_window(environment, agent, place);
+    let wish = |relation: &Relation| match relation.kind {
+        RelationKind::NotBefore => f64::from(u8::from(!is_before_window)),
+        _ => fulfilment(environment, agent, place, relation),
+    };
+    let mut score: f64 = class.relations.iter().map(|relation| relation.weight * wish(relation)).sum();
+    if is_before_window {
+        score -= WINDOW_PENALTY;
+    }
+    let has_good = class.clearances.iter().any(|clearance| clearance.good > clearance.minimum);
+    if has_good && !environment.has_clearances(agent, place, true) {
+        score -= TIGHT_PENALTY;
+    }
+    score
+}
+
+/// What an agent looks at: a point, the direction it faces, and half of its smaller side.
+#[derive(Clone, Copy)]
+struct Target {
+    position: Point,
+    front: Point,
+    radius: f64,
+}
+
+/// 1 where the wish is met, falling to 0; 1 where there is nothing to relate to.
+fn fulfilment(environment: &Environment<'_>, agent: AgentIndex, place: &Place, relation: &Relation) -> f64 {
+    let size = environment.agents[agent].size;
+    let own = Target {
+        position: place.pose.position,
+        front: place.pose.front(),
+        radius: size.width.min(size.depth) / 2.0,
+    };
+    let values = targets(environment, &relation.target).map(|target| value(relation, own, target));
+    let is_bad_if_any = relation.kind == RelationKind::AwayFrom;
+    values.reduce(if is_bad_if_any { f64::min } else { f64::max }).unwrap_or(1.0)
+}
+
+fn value(relation: &Relation, own: Target, other: Target) -> f64 {
+    let between = other.position - own.position;
+    let distance = (between.length() - own.radius - other.radius).max(0.0);
+    let towards = between.normalize_or(own.front);
+    let faces = |front: Point, direction: Point| {
+        let off = libm::acos(front.dot(direction).clamp(-1.0, 1.0));
+        1.0 - ((off - relation.angle).max(0.0) / ANGLE_FADE).min(1.0)
+    };
+    match relation.kind {
+        RelationKind::Near | RelationKind::Beside => within(distance, relation.distance),
+        RelationKind::AwayFrom => 1.0 - within(distance, (0.0, relation.distance.0)),
+        RelationKind::Faces => faces(own.front, towards) * within(distance, relation.distance),
+        RelationKind::Opposite => {
+            faces(own.front, towards) * faces(other.front, -towards) * within(distance, relation.distance)
+        }
+        RelationKind::AlignedWith => {
+            let offset = between.dot(own.front).abs().min(between.perp_dot(own.front).abs());
+            within(offset, relation.distance)
+        }
+        RelationKind::NotBefore => 1.0,
+    }
+}
+
+/// 1 inside the range, a half at the fade's distance outside it, and so on.
+fn within(distance: f64, (least, most): (f64, f64)) -> f64 {
+    let off = (least - distance).max(distance - most).max(0.0);
+    1.0 / (1.0 + off / DISTANCE_FADE)
+}
+
+fn targets<'a>(
+    environment: &'a Environment<'_>,
+    name: &'a ParentName,
+) -> Box<dyn Iterator<Item = Target> + 'a> {
+    let room = environment.surroundings.room;
+    let fixed = |position, front| Target { position, front, radius: 0.0 };
+    match name {
+        ParentName::Classes(classes) => Box::new(environment.resting_of(classes).filter_map(|other| {
+            let other = &environment.agents[other];
+            let pose = other.rest()?.pose;
+            let radius = other.size.width.min(other.size.depth) / 2.0;
+            Some(Target { position: pose.position, front: pose.front(), radius })
+        })),
+        ParentName::Window | ParentName::Door => Box::new(room.openings.iter().filter_map(move |side| {
+            let kind = environment.surroundings.level.openings[side.opening].kind;
+            let is_wanted = (kind == OpeningKind::Window) == (*name == ParentName::Window);
+            let wall = &room.walls[side.wall];
+            let middle = wall.start + wall.direction() * f64::midpoint(side.from, side.to);
+            is_wanted.then(|| fixed(middle, wall.normal()))
+        })),
+        ParentName::Wall => {
+            Box::new(room.walls.iter().map(move |wall| fixed((wall.start + wall.end) / 2.0, wall.normal())))
+        }
+        ParentName::Column => Box::new(
+            environment.surroundings.columns.iter().map(move |c| fixed(c.base.center(), Point::NEG_Y)),
+        ),
+        ParentName::Floor | ParentName::Ceiling => Box::new(std::iter::empty()),
+    }
+}
+
+/// Whether something tall would stand before a window. What hangs at the window itself may.
+fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
+    if matches!(place.parent, ParentPart::Opening(_)) {
+        return false;
+    }
+    let body = box_solid(environment.agents[agent].size, &place.pose);
+    environment.surroundings.window_strips.iter().any(|strip| strip.overlaps(&body, CONTACT_TOLERANCE))
+}

@@ -1,0 +1,91 @@
+//! On top of (or under) an object: a position on its surface (section 3.2).
+
+use crate::catalog::{Along, Side, Turn};
+use crate::geometry::Point;
+use crate::layout::agent::{Agent, AgentIndex};
+use crate::layout::body::Pose;
+use crate::layout::constants::{FRONT_MARGIN, TRIALS_PER_SIDE};
+use crate::layout::seed::Stream;
+
+use super::View;
+use super::turn::{self, Bearing};
+
+/// The carrying rectangle in the parent's frame, and who is on it already.
+#[derive(Clone, Copy, Debug)]
+struct Surface {
+    low: Point,
+    high: Point,
+    places: usize,
+    taken: usize,
+}
+
+/// Poses on the surface of a resting agent.
+pub(super) fn propose(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    let agent = &view.environment.agents[parent];
+    let Some(rest) = agent.rest() else { return };
+    let offer = view.environment.class(parent).offer(view.side);
+    let elevation = match view.side {
+        Side::Below => rest.pose.elevation - view.size.height,
+        _ => rest.pose.elevation + offer.surface.unwrap_or(agent.size.height),
+    };
+    let [left, front, right, back] = offer.margin;
+    let half = Point::new(agent.size.width, agent.size.depth) / 2.0;
+    let surface = Surface {
+        low: Point::new(left, front) - half,
+        high: half - Point::new(right, back),
+        places: offer.places.max(1) as usize,
+        taken: agent.taken[view.side.index()] as usize,
+    };
+    let orientation = &view.rule.orientation;
+    let bearing = Bearing { parent_angle: rest.pose.angle, outward: Point::ZERO };
+    for trial in 0..TRIALS_PER_SIDE {
+        let angle = turn::angle(orientation, &bearing, stream);
+        let own_right = crate::geometry::direction(angle);
+        let extent = Point::new(
+            Agent::half_extent(view.size, own_right, rest.pose.right),
+            Agent::half_extent(view.size, own_right, rest.pose.right.perp()),
+        );
+        let Some(local) = position(&surface, extent, view.rule.along, trial, stream) else { return };
+        let position = rest.pose.place(local);
+        let angle = match orientation.turn {
+            Turn::TowardsCenter => turn::towards(orientation, position, rest.pose.position, stream),
+            _ => angle,
+        };
+        let lift = stream.between(view.rule.elevation.0, view.rule.elevation.1);
+        poses.push(Pose::new(position, elevation + lift, angle));
+        if view.rule.along == Along::Center {
+            return;
+        }
+    }
+}
+
+/// Where the middle of a child with half extents `extent` goes, in the parent's frame; `None` if it is larger
+/// than the surface.
+fn position(
+    surface: &Surface,
+    extent: Point,
+    along: Along,
+    trial: usize,
+    stream: &mut Stream,
+) -> Option<Point> {
+    let (least, most) = (surface.low + extent, surface.high - extent);
+    if least.cmpgt(most + Point::splat(1e-9)).any() {
+        return None;
+    }
+    let middle = (least + most) / 2.0;
+    Some(match along {
+        Along::Center => middle,
+        Along::Even => {
+            let index = (surface.taken + trial) % surface.places;
+            let share = (index as f64 + 0.5) / surface.places as f64;
+            let x = surface.low.x + (surface.high.x - surface.low.x) * share;
+            Point::new(x.min(most.x).max(least.x), middle.y)
+        }
+        Along::Back => Point::new(stream.between(least.x, most.x), most.y),
+        Along::Front => Point::new(stream.between(least.x, most.x), (least.y + FRONT_MARGIN).min(most.y)),
+        Along::Ends => {
+            Point::new(if (trial + surface.taken).is_multiple_of(2) { least.x } else { most.x }, middle.y)
+        }
+        Along::Random => Point::new(stream.between(least.x, most.x), stream.between(least.y, most.y)),
+    })
+}

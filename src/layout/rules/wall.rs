@@ -1,0 +1,218 @@
+//! At a wall, between its openings: the paper's random position along the touching side, drawn from the
+//! stretches that are really free, so that a piece that fits is not missed by bad luck.
+
+use crate::catalog::{Along, Side};
+use crate::geometry::{Convex, Intervals, Point, Solid};
+use crate::layout::agent::Agent;
+use crate::layout::body::Pose;
+use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, SNAP_DISTANCE, TRIALS_PER_WALL};
+use crate::layout::seed::Stream;
+use crate::plan::{OpeningKind, Wall, WallKind};
+
+use super::View;
+use super::turn::{self, Bearing, angle_of_front};
+
+/// Poses along a wall.
+pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    let part = &view.environment.surroundings.room.walls[wall];
+    let (along, normal) = (part.direction(), part.normal());
+    let elevation = stream.between(view.rule.elevation.0, view.rule.elevation.1);
+    let is_hung = elevation > 0.0;
+    if matches!(part.kind, WallKind::Railing(height) if is_hung && elevation + view.size.height > height) {
+        return;
+    }
+    let bearing = Bearing { parent_angle: angle_of_front(normal), outward: normal };
+    let angle = turn::angle(&view.rule.orientation, &bearing, stream);
+    let right = crate::geometry::direction(angle);
+    let strip = Strip {
+        view,
+        wall: part,
+        index: wall,
+        from: stream.between(view.rule.gap.0, view.rule.gap.1),
+        depth: 2.0 * Agent::half_extent(view.size, right, normal),
+        half: Agent::half_extent(view.size, right, along) - CONTACT_TOLERANCE,
+        low: elevation,
+        high: elevation + view.size.height,
+    };
+    let free = strip.free_stretches();
+    for trial in 0..TRIALS_PER_WALL {
+        let Some(at) = choose(view.rule.along, part.length() / 2.0, free.as_slice(), trial, stream) else {
+            return;
+        };
+        let position = part.start + along * at + normal * (strip.from + strip.depth / 2.0);
+        poses.push(Pose::new(position, elevation, angle));
+    }
+}
+
+/// The pose before an opening, in its middle.
+pub(super) fn propose_at_opening(
+    view: &View<'_>,
+    opening: usize,
+    stream: &mut Stream,
+    poses: &mut Vec<Pose>,
+) {
+    let room = view.environment.surroundings.room;
+    let side = &room.openings[opening];
+    let wall = &room.walls[side.wall];
+    let bearing = Bearing { parent_angle: angle_of_front(wall.normal()), outward: wall.normal() };
+    let angle = turn::angle(&view.rule.orientation, &bearing, stream);
+    let right = crate::geometry::direction(angle);
+    let reach = Agent::half_extent(view.size, right, wall.normal());
+    let gap = stream.between(view.rule.gap.0, view.rule.gap.1);
+    let elevation = stream.between(view.rule.elevation.0, view.rule.elevation.1);
+    let middle = wall.start + wall.direction() * f64::midpoint(side.from, side.to);
+    poses.push(Pose::new(middle + wall.normal() * (gap + reach), elevation, angle));
+}
+
+/// A box that would slide along a wall.
+#[derive(Clone, Copy)]
+struct Strip<'a> {
+    view: &'a View<'a>,
+    wall: &'a Wall,
+    index: usize,
+    /// Metres between wall and box.
+    from: f64,
+    /// Metres of the box away from the wall.
+    depth: f64,
+    /// Half of the box along the wall, less the tolerance for contact.
+    half: f64,
+    /// Underside of the box.
+    low: f64,
+    /// Top of the box.
+    high: f64,
+}
+
+impl Strip<'_> {
+    /// Where the middle of the box may be, in metres from the wall's start.
+    fn free_stretches(&self) -> Intervals {
+        let environment = self.view.environment;
+        let mut free = Intervals::new(self.half, self.wall.length() - self.half);
+        self.block_openings(&mut free);
+        let region = self.region(self.from, self.depth, self.high);
+        environment.each_obstacle(&region, |solid, _| self.block(&mut free, solid));
+        environment.each_kept_free(&region, |solid| self.block(&mut free, solid));
+        self.block_borders(&mut free, &region);
+        if let Some(front) = self.view.class.clearances.iter().find(|clearance| clearance.side == Side::Front)
+        {
+            let depth = front.minimum - CLEARANCE_TOLERANCE;
+            let region = self.region(self.from + self.depth, depth, self.low + front.height);
+            environment.each_obstacle(&region, |solid, is_flat| {
+                if !is_flat {
+                    self.block(&mut free, solid);
+                }
+            });
+            self.block_borders(&mut free, &region);
+        }
+        free
+    }
+
+    /// What stands may stand before a window (and pays for it in its score); what hangs may not.
+    fn block_openings(&self, free: &mut Intervals) {
+        let surroundings = &self.view.environment.surroundings;
+        for side in surroundings.room.openings.iter().filter(|side| side.wall == self.index) {
+            let opening = &surroundings.level.openings[side.opening];
+            let is_passable = opening.kind == OpeningKind::Window && self.low <= 0.0;
+            if !is_passable && self.low < opening.top && self.high > opening.bottom {
+                free.subtract(side.from - self.half, side.to + self.half);
+            }
+        }
+    }
+
+    /// The region over the whole length of the wall, `from` to `from + depth` metres before it.
+    fn region(&self, from: f64, depth: f64, high: f64) -> Solid {
+        let depth = (depth - 2.0 * CONTACT_TOLERANCE).max(CONTACT_TOLERANCE);
+        let distance = from + CONTACT_TOLERANCE + depth / 2.0;
+        let center = (self.wall.start + self.wall.end) / 2.0 + self.wall.normal() * distance;
+        let half = Point::new(self.wall.length() / 2.0, depth / 2.0);
+        Solid::new(Convex::rectangle(center, half, self.wall.direction()), self.low, high)
+    }
+
+    fn block(&self, free: &mut Intervals, solid: &Solid) {
+        let (low, high) = solid.base.project(self.wall.direction());
+        let start = self.wall.start.dot(self.wall.direction());
+        free.subtract(low - start - self.half, high - start + self.half);
+    }
+
+    /// Other walls that come into the region: concave corners, slanted neighbours.
+    fn block_borders(&self, free: &mut Intervals, region: &Solid) {
+        let (along, normal) = (self.wall.direction(), self.wall.normal());
+        let (near, far) = region.base.project(normal);
+        let start = self.wall.start.dot(along);
+        self.view.environment.each_border(region, |index, a, b| {
+            if index != self.index
+                && let Some((from, to)) = clip(a, b, (along, normal), (near, far))
+            {
+                free.subtract(from - start - self.half, to - start + self.half);
+            }
+        });
+    }
+}
+
+/// The part of a segment whose height over the wall lies between `near` and `far`, as a range along it.
+fn clip(a: Point, b: Point, (along, normal): (Point, Point), (near, far): (f64, f64)) -> Option<(f64, f64)> {
+    let (height_a, height_b) = (a.dot(normal), b.dot(normal));
+    if height_a.max(height_b) <= near || height_a.min(height_b) >= far {
+        return None;
+    }
+    let rise = height_b - height_a;
+    if rise == 0.0 {
+        let (from, to) = (a.dot(along), b.dot(along));
+        return Some((from.min(to), from.max(to)));
+    }
+    let at = |height: f64| (a + (b - a) * ((height - height_a) / rise).clamp(0.0, 1.0)).dot(along);
+    let (from, to) = (at(near), at(far));
+    Some((from.min(to), from.max(to)))
+}
+
+/// A position in one of the free stretches, or `None` if there is none.
+fn choose(along: Along, middle: f64, free: &[(f64, f64)], trial: usize, stream: &mut Stream) -> Option<f64> {
+    // Every stretch counts, the exact fit of hardly any length too.
+    let weight = |&(from, to): &(f64, f64)| to - from + SNAP_DISTANCE;
+    let mut left = stream.unit() * free.iter().map(weight).sum::<f64>();
+    let drawn = free.iter().find(|stretch| {
+        left -= weight(stretch);
+        left < 0.0
+    });
+    let &(from, to) = drawn.or(free.last())?;
+    Some(match along {
+        Along::Center | Along::Even if trial == 0 => {
+            let off = |&(from, to): &(f64, f64)| (middle.max(from).min(to) - middle).abs();
+            let &(from, to) = free.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+            middle.max(from).min(to)
+        }
+        Along::Center | Along::Even => f64::midpoint(from, to),
+        Along::Ends => [from, to][stream.below(2)],
+        Along::Random | Along::Back | Along::Front => snap(stream.between(from, to), from, to),
+    })
+}
+
+/// Slides a position to the nearer end of its stretch if it is close to it.
+fn snap(at: f64, from: f64, to: f64) -> f64 {
+    if (at - from).min(to - at) > SNAP_DISTANCE {
+        at
+    } else if at - from < to - at {
+        from
+    } else {
+        to
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slanted_neighbour_takes_only_what_it_covers() {
+        let frame = (Point::X, Point::Y);
+        let range = clip(Point::ZERO, Point::new(1.0, 1.0), frame, (0.0, 0.5)).unwrap();
+        assert!(range.0.abs() < 1e-12 && (range.1 - 0.5).abs() < 1e-12);
+        assert_eq!(clip(Point::new(0.0, 2.0), Point::new(1.0, 3.0), frame, (0.0, 0.5)), None);
+    }
+
+    #[test]
+    fn a_piece_near_the_end_slides_flush() {
+        assert_eq!(snap(0.7, 0.5, 3.0), 0.5);
+        assert_eq!(snap(2.9, 0.5, 3.0), 3.0);
+        assert_eq!(snap(1.5, 0.5, 3.0), 1.5);
+    }
+}

@@ -1,0 +1,235 @@
+//! Searching a parent and arranging at it (section 3.2, states "search" and "arrange").
+
+use crate::catalog::{ParentName, ParentRule, Side};
+use crate::plan::OpeningKind;
+
+use super::agent::{AgentIndex, ParentPart};
+use super::body::Pose;
+use super::constants::{CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE};
+use super::environment::{Environment, Place};
+use super::furnished::RemovalReason;
+use super::rules::{self, View};
+use super::seed::{Purpose, RoomKey, Stream};
+
+/// Finds the best place for an agent, or says why there is none.
+///
+/// The lines of its description are taken in order; within a line, the parents that have fewest children of
+/// its class come first. The first place that is free is taken, or, where the agent has wishes, the best of
+/// a few.
+pub(crate) fn search(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    key: &RoomKey,
+) -> Result<Place, RemovalReason> {
+    let class = environment.class(agent);
+    let piece = environment.agents[agent].piece;
+    // A second search must not repeat the first one's draws.
+    let number = piece.number + (environment.agents[agent].searches << 20);
+    let mut stream = key.stream(Purpose::Placement, &class.id, number);
+    let mut failures = Failures::default();
+    let mut poses = Vec::new();
+    let may_scan = !piece.is_fill && !environment.is_exhausted[piece.class];
+    for rule in &class.parents {
+        let mut choice = Choice::new(environment, agent);
+        let mut parents = parents(environment, agent, rule, &mut stream);
+        failures.has_parent |= has_parent(environment, rule);
+        while let Some((parent, side)) = take_first(&mut parents) {
+            let view =
+                View { environment, agent, class, size: environment.agents[agent].size, rule, parent, side };
+            poses.clear();
+            rules::propose(&view, key, &mut stream, &mut poses);
+            choice.consider(&view, &poses, &mut failures);
+            if choice.best.is_none() && may_scan {
+                poses.clear();
+                rules::propose_scan(&view, &mut stream, &mut poses);
+                choice.consider(&view, &poses, &mut failures);
+            }
+            if choice.left == 0 {
+                break;
+            }
+        }
+        if let Some((_, place)) = choice.best {
+            return Ok(place);
+        }
+    }
+    Err(failures.reason())
+}
+
+/// The best of the candidates seen so far.
+struct Choice {
+    best: Option<(f64, Place)>,
+    /// Free candidates still to be compared.
+    left: usize,
+    is_first_best: bool,
+}
+
+impl Choice {
+    fn new(environment: &Environment<'_>, agent: AgentIndex) -> Self {
+        let class = environment.class(agent);
+        let left = if !class.relations.is_empty() {
+            CANDIDATES_WITH_RELATIONS
+        } else if class.clearances.is_empty() || class.grid.is_some() {
+            1
+        } else {
+            CANDIDATES_WITH_CLEARANCES
+        };
+        Self { best: None, left, is_first_best: left == 1 }
+    }
+
+    /// Tests poses until enough are free; ties go to the earlier one.
+    fn consider(&mut self, view: &View<'_>, poses: &[Pose], failures: &mut Failures) {
+        for &pose in poses {
+            if self.left == 0 {
+                return;
+            }
+            let place = Place { pose, parent: view.parent, side: view.side };
+            if let Some(reason) = view.environment.obstruction(view.agent, &place) {
+                failures.count(reason);
+                continue;
+            }
+            self.left -= 1;
+            let score =
+                if self.is_first_best { 0.0 } else { rules::score(view.environment, view.agent, &place) };
+            if self.best.is_none_or(|(best, _)| score > best) {
+                self.best = Some((score, place));
+            }
+        }
+    }
+}
+
+/// Why places were refused, to name the reason that was met most.
+#[derive(Default)]
+struct Failures {
+    has_parent: bool,
+    outside: u32,
+    collision: u32,
+    clearance: u32,
+}
+
+impl Failures {
+    fn count(&mut self, reason: RemovalReason) {
+        match reason {
+            RemovalReason::Outside => self.outside += 1,
+            RemovalReason::Collision => self.collision += 1,
+            _ => self.clearance += 1,
+        }
+    }
+
+    fn reason(&self) -> RemovalReason {
+        let most = self.outside.max(self.collision).max(self.clearance);
+        match most {
+            0 if !self.has_parent => RemovalReason::NoParent,
+            0 => RemovalReason::NoPlace,
+            _ if most == self.clearance => RemovalReason::Clearance,
+            _ if most == self.collision => RemovalReason::Collision,
+            _ => RemovalReason::Outside,
+        }
+    }
+}
+
+/// A parent that a rule allows, with its rank: lower is asked first.
+struct Possibility {
+    parent: ParentPart,
+    side: Side,
+    rank: f64,
+}
+
+/// Takes the parent of lowest rank; found by selection, for most agents need only the first.
+fn take_first(options: &mut Vec<Possibility>) -> Option<(ParentPart, Side)> {
+    let index = (0..options.len()).min_by(|&a, &b| options[a].rank.total_cmp(&options[b].rank))?;
+    let option = options.swap_remove(index);
+    Some((option.parent, option.side))
+}
+
+/// All parents that a rule allows.
+fn parents(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    rule: &ParentRule,
+    stream: &mut Stream,
+) -> Vec<Possibility> {
+    let room = environment.surroundings.room;
+    let level = environment.surroundings.level;
+    let mut options = Vec::new();
+    match &rule.parent {
+        ParentName::Floor => {
+            options.push(Possibility { parent: ParentPart::Floor, side: Side::Above, rank: 0.0 })
+        }
+        ParentName::Ceiling => {
+            options.push(Possibility { parent: ParentPart::Ceiling, side: Side::Below, rank: 0.0 })
+        }
+        ParentName::Wall => {
+            let has_tag = |tags: &[String]| rule.tag.as_ref().is_none_or(|tag| tags.contains(tag));
+            for (index, wall) in room.walls.iter().enumerate() {
+                // Draws without replacement, weighted by length (Efraimidis, Spirakis 2006).
+                let rank = -libm::log(stream.unit().max(1e-12)) / wall.length();
+                if has_tag(&wall.tags) {
+                    options.push(Possibility { parent: ParentPart::Wall(index), side: Side::Front, rank });
+                }
+            }
+        }
+        ParentName::Door | ParentName::Window => {
+            let is_window = rule.parent == ParentName::Window;
+            for (index, side) in room.openings.iter().enumerate() {
+                let kind = level.openings[side.opening].kind;
+                if (kind == OpeningKind::Window) == is_window {
+                    let parent = ParentPart::Opening(index);
+                    options.push(Possibility { parent, side: Side::Front, rank: stream.unit() });
+                }
+            }
+        }
+        ParentName::Column => {
+            for index in 0..room.obstacles.len() {
+                for side in [Side::Front, Side::Back, Side::Left, Side::Right] {
+                    options.push(Possibility {
+                        parent: ParentPart::Column(index),
+                        side,
+                        rank: stream.unit(),
+                    });
+                }
+            }
+        }
+        ParentName::Classes(classes) => {
+            let class = environment.agents[agent].piece.class;
+            for parent in environment.resting_of(classes).filter(|&parent| parent != agent) {
+                let children = &environment.agents[parent].children;
+                let alike =
+                    children.iter().filter(|&&child| environment.agents[child].piece.class == class).count();
+                let draw = stream.unit();
+                let has_place = |side: &&Side| has_place(environment, agent, parent, **side);
+                for (order, &side) in rule.sides.iter().enumerate().filter(|(_, side)| has_place(side)) {
+                    // Fewest of its kind first, then by chance, then the sides as listed.
+                    let rank = alike as f64 + draw * 0.9 + order as f64 * 1e-6;
+                    options.push(Possibility { parent: ParentPart::Agent(parent), side, rank });
+                }
+            }
+        }
+    }
+    options
+}
+
+/// Whether the room has anything that a rule names, full or not.
+fn has_parent(environment: &Environment<'_>, rule: &ParentRule) -> bool {
+    match &rule.parent {
+        ParentName::Classes(classes) => environment.resting_of(classes).next().is_some(),
+        _ => true,
+    }
+}
+
+/// Whether a parent's side has a place and enough space left.
+fn has_place(environment: &Environment<'_>, agent: AgentIndex, parent: AgentIndex, side: Side) -> bool {
+    let (holder, offer) = (&environment.agents[parent], environment.class(parent).offer(side));
+    if holder.taken[side.index()] >= offer.places {
+        return false;
+    }
+    let size = environment.agents[agent].size;
+    let extent = size.width.min(size.depth);
+    let space = match (offer.space, side) {
+        (Some(space), _) => space,
+        (None, Side::Above | Side::Below) => f64::INFINITY,
+        (None, Side::Left | Side::Right) => holder.size.depth,
+        (None, Side::Front | Side::Back) => holder.size.width,
+    };
+    // A single child may be longer than the side (a lamp beside a narrow shelf).
+    holder.taken[side.index()] == 0 || holder.occupied[side.index()] + extent <= space + CONTACT_TOLERANCE
+}

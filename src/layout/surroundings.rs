@@ -1,0 +1,169 @@
+//! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
+
+use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
+use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening};
+
+use super::constants::{DOOR_APPROACH, FRAME_WIDTH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
+
+/// The fixed part of an agent's environment.
+#[derive(Clone, Debug)]
+pub(crate) struct Surroundings<'a> {
+    /// The level, for its openings.
+    pub(crate) level: &'a Level,
+    /// The room.
+    pub(crate) room: &'a Room,
+    /// Angle of the longest wall: what "straight" means in this room.
+    pub(crate) main_angle: f64,
+    /// Door swings and approaches: no body may enter.
+    pub(crate) kept_free: Vec<Solid>,
+    /// Convex pieces of the columns.
+    pub(crate) columns: Vec<Solid>,
+    /// Strips before windows, from a little over the sill to the head: tall pieces avoid them.
+    pub(crate) window_strips: Vec<Solid>,
+}
+
+impl<'a> Surroundings<'a> {
+    /// Works out the surroundings of a room.
+    pub(crate) fn new(level: &'a Level, room: &'a Room) -> Self {
+        let mut surroundings = Self {
+            level,
+            room,
+            main_angle: main_angle(room),
+            kept_free: Vec::new(),
+            columns: room
+                .obstacles
+                .iter()
+                .flat_map(|column| convex_parts(&column.outline, column.height))
+                .collect(),
+            window_strips: Vec::new(),
+        };
+        for side in &room.openings {
+            surroundings.add_opening(&level.openings[side.opening], side);
+        }
+        surroundings
+    }
+
+    fn add_opening(&mut self, opening: &Opening, side: &RoomOpening) {
+        let strip = |depth, margin, low, high| wall_strip(self.room, side, (depth, margin), (low, high));
+        match opening.kind {
+            OpeningKind::Window => {
+                self.window_strips.push(strip(WINDOW_STRIP, 0.0, opening.bottom + SILL_MARGIN, opening.top));
+            }
+            OpeningKind::OpenBoundary => {
+                self.kept_free.push(strip(OPEN_BOUNDARY_APPROACH, 0.0, 0.0, opening.top));
+            }
+            OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage => {
+                let depth = DOOR_APPROACH.min(side.to - side.from);
+                self.kept_free.push(strip(depth, FRAME_WIDTH, 0.0, opening.top));
+                let wall = &self.room.walls[side.wall];
+                let opens_inward = |leaf: &&Leaf| (leaf.open_tip - leaf.hinge).dot(wall.normal()) > 0.0;
+                let swings = opening.leaves.iter().filter(opens_inward).filter_map(swing);
+                self.kept_free.extend(swings.map(|base| Solid::new(base, 0.0, opening.top)));
+            }
+        }
+    }
+}
+
+/// The region before an opening on the room's side: `depth` metres deep, `margin` wider at both ends.
+fn wall_strip(
+    room: &Room,
+    side: &RoomOpening,
+    (depth, margin): (f64, f64),
+    (low, high): (f64, f64),
+) -> Solid {
+    let wall = &room.walls[side.wall];
+    let (along, normal) = (wall.direction(), wall.normal());
+    let center = wall.start + along * f64::midpoint(side.from, side.to) + normal * (depth / 2.0);
+    let half = Point::new((side.to - side.from) / 2.0 + margin, depth / 2.0);
+    Solid::new(Convex::rectangle(center, half, along), low, high.max(low))
+}
+
+/// The sector that a leaf sweeps, as a polygon around it; `None` for a leaf that does not turn.
+///
+/// ```text
+///  open tip
+///    |\ _
+///    |    \        corners outside the arc are
+///    |     |       where its tangents meet
+///  hinge --+ closed tip
+/// ```
+fn swing(leaf: &Leaf) -> Option<Convex> {
+    const STEPS: usize = 4;
+    let (closed, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
+    let radius = closed.length().max(open.length());
+    let sweep = libm::atan2(closed.perp_dot(open), closed.dot(open));
+    if radius <= 0.0 || sweep.abs() < 1e-3 {
+        return None;
+    }
+    let step = sweep / STEPS as f64;
+    let reach = radius / libm::cos(step / 2.0);
+    let first = libm::atan2(closed.y, closed.x);
+    let mut corners = vec![leaf.hinge, leaf.hinge + crate::geometry::direction(first) * radius];
+    for index in 0..STEPS {
+        let angle = first + (index as f64 + 0.5) * step;
+        corners.push(leaf.hinge + crate::geometry::direction(angle) * reach);
+    }
+    corners.push(leaf.hinge + crate::geometry::direction(first + sweep) * radius);
+    if sweep < 0.0 {
+        corners.reverse();
+    }
+    Some(Convex::from_corners(&corners))
+}
+
+/// The polygon itself where it is convex, else its triangles.
+fn convex_parts(outline: &Polygon, height: f64) -> Vec<Solid> {
+    let corners = outline.corners();
+    let count = corners.len();
+    let is_convex = (0..count).all(|i| {
+        let (a, b, c) = (corners[i], corners[(i + 1) % count], corners[(i + 2) % count]);
+        (b - a).perp_dot(c - b) >= 0.0
+    });
+    if is_convex && count <= DISC_CORNERS {
+        return vec![Solid::new(Convex::from_corners(corners), 0.0, height)];
+    }
+    let mut indices: Vec<usize> = Vec::new();
+    earcut::Earcut::new().earcut(corners.iter().map(|c| [c.x, c.y]), &[], &mut indices);
+    let triangles = indices.chunks_exact(3).map(|corner| {
+        let mut triangle = [corners[corner[0]], corners[corner[1]], corners[corner[2]]];
+        if (triangle[1] - triangle[0]).perp_dot(triangle[2] - triangle[0]) < 0.0 {
+            triangle.swap(1, 2);
+        }
+        Solid::new(Convex::from_corners(&triangle), 0.0, height)
+    });
+    triangles.collect()
+}
+
+fn main_angle(room: &Room) -> f64 {
+    let longest = room.walls.iter().max_by(|a, b| a.length().total_cmp(&b.length()));
+    longest.map_or(0.0, |wall| {
+        let along = wall.direction();
+        libm::atan2(along.y, along.x)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_swing_covers_its_quarter_circle() {
+        let leaf = Leaf { hinge: Point::ZERO, closed_tip: Point::X, open_tip: Point::Y };
+        let sector = swing(&leaf).unwrap();
+        let probe = |x: f64, y: f64| Convex::rectangle(Point::new(x, y), Point::splat(0.005), Point::X);
+        assert!(sector.overlaps(&probe(0.7, 0.7), 1e-4));
+        assert!(!sector.overlaps(&probe(0.8, 0.8), 1e-4));
+        assert!(!sector.overlaps(&probe(-0.1, 0.5), 1e-4));
+        let mirrored = Leaf { hinge: Point::ZERO, closed_tip: Point::Y, open_tip: Point::X };
+        assert!(swing(&mirrored).unwrap().overlaps(&probe(0.7, 0.7), 1e-4));
+    }
+
+    #[test]
+    fn a_column_in_the_shape_of_an_l_keeps_its_notch() {
+        let corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)];
+        let outline = Polygon::new(&corners.map(|(x, y)| Point::new(x, y))).unwrap();
+        let parts = convex_parts(&outline, 2.5);
+        let probe = Solid::new(Convex::rectangle(Point::splat(1.5), Point::splat(0.3), Point::X), 0.0, 1.0);
+        assert!(parts.len() >= 2);
+        assert!(!parts.iter().any(|part| part.overlaps(&probe, 1e-4)));
+    }
+}

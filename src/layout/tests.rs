@@ -1,0 +1,300 @@
+//! Agents in small rooms, with classes made by hand.
+
+use std::f64::consts::PI;
+
+use super::*;
+use crate::catalog::*;
+use crate::geometry::{Point, Polygon, Region};
+use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, RoomOpening, Wall, WallKind};
+
+fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
+    ParentRule {
+        parent,
+        sides: sides.to_vec(),
+        tag: None,
+        orientation: Orientation { turn, jitter: 0.0 },
+        along,
+        gap: (0.0, 0.0),
+        elevation: (0.0, 0.0),
+    }
+}
+
+fn class(id: &str, size: (f64, f64, f64), parents: Vec<ParentRule>, depth: u32) -> Class {
+    Class {
+        id: id.to_owned(),
+        label: id.to_owned(),
+        groups: Vec::new(),
+        sizes: vec![Size { width: size.0, depth: size.1, height: size.2 }],
+        looks: 1,
+        shape: Shape::Box,
+        parents,
+        sides: [SideOffer::NONE; 6],
+        clearances: Vec::new(),
+        relations: Vec::new(),
+        grid: None,
+        priority: 0,
+        model: ModelSource::Recipe { name: "box".to_owned(), parameters: Vec::new() },
+        depth,
+    }
+}
+
+/// chair, desk, lamp, light, shelf: sorted by id, as a catalogue must be.
+fn classes() -> Vec<Class> {
+    let mut desk = class(
+        "desk",
+        (1.6, 0.8, 0.74),
+        vec![rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Random)],
+        0,
+    );
+    desk.sides[Side::Front.index()].places = 1;
+    desk.sides[Side::Above.index()].places = 2;
+    desk.clearances = vec![Clearance {
+        side: Side::Front,
+        minimum: 0.75,
+        good: 0.9,
+        margin: 0.0,
+        height: 2.0,
+        allows_children: true,
+    }];
+    let at_desk = rule(ParentName::Classes(vec![1]), &[Side::Front], Turn::Facing, Along::Center);
+    let on_desk = rule(ParentName::Classes(vec![1]), &[Side::Above], Turn::Parallel, Along::Back);
+    let on_ceiling = rule(ParentName::Ceiling, &[Side::Below], Turn::Parallel, Along::Random);
+    let mut light = class("light", (0.6, 0.6, 0.1), vec![on_ceiling], 0);
+    light.grid = Some(Grid { interval: Point::splat(2.0), is_centered: true });
+    let at_wall = rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Random);
+    vec![
+        class("chair", (0.5, 0.5, 0.9), vec![at_desk], 1),
+        desk,
+        class("lamp", (0.2, 0.2, 0.4), vec![on_desk], 1),
+        light,
+        class("shelf", (1.0, 0.4, 2.0), vec![at_wall], 0),
+    ]
+}
+
+fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> Catalog {
+    let request = |&(class, count): &(usize, Count)| Request {
+        classes: vec![class],
+        count,
+        area: (0.0, f64::INFINITY),
+        is_required: false,
+        chance: 1.0,
+        needs_window: false,
+    };
+    let finish = Finish { floor: "carpet".into(), wall: "plaster".into(), ceiling: "ceiling".into() };
+    let room_type = RoomType {
+        id: "office".into(),
+        label: "Office".into(),
+        is_furnished: true,
+        programme: programme.iter().map(request).collect(),
+        excludes: Vec::new(),
+        density: (0.2, 0.4),
+        finish,
+    };
+    let style = Style {
+        id: DEFAULT_STYLE.into(),
+        label: "Default".into(),
+        room_types: Vec::new(),
+        programmes: Default::default(),
+        additions: Default::default(),
+        geometry: "plain".into(),
+        palette: "modern".into(),
+        untidiness,
+        density: 1.0,
+    };
+    Catalog {
+        classes: classes(),
+        room_types: [("office".to_owned(), room_type)].into(),
+        styles: [(DEFAULT_STYLE.to_owned(), style)].into(),
+        ..Catalog::default()
+    }
+}
+
+/// A room with a door 0.9 m wide that opens inward at the start of its first wall.
+fn level(corners: &[(f64, f64)]) -> Level {
+    let points: Vec<Point> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
+    let region = Region::simple(Polygon::new(&points).unwrap());
+    let wall = |(start, end)| Wall {
+        start,
+        end,
+        thickness: 0.1,
+        is_exterior: true,
+        kind: WallKind::Solid,
+        tags: Vec::new(),
+    };
+    let walls: Vec<Wall> = region.borders().map(wall).collect();
+    let hinge = walls[0].start + walls[0].direction() * 0.2;
+    let leaf = Leaf {
+        hinge,
+        closed_tip: hinge + walls[0].direction() * 0.9,
+        open_tip: hinge + walls[0].normal() * 0.9,
+    };
+    let door = Opening {
+        id: "1".into(),
+        kind: OpeningKind::Door,
+        center: walls[0].start + walls[0].direction() * 0.65,
+        along: walls[0].direction(),
+        width: 0.9,
+        bottom: 0.0,
+        top: 2.0,
+        leaves: vec![leaf],
+        sides: vec![OpeningSide { room: 0, wall: 0, from: 0.2, to: 1.1 }],
+    };
+    let room = Room {
+        id: "1".into(),
+        number: 1,
+        name: None,
+        room_type: "office".into(),
+        style: None,
+        region,
+        height: 2.8,
+        walls,
+        obstacles: Vec::new(),
+        openings: vec![RoomOpening { opening: 0, wall: 0, from: 0.2, to: 1.1 }],
+    };
+    Level {
+        id: "0".into(),
+        name: "0".into(),
+        elevation: 0.0,
+        height: 3.0,
+        rooms: vec![room],
+        openings: vec![door],
+        digest: [0; 32],
+    }
+}
+
+const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)];
+const CONCAVE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 2.5), (3.0, 2.5), (3.0, 5.0), (0.0, 5.0)];
+
+fn run(level: &Level, catalog: &Catalog, seed: u64) -> Furnished {
+    furnish(level, 0, catalog, &FurnishOptions { seed, building: "test", style: None })
+}
+
+const OFFICE: &[(usize, Count)] = &[
+    (0, Count::Fixed(3)),
+    (1, Count::Fixed(3)),
+    (2, Count::Fixed(3)),
+    (3, Count::Fixed(6)),
+    (4, Count::Fixed(2)),
+];
+
+fn assert_free(level: &Level, catalog: &Catalog, furnished: &Furnished) {
+    let solid = |p: &Placement| solids(&catalog.classes[p.class], p)[0];
+    let all: Vec<_> = furnished.placements.iter().map(solid).collect();
+    for (index, a) in all.iter().enumerate() {
+        assert!(all[..index].iter().all(|b| !a.overlaps(b, 1e-3)), "collision in seed {}", furnished.seed);
+        let inside = |corner: &&Point| {
+            let inward = **corner + (a.base.center() - **corner).normalize() * 2e-3;
+            level.rooms[0].region.contains(inward)
+        };
+        assert!(a.footprint().iter().all(|corner| inside(&corner)), "outside in seed {}", furnished.seed);
+    }
+    let swing = surroundings::Surroundings::new(level, &level.rooms[0]).kept_free;
+    assert!(all.iter().all(|a| swing.iter().all(|region| !a.overlaps(region, 1e-3))), "door blocked");
+}
+
+#[test]
+fn rooms_are_free_of_collisions_whatever_their_shape() {
+    let catalog = catalog(OFFICE, Untidiness::default());
+    for corners in [WIDE, CONCAVE] {
+        let level = level(corners);
+        for seed in 0..100 {
+            assert_free(&level, &catalog, &run(&level, &catalog, seed));
+        }
+    }
+}
+
+#[test]
+fn an_office_with_room_enough_holds_all_it_asks_for() {
+    let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
+    let placed: usize = (0..100).map(|seed| run(&level, &catalog, seed).placements.len()).sum();
+    assert!(placed >= 1690, "only {placed} of 1700 rest");
+}
+
+#[test]
+fn chairs_face_their_desks_and_lamps_stand_on_them() {
+    let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
+    let room = run(&level, &catalog, 5);
+    for child in room.placements.iter().filter(|p| p.class == 0 || p.class == 2) {
+        let Parent::Object(desk) = child.parent else { panic!("{child:?} has no desk") };
+        let desk = &room.placements[desk];
+        assert_eq!(desk.class, 1);
+        if child.class == 0 {
+            let turned = (child.angle - desk.angle).rem_euclid(2.0 * PI);
+            assert!((turned - PI).abs() < 1e-9, "a chair looks at its desk");
+            assert_eq!(child.elevation, 0.0);
+        } else {
+            assert_eq!(child.elevation, 0.74);
+        }
+    }
+}
+
+#[test]
+fn lights_hang_in_a_centred_grid() {
+    let (level, catalog) = (level(WIDE), catalog(&[(3, Count::Fixed(6))], Untidiness::default()));
+    let room = run(&level, &catalog, 1);
+    let mut positions: Vec<(i64, i64)> = room
+        .placements
+        .iter()
+        .map(|p| ((p.position.x * 1e3).round() as i64, (p.position.y * 1e3).round() as i64))
+        .collect();
+    positions.sort_unstable();
+    assert_eq!(
+        positions,
+        [(1000, 1500), (1000, 3500), (3000, 1500), (3000, 3500), (5000, 1500), (5000, 3500)]
+    );
+}
+
+#[test]
+fn the_same_seed_gives_the_same_room_and_another_seed_another() {
+    let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
+    assert_eq!(run(&level, &catalog, 3), run(&level, &catalog, 3));
+    assert_ne!(run(&level, &catalog, 3).placements, run(&level, &catalog, 4).placements);
+}
+
+#[test]
+fn one_more_lamp_moves_no_desk() {
+    let level = level(WIDE);
+    let with = |lamps| {
+        let catalog = catalog(&[(1, Count::Fixed(3)), (2, Count::Fixed(lamps))], Untidiness::default());
+        let mut placements = run(&level, &catalog, 9).placements;
+        placements.retain(|p| p.class == 1);
+        placements
+    };
+    assert_eq!(with(2), with(3));
+}
+
+#[test]
+fn an_untidy_room_is_crooked_but_free() {
+    let untidiness = Untidiness { turn: 0.2, distance: 0.1 };
+    let (level, catalog) = (level(WIDE), catalog(OFFICE, untidiness));
+    let mut crooked = 0;
+    for seed in 0..50 {
+        let room = run(&level, &catalog, seed);
+        assert_free(&level, &catalog, &room);
+        let off = |p: &&Placement| libm::sin(2.0 * p.angle).abs() > 0.02;
+        crooked += room.placements.iter().filter(off).count();
+    }
+    assert!(crooked > 100, "only {crooked} of about 850 objects are off their angle");
+}
+
+#[test]
+fn what_finds_no_room_is_removed_with_its_reason() {
+    let (level, catalog) = (
+        level(&WIDE.iter().map(|&(x, y)| (x / 3.0, y / 3.0)).collect::<Vec<_>>()),
+        catalog(OFFICE, Untidiness::default()),
+    );
+    let room = run(&level, &catalog, 2);
+    assert_eq!(room.placements.len() + room.removals.len(), 17);
+    assert!(room.removals.iter().any(|removal| removal.class == 1));
+    let chairs_gone = room.removals.iter().filter(|removal| removal.class == 0);
+    assert!(chairs_gone.into_iter().all(|removal| removal.reason != RemovalReason::Outside));
+}
+
+#[test]
+fn fill_asks_for_no_more_than_fits() {
+    let (level, catalog) = (level(WIDE), catalog(&[(4, Count::Fill(100))], Untidiness::default()));
+    let room = run(&level, &catalog, 2);
+    assert!(room.removals.is_empty());
+    assert!((8..=22).contains(&room.placements.len()), "{} shelves", room.placements.len());
+    assert_eq!(room.requested as usize, room.placements.len());
+}

@@ -1,0 +1,20 @@
+//! Roomwright furnishes buildings: floor plans in, one glTF file per floor out.
+//!
+//! ```text
+//! plan files -> plan -> layout -> scene -> gltf -> out/<building>/<level>.glb
+//! configs/   -> catalog --'         |
+//! assets/    -> model   ------------'      batch drives it, audit judges it
+//! ```
+
+pub mod audit;
+pub mod batch;
+pub mod catalog;
+pub mod cli;
+pub mod document;
+pub mod draw;
+pub mod geometry;
+pub mod gltf;
+pub mod layout;
+pub mod model;
+pub mod plan;
+pub mod scene;

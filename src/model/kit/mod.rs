@@ -1,0 +1,37 @@
+//! A small modelling kit: closed solids, cut and placed in the box of a class.
+//!
+//! Frame of everything here: glTF's, metres, Y up; origin in the middle of the underside of the class's
+//! box, front at +Z, right (as seen by the person standing before the front) at +X.
+//!
+//! Every [`Solid`] is closed (each edge belongs to exactly two triangles) and faces outwards.
+
+mod bay;
+mod blade;
+mod builder;
+mod extrude;
+mod loft;
+mod normals;
+mod outline;
+mod rounded;
+mod sampler;
+mod solid;
+mod sweep;
+
+pub(crate) use bay::Bay;
+pub(crate) use blade::{Blade, blade};
+pub(crate) use builder::Builder;
+pub(crate) use extrude::{Axis, extrude};
+pub(crate) use loft::{cylinder, lathe, loft, loft_ring};
+pub(crate) use outline::{Outline, Slice};
+pub(crate) use rounded::{cuboid, rounded_box};
+pub(crate) use sampler::Sampler;
+pub(crate) use solid::{Shading, Solid};
+pub(crate) use sweep::sweep;
+
+/// How far touching parts sink into each other, in metres: faces that lie back to back in one plane flicker
+/// and render black, so no two parts share a plane.
+pub(crate) const SINK: f64 = 0.0005;
+
+/// Anything thinner than this is left out, in metres: it could not be seen, and its triangles would have
+/// hardly any area.
+pub(crate) const THINNEST: f64 = 0.0002;

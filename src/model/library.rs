@@ -1,0 +1,212 @@
+//! The models of a catalogue, each built once.
+
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+use super::Model;
+use super::recipes::{PLAIN, RecipeInput, build_recipe, geometry_sets, recipe_names};
+use super::user::UserModel;
+use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Size};
+use crate::document::{Fault, Faults, did_you_mean};
+
+/// The models of all classes, variants and geometry sets; built when first asked for and then shared.
+///
+/// The same request gives the same [`Arc`], from any thread. A recipe without a form of its own in a set gives
+/// the [`Arc`] of the plain one, and a user's model one [`Arc`] for all looks of a size.
+#[derive(Debug)]
+pub struct ModelLibrary {
+    classes: Vec<Entry>,
+}
+
+#[derive(Debug)]
+struct Entry {
+    id: String,
+    sizes: Vec<Size>,
+    looks: u32,
+    source: Source,
+}
+
+#[derive(Debug)]
+enum Source {
+    Recipe {
+        name: String,
+        parameters: Vec<(String, f64)>,
+        /// By geometry set, then variant.
+        models: Vec<Vec<OnceLock<Arc<Model>>>>,
+    },
+    /// By size.
+    File(Vec<Arc<Model>>),
+}
+
+impl ModelLibrary {
+    /// Checks the recipe of every class, and reads and fits every user's model.
+    ///
+    /// # Errors
+    /// All unknown recipes, and all faults of all model files, in the order of classes.
+    pub fn load(catalog: &Catalog) -> Result<Self, Faults> {
+        let mut faults = Faults::default();
+        let mut classes = Vec::with_capacity(catalog.classes.len());
+        for class in &catalog.classes {
+            match source_of(class) {
+                Ok(source) => classes.push(Entry {
+                    id: class.id.clone(),
+                    sizes: class.sizes.clone(),
+                    looks: class.looks,
+                    source,
+                }),
+                Err(found) => faults.merge(found),
+            }
+        }
+        if faults.is_empty() { Ok(Self { classes }) } else { Err(faults) }
+    }
+
+    /// The model of a variant of a class in a geometry set; an unknown set counts as `plain`.
+    ///
+    /// # Panics
+    /// If the class or the variant is none of the catalogue that was loaded.
+    #[must_use]
+    pub fn model(&self, class: ClassIndex, variant: u32, geometry: &str) -> Arc<Model> {
+        let entry = &self.classes[class];
+        let size_index = (variant / entry.looks) as usize;
+        match &entry.source {
+            Source::File(models) => Arc::clone(&models[size_index]),
+            Source::Recipe { models, .. } => {
+                let set = geometry_sets().iter().position(|&name| name == geometry).unwrap_or(plain_set());
+                let build = || entry.build(variant, set);
+                Arc::clone(models[set][variant as usize].get_or_init(build))
+            }
+        }
+    }
+}
+
+/// Position of the plain set.
+fn plain_set() -> usize {
+    geometry_sets().iter().position(|&name| name == PLAIN).unwrap_or(0)
+}
+
+impl Entry {
+    fn build(&self, variant: u32, set: usize) -> Arc<Model> {
+        let Source::Recipe { name, parameters, models } = &self.source else {
+            unreachable!("files are read when the library is loaded")
+        };
+        let size = self.sizes[(variant / self.looks) as usize];
+        let look = variant % self.looks;
+        let input = RecipeInput { size, look, geometry: geometry_sets()[set], parameters };
+        let model = build_recipe(name, &input).unwrap_or_else(|| panic!("class {} lost its recipe", self.id));
+        if set == plain_set() {
+            return Arc::new(model);
+        }
+        let plain = models[plain_set()][variant as usize].get_or_init(|| self.build(variant, plain_set()));
+        if **plain == model { Arc::clone(plain) } else { Arc::new(model) }
+    }
+}
+
+fn source_of(class: &Class) -> Result<Source, Faults> {
+    match &class.model {
+        ModelSource::Recipe { name, parameters } => {
+            if recipe_names().binary_search(&name.as_str()).is_err() {
+                return Err(unknown_recipe(class, name).into());
+            }
+            let slots = || (0..class.variant_count()).map(|_| OnceLock::new()).collect();
+            let models = geometry_sets().iter().map(|_| slots()).collect();
+            Ok(Source::Recipe { name: name.clone(), parameters: parameters.clone(), models })
+        }
+        ModelSource::File { path, turn } => {
+            let read = UserModel::read(path, *turn)?;
+            let mut faults = Faults::default();
+            let mut models = Vec::new();
+            for &size in &class.sizes {
+                match read.fitted(size) {
+                    Ok(model) => models.push(Arc::new(model)),
+                    Err(found) => faults.merge(found),
+                }
+            }
+            if faults.is_empty() { Ok(Source::File(models)) } else { Err(faults) }
+        }
+    }
+}
+
+fn unknown_recipe(class: &Class, name: &str) -> Fault {
+    let message = format!("class \"{}\" names the unknown model recipe \"{name}\"", class.id);
+    let fault = Fault::of_file(Path::new("configs/classes"), message);
+    match did_you_mean(name, recipe_names().iter().copied()) {
+        Some(hint) => fault.with_hint(hint),
+        None => fault,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::{Shape, SideOffer};
+
+    fn class(id: &str, recipe: &str) -> Class {
+        let size = |width| Size { width, depth: 0.5, height: 0.9 };
+        Class {
+            id: id.to_owned(),
+            label: id.to_owned(),
+            groups: Vec::new(),
+            sizes: vec![size(0.5), size(0.6)],
+            looks: 2,
+            shape: Shape::Box,
+            parents: Vec::new(),
+            sides: [SideOffer::NONE; 6],
+            clearances: Vec::new(),
+            relations: Vec::new(),
+            grid: None,
+            priority: 0,
+            model: ModelSource::Recipe { name: recipe.to_owned(), parameters: Vec::new() },
+            depth: 0,
+        }
+    }
+
+    fn library(recipe: &str) -> ModelLibrary {
+        let catalog = Catalog { classes: vec![class("thing", recipe)], ..Catalog::default() };
+        ModelLibrary::load(&catalog).unwrap()
+    }
+
+    #[test]
+    fn equal_requests_share_one_model() {
+        let library = library("chair");
+        assert!(Arc::ptr_eq(&library.model(0, 1, PLAIN), &library.model(0, 1, PLAIN)));
+        assert!(!Arc::ptr_eq(&library.model(0, 1, PLAIN), &library.model(0, 3, PLAIN)));
+    }
+
+    #[test]
+    fn variants_are_sizes_times_looks() {
+        let library = library("chair");
+        let width = |variant| {
+            let model = library.model(0, variant, PLAIN);
+            model.primitives.iter().flat_map(|part| &part.positions).map(|p| p[0]).fold(0.0, f32::max) * 2.0
+        };
+        assert!((width(1) - 0.5).abs() < 0.001 && (width(2) - 0.6).abs() < 0.001);
+    }
+
+    #[test]
+    fn sets_share_what_they_do_not_change() {
+        let plain_only = library("tv");
+        assert!(Arc::ptr_eq(&plain_only.model(0, 0, "traditional"), &plain_only.model(0, 0, PLAIN)));
+        let both = library("chair");
+        assert!(!Arc::ptr_eq(&both.model(0, 0, "traditional"), &both.model(0, 0, PLAIN)));
+        assert!(Arc::ptr_eq(&both.model(0, 0, "unknown"), &both.model(0, 0, PLAIN)));
+    }
+
+    #[test]
+    fn threads_share_one_model() {
+        let library = library("bookshelf");
+        let models: Vec<Arc<Model>> = std::thread::scope(|scope| {
+            let runs: Vec<_> = (0..4).map(|_| scope.spawn(|| library.model(0, 0, "traditional"))).collect();
+            runs.into_iter().map(|run| run.join().unwrap()).collect()
+        });
+        assert!(models.iter().all(|model| Arc::ptr_eq(model, &models[0])));
+    }
+
+    #[test]
+    fn an_unknown_recipe_is_a_fault_with_a_suggestion() {
+        let catalog = Catalog { classes: vec![class("thing", "chiar")], ..Catalog::default() };
+        let faults = ModelLibrary::load(&catalog).unwrap_err();
+        assert_eq!(faults.0.len(), 1);
+        assert_eq!(faults.0[0].message, "class \"thing\" names the unknown model recipe \"chiar\"");
+        assert_eq!(faults.0[0].hint.as_deref(), Some("did you mean \"chair\"?"));
+    }
+}

@@ -1,0 +1,20 @@
+//! Class and variant to a mesh with materials: procedural recipes, or a user's glTF.
+//!
+//! What later stages may rely on: a [`ModelLibrary`] gives a [`Model`] for every class, variant and geometry set;
+//! the model's box is the class's box to 1 mm, its normals are unit vectors, its indices are valid, and equal
+//! requests give the same [`std::sync::Arc`].
+
+#[cfg(test)]
+mod agreement;
+mod kit;
+mod library;
+mod mesh;
+mod recipes;
+mod user;
+
+pub use library::ModelLibrary;
+pub use mesh::{Image, Model, ModelMaterial, ModelRequest, OwnMaterial, Primitive, TextureUse};
+pub use recipes::{
+    PLAIN, RecipeInput, TRADITIONAL, build_recipe, geometry_sets, recipe_names, recipe_parameters,
+    recipe_size,
+};

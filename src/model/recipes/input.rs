@@ -1,0 +1,88 @@
+//! What a recipe is asked for.
+
+use super::TRADITIONAL;
+use super::table::Recipe;
+use crate::catalog::Size;
+use crate::model::kit::Sampler;
+
+/// What a recipe is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct RecipeInput<'a> {
+    /// Size of the box to fill, in metres.
+    pub size: Size,
+    /// The look: shapes, proportions and counts are drawn from a stream keyed by recipe and look.
+    pub look: u32,
+    /// The geometry set; an unknown one counts as `plain`.
+    pub geometry: &'a str,
+    /// Named numbers that differ from the recipe's defaults; unknown names are ignored here, the catalogue reports
+    /// them.
+    pub parameters: &'a [(String, f64)],
+}
+
+/// A [`RecipeInput`] on its way through a recipe.
+pub(crate) struct Draft<'a> {
+    pub(crate) recipe: &'static Recipe,
+    pub(crate) input: &'a RecipeInput<'a>,
+}
+
+/// The most pieces (drawers, doors, shelves) that a parameter may ask for.
+const MOST_PIECES: f64 = 40.0;
+
+impl Draft<'_> {
+    /// The stream of this look.
+    pub(crate) fn sampler(&self) -> Sampler {
+        Sampler::new(self.recipe.name, self.input.look)
+    }
+
+    /// Whether the traditional set is asked for.
+    pub(crate) fn is_traditional(&self) -> bool {
+        self.input.geometry == TRADITIONAL
+    }
+
+    /// Value of a parameter; its default where it is not given or no number.
+    pub(crate) fn parameter(&self, name: &str) -> f64 {
+        let given = self.input.parameters.iter().find(|(key, value)| key == name && value.is_finite());
+        let default =
+            || self.recipe.parameters.iter().find(|(key, _)| *key == name).map_or(0.0, |pair| pair.1);
+        given.map_or_else(default, |pair| pair.1)
+    }
+
+    /// Whether a parameter is switched on.
+    pub(crate) fn is_set(&self, name: &str) -> bool {
+        self.parameter(name) > 0.0
+    }
+
+    /// A count that was asked for, or else the recipe's own choice.
+    pub(crate) fn count(&self, name: &str, choice: u32) -> u32 {
+        let asked = self.parameter(name).round();
+        if asked >= 1.0 { asked.min(MOST_PIECES) as u32 } else { choice.max(1) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::find;
+    use super::*;
+
+    fn with_draft<T>(parameters: &[(String, f64)], check: impl Fn(&Draft) -> T) -> T {
+        let size = Size { width: 1.6, depth: 0.8, height: 0.74 };
+        let input = RecipeInput { size, look: 0, geometry: "plain", parameters };
+        check(&Draft { recipe: find("desk").unwrap(), input: &input })
+    }
+
+    #[test]
+    fn a_given_number_wins_over_the_default() {
+        let given = [("drawers".to_owned(), 3.0)];
+        assert_eq!(with_draft(&given, |draft| draft.count("drawers", 9)), 3);
+        assert_eq!(with_draft(&[], |draft| draft.count("drawers", 9)), 9);
+    }
+
+    #[test]
+    fn senseless_numbers_do_no_harm() {
+        for value in [f64::NAN, f64::INFINITY, -3.0, 1e18] {
+            let given = [("drawers".to_owned(), value)];
+            let count = with_draft(&given, |draft| draft.count("drawers", 2));
+            assert!((1..=MOST_PIECES as u32).contains(&count), "{value} gave {count}");
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Procedural models: one function per recipe, one file per family, one table of names.
+//!
+//! What callers may rely on: a recipe builds for any positive size, its model touches all six sides of the
+//! box, every part is closed and faces outwards, and the same request gives the same bytes.
+//!
+//! Two geometry sets exist: `plain` and `traditional` (turned legs, mouldings, cornices). A recipe without a
+//! traditional form builds its plain one.
+
+mod appliances;
+mod bathroom;
+mod beds;
+mod belongings;
+#[cfg(test)]
+mod checks;
+mod electronics;
+mod input;
+mod kitchen;
+mod lights;
+mod lounge;
+mod parts;
+mod plants;
+mod seating;
+mod shelving;
+mod storage;
+mod table;
+mod tables;
+mod tableware;
+mod walls;
+mod washroom;
+
+pub use input::RecipeInput;
+pub(crate) use table::{RECIPES, Recipe};
+
+use std::sync::LazyLock;
+
+use super::Model;
+use crate::catalog::Size;
+
+/// The geometry set of styles that name no other.
+pub const PLAIN: &str = "plain";
+/// The geometry set with turned legs, mouldings and cornices.
+pub const TRADITIONAL: &str = "traditional";
+
+static NAMES: LazyLock<Vec<&'static str>> =
+    LazyLock::new(|| RECIPES.iter().map(|recipe| recipe.name).collect());
+
+/// Names of all recipes, sorted.
+#[must_use]
+pub fn recipe_names() -> &'static [&'static str] {
+    &NAMES
+}
+
+/// Names of the geometry sets, sorted.
+#[must_use]
+pub fn geometry_sets() -> &'static [&'static str] {
+    &[PLAIN, TRADITIONAL]
+}
+
+/// Parameters of a recipe with their defaults, sorted by name; `None` for an unknown recipe. A count of zero
+/// leaves the choice to the recipe, which goes by size and look.
+#[must_use]
+pub fn recipe_parameters(name: &str) -> Option<&'static [(&'static str, f64)]> {
+    find(name).map(|recipe| recipe.parameters)
+}
+
+/// The size in metres that a recipe is drawn for; `None` for an unknown recipe.
+#[must_use]
+pub fn recipe_size(name: &str) -> Option<Size> {
+    find(name).map(|recipe| {
+        let [width, depth, height] = recipe.usual;
+        Size { width, depth, height }
+    })
+}
+
+/// Builds a model; `None` for an unknown recipe.
+#[must_use]
+pub fn build_recipe(name: &str, input: &RecipeInput) -> Option<Model> {
+    find(name).map(|recipe| recipe.build(input))
+}
+
+fn find(name: &str) -> Option<&'static Recipe> {
+    RECIPES.binary_search_by(|recipe| recipe.name.cmp(name)).ok().map(|index| &RECIPES[index])
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,188 @@
+//! The table of recipes.
+
+use super::input::{Draft, RecipeInput};
+use super::{
+    appliances, bathroom, beds, belongings, electronics, kitchen, lights, lounge, plants, seating, shelving,
+    storage, tables, tableware, walls, washroom,
+};
+use crate::catalog::Size;
+use crate::model::Model;
+use crate::model::kit::Builder;
+
+/// One recipe.
+#[derive(Debug)]
+pub(crate) struct Recipe {
+    /// The word in `model:` of a class.
+    pub(crate) name: &'static str,
+    /// Width, depth and height that it is drawn for, in metres.
+    pub(crate) usual: [f64; 3],
+    /// The most triangles it makes in about its usual size.
+    #[cfg_attr(not(test), expect(dead_code, reason = "what the tests hold recipes to"))]
+    pub(crate) most_triangles: usize,
+    /// Drawn in a square seen from above and stretched to the box, because most of it is round.
+    is_round: bool,
+    /// Parameters with their defaults, sorted by name.
+    pub(crate) parameters: &'static [(&'static str, f64)],
+    /// Adds the parts.
+    parts: fn(&Draft, &mut Builder),
+}
+
+/// Share of the usual size under which a piece is not drawn anew but scaled down, so that boards and legs of fixed
+/// thickness still find room.
+const LEAST_SHARE: f64 = 0.6;
+/// The most triangles of furniture.
+const LARGE: usize = 1500;
+/// The most triangles of what stands on furniture, hangs on walls or gives light.
+const SMALL: usize = 300;
+
+impl Recipe {
+    /// The finished model.
+    pub(crate) fn build(&'static self, input: &RecipeInput) -> Model {
+        self.parts(input).finish(input.size)
+    }
+
+    /// The parts before they are fitted to the box.
+    pub(crate) fn parts(&'static self, input: &RecipeInput) -> Builder {
+        let draft = Draft { recipe: self, input };
+        let mut builder = Builder::new(self.drawn_size(input.size));
+        (self.parts)(&draft, &mut builder);
+        builder
+    }
+
+    fn drawn_size(&self, size: Size) -> Size {
+        let [width, depth, height] = self.usual.map(|length| length * LEAST_SHARE);
+        let size = Size {
+            width: size.width.max(width),
+            depth: size.depth.max(depth),
+            height: size.height.max(height),
+        };
+        let side = size.width.min(size.depth);
+        if self.is_round { Size { width: side, depth: side, ..size } } else { size }
+    }
+
+    const fn round(mut self) -> Self {
+        self.is_round = true;
+        self
+    }
+
+    const fn with(mut self, parameters: &'static [(&'static str, f64)]) -> Self {
+        self.parameters = parameters;
+        self
+    }
+}
+
+const fn large(name: &'static str, usual: [f64; 3], parts: fn(&Draft, &mut Builder)) -> Recipe {
+    Recipe { name, usual, most_triangles: LARGE, is_round: false, parameters: &[], parts }
+}
+
+const fn small(name: &'static str, usual: [f64; 3], parts: fn(&Draft, &mut Builder)) -> Recipe {
+    Recipe { most_triangles: SMALL, ..large(name, usual, parts) }
+}
+
+/// All recipes, sorted by name.
+pub(crate) static RECIPES: &[Recipe] = &[
+    large("armchair", [0.85, 0.85, 0.82], lounge::armchair),
+    large("auditorium_seat", [0.55, 0.7, 0.95], seating::auditorium_seat),
+    small("basket", [0.35, 0.35, 0.3], tableware::basket),
+    large("bathtub", [1.7, 0.75, 0.7], bathroom::bathtub),
+    large("bed", [1.6, 2.1, 1.0], beds::bed).with(&[("double", 0.0)]),
+    large("bench", [1.2, 0.4, 0.45], seating::bench),
+    small("bin", [0.3, 0.3, 0.4], washroom::bin).round(),
+    small("books", [0.2, 0.25, 0.12], belongings::books),
+    large("bookshelf", [0.9, 0.3, 2.0], shelving::bookshelf).with(&[("shelves", 0.0)]),
+    small("bottle", [0.08, 0.08, 0.3], tableware::bottle),
+    small("bowl", [0.22, 0.22, 0.09], tableware::bowl),
+    large("bunk_bed", [1.0, 2.1, 1.7], beds::bunk_bed),
+    large("cabinet", [0.8, 0.4, 1.2], storage::cabinet).with(&[("doors", 0.0)]),
+    large("cash_register", [0.4, 0.45, 0.4], electronics::cash_register),
+    small("ceiling_lamp", [0.4, 0.4, 0.12], lights::ceiling_lamp),
+    small("ceiling_panel", [0.6, 0.6, 0.05], lights::ceiling_panel),
+    large("chair", [0.45, 0.5, 0.88], seating::chair),
+    small("clock", [0.3, 0.05, 0.3], belongings::clock),
+    large("coat_rack", [0.5, 0.5, 1.8], shelving::coat_rack),
+    large("coffee_machine", [0.3, 0.4, 0.38], appliances::coffee_machine),
+    large("coffee_table", [1.1, 0.6, 0.42], tables::coffee_table),
+    small("computer", [0.55, 0.2, 0.45], electronics::computer),
+    large("console_table", [1.1, 0.35, 0.8], tables::console_table),
+    large("cooker", [0.6, 0.6, 0.9], appliances::cooker),
+    large("counter", [2.4, 0.7, 1.1], kitchen::counter),
+    large("crib", [0.7, 1.3, 1.0], beds::crib),
+    small("cup", [0.1, 0.08, 0.09], tableware::cup),
+    large("curtain", [1.6, 0.15, 2.3], walls::curtain),
+    large("desk", [1.6, 0.8, 0.74], tables::desk).with(&[("drawers", 0.0)]),
+    small("desk_lamp", [0.2, 0.3, 0.45], lights::desk_lamp),
+    large("dishwasher", [0.6, 0.6, 0.85], appliances::dishwasher),
+    small("dispenser", [0.3, 0.14, 0.35], washroom::dispenser),
+    large("display_case", [1.0, 0.5, 1.6], shelving::display_case),
+    large("dresser", [1.0, 0.45, 0.85], storage::dresser).with(&[("drawers", 0.0)]),
+    large("filing_cabinet", [0.45, 0.6, 1.3], storage::filing_cabinet).with(&[("drawers", 0.0)]),
+    small("fire_extinguisher", [0.18, 0.16, 0.55], walls::fire_extinguisher),
+    small("floor_lamp", [0.4, 0.4, 1.6], lights::floor_lamp).round(),
+    large("fridge", [0.6, 0.65, 1.9], kitchen::fridge),
+    small("glass", [0.07, 0.07, 0.12], tableware::glass),
+    large("hood", [0.6, 0.5, 0.7], appliances::hood),
+    small("kettle", [0.22, 0.16, 0.24], appliances::kettle),
+    small("keyboard", [0.45, 0.15, 0.03], electronics::keyboard),
+    large("lab_bench", [1.8, 0.75, 0.9], tables::lab_bench),
+    small("laptop", [0.34, 0.28, 0.24], electronics::laptop),
+    large("lectern", [0.6, 0.5, 1.15], tables::lectern),
+    large("locker", [0.9, 0.5, 1.9], storage::locker).with(&[("doors", 0.0)]),
+    large("luggage_rack", [0.7, 0.45, 0.5], walls::luggage_rack),
+    large("magazine_rack", [0.8, 0.35, 1.4], shelving::magazine_rack),
+    small("microwave", [0.5, 0.38, 0.3], appliances::microwave),
+    large("minibar", [0.5, 0.5, 0.75], appliances::minibar),
+    small("mirror", [0.6, 0.03, 0.8], washroom::mirror),
+    large("nightstand", [0.45, 0.4, 0.5], storage::nightstand),
+    small("notice_board", [1.2, 0.04, 0.9], walls::notice_board),
+    large("office_chair", [0.62, 0.62, 1.05], seating::office_chair).round(),
+    small("papers", [0.22, 0.3, 0.02], belongings::papers),
+    large("partition", [1.6, 0.05, 1.6], walls::partition),
+    small("pendant", [0.4, 0.4, 0.9], lights::pendant).round(),
+    small("phone", [0.2, 0.22, 0.1], electronics::phone),
+    small("picture", [0.7, 0.03, 0.5], walls::picture),
+    small("picture_frame", [0.15, 0.08, 0.2], belongings::picture_frame),
+    small("pillow", [0.5, 0.4, 0.14], belongings::pillow),
+    large("plant", [0.6, 0.6, 1.4], plants::plant).round(),
+    large("planter", [1.2, 0.4, 0.9], plants::planter),
+    small("plate", [0.45, 0.32, 0.03], tableware::plate),
+    large("printer", [0.5, 0.45, 0.4], appliances::printer),
+    small("projection_screen", [2.4, 0.1, 1.8], electronics::projection_screen),
+    small("projector", [0.35, 0.3, 0.12], electronics::projector),
+    large("radiator", [1.0, 0.1, 0.6], walls::radiator),
+    large("round_table", [1.1, 1.1, 0.74], tables::round_table),
+    large("shelf", [0.9, 0.4, 1.8], shelving::shelf),
+    large("shoe_cabinet", [0.8, 0.25, 1.1], storage::shoe_cabinet),
+    large("shower", [0.9, 0.9, 2.0], bathroom::shower),
+    large("sideboard", [1.6, 0.42, 0.8], storage::sideboard),
+    small("signage", [0.6, 0.03, 0.2], walls::signage),
+    small("small_plant", [0.2, 0.2, 0.3], plants::small_plant).round(),
+    small("soap", [0.12, 0.08, 0.04], washroom::soap),
+    large("sofa", [2.2, 0.9, 0.82], lounge::sofa).with(&[("seats", 0.0)]),
+    large("stool", [0.36, 0.36, 0.65], seating::stool).round(),
+    large("table", [1.4, 0.8, 0.74], tables::table),
+    large("toilet", [0.38, 0.68, 0.8], bathroom::toilet),
+    small("towel", [0.4, 0.3, 0.08], washroom::towel),
+    small("towel_rail", [0.5, 0.1, 0.8], washroom::towel_rail),
+    small("toy", [0.25, 0.2, 0.25], belongings::toy),
+    small("tray", [0.4, 0.3, 0.04], tableware::tray),
+    large("treatment_bed", [0.7, 1.95, 0.85], beds::treatment_bed),
+    small("tv", [1.2, 0.22, 0.75], electronics::tv),
+    large("tv_stand", [1.5, 0.4, 0.5], storage::tv_stand),
+    small("umbrella_stand", [0.25, 0.25, 0.6], walls::umbrella_stand).round(),
+    large("urinal", [0.4, 0.36, 0.7], washroom::urinal),
+    large("vanity", [0.8, 0.5, 0.95], bathroom::vanity),
+    small("vase", [0.15, 0.15, 0.3], plants::vase).round(),
+    large("vending_machine", [0.9, 0.8, 1.85], appliances::vending_machine),
+    large("wall_cabinet", [0.8, 0.35, 0.7], storage::wall_cabinet).with(&[("doors", 0.0)]),
+    small("wall_lamp", [0.2, 0.2, 0.3], lights::wall_lamp),
+    large("wardrobe", [1.5, 0.6, 2.1], storage::wardrobe).with(&[("doors", 0.0)]),
+    large("washbasin", [0.55, 0.45, 0.95], bathroom::washbasin),
+    large("washing_machine", [0.6, 0.6, 0.85], appliances::washing_machine),
+    small("whiteboard", [1.8, 0.08, 1.2], walls::whiteboard),
+    large("worktop", [0.9, 0.6, 0.9], kitchen::worktop).with(&[
+        ("drawers", 0.0),
+        ("hob", 0.0),
+        ("oven", 0.0),
+        ("sink", 0.0),
+    ]),
+];

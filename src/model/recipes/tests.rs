@@ -1,0 +1,137 @@
+//! Properties of every recipe, over sizes, looks, sets and parameters.
+
+use proptest::prelude::*;
+
+use super::checks::{Welded, number_fault};
+use super::*;
+use crate::model::Primitive;
+
+const SETS: [&str; 2] = [PLAIN, TRADITIONAL];
+
+fn size([width, depth, height]: [f64; 3]) -> Size {
+    Size { width, depth, height }
+}
+
+fn triangle_count(model: &Model) -> usize {
+    model.primitives.iter().map(|primitive| primitive.indices.len() / 3).sum()
+}
+
+/// Every parameter of a recipe on its own, and none.
+fn parameter_choices(name: &str) -> Vec<Vec<(String, f64)>> {
+    let known = recipe_parameters(name).unwrap();
+    let each = known.iter().map(|(key, _)| vec![((*key).to_owned(), 3.0)]);
+    std::iter::once(Vec::new()).chain(each).collect()
+}
+
+/// A usual size and two that differ from it.
+fn sizes_about([width, depth, height]: [f64; 3]) -> [Size; 3] {
+    let factors = [[1.0, 1.0, 1.0], [1.3, 0.9, 1.0], [0.85, 1.1, 1.1]];
+    factors.map(|[wide, deep, high]| size([width * wide, depth * deep, height * high]))
+}
+
+/// Calls `check` with every recipe in its usual size and two that differ, in all sets, with three looks.
+fn for_every_recipe(mut check: impl FnMut(&str, &RecipeInput) -> Option<String>) {
+    let mut faults = Vec::new();
+    for recipe in RECIPES {
+        for parameters in parameter_choices(recipe.name) {
+            for (geometry, look) in SETS.iter().flat_map(|&set| (0..3).map(move |look| (set, look))) {
+                let about = |size| RecipeInput { size, look, geometry, parameters: &parameters };
+                let checked = sizes_about(recipe.usual).map(|size| check(recipe.name, &about(size)));
+                let found = checked.into_iter().flatten();
+                faults.extend(
+                    found.map(|fault| {
+                        format!("{} {geometry} look {look} {parameters:?}: {fault}", recipe.name)
+                    }),
+                );
+            }
+        }
+    }
+    faults.sort();
+    let first_of_each =
+        faults.chunk_by(|a, b| a.split(' ').next() == b.split(' ').next()).map(|chunk| &chunk[0]);
+    let shown: Vec<&String> = first_of_each.collect();
+    assert!(faults.is_empty(), "{} faults:\n{shown:#?}", faults.len());
+}
+
+#[test]
+fn the_table_is_sorted_and_has_no_doubles() {
+    assert!(recipe_names().windows(2).all(|pair| pair[0] < pair[1]));
+    for name in recipe_names() {
+        assert!(recipe_parameters(name).unwrap().windows(2).all(|pair| pair[0].0 < pair[1].0), "{name}");
+    }
+    assert_eq!(recipe_parameters("spaceship"), None);
+}
+
+#[test]
+fn models_fill_their_box_with_sound_numbers() {
+    for_every_recipe(|name, input| number_fault(&build_recipe(name, input).unwrap(), input.size));
+}
+
+#[test]
+fn models_are_closed_and_face_outwards() {
+    for_every_recipe(|name, input| Welded::new(&build_recipe(name, input).unwrap()).surface_fault());
+}
+
+#[test]
+fn no_two_faces_lie_in_one_plane() {
+    for_every_recipe(|name, input| Welded::new(&build_recipe(name, input).unwrap()).flicker_fault());
+}
+
+#[test]
+fn recipes_build_to_size_themselves() {
+    for_every_recipe(|name, input| {
+        let misfit = find(name).unwrap().parts(input).misfit();
+        let size = input.size;
+        let allowed = 0.004 + 0.04 * size.width.min(size.depth).min(size.height);
+        (misfit > allowed).then(|| format!("is off by {misfit} m before it is fitted"))
+    });
+}
+
+#[test]
+fn models_stay_within_their_triangles() {
+    for_every_recipe(|name, input| {
+        let most = find(name).unwrap().most_triangles;
+        let count = triangle_count(&build_recipe(name, input).unwrap());
+        (count > most).then(|| format!("{count} triangles, {most} are allowed"))
+    });
+}
+
+#[test]
+fn a_recipe_builds_the_same_bytes_again() {
+    for_every_recipe(|name, input| {
+        let [first, second] = [0, 1].map(|_| build_recipe(name, input).unwrap());
+        (first != second).then(|| "differs from the first build".to_owned())
+    });
+}
+
+#[test]
+fn looks_differ_where_a_recipe_samples() {
+    let parts = |look| {
+        let input = RecipeInput { size: size([0.9, 0.3, 2.0]), look, geometry: PLAIN, parameters: &[] };
+        build_recipe("bookshelf", &input).unwrap()
+    };
+    assert_ne!(parts(0), parts(1));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
+
+    /// Users' classes may pair any recipe with any size and any number.
+    #[test]
+    fn no_size_or_number_breaks_a_recipe(
+        recipe in 0..RECIPES.len(),
+        extents in prop::array::uniform3(0.03_f64..4.0),
+        look in 0_u32..50,
+        set in 0_usize..2,
+        value in prop::num::f64::ANY,
+    ) {
+        let name = RECIPES[recipe].name;
+        let parameters: Vec<(String, f64)> =
+            recipe_parameters(name).unwrap().iter().map(|(key, _)| ((*key).to_owned(), value)).collect();
+        let input = RecipeInput { size: size(extents), look, geometry: SETS[set], parameters: &parameters };
+        let model = build_recipe(name, &input).unwrap();
+        prop_assert!(model.primitives.iter().all(|primitive: &Primitive| !primitive.indices.is_empty()));
+        prop_assert_eq!(number_fault(&model, input.size), None, "{} {:?}", name, extents);
+        prop_assert_eq!(Welded::new(&model).surface_fault(), None, "{} {:?}", name, extents);
+    }
+}

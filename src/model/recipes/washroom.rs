@@ -1,0 +1,201 @@
+//! What hangs on the walls of bathrooms, and bins.
+
+use glam::DVec3;
+
+use super::input::Draft;
+use super::parts::turned_forward;
+use crate::catalog::Side;
+use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, loft, loft_ring, sweep};
+
+/// A urinal on a wall.
+pub(super) fn urinal(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let back = bay.low.z;
+    let depth = bay.depth();
+    let top = bay.high.y - (bay.height() * 0.1).min(0.07);
+    let slice = |y: f64, x: f64, reach: f64| {
+        Slice::new(y, half.x * x, depth * reach / 2.0)
+            .at(0.0, back + depth * reach / 2.0)
+            .softened(half.x * x * 0.6)
+    };
+    let hollow = |y: f64, x: f64, reach: f64| {
+        Slice::new(y, half.x * x, depth * reach / 2.0)
+            .at(0.0, back + depth * (0.28 + reach / 2.0))
+            .softened(half.x * x * 0.5)
+    };
+    let rim = top * 0.42;
+    let bowl = [
+        slice(0.0, 0.45, 0.5),
+        slice(rim * 0.45, 0.85, 0.85),
+        slice(rim * 0.9, 1.0, 1.0),
+        slice(rim, 1.0, 1.0),
+        hollow(rim, 0.8, 0.62),
+        hollow(rim * 0.4, 0.55, 0.35),
+    ];
+    builder.add("ceramic", loft(&Outline::Soft(2), &bowl));
+    let shield = bay.slab(Side::Back, depth * 0.3).with_y([rim * 0.8, top]);
+    builder.cushion("ceramic", shield.inset(bay.width() * 0.02, 0.0, 0.001), 0.05_f64.min(depth * 0.1));
+    for side in [Side::Left, Side::Right] {
+        let wing = bay
+            .slab(side, bay.width() * 0.12)
+            .with_y([rim * 0.85, top - 0.02])
+            .slab(Side::Back, depth * 0.55);
+        builder.cushion("ceramic", wing.inset(0.004, 0.0, 0.004), 0.02);
+    }
+    let pipe = [
+        DVec3::new(0.0, top - 0.01, back + 0.04),
+        DVec3::new(0.0, bay.high.y - 0.02, back + 0.04),
+        DVec3::new(0.0, bay.high.y - 0.02, back),
+    ];
+    builder.add("chrome", sweep(&pipe, 0.014, 6));
+    builder.add("chrome", cylinder(0.022, [bay.high.y - 0.04, bay.high.y], 8).moved(0.0, 0.0, back + 0.04));
+}
+
+/// A mirror in a frame, round for square boxes in some looks.
+pub(super) fn mirror(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let mut sampler = draft.sampler();
+    let (half, middle) = (bay.extent() / 2.0, bay.center());
+    let is_round = !draft.is_traditional() && sampler.chance(0.35) && (half.x - half.y).abs() < 0.1;
+    let outline = if is_round { Outline::Round(24) } else { Outline::Square };
+    let slot = if draft.is_traditional() { "brass" } else { sampler.pick(&["wood", "metal_dark", "metal"]) };
+    let border = (half.x.min(half.y) * 0.2).min(if draft.is_traditional() { 0.07 } else { 0.025 });
+    let slice = |z: f64, back: f64| Slice::new(z, half.x - back, half.y - back);
+    let front = bay.high.z;
+    let ring = [
+        slice(bay.low.z, 0.0),
+        slice(front - bay.depth() * 0.3, 0.0),
+        slice(front, border * 0.35),
+        slice(front, border * 0.6),
+        slice(front - bay.depth() * 0.3, border),
+        slice(bay.low.z, border),
+    ];
+    builder.add(slot, turned_forward(loft_ring(&outline, &ring)).moved(0.0, middle.y, 0.0));
+    let glass = [
+        slice(bay.low.z + bay.depth() * 0.15, border - SINK),
+        slice(bay.low.z + bay.depth() * 0.55, border - SINK),
+    ];
+    builder.add("mirror", turned_forward(loft(&outline, &glass)).moved(0.0, middle.y, 0.0));
+}
+
+/// A rail on a wall with a towel over it; a ladder of rails where it is high.
+pub(super) fn towel_rail(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let radius = 0.009_f64.min(bay.depth() * 0.15);
+    let z = bay.high.z - bay.depth() * 0.3;
+    let rows = (bay.height() / 0.18).round().clamp(1.0, 8.0) as u32;
+    let is_ladder = rows > 3;
+    if is_ladder {
+        for side in [Side::Left, Side::Right] {
+            let post = bay.slab(side, radius * 2.0).center();
+            builder.add("chrome", cylinder(radius, bay.y(), 8).moved(post.x, 0.0, z));
+            let bracket = Bay::new(
+                [post.x - radius * 0.6, post.x + radius * 0.6],
+                [bay.high.y * 0.85, bay.high.y * 0.85 + radius],
+                [bay.low.z, z],
+            );
+            builder.cuboid("chrome", bracket);
+        }
+        for row in bay.inset(0.0, 0.03, 0.0).rows(rows, 0.0) {
+            let bar = [
+                DVec3::new(bay.low.x + radius, row.center().y, z),
+                DVec3::new(bay.high.x - radius, row.center().y, z),
+            ];
+            builder.add("chrome", sweep(&bar, radius * 0.75, 6));
+        }
+    } else {
+        let y = bay.high.y - bay.height() * 0.12;
+        let back = bay.low.z;
+        let path = [
+            DVec3::new(bay.low.x + radius, y, back),
+            DVec3::new(bay.low.x + radius, y, z),
+            DVec3::new(bay.high.x - radius, y, z),
+            DVec3::new(bay.high.x - radius, y, back),
+        ];
+        builder.add("chrome", sweep(&path, radius, 6));
+    }
+    let y = if is_ladder { bay.high.y * 0.72 } else { bay.high.y };
+    let drop = if is_ladder { bay.height() * 0.4 } else { bay.height() };
+    let width = (bay.width() * 0.55).min(0.5);
+    let x = draft.sampler().between(-0.3, 0.3) * (bay.width() - width) * 0.5;
+    let towel =
+        Bay::new([x - width / 2.0, x + width / 2.0], [y - drop, y], [z - bay.depth() * 0.2, bay.high.z]);
+    builder.cushion("linen", towel, bay.depth() * 0.2);
+}
+
+/// A paper or soap dispenser on a wall.
+pub(super) fn dispenser(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let slot = draft.sampler().pick(&["plastic", "metal"]);
+    builder.block(
+        slot,
+        bay.without(Side::Below, bay.height() * 0.1).without(Side::Front, bay.depth() * 0.06),
+        bay.depth() * 0.15,
+    );
+    let mouth =
+        bay.slab(Side::Below, bay.height() * 0.1 + SINK).inset(bay.width() * 0.25, 0.0, bay.depth() * 0.3);
+    builder.cuboid("paper", mouth);
+    let window =
+        bay.inset(bay.width() * 0.42, bay.height() * 0.25, 0.0).slab(Side::Front, bay.depth() * 0.08);
+    builder.cuboid("plastic_dark", window);
+}
+
+/// A waste bin: a pedal bin with a lid, an open basket, or a bin with a swing top.
+pub(super) fn bin(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let form = draft.sampler().count(0, 2);
+    let slot = ["metal", "plastic_dark", "plastic"][form as usize];
+    let height = bay.height();
+    let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
+    if form == 1 {
+        let open = [
+            slice(0.0, 0.78),
+            slice(0.95, 0.97),
+            slice(0.95, 1.0),
+            slice(1.0, 1.0),
+            slice(1.0, 0.93),
+            slice(0.03, 0.73),
+        ];
+        builder.add(slot, loft(&Outline::Round(12), &open));
+        return;
+    }
+    builder.add(
+        slot,
+        loft(
+            &Outline::Round(16),
+            &[slice(0.0, 0.9), slice(0.04, 0.95), slice(0.78, 1.0), slice(0.78 + SINK, 0.99)],
+        ),
+    );
+    let lid =
+        [slice(0.78, 0.96), slice(0.8, 1.0), slice(0.9, 0.92), slice(1.0, if form == 0 { 0.6 } else { 0.3 })];
+    builder.add("plastic_dark", loft(&Outline::Round(16), &lid));
+    if form == 0 {
+        let pedal = Bay::new([-0.03, 0.03], [0.008, 0.02], [half.z * 0.85, half.z]);
+        builder.cuboid("metal_dark", pedal);
+    }
+}
+
+/// A cake of soap in a dish.
+pub(super) fn soap(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let height = bay.height();
+    let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
+    let dish = [slice(0.0, 0.7), slice(0.5, 1.0), slice(0.6, 0.98), slice(0.25, 0.7)];
+    builder.add("ceramic", loft(&Outline::Round(12), &dish));
+    let cake = bay.inset(half.x * 0.35, 0.0, half.z * 0.35).with_y([height * 0.24, height]);
+    builder.rounded("paper", cake, cake.extent() * 0.3, 2);
+}
+
+/// A folded towel.
+pub(super) fn towel(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let slot = draft.sampler().pick(&["linen", "fabric_light", "fabric_accent"]);
+    let count = (bay.height() / 0.03).round().clamp(1.0, 4.0) as u32;
+    for (index, layer) in bay.rows(count, -0.001).into_iter().enumerate() {
+        let back = if index % 2 == 0 { 0.0 } else { bay.width() * 0.015 };
+        builder.cushion(slot, layer.inset(back, 0.0, back), layer.height() * 0.4);
+    }
+}

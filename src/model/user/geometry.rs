@@ -1,0 +1,228 @@
+//! Nodes and meshes of a document to triangles in one frame.
+
+use std::collections::BTreeMap;
+
+use glam::{DMat3, DMat4, DQuat, DVec3, Vec3};
+use gltf::json::mesh::{Mode, Primitive as JsonPrimitive, Semantic};
+use gltf::json::validation::Checked;
+use gltf::json::{Index, Root, accessor, scene};
+
+use super::accessor::Numbers;
+use super::material::ReadMaterial;
+use super::problem::Problem;
+use crate::model::{Model, ModelMaterial, Primitive};
+
+/// The most triangles of one model. A piece stands in thousands of rooms; more than this belongs into a renderer's
+/// close-up, not into a city.
+pub(super) const MOST_TRIANGLES: usize = 200_000;
+
+/// Units from the origin that no model reaches, whatever its unit; beyond it single precision has no detail left.
+const FARTHEST: f64 = 1e6;
+
+/// All triangles of the default scene, by material, turned about the y axis.
+pub(super) fn read_geometry(
+    numbers: &Numbers,
+    materials: &[ReadMaterial],
+    turn: f64,
+) -> Result<Model, Problem> {
+    let mut gathered = Gathered { numbers: *numbers, materials, parts: BTreeMap::new(), triangle_count: 0 };
+    let mut is_visited = vec![false; numbers.document.nodes.len()];
+    let start = DMat4::from_rotation_y(turn);
+    let mut open: Vec<(Index<scene::Node>, DMat4)> =
+        roots(numbers.document).map(|node| (node, start)).collect();
+    while let Some((index, parent)) = open.pop() {
+        let Some(node) = numbers.document.get(index) else { continue };
+        if std::mem::replace(&mut is_visited[index.value()], true) {
+            return Err(Problem::new(format!("node {} is reached twice", index.value())));
+        }
+        let place = parent * transform(node);
+        if let Some(mesh) = node.mesh.and_then(|mesh| numbers.document.get(mesh)) {
+            mesh.primitives.iter().try_for_each(|part| gathered.add(part, place))?;
+        }
+        open.extend(node.children.iter().flatten().map(|&child| (child, place)));
+    }
+    gathered.into_model()
+}
+
+/// The roots of the default scene, or of the first, or all nodes that are no child.
+fn roots(document: &Root) -> impl Iterator<Item = Index<scene::Node>> {
+    let scene = document.scene.and_then(|scene| document.get(scene)).or(document.scenes.first());
+    let nodes = scene.map(|scene| scene.nodes.clone()).unwrap_or_else(|| {
+        let children: Vec<usize> =
+            document.nodes.iter().flat_map(|node| node.children.iter().flatten()).map(Index::value).collect();
+        let count = u32::try_from(document.nodes.len()).unwrap_or(u32::MAX);
+        (0..count).filter(|&index| !children.contains(&(index as usize))).map(Index::new).collect()
+    });
+    nodes.into_iter()
+}
+
+fn transform(node: &scene::Node) -> DMat4 {
+    if let Some(matrix) = node.matrix {
+        return DMat4::from_cols_array(&matrix.map(f64::from));
+    }
+    let vector = |values: Option<[f32; 3]>, default: f64| {
+        values.map_or(DVec3::splat(default), |v| Vec3::from(v).as_dvec3())
+    };
+    let [x, y, z, w] = node.rotation.map_or([0.0, 0.0, 0.0, 1.0], |rotation| rotation.0.map(f64::from));
+    let rotation = DQuat::from_xyzw(x, y, z, w);
+    let rotation = if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY };
+    DMat4::from_scale_rotation_translation(vector(node.scale, 1.0), rotation, vector(node.translation, 0.0))
+}
+
+/// Parts by position of their material; the last material is for parts that name none.
+struct Gathered<'a> {
+    numbers: Numbers<'a>,
+    materials: &'a [ReadMaterial],
+    parts: BTreeMap<usize, Primitive>,
+    triangle_count: usize,
+}
+
+/// One primitive as read, in its node's frame.
+struct Surface {
+    positions: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    coordinates: Vec<[f32; 2]>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Gathered<'_> {
+    fn add(&mut self, part: &JsonPrimitive, place: DMat4) -> Result<(), Problem> {
+        let material = part.material.map_or(self.materials.len() - 1, |material| material.value());
+        let Some(surface) = self.surface(part, self.materials[material].coordinate_set)? else {
+            return Ok(());
+        };
+        self.triangle_count += surface.triangles.len();
+        if self.triangle_count > MOST_TRIANGLES {
+            return Err(Problem::new(format!("has over {MOST_TRIANGLES} triangles"))
+                .with_hint("simplify it: gltf-transform simplify IN.glb OUT.glb"));
+        }
+        let target = self.parts.entry(material).or_insert_with(|| Primitive {
+            material: ModelMaterial::Own(self.materials[material].material.clone()),
+            ..Primitive::default()
+        });
+        append(target, &surface, place)
+    }
+
+    /// The triangles of a primitive; `None` for points and lines, which furniture can do without.
+    fn surface(&self, part: &JsonPrimitive, coordinate_set: Option<u32>) -> Result<Option<Surface>, Problem> {
+        let Checked::Valid(mode) = part.mode else { return Err(Problem::new("a mesh has an unknown mode")) };
+        let attribute = |semantic| part.attributes.get(&Checked::Valid(semantic)).copied();
+        let Some(positions) = attribute(Semantic::Positions) else { return Ok(None) };
+        let positions = self.read_vectors(positions)?;
+        let corner_count = u32::try_from(positions.len()).unwrap_or(u32::MAX);
+        let indices = match part.indices {
+            Some(indices) => self.numbers.indices(indices)?,
+            None => (0..corner_count).collect(),
+        };
+        if let Some(index) = indices.iter().find(|&&index| index >= corner_count) {
+            return Err(Problem::new(format!("a mesh names corner {index} of {corner_count}")));
+        }
+        let Some(triangles) = triangles(mode, &indices) else { return Ok(None) };
+        let normals =
+            attribute(Semantic::Normals).map_or(Ok(Vec::new()), |normals| self.read_vectors(normals))?;
+        let coordinates = match coordinate_set.and_then(|set| attribute(Semantic::TexCoords(set))) {
+            Some(coordinates) => self.numbers.vectors::<2>(coordinates)?,
+            None => Vec::new(),
+        };
+        for (name, count) in [("normals", normals.len()), ("texture coordinates", coordinates.len())] {
+            if count != 0 && count != positions.len() {
+                return Err(Problem::new(format!(
+                    "a mesh has {} positions but {count} {name}",
+                    positions.len()
+                )));
+            }
+        }
+        Ok(Some(Surface { positions, normals, coordinates, triangles }))
+    }
+
+    fn read_vectors(&self, accessor: Index<accessor::Accessor>) -> Result<Vec<DVec3>, Problem> {
+        let vectors = self.numbers.vectors::<3>(accessor)?;
+        Ok(vectors.into_iter().map(|vector| Vec3::from(vector).as_dvec3()).collect())
+    }
+
+    fn into_model(self) -> Result<Model, Problem> {
+        let mut primitives: Vec<Primitive> =
+            self.parts.into_values().filter(|part| !part.indices.is_empty()).collect();
+        for part in &mut primitives {
+            // Coordinates for some corners only: the rest take the image's corner.
+            if !part.texture_coordinates.is_empty() {
+                part.texture_coordinates.resize(part.positions.len(), [0.0; 2]);
+            }
+        }
+        if primitives.is_empty() {
+            return Err(Problem::new("has no triangles in its default scene"));
+        }
+        Ok(Model { primitives })
+    }
+}
+
+/// Strips and fans to triangles; those with a repeated corner are dropped.
+fn triangles(mode: Mode, indices: &[u32]) -> Option<Vec<[u32; 3]>> {
+    let triangles: Vec<[u32; 3]> = match mode {
+        Mode::Triangles => {
+            indices.chunks_exact(3).map(|corners| [corners[0], corners[1], corners[2]]).collect()
+        }
+        Mode::TriangleStrip => {
+            let windows = indices.windows(3).enumerate();
+            windows
+                .map(|(step, w)| if step % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })
+                .collect()
+        }
+        Mode::TriangleFan => {
+            indices.get(1..)?.windows(2).map(|pair| [indices[0], pair[0], pair[1]]).collect()
+        }
+        Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => return None,
+    };
+    let is_real = |[a, b, c]: &[u32; 3]| a != b && b != c && a != c;
+    Some(triangles.into_iter().filter(is_real).collect())
+}
+
+/// Adds a surface in its place. Surfaces without usable normals get flat ones, as the format asks. Corners that no
+/// triangle uses are dropped, so that the positions span what is seen.
+fn append(target: &mut Primitive, surface: &Surface, place: DMat4) -> Result<(), Problem> {
+    let linear = DMat3::from_mat4(place);
+    let is_mirrored = linear.determinant() < 0.0;
+    let positions: Vec<DVec3> =
+        surface.positions.iter().map(|&position| place.transform_point3(position)).collect();
+    if !positions.iter().all(|position| position.abs().max_element() <= FARTHEST) {
+        return Err(Problem::new("a node's transform leads out of all bounds"));
+    }
+    let normals = placed_normals(&surface.normals, linear, is_mirrored);
+    let mut kept: Vec<Option<u32>> = vec![None; positions.len()];
+    for &[a, b, c] in &surface.triangles {
+        let corners = if is_mirrored { [a, c, b] } else { [a, b, c] }.map(|corner| corner as usize);
+        let [p, q, r] = corners.map(|corner| positions[corner]);
+        let Some(face) = (q - p).cross(r - p).try_normalize() else { continue };
+        for corner in corners {
+            let known = kept[corner].filter(|_| normals.is_some());
+            let index = known.unwrap_or_else(|| {
+                let normal = normals.as_ref().map_or(face, |normals| normals[corner]);
+                push_corner(target, positions[corner], normal, surface.coordinates.get(corner))
+            });
+            kept[corner] = Some(index);
+            target.indices.push(index);
+        }
+    }
+    Ok(())
+}
+
+/// Unit normals under a linear map; `None` where there are none or one has no direction.
+fn placed_normals(normals: &[DVec3], linear: DMat3, is_mirrored: bool) -> Option<Vec<DVec3>> {
+    // The cofactor matrix is the inverse transposed, but also right where a scale is zero.
+    let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
+    let cofactors =
+        DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * if is_mirrored { -1.0 } else { 1.0 };
+    let placed: Option<Vec<DVec3>> =
+        normals.iter().map(|&normal| (cofactors * normal).try_normalize()).collect();
+    placed.filter(|placed| !placed.is_empty())
+}
+
+fn push_corner(target: &mut Primitive, position: DVec3, normal: DVec3, coordinate: Option<&[f32; 2]>) -> u32 {
+    if let Some(&coordinate) = coordinate {
+        target.texture_coordinates.resize(target.positions.len(), [0.0; 2]);
+        target.texture_coordinates.push(coordinate);
+    }
+    target.positions.push(position.as_vec3().to_array());
+    target.normals.push(normal.as_vec3().normalize().to_array());
+    u32::try_from(target.positions.len() - 1).expect("the limit of triangles keeps corners far below")
+}

@@ -1,0 +1,155 @@
+//! Materials and images of a user's model.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use gltf::json::image::Image as JsonImage;
+use gltf::json::material::{AlphaMode, Material as JsonMaterial};
+use gltf::json::texture::Texture;
+use gltf::json::validation::Checked;
+use gltf::json::{Index, Root};
+
+use super::accessor::Numbers;
+use super::container::Container;
+use super::problem::Problem;
+use crate::catalog::Material;
+use crate::model::{Image, OwnMaterial, TextureUse};
+
+/// Opacity below which a blended texture is not drawn: the scene blends by factor only.
+const BLEND_CUTOFF: f32 = 0.5;
+/// The format's own cutoff where the file names none.
+const DEFAULT_CUTOFF: f32 = 0.5;
+
+/// A material with the texture coordinates it wants.
+#[derive(Clone, Debug)]
+pub(super) struct ReadMaterial {
+    /// As later stages see it.
+    pub(super) material: Arc<OwnMaterial>,
+    /// Which set of texture coordinates its images use, if it has images.
+    pub(super) coordinate_set: Option<u32>,
+}
+
+/// All materials of a document in its order, and last the one of parts that name none.
+pub(super) fn read_materials(file: &Path, container: &mut Container) -> Result<Vec<ReadMaterial>, Problem> {
+    let stem =
+        file.file_stem().map_or_else(|| "model".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let images = read_images(container)?;
+    let document = &container.document;
+    let named = document.materials.iter().enumerate();
+    let mut materials = named
+        .map(|(index, material)| {
+            let name = material.name.clone().unwrap_or_else(|| format!("{stem}.{index}"));
+            read_material(name, material, document, &images)
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    materials.push(read_material(stem, &JsonMaterial::default(), document, &images)?);
+    Ok(materials)
+}
+
+fn read_material(
+    name: String,
+    source: &JsonMaterial,
+    document: &Root,
+    images: &[Arc<Image>],
+) -> Result<ReadMaterial, Problem> {
+    let surface = &source.pbr_metallic_roughness;
+    let infos = [
+        (TextureUse::BaseColor, surface.base_color_texture.as_ref().map(|info| (info.index, info.tex_coord))),
+        (
+            TextureUse::MetallicRoughness,
+            surface.metallic_roughness_texture.as_ref().map(|info| (info.index, info.tex_coord)),
+        ),
+        (TextureUse::Normal, source.normal_texture.as_ref().map(|info| (info.index, info.tex_coord))),
+        (TextureUse::Occlusion, source.occlusion_texture.as_ref().map(|info| (info.index, info.tex_coord))),
+        (TextureUse::Emissive, source.emissive_texture.as_ref().map(|info| (info.index, info.tex_coord))),
+    ];
+    let mut textures = Vec::new();
+    let mut coordinate_set = None;
+    for (usage, (texture, set)) in infos.into_iter().filter_map(|(usage, info)| Some((usage, info?))) {
+        if *coordinate_set.get_or_insert(set) != set {
+            return Err(Problem::new(format!(
+                "material \"{name}\" uses several sets of texture coordinates"
+            ))
+            .with_hint("unwrap it with one set and export it again"));
+        }
+        textures.push((usage, image_of(texture, document, images)?));
+    }
+    let (opacity, alpha_cutoff) = transparency(source, !textures.is_empty());
+    let [red, green, blue, _] = surface.base_color_factor.0;
+    let transmission = source.extensions.as_ref().and_then(|known| known.transmission.as_ref());
+    let material = Material {
+        base_color: [red, green, blue, opacity],
+        metallic: surface.metallic_factor.0,
+        roughness: surface.roughness_factor.0,
+        emissive: source.emissive_factor.0,
+        transmission: transmission.map_or(0.0, |transmission| transmission.transmission_factor.0),
+    };
+    check_factors(&name, &material)?;
+    let material =
+        OwnMaterial { name, material, is_double_sided: source.double_sided, alpha_cutoff, textures };
+    Ok(ReadMaterial { material: Arc::new(material), coordinate_set })
+}
+
+/// Opacity and cutoff by alpha mode.
+fn transparency(source: &JsonMaterial, has_textures: bool) -> (f32, Option<f32>) {
+    let opacity = source.pbr_metallic_roughness.base_color_factor.0[3];
+    match source.alpha_mode {
+        Checked::Valid(AlphaMode::Mask) => {
+            (opacity, Some(source.alpha_cutoff.map_or(DEFAULT_CUTOFF, |cutoff| cutoff.0)))
+        }
+        Checked::Valid(AlphaMode::Blend) => {
+            (opacity, (opacity >= 1.0 && has_textures).then_some(BLEND_CUTOFF))
+        }
+        _ => (1.0, None),
+    }
+}
+
+fn check_factors(name: &str, material: &Material) -> Result<(), Problem> {
+    let shares = material.base_color.iter().chain(&material.emissive);
+    let mut shares = shares.chain([&material.metallic, &material.roughness, &material.transmission]);
+    match shares.find(|share| !(0.0..=1.0).contains(*share)) {
+        Some(share) => {
+            Err(Problem::new(format!("material \"{name}\" has a factor of {share}, outside 0 to 1")))
+        }
+        None => Ok(()),
+    }
+}
+
+fn image_of(texture: Index<Texture>, document: &Root, images: &[Arc<Image>]) -> Result<Arc<Image>, Problem> {
+    let image = document.get(texture).and_then(|texture| images.get(texture.source.value()));
+    image.cloned().ok_or_else(|| Problem::new(format!("texture {} has no image", texture.value())))
+}
+
+fn read_images(container: &mut Container) -> Result<Vec<Arc<Image>>, Problem> {
+    let Container { document, buffers, resources } = container;
+    let numbers = Numbers { document, buffers };
+    let mut images = Vec::with_capacity(document.images.len());
+    for (index, image) in document.images.iter().enumerate() {
+        let bytes = match &image.uri {
+            Some(uri) => resources.read_uri(uri)?,
+            None => embedded(image, &numbers)
+                .ok_or_else(|| Problem::new(format!("image {index} has no bytes")))?,
+        };
+        let mime_type = mime_type(&bytes).ok_or_else(|| {
+            Problem::new(format!("image {index} is neither PNG nor JPEG"))
+                .with_hint("convert its textures to PNG")
+        })?;
+        images.push(Arc::new(Image { mime_type: mime_type.to_owned(), bytes }));
+    }
+    Ok(images)
+}
+
+fn embedded(image: &JsonImage, numbers: &Numbers) -> Option<Vec<u8>> {
+    numbers.view_bytes(numbers.document.get(image.buffer_view?)?).map(<[u8]>::to_vec)
+}
+
+/// The type of an image by its first bytes, whatever the file says of it.
+fn mime_type(bytes: &[u8]) -> Option<&'static str> {
+    if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+        Some("image/png")
+    } else if bytes.starts_with(&[0xff, 0xd8, 0xff]) {
+        Some("image/jpeg")
+    } else {
+        None
+    }
+}

@@ -1,0 +1,55 @@
+//! Users' `.glb` and `.gltf` files to models.
+//!
+//! What is taken: triangles of the default scene with all node transforms applied, positions, normals (flat ones
+//! where the file has none), one set of texture coordinates, materials with their five kinds of images. What is left
+//! out: cameras, lights, points, lines, vertex colours, tangents, texture samplers. What is refused, with a fault that
+//! names it: motion, compression, and whatever else would look wrong if it were left out.
+
+mod accessor;
+mod container;
+mod fit;
+mod geometry;
+mod material;
+mod problem;
+mod resource;
+#[cfg(test)]
+mod tests;
+
+use std::path::{Path, PathBuf};
+
+use super::Model;
+use crate::catalog::Size;
+use crate::document::Faults;
+
+/// A user's model, read and turned, before it is fitted to a box.
+#[derive(Clone, Debug)]
+pub(super) struct UserModel {
+    path: PathBuf,
+    model: Model,
+}
+
+impl UserModel {
+    /// Reads a file; `turn` is in radians, counter-clockwise seen from above.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is no valid glTF 2.0, uses what is not read here, or is too large.
+    pub(super) fn read(path: &Path, turn: f64) -> Result<Self, Faults> {
+        let model = read_model(path, turn).map_err(|problem| problem.in_file(path))?;
+        Ok(Self { path: path.to_owned(), model })
+    }
+
+    /// The model scaled to a box of this size.
+    ///
+    /// # Errors
+    /// Proportions that differ by more than a quarter.
+    pub(super) fn fitted(&self, size: Size) -> Result<Model, Faults> {
+        fit::fit(&self.model, size).map_err(|problem| problem.in_file(&self.path).into())
+    }
+}
+
+fn read_model(path: &Path, turn: f64) -> Result<Model, problem::Problem> {
+    let mut container = container::open(path)?;
+    let materials = material::read_materials(path, &mut container)?;
+    let numbers = accessor::Numbers { document: &container.document, buffers: &container.buffers };
+    geometry::read_geometry(&numbers, &materials, turn)
+}

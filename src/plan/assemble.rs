@@ -1,0 +1,220 @@
+//! A drafted level to a checked one: the same cleaning, walls and attachment for every format.
+
+use std::collections::BTreeSet;
+
+use super::attach::{
+    NARROWEST_OPENING, Request, attach, attach_pieces, enlist, hang_leaves, open_boundaries, request,
+};
+use super::clean::{FARTHEST_COORDINATE, to_simple};
+use super::digest::level_digest;
+use super::{LeafDraft, Level, LevelDraft, Opening, OpeningKind, Problem, Room, Subject};
+
+mod index;
+mod obstacles;
+mod overlaps;
+mod problems;
+#[cfg(test)]
+mod properties;
+mod rooms;
+mod tags;
+#[cfg(test)]
+mod tests;
+mod walls;
+
+pub(super) use index::{OutlineIndex, WallIndex, WallPlace};
+pub(super) use walls::ray_hit;
+
+/// Metres from floor to floor where a draft names no usable height.
+const USUAL_LEVEL_HEIGHT: f64 = 3.0;
+/// Metres of slab between a ceiling and the floor above.
+const SLAB_THICKNESS: f64 = 0.3;
+/// Lowest and highest room in metres.
+const ROOM_HEIGHTS: (f64, f64) = (1.0, 100.0);
+/// Thickest wall in metres; more is a wrong unit.
+const THICKEST_WALL: f64 = 3.0;
+
+/// A level being put together.
+pub(super) struct Assembly<'a> {
+    /// What was read, with numbers made sound.
+    pub(super) draft: &'a LevelDraft,
+    /// The rooms so far.
+    pub(super) rooms: Vec<Room>,
+    /// Index into the draft's rooms, by room.
+    pub(super) sources: Vec<usize>,
+    /// What is wrong so far.
+    pub(super) problems: Vec<Problem>,
+}
+
+/// Checks a drafted level and completes it; whatever is left out is named among the problems.
+///
+/// The level keeps the guarantees of [`super`] for any draft. Rooms and openings keep the draft's order; open
+/// boundaries found between rooms come last. Problems come by step: level, rooms, columns, openings.
+#[must_use]
+pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
+    let mut problems = Vec::new();
+    check_level(&mut draft, &mut problems);
+    let mut assembly = Assembly { draft: &draft, rooms: Vec::new(), sources: Vec::new(), problems };
+
+    // Sound outlines, on the inner faces of the walls.
+    rooms::build_rooms(&mut assembly);
+    // What is behind each wall.
+    let solids = OutlineIndex::of(draft.wall_outlines.iter().filter_map(|ring| to_simple(ring)).collect());
+    let railings = OutlineIndex::of(draft.railings.iter().filter_map(|ring| to_simple(ring)).collect());
+    walls::back_walls(&mut assembly.rooms, &walls::Drawn { solids: &solids, railings: &railings }, &draft);
+    // Columns before doors, so that no leaf is hung against one.
+    obstacles::place_obstacles(&mut assembly);
+    let openings = place_openings(&mut assembly, &solids);
+    tags::tag_walls(&mut assembly, &openings);
+
+    let Assembly { rooms, problems, .. } = assembly;
+    let LevelDraft { id, name, elevation, height, .. } = draft;
+    let name = if name.is_empty() { id.clone() } else { name };
+    let mut level = Level { id, name, elevation, height, rooms, openings, digest: [0; 32] };
+    level.digest = level_digest(&level);
+    (level, problems)
+}
+
+/// Puts usable numbers in place of those that are none.
+fn check_level(draft: &mut LevelDraft, problems: &mut Vec<Problem>) {
+    let mut report = |message: String| problems.push(Problem::error(Subject::Level, message, None));
+    if !draft.elevation.is_finite() || draft.elevation.abs() > FARTHEST_COORDINATE {
+        report(format!("elevation {} m is no place of a floor", draft.elevation));
+        draft.elevation = 0.0;
+    }
+    if !(ROOM_HEIGHTS.0..=ROOM_HEIGHTS.1).contains(&draft.height) {
+        report(format!("height {} m from floor to floor", draft.height));
+        draft.height = USUAL_LEVEL_HEIGHT;
+    }
+    for (thickness, what) in
+        [(&mut draft.exterior_thickness, "outer"), (&mut draft.interior_thickness, "inner")]
+    {
+        if !(0.0..=THICKEST_WALL).contains(thickness) {
+            report(format!("{what} walls are {thickness} m thick"));
+            *thickness = 0.0;
+        }
+    }
+}
+
+/// Attaches all openings and finds the open boundaries; the answer is in the draft's order.
+fn place_openings(assembly: &mut Assembly<'_>, solids: &OutlineIndex) -> Vec<Opening> {
+    let draft = assembly.draft;
+    let index = WallIndex::of(&assembly.rooms);
+    let mut ids = BTreeSet::new();
+    let mut numbers: Vec<usize> = Vec::new();
+    for (number, opening) in draft.openings.iter().enumerate() {
+        if opening.id.is_empty() || !ids.insert(opening.id.clone()) {
+            assembly.problems.push(problems::duplicate(Subject::Opening(number), "opening", &opening.id));
+        } else {
+            numbers.push(number);
+        }
+    }
+    // Where a door and a window claim the same stretch of wall, the door has it.
+    numbers.sort_by_key(|&number| (!draft.openings[number].kind.is_walkable(), number));
+    let mut placed: Vec<(usize, Opening)> = Vec::new();
+    for number in numbers {
+        match place_opening(assembly, number, &index, &mut ids) {
+            Ok(pieces) => placed.extend(pieces.into_iter().map(|piece| (number, piece))),
+            Err(problem) => assembly.problems.push(problem),
+        }
+    }
+    if !solids.is_empty() {
+        for boundary in open_boundaries(&assembly.rooms, &index, solids) {
+            // A door or window that is drawn there already takes its stretch; what is left may be too short.
+            let opening = place_boundary(assembly, boundary, &index, &mut ids);
+            placed.extend(opening.map(|opening| (draft.openings.len(), opening)));
+        }
+    }
+    number_openings(assembly, placed)
+}
+
+fn place_opening(
+    assembly: &mut Assembly<'_>,
+    number: usize,
+    index: &WallIndex,
+    ids: &mut BTreeSet<String>,
+) -> Result<Vec<Opening>, Problem> {
+    let draft = &assembly.draft.openings[number];
+    let subject = Subject::Opening(number);
+    let request = request(draft, assembly, index)
+        .map_err(|(message, hint)| Problem::error(subject, message, hint.as_deref()))?;
+    let mut pieces = attach_pieces(&request, &assembly.rooms, index)
+        .map_err(|fault| problems::unattached(number, &request, &fault, &assembly.rooms))?;
+    if let Some(high) = pieces.iter().find(|piece| piece.top - piece.bottom < NARROWEST_OPENING) {
+        return Err(problems::above_ceiling(number, high));
+    }
+    if pieces.len() > 1 {
+        assembly.problems.push(problems::cut_to_pieces(number, &request.id, pieces.len()));
+    }
+    for (copy, piece) in pieces.iter_mut().enumerate() {
+        if copy > 0 {
+            piece.id = free_id(&request.id, ids);
+        }
+        piece.leaves = hang_leaves(piece, &assembly.rooms, &draft.leaf);
+        enlist(piece, number, &mut assembly.rooms);
+    }
+    if let LeafDraft::Swing { into: Some(room), .. } = &draft.leaf
+        && draft.kind == OpeningKind::Door
+        && !pieces[0].sides.iter().any(|side| assembly.rooms[side.room].id == *room)
+    {
+        assembly.problems.push(problems::leaf_elsewhere(number, &request.id, room));
+    }
+    Ok(pieces)
+}
+
+fn place_boundary(
+    assembly: &mut Assembly<'_>,
+    mut boundary: Request,
+    index: &WallIndex,
+    ids: &mut BTreeSet<String>,
+) -> Option<Opening> {
+    let opening = attach(&boundary, &assembly.rooms, index).ok()?;
+    if !ids.insert(boundary.id.clone()) {
+        boundary.id = free_id(&boundary.id, ids);
+    }
+    enlist(&opening, usize::MAX, &mut assembly.rooms);
+    Some(Opening { id: boundary.id, ..opening })
+}
+
+/// The id with the first number from 2 that is free; it is taken at once.
+fn free_id(base: &str, ids: &mut BTreeSet<String>) -> String {
+    let mut copy = 2;
+    loop {
+        let id = format!("{base}:{copy}");
+        if ids.insert(id.clone()) {
+            return id;
+        }
+        copy += 1;
+    }
+}
+
+/// Numbers the openings by the draft's order and fills the rooms' lists anew, sorted by wall and place.
+fn number_openings(assembly: &mut Assembly<'_>, mut placed: Vec<(usize, Opening)>) -> Vec<Opening> {
+    placed.sort_by_key(|(number, _)| *number);
+    let mut openings: Vec<Opening> = placed.into_iter().map(|(_, opening)| opening).collect();
+    for room in &mut assembly.rooms {
+        room.openings.clear();
+    }
+    for (number, opening) in openings.iter().enumerate() {
+        enlist(opening, number, &mut assembly.rooms);
+    }
+    for (number, room) in assembly.rooms.iter_mut().enumerate() {
+        room.openings.sort_by(|a, b| a.wall.cmp(&b.wall).then(a.from.total_cmp(&b.from)));
+        part_neighbours(number, room, &mut openings);
+    }
+    openings
+}
+
+/// Two openings side by side share their end exactly, whatever the last digits say.
+fn part_neighbours(number: usize, room: &mut Room, openings: &mut [Opening]) {
+    for index in 1..room.openings.len() {
+        let (before, entry) = (room.openings[index - 1], &mut room.openings[index]);
+        if before.wall != entry.wall || before.to <= entry.from {
+            continue;
+        }
+        entry.from = before.to;
+        let sides = &mut openings[entry.opening].sides;
+        for side in sides.iter_mut().filter(|side| side.room == number && side.wall == entry.wall) {
+            side.from = before.to;
+        }
+    }
+}

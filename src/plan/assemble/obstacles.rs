@@ -1,0 +1,59 @@
+//! Columns to the rooms they stand in.
+
+use geo::BooleanOps;
+
+use super::{Assembly, problems};
+use crate::geometry::Polygon;
+use crate::plan::clean::{clean_ring, to_polygon, to_surface};
+use crate::plan::{Obstacle, Problem, Room, Subject};
+
+/// Pieces of a column below this many square metres stand in nobody's way.
+const SMALLEST_PIECE: f64 = 1e-4;
+
+/// Gives each room the pieces of columns inside its region.
+pub(super) fn place_obstacles(assembly: &mut Assembly<'_>) {
+    let draft = assembly.draft;
+    for (number, obstacle) in draft.obstacles.iter().enumerate() {
+        let subject = Subject::Obstacle(number);
+        let outline = match clean_ring(&obstacle.outline, &[]).map(|ring| ring.polygon) {
+            Ok(outline) => outline,
+            Err(fault) => {
+                let message = format!("column {number}: {}", problems::ring_fault(&fault));
+                assembly.problems.push(Problem::error(
+                    subject,
+                    message,
+                    Some("its footprint is a simple polygon"),
+                ));
+                continue;
+            }
+        };
+        let height = obstacle.height.unwrap_or(f64::INFINITY);
+        if height.is_nan() || height <= 0.0 {
+            let message = format!("column {number} is {height} m high");
+            assembly.problems.push(Problem::error(subject, message, None));
+            continue;
+        }
+        let mut is_inside = false;
+        for room in &mut assembly.rooms {
+            for piece in pieces(&outline, room) {
+                is_inside = true;
+                room.obstacles.push(Obstacle { outline: piece, height: height.min(room.height) });
+            }
+        }
+        if !is_inside {
+            let message = format!("column {number} stands in no room");
+            assembly.problems.push(Problem::warning(subject, message, None));
+        }
+    }
+}
+
+fn pieces(outline: &Polygon, room: &Room) -> Vec<Polygon> {
+    let (low, high) = outline.bounds();
+    let (room_low, room_high) = room.region.outline.bounds();
+    if !(low.cmple(room_high).all() && room_low.cmple(high).all()) {
+        return Vec::new();
+    }
+    let surface = to_surface(&room.region.outline, &room.region.holes);
+    let inside = surface.intersection(&to_surface(outline, &[]));
+    inside.0.iter().filter_map(to_polygon).filter(|piece| piece.area() >= SMALLEST_PIECE).collect()
+}

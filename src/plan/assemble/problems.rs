@@ -1,0 +1,140 @@
+//! The words for what is wrong with a draft.
+
+use super::super::attach::{AttachFault, Request};
+use super::super::clean::{HoleFault, RingFault};
+use crate::geometry::PolygonFault;
+use crate::plan::{Opening, Problem, Room, Subject};
+
+impl Problem {
+    /// The subject was left out, or something else was put in its place.
+    pub(in crate::plan) fn error(subject: Subject, message: String, hint: Option<&str>) -> Self {
+        Self { subject, message, hint: hint.map(str::to_owned), is_error: true }
+    }
+
+    /// The subject was mended or is drawing noise.
+    pub(in crate::plan) fn warning(subject: Subject, message: String, hint: Option<&str>) -> Self {
+        Self { is_error: false, ..Self::error(subject, message, hint) }
+    }
+}
+
+/// An id that is empty or taken.
+pub(super) fn duplicate(subject: Subject, what: &str, id: &str) -> Problem {
+    if id.is_empty() {
+        return Problem::error(subject, format!("{what} without an id"), Some("give it an id"));
+    }
+    Problem::error(subject, format!("{what} id \"{id}\" is used twice"), Some("ids are unique in a level"))
+}
+
+/// A room's outline that is none.
+pub(super) fn bad_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
+    let subject = match fault {
+        RingFault::Polygon(PolygonFault::NotFinite(corner) | PolygonFault::SelfCrossing(corner, _))
+        | RingFault::TooFar(corner) => Subject::RoomCorner(room, *corner),
+        _ => Subject::Room(room),
+    };
+    let message = format!("room \"{id}\": {}", ring_fault(fault));
+    match fault {
+        RingFault::Sliver(..) => Problem::warning(subject, message, Some("it was left out")),
+        RingFault::Polygon(PolygonFault::SelfCrossing(..)) => {
+            Problem::error(subject, message, Some("list the corners in order around the room"))
+        }
+        RingFault::TooFar(_) => {
+            Problem::error(subject, message, Some("coordinates are metres near the origin"))
+        }
+        _ => Problem::error(subject, message, None),
+    }
+}
+
+/// What was done to a hole.
+pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
+    match fault {
+        HoleFault::Ring(hole, fault) => {
+            let message = format!("hole {hole} of room \"{id}\": {}", ring_fault(fault));
+            let is_error = !matches!(fault, RingFault::Sliver(..));
+            let hint = Some("it was left out".to_owned());
+            Problem { subject: Subject::Hole(room, *hole), message, hint, is_error }
+        }
+        HoleFault::Merged => Problem::warning(
+            Subject::Room(room),
+            format!("holes of room \"{id}\" touch each other or its outline"),
+            Some("they were merged and cut out of the outline"),
+        ),
+        HoleFault::CutOff(area) => Problem::warning(
+            Subject::Room(room),
+            format!("holes cut {area:.2} m² off room \"{id}\""),
+            Some("the largest part was kept; draw the others as rooms of their own"),
+        ),
+        HoleFault::AllDropped => Problem::error(
+            Subject::Room(room),
+            format!("holes leave nothing sound of room \"{id}\""),
+            Some("they were left out"),
+        ),
+    }
+}
+
+/// What is wrong with a ring.
+pub(super) fn ring_fault(fault: &RingFault) -> String {
+    match fault {
+        RingFault::Polygon(fault) => fault.to_string(),
+        RingFault::TooFar(corner) => format!("corner {corner} is more than 1000 km from the origin"),
+        RingFault::TooManyCorners(count) => format!("outline has {count} corners"),
+        RingFault::Sliver(area, width) => format!("outline is a sliver of {area:.4} m², {width:.3} m wide"),
+    }
+}
+
+/// An opening that found no wall.
+pub(super) fn unattached(number: usize, request: &Request, fault: &AttachFault, rooms: &[Room]) -> Problem {
+    let (id, center) = (&request.id, request.center);
+    let at = format!("at ({:.2}, {:.2})", center.x, center.y);
+    let (fact, hint) = match fault {
+        AttachFault::NoWall => {
+            (format!("opening \"{id}\" {at} is on no wall"), "move it onto a wall of a room, along the wall")
+        }
+        AttachFault::NotOnRoom(room) => (
+            format!("opening \"{id}\" {at} is on no wall of room \"{}\", which it names", rooms[*room].id),
+            "move it onto a wall that these rooms share",
+        ),
+        AttachFault::TooLittleWall(room, share) => (
+            format!(
+                "opening \"{id}\" {at}, {:.2} m wide: a wall of room \"{}\" holds only {:.0} % of it",
+                request.width,
+                rooms[*room].id,
+                share * 100.0
+            ),
+            "make it narrower, or move it away from the corner",
+        ),
+        AttachFault::Apart => (
+            format!("opening \"{id}\" {at}: the rooms that it names do not face each other there"),
+            "name two rooms with one wall between them",
+        ),
+        AttachFault::Taken(room) => (
+            format!(
+                "opening \"{id}\" {at}: other openings of room \"{}\" take its place in the wall",
+                rooms[*room].id
+            ),
+            "move it, or take the other one out",
+        ),
+    };
+    Problem::error(Subject::Opening(number), fact, Some(hint))
+}
+
+/// A window that runs on along several walls.
+pub(super) fn cut_to_pieces(number: usize, id: &str, count: usize) -> Problem {
+    let fact = format!("window \"{id}\" runs along {count} walls and was cut into as many pieces");
+    Problem::warning(Subject::Opening(number), fact, None)
+}
+
+/// An opening that begins above the ceiling.
+pub(super) fn above_ceiling(number: usize, opening: &Opening) -> Problem {
+    let fact = format!(
+        "opening \"{}\" begins at {} m, its room ends at {} m",
+        opening.id, opening.bottom, opening.top
+    );
+    Problem::error(Subject::Opening(number), fact, Some("lower its sill or raise the room"))
+}
+
+/// A leaf that opens into a room on neither side.
+pub(super) fn leaf_elsewhere(number: usize, id: &str, room: &str) -> Problem {
+    let fact = format!("the leaf of opening \"{id}\" opens into room \"{room}\", which it does not join");
+    Problem::error(Subject::Opening(number), fact, Some("name one of the rooms that the door joins"))
+}

@@ -1,0 +1,150 @@
+//! What stands behind each wall: thickness, open air, railings.
+
+use super::index::{OutlineIndex, WallIndex, WallPlace};
+use crate::geometry::{Point, Region};
+use crate::plan::{LevelDraft, Room, Wall, WallKind};
+
+/// A neighbouring room is looked for this many metres behind a wall; thicker inner walls count as outer ones.
+const THICKEST_INNER_WALL: f64 = 0.6;
+/// Metres between the rays of a wall.
+const RAY_INTERVAL: f64 = 0.5;
+/// Metres that a ray starts inside the room, so that a face shared with the neighbour is hit.
+const RAY_BACKSTEP: f64 = 0.02;
+/// Cosine between a ray and the wall it may hit: no grazing hits.
+const FACING: f64 = 0.7;
+/// A railing this close in metres to a room's edge stands on it.
+const RAILING_REACH: f64 = 0.12;
+/// Metres of a railing above the floor; formats that draw railings give no height that can be used.
+const RAILING_HEIGHT: f64 = 1.0;
+/// Metres of the thinnest outer wall that a drawing may show.
+const THINNEST_OUTER_WALL: f64 = 0.02;
+
+/// The walls of a region before anything behind them is known, in the order of [`Region::borders`].
+pub(super) fn bare_walls(region: &Region) -> Vec<Wall> {
+    region
+        .borders()
+        .map(|(start, end)| Wall {
+            start,
+            end,
+            thickness: 0.0,
+            is_exterior: true,
+            kind: WallKind::Solid,
+            tags: Vec::new(),
+        })
+        .collect()
+}
+
+/// What the drawing shows besides rooms.
+pub(super) struct Drawn<'a> {
+    /// Outlines of solid walls.
+    pub(super) solids: &'a OutlineIndex,
+    /// Outlines of railings.
+    pub(super) railings: &'a OutlineIndex,
+}
+
+/// Finds thickness, `is_exterior` and kind of every wall of the level.
+pub(super) fn back_walls(rooms: &mut [Room], drawn: &Drawn<'_>, draft: &LevelDraft) {
+    let index = WallIndex::of(rooms);
+    for (room, number) in places(rooms) {
+        let backing = backing_of(rooms, &index, WallPlace { room, wall: number });
+        let wall = &mut rooms[room].walls[number];
+        if is_railed(wall, drawn.railings) {
+            wall.kind = WallKind::Railing(RAILING_HEIGHT);
+        }
+        wall.is_exterior = backing.is_exterior;
+        wall.thickness = match backing.gap {
+            Some(gap) if !backing.is_exterior => gap / 2.0,
+            gap => {
+                let outer = drawn_thickness(wall, drawn.solids).unwrap_or(draft.exterior_thickness);
+                gap.map_or(outer, |gap| outer.min(gap / 2.0))
+            }
+        };
+    }
+}
+
+fn places(rooms: &[Room]) -> Vec<(usize, usize)> {
+    rooms
+        .iter()
+        .enumerate()
+        .flat_map(|(room, value)| (0..value.walls.len()).map(move |wall| (room, wall)))
+        .collect()
+}
+
+/// What rays from a wall found behind it.
+struct Backing {
+    /// Metres to the nearest room behind, if any ray met one.
+    gap: Option<f64>,
+    /// Whether most rays met none.
+    is_exterior: bool,
+}
+
+fn backing_of(rooms: &[Room], index: &WallIndex, place: WallPlace) -> Backing {
+    let wall = &rooms[place.room].walls[place.wall];
+    let near = index.near_segment(wall.start, wall.end, THICKEST_INNER_WALL);
+    let outwards = -wall.normal();
+    let origins = ray_origins(wall);
+    let gaps: Vec<f64> = origins
+        .iter()
+        .filter_map(|&origin| {
+            near.iter()
+                .filter(|&&far| far != place)
+                .filter_map(|far| {
+                    let target = &rooms[far.room].walls[far.wall];
+                    gap_to(origin - outwards * RAY_BACKSTEP, outwards, target)
+                })
+                .min_by(f64::total_cmp)
+        })
+        .map(|distance| (distance - RAY_BACKSTEP).max(0.0))
+        .filter(|&gap| gap <= THICKEST_INNER_WALL)
+        .collect();
+    Backing { gap: gaps.iter().copied().min_by(f64::total_cmp), is_exterior: gaps.len() * 2 < origins.len() }
+}
+
+fn ray_origins(wall: &Wall) -> Vec<Point> {
+    let count = (wall.length() / RAY_INTERVAL).ceil().clamp(3.0, 400.0) as usize;
+    (0..count).map(|i| wall.start.lerp(wall.end, (i as f64 + 0.5) / count as f64)).collect()
+}
+
+/// Metres along the ray to a wall that it enters a room through.
+fn gap_to(origin: Point, direction: Point, wall: &Wall) -> Option<f64> {
+    (wall.normal().dot(direction) > FACING).then(|| ray_hit(origin, direction, wall.start, wall.end))?
+}
+
+/// Metres along a ray to a segment.
+pub(in crate::plan) fn ray_hit(origin: Point, direction: Point, a: Point, b: Point) -> Option<f64> {
+    let edge = b - a;
+    let cross = direction.perp_dot(edge);
+    if cross == 0.0 {
+        return None;
+    }
+    let distance = (a - origin).perp_dot(edge) / cross;
+    let share = (a - origin).perp_dot(direction) / cross;
+    ((0.0..=1.0).contains(&share) && distance >= 0.0).then_some(distance)
+}
+
+/// Metres of solid wall that the drawing shows behind the middle of a wall.
+fn drawn_thickness(wall: &Wall, solids: &OutlineIndex) -> Option<f64> {
+    let middle = wall.start.midpoint(wall.end);
+    let outwards = -wall.normal();
+    let far = middle + outwards * THICKEST_INNER_WALL;
+    let start = middle + outwards * THINNEST_OUTER_WALL;
+    let solid =
+        solids.near(middle.min(far), middle.max(far)).into_iter().find(|solid| solid.contains(start))?;
+    let exit = solid.edges().filter_map(|(a, b)| ray_hit(start, outwards, a, b)).min_by(f64::total_cmp)?;
+    (exit <= THICKEST_INNER_WALL).then_some(exit + THINNEST_OUTER_WALL)
+}
+
+/// Whether railings run along most of a wall.
+fn is_railed(wall: &Wall, railings: &OutlineIndex) -> bool {
+    let origins = ray_origins(wall);
+    let outwards = -wall.normal();
+    let railed = origins.iter().filter(|&&origin| {
+        let (low, high) = (origin - RAILING_REACH, origin + RAILING_REACH);
+        railings.near(low, high).into_iter().any(|railing| {
+            let start = origin - outwards * RAY_BACKSTEP;
+            let hits = railing.edges().filter_map(|(a, b)| ray_hit(start, outwards, a, b));
+            railing.contains(start) || hits.min_by(f64::total_cmp).is_some_and(|hit| hit < RAILING_REACH)
+        })
+    });
+    railed.count() * 2 > origins.len()
+}

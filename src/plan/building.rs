@@ -1,0 +1,225 @@
+//! A checked building: what every later stage works on.
+
+use std::sync::Arc;
+
+use crate::geometry::{Point, Polygon, Region};
+
+/// All buildings of one run, in the order in which they were named.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// The buildings; ids are unique.
+    pub buildings: Vec<PlacedBuilding>,
+}
+
+/// One building of a city. A hundred equal hotels share one [`Building`].
+#[derive(Clone, Debug)]
+pub struct PlacedBuilding {
+    /// Unique in the plan; part of every seed and of the output path.
+    pub id: String,
+    /// Where the building's own origin stands on the site.
+    pub site: SitePlacement,
+    /// The building itself, in its own frame.
+    pub building: Arc<Building>,
+}
+
+/// Where a building stands: its own frame is turned, then moved. Recorded in the manifest and the level's
+/// extras; the geometry of a level stays in the building's frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SitePlacement {
+    /// Metres east and north of the site's origin.
+    pub position: Point,
+    /// Radians counter-clockwise.
+    pub turn: f64,
+}
+
+/// A building's levels, lowest first as far as the plan says.
+#[derive(Clone, Debug)]
+pub struct Building {
+    /// A title for people, if the plan has one.
+    pub name: Option<String>,
+    /// The levels; ids are unique in the building.
+    pub levels: Vec<Level>,
+}
+
+/// One storey, complete: rooms, openings, all references resolved to indices.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// Unique in the building; the file name of the output.
+    pub id: String,
+    /// A title for people; the id where the plan has none.
+    pub name: String,
+    /// Metres of the floor above the building's zero.
+    pub elevation: f64,
+    /// Metres from floor to floor.
+    pub height: f64,
+    /// The rooms; ids are unique in the level.
+    pub rooms: Vec<Room>,
+    /// Doors, windows, passages and open boundaries; ids are unique in the level.
+    pub openings: Vec<Opening>,
+    /// SHA-256 of everything above: equal for equal levels, whatever file they came from.
+    pub digest: [u8; 32],
+}
+
+/// One room, its walls and what stands in it by the architect's will.
+#[derive(Clone, Debug)]
+pub struct Room {
+    /// Unique in the level.
+    pub id: String,
+    /// The room's number for its seed; unique in the level.
+    pub number: u32,
+    /// A title for people, if the plan has one.
+    pub name: Option<String>,
+    /// Id of a room type of the catalogue.
+    pub room_type: String,
+    /// Id of a style of the catalogue, if the plan asks for one.
+    pub style: Option<String>,
+    /// The free floor between the inner faces of the walls.
+    pub region: Region,
+    /// Metres from floor to ceiling.
+    pub height: f64,
+    /// One per border of `region`, in the order of [`Region::borders`].
+    pub walls: Vec<Wall>,
+    /// Columns and other fixed bodies inside the outline.
+    pub obstacles: Vec<Obstacle>,
+    /// The openings in this room's walls, by wall, then along it.
+    pub openings: Vec<RoomOpening>,
+}
+
+/// One straight wall of a room, with the room on its left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wall {
+    /// Start of the inner face.
+    pub start: Point,
+    /// End of the inner face.
+    pub end: Point,
+    /// Metres of material behind the inner face that belong to this room: half of the wall to a
+    /// neighbour, all of an outer wall; zero where the plan's walls have no thickness.
+    pub thickness: f64,
+    /// Whether open air lies behind.
+    pub is_exterior: bool,
+    /// What stands on the edge.
+    pub kind: WallKind,
+    /// Names that classes ask for (the paper's section 4), sorted.
+    pub tags: Vec<String>,
+}
+
+/// What stands on an edge of a room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WallKind {
+    /// A wall up to the ceiling.
+    Solid,
+    /// A railing or parapet; metres above the floor.
+    Railing(f64),
+}
+
+impl Wall {
+    /// Metres from start to end.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.start.distance(self.end)
+    }
+
+    /// Unit vector from start to end.
+    #[must_use]
+    pub fn direction(&self) -> Point {
+        (self.end - self.start).normalize()
+    }
+
+    /// Unit vector into the room.
+    #[must_use]
+    pub fn normal(&self) -> Point {
+        self.direction().perp()
+    }
+}
+
+/// A column, chimney or other fixed body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Obstacle {
+    /// Its footprint in the level's frame.
+    pub outline: Polygon,
+    /// Metres of its top above the floor.
+    pub height: f64,
+}
+
+/// A hole in the walls of a level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Opening {
+    /// Unique in the level.
+    pub id: String,
+    /// What closes it.
+    pub kind: OpeningKind,
+    /// Middle of the opening, halfway through the wall.
+    pub center: Point,
+    /// Unit vector along the wall.
+    pub along: Point,
+    /// Metres along the wall.
+    pub width: f64,
+    /// Metres above the floor where it begins: zero for doors, the sill of a window.
+    pub bottom: f64,
+    /// Metres above the floor where it ends: the head.
+    pub top: f64,
+    /// The leaves of a hinged door: none, one or two.
+    pub leaves: Vec<Leaf>,
+    /// The rooms it joins: one (to the open air) or two.
+    pub sides: Vec<OpeningSide>,
+}
+
+/// What closes an opening.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OpeningKind {
+    /// A door with leaves on hinges.
+    Door,
+    /// A door that slides along its wall.
+    SlidingDoor,
+    /// A doorway without a leaf.
+    Passage,
+    /// No wall at all between two rooms.
+    OpenBoundary,
+    /// A window.
+    Window,
+}
+
+impl OpeningKind {
+    /// Whether people walk through.
+    #[must_use]
+    pub fn is_walkable(self) -> bool {
+        self != Self::Window
+    }
+}
+
+/// A door leaf; it sweeps the sector from `closed_tip` to `open_tip` around `hinge`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leaf {
+    /// The axis it turns around.
+    pub hinge: Point,
+    /// Its free end when shut.
+    pub closed_tip: Point,
+    /// Its free end when fully open; on the side of the room it opens into.
+    pub open_tip: Point,
+}
+
+/// Where an opening meets a room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OpeningSide {
+    /// Index into [`Level::rooms`].
+    pub room: usize,
+    /// Index into [`Room::walls`].
+    pub wall: usize,
+    /// Metres from the wall's start; `from < to`, both within the wall.
+    pub from: f64,
+    /// Metres from the wall's start.
+    pub to: f64,
+}
+
+/// An opening as its room sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoomOpening {
+    /// Index into [`Level::openings`].
+    pub opening: usize,
+    /// Index into [`Room::walls`].
+    pub wall: usize,
+    /// Metres from the wall's start.
+    pub from: f64,
+    /// Metres from the wall's start.
+    pub to: f64,
+}

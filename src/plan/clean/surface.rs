@@ -1,0 +1,42 @@
+//! Crossing between our polygons and those of the `geo` crate, which does the clipping.
+
+use geo::{Area, Coord, LineString};
+
+use crate::geometry::{Point, Polygon};
+
+/// A polygon with holes for the `geo` crate.
+pub(in crate::plan) fn to_surface(outline: &Polygon, holes: &[Polygon]) -> geo::Polygon<f64> {
+    geo::Polygon::new(to_line(outline), holes.iter().map(to_line).collect())
+}
+
+fn to_line(polygon: &Polygon) -> LineString<f64> {
+    LineString::from_iter(polygon.corners().iter().map(|corner| Coord { x: corner.x, y: corner.y }))
+}
+
+/// The points of a ring of the `geo` crate, with its closing point.
+pub(in crate::plan) fn to_points(line: &LineString<f64>) -> Vec<Point> {
+    line.0.iter().map(|coord| Point::new(coord.x, coord.y)).collect()
+}
+
+/// The outer border of a surface, if it is a polygon of ours.
+pub(in crate::plan) fn to_polygon(surface: &geo::Polygon<f64>) -> Option<Polygon> {
+    Polygon::new(&to_points(surface.exterior())).ok()
+}
+
+/// A ring as a polygon, where it is one of usable size and place; for outlines that only help.
+pub(in crate::plan) fn to_simple(points: &[Point]) -> Option<Polygon> {
+    let is_usable = points.len() <= super::MOST_CORNERS
+        && points.iter().all(|point| point.abs().max_element() <= super::FARTHEST_COORDINATE);
+    if is_usable { Polygon::new(points).ok() } else { None }
+}
+
+/// The part with the largest area (the first of equals), and the square metres of all others together.
+pub(in crate::plan) fn largest_part(parts: geo::MultiPolygon<f64>) -> Option<(geo::Polygon<f64>, f64)> {
+    let total: f64 = parts.0.iter().map(Area::unsigned_area).sum();
+    let largest = parts
+        .0
+        .into_iter()
+        .reduce(|best, part| if part.unsigned_area() > best.unsigned_area() { part } else { best })?;
+    let rest = total - largest.unsigned_area();
+    Some((largest, rest))
+}

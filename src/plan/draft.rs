@@ -1,0 +1,182 @@
+//! A level as a reader found it: points and words, nothing checked yet.
+//!
+//! Every reader fills a [`LevelDraft`]; `assemble` turns it into a [`super::Level`], so that attachment,
+//! wall thickness and corner cleaning are written once for all formats.
+
+use crate::geometry::Point;
+
+use super::building::OpeningKind;
+
+/// One building before checking.
+#[derive(Clone, Debug, Default)]
+pub struct BuildingDraft {
+    /// A title for people, if the plan has one.
+    pub name: Option<String>,
+    /// The storeys, lowest first as far as the plan says.
+    pub levels: Vec<LevelDraft>,
+}
+
+/// One storey before checking.
+#[derive(Clone, Debug, Default)]
+pub struct LevelDraft {
+    /// Unique in the building.
+    pub id: String,
+    /// A title for people; the id if empty.
+    pub name: String,
+    /// Metres above the building's zero.
+    pub elevation: f64,
+    /// Metres from floor to floor.
+    pub height: f64,
+    /// Metres of walls to the open air.
+    pub exterior_thickness: f64,
+    /// Metres of walls between rooms whose outlines share an edge.
+    pub interior_thickness: f64,
+    /// What the room outlines are.
+    pub outlines: OutlineKind,
+    /// The rooms.
+    pub rooms: Vec<RoomDraft>,
+    /// The openings.
+    pub openings: Vec<OpeningDraft>,
+    /// Columns, given to the rooms they stand in.
+    pub obstacles: Vec<ObstacleDraft>,
+    /// Railings as outlines; room edges along them become railings.
+    pub railings: Vec<Vec<Point>>,
+    /// Outlines of solid walls, where the format draws them. If there are any, room edges that touch none
+    /// of them and face another room within a step are open boundaries.
+    pub wall_outlines: Vec<Vec<Point>>,
+}
+
+/// What the outlines of rooms are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OutlineKind {
+    /// Inner faces: walls fill the gaps between rooms.
+    #[default]
+    Inner,
+    /// Centre lines: rooms share edges, and half a wall's thickness is taken from each.
+    Center,
+}
+
+/// One room before checking.
+#[derive(Clone, Debug, Default)]
+pub struct RoomDraft {
+    /// Unique in the level.
+    pub id: String,
+    /// Number for the seed; made from the order if absent.
+    pub number: Option<u32>,
+    /// A title for people.
+    pub name: Option<String>,
+    /// Id of a room type.
+    pub room_type: String,
+    /// Id of a style.
+    pub style: Option<String>,
+    /// Corners as found.
+    pub outline: Vec<Point>,
+    /// Corners of each hole as found.
+    pub holes: Vec<Vec<Point>>,
+    /// Metres to the ceiling; made from the level's height if absent.
+    pub height: Option<f64>,
+    /// Tags by edge: edge `i` runs from corner `i` to corner `i + 1` of `outline` as found.
+    pub edge_tags: Vec<(usize, String)>,
+}
+
+/// One opening before checking.
+#[derive(Clone, Debug)]
+pub struct OpeningDraft {
+    /// Unique in the level.
+    pub id: String,
+    /// What closes it.
+    pub kind: OpeningKind,
+    /// Where it is.
+    pub place: OpeningPlace,
+    /// Ids of the rooms it joins, if the plan names them; else found by geometry.
+    pub rooms: Vec<String>,
+    /// Metres along the wall.
+    pub width: f64,
+    /// Metres above the floor where it begins.
+    pub bottom: f64,
+    /// Metres above the floor where it ends.
+    pub top: f64,
+    /// How its leaves turn; ignored for what has none.
+    pub leaf: LeafDraft,
+}
+
+/// Where an opening is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OpeningPlace {
+    /// In the level's frame.
+    Points {
+        /// Middle of the opening.
+        center: Point,
+        /// Direction along the wall, any length above zero; `None` takes that of the nearest wall.
+        along: Option<Point>,
+    },
+    /// On an edge of the first room it names.
+    Edge {
+        /// Edge of the outline as found.
+        edge: usize,
+        /// Metres from the edge's start to the middle of the opening.
+        at: f64,
+    },
+}
+
+/// How the leaves of a door turn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum LeafDraft {
+    /// One leaf, hinge and side chosen: into the room that is no corridor, hinge at the end nearer a corner.
+    #[default]
+    Automatic,
+    /// No leaf.
+    None,
+    /// As drawn.
+    Points(Vec<super::building::Leaf>),
+    /// One or two leaves.
+    Swing {
+        /// Hinge at the left end, seen from the room that the leaf opens into (ignored for two leaves).
+        hinge_left: bool,
+        /// Id of the room that it opens into; `None` opens to the open air.
+        into: Option<String>,
+        /// One or two.
+        count: u32,
+        /// Radians it opens.
+        angle: f64,
+    },
+}
+
+/// A column before checking.
+#[derive(Clone, Debug, Default)]
+pub struct ObstacleDraft {
+    /// Corners as found.
+    pub outline: Vec<Point>,
+    /// Metres of its top above the floor; up to the ceiling if absent.
+    pub height: Option<f64>,
+}
+
+/// Something wrong or doubtful in a draft; the reader adds file and position.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// What it is about.
+    pub subject: Subject,
+    /// The fact, with the value.
+    pub message: String,
+    /// What to do about it.
+    pub hint: Option<String>,
+    /// Whether the subject was left out.
+    pub is_error: bool,
+}
+
+/// What a [`Problem`] is about, as an index into the draft's lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// The level itself.
+    Level,
+    /// A room.
+    Room(usize),
+    /// A corner of a room's outline.
+    RoomCorner(usize, usize),
+    /// A hole of a room.
+    Hole(usize, usize),
+    /// An opening.
+    Opening(usize),
+    /// A column.
+    Obstacle(usize),
+}

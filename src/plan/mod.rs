@@ -1,0 +1,41 @@
+//! Plan files to a checked [`Plan`]; one file per input format under `read/`.
+//!
+//! What later stages may rely on:
+//! - lengths are metres, angles radians, x east, y north, z up;
+//! - every outline is a [`crate::geometry::Polygon`]: simple, counter-clockwise, without repeated corners;
+//! - a room has exactly one [`Wall`] per border of its region, in the same order;
+//! - every opening lies on walls that exist, `from < to`, within the wall, and is listed both in the level
+//!   and in its rooms; openings of one wall do not overlap;
+//! - ids are unique in their scope, numbers are unique in the level, room types exist in the catalogue;
+//! - nothing is left to resolve: no prototype, reference, unit or default.
+
+mod assemble;
+mod attach;
+mod building;
+mod clean;
+mod digest;
+mod draft;
+mod inset;
+mod mirror;
+mod options;
+pub(crate) mod read;
+#[cfg(test)]
+mod sample;
+mod units;
+mod words;
+mod write_native;
+
+pub use assemble::assemble_level;
+pub use building::{
+    Building, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, PlacedBuilding, Plan, Room,
+    RoomOpening, SitePlacement, Wall, WallKind,
+};
+pub use draft::{
+    BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,
+    RoomDraft, Subject,
+};
+pub(crate) use mirror::mirror_building;
+pub use options::{PlanOptions, PlanReading, ProjectSettings};
+pub use read::{native_schema, project_schema, project_settings, read_plans};
+pub use words::{GENERIC_ROOM_TYPE, RoomWords};
+pub use write_native::write_native;

@@ -1,0 +1,35 @@
+//! What reading plans depends on besides the files.
+
+use std::path::PathBuf;
+
+use super::{Plan, RoomWords};
+use crate::document::Faults;
+
+/// What reading plans depends on besides the files.
+#[derive(Clone, Copy, Debug)]
+pub struct PlanOptions<'a> {
+    /// The room types that exist, and what the words of foreign formats mean. With an empty list of known room
+    /// types every type is taken.
+    pub words: &'a RoomWords,
+}
+
+/// What project files say about the run as a whole.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ProjectSettings {
+    /// Further folders of configuration, in the order in which they are named, relative to the working folder.
+    pub catalog: Vec<PathBuf>,
+    /// Style of rooms that name none.
+    pub style: Option<String>,
+    /// Seed of the run.
+    pub seed: Option<u64>,
+}
+
+/// The buildings that could be read, and what is wrong with the rest: one bad file does not stop the others.
+#[derive(Clone, Debug, Default)]
+pub struct PlanReading {
+    /// The buildings, sorted by id.
+    pub plan: Plan,
+    /// Errors and warnings of all files, sorted by file and place. After an error of a file some of its rooms or
+    /// buildings are missing from `plan`.
+    pub faults: Faults,
+}

@@ -1,0 +1,51 @@
+//! Apartment blocks as react-planner drawings with areas in well-known text.
+//!
+//! Two things are recognised:
+//! - a folder of a site: `react_planner_projects.json`, `areas.json`, `floors.json`, and where present
+//!   `plans.json`, `units.json`, `unit_areas.json`, `buildings.json`: one building per entry, all floors;
+//! - a drawing `plan_N.json` with its areas in `areas_plan_N.json` beside it or in `../areas/`: a building `plan_N` of
+//!   one floor.
+//!
+//! Drawings are in pixels, areas in metres, both in one frame; y points up.
+
+mod areas;
+mod drawing;
+mod level;
+mod rooms;
+mod single;
+mod site;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use super::ReadResult;
+use super::foreign::head;
+use crate::plan::RoomWords;
+
+/// The format's word in `room_words.yaml`.
+pub(crate) const NAME: &str = "archilyse";
+/// The file that makes a folder a site.
+const SITE_FILE: &str = "react_planner_projects.json";
+/// Bytes at the start of a file that tell what it is.
+const HEAD_SIZE: u64 = 4096;
+/// Keys of the drawing's editor, one of which stands at the start of every drawing and of no native plan.
+const EDITOR_KEYS: [&str; 2] = ["\"selectedLayer\"", "\"layer-1\""];
+
+/// Whether a file or folder is of this format.
+pub(crate) fn recognises(path: &Path) -> bool {
+    let is_json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
+    if !is_json || path.is_dir() {
+        return path.join(SITE_FILE).is_file();
+    }
+    let is_table = path.file_name().is_some_and(|name| name == SITE_FILE);
+    let head = head(path, HEAD_SIZE);
+    let head = String::from_utf8_lossy(&head);
+    !is_table && EDITOR_KEYS.iter().any(|key| head.contains(key))
+}
+
+/// Reads all buildings of a site, or the one of a drawing.
+pub(crate) fn read(path: &Path, words: &RoomWords) -> ReadResult {
+    if path.is_dir() { site::read(path, words) } else { single::read(path, words) }
+}

@@ -1,0 +1,71 @@
+//! Room types for the words of areas, with one warning for each unknown word.
+
+use std::collections::BTreeMap;
+
+use super::NAME;
+use super::areas::{Area, Outline};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
+use crate::plan::read::foreign::unknown_word;
+use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
+
+/// The room type of guest toilets, which the format does not tell from bathrooms.
+const TOILET_TYPE: &str = "toilet";
+
+/// Areas of a file with their outlines, by place in the file.
+pub(super) type Outlined<'a> = Vec<(&'a Area, Vec<Outline>)>;
+
+/// The outlines of all areas of a file.
+///
+/// # Errors
+/// Every area whose text is no polygon, with its place.
+pub(super) fn outlined<'a>(source: &Source, areas: &'a [Area]) -> Result<Outlined<'a>, Faults> {
+    let mut faults = Faults::default();
+    let mut outlined = Vec::with_capacity(areas.len());
+    for (index, area) in areas.iter().enumerate() {
+        match area.outlines() {
+            Ok(outlines) => outlined.push((area, outlines)),
+            Err(message) => {
+                let path = [PathStep::from(index), "scaled_polygon".into()];
+                let hint = Some("POLYGON ((x y, ...)) in metres is needed".to_owned());
+                faults.push(source.fault(&path, message, hint, FaultSeverity::Error));
+            }
+        }
+    }
+    if faults.is_empty() { Ok(outlined) } else { Err(faults) }
+}
+
+/// Room types by word, remembering the words that are unknown.
+pub(super) struct RoomTypes<'a> {
+    words: &'a RoomWords,
+    /// word → (id of its first area, how many).
+    unknown: BTreeMap<String, (i64, usize)>,
+}
+
+impl<'a> RoomTypes<'a> {
+    /// Nothing unknown yet.
+    pub(super) fn new(words: &'a RoomWords) -> Self {
+        Self { words, unknown: BTreeMap::new() }
+    }
+
+    /// The type of an area's word, or that of generic rooms, with a warning to come.
+    pub(super) fn of(&mut self, area: &Area, is_toilet: bool) -> String {
+        if is_toilet && self.words.known.contains(TOILET_TYPE) {
+            return TOILET_TYPE.to_owned();
+        }
+        let word = area.area_type.as_str();
+        if let Some(found) = self.words.room_type(NAME, word) {
+            return found.to_owned();
+        }
+        self.unknown.entry(word.to_owned()).or_insert((area.id, 0)).1 += 1;
+        GENERIC_ROOM_TYPE.to_owned()
+    }
+
+    /// One warning per unknown word, at its first area.
+    pub(super) fn warnings(&self, source: &Source, areas: &[Area]) -> Faults {
+        let warning = |(word, &(id, count)): (&String, &(i64, usize))| -> Fault {
+            let index = areas.iter().position(|area| area.id == id).unwrap_or_default();
+            unknown_word(source, &[index.into(), "area_type".into()], NAME, (word, count))
+        };
+        Faults(self.unknown.iter().map(warning).collect())
+    }
+}

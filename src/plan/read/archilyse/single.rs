@@ -1,0 +1,55 @@
+//! One drawing with the file of its areas.
+
+use std::path::{Path, PathBuf};
+
+use super::areas::Area;
+use super::drawing::Drawing;
+use super::level::{Floor, Heights, Naming, level};
+use super::rooms::{RoomTypes, outlined};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, Warned};
+use crate::plan::read::foreign::both;
+use crate::plan::read::{DraftedBuilding, ReadResult};
+use crate::plan::units::metres_per_pixel;
+use crate::plan::{BuildingDraft, RoomWords};
+
+/// Reads a drawing and its areas.
+pub(super) fn read(path: &Path, words: &RoomWords) -> ReadResult {
+    let source = Source::read(path)?;
+    let drawing = source.parse::<Drawing>();
+    let areas_source = Source::read(&areas_file(path)?)?;
+    // Both files are looked at before giving up on one.
+    let (drawing, areas) = both(drawing, areas_source.parse::<Vec<Area>>())?;
+    let pixel = pixel_size(&source, drawing.scale, &["scale".into()])?;
+    let areas_of_floor = outlined(&areas_source, &areas)?;
+    let mut types = RoomTypes::new(words);
+    let heights = Heights::default();
+    let floor = Floor { drawing: &drawing, pixel, areas: areas_of_floor, heights, number: 0 };
+    let mut naming =
+        Naming { room_type: &mut |area, is_toilet| types.of(area, is_toilet), apartment: &|_| None };
+    let levels = vec![level(&floor, &mut naming)];
+    let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let draft = BuildingDraft { name: None, levels };
+    let warnings = types.warnings(&areas_source, &areas);
+    Ok(Warned { value: vec![DraftedBuilding { id, draft }], warnings })
+}
+
+/// The file of a drawing's areas, beside it or in the folder `areas` beside its own.
+fn areas_file(drawing: &Path) -> Result<PathBuf, Faults> {
+    let folder = drawing.parent().unwrap_or(Path::new(""));
+    let name = drawing.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    let name = format!("areas_{name}");
+    let candidates = [folder.join(&name), folder.join("..").join("areas").join(&name)];
+    candidates.into_iter().find(|candidate| candidate.is_file()).ok_or_else(|| {
+        Fault::of_file(drawing, format!("its areas \"{name}\" are missing"))
+            .with_hint("put the file beside the drawing, or into \"../areas\"")
+            .into()
+    })
+}
+
+/// Metres per pixel.
+pub(super) fn pixel_size(source: &Source, scale: f64, path: &[PathStep]) -> Result<f64, Faults> {
+    metres_per_pixel(scale).ok_or_else(|| {
+        let hint = Some("square centimetres per square pixel, above zero".to_owned());
+        source.fault(path, format!("scale {scale} is no size of a pixel"), hint, FaultSeverity::Error).into()
+    })
+}

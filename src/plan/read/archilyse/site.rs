@@ -1,0 +1,211 @@
+//! A site: tables of buildings, floors, drawings, areas and apartments.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::SITE_FILE;
+use super::areas::Area;
+use super::drawing::Drawing;
+use super::level::{Floor, Heights, Naming, level};
+use super::rooms::{Outlined, RoomTypes, outlined};
+use super::single::pixel_size;
+use crate::document::{FaultSeverity, Faults, PathStep, Source};
+use crate::plan::read::foreign::both;
+use crate::plan::read::{DraftedBuilding, ReadResult};
+use crate::plan::{BuildingDraft, LevelDraft, RoomWords};
+
+#[derive(Deserialize, JsonSchema)]
+struct ProjectRow {
+    plan_id: i64,
+    data: Drawing,
+}
+
+#[derive(Deserialize, JsonSchema)]
+struct FloorRow {
+    floor_number: i32,
+    plan_id: i64,
+    building_id: i64,
+}
+
+#[derive(Deserialize, JsonSchema)]
+struct PlanRow {
+    id: i64,
+    default_wall_height: Option<f64>,
+    default_window_lower_edge: Option<f64>,
+    default_window_upper_edge: Option<f64>,
+}
+
+#[derive(Deserialize, JsonSchema)]
+struct BuildingRow {
+    id: i64,
+    street: Option<String>,
+    housenumber: Option<String>,
+}
+
+#[derive(Deserialize, JsonSchema)]
+struct UnitRow {
+    id: i64,
+    apartment_no: Option<i64>,
+}
+
+#[derive(Deserialize, JsonSchema)]
+struct UnitAreaRow {
+    area_id: i64,
+    unit_id: i64,
+}
+
+/// The tables of a site.
+struct Site {
+    projects: (Source, Vec<ProjectRow>),
+    areas: (Source, Vec<Area>),
+    floors: (Source, Vec<FloorRow>),
+    heights: BTreeMap<i64, Heights>,
+    /// Title by building.
+    titles: BTreeMap<i64, String>,
+    /// Apartment by area.
+    apartments: BTreeMap<i64, String>,
+}
+
+/// Reads a site's folder: one building for each that a floor names, floors lowest first.
+pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
+    let site = Site::read(folder)?;
+    let outlines = outlined(&site.areas.0, &site.areas.1)?;
+    let mut types = RoomTypes::new(words);
+    let mut faults = Faults::default();
+    let mut buildings: BTreeMap<i64, Vec<(i32, LevelDraft)>> = BTreeMap::new();
+    for (index, floor) in site.floors.1.iter().enumerate() {
+        match site.level(index, &outlines, &mut types) {
+            Ok(level) => buildings.entry(floor.building_id).or_default().push((floor.floor_number, level)),
+            Err(found) => faults.merge(found),
+        }
+    }
+    faults.merge(types.warnings(&site.areas.0, &site.areas.1));
+    let name = folder_name(folder);
+    let is_single = buildings.len() == 1;
+    let drafted = buildings.into_iter().map(|(building, mut floors)| {
+        // The table of floors is in no order.
+        floors.sort_by_key(|(number, _)| *number);
+        let id = if is_single { name.clone() } else { format!("{name}_{building}") };
+        let levels = floors.into_iter().map(|(_, level)| level).collect();
+        DraftedBuilding { id, draft: BuildingDraft { name: site.titles.get(&building).cloned(), levels } }
+    });
+    let drafted = drafted.collect();
+    faults.into_result(drafted)
+}
+
+/// The folder's own name, also where the path is `.`.
+fn folder_name(folder: &Path) -> String {
+    let full = std::fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
+    full.file_name().map_or_else(|| "site".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+impl Site {
+    fn read(folder: &Path) -> Result<Self, Faults> {
+        let (projects, (areas, floors)) = both(
+            table::<ProjectRow>(folder, SITE_FILE),
+            both(table(folder, "areas.json"), table(folder, "floors.json")),
+        )?;
+        let (plans, (buildings, (units, unit_areas))) = both(
+            optional_table::<PlanRow>(folder, "plans.json"),
+            both(
+                optional_table::<BuildingRow>(folder, "buildings.json"),
+                both(
+                    optional_table::<UnitRow>(folder, "units.json"),
+                    optional_table::<UnitAreaRow>(folder, "unit_areas.json"),
+                ),
+            ),
+        )?;
+        Ok(Self {
+            projects,
+            areas,
+            floors,
+            heights: plans.iter().map(|plan| (plan.id, plan.heights())).collect(),
+            titles: buildings.into_iter().filter_map(|row| Some((row.id, row.title()?))).collect(),
+            apartments: apartments(&units, &unit_areas),
+        })
+    }
+
+    /// The level of a row of the table of floors.
+    fn level(
+        &self,
+        row: usize,
+        outlines: &Outlined<'_>,
+        types: &mut RoomTypes<'_>,
+    ) -> Result<LevelDraft, Faults> {
+        let floor = &self.floors.1[row];
+        let project = self.projects.1.iter().position(|project| project.plan_id == floor.plan_id);
+        let project = project.ok_or_else(|| {
+            let path = [PathStep::from(row), "plan_id".into()];
+            let message = format!("floor {} has no drawing {}", floor.floor_number, floor.plan_id);
+            let hint = Some(format!("\"{SITE_FILE}\" needs an entry with this plan_id"));
+            self.floors.0.fault(&path, message, hint, FaultSeverity::Error)
+        })?;
+        let drawing = &self.projects.1[project].data;
+        let path = [PathStep::from(project), "data".into(), "scale".into()];
+        let pixel = pixel_size(&self.projects.0, drawing.scale, &path)?;
+        let mine = outlines.iter().filter(|(area, _)| area.plan_id == Some(floor.plan_id));
+        let heights = self.heights.get(&floor.plan_id).copied().unwrap_or_default();
+        let floor =
+            Floor { drawing, pixel, areas: mine.cloned().collect(), heights, number: floor.floor_number };
+        let mut naming = Naming {
+            room_type: &mut |area, is_toilet| types.of(area, is_toilet),
+            apartment: &|area| self.apartments.get(&area.id).cloned(),
+        };
+        Ok(level(&floor, &mut naming))
+    }
+}
+
+fn table<T>(folder: &Path, name: &str) -> Result<(Source, Vec<T>), Faults>
+where
+    T: for<'de> Deserialize<'de> + JsonSchema,
+{
+    let source = Source::read(&folder.join(name))?;
+    let rows = source.parse()?;
+    Ok((source, rows))
+}
+
+/// No rows where the file is missing.
+fn optional_table<T>(folder: &Path, name: &str) -> Result<Vec<T>, Faults>
+where
+    T: for<'de> Deserialize<'de> + JsonSchema,
+{
+    if !folder.join(name).exists() {
+        return Ok(Vec::new());
+    }
+    table(folder, name).map(|(_, rows)| rows)
+}
+
+fn apartments(units: &[UnitRow], unit_areas: &[UnitAreaRow]) -> BTreeMap<i64, String> {
+    let numbers: BTreeMap<i64, i64> =
+        units.iter().filter_map(|unit| Some((unit.id, unit.apartment_no?))).collect();
+    unit_areas
+        .iter()
+        .map(|row| {
+            let number = numbers.get(&row.unit_id).unwrap_or(&row.unit_id);
+            (row.area_id, format!("apartment {number}"))
+        })
+        .collect()
+}
+
+impl PlanRow {
+    fn heights(&self) -> Heights {
+        let usual = Heights::default();
+        Heights {
+            wall: self.default_wall_height.unwrap_or(usual.wall),
+            window_low: self.default_window_lower_edge.unwrap_or(usual.window_low),
+            window_high: self.default_window_upper_edge.unwrap_or(usual.window_high),
+        }
+    }
+}
+
+impl BuildingRow {
+    fn title(&self) -> Option<String> {
+        let street = self.street.as_deref()?;
+        Some(
+            self.housenumber.as_ref().map_or_else(|| street.to_owned(), |house| format!("{street}, {house}")),
+        )
+    }
+}

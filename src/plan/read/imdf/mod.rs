@@ -1,0 +1,94 @@
+//! Indoor Mapping Data Format (OGC 20-094): a folder of GeoJSON files in degrees.
+//!
+//! `building`, `level`, `unit` and `opening` make the plan, `anchor` and `occupant` name rooms where they are there.
+//! One building for each that has levels, one level for each of its ordinals. Units share their edges, so their
+//! outlines are centre lines of walls. The format has neither windows nor heights nor thicknesses.
+
+mod features;
+mod place;
+mod translate;
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use features::{
+    AnchorProperties, BuildingProperties, Feature, LevelProperties, OccupantProperties, OpeningProperties,
+    Table, UnitProperties, label, optional_features, table,
+};
+
+use super::ReadResult;
+use super::foreign::both;
+use crate::document::Faults;
+use crate::plan::RoomWords;
+
+/// The format's word in `room_words.yaml`.
+pub(crate) const NAME: &str = "imdf";
+/// The files without which there is no plan.
+const NEEDED: [&str; 3] = ["level.geojson", "unit.geojson", "building.geojson"];
+
+/// Whether a folder is of this format.
+pub(crate) fn recognises(path: &Path) -> bool {
+    NEEDED.iter().all(|name| path.join(name).is_file())
+}
+
+/// Reads the buildings of a folder that have levels, in the order of their file.
+pub(crate) fn read(path: &Path, words: &RoomWords) -> ReadResult {
+    let archive = Archive::read(path)?;
+    translate::buildings(&archive, words)
+}
+
+/// The files of a folder.
+struct Archive {
+    buildings: Table<BuildingProperties>,
+    levels: Table<LevelProperties>,
+    units: Table<UnitProperties>,
+    openings: Option<Table<OpeningProperties>>,
+    /// By unit.
+    occupants: BTreeMap<String, Occupant>,
+}
+
+/// Who uses a unit.
+struct Occupant {
+    name: Option<String>,
+    category: Option<String>,
+}
+
+impl Archive {
+    fn read(folder: &Path) -> Result<Self, Faults> {
+        let openings = if folder.join("opening.geojson").exists() {
+            table(folder, "opening").map(Some)
+        } else {
+            Ok(None)
+        };
+        let ((buildings, levels), (units, openings)) = both(
+            both(table(folder, "building"), table(folder, "level")),
+            both(table(folder, "unit"), openings),
+        )?;
+        let (anchors, occupants) =
+            both(optional_features(folder, "anchor"), optional_features(folder, "occupant"))?;
+        Ok(Self { buildings, levels, units, openings, occupants: occupants_by_unit(&anchors, occupants) })
+    }
+}
+
+fn occupants_by_unit(
+    anchors: &[Feature<AnchorProperties>],
+    occupants: Vec<Feature<OccupantProperties>>,
+) -> BTreeMap<String, Occupant> {
+    let units: BTreeMap<&str, &str> = anchors
+        .iter()
+        .filter_map(|anchor| Some((anchor.id.as_str(), anchor.properties.unit_id.as_deref()?)))
+        .collect();
+    let mut by_unit = BTreeMap::new();
+    for Feature { properties, .. } in occupants {
+        let unit = properties.anchor_id.as_deref().and_then(|anchor| units.get(anchor));
+        if let Some(unit) = unit {
+            let occupant = Occupant { name: label(properties.name.as_ref()), category: properties.category };
+            // The first tenant names the room.
+            by_unit.entry((*unit).to_owned()).or_insert(occupant);
+        }
+    }
+    by_unit
+}

@@ -1,0 +1,154 @@
+//! Counts and guarantees on the shared university, and faults of broken files.
+
+use std::path::Path;
+
+use geo::{Distance, Euclidean};
+
+use super::{read, recognises};
+use crate::document::Faults;
+use crate::geometry::Point;
+use crate::plan::read::DraftedBuilding;
+use crate::plan::read::real_data::{folder, words};
+use crate::plan::{LevelDraft, OpeningPlace, assemble_level};
+
+fn university() -> Option<Vec<DraftedBuilding>> {
+    let path = folder("imdf-spbpu")?;
+    assert!(recognises(&path));
+    let warned = read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}"));
+    assert!(warned.warnings.is_empty(), "{}", warned.warnings);
+    Some(warned.value)
+}
+
+#[test]
+fn the_shared_university_holds_what_its_source_says() {
+    let Some(buildings) = university() else { return };
+    let rooms = |building: &DraftedBuilding| -> Vec<(String, usize)> {
+        building.draft.levels.iter().map(|level| (level.id.clone(), level.rooms.len())).collect()
+    };
+    let level = |ordinal: i32, units: usize| (format!("level_{ordinal}"), units);
+    assert_eq!(buildings.len(), 2);
+    assert_eq!(buildings[0].id, "main_academic_building");
+    assert_eq!(rooms(&buildings[0]), [level(0, 118), level(1, 122), level(2, 34)]);
+    assert_eq!(buildings[1].id, "academic_building_3");
+    let expected = [level(1, 50), level(2, 40), level(3, 32), level(4, 21), level(5, 26)];
+    assert_eq!(rooms(&buildings[1]), expected);
+    let levels = buildings.iter().flat_map(|building| &building.draft.levels);
+    assert_eq!(levels.map(|level| level.openings.len()).sum::<usize>(), 472);
+}
+
+#[test]
+fn every_shared_level_assembles_and_every_opening_joins_two_rooms() {
+    let Some(buildings) = university() else { return };
+    for draft in buildings.into_iter().flat_map(|building| building.draft.levels) {
+        let (room_count, opening_count) = (draft.rooms.len(), draft.openings.len());
+        let (level, problems) = assemble_level(draft);
+        // Four stairwells are drawn on the corridor around them.
+        for problem in problems {
+            assert!(!problem.is_error && problem.message.contains("lies on"), "{}", problem.message);
+        }
+        assert_eq!((level.rooms.len(), level.openings.len()), (room_count, opening_count));
+        assert!(level.openings.iter().all(|opening| opening.sides.len() == 2), "{}", level.id);
+        assert!(level.rooms.iter().all(|room| (room.height - 3.3).abs() < 1e-9));
+        let thickest = level.rooms.iter().flat_map(|room| &room.walls).map(|wall| wall.thickness);
+        assert!(thickest.fold(0.0, f64::max) <= 0.4);
+    }
+}
+
+/// How many rooms lie within 0.3 m of an opening's line, as drawn.
+fn rooms_near(level: &LevelDraft, center: Point, along: Point) -> usize {
+    let coord = |point: Point| geo::Coord { x: point.x, y: point.y };
+    let line = geo::Line::new(coord(center - along / 2.0), coord(center + along / 2.0));
+    let near = level.rooms.iter().filter(|room| {
+        let ring = room.outline.iter().map(|&corner| coord(corner)).collect();
+        let holes = room.holes.iter().map(|hole| hole.iter().map(|&corner| coord(corner)).collect());
+        Euclidean.distance(&line, &geo::Polygon::new(ring, holes.collect())) <= 0.3
+    });
+    near.count()
+}
+
+#[test]
+fn most_openings_of_the_university_lie_between_two_rooms() {
+    let Some(buildings) = university() else { return };
+    let mut counts = [0usize; 3];
+    for level in buildings.iter().flat_map(|building| &building.draft.levels) {
+        for opening in &level.openings {
+            let OpeningPlace::Points { center, along } = opening.place else { panic!("no points") };
+            match rooms_near(level, center, along.unwrap()) {
+                2 => counts[0] += 1,
+                3.. => counts[1] += 1,
+                _ => counts[2] += 1,
+            }
+        }
+    }
+    let percent = counts.map(|count| (count as f64 / 4.72).round());
+    assert_eq!(percent[..2], [88.0, 12.0], "{counts:?}");
+}
+
+#[test]
+fn projection_keeps_shared_edges_shared_and_sizes_true() {
+    let Some(buildings) = university() else { return };
+    // The main building is 230 m long; its rooms are some square metres to some hundreds.
+    let levels = buildings.iter().flat_map(|building| &building.draft.levels);
+    for room in levels.flat_map(|level| &level.rooms) {
+        assert!(room.outline.iter().all(|corner| corner.length() < 200.0), "{}", room.id);
+    }
+}
+
+/// The miniature campus of the tests with some text of one file replaced, read.
+fn broken(name: &str, from: &str, to: &str) -> Faults {
+    let folder = tempfile::tempdir().unwrap();
+    for entry in std::fs::read_dir("tests/cases/plan_import/campus").unwrap() {
+        let path = entry.unwrap().path();
+        let mut text = std::fs::read_to_string(&path).unwrap();
+        if path.file_name().unwrap().to_str() == Some(name) {
+            assert!(text.contains(from), "{name} has no {from}");
+            text = text.replacen(from, to, 1);
+        }
+        std::fs::write(folder.path().join(path.file_name().unwrap()), text).unwrap();
+    }
+    assert!(recognises(folder.path()));
+    match read(folder.path(), &words()) {
+        Ok(read) => read.warnings,
+        Err(faults) => faults,
+    }
+}
+
+#[test]
+fn broken_files_give_faults_with_their_place() {
+    let cases = [
+        ("unit.geojson", "\"category\": \"walkway\"", "\"category\": null", (5, "found nothing")),
+        ("unit.geojson", "\"level_id\": \"level-a\", ", "", (5, "level_id")),
+        ("unit.geojson", "\"features\": [", "\"features\": null, \"x\": [", (4, "found nothing")),
+        ("level.geojson", "\"ordinal\": 1", "\"ordinal\": \"one\"", (5, "one")),
+        ("opening.geojson", "[[30.", "[[\"30.", (5, "")),
+    ];
+    for (name, from, to, (line, message)) in cases {
+        let faults = broken(name, from, to);
+        let fault = faults.0.iter().find(|fault| fault.is_error()).unwrap();
+        assert!(fault.message.contains(message), "{to}: {faults}");
+        assert_eq!(fault.position.map(|(line, _)| line), Some(line), "{to}: {faults}");
+        assert!(fault.file.ends_with(name));
+    }
+}
+
+#[test]
+fn features_that_cannot_be_placed_are_warnings() {
+    let faults = broken("unit.geojson", "\"type\": \"Polygon\"", "\"type\": \"Point\"");
+    let texts: Vec<&str> = faults.0.iter().map(|fault| fault.message.as_str()).collect();
+    assert!(faults.0.iter().all(|fault| !fault.is_error()), "{faults}");
+    assert!(texts.contains(&"unit u-hall is no area"), "{texts:?}");
+    assert!(texts.contains(&"unit u-stray is on no level of a building"), "{texts:?}");
+    assert!(texts.iter().any(|text| text.contains("unknown room word \"planetarium\"")), "{texts:?}");
+}
+
+#[test]
+fn coordinates_that_are_no_degrees_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["building", "level", "unit"] {
+        let path = Path::new("tests/cases/plan_import/campus").join(name).with_extension("geojson");
+        let text = std::fs::read_to_string(path).unwrap().replace("[30.", "[305.").replace("[29.", "[295.");
+        std::fs::write(folder.path().join(name).with_extension("geojson"), text).unwrap();
+    }
+    let faults = read(folder.path(), &words()).unwrap_err();
+    assert!(faults.0.iter().any(|fault| fault.message.contains("nowhere on Earth")), "{faults}");
+}

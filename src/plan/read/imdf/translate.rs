@@ -1,0 +1,245 @@
+//! Features to drafts of buildings.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::features::{Feature, Geometry, LevelProperties, OpeningProperties, UnitProperties, label};
+use super::place::{outlines, plane_of, points};
+use super::{Archive, NAME};
+use crate::document::{FaultSeverity, Faults, PathStep};
+use crate::plan::read::foreign::unknown_word;
+use crate::plan::read::{DraftedBuilding, ReadResult};
+use crate::plan::units::LocalPlane;
+use crate::plan::{
+    BuildingDraft, GENERIC_ROOM_TYPE, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace,
+    OutlineKind, RoomDraft, RoomWords,
+};
+
+/// Metres from floor to floor; the format never says, and public buildings are higher than flats.
+const STOREY_HEIGHT: f64 = 3.6;
+/// Metres of walls between rooms, half taken from each.
+const INTERIOR_THICKNESS: f64 = 0.1;
+/// Metres of walls to the open air.
+const EXTERIOR_THICKNESS: f64 = 0.4;
+/// Metres of a door's head.
+const DOOR_HEAD: f64 = 2.1;
+/// Metres of the widest door; wider openings have no leaf.
+const WIDEST_DOOR: f64 = 2.4;
+/// Words that say no more than "a room"; then the tenant's category is asked.
+const EMPTY_WORDS: [&str; 2] = ["room", "unspecified"];
+
+/// All buildings with levels, and warnings for unknown words and lost features.
+pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
+    let mut translation = Translation { archive, words, unknown: BTreeMap::new(), faults: Faults::default() };
+    translation.report_strays();
+    let mut buildings = Vec::new();
+    let mut ids = BTreeSet::new();
+    for building in &archive.buildings.features {
+        let levels = translation.levels_of(&building.id);
+        if levels.is_empty() {
+            continue;
+        }
+        let name = label(building.properties.name.as_ref());
+        let id = building_id(name.as_deref(), &building.id, &mut ids);
+        let levels = translation.levels(&levels);
+        buildings.push(DraftedBuilding { id, draft: BuildingDraft { name, levels } });
+    }
+    translation.report_unknown_words();
+    translation.faults.into_result(buildings)
+}
+
+/// A name that reads well in paths, or the feature's own id.
+fn building_id(name: Option<&str>, own: &str, taken: &mut BTreeSet<String>) -> String {
+    let mut id = String::new();
+    for letter in name.unwrap_or_default().chars() {
+        if letter.is_ascii_alphanumeric() {
+            id.push(letter.to_ascii_lowercase());
+        } else if !id.is_empty() && !id.ends_with('_') {
+            id.push('_');
+        }
+    }
+    let id = id.trim_end_matches('_').to_owned();
+    let id = if id.is_empty() || taken.contains(&id) { own.to_owned() } else { id };
+    taken.insert(id.clone());
+    id
+}
+
+struct Translation<'a> {
+    archive: &'a Archive,
+    words: &'a RoomWords,
+    /// word → (place of its first unit, how many).
+    unknown: BTreeMap<String, (usize, usize)>,
+    faults: Faults,
+}
+
+impl<'a> Translation<'a> {
+    /// The levels of a building, lowest first; a level of several buildings belongs to the first it names.
+    fn levels_of(&self, building: &str) -> Vec<&'a Feature<LevelProperties>> {
+        let is_mine = |level: &&Feature<LevelProperties>| {
+            let first = level.properties.building_ids.as_ref().and_then(|ids| ids.first());
+            first.is_some_and(|first| first == building)
+        };
+        let mut levels: Vec<_> = self.archive.levels.features.iter().filter(is_mine).collect();
+        levels.sort_by_key(|level| level.properties.ordinal);
+        levels
+    }
+
+    fn levels(&mut self, levels: &[&'a Feature<LevelProperties>]) -> Vec<LevelDraft> {
+        let Some(plane) = plane_of(levels.iter().filter_map(|level| level.geometry.as_ref())) else {
+            let index = levels[0].index_in(&self.archive.levels.features);
+            let path = [PathStep::from("features"), index.into(), "geometry".into()];
+            let hint = Some("longitude and latitude in degrees are needed".to_owned());
+            let message = "the levels of a building are nowhere on Earth";
+            self.faults.push(self.archive.levels.source.fault(&path, message, hint, FaultSeverity::Error));
+            return Vec::new();
+        };
+        let mut copies: BTreeMap<i32, u32> = BTreeMap::new();
+        levels
+            .iter()
+            .map(|level| {
+                let ordinal = level.properties.ordinal;
+                let copy = copies.entry(ordinal).or_default();
+                *copy += 1;
+                let suffix = if *copy > 1 { format!("_{copy}") } else { String::new() };
+                self.level(level, format!("level_{ordinal}{suffix}"), &plane)
+            })
+            .collect()
+    }
+
+    fn level(&mut self, level: &Feature<LevelProperties>, id: String, plane: &LocalPlane) -> LevelDraft {
+        let units = self.archive.units.features.iter().enumerate();
+        let units: Vec<_> = units.filter(|(_, unit)| unit.properties.level_id == level.id).collect();
+        let rooms = units.into_iter().flat_map(|(index, unit)| self.rooms(index, unit, plane)).collect();
+        LevelDraft {
+            id,
+            name: label(level.properties.name.as_ref()).unwrap_or_default(),
+            elevation: f64::from(level.properties.ordinal) * STOREY_HEIGHT,
+            height: STOREY_HEIGHT,
+            exterior_thickness: EXTERIOR_THICKNESS,
+            interior_thickness: INTERIOR_THICKNESS,
+            outlines: OutlineKind::Center,
+            rooms,
+            openings: self.openings(&level.id, plane),
+            ..LevelDraft::default()
+        }
+    }
+
+    fn rooms(&mut self, index: usize, unit: &Feature<UnitProperties>, plane: &LocalPlane) -> Vec<RoomDraft> {
+        let room_type = self.room_type(index, unit);
+        let occupant = self.archive.occupants.get(&unit.id);
+        let name =
+            label(unit.properties.name.as_ref()).or_else(|| occupant.and_then(|tenant| tenant.name.clone()));
+        let outlines = unit.geometry.as_ref().map(|geometry| outlines(geometry, plane)).unwrap_or_default();
+        let rooms = outlines.into_iter().enumerate().map(|(part, outline)| RoomDraft {
+            id: if part == 0 { unit.id.clone() } else { format!("{}.{}", unit.id, part + 1) },
+            name: name.clone(),
+            room_type: room_type.clone(),
+            outline: outline.outer,
+            holes: outline.holes,
+            ..RoomDraft::default()
+        });
+        rooms.collect()
+    }
+
+    fn room_type(&mut self, index: usize, unit: &Feature<UnitProperties>) -> String {
+        let word = unit.properties.category.as_str();
+        let tenant = self.archive.occupants.get(&unit.id).and_then(|tenant| tenant.category.as_deref());
+        let own = self.words.room_type(NAME, word);
+        let lent = tenant.and_then(|category| self.words.room_type(NAME, category));
+        let found = if EMPTY_WORDS.contains(&word) { lent.or(own) } else { own.or(lent) };
+        if let Some(found) = found {
+            return found.to_owned();
+        }
+        self.unknown.entry(word.to_owned()).or_insert((index, 0)).1 += 1;
+        GENERIC_ROOM_TYPE.to_owned()
+    }
+
+    fn openings(&self, level: &str, plane: &LocalPlane) -> Vec<OpeningDraft> {
+        let Some(openings) = &self.archive.openings else { return Vec::new() };
+        let mine = openings.features.iter().filter(|opening| opening.properties.level_id == level);
+        // Where all openings have no leaf, the map's maker left the editor's preset alone.
+        let is_preset = openings.features.iter().all(|opening| door_kind(opening) == Some("open"));
+        mine.filter_map(|opening| {
+            let Some(Geometry::LineString { coordinates }) = &opening.geometry else { return None };
+            let line = points(coordinates, plane);
+            let (first, last) = (*line.first()?, *line.last()?);
+            let width = first.distance(last);
+            Some(OpeningDraft {
+                id: opening.id.clone(),
+                kind: match door_kind(opening) {
+                    Some("open") if !is_preset => OpeningKind::Passage,
+                    _ if width > WIDEST_DOOR => OpeningKind::Passage,
+                    Some("sliding" | "movablepartition" | "shutter") => OpeningKind::SlidingDoor,
+                    _ => OpeningKind::Door,
+                },
+                place: OpeningPlace::Points { center: first.midpoint(last), along: Some(last - first) },
+                rooms: Vec::new(),
+                width,
+                bottom: 0.0,
+                top: DOOR_HEAD,
+                leaf: LeafDraft::Automatic,
+            })
+        })
+        .collect()
+    }
+
+    /// Units and openings that no level of a building takes, and those without a shape.
+    fn report_strays(&mut self) {
+        let archive = self.archive;
+        let known: BTreeSet<&str> =
+            archive.buildings.features.iter().map(|building| building.id.as_str()).collect();
+        let homed = |level: &&Feature<LevelProperties>| {
+            let first = level.properties.building_ids.as_ref().and_then(|ids| ids.first());
+            first.is_some_and(|first| known.contains(first.as_str()))
+        };
+        let levels: BTreeSet<&str> =
+            archive.levels.features.iter().filter(homed).map(|level| level.id.as_str()).collect();
+        let mut faults = Faults::default();
+        let mut report = |source: &crate::document::Source, index: usize, key: &str, message: String| {
+            let path = [PathStep::from("features"), index.into(), key.into()];
+            let hint = Some("it was left out".to_owned());
+            faults.push(source.fault(&path, message, hint, FaultSeverity::Warning));
+        };
+        for (index, unit) in archive.units.features.iter().enumerate() {
+            if !levels.contains(unit.properties.level_id.as_str()) {
+                report(&archive.units.source, index, "properties", stray("unit", &unit.id));
+            } else if !matches!(
+                &unit.geometry,
+                Some(Geometry::Polygon { .. } | Geometry::MultiPolygon { .. })
+            ) {
+                report(&archive.units.source, index, "geometry", format!("unit {} is no area", unit.id));
+            }
+        }
+        for (index, opening) in archive.openings.iter().flat_map(|table| table.features.iter().enumerate()) {
+            let Some(table) = &archive.openings else { continue };
+            if !levels.contains(opening.properties.level_id.as_str()) {
+                report(&table.source, index, "properties", stray("opening", &opening.id));
+            } else if !matches!(&opening.geometry, Some(Geometry::LineString { coordinates }) if coordinates.len() > 1)
+            {
+                report(&table.source, index, "geometry", format!("opening {} is no line", opening.id));
+            }
+        }
+        self.faults.merge(faults);
+    }
+
+    fn report_unknown_words(&mut self) {
+        for (word, (index, count)) in &self.unknown {
+            let path = [PathStep::from("features"), (*index).into(), "properties".into(), "category".into()];
+            let source = &self.archive.units.source;
+            self.faults.push(unknown_word(source, &path, NAME, (word, *count)));
+        }
+    }
+}
+
+fn stray(what: &str, id: &str) -> String {
+    format!("{what} {id} is on no level of a building")
+}
+
+fn door_kind(opening: &Feature<OpeningProperties>) -> Option<&str> {
+    opening.properties.door.as_ref()?.kind.as_deref()
+}
+
+impl<P> Feature<P> {
+    fn index_in(&self, features: &[Self]) -> usize {
+        features.iter().position(|feature| std::ptr::eq(feature, self)).unwrap_or_default()
+    }
+}

@@ -1,0 +1,242 @@
+//! Files to buildings: one file per input format, and what they have in common.
+
+pub(crate) mod archilyse;
+mod finish;
+mod foreign;
+pub(crate) mod imdf;
+mod inputs;
+pub(crate) mod native;
+mod project;
+#[cfg(test)]
+mod real_data;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use self::finish::{Drafted, Provenance, Variation, finish};
+use self::inputs::{Input, find_inputs};
+use self::native::{NativeDraft, read_native};
+use super::{
+    BuildingDraft, PlacedBuilding, Plan, PlanOptions, PlanReading, ProjectSettings, RoomWords, SitePlacement,
+};
+use crate::document::{Fault, Faults, Source, Warned};
+
+/// A building as a reader of a foreign format found it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct DraftedBuilding {
+    /// Unique in the plan.
+    pub(crate) id: String,
+    /// Its levels, lengths in metres.
+    pub(crate) draft: BuildingDraft,
+}
+
+/// A foreign format. To add one, write its file and add a line to [`FOREIGN_FORMATS`].
+#[derive(Debug)]
+pub(crate) struct ForeignFormat {
+    /// The word in `room_words.yaml` and on the command line.
+    #[allow(dead_code)] // shown where formats are listed
+    pub(crate) name: &'static str,
+    /// Whether a file or folder is of this format, from names and the beginning of files.
+    pub(crate) recognises: fn(&Path) -> bool,
+    /// Reads all buildings of a file or folder; ids come from the data or the name of the file.
+    pub(crate) read: fn(&Path, &RoomWords) -> ReadResult,
+}
+
+/// All buildings of a file or folder.
+pub(crate) type ReadResult = Result<Warned<Vec<DraftedBuilding>>, Faults>;
+
+/// All formats but the native one, in the order in which they are asked.
+pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
+    ForeignFormat { name: archilyse::NAME, recognises: archilyse::recognises, read: archilyse::read },
+    ForeignFormat { name: imdf::NAME, recognises: imdf::recognises, read: imdf::read },
+];
+
+/// Reads all plans that paths name: native plans, projects, foreign plans, folders and patterns of them.
+///
+/// One bad file does not stop the others. The answer does not depend on the order of `paths`: buildings are
+/// sorted by id, faults by file and place. Files are read in parallel.
+#[must_use]
+pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
+    let (inputs, mut faults) = find_inputs(paths);
+    let readings: Vec<_> = inputs.par_iter().map(|input| read_input(input, options.words)).collect();
+    let mut buildings = Vec::new();
+    for (found, found_faults) in readings {
+        buildings.extend(found);
+        faults.merge(found_faults);
+    }
+    let plan = Plan { buildings: unique(buildings, &mut faults) };
+    if plan.buildings.is_empty() && faults.is_empty() {
+        let named = paths.first().cloned().unwrap_or_default();
+        faults.push(Fault::of_file(&named, "no plan was found").with_hint("plans have a key `levels`"));
+    }
+    faults.sort();
+    PlanReading { plan, faults }
+}
+
+/// What the project files among the paths say about the run: read before the catalogue, which they may extend.
+///
+/// # Errors
+/// All faults of the project files, and settings that contradict each other.
+pub fn project_settings(paths: &[PathBuf]) -> Result<ProjectSettings, Faults> {
+    let (inputs, _) = find_inputs(paths);
+    let mut merged = ProjectSettings::default();
+    let mut faults = Faults::default();
+    for input in inputs.iter().filter(|input| input.is_named && input.format.is_none()) {
+        // A file that cannot be read is reported with the plans.
+        let Ok(source) = Source::read(&input.path) else { continue };
+        if kind_of(&source) != Kind::Project {
+            continue;
+        }
+        match project::project_settings(&source) {
+            Ok(settings) => merge_settings(&mut merged, settings, &input.path, &mut faults),
+            Err(found) => faults.merge(found),
+        }
+    }
+    if faults.is_empty() { Ok(merged) } else { Err(faults) }
+}
+
+fn merge_settings(merged: &mut ProjectSettings, settings: ProjectSettings, file: &Path, faults: &mut Faults) {
+    let ProjectSettings { catalog, style, seed } = settings;
+    merged.catalog.extend(catalog);
+    let mut contradict = |what: &str, differ: bool| {
+        if differ {
+            let message = format!("names another {what} than the projects before it");
+            faults.push(Fault::of_file(file, message).with_hint("bake them one after the other"));
+        }
+    };
+    contradict("style", merged.style.is_some() && style.is_some() && merged.style != style);
+    contradict("seed", merged.seed.is_some() && seed.is_some() && merged.seed != seed);
+    merged.style = merged.style.take().or(style);
+    merged.seed = merged.seed.or(seed);
+}
+
+/// The JSON Schema of native plans: `configs/schema/plan.schema.json`.
+#[must_use]
+pub fn native_schema() -> serde_json::Value {
+    schemars::schema_for!(native::PlanFile).to_value()
+}
+
+/// The JSON Schema of project files: `configs/schema/project.schema.json`.
+#[must_use]
+pub fn project_schema() -> serde_json::Value {
+    schemars::schema_for!(project::ProjectFile).to_value()
+}
+
+/// A building and the file that named it.
+struct ReadBuilding {
+    placed: PlacedBuilding,
+    file: PathBuf,
+}
+
+fn read_input(input: &Input, words: &RoomWords) -> (Vec<ReadBuilding>, Faults) {
+    if input.format.is_none() {
+        let source = match Source::read(&input.path) {
+            Ok(source) => source,
+            Err(faults) => return (Vec::new(), faults),
+        };
+        return match kind_of(&source) {
+            // Projects count when they are named; in a folder their plans stand beside them.
+            Kind::Project if input.is_named => project::read_project(&source, words),
+            Kind::Other | Kind::Project if !input.is_named => (Vec::new(), Faults::default()),
+            _ => finish_all(&input.path, native_drafts(source, words)),
+        };
+    }
+    finish_all(&input.path, read_drafts(&input.path, words))
+}
+
+fn finish_all(file: &Path, reading: Drafts) -> (Vec<ReadBuilding>, Faults) {
+    let mut faults = reading.faults;
+    let mut buildings = Vec::new();
+    for drafted in reading.drafts {
+        let (building, found) = finish(&drafted, &Variation::default());
+        faults.merge(found);
+        let placed =
+            PlacedBuilding { id: drafted.id, site: SitePlacement::default(), building: Arc::new(building) };
+        buildings.push(ReadBuilding { placed, file: file.to_owned() });
+    }
+    (buildings, faults)
+}
+
+/// What a file or folder holds, before it is put together.
+#[derive(Default)]
+struct Drafts {
+    drafts: Vec<Drafted>,
+    faults: Faults,
+    is_project: bool,
+}
+
+/// Reads a plan of any format.
+fn read_drafts(path: &Path, words: &RoomWords) -> Drafts {
+    let Some(format) = FOREIGN_FORMATS.iter().find(|format| (format.recognises)(path)) else {
+        return match Source::read(path) {
+            Ok(source) if kind_of(&source) == Kind::Project => {
+                Drafts { is_project: true, ..Drafts::default() }
+            }
+            Ok(source) => native_drafts(source, words),
+            Err(faults) => Drafts { faults, ..Drafts::default() },
+        };
+    };
+    match (format.read)(path, words) {
+        Ok(Warned { value, warnings }) => {
+            let drafted = |DraftedBuilding { id, draft }| Drafted {
+                id,
+                draft,
+                provenance: Provenance::Foreign(path.to_owned()),
+            };
+            Drafts { drafts: value.into_iter().map(drafted).collect(), faults: warnings, is_project: false }
+        }
+        Err(faults) => Drafts { faults, ..Drafts::default() },
+    }
+}
+
+fn native_drafts(source: Source, words: &RoomWords) -> Drafts {
+    match read_native(&source, words) {
+        Ok(NativeDraft { id, draft, origins }) => {
+            let provenance = Provenance::Native(source, origins);
+            Drafts { drafts: vec![Drafted { id, draft, provenance }], ..Drafts::default() }
+        }
+        Err(faults) => Drafts { faults, ..Drafts::default() },
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Plan,
+    Project,
+    Other,
+}
+
+/// What a file is by its keys.
+fn kind_of(source: &Source) -> Kind {
+    let keys = source.top_keys();
+    let has = |key: &str| keys.iter().any(|known| known == key);
+    if has("project") {
+        Kind::Project
+    } else if has("levels") {
+        Kind::Plan
+    } else {
+        Kind::Other
+    }
+}
+
+/// Sorted by id; of two with one id the one whose file comes first stays.
+fn unique(mut buildings: Vec<ReadBuilding>, faults: &mut Faults) -> Vec<PlacedBuilding> {
+    buildings.sort_by(|a, b| a.placed.id.cmp(&b.placed.id).then_with(|| a.file.cmp(&b.file)));
+    let mut kept: BTreeMap<String, PathBuf> = BTreeMap::new();
+    let mut placed = Vec::with_capacity(buildings.len());
+    for building in buildings {
+        let id = &building.placed.id;
+        if let Some(first) = kept.get(id) {
+            let message = format!("building id \"{id}\" is used by \"{}\" too", first.display());
+            let hint = "give one of them another `id`";
+            faults.push(Fault::of_file(&building.file, message).with_hint(hint));
+        } else {
+            kept.insert(id.clone(), building.file);
+            placed.push(building.placed);
+        }
+    }
+    placed
+}

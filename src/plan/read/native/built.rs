@@ -1,0 +1,108 @@
+//! What is asked of a native plan when its rooms stand, beyond what assembling mends: what a person wrote is
+//! taken at its word.
+
+use std::collections::BTreeMap;
+
+use geo::{Area, BooleanOps};
+
+use crate::plan::clean::to_surface;
+use crate::plan::{Level, LevelDraft, OpeningKind, Problem, Room, Subject};
+
+/// Metres that an opening may lose to the ends of its wall without a word.
+const LOST_WIDTH: f64 = 0.005;
+/// Square metres that two rooms may share without a word: the slip of a corner by a millimetre.
+const SHARED_AREA: f64 = 0.02;
+/// Rooms of these types need no way in.
+const CLOSED_ROOM_TYPES: [&str; 2] = ["shaft", "void"];
+
+/// What a draft asked for, remembered while it is assembled.
+pub(crate) struct NativeChecks {
+    /// Place in the draft and asked width, by id.
+    openings: BTreeMap<String, (usize, f64)>,
+    /// Place in the draft, by id.
+    rooms: BTreeMap<String, usize>,
+}
+
+impl NativeChecks {
+    /// What a level is to have.
+    pub(crate) fn of(level: &LevelDraft) -> Self {
+        let openings = level.openings.iter().enumerate();
+        let rooms = level.rooms.iter().enumerate();
+        Self {
+            openings: openings.map(|(index, entry)| (entry.id.clone(), (index, entry.width))).collect(),
+            rooms: rooms.map(|(index, room)| (room.id.clone(), index)).collect(),
+        }
+    }
+
+    /// Compares with what it has.
+    pub(crate) fn run(&self, level: &Level, problems: &mut Vec<Problem>) {
+        self.cut_openings(level, problems);
+        self.sealed_rooms(level, problems);
+        self.overlapping_rooms(level, problems);
+    }
+
+    fn cut_openings(&self, level: &Level, problems: &mut Vec<Problem>) {
+        for opening in level.openings.iter().filter(|opening| opening.kind != OpeningKind::OpenBoundary) {
+            let Some(&(index, asked)) = self.openings.get(&opening.id) else { continue };
+            let (id, width) = (&opening.id, opening.width);
+            if width < asked - LOST_WIDTH {
+                let fact = format!("opening \"{id}\" is {asked} m wide, its wall has room for {width:.3} m");
+                let hint = Some("make it narrower, or move it away from the corner");
+                problems.push(Problem::error(Subject::Opening(index), fact, hint));
+            }
+        }
+    }
+
+    fn sealed_rooms(&self, level: &Level, problems: &mut Vec<Problem>) {
+        for room in &level.rooms {
+            let is_reached =
+                room.openings.iter().any(|entry| level.openings[entry.opening].kind.is_walkable());
+            if !is_reached && !CLOSED_ROOM_TYPES.contains(&room.room_type.as_str()) {
+                let fact = format!("room \"{}\" has no way in", room.id);
+                let hint = Some("add a door, a passage or an open boundary");
+                problems.push(Problem::warning(self.subject(room), fact, hint));
+            }
+        }
+    }
+
+    fn overlapping_rooms(&self, level: &Level, problems: &mut Vec<Problem>) {
+        let mut order: Vec<(&Room, (f64, f64))> = level
+            .rooms
+            .iter()
+            .map(|room| {
+                let (low, high) = room.region.outline.bounds();
+                (room, (low.x, high.x))
+            })
+            .collect();
+        order.sort_by(|a, b| a.1.0.total_cmp(&b.1.0));
+        for (index, (room, (_, end))) in order.iter().enumerate() {
+            // Sorted from west to east: nobody after the first that begins east of this room touches it.
+            for (other, _) in order[index + 1..].iter().take_while(|(_, (start, _))| start < end) {
+                let shared = shared_area(room, other);
+                if shared > SHARED_AREA {
+                    let mut pair = [*room, *other];
+                    pair.sort_by_key(|room| self.rooms.get(&room.id));
+                    let [first, second] = pair.map(|room| &room.id);
+                    let fact = format!("rooms \"{first}\" and \"{second}\" share {shared:.2} m² of floor");
+                    let hint = Some("move their outlines apart, or cut a hole");
+                    problems.push(Problem::warning(self.subject(pair[1]), fact, hint));
+                }
+            }
+        }
+    }
+
+    fn subject(&self, room: &Room) -> Subject {
+        self.rooms.get(&room.id).map_or(Subject::Level, |index| Subject::Room(*index))
+    }
+}
+
+/// Square metres of floor that two rooms claim both.
+fn shared_area(a: &Room, b: &Room) -> f64 {
+    let ((a_low, a_high), (b_low, b_high)) = (a.region.outline.bounds(), b.region.outline.bounds());
+    let common = a_high.min(b_high) - a_low.max(b_low);
+    if common.min_element() <= 0.0 || common.x * common.y <= SHARED_AREA {
+        return 0.0;
+    }
+    let surface = |room: &Room| to_surface(&room.region.outline, &room.region.holes);
+    surface(a).intersection(&surface(b)).unsigned_area()
+}

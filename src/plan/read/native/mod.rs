@@ -1,0 +1,62 @@
+//! The native format: YAML for people, the same structures as JSON for machines.
+
+mod built;
+mod check;
+mod expand;
+mod file;
+mod motion;
+mod numbers;
+mod openings;
+mod origins;
+mod parts;
+mod pattern;
+mod report;
+mod units;
+
+use crate::document::{Faults, Source};
+use crate::plan::{BuildingDraft, RoomWords};
+
+pub(crate) use built::NativeChecks;
+pub(crate) use expand::{FILE_NAME_FORBIDDEN, id_fault};
+pub(crate) use file::{PlanFile, VERSION};
+pub(crate) use numbers::number_of_id;
+pub(crate) use origins::{LevelOrigins, ProblemList};
+pub(crate) use pattern::{PatternValues, expand as expand_pattern, names_value};
+pub(crate) use report::{Report, item, step};
+
+/// A native plan as drafts, and where everything stands in its file.
+pub(crate) struct NativeDraft {
+    /// Id of the building.
+    pub(crate) id: String,
+    /// Its levels, prototypes placed and levels repeated.
+    pub(crate) draft: BuildingDraft,
+    /// By level of the draft.
+    pub(crate) origins: Vec<LevelOrigins>,
+}
+
+/// Reads a native plan.
+///
+/// # Errors
+/// All faults of the file that show before rooms are put together: syntax, keys, types, numbers, ids and
+/// names of rooms, prototypes and room types.
+pub(crate) fn read_native(source: &Source, words: &RoomWords) -> Result<NativeDraft, Faults> {
+    let file: PlanFile = source.parse()?;
+    let mut report = Report::new(source);
+    check::check_file(&file, words, &mut report);
+    let expanded = expand::expand_building(&file, &mut report);
+    let id = building_id(&file, &mut report);
+    let faults = report.finish();
+    if faults.has_errors() {
+        return Err(faults);
+    }
+    Ok(NativeDraft { id, draft: expanded.draft, origins: expanded.origins })
+}
+
+fn building_id(file: &PlanFile, report: &mut Report<'_>) -> String {
+    let stem = report.source().file().file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let id = file.id.clone().unwrap_or(stem);
+    if let Some(message) = id_fault(&id, FILE_NAME_FORBIDDEN) {
+        report.error(&["id".into()], message, Some("it names a folder of the output".to_owned()));
+    }
+    id
+}

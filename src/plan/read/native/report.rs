@@ -1,0 +1,55 @@
+//! Collects the faults of one file by document path.
+
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
+
+/// The faults found so far, and where places are looked up.
+pub(crate) struct Report<'a> {
+    source: &'a Source,
+    faults: Faults,
+}
+
+impl<'a> Report<'a> {
+    /// Nothing found yet.
+    pub(crate) fn new(source: &'a Source) -> Self {
+        Self { source, faults: Faults::default() }
+    }
+
+    /// The file.
+    pub(crate) fn source(&self) -> &'a Source {
+        self.source
+    }
+
+    /// Something that makes the file useless.
+    pub(crate) fn error(&mut self, path: &[PathStep], message: impl Into<String>, hint: Option<String>) {
+        self.faults.push(self.source.fault(path, message, hint, FaultSeverity::Error));
+    }
+
+    /// Adds a fault as it is.
+    pub(crate) fn push(&mut self, fault: Fault) {
+        self.faults.push(fault);
+    }
+
+    /// The line in which a document path stands, from 1.
+    pub(crate) fn line_of(&self, path: &[PathStep]) -> Option<usize> {
+        let fault = self.source.fault(path, "", None, FaultSeverity::Error);
+        fault.position.map(|(line, _)| line)
+    }
+
+    /// Everything found, by place, equal faults once: a prototype's fault shows once however often it is placed.
+    pub(crate) fn finish(mut self) -> Faults {
+        self.faults.sort();
+        self.faults
+    }
+}
+
+/// A path one step further.
+pub(crate) fn step(path: &[PathStep], next: impl Into<PathStep>) -> Vec<PathStep> {
+    let mut path = path.to_vec();
+    path.push(next.into());
+    path
+}
+
+/// A path two steps further: an item of a list.
+pub(crate) fn item(path: &[PathStep], list: &str, index: usize) -> Vec<PathStep> {
+    step(&step(path, list), index)
+}

@@ -1,0 +1,249 @@
+//! Project files: which plans make a city, and where each building stands.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::finish::{Drafted, Variation, finish};
+use super::native::{
+    FILE_NAME_FORBIDDEN, PatternValues, Report, VERSION, expand_pattern, id_fault, item, names_value, step,
+};
+use super::{ReadBuilding, read_drafts};
+use crate::document::{Faults, PathStep, Source};
+use crate::geometry::Point;
+use crate::plan::{Building, PlacedBuilding, ProjectSettings, RoomWords, SitePlacement};
+
+/// Most buildings of a project.
+const BUILDING_LIMIT: u32 = 1_000_000;
+
+/// A project: plans to bake together.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Roomwright project")]
+pub(crate) struct ProjectFile {
+    /// Version of the format: 1.
+    version: u32,
+    /// The project.
+    project: Project,
+}
+
+/// What is baked, and how.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Project {
+    /// A title for people.
+    #[allow(dead_code)] // for people who read the file
+    name: Option<String>,
+    /// Style of rooms that name none, unless the command line names one.
+    style: Option<String>,
+    /// Seed of the run, unless the command line names one.
+    seed: Option<u64>,
+    /// Further folders of configuration, relative to this file.
+    #[serde(default)]
+    catalog: Vec<PathBuf>,
+    /// The plans.
+    plans: Vec<ProjectPlan>,
+}
+
+/// One plan, built once or many times.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct ProjectPlan {
+    /// A plan of any format, relative to this file.
+    plan: PathBuf,
+    /// Id of each building: `{id}` is that of the plan, `{n}` counts; `{id}`, or `{id}-{n}` with `count`, where absent.
+    id: Option<String>,
+    /// How many; 1 where absent.
+    #[schemars(range(min = 1))]
+    count: Option<u32>,
+    /// Number of the first; 1 where absent.
+    first: Option<i64>,
+    /// Metres east and north of the site's origin where the first stands.
+    #[serde(default)]
+    position: [f64; 2],
+    /// Metres from one to the next as [x, y]; with `columns`, x between columns and y between rows.
+    #[serde(default)]
+    step: [f64; 2],
+    /// Buildings in a row of a grid.
+    #[schemars(range(min = 1))]
+    columns: Option<u32>,
+    /// Degrees counter-clockwise.
+    #[serde(default)]
+    turn: f64,
+    /// Whether east and west of the building are exchanged.
+    #[serde(default)]
+    mirror: bool,
+    /// Style of rooms that name none, in place of the project's.
+    style: Option<String>,
+}
+
+/// The settings of a project file.
+///
+/// # Errors
+/// All faults of the file.
+pub(super) fn project_settings(source: &Source) -> Result<ProjectSettings, Faults> {
+    let project = parse(source)?.project;
+    let folder = folder_of(source);
+    let catalog = project.catalog.iter().map(|path| folder.join(path)).collect();
+    Ok(ProjectSettings { catalog, style: project.style, seed: project.seed })
+}
+
+/// All buildings of a project, and what is wrong with the project and its plans.
+pub(super) fn read_project(source: &Source, words: &RoomWords) -> (Vec<ReadBuilding>, Faults) {
+    let file = match parse(source) {
+        Ok(file) => file,
+        Err(faults) => return (Vec::new(), faults),
+    };
+    let mut reading = Reading {
+        report: Report::new(source),
+        folder: folder_of(source),
+        words,
+        drafts: BTreeMap::new(),
+        buildings: BTreeMap::new(),
+        placed: Vec::new(),
+        faults: Faults::default(),
+    };
+    for (index, plan) in file.project.plans.iter().enumerate() {
+        reading.add_plan(&item(&["project".into()], "plans", index), plan);
+    }
+    let mut faults = reading.report.finish();
+    faults.merge(reading.faults);
+    (reading.placed, faults)
+}
+
+fn parse(source: &Source) -> Result<ProjectFile, Faults> {
+    let file: ProjectFile = source.parse()?;
+    let mut report = Report::new(source);
+    if file.version != VERSION {
+        let hint = Some(format!("this program reads version {VERSION}"));
+        report.error(&["version".into()], format!("version {} is not known", file.version), hint);
+    }
+    if file.project.plans.is_empty() {
+        report.error(&["project".into(), "plans".into()], "the project has no plan", None);
+    }
+    let faults = report.finish();
+    if faults.is_empty() { Ok(file) } else { Err(faults) }
+}
+
+fn folder_of(source: &Source) -> PathBuf {
+    source.file().parent().unwrap_or(Path::new("")).to_owned()
+}
+
+type Drafts = Arc<Vec<Drafted>>;
+
+struct Reading<'a> {
+    report: Report<'a>,
+    folder: PathBuf,
+    words: &'a RoomWords,
+    /// What each plan file holds, read once however often it is built; none where it cannot be read.
+    drafts: BTreeMap<PathBuf, Option<Drafts>>,
+    /// Buildings by file, number in the file, and variation: equal ones are one.
+    buildings: BTreeMap<(PathBuf, usize, Variation), Arc<Building>>,
+    placed: Vec<ReadBuilding>,
+    faults: Faults,
+}
+
+impl Reading<'_> {
+    fn add_plan(&mut self, path: &[PathStep], plan: &ProjectPlan) {
+        let count = plan.count.unwrap_or(1);
+        if count > BUILDING_LIMIT {
+            self.report.error(&step(path, "count"), format!("{count} buildings are too many"), None);
+            return;
+        }
+        let numbers = [("position", plan.position), ("step", plan.step), ("turn", [plan.turn, 0.0])];
+        if let Some((key, _)) =
+            numbers.iter().find(|(_, values)| !values.iter().all(|value| value.is_finite()))
+        {
+            self.report.error(&step(path, *key), "is not finite", None);
+            return;
+        }
+        let file = self.folder.join(&plan.plan);
+        let Some(drafts) = self.drafts_of(path, &file) else { return };
+        for (number, drafted) in drafts.iter().enumerate() {
+            let variation = Variation { is_mirrored: plan.mirror, style: plan.style.clone() };
+            let building = self.building(&file, (number, drafted), variation);
+            for copy in 0..count {
+                let Some(id) = self.id(path, plan, &drafted.id, copy) else { return };
+                let site = site(plan, copy);
+                let placed = PlacedBuilding { id, site, building: Arc::clone(&building) };
+                self.placed.push(ReadBuilding { placed, file: self.report.source().file().to_owned() });
+            }
+        }
+    }
+
+    fn drafts_of(&mut self, path: &[PathStep], file: &Path) -> Option<Drafts> {
+        if let Some(known) = self.drafts.get(file) {
+            return known.clone();
+        }
+        let drafts = if file.exists() {
+            let reading = read_drafts(file, self.words);
+            self.faults.merge(reading.faults);
+            let is_plan = !reading.is_project;
+            if !is_plan {
+                let hint = "name the plans of the other project here";
+                self.report.error(
+                    &step(path, "plan"),
+                    "a project cannot hold a project",
+                    Some(hint.to_owned()),
+                );
+            }
+            is_plan.then(|| Arc::new(reading.drafts))
+        } else {
+            let message = format!("there is no file \"{}\"", file.display());
+            let hint = "paths are relative to the project file";
+            self.report.error(&step(path, "plan"), message, Some(hint.to_owned()));
+            None
+        };
+        self.drafts.insert(file.to_owned(), drafts.clone());
+        drafts
+    }
+
+    fn building(
+        &mut self,
+        file: &Path,
+        (number, drafted): (usize, &Drafted),
+        variation: Variation,
+    ) -> Arc<Building> {
+        let key = (file.to_owned(), number, variation);
+        if let Some(building) = self.buildings.get(&key) {
+            return Arc::clone(building);
+        }
+        let (building, faults) = finish(drafted, &key.2);
+        // Variations of one draft have the same faults; `sort` drops the repetition.
+        self.faults.merge(faults);
+        let building = Arc::new(building);
+        self.buildings.insert(key, Arc::clone(&building));
+        building
+    }
+
+    fn id(&mut self, path: &[PathStep], plan: &ProjectPlan, own: &str, copy: u32) -> Option<String> {
+        let is_many = plan.count.unwrap_or(1) > 1;
+        let usual = if is_many { "{id}-{n}" } else { "{id}" };
+        let pattern = plan.id.as_deref().unwrap_or(usual);
+        let n = plan.first.unwrap_or(1).saturating_add(i64::from(copy));
+        let values = PatternValues { n: Some(n), level: None, id: Some(own) };
+        let path = step(path, "id");
+        if is_many && !names_value(pattern, "n") {
+            let message = format!("{} buildings have the id \"{pattern}\"", plan.count.unwrap_or(1));
+            self.report.error(&path, message, Some("write \"{n}\" into it".to_owned()));
+            return None;
+        }
+        let id = expand_pattern(pattern, &values).and_then(|id| match id_fault(&id, FILE_NAME_FORBIDDEN) {
+            None => Ok(id),
+            Some(fault) => Err((fault, "it names a folder of the output".to_owned())),
+        });
+        id.map_err(|(message, hint)| self.report.error(&path, message, Some(hint))).ok()
+    }
+}
+
+fn site(plan: &ProjectPlan, copy: u32) -> SitePlacement {
+    let (column, row) = plan.columns.map_or((copy, copy), |columns| {
+        let columns = columns.max(1);
+        (copy % columns, copy / columns)
+    });
+    let steps = Point::new(f64::from(column), f64::from(row)) * Point::from(plan.step);
+    SitePlacement { position: Point::from(plan.position) + steps, turn: plan.turn.to_radians() }
+}

@@ -1,0 +1,34 @@
+//! The shared real plans for tests; they are not part of the project.
+
+use std::path::PathBuf;
+
+use crate::document::parse_document;
+use crate::plan::RoomWords;
+
+/// A folder of the shared floor plans, or `None` with a printed reason where it is absent.
+pub(super) fn folder(name: &str) -> Option<PathBuf> {
+    let path = PathBuf::from("../shared/data/floorplans").join(name);
+    if path.is_dir() {
+        return Some(path);
+    }
+    println!("skipped: {} is absent", path.display());
+    None
+}
+
+/// The project's own table of room words.
+pub(super) fn words() -> RoomWords {
+    #[derive(serde::Deserialize, schemars::JsonSchema)]
+    struct Table {
+        #[allow(dead_code)]
+        version: u32,
+        formats: std::collections::BTreeMap<String, std::collections::BTreeMap<String, String>>,
+    }
+    let path = PathBuf::from("configs/room_words.yaml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let table: Table = parse_document(&path, &text).unwrap();
+    let lower = |words: std::collections::BTreeMap<String, String>| {
+        words.into_iter().map(|(word, kind)| (word.to_lowercase(), kind)).collect()
+    };
+    let words = table.formats.into_iter().map(|(format, words)| (format, lower(words))).collect();
+    RoomWords { known: ["toilet".to_owned()].into(), words }
+}

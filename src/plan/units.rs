@@ -1,0 +1,87 @@
+//! Foreign units to metres, and degrees to a plane; the only place where they are converted.
+
+use crate::geometry::Point;
+
+/// Metres in a centimetre.
+pub(crate) const CENTIMETRE: f64 = 0.01;
+
+/// Semi-major axis of the WGS 84 ellipsoid in metres.
+const EQUATOR_RADIUS: f64 = 6_378_137.0;
+/// Square of the ellipsoid's first eccentricity.
+const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_14e-3;
+
+/// Metres per pixel of a scan whose scale is given as square centimetres per square pixel.
+///
+/// `None` unless the scale is a finite number above zero.
+pub(crate) fn metres_per_pixel(square_centimetres: f64) -> Option<f64> {
+    (square_centimetres.is_finite() && square_centimetres > 0.0)
+        .then(|| square_centimetres.sqrt() * CENTIMETRE)
+}
+
+/// A plane in metres that touches the ellipsoid at a point: x east, y north.
+///
+/// Equirectangular about the point, with the ellipsoid's two radii of curvature there. Against the true
+/// distances along the ellipsoid a point 200 m away at 60° latitude is off by up to 1.1 cm, at 100 m by
+/// 0.3 cm (the error grows with the square of the distance and the tangent of the latitude), and all of
+/// it is a smooth shear of the whole building: walls stay straight and rooms keep their sizes to 0.01 %.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LocalPlane {
+    longitude: f64,
+    latitude: f64,
+    /// Metres per degree east and north.
+    scale: Point,
+}
+
+impl LocalPlane {
+    /// The plane at a place in degrees. `None` outside ±180° of longitude and ±85° of latitude, where the plane
+    /// is no picture of the ground or the numbers are not degrees.
+    pub(crate) fn at(longitude: f64, latitude: f64) -> Option<Self> {
+        const FARTHEST: (f64, f64) = (180.0, 85.0);
+        // Written so that NaN fails.
+        if !(longitude.abs() <= FARTHEST.0 && latitude.abs() <= FARTHEST.1) {
+            return None;
+        }
+        let (sine, cosine) = libm::sincos(latitude.to_radians());
+        let flattening = 1.0 - ECCENTRICITY_SQUARED * sine * sine;
+        let across = EQUATOR_RADIUS / flattening.sqrt();
+        let along = across * (1.0 - ECCENTRICITY_SQUARED) / flattening;
+        let degree = 1f64.to_radians();
+        Some(Self { longitude, latitude, scale: Point::new(across * cosine, along) * degree })
+    }
+
+    /// A place in degrees on the plane.
+    pub(crate) fn project(&self, longitude: f64, latitude: f64) -> Point {
+        Point::new(longitude - self.longitude, latitude - self.latitude) * self.scale
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scale_in_square_centimetres_gives_metres() {
+        assert!((metres_per_pixel(4.0).unwrap() - 0.02).abs() < 1e-15);
+        for broken in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(metres_per_pixel(broken), None);
+        }
+    }
+
+    #[test]
+    fn degrees_have_their_known_lengths() {
+        // Length of a degree on WGS 84: 111 320 m and 110 574 m at the equator, 55 800 m and 111 412 m at 60°.
+        for (latitude, east, north) in [(0.0, 111_320.0, 110_574.0), (60.0, 55_800.0, 111_412.0)] {
+            let plane = LocalPlane::at(10.0, latitude).unwrap();
+            let there = plane.project(11.0, latitude + 1.0);
+            assert!((there.x - east).abs() < 1.0, "{there}");
+            assert!((there.y - north).abs() < 1.0, "{there}");
+        }
+    }
+
+    #[test]
+    fn metres_are_no_degrees() {
+        assert!(LocalPlane::at(4000.0, 60.0).is_none());
+        assert!(LocalPlane::at(30.0, 90.0).is_none());
+        assert!(LocalPlane::at(f64::NAN, 0.0).is_none());
+    }
+}

@@ -1,0 +1,24 @@
+//! The words that plan formats use for rooms, and what they mean here.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Maps each format's room words to room types. Filled from `configs/room_words.yaml` and the user's own
+/// additions, so that a new word needs no code.
+#[derive(Clone, Debug, Default)]
+pub struct RoomWords {
+    /// Every room type that exists, for checking native plans.
+    pub known: BTreeSet<String>,
+    /// format → word (lower case) → room type.
+    pub words: BTreeMap<String, BTreeMap<String, String>>,
+}
+
+/// The room type that unknown words become, with a warning.
+pub const GENERIC_ROOM_TYPE: &str = "generic";
+
+impl RoomWords {
+    /// The room type of a word in a format, or `None` where the table has no entry.
+    #[must_use]
+    pub fn room_type(&self, format: &str, word: &str) -> Option<&str> {
+        self.words.get(format)?.get(&word.to_lowercase()).map(String::as_str)
+    }
+}

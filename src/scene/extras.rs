@@ -1,0 +1,104 @@
+//! The `extras` of levels, openings, rooms and furniture.
+
+use super::node::{Extras, LeafExtras, Removed, SiteExtras};
+use super::{SceneInput, names};
+use crate::audit::Finding;
+use crate::catalog::{Catalog, Side};
+use crate::geometry::{Point, Polygon};
+use crate::layout::{Furnished, Placement};
+use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, SitePlacement};
+
+/// Parts of a metre (or radian) that extras keep: what is smaller is rounding errors of the reader.
+const PER_UNIT: f64 = 1e6;
+
+/// Program and version, as in every file.
+pub(crate) const GENERATOR: &str = concat!("roomwright ", env!("CARGO_PKG_VERSION"));
+
+pub(crate) fn level_extras(input: &SceneInput<'_>) -> Extras {
+    let site = (input.site != SitePlacement::default())
+        .then(|| SiteExtras { position: pair(input.site.position), turn: rounded(input.site.turn) });
+    Extras::Level {
+        building: input.building.to_owned(),
+        level: input.level.id.clone(),
+        elevation: rounded(input.level.elevation),
+        height: rounded(input.level.height),
+        seed: input.seed,
+        generator: GENERATOR.to_owned(),
+        site,
+    }
+}
+
+pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
+    let leaf = |leaf: &Leaf| LeafExtras {
+        hinge: pair(leaf.hinge),
+        closed: pair(leaf.closed_tip),
+        open: pair(leaf.open_tip),
+    };
+    Extras::Opening {
+        opening: if opening.kind.is_walkable() { "door" } else { "window" },
+        closure: match opening.kind {
+            OpeningKind::Door => "door",
+            OpeningKind::SlidingDoor => "sliding",
+            OpeningKind::Passage => "passage",
+            OpeningKind::OpenBoundary => "open",
+            OpeningKind::Window => "window",
+        },
+        rooms: opening.sides.iter().map(|side| level.rooms[side.room].id.clone()).collect(),
+        width: rounded(opening.width),
+        height: rounded(opening.top - opening.bottom),
+        sill: rounded(opening.bottom),
+        leaves: opening.leaves.iter().map(leaf).collect(),
+    }
+}
+
+pub(crate) fn room_extras(
+    room: &Room,
+    furnished: &Furnished,
+    findings: &[Finding],
+    catalog: &Catalog,
+) -> Extras {
+    let corners = |polygon: &Polygon| polygon.corners().iter().map(|&corner| pair(corner)).collect();
+    let removed = furnished.removals.iter().map(|removal| Removed {
+        class: catalog.classes[removal.class].id.clone(),
+        reason: removal.reason.name(),
+    });
+    Extras::Room {
+        room: room.id.clone(),
+        room_type: room.room_type.clone(),
+        style: furnished.style.clone(),
+        seed: furnished.seed,
+        outline: corners(&room.region.outline),
+        holes: room.region.holes.iter().map(corners).collect(),
+        height: rounded(room.height),
+        requested: furnished.requested,
+        placed: u32::try_from(furnished.placements.len()).unwrap_or(u32::MAX),
+        removed: removed.collect(),
+        findings: findings.to_vec(),
+    }
+}
+
+pub(crate) fn furniture_extras(
+    input: &SceneInput<'_>,
+    furnished: &Furnished,
+    placement: &Placement,
+    id: String,
+) -> Extras {
+    let size = placement.size;
+    Extras::Furniture {
+        class: input.catalog.classes[placement.class].id.clone(),
+        id,
+        parent: names::parent(placement.parent, input.level, input.catalog, &furnished.placements),
+        side: Side::name(placement.side),
+        size: [size.width, size.depth, size.height].map(rounded),
+        variant: placement.variant,
+    }
+}
+
+fn pair(point: Point) -> [f64; 2] {
+    [rounded(point.x), rounded(point.y)]
+}
+
+/// Without digits that are rounding errors, and without a negative zero.
+fn rounded(value: f64) -> f64 {
+    (value * PER_UNIT).round() / PER_UNIT + 0.0
+}

@@ -1,0 +1,221 @@
+//! The tree of nodes that becomes a glTF file.
+
+use std::sync::Arc;
+
+use glam::{Quat, Vec3};
+use serde::Serialize;
+
+use super::axes::Pose;
+use crate::audit::Finding;
+use crate::catalog::Material;
+use crate::model::{Model, OwnMaterial};
+
+/// One level as a tree of nodes in the glTF frame: metres, right-handed, Y up.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The level.
+    pub root: Node,
+    /// Meshes that nodes refer to; each once.
+    pub meshes: Vec<SceneMesh>,
+    /// Materials that meshes refer to; each once.
+    pub materials: Vec<SceneMaterial>,
+}
+
+/// A mesh with its materials.
+#[derive(Clone, Debug)]
+pub struct SceneMesh {
+    /// Unique in the scene; the class and variant, or the node of a shell part.
+    pub name: String,
+    /// The triangles.
+    pub model: Arc<Model>,
+    /// Index into [`Scene::materials`] for each primitive.
+    pub materials: Vec<usize>,
+    /// Which model of the catalogue it is, so that a library shared by many levels may hold its triangles;
+    /// `None` for the shell, which belongs to its level.
+    pub key: Option<ModelKey>,
+}
+
+/// A model of the catalogue by name: equal keys have equal triangles in every level of a run.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ModelKey {
+    /// Class id.
+    pub class: String,
+    /// Variant of the class.
+    pub variant: u32,
+    /// Geometry set of the style.
+    pub geometry: String,
+}
+
+impl SceneMesh {
+    /// Whether other levels may use the same triangles.
+    #[must_use]
+    pub fn is_shared(&self) -> bool {
+        self.key.is_some()
+    }
+}
+
+/// A material of the scene.
+#[derive(Clone, Debug)]
+pub enum SceneMaterial {
+    /// A slot of a palette.
+    Slot {
+        /// `<palette>.<slot>`.
+        name: String,
+        /// Its factors.
+        material: Material,
+    },
+    /// From a user's model.
+    Own(Arc<OwnMaterial>),
+}
+
+/// One node; its place is relative to its parent.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Unique in the level.
+    pub name: String,
+    /// Metres.
+    pub translation: Vec3,
+    /// Unit quaternion.
+    pub rotation: Quat,
+    /// Index into [`Scene::meshes`].
+    pub mesh: Option<usize>,
+    /// What the node is.
+    pub extras: Option<Extras>,
+    /// Nodes that move with it.
+    pub children: Vec<Node>,
+}
+
+impl Node {
+    /// A node without children at a place relative to its parent.
+    pub(crate) fn at(name: String, pose: &Pose, mesh: Option<usize>, extras: Extras) -> Self {
+        Self {
+            name,
+            translation: pose.translation(),
+            rotation: pose.rotation(),
+            mesh,
+            extras: Some(extras),
+            children: Vec::new(),
+        }
+    }
+}
+
+/// The `extras` of a node (the output contract).
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Extras {
+    /// The root.
+    Level {
+        /// Building id.
+        building: String,
+        /// Level id.
+        level: String,
+        /// Metres above the building's zero.
+        elevation: f64,
+        /// Metres from floor to floor.
+        height: f64,
+        /// Seed of the run.
+        seed: u64,
+        /// Program and version.
+        generator: String,
+        /// Where the building stands, unless it stands at the site's origin; no node is moved by it.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        site: Option<SiteExtras>,
+    },
+    /// A door, window, passage or open boundary.
+    Opening {
+        /// `door` or `window`.
+        opening: &'static str,
+        /// How it is closed: door, sliding, passage, open, window.
+        closure: &'static str,
+        /// Room ids.
+        rooms: Vec<String>,
+        /// Metres along the wall.
+        width: f64,
+        /// Metres from bottom to top.
+        height: f64,
+        /// Metres of the bottom above the floor.
+        sill: f64,
+        /// The leaves on hinges.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        leaves: Vec<LeafExtras>,
+    },
+    /// A room.
+    Room {
+        /// Room id.
+        room: String,
+        /// Room type.
+        #[serde(rename = "type")]
+        room_type: String,
+        /// Style used.
+        style: String,
+        /// Seed that repeats the room.
+        seed: u64,
+        /// Corners in plan metres, counter-clockwise, not closed.
+        outline: Vec<[f64; 2]>,
+        /// Corners of each hole.
+        holes: Vec<Vec<[f64; 2]>>,
+        /// Metres from floor to ceiling.
+        height: f64,
+        /// Pieces the programme asked for.
+        requested: u32,
+        /// Pieces that rest.
+        placed: u32,
+        /// Pieces that do not, each with its reason.
+        removed: Vec<Removed>,
+        /// Findings of the audit.
+        findings: Vec<Finding>,
+    },
+    /// Floor, ceiling, wall, or a piece of an opening.
+    Part {
+        /// `floor`, `ceiling`, `wall`, `column`; of an opening `threshold`, `frame`, `leaf`, `glass`, `sill`.
+        part: &'static str,
+        /// Unique in its room or opening; what `parent` of an object names: `floor`, `wall.2`, `leaf.1`.
+        id: String,
+        /// The paper's tags.
+        tags: Vec<String>,
+    },
+    /// An object.
+    Furniture {
+        /// Class id.
+        class: String,
+        /// `<class>.<number>`, unique in the room.
+        id: String,
+        /// Id of the parent object, or the part: `floor`, `ceiling`, `wall.2`, `door:3`.
+        parent: String,
+        /// The parent's side.
+        side: &'static str,
+        /// Width, depth, height in metres.
+        size: [f64; 3],
+        /// Variant number.
+        variant: u32,
+    },
+}
+
+/// A missing piece.
+#[derive(Clone, Debug, Serialize)]
+pub struct Removed {
+    /// Class id.
+    pub class: String,
+    /// Why.
+    pub reason: &'static str,
+}
+
+/// Where a building stands, in plan axes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SiteExtras {
+    /// Metres east and north of the site's origin.
+    pub position: [f64; 2],
+    /// Radians counter-clockwise.
+    pub turn: f64,
+}
+
+/// The sector a door leaf sweeps, as points in plan metres.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LeafExtras {
+    /// The axis it turns around.
+    pub hinge: [f64; 2],
+    /// Its free end when shut.
+    pub closed: [f64; 2],
+    /// Its free end when fully open, as the leaf's node stands.
+    pub open: [f64; 2],
+}

@@ -1,0 +1,70 @@
+//! A room with what stands in it.
+
+use super::axes::Pose;
+use super::extras::{furniture_extras, room_extras};
+use super::meshes::{Look, MeshTable};
+use super::node::Node;
+use super::shell::{RoomFinish, room_parts};
+use super::{SceneInput, names};
+use crate::layout::{Furnished, Parent, Placement};
+
+/// The node of a room: shell parts first, then furniture in the order of its placement.
+pub(crate) fn room_node<'a>(input: &SceneInput<'a>, index: usize, meshes: &mut MeshTable<'a>) -> Node {
+    let (room, furnished) = (&input.level.rooms[index], &input.furnished[index]);
+    let findings = input.findings.get(index).map_or(&[][..], Vec::as_slice);
+    let look = Look::of_style(input.catalog, &furnished.style);
+    let finish = RoomFinish::of(input.catalog, room);
+    let extras = room_extras(room, furnished, findings, input.catalog);
+    let mut node = Node::at(names::room(&room.id), &ROOM_POSE, None, extras);
+    node.children = room_parts(input.level, room, finish, look, meshes);
+    node.children.extend(furniture(input, furnished, &room.id, look, meshes));
+    node
+}
+
+/// Rooms stand at the level's origin: outlines and placements are in the level's frame.
+const ROOM_POSE: Pose = Pose { position: crate::geometry::Point::ZERO, elevation: 0.0, angle: 0.0 };
+
+fn pose(placement: &Placement) -> Pose {
+    Pose { position: placement.position, elevation: placement.elevation, angle: placement.angle }
+}
+
+/// The objects that stand on the room's parts, each with what stands on it.
+fn furniture<'a>(
+    input: &SceneInput<'a>,
+    furnished: &Furnished,
+    room: &str,
+    look: Look<'a>,
+    meshes: &mut MeshTable<'a>,
+) -> Vec<Node> {
+    let placements = &furnished.placements;
+    let mut nodes: Vec<Option<Node>> = Vec::with_capacity(placements.len());
+    for placement in placements {
+        let id = names::object(input.catalog, placement);
+        let parent = match placement.parent {
+            Parent::Object(parent) => pose(&placements[parent]),
+            _ => ROOM_POSE,
+        };
+        let mesh = meshes.furniture(placement.class, placement.variant, look);
+        let name = names::owned(&id, room);
+        let extras = furniture_extras(input, furnished, placement, id);
+        nodes.push(Some(Node::at(name, &pose(placement).relative_to(&parent), Some(mesh), extras)));
+    }
+    // Parents come before children: from the end, each node is complete when its turn comes.
+    for index in (0..placements.len()).rev() {
+        if let Parent::Object(parent) = placements[index].parent
+            && let Some(child) = nodes[index].take()
+            && let Some(Some(parent)) = nodes.get_mut(parent)
+        {
+            parent.children.push(child);
+        }
+    }
+    let mut roots: Vec<Node> = nodes.into_iter().flatten().collect();
+    roots.iter_mut().for_each(order_children);
+    roots
+}
+
+/// Children were attached last first; the order of placement is the order in the file.
+fn order_children(node: &mut Node) {
+    node.children.reverse();
+    node.children.iter_mut().for_each(order_children);
+}

@@ -1,0 +1,220 @@
+//! Where the outer faces of neighbouring walls meet.
+
+use crate::geometry::{Point, Polygon, Region};
+use crate::plan::{Room, Wall, WallKind};
+
+/// A wall's body seen from above; see [`super::wall::WallShape`] for the frame. Metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Footprint {
+    /// Where the outer face begins along the wall.
+    pub outer_from: f64,
+    /// Where it ends.
+    pub outer_to: f64,
+    /// From inner to outer face.
+    pub thickness: f64,
+}
+
+/// Thickness of a wall to the open air where the plan has none.
+pub(crate) const SHEET: f64 = 0.01;
+/// Thickness where the plan has none and another room lies behind: what stands against the wall there must
+/// not be swallowed.
+pub(crate) const THIN_SHEET: f64 = 0.002;
+/// Thickness of a railing that the plan gives none.
+const RAILING: f64 = 0.05;
+/// How far the outer face may reach round a sharp corner, in thicknesses of the thicker wall: 2.5 serves
+/// corners down to 45 degrees in full; below that the tip is cut.
+const MITRE_LIMIT: f64 = 2.5;
+/// Sine below which two walls run straight on.
+const STRAIGHT: f64 = 0.02;
+/// Cosine between the directions of two walls up to which they stand back to back.
+const BACK_TO_BACK: f64 = -0.5;
+/// Metres that two walls must share along their direction to stand back to back.
+const LEAST_OVERLAP: f64 = 1e-3;
+/// Metres within which two faces meet.
+const TOUCHING: f64 = 1e-6;
+/// Metres of depth that the shortest wall keeps, so that its faces have area.
+const LEAST_DEPTH: f64 = 1e-3;
+/// What is left of the thickness where the corners at both ends take all of the outer face: not the very
+/// tip, where the body would have no back.
+const TIP: f64 = 0.98;
+
+/// The footprints of a room's walls, by wall.
+pub(crate) fn footprints(room: &Room) -> Vec<Footprint> {
+    let bodies: Vec<Body<'_>> = room
+        .walls
+        .iter()
+        .map(|wall| {
+            // Real outlines fold back on themselves without any gap: even there a wall has a body.
+            let clear = clear_depth(wall, &room.walls).max(THIN_SHEET);
+            Body { wall, thickness: built_thickness(wall).min(clear) }
+        })
+        .collect();
+    let mut footprints = Vec::with_capacity(bodies.len());
+    let mut rest = bodies.as_slice();
+    for (is_hole, count) in ring_lengths(&room.region) {
+        let (ring, after) = rest.split_at(count.min(rest.len()));
+        rest = after;
+        footprints.extend((0..ring.len()).map(|index| {
+            let (next, last) = ((index + 1) % ring.len(), (index + ring.len() - 1) % ring.len());
+            // Each edge of a hole is reversed, their order is not: there the walk goes backwards.
+            let (before, after) = if is_hole { (next, last) } else { (last, next) };
+            footprint(&ring[before], &ring[index], &ring[after])
+        }));
+    }
+    footprints
+}
+
+/// A wall with the thickness that is built.
+#[derive(Clone, Copy)]
+struct Body<'r> {
+    wall: &'r Wall,
+    thickness: f64,
+}
+
+/// Half of the distance from a wall's inner face to the nearest face of the same room behind it: a thin
+/// partition drawn as a notch in the outline must not come out on its other side.
+fn clear_depth(wall: &Wall, walls: &[Wall]) -> f64 {
+    let (direction, outward, length) = (wall.direction(), -wall.normal(), wall.length());
+    let local = |point: Point| {
+        let offset = point - wall.start;
+        Point::new(offset.dot(direction), offset.dot(outward))
+    };
+    let mut depth = f64::INFINITY;
+    for other in walls {
+        // In the order of `u`: faces that look the other way run the other way.
+        let (low, high) = (local(other.end), local(other.start));
+        let (from, to) = (low.x.max(0.0), high.x.min(length));
+        if wall.direction().dot(other.direction()) > BACK_TO_BACK || to - from < LEAST_OVERLAP {
+            continue;
+        }
+        let at = |u: f64| low.y + (high.y - low.y) * (u - low.x) / (high.x - low.x);
+        let (nearest, farthest) = (at(from).min(at(to)), at(from).max(at(to)));
+        let is_fold = direction.perp_dot(other.direction()).abs() < STRAIGHT;
+        if nearest > TOUCHING {
+            depth = depth.min(nearest / 2.0);
+        } else if is_fold && nearest > -TOUCHING {
+            // Both meet at a corner too sharp for a mitre: the wide end of the gap counts.
+            depth = depth.min(farthest / 2.0);
+        }
+    }
+    depth
+}
+
+/// Whether a ring of walls goes round a hole, and how many walls it has.
+fn ring_lengths(region: &Region) -> impl Iterator<Item = (bool, usize)> {
+    let count = |polygon: &Polygon| polygon.corners().len();
+    let holes = region.holes.iter().map(move |hole| (true, count(hole)));
+    std::iter::once((false, count(&region.outline))).chain(holes)
+}
+
+/// The thickness that is built.
+pub(crate) fn built_thickness(wall: &Wall) -> f64 {
+    let least = match wall.kind {
+        WallKind::Railing(_) => RAILING,
+        WallKind::Solid if wall.is_exterior => SHEET,
+        WallKind::Solid => THIN_SHEET,
+    };
+    if wall.thickness < THIN_SHEET { least } else { wall.thickness }
+}
+
+fn footprint(before: &Body<'_>, body: &Body<'_>, after: &Body<'_>) -> Footprint {
+    let (length, thickness) = (body.wall.length(), body.thickness);
+    let corner_at = |one: &Body<'_>, two: &Body<'_>, other: &Body<'_>| {
+        reach_round_corner(one.wall.direction(), two.wall.direction(), [thickness, other.thickness])
+    };
+    let outer_from = -corner_at(before, body, before);
+    let outer_to = length + corner_at(body, after, after);
+    if outer_from < outer_to {
+        return Footprint { outer_from, outer_to, thickness };
+    }
+    // Both mitres meet before the outer face: the body becomes (nearly) the triangle below that point.
+    let share = TIP * length / (length + outer_from - outer_to);
+    Footprint {
+        outer_from: outer_from * share,
+        outer_to: length - (length - outer_to) * share,
+        thickness: (thickness * share).max(LEAST_DEPTH),
+    }
+}
+
+/// How far an outer face goes past (or, below zero, stops short of) its inner corner: to where it meets the
+/// neighbour's outer face. `before` and `after` run along the two walls, the room on their left;
+/// `thickness` is that of the wall itself, then its neighbour's. The same for the wall before the corner as
+/// for the one after it.
+fn reach_round_corner(before: Point, after: Point, [thickness, other]: [f64; 2]) -> f64 {
+    let (sine, cosine) = (before.perp_dot(after), before.dot(after));
+    if sine.abs() < STRAIGHT {
+        return 0.0;
+    }
+    let reach = (other - thickness * cosine) / sine;
+    reach.min(MITRE_LIMIT * thickness.max(other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn walls(corners: &[(f64, f64)], thickness: &[f64]) -> Vec<Footprint> {
+        let points: Vec<Point> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
+        let region = Region::simple(Polygon::new(&points).unwrap());
+        let walls = region.borders().enumerate().map(|(index, (start, end))| Wall {
+            start,
+            end,
+            thickness: thickness[index % thickness.len()],
+            is_exterior: true,
+            kind: WallKind::Solid,
+            tags: Vec::new(),
+        });
+        let room = Room {
+            id: "1".to_owned(),
+            number: 1,
+            name: None,
+            room_type: "room".to_owned(),
+            style: None,
+            walls: walls.collect(),
+            region,
+            height: 2.5,
+            obstacles: Vec::new(),
+            openings: Vec::new(),
+        };
+        footprints(&room)
+    }
+
+    #[test]
+    fn a_square_corner_reaches_round_by_the_neighbours_thickness() {
+        let prints = walls(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)], &[0.3, 0.1]);
+        assert!((prints[0].outer_from + 0.1).abs() < 1e-12 && (prints[0].outer_to - 4.1).abs() < 1e-12);
+        assert!((prints[1].outer_from + 0.3).abs() < 1e-12 && (prints[1].outer_to - 3.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_concave_corner_stops_short() {
+        let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0)];
+        let prints = walls(&corners, &[0.2]);
+        // Wall 2 ends and wall 3 begins at the inner corner (2, 2).
+        assert!((prints[2].outer_to - 1.8).abs() < 1e-12, "{:?}", prints[2]);
+        assert!((prints[3].outer_from - 0.2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_narrow_nib_keeps_a_back() {
+        let corners =
+            [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.1, 3.0), (2.1, 2.0), (2.0, 2.0), (2.0, 3.0), (0.0, 3.0)];
+        let nib = walls(&corners, &[0.2])[4];
+        assert!(nib.outer_from < nib.outer_to && nib.thickness < 0.2, "{nib:?}");
+        assert!(nib.outer_from > 0.0 && nib.outer_to < 0.1, "{nib:?}");
+    }
+
+    #[test]
+    fn a_sharp_corner_is_cut() {
+        let prints = walls(&[(0.0, 0.0), (10.0, 0.0), (10.0, 1.0)], &[0.2]);
+        assert!(prints[0].outer_from >= -MITRE_LIMIT * 0.2 - 1e-12);
+    }
+
+    #[test]
+    fn a_wall_going_straight_on_ends_square() {
+        let corners = [(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)];
+        let prints = walls(&corners, &[0.1, 0.3, 0.1, 0.1, 0.1]);
+        assert_eq!(prints[0].outer_to, 2.0);
+        assert_eq!(prints[1].outer_from, 0.0);
+    }
+}

@@ -1,0 +1,159 @@
+//! Doors, windows, passages and open boundaries.
+
+use super::corner::built_thickness;
+use super::frame::{LeafShape, Reveal};
+use super::room::{RoomFinish, opening_heights};
+use super::ticks::Ticks;
+use super::{SLAB, Shape};
+use crate::geometry::Point;
+use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide};
+use crate::scene::axes::{Pose, angle_along, angle_facing, axes_at};
+use crate::scene::extras::opening_extras;
+use crate::scene::meshes::{Look, MeshTable};
+use crate::scene::names;
+use crate::scene::node::{Extras, Node};
+
+/// Depth of an opening that is in no wall.
+const FREE_STANDING: f64 = 0.1;
+/// Narrowest common span of both sides' holes that is taken for the opening's own width.
+const LEAST_SPAN: f64 = 0.05;
+
+/// The node of an opening with its pieces. It faces the first room it joins.
+pub(crate) fn opening_node<'a>(
+    level: &Level,
+    opening: &Opening,
+    finish: RoomFinish,
+    look: Look<'a>,
+    meshes: &mut MeshTable<'a>,
+) -> Node {
+    let facing = opening.sides.first().map_or(opening.along.perp(), |side| wall_of(level, side).normal());
+    let pose = Pose::on_floor(opening.center, angle_facing(facing));
+    let reveal = reveal(level, opening, &pose);
+    let name = names::opening(opening);
+    let mut pieces = Pieces { owner: &name, origin: pose, palette: look.palette, meshes, nodes: Vec::new() };
+    match opening.kind {
+        OpeningKind::Door => pieces.door(opening, reveal, finish.floor),
+        OpeningKind::SlidingDoor => pieces.sliding_door(reveal, finish.floor),
+        OpeningKind::Passage => pieces.doorway(reveal, finish.floor),
+        OpeningKind::OpenBoundary => pieces.threshold(reveal, finish.floor),
+        OpeningKind::Window => pieces.window(reveal),
+    }
+    let children = pieces.nodes;
+    let mut node = Node::at(name, &pose, None, opening_extras(level, opening));
+    node.children = children;
+    node
+}
+
+fn wall_of<'l>(level: &'l Level, side: &OpeningSide) -> &'l crate::plan::Wall {
+    &level.rooms[side.room].walls[side.wall]
+}
+
+/// The hole through all walls of the opening, in the frame of its node.
+fn reveal(level: &Level, opening: &Opening, pose: &Pose) -> Reveal {
+    let (across, back) = axes_at(pose.angle);
+    let local = |point: Point| (point - opening.center).dot(across);
+    let depth = |point: Point| -(point - opening.center).dot(back);
+    let (mut left, mut right) = (f64::NEG_INFINITY, f64::INFINITY);
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for side in &opening.sides {
+        let wall = wall_of(level, side);
+        let ends = [side.from, side.to].map(|at| wall.start + wall.direction() * at);
+        left = left.max(local(ends[0]).min(local(ends[1])));
+        right = right.min(local(ends[0]).max(local(ends[1])));
+        let inner = depth((ends[0] + ends[1]) / 2.0);
+        // Towards the far side of this room's part of the wall.
+        let behind = -wall.normal().dot(-back) * built_thickness(wall);
+        low = low.min(inner).min(inner + behind);
+        high = high.max(inner).max(inner + behind);
+    }
+    if right - left < LEAST_SPAN || !(right - left).is_finite() {
+        (left, right) = (-opening.width / 2.0, opening.width / 2.0);
+    }
+    if opening.sides.is_empty() {
+        (low, high) = (-FREE_STANDING / 2.0, FREE_STANDING / 2.0);
+    }
+    let (bottom, top) = opening_heights(level, opening);
+    Reveal {
+        left: Ticks::of(left),
+        right: Ticks::of(right),
+        bottom: bottom.max(Ticks(0)),
+        top,
+        back: Ticks::of(low),
+        front: Ticks::of(high),
+    }
+}
+
+/// Children of an opening's node.
+struct Pieces<'a, 'm, 'n> {
+    owner: &'n str,
+    origin: Pose,
+    palette: &'a str,
+    meshes: &'m mut MeshTable<'a>,
+    nodes: Vec<Node>,
+}
+
+impl Pieces<'_, '_, '_> {
+    fn door(&mut self, opening: &Opening, reveal: Reveal, floor: &'static str) {
+        self.doorway(reveal, floor);
+        let count = opening.leaves.len();
+        for (index, leaf) in opening.leaves.iter().enumerate() {
+            let id = if count == 1 { "leaf".to_owned() } else { names::numbered("leaf", index + 1) };
+            self.leaf(id, leaf, reveal.top, count == 1);
+        }
+    }
+
+    /// The leaf stands as far open as the plan lets it.
+    fn leaf(&mut self, id: String, leaf: &Leaf, top: Ticks, meets_jamb: bool) {
+        let (shut, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
+        let length = shut.length();
+        if open.length() <= f64::EPSILON || length <= f64::EPSILON {
+            return;
+        }
+        // The body lies behind the hinge line, on the side it does not open to.
+        let body_on_front = shut.perp_dot(open) > 0.0;
+        let shape = LeafShape { length: Ticks::of(length), top, body_on_front, meets_jamb };
+        let pose = Pose::on_floor(leaf.hinge, angle_along(open));
+        self.piece(("leaf", id), &pose, Shape::Leaf(shape));
+    }
+
+    fn sliding_door(&mut self, reveal: Reveal, floor: &'static str) {
+        self.doorway(reveal, floor);
+        for second in [false, true] {
+            let id = names::numbered("leaf", if second { 2 } else { 1 });
+            self.piece_here(("leaf", id), Shape::SlidingPanel(reveal, second));
+        }
+    }
+
+    fn doorway(&mut self, reveal: Reveal, floor: &'static str) {
+        self.threshold(reveal, floor);
+        self.piece_here(("frame", "frame".to_owned()), Shape::DoorFrame(reveal));
+    }
+
+    fn threshold(&mut self, reveal: Reveal, floor: &'static str) {
+        if reveal.bottom <= Ticks(0) && reveal.front - reveal.back > Ticks(0) {
+            let shape = Shape::Threshold(Reveal { top: SLAB, ..reveal }, floor);
+            self.piece_here(("threshold", "threshold".to_owned()), shape);
+        }
+    }
+
+    fn window(&mut self, reveal: Reveal) {
+        self.piece_here(("frame", "frame".to_owned()), Shape::WindowFrame(reveal));
+        self.piece_here(("glass", "glass".to_owned()), Shape::WindowGlass(reveal));
+        if reveal.bottom > Ticks(0) {
+            self.piece_here(("sill", "sill".to_owned()), Shape::SillBoard(reveal));
+        }
+    }
+
+    fn piece_here(&mut self, kind: (&'static str, String), shape: Shape) {
+        let pose = self.origin;
+        self.piece(kind, &pose, shape);
+    }
+
+    /// Adds a piece unless the opening is too small for it.
+    fn piece(&mut self, (part, id): (&'static str, String), pose: &Pose, shape: Shape) {
+        let name = names::owned(&id, self.owner);
+        let Some(mesh) = self.meshes.shell(shape, self.palette, &name) else { return };
+        let extras = Extras::Part { part, id, tags: Vec::new() };
+        self.nodes.push(Node::at(name, &pose.relative_to(&self.origin), Some(mesh), extras));
+    }
+}

@@ -1,0 +1,166 @@
+//! Floor, ceiling, walls and columns of a room.
+
+use super::corner::{Footprint, footprints};
+use super::railing::RailingShape;
+use super::slab::SlabShape;
+use super::ticks::Ticks;
+use super::wall::{Hole, WallShape};
+use super::{FACADE_SLOT, RAILING_SLOT, SLAB, Shape};
+use crate::catalog::Catalog;
+use crate::geometry::Region;
+use crate::plan::{Level, Opening, Room, Wall, WallKind};
+use crate::scene::axes::{Pose, angle_facing};
+use crate::scene::meshes::{Look, MeshTable, slot_named};
+use crate::scene::names;
+use crate::scene::node::{Extras, Node};
+
+/// Material slots of a room's shell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RoomFinish {
+    /// Of the floor.
+    pub floor: &'static str,
+    /// Of walls and columns.
+    pub wall: &'static str,
+    /// Of the ceiling.
+    pub ceiling: &'static str,
+}
+
+impl RoomFinish {
+    /// Where no room type says otherwise.
+    pub(crate) const PLAIN: Self = Self { floor: "parquet", wall: "plaster", ceiling: "ceiling" };
+
+    /// The finish of a room's type.
+    pub(crate) fn of(catalog: &Catalog, room: &Room) -> Self {
+        catalog.room_types.get(&room.room_type).map_or(Self::PLAIN, |kind| Self {
+            floor: slot_named(&kind.finish.floor, Self::PLAIN.floor),
+            wall: slot_named(&kind.finish.wall, Self::PLAIN.wall),
+            ceiling: slot_named(&kind.finish.ceiling, Self::PLAIN.ceiling),
+        })
+    }
+}
+
+/// Railings at least this thick (metres) are parapets: low walls.
+const PARAPET_FROM: f64 = 0.08;
+
+/// The nodes of a room's shell, in the order floor, ceiling, walls, columns.
+pub(crate) fn room_parts<'a>(
+    level: &Level,
+    room: &Room,
+    finish: RoomFinish,
+    look: Look<'a>,
+    meshes: &mut MeshTable<'a>,
+) -> Vec<Node> {
+    let mut parts = Parts { room, palette: look.palette, meshes, nodes: Vec::new() };
+    parts.slabs(finish);
+    for (index, footprint) in footprints(room).into_iter().enumerate() {
+        parts.wall(level, index, footprint, finish.wall);
+    }
+    parts.columns(finish.wall);
+    parts.nodes
+}
+
+struct Parts<'a, 'm, 'r> {
+    room: &'r Room,
+    palette: &'a str,
+    meshes: &'m mut MeshTable<'a>,
+    nodes: Vec<Node>,
+}
+
+impl Parts<'_, '_, '_> {
+    fn slabs(&mut self, finish: RoomFinish) {
+        let region = &self.room.region;
+        let anchor = region.outline.corners()[0];
+        let floor = SlabShape::of_region(region, anchor, [-SLAB, Ticks(0)], finish.floor);
+        self.part(("floor", "floor".to_owned()), Pose::on_floor(anchor, 0.0), Shape::Slab(floor));
+        let ceiling = SlabShape::of_region(region, anchor, [Ticks(0), SLAB], finish.ceiling);
+        let pose = Pose { position: anchor, elevation: self.room.height, angle: 0.0 };
+        self.part(("ceiling", "ceiling".to_owned()), pose, Shape::Slab(ceiling));
+    }
+
+    fn wall(&mut self, level: &Level, index: usize, footprint: Footprint, slot: &'static str) {
+        let wall = &self.room.walls[index];
+        let pose = Pose::on_floor((wall.start + wall.end) / 2.0, angle_facing(wall.normal()));
+        let holes = self.holes(level, index);
+        let shape = match wall.kind {
+            WallKind::Railing(height) if footprint.thickness < PARAPET_FROM => Shape::Railing(RailingShape {
+                length: Ticks::of(wall.length()),
+                thickness: Ticks::of(footprint.thickness),
+                height: Ticks::of(height),
+                gaps: holes.iter().map(|hole| (hole.from, hole.to)).collect(),
+                slot: RAILING_SLOT,
+            }),
+            WallKind::Railing(height) => wall_shape(wall, footprint, Ticks::of(height), holes, slot),
+            WallKind::Solid => wall_shape(wall, footprint, Ticks::of(self.room.height) + SLAB, holes, slot),
+        };
+        let tags = wall.tags.clone();
+        let node = self.part(("wall", names::numbered("wall", index)), pose, shape);
+        if let Some(Extras::Part { tags: of_node, .. }) = &mut node.extras {
+            *of_node = tags;
+        }
+    }
+
+    /// The holes of a wall, not above the ceiling.
+    fn holes(&self, level: &Level, wall: usize) -> Vec<Hole> {
+        let ceiling = Ticks::of(self.room.height);
+        let openings = self.room.openings.iter().filter(|opening| opening.wall == wall);
+        let hole = openings.map(|place| {
+            let opening = &level.openings[place.opening];
+            let (low, high) = opening_heights(level, opening);
+            Hole { from: Ticks::of(place.from), to: Ticks::of(place.to), low, high: high.min(ceiling) }
+        });
+        hole.filter(|hole| hole.from < hole.to && hole.low < hole.high).collect()
+    }
+
+    fn columns(&mut self, slot: &'static str) {
+        // A column that ends at floor and ceiling reaches into both: faces in one plane flicker.
+        let sunk = Ticks(SLAB.0 / 2);
+        let ceiling = Ticks::of(self.room.height);
+        for (index, obstacle) in self.room.obstacles.iter().enumerate() {
+            let (low, high) = obstacle.outline.bounds();
+            let anchor = (low + high) / 2.0;
+            let height = Ticks::of(obstacle.height);
+            let top = if height >= ceiling { ceiling + sunk } else { height };
+            let region = Region::simple(obstacle.outline.clone());
+            let shape = SlabShape::of_region(&region, anchor, [-sunk, top], slot);
+            let id = names::numbered("column", index);
+            self.part(("column", id), Pose::on_floor(anchor, 0.0), Shape::Slab(shape));
+        }
+    }
+
+    fn part(&mut self, (part, id): (&'static str, String), pose: Pose, shape: Shape) -> &mut Node {
+        let name = names::owned(&id, &self.room.id);
+        let mesh = self.meshes.shell(shape, self.palette, &name);
+        let extras = Extras::Part { part, id, tags: Vec::new() };
+        self.nodes.push(Node::at(name, &pose, mesh, extras));
+        let last = self.nodes.len() - 1;
+        &mut self.nodes[last]
+    }
+}
+
+fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, slot: &'static str) -> Shape {
+    Shape::Wall(WallShape {
+        length: Ticks::of(wall.length()),
+        outer_from: Ticks::of(print.outer_from),
+        outer_to: Ticks::of(print.outer_to),
+        thickness: Ticks::of(print.thickness),
+        bottom: -SLAB,
+        top,
+        holes,
+        slot,
+        outer_slot: if wall.is_exterior { FACADE_SLOT } else { slot },
+    })
+}
+
+/// Lower and upper edge of the hole of an opening. Where one walks, the hole goes through the floor's
+/// thickness too and the threshold fills it; an open boundary ends at the lower of the two ceilings.
+pub(super) fn opening_heights(level: &Level, opening: &Opening) -> (Ticks, Ticks) {
+    let bottom = Ticks::of(opening.bottom);
+    let low = if opening.kind.is_walkable() && bottom <= Ticks(0) { -SLAB } else { bottom };
+    let ceilings = opening.sides.iter().map(|side| level.rooms[side.room].height);
+    let lowest = Ticks::of(ceilings.fold(f64::INFINITY, f64::min));
+    let high = match opening.kind {
+        crate::plan::OpeningKind::OpenBoundary => lowest,
+        _ => Ticks::of(opening.top).min(lowest),
+    };
+    (low, high)
+}

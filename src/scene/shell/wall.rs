@@ -1,0 +1,175 @@
+//! A wall as a body with holes for its openings.
+
+use glam::Vec3;
+
+use super::solid::Solid;
+use super::ticks::Ticks;
+
+/// A wall in its own frame: the origin at the middle of the inner face's foot, +Z into the room, the body
+/// behind (−Z). Seen from above, `u` runs along the inner face from the wall's start:
+///
+/// ```text
+///   outer_from             outer_to
+///      +----------------------+        z = -thickness
+///       \                    /
+///        +------------------+          z = 0, the room is below
+///      u = length         u = 0   →  +X
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct WallShape {
+    /// Length of the inner face.
+    pub length: Ticks,
+    /// Where the outer face begins, as `u`; below zero where it reaches round a corner.
+    pub outer_from: Ticks,
+    /// Where the outer face ends, as `u`; never before `outer_from`.
+    pub outer_to: Ticks,
+    /// From inner to outer face.
+    pub thickness: Ticks,
+    /// Underside; the floor of the room is zero.
+    pub bottom: Ticks,
+    /// Top.
+    pub top: Ticks,
+    /// What is cut out.
+    pub holes: Vec<Hole>,
+    /// Material.
+    pub slot: &'static str,
+    /// Material of the outer face.
+    pub outer_slot: &'static str,
+}
+
+/// A rectangular hole through a wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Hole {
+    /// Begins at this `u`.
+    pub from: Ticks,
+    /// Ends at this `u`.
+    pub to: Ticks,
+    /// Lower edge.
+    pub low: Ticks,
+    /// Upper edge.
+    pub high: Ticks,
+}
+
+/// A cut through the wall: where it meets the inner and the outer face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cut {
+    inner: Ticks,
+    outer: Ticks,
+}
+
+impl WallShape {
+    /// The wall as a grid of cells between cuts and heights; faces stand where a filled cell meets none, so
+    /// that the body is closed and no face touches another one's middle. The second part is the outer face,
+    /// where its material is another one.
+    pub(crate) fn build(&self) -> [Solid; 2] {
+        let (cuts, heights) = (self.cuts(), self.heights());
+        let (columns, rows) = (cuts.len() - 1, heights.len() - 1);
+        let is_filled = |column: Option<usize>, row: Option<usize>| match (column, row) {
+            (Some(column), Some(row)) if column < columns && row < rows => {
+                self.is_filled([cuts[column], cuts[column + 1]], [heights[row], heights[row + 1]])
+            }
+            _ => false,
+        };
+        let mut solids = [Solid::new(self.slot), Solid::new(self.outer_slot)];
+        for column in 0..columns {
+            for row in (0..rows).filter(|&row| is_filled(Some(column), Some(row))) {
+                let cell = Cell {
+                    shape: self,
+                    start: cuts[column],
+                    end: cuts[column + 1],
+                    low: heights[row],
+                    high: heights[row + 1],
+                };
+                let bare = Bare {
+                    above: !is_filled(Some(column), Some(row + 1)),
+                    below: !is_filled(Some(column), row.checked_sub(1)),
+                    start: !is_filled(column.checked_sub(1), Some(row)),
+                    end: !is_filled(Some(column + 1), Some(row)),
+                };
+                cell.faces(&bare, &mut solids);
+            }
+        }
+        solids
+    }
+
+    /// Start, both ends of each hole, end. A hole that begins at a corner leaves the mitre behind it: then
+    /// two cuts meet on the inner face.
+    fn cuts(&self) -> Vec<Cut> {
+        let mut inner: Vec<Ticks> = self.holes.iter().flat_map(|hole| [hole.from, hole.to]).collect();
+        inner.extend([Ticks(0), self.length]);
+        inner.retain(|u| (Ticks(0)..=self.length).contains(u));
+        inner.sort_unstable();
+        inner.dedup();
+        let mut cuts = vec![Cut { inner: Ticks(0), outer: self.outer_from }];
+        cuts.extend(inner.iter().map(|&u| Cut { inner: u, outer: u.clamp(self.outer_from, self.outer_to) }));
+        cuts.push(Cut { inner: self.length, outer: self.outer_to });
+        cuts.dedup();
+        cuts
+    }
+
+    fn heights(&self) -> Vec<Ticks> {
+        let mut heights: Vec<Ticks> = self.holes.iter().flat_map(|hole| [hole.low, hole.high]).collect();
+        heights.extend([self.bottom, self.top]);
+        heights.retain(|height| (self.bottom..=self.top).contains(height));
+        heights.sort_unstable();
+        heights.dedup();
+        heights
+    }
+
+    fn is_filled(&self, cuts: [Cut; 2], heights: [Ticks; 2]) -> bool {
+        let [start, end] = cuts.map(|cut| cut.inner);
+        let is_mitre = start == end;
+        !self.holes.iter().any(|hole| {
+            !is_mitre
+                && hole.from <= start
+                && end <= hole.to
+                && hole.low <= heights[0]
+                && heights[1] <= hole.high
+        })
+    }
+}
+
+/// One filled cell of the grid.
+struct Cell<'a> {
+    shape: &'a WallShape,
+    start: Cut,
+    end: Cut,
+    low: Ticks,
+    high: Ticks,
+}
+
+/// Which sides of a cell meet no other filled cell.
+struct Bare {
+    above: bool,
+    below: bool,
+    start: bool,
+    end: bool,
+}
+
+impl Cell<'_> {
+    fn faces(&self, bare: &Bare, [solid, outer]: &mut [Solid; 2]) {
+        let middle = self.shape.length.metres() / 2.0;
+        let back = (-self.shape.thickness).narrow();
+        let x = |u: Ticks| (middle - u.metres()) as f32;
+        let (low, high) = (self.low.narrow(), self.high.narrow());
+        let front = |cut: Cut, y: f32| Vec3::new(x(cut.inner), y, 0.0);
+        let behind = |cut: Cut, y: f32| Vec3::new(x(cut.outer), y, back);
+        let (start, end) = (self.start, self.end);
+        solid.face(&[front(end, low), front(start, low), front(start, high), front(end, high)]);
+        let is_plain = self.shape.slot == self.shape.outer_slot;
+        let outer = if is_plain { &mut *solid } else { outer };
+        outer.face(&[behind(start, low), behind(end, low), behind(end, high), behind(start, high)]);
+        if bare.above {
+            solid.face(&[front(end, high), front(start, high), behind(start, high), behind(end, high)]);
+        }
+        if bare.below {
+            solid.face(&[behind(end, low), behind(start, low), front(start, low), front(end, low)]);
+        }
+        if bare.start {
+            solid.face(&[front(start, low), behind(start, low), behind(start, high), front(start, high)]);
+        }
+        if bare.end {
+            solid.face(&[behind(end, low), front(end, low), front(end, high), behind(end, high)]);
+        }
+    }
+}

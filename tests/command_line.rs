@@ -1,0 +1,13 @@
+//! The real command in an empty folder: what it prints, its exit codes, and every byte that it writes.
+
+#![allow(clippy::unwrap_used)] // a test that cannot set up its folder fails
+
+mod command_line {
+    mod cache;
+    mod commands;
+    mod demo;
+    mod determinism;
+    mod faults;
+    mod output_folder;
+    mod world;
+}

@@ -1,0 +1,187 @@
+//! Every fault of an input: place, value, hint, exit code, and an output folder that nobody touched.
+
+use super::world::{World, plan};
+
+/// Bakes one bad plan; the command must refuse with these words and create nothing.
+fn refused(file: &str, text: &str, words: &[&str]) {
+    let world = World::new();
+    world.write(file, text);
+    let ran = world.run(&["bake", file]);
+    assert_eq!(ran.code, Some(2), "{}{}", ran.stdout, ran.stderr);
+    for word in words {
+        assert!(ran.stderr.contains(word), "`{word}` is missing in:\n{}", ran.stderr);
+    }
+    assert!(!world.path("out").exists(), "nothing was created");
+    assert_eq!(world.run(&["check", file]).code, Some(1));
+}
+
+/// Bakes a plan in which one room or opening is bad; the rest is written and the fault is told.
+fn told(text: &str, code: i32, words: &[&str]) {
+    let world = World::new();
+    world.write("a.yaml", text);
+    let ran = world.run(&["bake", "a.yaml"]);
+    for word in words {
+        assert!(ran.stderr.contains(word), "`{word}` is missing in:\n{}", ran.stderr);
+    }
+    assert_eq!(ran.code, Some(code), "{}{}", ran.stdout, ran.stderr);
+    let checked = world.run(&["check", "a.yaml"]);
+    assert_eq!(checked.code, Some(i32::from(code != 0)), "{}", checked.stdout);
+    assert!(words.iter().all(|word| checked.stdout.contains(word)), "{}", checked.stdout);
+}
+
+#[test]
+fn an_unknown_key() {
+    let text = plan("a", 1).replace("    height: 3\n", "    heigth: 3\n");
+    refused("a.yaml", &text, &["a.yaml:8:5", "heigth", "did you mean \"height\"?"]);
+}
+
+#[test]
+fn a_wrong_unit() {
+    let text = plan("a", 1).replace("version: 1\n", "version: 1\nunits: furlongs\n");
+    refused("a.yaml", &text, &["a.yaml:2:", "furlongs"]);
+}
+
+#[test]
+fn truncated_json() {
+    refused(
+        "a.json",
+        "{\"version\": 1, \"levels\": [{\"id\": \"1\", \"rooms\": [",
+        &["a.json:1:", "is it complete?"],
+    );
+}
+
+#[test]
+fn not_a_number() {
+    let text = plan("a", 1).replace("[0, 0, 4, 4]", "[0, .nan, 4, 4]");
+    refused("a.yaml", &text, &["a.yaml:10:49", ".nan is not a finite number"]);
+}
+
+#[test]
+fn a_missing_file() {
+    let world = World::new();
+    let ran = world.run(&["bake", "nowhere.yaml"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("nowhere.yaml"), "{}", ran.stderr);
+    assert!(!world.path("out").exists());
+}
+
+#[test]
+fn a_file_of_two_gigabytes() {
+    const LENGTH: u64 = 2 << 30;
+    let world = World::new();
+    // Sparse: it takes no room on the disk.
+    std::fs::File::create(world.path("big.json")).unwrap().set_len(LENGTH).unwrap();
+    let ran = world.run(&["bake", "big.json"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("big.json") && ran.stderr.contains("hint"), "{}", ran.stderr);
+    assert!(!world.path("out").exists());
+}
+
+#[test]
+fn a_self_crossing_outline() {
+    let text = plan("a", 1).replace("rectangle: [0, 0, 4, 4]", "outline: [[0, 0], [4, 4], [4, 0], [0, 4]]");
+    told(&text, 1, &["a.yaml:10:44", "crosses itself"]);
+}
+
+#[test]
+fn a_door_wider_than_its_wall() {
+    let text = plan("a", 1).replace("rooms: [bed, study]}", "rooms: [bed, study], width: 9}");
+    told(&text, 1, &["a.yaml:13:", "9"]);
+}
+
+#[test]
+fn a_room_without_a_door() {
+    let text = plan("a", 1).replace("      - {kind: door, at: [4.05, 2], rooms: [bed, study]}\n", "");
+    told(&text, 0, &["a.yaml:10:9: warning:", "room \"bed\" has no way in", "add a door"]);
+}
+
+#[test]
+fn a_duplicate_id() {
+    let text = plan("a", 1).replace("id: study", "id: bed").replace("[bed, study]", "[bed]");
+    refused("a.yaml", &text, &["a.yaml:11:14", "room id \"bed\" is used twice"]);
+}
+
+#[test]
+fn an_unknown_room_type_and_style() {
+    let text = plan("a", 1).replace("type: study", "type: studdy");
+    refused("a.yaml", &text, &["a.yaml:11:27", "unknown room type \"studdy\"", "did you mean \"study\"?"]);
+    let text = plan("a", 1).replace("type: study", "type: study, style: hottel");
+    told(&text, 1, &["hottel", "did you mean \"hotel\"?"]);
+}
+
+#[test]
+fn a_style_on_the_command_line() {
+    let world = World::new();
+    world.write("a.yaml", plan("a", 1));
+    let ran = world.run(&["bake", "a.yaml", "--style", "hottel"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("--style: unknown style \"hottel\"") && ran.stderr.contains("\"hotel\""));
+    assert!(!world.path("out").exists());
+}
+
+#[test]
+fn two_buildings_of_one_id() {
+    let world = World::new();
+    world.write("a.yaml", plan("same", 1));
+    world.write("b.yaml", plan("same", 1));
+    let ran = world.run(&["bake", "a.yaml", "b.yaml"]);
+    assert_eq!(ran.code, Some(1), "the first is written");
+    assert!(ran.stderr.contains("b.yaml") && ran.stderr.contains("\"same\""), "{}", ran.stderr);
+}
+
+#[test]
+fn one_bad_building_does_not_stop_the_others() {
+    let world = World::new();
+    world.write("plans/bad.yaml", "version: 1\nlevels: [{id: 1, rooms: 7}]\n");
+    world.write("plans/good.yaml", plan("good", 1));
+    let ran = world.run(&["bake", "plans"]);
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.stderr.contains("bad.yaml:2:"), "{}", ran.stderr);
+    assert_eq!(world.names("out"), ["good/1.glb", "manifest.json"]);
+}
+
+/// A faulty catalogue stops everything: no room could be trusted.
+fn catalogue_refused(file: &str, text: &str, words: &[&str]) {
+    let world = World::new();
+    world.write("a.yaml", plan("a", 1));
+    world.write(&format!("more/{file}"), text);
+    let ran = world.run(&["bake", "a.yaml", "--catalog", "more"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    for word in words {
+        assert!(ran.stderr.contains(word), "`{word}` is missing in:\n{}", ran.stderr);
+    }
+    assert!(!world.path("out").exists());
+}
+
+#[test]
+fn an_unknown_class() {
+    let text = "version: 1\nstyles:\n  mine:\n    extends: default\n    label: Mine\n    \
+                additions: {study: [{class: dessk, count: 1}]}\n";
+    catalogue_refused(
+        "styles/mine.yaml",
+        text,
+        &["more/styles/mine.yaml:6:", "dessk", "did you mean \"desk\"?"],
+    );
+}
+
+#[test]
+fn cyclic_inheritance() {
+    let text = "version: 1\nclasses:\n  one: {extends: two}\n  two: {extends: one}\n";
+    catalogue_refused("classes/mine.yaml", text, &["more/classes/mine.yaml:3:", "one", "two"]);
+}
+
+#[test]
+fn a_model_file_that_is_none() {
+    let text = "version: 1\nclasses:\n  thing:\n    label: Thing\n    sizes: [[1, 1, 1]]\n    parents: [{on: floor}]\n    \
+                model: {file: thing.glb}\n";
+    catalogue_refused("classes/mine.yaml", text, &["thing.glb"]);
+}
+
+#[test]
+fn a_folder_of_configuration_that_is_missing() {
+    let world = World::new();
+    world.write("a.yaml", plan("a", 1));
+    let ran = world.run(&["bake", "a.yaml", "--catalog", "nowhere"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("nowhere"), "{}", ran.stderr);
+}

@@ -1,0 +1,79 @@
+//! The stages one after the other, as the batch runs them, without files.
+
+use std::path::PathBuf;
+
+use roomwright::audit::{Finding, audit_room};
+use roomwright::catalog::{Catalog, load_catalog};
+use roomwright::gltf::write_glb;
+use roomwright::layout::{FurnishOptions, Furnished, furnish};
+use roomwright::model::ModelLibrary;
+use roomwright::plan::{Level, Plan, PlanOptions, PlanReading, SitePlacement, read_plans};
+use roomwright::scene::{SceneInput, build_scene};
+
+/// What all levels of a run share.
+pub struct Pipeline {
+    /// The built-in catalogue.
+    pub catalog: Catalog,
+    /// The models of its classes.
+    pub models: ModelLibrary,
+    /// The seed of the run.
+    pub seed: u64,
+}
+
+/// A level with everything that was made of it.
+pub struct BakedLevel<'a> {
+    /// Id of the building.
+    pub building: &'a str,
+    /// The level.
+    pub level: &'a Level,
+    /// By room.
+    pub furnished: Vec<Furnished>,
+    /// By room.
+    pub findings: Vec<Vec<Finding>>,
+    /// The file.
+    pub glb: Vec<u8>,
+}
+
+impl Pipeline {
+    /// The built-in catalogue with seed 1.
+    pub fn new() -> Self {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let models = ModelLibrary::load(&catalog).unwrap();
+        Self { catalog, models, seed: 1 }
+    }
+
+    /// Reads plans of any format.
+    pub fn read(&self, paths: &[PathBuf]) -> PlanReading {
+        read_plans(paths, &PlanOptions { words: &self.catalog.room_words })
+    }
+
+    /// Furnishes, judges and writes one level.
+    pub fn bake<'a>(&self, building: &'a str, level: &'a Level) -> BakedLevel<'a> {
+        let options = FurnishOptions { seed: self.seed, building, style: None };
+        let rooms = 0..level.rooms.len();
+        let furnished: Vec<Furnished> =
+            rooms.map(|room| furnish(level, room, &self.catalog, &options)).collect();
+        let findings: Vec<Vec<Finding>> =
+            furnished.iter().map(|room| audit_room(level, room.room, room, &self.catalog)).collect();
+        let scene = build_scene(&SceneInput {
+            level,
+            building,
+            site: SitePlacement::default(),
+            furnished: &furnished,
+            findings: &findings,
+            catalog: &self.catalog,
+            models: &|class, variant, geometry| self.models.model(class, variant, geometry),
+            seed: self.seed,
+        });
+        BakedLevel { building, level, furnished, findings, glb: write_glb(&scene).unwrap() }
+    }
+}
+
+/// Calls `visit` with every level of a plan and the id of its building.
+pub fn each_level(plan: &Plan, mut visit: impl FnMut(&str, &Level)) {
+    for placed in &plan.buildings {
+        for level in &placed.building.levels {
+            visit(&placed.id, level);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Plans of foreign formats: every folder of `tests/cases/plan_import` is read and gives its golden, faults included.
+//!
+//! All cases are made for these tests: `block` and `drawing` in the form of react-planner drawings with areas, `campus`
+//! in that of IMDF.
+
+use std::path::PathBuf;
+
+use roomwright::catalog::load_catalog;
+use roomwright::plan::{Level, PlanOptions, PlanReading, WallKind, read_plans};
+
+use super::support::{check_golden, repository, summary};
+
+fn read(path: PathBuf) -> PlanReading {
+    let catalog = load_catalog(&[]).unwrap().value;
+    read_plans(&[path], &PlanOptions { words: &catalog.room_words })
+}
+
+fn cases() -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(repository("tests/cases/plan_import")).unwrap();
+    let mut cases: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    cases.retain(|path| path.is_dir());
+    cases.sort();
+    cases
+}
+
+/// One line per wall: where, how thick, what stands behind, which tags.
+fn walls(level: &Level) -> String {
+    let mut text = String::new();
+    for room in &level.rooms {
+        text.push_str(&format!("  walls of {} \"{}\"\n", room.id, room.name.as_deref().unwrap_or("-")));
+        for wall in &room.walls {
+            let (start, end) = (wall.start, wall.end);
+            let railing = if wall.kind == WallKind::Solid { "" } else { " railing" };
+            text.push_str(&format!(
+                "    {:.3},{:.3} to {:.3},{:.3} thick {:.3}{railing}: {}\n",
+                start.x,
+                start.y,
+                end.x,
+                end.y,
+                wall.thickness,
+                wall.tags.join(" ")
+            ));
+        }
+    }
+    text.replace("-0.000", "0.000")
+}
+
+#[test]
+fn every_case_gives_its_golden() {
+    let cases = cases();
+    assert_eq!(cases.len(), 3);
+    for case in cases {
+        let reading = read(case.clone());
+        let mut text = String::new();
+        for placed in &reading.plan.buildings {
+            let name = placed.building.name.as_deref().unwrap_or("-");
+            text.push_str(&format!("building {} \"{name}\"\n", placed.id));
+            for level in &placed.building.levels {
+                text.push_str(&summary(level));
+                text.push_str(&walls(level));
+            }
+        }
+        for fault in &reading.faults {
+            let hint = fault.hint.as_deref().unwrap_or("-");
+            text.push_str(&format!("{:?}: {} [{hint}]\n", fault.severity, fault.message));
+        }
+        check_golden(&case.with_extension("txt"), &text);
+    }
+}
+
+#[test]
+fn a_folder_is_searched_for_foreign_plans() {
+    let reading = read(repository("tests/cases/plan_import"));
+    assert!(!reading.faults.has_errors(), "{}", reading.faults);
+    let ids: Vec<&str> = reading.plan.buildings.iter().map(|placed| placed.id.as_str()).collect();
+    assert_eq!(ids, ["block", "house_1", "plan_7"]);
+}
+
+#[test]
+fn foreign_room_words_become_types_of_the_catalogue() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let reading = read(repository("tests/cases/plan_import"));
+    for placed in &reading.plan.buildings {
+        for room in placed.building.levels.iter().flat_map(|level| &level.rooms) {
+            assert!(catalog.room_words.known.contains(&room.room_type), "{}", room.room_type);
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! The shell is closed, faces outward, and lets nothing through but its openings.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec3, Vec3};
+use roomwright::geometry::Point;
+use roomwright::model::{Model, Primitive};
+use roomwright::plan::{Level, OpeningKind, Room, WallKind};
+use roomwright::scene::Scene;
+
+use crate::fixture::*;
+use crate::levels;
+use crate::triangles::{Body, bodies, directions, nearest};
+
+/// Directed edges that are not met by one in the opposite direction.
+fn open_edges(model: &Model) -> usize {
+    let mut balance: BTreeMap<([u32; 3], [u32; 3]), i32> = BTreeMap::new();
+    let corner = |primitive: &Primitive, index: u32| {
+        primitive.positions[index as usize].map(|value| (value + 0.0).to_bits())
+    };
+    let triangles = model.primitives.iter().flat_map(|primitive| {
+        primitive
+            .indices
+            .chunks(3)
+            .map(move |triangle| [0, 1, 2].map(|side| corner(primitive, triangle[side])))
+    });
+    for triangle in triangles {
+        for side in 0..3 {
+            let (a, b) = (triangle[side], triangle[(side + 1) % 3]);
+            let (key, step) = if a < b { ((a, b), 1) } else { ((b, a), -1) };
+            *balance.entry(key).or_default() += step;
+        }
+    }
+    balance.values().filter(|count| **count != 0).count()
+}
+
+fn volume(triangles: &[[DVec3; 3]]) -> f64 {
+    triangles.iter().map(|[a, b, c]| a.dot(b.cross(*c)) / 6.0).sum()
+}
+
+#[test]
+fn every_body_is_closed_with_positive_volume() {
+    for (name, level) in levels::all() {
+        let scene = bare_scene(&level);
+        for mesh in &scene.meshes {
+            assert_eq!(open_edges(&mesh.model), 0, "{name}: {} has open edges", mesh.name);
+        }
+        for body in bodies(&scene) {
+            assert!(volume(&body.triangles) > 0.0, "{name}: {} is inside out", body.name);
+        }
+    }
+}
+
+#[test]
+fn triangles_have_area_and_normals_that_agree_with_their_winding() {
+    for (name, level) in levels::all() {
+        for mesh in &bare_scene(&level).meshes {
+            for primitive in &mesh.model.primitives {
+                check_triangles(primitive, &format!("{name}: {}", mesh.name));
+            }
+        }
+    }
+}
+
+fn check_triangles(primitive: &Primitive, what: &str) {
+    assert_eq!(primitive.positions.len(), primitive.normals.len());
+    assert!(primitive.positions.iter().flatten().all(|value| value.is_finite()), "{what}");
+    for triangle in primitive.indices.chunks(3) {
+        let corner = |side: usize| Vec3::from_array(primitive.positions[triangle[side] as usize]).as_dvec3();
+        let across = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        assert!(across.length() > 1e-10, "{what} has a triangle without area");
+        let normal = Vec3::from_array(primitive.normals[triangle[0] as usize]);
+        assert!((normal.length() - 1.0).abs() < 1e-5, "{what}");
+        assert!(across.normalize().dot(normal.as_dvec3()) > 0.999, "{what} is lit from the wrong side");
+    }
+}
+
+#[test]
+fn a_wall_holds_its_volume_less_its_openings() {
+    let level = two_rooms();
+    let bodies = bodies(&bare_scene(&level));
+    let volume_of = |name: &str| volume(&bodies.iter().find(|body| body.name == name).unwrap().triangles);
+    // 2.6 m high, with 2 cm below the floor and above the ceiling. Wall 0 of 101: 4 m long, 0.3 m thick,
+    // its outer face reaching round one corner by 0.3 m and round the other by half the inner wall.
+    let height = 2.6 + 0.04;
+    let footprint = 0.3 * (4.0 + (4.0 + 0.3 + INNER)) / 2.0;
+    let door = 1.0 * 0.3 * (2.1 + 0.02);
+    assert!((volume_of("wall.0@101") - (footprint * height - door)).abs() < 1e-4);
+    let footprint = INNER * (3.0 + 3.0 + 2.0 * OUTER) / 2.0;
+    let door = 0.9 * INNER * (2.1 + 0.02);
+    assert!((volume_of("wall.1@101") - (footprint * height - door)).abs() < 1e-4);
+}
+
+/// What a ray from inside a room should meet.
+#[derive(Debug)]
+enum Expected {
+    /// The room's surface at this distance.
+    Surface(f64),
+    /// An opening, or too near an edge to say.
+    Open,
+}
+
+/// Nearer than this to the edge of an opening, or to a corner of the room, a ray may go either way.
+const MARGIN: f64 = 1e-3;
+
+fn expected(level: &Level, room: &Room, origin: DVec3, direction: DVec3) -> Expected {
+    let vertical = match direction.y {
+        y if y > 0.0 => (room.height - origin.y) / y,
+        y => -origin.y / y,
+    };
+    let (from, along) = (Point::new(origin.x, -origin.z), Point::new(direction.x, -direction.z));
+    let walls = room.walls.iter().enumerate().filter_map(|(index, wall)| {
+        let edge = wall.end - wall.start;
+        let determinant = along.perp_dot(edge);
+        let distance = (wall.start - from).perp_dot(edge) / determinant;
+        let share = (wall.start - from).perp_dot(along) / determinant;
+        let is_met = determinant > 0.0 && distance > 0.0 && (-1e-9..=1.0 + 1e-9).contains(&share);
+        is_met.then_some((distance, index, share * wall.length()))
+    });
+    let Some((distance, wall, at)) = walls.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return Expected::Surface(vertical);
+    };
+    if vertical < distance {
+        return Expected::Surface(vertical);
+    }
+    let height = origin.y + direction.y * distance;
+    if let WallKind::Railing(_) = room.walls[wall].kind {
+        return Expected::Open;
+    }
+    let is_open = room.openings.iter().filter(|place| place.wall == wall).any(|place| {
+        let opening = &level.openings[place.opening];
+        let top = if opening.kind == OpeningKind::OpenBoundary { f64::INFINITY } else { opening.top };
+        (place.from - MARGIN..place.to + MARGIN).contains(&at)
+            && (opening.bottom - MARGIN..top + MARGIN).contains(&height)
+    });
+    if is_open { Expected::Open } else { Expected::Surface(distance) }
+}
+
+fn check_rays(name: &str, level: &Level, scene: &Scene) {
+    let bodies = bodies(scene);
+    let is_shell = |body: &&Body| matches!(body.part, Some("floor" | "ceiling" | "wall" | "threshold"));
+    for (index, room) in level.rooms.iter().enumerate() {
+        for origin in inside_points(room) {
+            let mut surfaces = 0;
+            for direction in directions(1500) {
+                let shell = bodies.iter().filter(is_shell).flat_map(|body| &body.triangles);
+                let found = nearest(shell, origin, direction);
+                let Expected::Surface(distance) = expected(level, room, origin, direction) else { continue };
+                surfaces += 1;
+                let Some((hit, is_front)) = found else {
+                    panic!("{name}: from room {index} at {origin} nothing lies towards {direction}")
+                };
+                assert!(is_front, "{name}: room {index}, {direction}: the back of a face at {hit}");
+                assert!(
+                    (hit - distance).abs() < 5e-3,
+                    "{name}: room {index}, {direction}: {hit}, not {distance}"
+                );
+            }
+            assert!(surfaces > 150, "{name}: the rays meet walls");
+        }
+    }
+}
+
+/// Points of a grid well inside the room, at eye height.
+fn inside_points(room: &Room) -> Vec<DVec3> {
+    let (low, high) = room.region.outline.bounds();
+    let step = |share: f64| low + (high - low) * share;
+    let shares = [0.13, 0.37, 0.63, 0.87];
+    let grid = shares.iter().flat_map(|&x| shares.map(|y| Point::new(step(x).x, step(y).y)));
+    let clear = grid.filter(|&point| {
+        room.region.contains(point)
+            && room.walls.iter().all(|wall| {
+                let along = (point - wall.start).dot(wall.direction()).clamp(0.0, wall.length());
+                (wall.start + wall.direction() * along).distance(point) > 0.1
+            })
+    });
+    clear.map(|point| DVec3::new(point.x, 1.31, -point.y)).take(3).collect()
+}
+
+#[test]
+fn rays_from_inside_meet_the_shell_where_the_plan_says() {
+    for (name, level) in levels::all() {
+        check_rays(name, &level, &bare_scene(&level));
+    }
+}
+
+#[test]
+fn the_floor_faces_up_at_zero_and_the_ceiling_down_at_the_rooms_height() {
+    let scene = bare_scene(&levels::concave());
+    for body in bodies(&scene) {
+        let heights: Vec<f64> = body.triangles.iter().flatten().map(|corner| corner.y).collect();
+        let (low, high) =
+            heights.iter().fold((f64::MAX, f64::MIN), |(low, high), &y| (low.min(y), high.max(y)));
+        match body.part {
+            Some("floor") => assert_eq!((low as f32, high), (-0.02, 0.0)),
+            Some("ceiling") => assert!((low - 2.6).abs() < 1e-6 && high > 2.6),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn doorways_have_a_floor_through_the_wall() {
+    let level = two_rooms();
+    let bodies = bodies(&bare_scene(&level));
+    let shell = || bodies.iter().filter(|body| body.part != Some("frame")).flat_map(|body| &body.triangles);
+    for opening in level.openings.iter().filter(|opening| opening.kind.is_walkable()) {
+        let above = DVec3::new(opening.center.x, 1.0, -opening.center.y);
+        let (distance, is_front) = nearest(shell(), above, DVec3::NEG_Y).unwrap();
+        assert!((distance - 1.0).abs() < 1e-6 && is_front, "{}: {distance}", opening.id);
+    }
+}
+
+#[test]
+fn equal_rooms_share_their_shell() {
+    let corners = |x: f64| [(x, 0.0), (x + 4.0, 0.0), (x + 4.0, 3.0), (x, 3.0)];
+    let rooms: Vec<_> = (0..10).map(|i| room(&i.to_string(), &corners(f64::from(i) * 4.6 + 0.1))).collect();
+    let one = bare_scene(&level(rooms[..1].to_vec())).meshes.len();
+    assert_eq!(bare_scene(&level(rooms)).meshes.len(), one);
+}

@@ -1,0 +1,186 @@
+"""Each fault that validate.py looks for: a floor that has it, beside the correct one that has none."""
+
+import json
+import shutil
+
+import pytest
+from conftest import FACES, ROOT, furniture, write_manifest
+
+import validate
+
+KHRONOS_IS_THERE = shutil.which("node") and (ROOT / "scripts/node_modules/gltf-validator").is_dir()
+
+
+def faults_of(path) -> list[str]:
+    faults, _ = validate.check_file(path)
+    return [f"{fault.code} {fault.node}: {fault.message}" for fault in faults]
+
+
+@pytest.mark.parametrize("name", ["floor.glb", "floor.gltf"])
+def test_a_correct_floor_has_no_fault(floor, tmp_path, name):
+    assert faults_of(floor.write(tmp_path / name)) == []
+
+
+def rename(node: str, new: str):
+    return lambda floor: floor.find(node).update(name=new)
+
+
+def set_extra(node: str, **values):
+    return lambda floor: floor.find(node)["extras"].update(values)
+
+
+def drop_extra(node: str, key: str):
+    return lambda floor: floor.find(node)["extras"].pop(key)
+
+
+def move(node: str, *at):
+    return lambda floor: floor.find(node).update(translation=list(at))
+
+
+def stand_open_box(floor):
+    floor.find("lamp.1@101")["mesh"] = floor.box_mesh("open", 0.2, 0.2, 0.3, faces=FACES[:-1])
+
+
+@pytest.mark.parametrize(("damage", "expected"), [
+    (rename("desk.1@101", "desk.2@101"), "names desk.2@101: 2 nodes have this name"),
+    (rename("desk.1@101", ""), "names : 1 nodes have no name"),
+    (drop_extra("desk.1@101", "variant"), "extras desk.1@101: the field 'variant' is missing"),
+    (drop_extra("desk.1@101", "kind"), "extras desk.1@101: its kind is None"),
+    (set_extra("desk.1@101", id="desk.9"), "extras desk.1@101: the name is not that of 'desk.9' in its room"),
+    (set_extra("desk.1@101", side="top"), "extras desk.1@101: 'top' is no side"),
+    (set_extra("desk.1@101", parent="desk.2"), "extras desk.1@101: its parent is said to be 'desk.2'"),
+    (set_extra("lamp.1@101", parent="floor"), "extras lamp.1@101: its parent is said to be 'floor'"),
+    (set_extra("room:101", placed=4), "extras room:101: 4 pieces are said to be placed, 3 are there"),
+    (set_extra("room:101", outline=[[0, 0], [4, 3], [4, 0], [0, 3]]), "extras room:101: its outline is no area"),
+    (set_extra("door:d1", rooms=["102"]), "extras door:d1: it names the room '102'"),
+    (rename("house/ground", "house"), "extras house: the name of the level is not 'house/ground'"),
+    (set_extra("desk.1@101", size=[1.6, 0.8, 0.75]), "geometry desk.1@101: the mesh measures"),
+    (move("desk.1@101", 0.78, 0.0, -0.4), "geometry desk.1@101: 2 corners lie outside room:101"),
+    (move("desk.1@101", 1.0, 1.8, -0.4), "geometry desk.1@101: it reaches from 1.800 to 2.540"),
+    (stand_open_box, "geometry lamp.1@101: the mesh is not closed: 4 edges have a side missing"),
+])
+def test_each_fault_is_found_and_named(floor, tmp_path, damage, expected):
+    damage(floor)
+    faults = faults_of(floor.write(tmp_path / "floor.glb"))
+    assert any(fault.startswith(expected) for fault in faults), faults
+
+
+def test_six_millimetres_outside_are_rounding_and_seven_are_not(floor, tmp_path):
+    move("desk.1@101", 0.794, 0.0, -0.4)(floor)
+    assert faults_of(floor.write(tmp_path / "floor.glb")) == []
+    move("desk.1@101", 0.793, 0.0, -0.4)(floor)
+    assert len(faults_of(floor.write(tmp_path / "floor.glb"))) == 1
+
+
+def test_an_origin_off_the_underside_is_found(floor, tmp_path):
+    lamp = floor.document["meshes"][floor.find("lamp.1@101")["mesh"]]["primitives"][0]
+    desk = floor.document["meshes"][floor.find("desk.1@101")["mesh"]]["primitives"]
+    lamp["attributes"]["POSITION"] = desk[1]["attributes"]["POSITION"]
+    floor.find("lamp.1@101")["extras"]["size"] = [1.6, 0.8, 0.37]
+    assert any("the origin is off" in fault for fault in faults_of(floor.write(tmp_path / "floor.glb")))
+
+
+def test_a_mesh_closed_only_as_a_whole_is_closed(floor, tmp_path):
+    mesh = floor.box_mesh("split", 0.2, 0.2, 0.3, faces=FACES[:-1])
+    lid = floor.box_mesh("lid", 0.2, 0.2, 0.3, faces=FACES[-1:])
+    floor.document["meshes"][mesh]["primitives"] += floor.document["meshes"][lid]["primitives"]
+    floor.find("lamp.1@101")["mesh"] = mesh
+    assert faults_of(floor.write(tmp_path / "floor.glb")) == []
+
+
+@pytest.mark.parametrize("uri", ["/somewhere/floor.bin", "file:///floor.bin", "C:\\floor.bin"])
+def test_an_absolute_path_is_a_fault(floor, tmp_path, uri):
+    path = floor.write(tmp_path / "floor.gltf")
+    document = json.loads(path.read_text())
+    document["buffers"][0]["uri"] = uri
+    path.write_text(json.dumps(document))
+    assert [note.message for note in validate.check_paths(validate.GltfFile(path))] \
+        == [f"buffers[0] has the absolute path {uri!r}"]
+
+
+def test_a_missing_or_cut_buffer_is_a_fault(floor, tmp_path):
+    path = floor.write(tmp_path / "floor.gltf")
+    buffer = tmp_path / "floor.bin"
+    buffer.write_bytes(buffer.read_bytes()[:-4])
+    assert any("shorter" in fault for fault in faults_of(path))
+    buffer.unlink()
+    assert any("cannot read floor.bin" in fault for fault in faults_of(path))
+
+
+@pytest.mark.parametrize("content", [b"", b"glTF", b"no glTF at all", b"{}", b"[1, 2]"])
+@pytest.mark.parametrize("ending", [".glb", ".gltf"])
+def test_what_is_no_gltf_is_one_fault(tmp_path, content, ending):
+    path = tmp_path / f"floor{ending}"
+    path.write_bytes(content)
+    assert len(faults_of(path)) == 1
+
+
+class TestManifest:
+    """The files listed against the files there."""
+
+    @pytest.fixture
+    def manifest(self, floor, tmp_path):
+        (tmp_path / "house").mkdir()
+        floor.write(tmp_path / "house" / "ground.glb")
+        return write_manifest(tmp_path)
+
+    def messages(self, manifest):
+        return [fault.message for fault in validate.check_manifest(manifest)]
+
+    def test_a_true_manifest_has_no_fault(self, manifest):
+        assert self.messages(manifest) == []
+
+    def test_a_changed_byte_is_another_hash(self, manifest):
+        file = manifest.parent / "house" / "ground.glb"
+        file.write_bytes(file.read_bytes()[:-1] + b"\x07")
+        assert self.messages(manifest) == ["house/ground.glb has another hash than listed"]
+
+    def test_a_cut_file_has_other_bytes(self, manifest):
+        file = manifest.parent / "house" / "ground.glb"
+        file.write_bytes(file.read_bytes()[:-1])
+        assert "bytes, not" in self.messages(manifest)[0]
+
+    def test_a_missing_and_a_foreign_floor_are_found(self, manifest):
+        file = manifest.parent / "house" / "ground.glb"
+        file.rename(file.with_name("first.glb"))
+        assert self.messages(manifest) == ["house/ground.glb is listed and not there",
+                                           "house/first.glb is there and not listed"]
+
+    def test_what_is_no_manifest_is_a_fault(self, manifest):
+        manifest.write_text("{}")
+        assert "cannot be read" in self.messages(manifest)[0]
+
+
+@pytest.mark.skipif(not KHRONOS_IS_THERE, reason="node or gltf-validator is not installed (npm ci in scripts/)")
+class TestKhronos:
+    """The Khronos validator behind validate.py."""
+
+    def test_a_correct_floor_has_neither_errors_nor_warnings(self, floor, tmp_path):
+        assert validate.check_khronos([floor.write(tmp_path / "floor.glb")]) == []
+        assert validate.check_khronos([floor.write(tmp_path / "floor.gltf")]) == []
+
+    def test_errors_are_given_with_their_place(self, floor, tmp_path):
+        floor.find("desk.1@101")["mesh"] = 99
+        faults = validate.check_khronos([floor.write(tmp_path / "floor.glb")])
+        assert [(fault.code, fault.node) for fault in faults] == [("khronos", "/nodes/4/mesh")]
+        assert "UNRESOLVED_REFERENCE" in faults[0].message
+
+    def test_the_exit_code_says_the_verdict(self, floor, tmp_path, capsys):
+        floor.write(tmp_path / "ground.glb")
+        write_manifest(tmp_path)
+        assert validate.main([str(tmp_path), "--jobs", "2"]) == 0
+        assert "1 files, 1 manifests, 7 nodes, 1 rooms, 3 furniture: 0 faults" in capsys.readouterr().out
+        set_extra("desk.1@101", side="top")(floor)
+        floor.write(tmp_path / "ground.glb")
+        assert validate.main([str(tmp_path), "--json"]) == 1
+        codes = [fault["code"] for fault in json.loads(capsys.readouterr().out)["faults"]]
+        assert codes == ["extras", "manifest"]
+
+
+def test_nothing_to_validate_cannot_start(tmp_path):
+    assert validate.main([str(tmp_path)]) == 2
+    assert validate.main([str(tmp_path / "absent.txt")]) == 2
+
+
+def test_the_fixture_says_what_the_program_says():
+    assert furniture("desk", 1, "floor", "above", (1, 1, 1)).keys() >= validate.FIELDS["furniture"]
