@@ -123,6 +123,19 @@ pub enum Shape {
     Prisms(Vec<PrismRule>),
 }
 
+impl Shape {
+    /// Whether what stands on its top stands on a disc and not on a rectangle.
+    #[must_use]
+    pub fn is_round_on_top(&self) -> bool {
+        let reaches_top = |part: &&PrismRule| part.high[2].share >= 1.0 && part.high[2].offset >= 0.0;
+        match self {
+            Self::Box => false,
+            Self::Disc => true,
+            Self::Prisms(parts) => parts.iter().filter(reaches_top).all(|part| part.is_disc),
+        }
+    }
+}
+
 /// A box-shaped or disc-shaped part of a [`Shape`], given by its faces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PrismRule {

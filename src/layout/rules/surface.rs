@@ -17,6 +17,8 @@ struct Surface {
     high: Point,
     places: usize,
     taken: usize,
+    /// Half axes of the ellipse that carries, where the top is round.
+    round: Option<Point>,
 }
 
 /// Poses on the surface of a resting agent.
@@ -35,6 +37,7 @@ pub(super) fn propose(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, 
         high: half - Point::new(right, back),
         places: offer.places.max(1) as usize,
         taken: agent.taken[view.side.index()] as usize,
+        round: view.environment.class(parent).shape.is_round_on_top().then_some(half),
     };
     let orientation = &view.rule.orientation;
     let bearing = Bearing { parent_angle: rest.pose.angle, outward: Point::ZERO };
@@ -46,6 +49,7 @@ pub(super) fn propose(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, 
             Agent::half_extent(view.size, own_right, rest.pose.right.perp()),
         );
         let Some(local) = position(&surface, extent, view.rule.along, trial, stream) else { return };
+        let local = surface.round.map_or(local, |axes| onto_ellipse(local, extent, axes));
         let position = rest.pose.place(local);
         let angle = match orientation.turn {
             Turn::TowardsCenter => turn::towards(orientation, position, rest.pose.position, stream),
@@ -88,4 +92,33 @@ fn position(
         }
         Along::Random => Point::new(stream.between(least.x, most.x), stream.between(least.y, most.y)),
     })
+}
+
+/// The position moved towards the middle until a box with half extents `extent` stands on the ellipse with all
+/// four corners: a round top has none where a box would have them.
+fn onto_ellipse(position: Point, extent: Point, axes: Point) -> Point {
+    const STEPS: u32 = 20;
+    let carries = |at: &Point| ((at.abs() + extent) / axes).length_squared() <= 1.0;
+    let steps = (0..=STEPS).rev().map(|step| position * (f64::from(step) / f64::from(STEPS)));
+    steps.into_iter().find(carries).unwrap_or(Point::ZERO)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bottle_at_the_missing_corner_of_a_round_top_moves_in() {
+        let (extent, axes) = (Point::splat(0.04), Point::splat(0.5));
+        let moved = onto_ellipse(Point::splat(0.46), extent, axes);
+        assert!((moved + extent).length() <= 0.5 && moved.length() > 0.3, "{moved}");
+        assert_eq!(moved.x, moved.y, "straight towards the middle");
+        let inside = Point::new(0.3, 0.1);
+        assert_eq!(onto_ellipse(inside, extent, axes), inside);
+    }
+
+    #[test]
+    fn what_is_too_large_for_a_round_top_stands_in_its_middle() {
+        assert_eq!(onto_ellipse(Point::X, Point::splat(0.4), Point::splat(0.5)), Point::ZERO);
+    }
 }
