@@ -95,8 +95,10 @@ impl World {
     /// How many levels of building `alpha` are in place, asked while a bake is still writing: nothing is opened.
     pub(crate) fn levels_written(&self, folder: &str) -> usize {
         let Ok(list) = fs::read_dir(self.path(folder).join("alpha")) else { return 0 };
-        list.filter(|entry| entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|kind| kind == "glb")))
-            .count()
+        list.filter(|entry| {
+            entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|kind| kind == "glb"))
+        })
+        .count()
     }
 }
 
