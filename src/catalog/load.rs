@@ -54,7 +54,7 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
         StyleWorld { names: &names, room_types: &definitions.room_types, palettes: &definitions.palettes };
     let styles = resolve_styles(&definitions.styles.chains(report), &world, report);
     check_programmes(&room_types, &styles, &names, report);
-    let room_words = resolve_words(&definitions.words, &definitions.room_types, report);
+    let room_words = resolve_words(&definitions.words, &definitions.room_types, &definitions.styles, report);
     check_indispensable(definitions, report);
 
     let classes: Vec<Class> = classes.into_iter().map(|resolved| resolved.class).collect();

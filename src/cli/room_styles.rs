@@ -1,14 +1,14 @@
-//! Styles that rooms ask for, against what the catalogue knows.
+//! Styles that rooms ask for, against the types that the styles are made for.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::catalog::Catalog;
-use crate::document::{Fault, Faults, did_you_mean};
+use crate::document::{Fault, Faults};
 use crate::plan::Plan;
 
-/// Rooms whose style does not exist (an error: they are furnished in the style of the run) or is made for
-/// other types of rooms (a warning). One fault per style and room type and building, naming the first room.
+/// Warnings about rooms whose style is made for other types of rooms: one per style and room type and building,
+/// naming the first room. Styles that do not exist are reported by the plan reader.
 pub(crate) fn check_room_styles(plan: &Plan, catalog: &Catalog) -> Faults {
     let mut first_rooms: BTreeMap<(&str, &str, &str), String> = BTreeMap::new();
     for placed in &plan.buildings {
@@ -28,11 +28,7 @@ pub(crate) fn check_room_styles(plan: &Plan, catalog: &Catalog) -> Faults {
 }
 
 fn judge(style: &str, room_type: &str, catalog: &Catalog) -> Option<Fault> {
-    let Some(known) = catalog.styles.get(style) else {
-        let fault = Fault::of_file(Path::new(""), format!("unknown style \"{style}\""));
-        let hint = did_you_mean(style, catalog.styles.keys().map(String::as_str));
-        return Some(fault.with_hint(hint.unwrap_or_else(|| "see `roomwright catalog styles`".to_owned())));
-    };
+    let known = catalog.styles.get(style)?;
     let suits = known.room_types.is_empty() || known.room_types.iter().any(|one| one == room_type);
     (!suits).then(|| {
         let message = format!("style \"{style}\" is not made for rooms of type \"{room_type}\"");

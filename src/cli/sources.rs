@@ -84,8 +84,11 @@ fn extract_demo() -> std::io::Result<tempfile::TempDir> {
 /// # Errors
 /// If the catalogue has no such style.
 pub(crate) fn run_style(typed: Option<&String>, sources: &Sources) -> Result<Option<String>, Faults> {
-    let Some(style) = typed.or(sources.settings.style.as_ref()) else { return Ok(None) };
-    if sources.catalog.styles.contains_key(style) {
+    let is_known = |style: &&String| sources.catalog.styles.contains_key(style.as_str());
+    // The project's own is reported where it is written.
+    let of_project = sources.settings.style.as_ref().filter(is_known);
+    let Some(style) = typed else { return Ok(of_project.cloned()) };
+    if is_known(&style) {
         return Ok(Some(style.clone()));
     }
     let fault = Fault::of_file(Path::new("--style"), format!("unknown style \"{style}\""));

@@ -8,8 +8,7 @@ use crate::document::Faults;
 /// What reading plans depends on besides the files.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanOptions<'a> {
-    /// The room types that exist, and what the words of foreign formats mean. With an empty list of known room
-    /// types every type is taken.
+    /// The room types and styles that exist, and what the words of foreign formats mean.
     pub words: &'a RoomWords,
 }
 

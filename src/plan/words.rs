@@ -1,4 +1,4 @@
-//! The words that plan formats use for rooms, and what they mean here.
+//! The words that plans use for rooms, and what they mean here.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,8 +6,10 @@ use std::collections::{BTreeMap, BTreeSet};
 /// additions, so that a new word needs no code.
 #[derive(Clone, Debug, Default)]
 pub struct RoomWords {
-    /// Every room type that exists, for checking native plans.
+    /// Every room type that exists, for checking native plans; with none every type is taken.
     pub known: BTreeSet<String>,
+    /// Every style that exists, for checking native plans and projects; with none every style is taken.
+    pub styles: BTreeSet<String>,
     /// format → word (lower case) → room type.
     pub words: BTreeMap<String, BTreeMap<String, String>>,
 }
@@ -16,6 +18,11 @@ pub struct RoomWords {
 pub const GENERIC_ROOM_TYPE: &str = "generic";
 
 impl RoomWords {
+    /// Whether rooms can be furnished in a style.
+    pub(crate) fn has_style(&self, style: &str) -> bool {
+        self.styles.is_empty() || self.styles.contains(style)
+    }
+
     /// The room type of a word in a format, or `None` where the table has no entry.
     #[must_use]
     pub fn room_type(&self, format: &str, word: &str) -> Option<&str> {

@@ -102,11 +102,38 @@ fn a_duplicate_id() {
 }
 
 #[test]
-fn an_unknown_room_type_and_style() {
+fn an_unknown_room_type() {
     let text = plan("a", 1).replace("type: study", "type: studdy");
     refused("a.yaml", &text, &["a.yaml:11:27", "unknown room type \"studdy\"", "did you mean \"study\"?"]);
-    let text = plan("a", 1).replace("type: study", "type: study, style: hottel");
-    told(&text, 1, &["hottel", "did you mean \"hotel\"?"]);
+}
+
+#[test]
+fn an_unknown_style() {
+    let fault = |place: &str| format!("a.yaml:{place}: unknown style \"hottel\"");
+    let hint = "hint: did you mean \"hotel\"?";
+    let of_room = plan("a", 1).replace("type: study", "type: study, style: hottel");
+    told(&of_room, 1, &[&fault("11:41"), hint, "in levels[0].rooms[1].style"]);
+    let of_level = plan("a", 1).replace("    height: 3\n", "    height: 3\n    style: hottel\n");
+    told(&of_level, 1, &[&fault("9:12"), hint]);
+    let of_building = plan("a", 1).replace("version: 1\n", "version: 1\nstyle: hottel\n");
+    told(&of_building, 1, &[&fault("2:8"), hint]);
+    told(&plan("a", 1).replace("type: study", "type: study, style: hotel"), 0, &[]);
+}
+
+#[test]
+fn an_unknown_style_of_a_project() {
+    let world = World::new();
+    world.write("a.yaml", plan("a", 1));
+    let of_run = "version: 1\nproject:\n  style: hottel\n  plans: [{plan: a.yaml}]\n";
+    world.write("project.yaml", of_run);
+    let ran = world.run(&["bake", "project.yaml"]);
+    assert_eq!(ran.code, Some(2), "no room would look as asked for: {}", ran.stderr);
+    assert!(ran.stderr.contains("project.yaml:3:10: unknown style \"hottel\""), "{}", ran.stderr);
+    assert!(ran.stderr.contains("did you mean \"hotel\"?") && !world.path("out").exists());
+    world.write("project.yaml", "version: 1\nproject:\n  plans: [{plan: a.yaml, style: hottel}]\n");
+    let ran = world.run(&["bake", "project.yaml"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("project.yaml:3:33: unknown style \"hottel\""), "{}", ran.stderr);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::catalog::file::{RoomTypeEntry, WordsFile};
+use crate::catalog::file::{RoomTypeEntry, StyleEntry, WordsFile};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Table;
 use crate::plan::RoomWords;
@@ -11,11 +11,13 @@ use crate::plan::RoomWords;
 pub(crate) fn resolve_words(
     files: &[(usize, WordsFile)],
     room_types: &Table<RoomTypeEntry>,
+    styles: &Table<StyleEntry>,
     report: &mut Report<'_>,
 ) -> RoomWords {
     let is_abstract = |id: &str| room_types.get(id).is_some_and(|definition| definition.entry.is_abstract);
     let known = room_types.ids().filter(|id| !is_abstract(id)).map(str::to_owned).collect();
-    let mut words = RoomWords { known, words: BTreeMap::new() };
+    let styles = styles.ids().map(str::to_owned).collect();
+    let mut words = RoomWords { known, styles, words: BTreeMap::new() };
     for (source, file) in files {
         for (format, table) in &file.formats {
             let spot = Spot { source: *source, path: vec!["formats".into()] }.key(format);

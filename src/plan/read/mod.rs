@@ -194,9 +194,9 @@ fn read_drafts(path: &Path, words: &RoomWords) -> Drafts {
 
 fn native_drafts(source: Source, words: &RoomWords) -> Drafts {
     match read_native(&source, words) {
-        Ok(NativeDraft { id, draft, origins }) => {
+        Ok(NativeDraft { id, draft, origins, faults }) => {
             let provenance = Provenance::Native(source, origins);
-            Drafts { drafts: vec![Drafted { id, draft, provenance }], ..Drafts::default() }
+            Drafts { drafts: vec![Drafted { id, draft, provenance }], faults, ..Drafts::default() }
         }
         Err(faults) => Drafts { faults, ..Drafts::default() },
     }

@@ -9,7 +9,8 @@ use serde::Deserialize;
 
 use super::finish::{Drafted, Variation, finish};
 use super::native::{
-    FILE_NAME_FORBIDDEN, PatternValues, Report, VERSION, expand_pattern, id_fault, item, names_value, step,
+    FILE_NAME_FORBIDDEN, PatternValues, Report, VERSION, check_style, expand_pattern, id_fault, item,
+    names_value, step,
 };
 use super::{ReadBuilding, read_drafts};
 use crate::document::{Faults, PathStep, Source};
@@ -97,8 +98,13 @@ pub(super) fn read_project(source: &Source, words: &RoomWords) -> (Vec<ReadBuild
         Ok(file) => file,
         Err(faults) => return (Vec::new(), faults),
     };
+    let mut report = Report::new(source);
+    if !check_style(&["project".into()], file.project.style.as_ref(), words, &mut report) {
+        // All rooms would look other than asked for: better none of them.
+        return (Vec::new(), report.finish());
+    }
     let mut reading = Reading {
-        report: Report::new(source),
+        report,
         folder: folder_of(source),
         words,
         drafts: BTreeMap::new(),
@@ -160,10 +166,12 @@ impl Reading<'_> {
             self.report.error(&step(path, *key), "is not finite", None);
             return;
         }
+        let has_style = check_style(path, plan.style.as_ref(), self.words, &mut self.report);
+        let style = plan.style.clone().filter(|_| has_style);
         let file = self.folder.join(&plan.plan);
         let Some(drafts) = self.drafts_of(path, &file) else { return };
         for (number, drafted) in drafts.iter().enumerate() {
-            let variation = Variation { is_mirrored: plan.mirror, style: plan.style.clone() };
+            let variation = Variation { is_mirrored: plan.mirror, style: style.clone() };
             let building = self.building(&file, (number, drafted), variation);
             for copy in 0..count {
                 let Some(id) = self.id(path, plan, &drafted.id, copy) else { return };

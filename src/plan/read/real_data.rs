@@ -30,5 +30,5 @@ pub(super) fn words() -> RoomWords {
         words.into_iter().map(|(word, kind)| (word.to_lowercase(), kind)).collect()
     };
     let words = table.formats.into_iter().map(|(format, words)| (format, lower(words))).collect();
-    RoomWords { known: ["toilet".to_owned()].into(), words }
+    RoomWords { known: ["toilet".to_owned()].into(), words, ..RoomWords::default() }
 }

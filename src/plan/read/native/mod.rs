@@ -11,6 +11,7 @@ mod origins;
 mod parts;
 mod pattern;
 mod report;
+mod styles;
 mod units;
 
 use crate::document::{Faults, Source};
@@ -23,6 +24,7 @@ pub(crate) use numbers::number_of_id;
 pub(crate) use origins::{LevelOrigins, ProblemList};
 pub(crate) use pattern::{PatternValues, expand as expand_pattern, names_value};
 pub(crate) use report::{Report, item, step};
+pub(crate) use styles::check_style;
 
 /// A native plan as drafts, and where everything stands in its file.
 pub(crate) struct NativeDraft {
@@ -32,6 +34,8 @@ pub(crate) struct NativeDraft {
     pub(crate) draft: BuildingDraft,
     /// By level of the draft.
     pub(crate) origins: Vec<LevelOrigins>,
+    /// What does not keep the rooms from being furnished: styles that do not exist.
+    pub(crate) faults: Faults,
 }
 
 /// Reads a native plan.
@@ -45,11 +49,14 @@ pub(crate) fn read_native(source: &Source, words: &RoomWords) -> Result<NativeDr
     check::check_file(&file, words, &mut report);
     let expanded = expand::expand_building(&file, &mut report);
     let id = building_id(&file, &mut report);
-    let faults = report.finish();
-    if faults.has_errors() {
-        return Err(faults);
-    }
-    Ok(NativeDraft { id, draft: expanded.draft, origins: expanded.origins })
+    let mut faults = report.finish();
+    let is_usable = !faults.has_errors();
+    let mut report = Report::new(source);
+    styles::check_styles(&file, words, &mut report);
+    faults.merge(report.finish());
+    let expand::Expanded { mut draft, origins } = expanded;
+    styles::drop_unknown(&mut draft, words);
+    if is_usable { Ok(NativeDraft { id, draft, origins, faults }) } else { Err(faults) }
 }
 
 fn building_id(file: &PlanFile, report: &mut Report<'_>) -> String {
