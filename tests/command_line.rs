@@ -9,5 +9,6 @@ mod command_line {
     mod determinism;
     mod faults;
     mod output_folder;
+    mod user_models;
     mod world;
 }

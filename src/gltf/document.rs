@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use gltf_json::scene::UnitQuaternion;
+use gltf_json::texture::Sampler;
+use gltf_json::validation::Checked;
 use gltf_json::{Asset, Image, Index, Node, Root, Scene as JsonScene, Texture, image};
 
 use super::library::LibraryReference;
@@ -12,7 +14,7 @@ use super::material::{Images, TRANSMISSION, material};
 use super::mesh::{accessors, mesh};
 use super::pack::{PackedPrimitive, Packer};
 use super::view::Views;
-use crate::model::Model;
+use crate::model::{Model, TextureSampler};
 use crate::scene::{GENERATOR, Scene};
 
 /// A level ready to be written.
@@ -86,7 +88,7 @@ fn pack<'l>(
 }
 
 fn add_images(root: &mut Root, views: &mut Views, images: &Images) {
-    for (index, (source, packed)) in images.all().enumerate() {
+    for (source, packed) in images.all() {
         let buffer_view = views.image(root, packed);
         root.images.push(Image {
             buffer_view: Some(buffer_view),
@@ -96,14 +98,42 @@ fn add_images(root: &mut Root, views: &mut Views, images: &Images) {
             extensions: None,
             extras: None,
         });
-        root.textures.push(Texture {
+    }
+    let mut samplers = Vec::new();
+    for &(image, sampler) in images.textures() {
+        let texture = Texture {
             name: None,
-            sampler: None,
-            source: Index::new(u32::try_from(index).expect("a level has few images")),
+            sampler: add_sampler(root, &mut samplers, sampler),
+            source: Index::new(u32::try_from(image).expect("a level has few images")),
             extensions: None,
             extras: None,
-        });
+        };
+        root.textures.push(texture);
     }
+}
+
+/// Adds a sampler unless it is known or the format's own default.
+fn add_sampler(
+    root: &mut Root,
+    known: &mut Vec<TextureSampler>,
+    source: TextureSampler,
+) -> Option<Index<Sampler>> {
+    if source == TextureSampler::default() {
+        return None;
+    }
+    let index = known.iter().position(|other| *other == source).unwrap_or_else(|| {
+        let [wrap_s, wrap_t] = source.wrapping.map(Checked::Valid);
+        root.samplers.push(Sampler {
+            mag_filter: source.magnification.map(Checked::Valid),
+            min_filter: source.minification.map(Checked::Valid),
+            wrap_s,
+            wrap_t,
+            ..Sampler::default()
+        });
+        known.push(source);
+        known.len() - 1
+    });
+    Some(Index::new(u32::try_from(index).expect("a level has few samplers")))
 }
 
 /// Adds a node and all below it, parents first.

@@ -8,16 +8,17 @@ use gltf_json::{Index, extensions, texture};
 
 use super::pack::{Packed, Packer};
 use crate::catalog::Material;
-use crate::model::{Image, OwnMaterial, TextureUse};
+use crate::model::{Image, OwnMaterial, Texture, TextureSampler, TextureUse, Transparency};
 use crate::scene::SceneMaterial;
 
 /// The one extension in use: glass lets light through.
 pub(crate) const TRANSMISSION: &str = "KHR_materials_transmission";
 
-/// Images of a document, each once; texture `i` is image `i`.
+/// Images of a document and the textures that lay them on, each once.
 #[derive(Debug, Default)]
 pub(crate) struct Images {
     known: Vec<(Arc<Image>, Packed)>,
+    textures: Vec<(usize, TextureSampler)>,
 }
 
 impl Images {
@@ -26,13 +27,27 @@ impl Images {
         self.known.iter().map(|(image, packed)| (&**image, packed))
     }
 
-    fn texture(&mut self, image: &Arc<Image>, packer: &mut Packer) -> Index<texture::Texture> {
-        let known = self.known.iter().position(|(other, _)| Arc::ptr_eq(image, other) || image == other);
+    /// Index of the image and sampler of each texture, in the order of first use.
+    pub(crate) fn textures(&self) -> &[(usize, TextureSampler)] {
+        &self.textures
+    }
+
+    fn texture(&mut self, texture: &Texture, packer: &mut Packer) -> Index<texture::Texture> {
+        let laid = (self.image(&texture.image, packer), texture.sampler);
+        let known = self.textures.iter().position(|other| *other == laid);
         let index = known.unwrap_or_else(|| {
+            self.textures.push(laid);
+            self.textures.len() - 1
+        });
+        Index::new(u32::try_from(index).expect("a level has few textures"))
+    }
+
+    fn image(&mut self, image: &Arc<Image>, packer: &mut Packer) -> usize {
+        let known = self.known.iter().position(|(other, _)| Arc::ptr_eq(image, other) || image == other);
+        known.unwrap_or_else(|| {
             self.known.push((Arc::clone(image), packer.image(&image.bytes)));
             self.known.len() - 1
-        });
-        Index::new(u32::try_from(index).expect("a level has few images"))
+        })
     }
 }
 
@@ -71,12 +86,14 @@ fn plain(name: &str, source: &Material) -> json::Material {
 fn textured(own: &OwnMaterial, images: &mut Images, packer: &mut Packer) -> json::Material {
     let mut material = plain(&own.name, &own.material);
     material.double_sided = own.is_double_sided;
-    if let Some(cutoff) = own.alpha_cutoff {
-        material.alpha_mode = Checked::Valid(json::AlphaMode::Mask);
-        material.alpha_cutoff = Some(json::AlphaCutoff(cutoff));
-    }
-    for (purpose, image) in &own.textures {
-        set_texture(&mut material, *purpose, images.texture(image, packer));
+    let (mode, cutoff) = match own.transparency {
+        Transparency::Opaque => (json::AlphaMode::Opaque, None),
+        Transparency::CutOut(cutoff) => (json::AlphaMode::Mask, Some(json::AlphaCutoff(cutoff))),
+        Transparency::Blended => (json::AlphaMode::Blend, None),
+    };
+    (material.alpha_mode, material.alpha_cutoff) = (Checked::Valid(mode), cutoff);
+    for (purpose, texture) in &own.textures {
+        set_texture(&mut material, *purpose, images.texture(texture, packer));
     }
     material
 }

@@ -36,6 +36,9 @@ pub(crate) fn accessors(
         if let Some(coordinates) = &primitive.coordinates {
             attributes.insert(Checked::Valid(Semantic::TexCoords(0)), add(coordinates));
         }
+        if let Some(colors) = &primitive.colors {
+            attributes.insert(Checked::Valid(Semantic::Colors(0)), add(colors));
+        }
         PrimitiveAccessors { attributes, indices: add(&primitive.indices) }
     });
     accessors.collect()
@@ -65,6 +68,7 @@ fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
     let (component, kind) = match packed.section {
         Section::Vectors => (ComponentType::F32, Type::Vec3),
         Section::Coordinates => (ComponentType::F32, Type::Vec2),
+        Section::Colors => (ComponentType::F32, Type::Vec4),
         Section::ShortIndices => (ComponentType::U16, Type::Scalar),
         Section::LongIndices | Section::Images => (ComponentType::U32, Type::Scalar),
     };

@@ -9,6 +9,8 @@ pub(crate) enum Section {
     Vectors,
     /// Two floats: texture coordinates.
     Coordinates,
+    /// Four floats: colours.
+    Colors,
     /// Indices of meshes with few corners.
     ShortIndices,
     /// Indices of meshes with more corners than 16 bits can name.
@@ -19,8 +21,8 @@ pub(crate) enum Section {
 
 impl Section {
     /// All sections in the order of the buffer.
-    pub(crate) const ALL: [Self; 5] =
-        [Self::Vectors, Self::Coordinates, Self::ShortIndices, Self::LongIndices, Self::Images];
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Vectors, Self::Coordinates, Self::Colors, Self::ShortIndices, Self::LongIndices, Self::Images];
 }
 
 /// Sections and images begin at multiples of this.
@@ -45,6 +47,7 @@ pub(crate) struct PackedPrimitive {
     pub positions: Packed,
     pub normals: Packed,
     pub coordinates: Option<Packed>,
+    pub colors: Option<Packed>,
     pub indices: Packed,
 }
 
@@ -68,6 +71,8 @@ impl Packer {
             normals: self.floats(Section::Vectors, primitive.normals.as_flattened(), 3),
             coordinates: has_textures(primitive)
                 .then(|| self.floats(Section::Coordinates, primitive.texture_coordinates.as_flattened(), 2)),
+            colors: has_colors(primitive)
+                .then(|| self.floats(Section::Colors, primitive.colors.as_flattened(), 4)),
             indices: self.indices(primitive),
         }
     }
@@ -134,6 +139,10 @@ fn has_textures(primitive: &Primitive) -> bool {
         ModelMaterial::Own(own) => !own.textures.is_empty(),
     };
     is_textured && primitive.texture_coordinates.len() == primitive.positions.len()
+}
+
+fn has_colors(primitive: &Primitive) -> bool {
+    !primitive.colors.is_empty() && primitive.colors.len() == primitive.positions.len()
 }
 
 fn bounds(positions: &[[f32; 3]]) -> ([f32; 3], [f32; 3]) {

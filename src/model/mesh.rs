@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use gltf_json::texture::{MagFilter, MinFilter, WrappingMode};
+
 use crate::catalog::{Material, Size};
 
 /// The look of one variant of a class.
@@ -25,6 +27,8 @@ pub struct Primitive {
     pub normals: Vec<[f32; 3]>,
     /// Texture coordinates, one per position, or none.
     pub texture_coordinates: Vec<[f32; 2]>,
+    /// Linear red, green, blue and opacity that multiply the base colour, one per position, or none.
+    pub colors: Vec<[f32; 4]>,
     /// Three per triangle.
     pub indices: Vec<u32>,
 }
@@ -53,10 +57,43 @@ pub struct OwnMaterial {
     pub material: Material,
     /// Seen from both sides.
     pub is_double_sided: bool,
-    /// Opacity below which nothing is drawn (`MASK`), if any.
-    pub alpha_cutoff: Option<f32>,
-    /// Images by use.
-    pub textures: Vec<(TextureUse, Arc<Image>)>,
+    /// What its opacity means.
+    pub transparency: Transparency,
+    /// Textures by use.
+    pub textures: Vec<(TextureUse, Texture)>,
+}
+
+/// What the opacity of an [`OwnMaterial`] means.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Transparency {
+    /// Nothing (`OPAQUE`).
+    #[default]
+    Opaque,
+    /// Below this opacity nothing is drawn (`MASK`).
+    CutOut(f32),
+    /// What is behind shines through (`BLEND`).
+    Blended,
+}
+
+/// An image and how it is laid on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    /// The image.
+    pub image: Arc<Image>,
+    /// How it is laid on.
+    pub sampler: TextureSampler,
+}
+
+/// How an image is repeated and filtered, in the format's own words. The usual one repeats both ways and leaves
+/// the filters to the viewer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TextureSampler {
+    /// What lies beyond the image's sides, and above and below it.
+    pub wrapping: [WrappingMode; 2],
+    /// Seen from near.
+    pub magnification: Option<MagFilter>,
+    /// Seen from afar.
+    pub minification: Option<MinFilter>,
 }
 
 /// What an image of an [`OwnMaterial`] is for.

@@ -13,7 +13,10 @@ mod recipes;
 mod user;
 
 pub use library::ModelLibrary;
-pub use mesh::{Image, Model, ModelMaterial, ModelRequest, OwnMaterial, Primitive, TextureUse};
+pub use mesh::{
+    Image, Model, ModelMaterial, ModelRequest, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse,
+    Transparency,
+};
 pub use recipes::{
     PLAIN, RecipeInput, TRADITIONAL, build_recipe, geometry_sets, recipe_names, recipe_parameters,
     recipe_size,

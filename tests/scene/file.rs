@@ -8,7 +8,9 @@ use roomwright::gltf::{
     GltfError, LibraryReference, SharedLibrary, write_glb, write_glb_with_library, write_gltf,
     write_gltf_with_library,
 };
-use roomwright::model::{Image, Model, ModelMaterial, OwnMaterial, Primitive, TextureUse};
+use roomwright::model::{
+    Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
+};
 use roomwright::plan::SitePlacement;
 use roomwright::scene::{Node, Scene, SceneInput, SceneMaterial, build_scene};
 
@@ -187,6 +189,7 @@ const DOT: [u8; 67] = [
 /// A box with texture coordinates and a material of its own.
 fn textured_model() -> Model {
     let image = Arc::new(Image { mime_type: "image/png".to_owned(), bytes: DOT.to_vec() });
+    let texture = Texture { image, sampler: TextureSampler::default() };
     let own = OwnMaterial {
         name: "leather".to_owned(),
         material: Material {
@@ -197,8 +200,8 @@ fn textured_model() -> Model {
             transmission: 0.0,
         },
         is_double_sided: true,
-        alpha_cutoff: Some(0.4),
-        textures: vec![(TextureUse::BaseColor, Arc::clone(&image)), (TextureUse::Occlusion, image)],
+        transparency: Transparency::CutOut(0.4),
+        textures: vec![(TextureUse::BaseColor, texture.clone()), (TextureUse::Occlusion, texture)],
     };
     let mut model = box_model(Size { width: 0.5, depth: 0.5, height: 1.0 }, "wood");
     let primitive = &mut model.primitives[0];

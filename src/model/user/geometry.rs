@@ -19,6 +19,9 @@ pub(super) const MOST_TRIANGLES: usize = 200_000;
 /// Units from the origin that no model reaches, whatever its unit; beyond it single precision has no detail left.
 const FARTHEST: f64 = 1e6;
 
+/// The colour that changes nothing.
+const WHITE: [f32; 4] = [1.0; 4];
+
 /// All triangles of the default scene, by material, turned about the y axis.
 pub(super) fn read_geometry(
     numbers: &Numbers,
@@ -82,6 +85,7 @@ struct Surface {
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
     coordinates: Vec<[f32; 2]>,
+    colors: Vec<[f32; 4]>,
     triangles: Vec<[u32; 3]>,
 }
 
@@ -124,7 +128,14 @@ impl Gathered<'_> {
             Some(coordinates) => self.numbers.vectors::<2>(coordinates)?,
             None => Vec::new(),
         };
-        for (name, count) in [("normals", normals.len()), ("texture coordinates", coordinates.len())] {
+        let colors =
+            attribute(Semantic::Colors(0)).map_or(Ok(Vec::new()), |colors| self.read_colors(colors))?;
+        let counts = [
+            ("normals", normals.len()),
+            ("texture coordinates", coordinates.len()),
+            ("colours", colors.len()),
+        ];
+        for (name, count) in counts {
             if count != 0 && count != positions.len() {
                 return Err(Problem::new(format!(
                     "a mesh has {} positions but {count} {name}",
@@ -132,7 +143,7 @@ impl Gathered<'_> {
                 )));
             }
         }
-        Ok(Some(Surface { positions, normals, coordinates, triangles }))
+        Ok(Some(Surface { positions, normals, coordinates, colors, triangles }))
     }
 
     fn read_vectors(&self, accessor: Index<accessor::Accessor>) -> Result<Vec<DVec3>, Problem> {
@@ -140,13 +151,32 @@ impl Gathered<'_> {
         Ok(vectors.into_iter().map(|vector| Vec3::from(vector).as_dvec3()).collect())
     }
 
+    /// Colours with or without opacity; values outside 0 to 1 are clamped, as the format asks of viewers.
+    fn read_colors(&self, accessor: Index<accessor::Accessor>) -> Result<Vec<[f32; 4]>, Problem> {
+        let is_opaque = self
+            .numbers
+            .document
+            .get(accessor)
+            .is_some_and(|accessor| accessor.type_ == Checked::Valid(accessor::Type::Vec3));
+        let colors = if is_opaque {
+            let colors = self.numbers.vectors::<3>(accessor)?;
+            colors.into_iter().map(|[red, green, blue]| [red, green, blue, 1.0]).collect()
+        } else {
+            self.numbers.vectors::<4>(accessor)?
+        };
+        Ok(colors.into_iter().map(|color| color.map(|share| share.clamp(0.0, 1.0))).collect())
+    }
+
     fn into_model(self) -> Result<Model, Problem> {
         let mut primitives: Vec<Primitive> =
             self.parts.into_values().filter(|part| !part.indices.is_empty()).collect();
         for part in &mut primitives {
-            // Coordinates for some corners only: the rest take the image's corner.
+            // Coordinates for some corners only: the rest take the image's corner; colours likewise.
             if !part.texture_coordinates.is_empty() {
                 part.texture_coordinates.resize(part.positions.len(), [0.0; 2]);
+            }
+            if !part.colors.is_empty() {
+                part.colors.resize(part.positions.len(), WHITE);
             }
         }
         if primitives.is_empty() {
@@ -197,7 +227,7 @@ fn append(target: &mut Primitive, surface: &Surface, place: DMat4) -> Result<(),
             let known = kept[corner].filter(|_| normals.is_some());
             let index = known.unwrap_or_else(|| {
                 let normal = normals.as_ref().map_or(face, |normals| normals[corner]);
-                push_corner(target, positions[corner], normal, surface.coordinates.get(corner))
+                push_corner(target, (positions[corner], normal), surface, corner)
             });
             kept[corner] = Some(index);
             target.indices.push(index);
@@ -217,10 +247,20 @@ fn placed_normals(normals: &[DVec3], linear: DMat3, is_mirrored: bool) -> Option
     placed.filter(|placed| !placed.is_empty())
 }
 
-fn push_corner(target: &mut Primitive, position: DVec3, normal: DVec3, coordinate: Option<&[f32; 2]>) -> u32 {
-    if let Some(&coordinate) = coordinate {
+/// Adds a placed corner with the rest as the surface has it.
+fn push_corner(
+    target: &mut Primitive,
+    (position, normal): (DVec3, DVec3),
+    surface: &Surface,
+    corner: usize,
+) -> u32 {
+    if let Some(&coordinate) = surface.coordinates.get(corner) {
         target.texture_coordinates.resize(target.positions.len(), [0.0; 2]);
         target.texture_coordinates.push(coordinate);
+    }
+    if let Some(&color) = surface.colors.get(corner) {
+        target.colors.resize(target.positions.len(), WHITE);
+        target.colors.push(color);
     }
     target.positions.push(position.as_vec3().to_array());
     target.normals.push(normal.as_vec3().normalize().to_array());

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use gltf::json::image::Image as JsonImage;
 use gltf::json::material::{AlphaMode, Material as JsonMaterial};
-use gltf::json::texture::Texture;
+use gltf::json::texture::Texture as JsonTexture;
 use gltf::json::validation::Checked;
 use gltf::json::{Index, Root};
 
@@ -13,10 +13,8 @@ use super::accessor::Numbers;
 use super::container::Container;
 use super::problem::Problem;
 use crate::catalog::Material;
-use crate::model::{Image, OwnMaterial, TextureUse};
+use crate::model::{Image, OwnMaterial, Texture, TextureSampler, TextureUse, Transparency};
 
-/// Opacity below which a blended texture is not drawn: the scene blends by factor only.
-const BLEND_CUTOFF: f32 = 0.5;
 /// The format's own cutoff where the file names none.
 const DEFAULT_CUTOFF: f32 = 0.5;
 
@@ -72,9 +70,9 @@ fn read_material(
             ))
             .with_hint("unwrap it with one set and export it again"));
         }
-        textures.push((usage, image_of(texture, document, images)?));
+        textures.push((usage, read_texture(texture, document, images)?));
     }
-    let (opacity, alpha_cutoff) = transparency(source, !textures.is_empty());
+    let (opacity, transparency) = read_transparency(source);
     let [red, green, blue, _] = surface.base_color_factor.0;
     let transmission = source.extensions.as_ref().and_then(|known| known.transmission.as_ref());
     let material = Material {
@@ -86,21 +84,20 @@ fn read_material(
     };
     check_factors(&name, &material)?;
     let material =
-        OwnMaterial { name, material, is_double_sided: source.double_sided, alpha_cutoff, textures };
+        OwnMaterial { name, material, is_double_sided: source.double_sided, transparency, textures };
     Ok(ReadMaterial { material: Arc::new(material), coordinate_set })
 }
 
-/// Opacity and cutoff by alpha mode.
-fn transparency(source: &JsonMaterial, has_textures: bool) -> (f32, Option<f32>) {
+/// Opacity and what it means by alpha mode; what is opaque is so whatever its factor says.
+fn read_transparency(source: &JsonMaterial) -> (f32, Transparency) {
     let opacity = source.pbr_metallic_roughness.base_color_factor.0[3];
     match source.alpha_mode {
         Checked::Valid(AlphaMode::Mask) => {
-            (opacity, Some(source.alpha_cutoff.map_or(DEFAULT_CUTOFF, |cutoff| cutoff.0)))
+            let cutoff = source.alpha_cutoff.map_or(DEFAULT_CUTOFF, |cutoff| cutoff.0);
+            (opacity, Transparency::CutOut(cutoff))
         }
-        Checked::Valid(AlphaMode::Blend) => {
-            (opacity, (opacity >= 1.0 && has_textures).then_some(BLEND_CUTOFF))
-        }
-        _ => (1.0, None),
+        Checked::Valid(AlphaMode::Blend) => (opacity, Transparency::Blended),
+        _ => (1.0, Transparency::Opaque),
     }
 }
 
@@ -115,9 +112,33 @@ fn check_factors(name: &str, material: &Material) -> Result<(), Problem> {
     }
 }
 
-fn image_of(texture: Index<Texture>, document: &Root, images: &[Arc<Image>]) -> Result<Arc<Image>, Problem> {
-    let image = document.get(texture).and_then(|texture| images.get(texture.source.value()));
-    image.cloned().ok_or_else(|| Problem::new(format!("texture {} has no image", texture.value())))
+fn read_texture(
+    index: Index<JsonTexture>,
+    document: &Root,
+    images: &[Arc<Image>],
+) -> Result<Texture, Problem> {
+    let no_image = || Problem::new(format!("texture {} has no image", index.value()));
+    let texture = document.get(index).ok_or_else(no_image)?;
+    let image = images.get(texture.source.value()).cloned().ok_or_else(no_image)?;
+    Ok(Texture { image, sampler: read_sampler(texture, document) })
+}
+
+fn read_sampler(texture: &JsonTexture, document: &Root) -> TextureSampler {
+    let Some(sampler) = texture.sampler.and_then(|index| document.get(index)) else {
+        return TextureSampler::default();
+    };
+    TextureSampler {
+        wrapping: [sampler.wrap_s, sampler.wrap_t].map(|word| valid(word).unwrap_or_default()),
+        magnification: sampler.mag_filter.and_then(valid),
+        minification: sampler.min_filter.and_then(valid),
+    }
+}
+
+fn valid<T>(word: Checked<T>) -> Option<T> {
+    match word {
+        Checked::Valid(word) => Some(word),
+        Checked::Invalid => None,
+    }
 }
 
 fn read_images(container: &mut Container) -> Result<Vec<Arc<Image>>, Problem> {

@@ -1,9 +1,9 @@
 //! Users' `.glb` and `.gltf` files to models.
 //!
 //! What is taken: triangles of the default scene with all node transforms applied, positions, normals (flat ones
-//! where the file has none), one set of texture coordinates, materials with their five kinds of images. What is left
-//! out: cameras, lights, points, lines, vertex colours, tangents, texture samplers. What is refused, with a fault that
-//! names it: motion, compression, and whatever else would look wrong if it were left out.
+//! where the file has none), one set of texture coordinates, the first set of vertex colours, materials with their five
+//! kinds of images and how those are sampled. What is left out: cameras, lights, points, lines, tangents, further sets
+//! of colours. What is refused, with a fault that names it: motion, compression, and whatever else would look wrong if it were left out.
 
 mod accessor;
 mod container;

@@ -1,16 +1,20 @@
 //! Materials and images, inside the file and beside it.
 
+use gltf::json::texture::{MinFilter, WrappingMode};
 use serde_json::json;
 
 use super::{Draft, PNG, own_material, textured};
-use crate::model::TextureUse;
 use crate::model::user::UserModel;
+use crate::model::{TextureSampler, TextureUse, Transparency};
 
 #[test]
 fn materials_come_along_with_their_images() {
     let model = textured().read().unwrap().model;
     let own = own_material(&model);
-    assert_eq!((own.name.as_str(), own.is_double_sided, own.alpha_cutoff), ("oak", true, Some(0.25)));
+    assert_eq!(
+        (own.name.as_str(), own.is_double_sided, own.transparency),
+        ("oak", true, Transparency::CutOut(0.25))
+    );
     assert_eq!(own.material.base_color, [0.5, 0.25, 0.125, 0.75]);
     assert_eq!(
         (own.material.metallic, own.material.roughness, own.material.emissive),
@@ -18,10 +22,63 @@ fn materials_come_along_with_their_images() {
     );
     let uses: Vec<TextureUse> = own.textures.iter().map(|(usage, _)| *usage).collect();
     assert_eq!(uses, [TextureUse::BaseColor, TextureUse::Normal]);
-    assert_eq!(own.textures[0].1.bytes, PNG);
+    assert_eq!(own.textures[0].1.image.bytes, PNG);
     let part = &model.primitives[0];
     assert_eq!(part.texture_coordinates.len(), part.positions.len());
     assert_eq!(part.texture_coordinates[0], [0.0, 17.0 / 255.0]);
+}
+
+#[test]
+fn opacity_means_what_the_file_says() {
+    let mut draft = textured();
+    let mut mode = |word: &str| {
+        draft.document["materials"][0]["alphaMode"] = json!(word);
+        let model = draft.read().unwrap().model;
+        (own_material(&model).transparency, own_material(&model).material.base_color[3])
+    };
+    assert_eq!(mode("BLEND"), (Transparency::Blended, 0.75), "no cut-out, whatever the texture");
+    assert_eq!(mode("MASK"), (Transparency::CutOut(0.25), 0.75));
+    assert_eq!(mode("OPAQUE"), (Transparency::Opaque, 1.0));
+}
+
+#[test]
+fn textures_keep_their_samplers() {
+    let mut draft = textured();
+    draft.document["samplers"] = json!([{"wrapT": 33071, "minFilter": 9728}]);
+    draft.document["textures"] = json!([{"source": 0, "sampler": 0}, {"source": 0}]);
+    draft.document["materials"][0]["normalTexture"]["index"] = json!(1);
+    let model = draft.read().unwrap().model;
+    let clamped = TextureSampler {
+        wrapping: [WrappingMode::Repeat, WrappingMode::ClampToEdge],
+        magnification: None,
+        minification: Some(MinFilter::Nearest),
+    };
+    let samplers: Vec<TextureSampler> =
+        own_material(&model).textures.iter().map(|(_, texture)| texture.sampler).collect();
+    assert_eq!(samplers, [clamped, TextureSampler::default()]);
+}
+
+#[test]
+fn colours_of_corners_come_along_and_parts_without_are_white() {
+    let mut draft = Draft::of_a_box();
+    let shares: Vec<u8> = (0..8).flat_map(|corner| [corner * 32, 0, 255, 128]).collect();
+    let colors = draft
+        .accessor(&shares, json!({"componentType": 5121, "type": "VEC4", "count": 8, "normalized": true}));
+    let colored = json!({"attributes": {"POSITION": 0, "COLOR_0": colors}, "indices": 1});
+    let plain = json!({"attributes": {"POSITION": 0}, "indices": 1});
+    for primitives in [json!([colored, plain]), json!([plain, colored])] {
+        let is_first = primitives[0] == colored;
+        draft.document["meshes"][0]["primitives"] = primitives;
+        let model = draft.read().unwrap().model;
+        let found = &model.primitives[0].colors;
+        assert_eq!(found.len(), model.primitives[0].positions.len());
+        let white = found.iter().filter(|color| **color == [1.0; 4]).count();
+        assert_eq!(white, found.len() / 2);
+        let first = if is_first { found[0] } else { found[found.len() / 2] };
+        assert_eq!(first, [0.0, 0.0, 1.0, 128.0 / 255.0]);
+    }
+    draft.document["meshes"][0]["primitives"] = json!([plain]);
+    assert!(draft.read().unwrap().model.primitives[0].colors.is_empty());
 }
 
 #[test]
@@ -43,7 +100,7 @@ fn files_beside_the_model_are_found_from_any_folder() {
     let path = folder.path().join("chair.gltf");
     std::fs::write(&path, serde_json::to_vec(&draft.document).unwrap()).unwrap();
     let read = UserModel::read(&path, 0.0).unwrap();
-    assert_eq!(own_material(&read.model).textures[0].1.mime_type, "image/png");
+    assert_eq!(own_material(&read.model).textures[0].1.image.mime_type, "image/png");
     std::fs::remove_file(folder.path().join("grain.png")).unwrap();
     let fault = UserModel::read(&path, 0.0).unwrap_err().0.remove(0);
     assert!(fault.message.contains("grain.png") && fault.file == path, "{fault}");
