@@ -10,7 +10,7 @@ use crate::plan::OpeningKind;
 use super::convex::clip_segment;
 use super::finding::{Code, Finding};
 use super::subject::{Body, Subject};
-use super::thresholds::{FLAT_DEPTH, FLAT_ELEVATION, ROUNDING, USE_DEPTH};
+use super::thresholds::ROUNDING;
 use super::zone::{NearPair, Purpose, Zone};
 
 /// The smallest clearances of all bodies.
@@ -59,6 +59,7 @@ pub(crate) fn judge(
     hits: &[NearPair<'_>],
     findings: &mut Vec<Finding>,
 ) {
+    let limit = subject.rules().clearances.intrusion + ROUNDING;
     let mut blocked = Blocked::default();
     for &(zone, body) in hits {
         let Purpose::Using(owner, number) = zone.purpose else { continue };
@@ -67,7 +68,7 @@ pub(crate) fn judge(
         if is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner) {
             continue;
         }
-        if !is_flat(other) && zone.intrusion(subject, other) > USE_DEPTH + ROUNDING {
+        if !is_flat(subject, other) && zone.intrusion(subject, other) > limit {
             blocked.note(owner, other.id.clone(), zone.free_depth(other), clearance.minimum);
         }
     }
@@ -110,17 +111,19 @@ fn is_relative(subject: &Subject<'_>, owner: usize, side: Side, body: usize) -> 
 }
 
 /// Whether something hangs flat on a wall, where nobody walks into it.
-fn is_flat(body: &Body<'_>) -> bool {
+fn is_flat(subject: &Subject<'_>, body: &Body<'_>) -> bool {
+    let rules = subject.rules().clearances;
     matches!(body.placement.parent, Parent::Wall(_) | Parent::Opening(_))
-        && body.placement.size.depth <= FLAT_DEPTH
-        && body.low() >= FLAT_ELEVATION
+        && body.placement.size.depth <= rules.flat_depth
+        && body.low() >= rules.flat_elevation
 }
 
 /// The edges of walls and columns inside a zone, with the names of their parts. Where the wall is open, a
 /// zone may reach into the next room.
 fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(String, (Point, Point))> {
     let room = subject.room;
-    let inside = |edge: (Point, Point)| clip_segment(&zone.base, edge, USE_DEPTH + ROUNDING);
+    let margin = subject.rules().clearances.intrusion + ROUNDING;
+    let inside = |edge: (Point, Point)| clip_segment(&zone.base, edge, margin);
     let walls = room.region.borders().enumerate().filter_map(|(number, border)| {
         let segment = inside(border)?;
         (!is_open(subject, number, segment)).then(|| (format!("wall.{number}"), segment))

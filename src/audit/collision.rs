@@ -8,16 +8,17 @@ use crate::geometry::Solid;
 use super::convex::penetration;
 use super::finding::{Code, Finding};
 use super::subject::Subject;
-use super::thresholds::{COLLISION_DEPTH, ROUNDING};
+use super::thresholds::ROUNDING;
 
 /// Judges the pairs of bodies that the broad phase found.
 pub(crate) fn judge(subject: &Subject<'_>, pairs: &[(usize, usize)], findings: &mut Vec<Finding>) {
+    let limit = subject.rules().bodies.collision_depth;
     for &(a, b) in pairs {
         let (a, b) = (&subject.bodies[a], &subject.bodies[b]);
         let depth = deepest(&a.solids, &b.solids);
-        if depth > COLLISION_DEPTH + ROUNDING {
+        if depth > limit + ROUNDING {
             let objects = vec![a.id.clone(), b.id.clone()];
-            findings.push(Finding::new(Code::Collision, objects, depth, COLLISION_DEPTH));
+            findings.push(Finding::new(Code::Collision, objects, depth, limit));
         }
     }
 }

@@ -6,41 +6,39 @@ use crate::plan::Obstacle;
 
 use super::convex::{clip_segment, depth, edges, nearest_on_segment};
 use super::finding::{Code, Finding};
-use super::subject::{Body, Subject};
-use super::thresholds::{OUT_OF_ROOM, ROUNDING};
+use super::subject::Subject;
+use super::thresholds::ROUNDING;
 
 /// Halvings of the search for the deepest point of a segment: metres to nanometres.
 const SEARCH_STEPS: u32 = 40;
 
 /// Judges every body against the room.
 pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+    let limit = subject.rules().bodies.out_of_room;
     let borders: Vec<(Point, Point)> = subject.room.region.borders().collect();
     for body in &subject.bodies {
         let upright = (-body.low()).max(body.high() - subject.room.height);
         let sideways = body.solids.iter().map(|solid| {
-            let through_walls = protrusion(solid, &borders, |point| subject.room.region.contains(point));
+            let through_walls =
+                protrusion((solid, limit), &borders, |point| subject.room.region.contains(point));
             let columns = subject.room.obstacles.iter();
-            columns.map(|column| into_column(solid, column)).fold(through_walls, f64::max)
+            columns.map(|column| into_column((solid, limit), column)).fold(through_walls, f64::max)
         });
         let measured = sideways.fold(upright, f64::max);
-        if measured > OUT_OF_ROOM + ROUNDING {
-            findings.push(finding(body, measured));
+        if measured > limit + ROUNDING {
+            findings.push(Finding::new(Code::OutOfRoom, vec![body.id.clone()], measured, limit));
         }
     }
 }
 
-fn finding(body: &Body<'_>, measured: f64) -> Finding {
-    Finding::new(Code::OutOfRoom, vec![body.id.clone()], measured, OUT_OF_ROOM)
-}
-
 /// How deep a prism reaches into a column; zero where it does not, or stands on top of it.
-fn into_column(solid: &Solid, column: &Obstacle) -> f64 {
+fn into_column((solid, limit): (&Solid, f64), column: &Obstacle) -> f64 {
     let upright = column.height - solid.low;
-    if upright <= OUT_OF_ROOM || !bounds_touch(solid, &column.outline) {
+    if upright <= limit || !bounds_touch(solid, &column.outline) {
         return 0.0;
     }
     let borders: Vec<(Point, Point)> = column.outline.edges().collect();
-    upright.min(protrusion(solid, &borders, |point| !column.outline.contains(point)))
+    upright.min(protrusion((solid, limit), &borders, |point| !column.outline.contains(point)))
 }
 
 fn bounds_touch(solid: &Solid, outline: &Polygon) -> bool {
@@ -49,11 +47,15 @@ fn bounds_touch(solid: &Solid, outline: &Polygon) -> bool {
 }
 
 /// How far a prism sticks out of an allowed area, from the area's borders and a test for points; zero for
-/// less than [`OUT_OF_ROOM`].
+/// less than `limit`.
 ///
 /// A convex footprint leaves the area in one of two ways: a corner of it lies outside, or a border
 /// runs through it (past a concave corner of the room, or around a hole inside it).
-fn protrusion(solid: &Solid, borders: &[(Point, Point)], is_allowed: impl Fn(Point) -> bool) -> f64 {
+fn protrusion(
+    (solid, limit): (&Solid, f64),
+    borders: &[(Point, Point)],
+    is_allowed: impl Fn(Point) -> bool,
+) -> f64 {
     let footprint = solid.footprint();
     let (low, high) = solid.bounds;
     let passes = |&&(start, end): &&(Point, Point)| {
@@ -66,7 +68,7 @@ fn protrusion(solid: &Solid, borders: &[(Point, Point)], is_allowed: impl Fn(Poi
     let outside = footprint.iter().filter(|&&corner| !is_allowed(corner));
     let by_corner = outside.map(|&corner| distance_to(borders, corner)).fold(0.0, f64::max);
     let near = borders.iter().filter(passes);
-    let inside = near.filter_map(|&border| clip_segment(footprint, border, OUT_OF_ROOM));
+    let inside = near.filter_map(|&border| clip_segment(footprint, border, limit));
     inside.map(|segment| deepest_on(footprint, segment)).fold(by_corner, f64::max)
 }
 

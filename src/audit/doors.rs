@@ -7,7 +7,7 @@ use crate::plan::{Leaf, Opening, OpeningKind, RoomOpening};
 
 use super::finding::{Code, Finding};
 use super::subject::Subject;
-use super::thresholds::{APPROACH_DEPTH, DOOR_DEPTH, OPEN_BOUNDARY_DEPTH, ROUNDING};
+use super::thresholds::ROUNDING;
 use super::zone::{NearPair, Purpose, Zone};
 
 /// Corners of the arc of each eighth of a turn; the chords then stay within 1.1 mm of a 0.9 m leaf's arc.
@@ -30,10 +30,12 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
     zones
 }
 
-/// The box before an opening: as deep as the opening is wide, at most [`APPROACH_DEPTH`].
+/// The box before an opening: as deep as the opening is wide, at most the rule's depth.
 fn approach(subject: &Subject<'_>, place: &RoomOpening, opening: &Opening) -> Zone {
     let wall = &subject.room.walls[place.wall];
-    let most = if opening.kind == OpeningKind::OpenBoundary { OPEN_BOUNDARY_DEPTH } else { APPROACH_DEPTH };
+    let rules = subject.rules().doors;
+    let is_open = opening.kind == OpeningKind::OpenBoundary;
+    let most = if is_open { rules.open_boundary_depth } else { rules.approach_depth };
     let inward = wall.normal() * opening.width.min(most);
     let start = wall.start + wall.direction() * place.from;
     let end = wall.start + wall.direction() * place.to;
@@ -95,11 +97,12 @@ pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut
             *known = known.max(depth);
         }
     }
+    let limit = subject.rules().doors.intrusion;
     for ((opening, body), depth) in deepest {
-        if depth > DOOR_DEPTH + ROUNDING {
+        if depth > limit + ROUNDING {
             let door = format!("door:{}", subject.level.openings[opening].id);
             let objects = vec![subject.bodies[body].id.clone(), door];
-            findings.push(Finding::new(Code::DoorBlocked, objects, depth, DOOR_DEPTH));
+            findings.push(Finding::new(Code::DoorBlocked, objects, depth, limit));
         }
     }
 }

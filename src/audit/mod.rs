@@ -1,8 +1,8 @@
 //! Building and placements to findings; never changes a layout.
 //!
 //! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
-//! ([`crate::layout::solids`]). What each code means and where its figure comes from stands in
-//! `thresholds` and at the head of the file that judges it.
+//! ([`crate::layout::solids`]). What each code means stands at the head of the file
+//! that judges it, the figures and where they come from in `configs/audit.yaml`.
 
 mod clearances;
 mod collision;

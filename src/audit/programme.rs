@@ -7,7 +7,7 @@ use crate::catalog::{ClassIndex, Count, DEFAULT_STYLE, Request};
 use super::finding::{Code, Finding};
 use super::fit::can_hold;
 use super::subject::Subject;
-use super::thresholds::{REST_SHARE, ROUNDING};
+use super::thresholds::ROUNDING;
 
 /// Judges a room against its programme.
 pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
@@ -19,10 +19,10 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
             findings.push(Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked)));
         }
     }
-    let requested = subject.furnished.requested;
+    let (requested, limit) = (subject.furnished.requested, subject.rules().fulfilment.resting);
     let share = f64::from(count(subject.bodies.len())) / f64::from(requested.max(1));
-    if requested > 0 && share < REST_SHARE - ROUNDING {
-        findings.push(Finding::new(Code::Unfulfilled, Vec::new(), share, REST_SHARE));
+    if requested > 0 && share < limit - ROUNDING {
+        findings.push(Finding::new(Code::Unfulfilled, Vec::new(), share, limit));
     }
 }
 

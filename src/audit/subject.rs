@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::catalog::{Catalog, Class};
+use crate::catalog::{AuditRules, Catalog, Class};
 use crate::geometry::Solid;
 use crate::layout::{Furnished, Parent, Placement, solids};
 use crate::plan::{Level, Room};
@@ -43,6 +43,11 @@ impl<'a> Subject<'a> {
     pub(crate) fn new(level: &'a Level, room: usize, furnished: &'a Furnished, catalog: &'a Catalog) -> Self {
         let bodies = furnished.placements.iter().map(|placement| Body::new(placement, catalog)).collect();
         Self { level, room: &level.rooms[room], furnished, catalog, bodies }
+    }
+
+    /// The thresholds.
+    pub(crate) fn rules(&self) -> &'a AuditRules {
+        &self.catalog.audit
     }
 
     /// Whether `object` is `ancestor` or rests on it, directly or over others.

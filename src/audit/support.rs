@@ -10,32 +10,34 @@ use crate::plan::{OpeningKind, Wall, WallKind};
 use super::convex::{depth, distance, edges, penetration, segment_distance};
 use super::finding::{Code, Finding};
 use super::subject::{Body, Subject};
-use super::thresholds::{OVERHANG_SHARE, ROUNDING, SUPPORT_GAP};
+use super::thresholds::ROUNDING;
 
 /// Judges every body against its support.
 pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+    let rules = subject.rules().bodies;
     for body in &subject.bodies {
         let gap = gap_to_support(subject, body);
-        if gap > SUPPORT_GAP + ROUNDING {
-            findings.push(Finding::new(Code::Floating, vec![body.id.clone()], gap, SUPPORT_GAP));
+        if gap > rules.support_gap + ROUNDING {
+            findings.push(Finding::new(Code::Floating, vec![body.id.clone()], gap, rules.support_gap));
         } else if let Some((support, share)) = overhang(subject, body) {
             let objects = vec![body.id.clone(), support];
-            findings.push(Finding::new(Code::Unsupported, objects, share, OVERHANG_SHARE));
+            findings.push(Finding::new(Code::Unsupported, objects, share, rules.overhang_share));
         }
     }
 }
 
 /// Metres between a body and what carries it; zero or less in contact.
 fn gap_to_support(subject: &Subject<'_>, body: &Body<'_>) -> f64 {
-    let is_standing = body.low() <= SUPPORT_GAP;
+    let contact = subject.rules().bodies.support_gap;
+    let is_standing = body.low() <= contact;
     let placement = body.placement;
     match placement.parent {
         Parent::Floor => body.low(),
         Parent::Ceiling => subject.room.height - body.high(),
         Parent::Object(parent) if placement.side == Side::Above => {
-            let under = gap_above(&subject.bodies[parent], body);
+            let under = gap_above(&subject.bodies[parent], body, contact);
             // A hood belongs to its cooker but hangs on the wall.
-            if may_hang(body) { under.min(gap_behind(subject, body)) } else { under }
+            if may_hang(body, contact) { under.min(gap_behind(subject, body)) } else { under }
         }
         _ if is_standing => body.low(),
         Parent::Wall(wall) => gap_to_wall(subject, wall, None, body),
@@ -47,15 +49,15 @@ fn gap_to_support(subject: &Subject<'_>, body: &Body<'_>) -> f64 {
 }
 
 /// Whether its class ever stands clear of what it belongs to.
-fn may_hang(body: &Body<'_>) -> bool {
-    body.class.parents.iter().any(|rule| rule.elevation.1 > SUPPORT_GAP)
+fn may_hang(body: &Body<'_>, contact: f64) -> bool {
+    body.class.parents.iter().any(|rule| rule.elevation.1 > contact)
 }
 
 /// Metres between a body's underside and the highest part of its parent (or the floor) under it.
-fn gap_above(parent: &Body<'_>, body: &Body<'_>) -> f64 {
+fn gap_above(parent: &Body<'_>, body: &Body<'_>, contact: f64) -> f64 {
     let is_under = |part: &&Solid| {
         let overlaps = |solid: &Solid| penetration(part.footprint(), solid.footprint()) > 0.0;
-        part.high <= body.low() + SUPPORT_GAP && body.solids.iter().any(overlaps)
+        part.high <= body.low() + contact && body.solids.iter().any(overlaps)
     };
     body.low() - parent.solids.iter().filter(is_under).map(|part| part.high).fold(0.0, f64::max)
 }
@@ -124,7 +126,8 @@ fn gap_to_segment(body: &Body<'_>, segment: (Point, Point)) -> f64 {
 fn overhang(subject: &Subject<'_>, body: &Body<'_>) -> Option<(String, f64)> {
     let Parent::Object(parent) = body.placement.parent else { return None };
     let parent = &subject.bodies[parent];
-    let carries = |part: &&Solid| (part.high - body.low()).abs() <= SUPPORT_GAP + ROUNDING;
+    let rules = subject.rules().bodies;
+    let carries = |part: &&Solid| (part.high - body.low()).abs() <= rules.support_gap + ROUNDING;
     let support: Vec<&Solid> = parent.solids.iter().filter(carries).collect();
     if body.placement.side != Side::Above || support.is_empty() {
         return None;
@@ -137,7 +140,7 @@ fn overhang(subject: &Subject<'_>, body: &Body<'_>) -> Option<(String, f64)> {
     let carrier = union(support.into_iter());
     let share = carried.difference(&carrier).unsigned_area() / carried.unsigned_area();
     let is_balanced = carried.centroid().is_some_and(|center| carrier.contains(&center));
-    (share > OVERHANG_SHARE + ROUNDING || !is_balanced).then(|| (parent.id.clone(), share))
+    (share > rules.overhang_share + ROUNDING || !is_balanced).then(|| (parent.id.clone(), share))
 }
 
 fn is_within(outer: &[Point], inner: &[Point]) -> bool {

@@ -8,7 +8,8 @@ use super::digest::finish_digest;
 use super::read::{Definitions, Files};
 use super::report::Report;
 use super::resolve::{
-    Names, StyleWorld, resolve_classes, resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
+    Names, StyleWorld, resolve_audit, resolve_classes, resolve_palettes, resolve_room_types, resolve_styles,
+    resolve_words,
 };
 use super::table::{Extends, Table};
 use super::{Catalog, Class, DEFAULT_STYLE, DefinitionKind};
@@ -16,10 +17,11 @@ use crate::document::{Fault, Faults, Warned};
 use crate::plan::GENERIC_ROOM_TYPE;
 
 /// Reads the built-in configuration and then the users' folders, each of which may hold `classes/`,
-/// `rooms/`, `styles/`, `palettes/` and `room_words.yaml`.
+/// `rooms/`, `styles/`, `palettes/`, `room_words.yaml` and `audit.yaml`.
 ///
 /// A definition replaces the one of the same id in an earlier folder whole, unless it `extends` itself.
-/// What extends or names an id always means its last definition. Room words are merged word by word.
+/// What extends or names an id always means its last definition. Room words are merged word by word,
+/// thresholds of the audit one by one.
 ///
 /// # Errors
 /// All faults of all files at once, by file and place.
@@ -55,6 +57,7 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
     let styles = resolve_styles(&definitions.styles.chains(report), &world, report);
     check_programmes(&room_types, &styles, &names, report);
     let room_words = resolve_words(&definitions.words, &definitions.room_types, &definitions.styles, report);
+    let audit = resolve_audit(&definitions.audit, report);
     check_indispensable(definitions, report);
 
     let classes: Vec<Class> = classes.into_iter().map(|resolved| resolved.class).collect();
@@ -65,6 +68,7 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
         styles: by_id(styles.into_iter().map(|resolved| resolved.style), |one| &one.id),
         palettes: by_id(palettes, |one| &one.id),
         room_words,
+        audit,
         origins: find_origins(definitions, files),
     }
 }

@@ -1,8 +1,10 @@
-//! `configs/` to a checked [`Catalog`]: classes, room types, styles and palettes, all inheritance resolved.
+//! `configs/` to a checked [`Catalog`]: classes, room types, styles, palettes and the audit's thresholds, all
+//! inheritance resolved.
 //!
 //! What later stages may rely on: every class index points into [`Catalog::classes`], every name into its
 //! table; sizes are positive; every palette fills every slot; no class has itself as its only ancestor.
 
+mod audit;
 mod builtin;
 mod check;
 mod class;
@@ -22,6 +24,10 @@ mod tests;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+pub use audit::{
+    AlignmentRules, AuditRules, BalanceRules, BedRules, BodyRules, ClearanceRules, DoorRules, FacingRules,
+    FulfilmentRules, ScoreRules, ScreenRules, WalkingRules, WetRoomRules, WindowRules,
+};
 pub use builtin::{BuiltinFile, builtin_file, builtin_files};
 pub use class::{
     Along, Class, ClassIndex, Clearance, Extent, Grid, ModelSource, Orientation, ParentName, ParentRule,
@@ -47,6 +53,8 @@ pub struct Catalog {
     pub palettes: BTreeMap<String, Palette>,
     /// The room words of plan formats.
     pub room_words: RoomWords,
+    /// What the audit calls a fault.
+    pub audit: AuditRules,
     /// The file in which each definition is written: the last one where later folders replace earlier ones.
     /// Built-in files stand below `configs/`.
     pub origins: BTreeMap<(DefinitionKind, String), PathBuf>,

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
+use super::audit::{AUDIT_FILE, AuditFile};
 use super::builtin::{BUILTIN_FOLDER, builtin_files};
 use super::file::{ClassEntry, ClassFile, PaletteEntry, PaletteFile, RoomFile, RoomTypeEntry, StyleEntry};
 use super::file::{StyleFile, WordsFile};
@@ -19,6 +20,7 @@ enum FileKind {
     Styles,
     Palettes,
     Words,
+    Audit,
 }
 
 /// The folders that hold definitions.
@@ -79,6 +81,8 @@ pub(crate) struct Definitions {
     pub(crate) palettes: Table<PaletteEntry>,
     /// The room words of each file, with its index.
     pub(crate) words: Vec<(usize, WordsFile)>,
+    /// The thresholds of each file, with its index.
+    pub(crate) audit: Vec<(usize, AuditFile)>,
 }
 
 impl Files {
@@ -180,7 +184,7 @@ pub(crate) fn add_to_digest(hasher: &mut Sha256, bytes: &[u8]) {
 
 fn nothing_found(folder: &Path) -> Fault {
     Fault::of_file(folder, "this folder holds no configuration").as_warning().with_hint(
-        "definitions stand in YAML or JSON files below classes/, rooms/, styles/ and palettes/, and in room_words.yaml",
+        "definitions stand in YAML or JSON files below classes/, rooms/, styles/ and palettes/, in room_words.yaml and audit.yaml",
     )
 }
 
@@ -190,8 +194,10 @@ fn kind_of(key: &str) -> Option<FileKind> {
     if !EXTENSIONS.contains(&extension) {
         return None;
     }
-    if stem == WORDS_FILE {
-        return Some(FileKind::Words);
+    match stem {
+        WORDS_FILE => return Some(FileKind::Words),
+        AUDIT_FILE => return Some(FileKind::Audit),
+        _ => {}
     }
     let (folder, _) = key.split_once('/')?;
     FOLDERS.iter().find(|(name, _)| *name == folder).map(|&(_, kind)| kind)
@@ -226,6 +232,7 @@ enum Parsed {
     Styles(StyleFile),
     Palettes(PaletteFile),
     Words(WordsFile),
+    Audit(Box<AuditFile>),
 }
 
 fn parse(kind: FileKind, source: &Source) -> Result<Parsed, Faults> {
@@ -235,6 +242,7 @@ fn parse(kind: FileKind, source: &Source) -> Result<Parsed, Faults> {
         FileKind::Styles => Parsed::Styles(source.parse()?),
         FileKind::Palettes => Parsed::Palettes(source.parse()?),
         FileKind::Words => Parsed::Words(source.parse()?),
+        FileKind::Audit => Parsed::Audit(Box::new(source.parse()?)),
     })
 }
 
@@ -246,6 +254,7 @@ impl Definitions {
             Parsed::Styles(file) => add_all(&mut self.styles, file.styles, place, report),
             Parsed::Palettes(file) => add_all(&mut self.palettes, file.palettes, place, report),
             Parsed::Words(file) => self.words.push((place.0, file)),
+            Parsed::Audit(file) => self.audit.push((place.0, *file)),
         }
     }
 }

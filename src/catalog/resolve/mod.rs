@@ -1,6 +1,7 @@
 //! Definitions as written to definitions as meant: inheritance followed, names found, units converted,
 //! every value checked. What is wrong is reported where it is written, and the rest goes on.
 
+mod audit;
 mod class;
 mod color;
 mod model;
@@ -16,6 +17,7 @@ mod sides;
 mod style;
 mod words;
 
+pub(crate) use audit::resolve_audit;
 pub(crate) use class::{ResolvedClass, resolve_classes};
 pub(crate) use color::srgb_hex;
 pub(crate) use names::Names;

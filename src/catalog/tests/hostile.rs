@@ -8,7 +8,7 @@ use super::cases::load_above_base;
 use super::resolved::folder;
 
 /// One file of each kind with every key.
-const FILES: [(&str, &str); 5] = [
+const FILES: [(&str, &str); 6] = [
     (
         "classes/a.yaml",
         "version: 1
@@ -51,6 +51,7 @@ styles:
     ),
     ("palettes/a.yaml", "version: 1\npalettes:\n  warm: {extends: modern, materials: {wood: {color: \"#b58a5a\", roughness: 0.6}}}\n"),
     ("room_words.yaml", "version: 1\nformats:\n  archilyse: {BEDROOM: office}\n"),
+    ("audit.yaml", "version: 1\nthresholds:\n  walking: {person: 0.5}\n  screens: {angle: 20}\n"),
 ];
 
 /// What is put into files.

@@ -290,3 +290,16 @@ fn what_others_fall_back_to_must_be_there() {
     assert!(faults.contains("no folder defines the style \"default\""), "{faults}");
     assert!(faults.contains("no folder defines the room type \"generic\""), "{faults}");
 }
+
+#[test]
+fn thresholds_are_merged_one_by_one_and_angles_are_radians() {
+    let builtin = load(&[]).audit;
+    let changed = load(&[
+        ("audit.yaml", "version: 1\nthresholds: {walking: {person: 0.5}, facing: {angle: 90}}\n"),
+        ("audit.json", "{\"version\": 1, \"thresholds\": {\"walking\": {\"robot\": 0.4}}}"),
+    ])
+    .audit;
+    assert_eq!((changed.walking.person, changed.walking.robot), (0.5, 0.4));
+    assert_eq!(changed.walking.narrow_person, builtin.walking.narrow_person);
+    assert!((changed.facing.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+}

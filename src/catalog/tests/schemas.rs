@@ -4,6 +4,7 @@ use std::path::Path;
 
 use schemars::{JsonSchema, schema_for};
 
+use crate::catalog::audit::AuditFile;
 use crate::catalog::file::{ClassFile, PaletteFile, RoomFile, StyleFile, WordsFile};
 
 /// Writes a schema that differs and tells so.
@@ -27,6 +28,7 @@ fn published_schemas_are_up_to_date() {
         is_published::<StyleFile>("styles"),
         is_published::<PaletteFile>("palettes"),
         is_published::<WordsFile>("room_words"),
+        is_published::<AuditFile>("audit"),
     ];
-    assert_eq!(all, [true; 5], "schemas have been written anew");
+    assert_eq!(all, [true; 6], "schemas have been written anew");
 }
