@@ -122,3 +122,34 @@ fn samplers_colours_and_blending_are_kept() {
         assert_eq!([red, green, blue, opacity], [f32::from(REDS[corner]) / 255.0, 1.0, 1.0, 1.0]);
     }
 }
+
+/// The model in a container whose buffer and image stay outside it.
+fn container() -> Vec<u8> {
+    let glb = gltf::Glb {
+        header: gltf::binary::Header { magic: *b"glTF", version: 2, length: 0 },
+        json: document().to_string().into_bytes().into(),
+        bin: None,
+    };
+    glb.to_vec().unwrap()
+}
+
+#[test]
+fn a_change_beside_the_model_is_baked_again() {
+    for is_container in [false, true] {
+        let world = world();
+        if is_container {
+            world.write("more/classes/crate.glb", container());
+            world.write("more/classes/mine.yaml", CLASSES.replace("crate.gltf", "crate.glb"));
+        }
+        assert!(bake(&world).contains("Baked 1 level,"));
+        assert!(bake(&world).contains("Baked 0 levels"), "nothing has changed");
+        let mut bytes = buffer();
+        bytes[232] = 7;
+        world.write("more/classes/parts/the box.bin", &bytes);
+        assert!(bake(&world).contains("Baked 1 level,"), "the buffer, container: {is_container}");
+        let image = [&DOT[..], b"more"].concat();
+        world.write("more/classes/grain #1.png", &image);
+        assert!(bake(&world).contains("Baked 1 level,"), "the image, container: {is_container}");
+        assert!(bake(&world).contains("Baked 0 levels"));
+    }
+}

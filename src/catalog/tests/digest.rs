@@ -44,6 +44,31 @@ fn it_changes_with_every_byte_that_is_read() {
 }
 
 #[test]
+fn it_covers_files_with_encoded_names_and_those_beside_a_container() {
+    let model = MODEL
+        .replace("vase.bin", "parts/the%20vase.bin")
+        .replace("}]}", "}], \"images\": [{\"uri\": \"glaze.png\"}]}");
+    let folder = folder(&[("classes/vase.yaml", &VASE.replace("vase.gltf", "vase.glb"))]);
+    write(folder.path(), "classes/parts/the vase.bin", "bytes");
+    write(folder.path(), "classes/glaze.png", "green");
+    let glb = gltf::Glb {
+        header: gltf::binary::Header { magic: *b"glTF", version: 2, length: 0 },
+        json: model.into_bytes().into(),
+        bin: None,
+    };
+    std::fs::write(folder.path().join("classes/vase.glb"), glb.to_vec().unwrap()).unwrap();
+    let before = digest(&[&folder]);
+    write(folder.path(), "classes/parts/the vase.bin", "BYTES");
+    let after = digest(&[&folder]);
+    assert_ne!(after, before, "the buffer, though its name is encoded");
+    write(folder.path(), "classes/glaze.png", "white");
+    assert_ne!(digest(&[&folder]), after, "the image");
+    write(folder.path(), "classes/parts/the vase.bin", "bytes");
+    write(folder.path(), "classes/glaze.png", "green");
+    assert_eq!(digest(&[&folder]), before);
+}
+
+#[test]
 fn it_changes_with_names_and_order_but_not_with_what_is_not_read() {
     let (first, second) = (folder(&[("classes/a.yaml", "version: 1\nclasses: {}\n")]), vase());
     assert_ne!(digest(&[&first, &second]), digest(&[&second, &first]));

@@ -1,6 +1,6 @@
 //! Opening a `.glb` or `.gltf`: its document and its buffers.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use gltf::json::Root;
 use serde::Deserialize;
@@ -53,6 +53,22 @@ pub(super) fn open(path: &Path) -> Result<Container, Problem> {
     refuse_motion(&document)?;
     let buffers = read_buffers(&document, blob, &mut resources)?;
     Ok(Container { document, buffers, resources })
+}
+
+/// The files beside a model file that its document refers to, buffers first, in its order; `bytes` are the file's own.
+///
+/// Nothing is told of a file that is no glTF, or of places that are never read: whoever opens it does that.
+pub(crate) fn companion_files(path: &Path, bytes: &[u8]) -> Vec<PathBuf> {
+    let document: serde_json::Value =
+        split(bytes).ok().and_then(|(text, _)| serde_json::from_slice(&text).ok()).unwrap_or_default();
+    let resources = Resources::beside(path);
+    ["buffers", "images"]
+        .iter()
+        .filter_map(|key| document.get(key)?.as_array())
+        .flatten()
+        .filter_map(|entry| entry.get("uri")?.as_str())
+        .filter_map(|uri| resources.file_of_uri(uri).ok().flatten())
+        .collect()
 }
 
 /// The document's text and the binary chunk of a `.glb`.

@@ -17,6 +17,8 @@ mod tests;
 
 use std::path::{Path, PathBuf};
 
+pub(crate) use container::companion_files;
+
 use super::Model;
 use crate::catalog::Size;
 use crate::document::Faults;

@@ -35,11 +35,18 @@ impl Resources {
 
     /// The bytes that a URI stands for.
     pub(super) fn read_uri(&mut self, uri: &str) -> Result<Vec<u8>, Problem> {
-        if let Some(data) = uri.strip_prefix("data:") {
-            return self.decode(data);
+        match self.file_of_uri(uri)? {
+            Some(file) => self.read_file(&file),
+            None => self.decode(uri),
         }
-        let path = local_path(uri)?;
-        self.read_file(&self.folder.join(path))
+    }
+
+    /// The file that a URI names; `None` for data URIs.
+    pub(super) fn file_of_uri(&self, uri: &str) -> Result<Option<PathBuf>, Problem> {
+        if uri.starts_with("data:") {
+            return Ok(None);
+        }
+        local_path(uri).map(|path| Some(self.folder.join(path)))
     }
 
     fn decode(&mut self, data: &str) -> Result<Vec<u8>, Problem> {
