@@ -18,6 +18,7 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::SystemTime;
 
 use super::fault::{FaultCode, OutputFault};
 use super::join::JOINING_PREFIX;
@@ -58,6 +59,8 @@ pub(crate) struct Known {
     pub(crate) written: BTreeMap<String, BTreeSet<String>>,
     /// Shared geometry by path.
     pub(crate) library: BTreeMap<String, FileRecord>,
+    /// When the oldest manifest was written: after the files that it lists.
+    pub(crate) recorded: Option<SystemTime>,
 }
 
 /// Run folders, by whether their process lives.
@@ -142,7 +145,10 @@ impl OutputFolder {
 
 impl Known {
     fn read(root: &Path, runs: &Runs, is_forced: bool) -> Result<Self, OutputFault> {
-        let sources = Sources::read(&manifest_paths(root)?, &runs.journals())?;
+        let manifests = manifest_paths(root)?;
+        let written_at = |path: &PathBuf| fs::metadata(path).and_then(|found| found.modified()).ok();
+        let recorded = manifests.iter().filter_map(written_at).min();
+        let sources = Sources::read(&manifests, &runs.journals())?;
         let contents = sources.contents(is_forced)?;
         let newest = |(key, mut found): (LevelKey, Vec<Found<'_>>)| {
             let last = found.pop()?;
@@ -150,7 +156,7 @@ impl Known {
             Some((key, (last.program, head)))
         };
         let levels = contents.levels.into_iter().filter_map(newest).collect();
-        Ok(Self { levels, written: contents.written, library: contents.library })
+        Ok(Self { levels, written: contents.written, library: contents.library, recorded })
     }
 }
 

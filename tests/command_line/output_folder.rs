@@ -36,6 +36,30 @@ fn an_edited_file_is_not_overwritten() {
 }
 
 #[test]
+fn an_edit_that_keeps_the_length_is_noticed() {
+    let world = World::new();
+    world.write("a.yaml", plan("alpha", 2));
+    world.must(&["bake", "a.yaml"]);
+    let before = world.files("out");
+    let mut edited = world.read("out/alpha/1.glb");
+    *edited.last_mut().unwrap() ^= 1;
+    world.write("out/alpha/1.glb", &edited);
+    let ran = world.run(&["bake", "a.yaml"]);
+    assert_eq!(ran.code, Some(1), "{}{}", ran.stdout, ran.stderr);
+    assert!(
+        ran.stderr.contains("error[foreign_file]: alpha/1") && ran.stderr.contains("--force"),
+        "{}",
+        ran.stderr
+    );
+    assert_eq!(world.read("out/alpha/1.glb"), edited);
+    assert!(world.must(&["bake", "a.yaml", "--force"]).stdout.contains("Baked 1 level,"));
+    assert_eq!(world.files("out"), before);
+    // The same bytes written again, as by a copy of the folder, are no edit.
+    world.write("out/alpha/1.glb", world.read("out/alpha/1.glb"));
+    assert!(world.must(&["bake", "a.yaml"]).stdout.contains("Kept 2 levels"));
+}
+
+#[test]
 fn a_foreign_manifest_stops_the_run() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
