@@ -23,6 +23,11 @@ impl Finding {
         objects.sort_unstable();
         Self { code, severity: code.severity(), objects, measured, threshold }
     }
+
+    /// The same finding where the plan leaves no other choice.
+    pub(crate) fn given(self) -> Self {
+        Self { severity: Severity::Given, ..self }
+    }
 }
 
 /// The kinds of findings; the words are part of the output.
@@ -39,6 +44,8 @@ pub enum Code {
     Unsupported,
     /// A body in a door's swing or approach.
     DoorBlocked,
+    /// A door, or a side of an object that is used, cannot be walked to.
+    Unreachable,
     /// A body in the clearance of a functional side.
     BlockedUse,
     /// A required piece is absent.
@@ -49,12 +56,13 @@ pub enum Code {
 
 impl Code {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Collision,
         Self::OutOfRoom,
         Self::Floating,
         Self::Unsupported,
         Self::DoorBlocked,
+        Self::Unreachable,
         Self::BlockedUse,
         Self::MissingRequired,
         Self::Unfulfilled,
@@ -69,13 +77,14 @@ impl Code {
             Self::Floating => "floating",
             Self::Unsupported => "unsupported",
             Self::DoorBlocked => "door_blocked",
+            Self::Unreachable => "unreachable",
             Self::BlockedUse => "blocked_use",
             Self::MissingRequired => "missing_required",
             Self::Unfulfilled => "unfulfilled",
         }
     }
 
-    /// How bad a finding of this kind is.
+    /// How bad a finding of this kind is, unless the plan leaves no other choice.
     #[must_use]
     pub fn severity(self) -> Severity {
         if self == Self::Unfulfilled { Severity::Minor } else { Severity::Failed }
@@ -92,6 +101,8 @@ impl Code {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
+    /// The empty room already makes the rule impossible: no fault of the furniture, and no part of the grade.
+    Given,
     /// The room is usable all the same.
     Minor,
     /// The room fails.
@@ -102,7 +113,7 @@ pub enum Severity {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Grade {
-    /// No finding.
+    /// No finding, or none of the furniture's.
     None,
     /// Minor findings only.
     Minor,
@@ -115,7 +126,11 @@ impl Grade {
     #[must_use]
     pub fn of(findings: &[Finding]) -> Self {
         findings.iter().fold(Self::None, |grade, finding| {
-            grade.max(if finding.severity == Severity::Failed { Self::Failed } else { Self::Minor })
+            grade.max(match finding.severity {
+                Severity::Given => Self::None,
+                Severity::Minor => Self::Minor,
+                Severity::Failed => Self::Failed,
+            })
         })
     }
 }
@@ -130,7 +145,9 @@ mod tests {
         let failed = Finding::new(Code::Collision, vec!["b.1".into(), "a.1".into()], 0.1, 0.001);
         assert_eq!(Grade::of(&[]), Grade::None);
         assert_eq!(Grade::of(std::slice::from_ref(&minor)), Grade::Minor);
-        assert_eq!(Grade::of(&[failed.clone(), minor]), Grade::Failed);
+        assert_eq!(Grade::of(&[failed.clone(), minor.clone()]), Grade::Failed);
+        assert_eq!(Grade::of(&[failed.clone().given()]), Grade::None);
+        assert_eq!(Grade::of(&[failed.clone().given(), minor]), Grade::Minor);
         assert_eq!(failed.objects, ["a.1", "b.1"]);
     }
 

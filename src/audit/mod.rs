@@ -12,6 +12,8 @@ mod doors;
 mod finding;
 mod fit;
 mod programme;
+mod raster;
+mod reach;
 mod subject;
 mod summary;
 mod support;
@@ -19,10 +21,13 @@ mod sweep;
 #[cfg(test)]
 mod testing;
 mod thresholds;
+mod verdict;
+mod walk;
 mod zone;
 
 pub use finding::{Code, Finding, Grade, Severity};
 pub use summary::{AuditSummary, GradeCounts};
+pub use verdict::{DoorRate, Verdict};
 
 use crate::catalog::Catalog;
 use crate::layout::Furnished;
@@ -32,15 +37,23 @@ use subject::Subject;
 use sweep::{Bounds, touching_pairs};
 use zone::{NearPair, Zone};
 
+/// The findings of [`judge_room`].
+///
+/// # Panics
+/// As [`judge_room`].
+#[must_use]
+pub fn audit_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Vec<Finding> {
+    judge_room(level, room, furnished, catalog).findings
+}
+
 /// Judges one furnished room.
 ///
-/// `room` is an index into `level.rooms`, `furnished` what the layout made of it. The findings are sorted by
-/// code, then by objects; an empty list is a good room.
+/// `room` is an index into `level.rooms`, `furnished` what the layout made of it.
 ///
 /// # Panics
 /// If `furnished` names a class, parent, wall or opening that does not exist.
 #[must_use]
-pub fn audit_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Vec<Finding> {
+pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Verdict {
     let subject = Subject::new(level, room, furnished, catalog);
     let mut findings = Vec::new();
     // The physical faults that one body can have by itself.
@@ -53,10 +66,13 @@ pub fn audit_room(level: &Level, room: usize, furnished: &Furnished, catalog: &C
     collision::judge(&subject, &collisions, &mut findings);
     doors::judge(&subject, &hits, &mut findings);
     clearances::judge(&subject, &zones, &hits, &mut findings);
+    let rates = reach::judge(&subject, &zones, &mut findings);
     // What should be there and is not.
     programme::judge(&subject, &mut findings);
     findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
-    findings
+    let door =
+        |(door, rate): (usize, f64)| DoorRate { door: format!("door:{}", level.openings[door].id), rate };
+    Verdict { findings, walkable: rates.into_iter().map(door).collect() }
 }
 
 /// Pairs of bodies whose boxes touch, and pairs of a zone and a body whose boxes touch.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::finding::{Finding, Grade};
+use super::finding::{Finding, Grade, Severity};
 
 /// Verdicts of a level, a building or a whole run. The order in which rooms are added does not matter.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -13,6 +13,8 @@ pub struct AuditSummary {
     pub grades: GradeCounts,
     /// Findings by the name of their code; codes without a finding are left out.
     pub findings: BTreeMap<&'static str, u32>,
+    /// The same of what the plans leave no other choice in; no part of the grades.
+    pub given: BTreeMap<&'static str, u32>,
 }
 
 /// Rooms by the paper's three grades.
@@ -35,7 +37,11 @@ impl AuditSummary {
             Grade::Failed => self.grades.failed += 1,
         }
         for finding in findings {
-            *self.findings.entry(finding.code.name()).or_insert(0) += 1;
+            let counts = match finding.severity {
+                Severity::Given => &mut self.given,
+                Severity::Minor | Severity::Failed => &mut self.findings,
+            };
+            *counts.entry(finding.code.name()).or_insert(0) += 1;
         }
     }
 
@@ -44,8 +50,10 @@ impl AuditSummary {
         self.grades.none += other.grades.none;
         self.grades.minor += other.grades.minor;
         self.grades.failed += other.grades.failed;
-        for (&name, &count) in &other.findings {
-            *self.findings.entry(name).or_insert(0) += count;
+        for (own, others) in [(&mut self.findings, &other.findings), (&mut self.given, &other.given)] {
+            for (&name, &count) in others {
+                *own.entry(name).or_insert(0) += count;
+            }
         }
     }
 
@@ -69,11 +77,12 @@ mod tests {
         first.add_room(&[]);
         first.add_room(&[collision.clone(), collision, unfulfilled.clone()]);
         let mut second = AuditSummary::default();
-        second.add_room(&[unfulfilled]);
+        second.add_room(&[unfulfilled.clone(), unfulfilled.given()]);
         first.merge(&second);
         assert_eq!(first.grades, GradeCounts { none: 1, minor: 1, failed: 1 });
         assert_eq!(first.room_count(), 3);
         let json = serde_json::to_string(&first.findings).unwrap();
         assert_eq!(json, r#"{"collision":2,"unfulfilled":2}"#);
+        assert_eq!(first.given, BTreeMap::from([("unfulfilled", 1)]));
     }
 }

@@ -8,7 +8,7 @@ use crate::geometry::{Point, Polygon, Region};
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
 use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
 
-use super::{Code, Finding, audit_room};
+use super::{Code, Finding, Verdict, judge_room};
 
 /// A room 2.5 m high with hand-placed objects of the test catalogue:
 /// chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3, picture 0.6 × 0.05 × 0.5,
@@ -115,7 +115,11 @@ impl TestRoom {
     }
 
     pub(crate) fn audit(&self) -> Vec<Finding> {
-        audit_room(&self.level, 0, &self.furnished(), &self.catalog)
+        self.judge().findings
+    }
+
+    pub(crate) fn judge(&self) -> Verdict {
+        judge_room(&self.level, 0, &self.furnished(), &self.catalog)
     }
 
     pub(crate) fn count(&self, code: Code) -> usize {
