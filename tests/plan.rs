@@ -9,6 +9,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot read its case fails
 
 mod plan {
+    mod damaged;
     mod faults;
     mod good;
     mod import;

@@ -1,5 +1,7 @@
 //! Every fault of an input: place, value, hint, exit code, and an output folder that nobody touched.
 
+use std::path::Path;
+
 use super::world::{World, plan};
 
 /// Bakes one bad plan; the command must refuse with these words and create nothing.
@@ -165,6 +167,23 @@ fn one_bad_building_does_not_stop_the_others() {
     assert_eq!(ran.code, Some(1));
     assert!(ran.stderr.contains("bad.yaml:2:"), "{}", ran.stderr);
     assert_eq!(world.names("out"), ["good/1.glb", "manifest.json"]);
+}
+
+#[test]
+fn one_bad_floor_does_not_stop_its_building() {
+    let world = World::new();
+    let block = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/plan_import/block");
+    for entry in std::fs::read_dir(block).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        // The drawing of the upper floor comes first.
+        let text = text.replacen("\"scale\": 1.0", "\"scale\": 0.0", 1);
+        world.write(&format!("block/{}", path.file_name().unwrap().to_str().unwrap()), text);
+    }
+    let ran = world.run(&["bake", "block"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("react_planner_projects.json:8:13: scale 0 is no size"), "{}", ran.stderr);
+    assert_eq!(world.names("out"), ["block/floor_0.glb", "manifest.json"]);
 }
 
 /// A faulty catalogue stops everything: no room could be trusted.

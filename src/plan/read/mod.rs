@@ -22,7 +22,7 @@ use self::native::{NativeDraft, read_native};
 use super::{
     BuildingDraft, PlacedBuilding, Plan, PlanOptions, PlanReading, ProjectSettings, RoomWords, SitePlacement,
 };
-use crate::document::{Fault, Faults, Source, Warned};
+use crate::document::{Fault, Faults, Source};
 
 /// A building as a reader of a foreign format found it.
 #[derive(Clone, Debug, Default)]
@@ -45,8 +45,29 @@ pub(crate) struct ForeignFormat {
     pub(crate) read: fn(&Path, &RoomWords) -> ReadResult,
 }
 
-/// All buildings of a file or folder.
-pub(crate) type ReadResult = Result<Warned<Vec<DraftedBuilding>>, Faults>;
+/// What a reader of a foreign format found.
+#[derive(Debug)]
+pub(crate) struct Found {
+    /// The buildings as far as they could be read.
+    pub(crate) buildings: Vec<DraftedBuilding>,
+    /// Warnings, and errors about what was left out.
+    pub(crate) faults: Faults,
+}
+
+impl Found {
+    /// Buildings without a level are nothing.
+    ///
+    /// # Errors
+    /// All faults, if they left no building.
+    pub(crate) fn new(mut buildings: Vec<DraftedBuilding>, mut faults: Faults) -> ReadResult {
+        buildings.retain(|building| !building.draft.levels.is_empty());
+        faults.sort();
+        if buildings.is_empty() && faults.has_errors() { Err(faults) } else { Ok(Self { buildings, faults }) }
+    }
+}
+
+/// All buildings of a file or folder, or why there is none.
+pub(crate) type ReadResult = Result<Found, Faults>;
 
 /// All formats but the native one, in the order in which they are asked.
 pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
@@ -180,13 +201,13 @@ fn read_drafts(path: &Path, words: &RoomWords) -> Drafts {
         };
     };
     match (format.read)(path, words) {
-        Ok(Warned { value, warnings }) => {
+        Ok(Found { buildings, faults }) => {
             let drafted = |DraftedBuilding { id, draft }| Drafted {
                 id,
                 draft,
                 provenance: Provenance::Foreign(path.to_owned()),
             };
-            Drafts { drafts: value.into_iter().map(drafted).collect(), faults: warnings, is_project: false }
+            Drafts { drafts: buildings.into_iter().map(drafted).collect(), faults, is_project: false }
         }
         Err(faults) => Drafts { faults, ..Drafts::default() },
     }

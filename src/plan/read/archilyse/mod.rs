@@ -6,6 +6,9 @@
 //! - a drawing `plan_N.json` with its areas in `areas_plan_N.json` beside it or in `../areas/`: a building `plan_N` of
 //!   one floor.
 //!
+//! What is wrong with an area leaves that out, what is wrong with a floor or its drawing leaves the floor out; the rest is
+//! read.
+//!
 //! Drawings are in pixels, areas in metres, both in one frame; y points up.
 
 mod areas;
@@ -14,6 +17,7 @@ mod level;
 mod rooms;
 mod single;
 mod site;
+mod tables;
 
 #[cfg(test)]
 mod tests;

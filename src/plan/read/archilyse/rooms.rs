@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::NAME;
 use super::areas::{Area, Outline};
-use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
+use super::tables::Table;
+use crate::document::{Fault, FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::unknown_word;
 use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
 
@@ -14,24 +15,20 @@ const TOILET_TYPE: &str = "toilet";
 /// Areas of a file with their outlines, by place in the file.
 pub(super) type Outlined<'a> = Vec<(&'a Area, Vec<Outline>)>;
 
-/// The outlines of all areas of a file.
-///
-/// # Errors
-/// Every area whose text is no polygon, with its place.
-pub(super) fn outlined<'a>(source: &Source, areas: &'a [Area]) -> Result<Outlined<'a>, Faults> {
-    let mut faults = Faults::default();
-    let mut outlined = Vec::with_capacity(areas.len());
-    for (index, area) in areas.iter().enumerate() {
+/// The outlines of all areas of a table; an area whose text is no polygon is left out and reported at its place.
+pub(super) fn outlined<'a>(areas: &'a Table<Area>, faults: &mut Faults) -> Outlined<'a> {
+    let mut outlined = Vec::new();
+    for (index, area) in areas.rows() {
         match area.outlines() {
             Ok(outlines) => outlined.push((area, outlines)),
             Err(message) => {
                 let path = [PathStep::from(index), "scaled_polygon".into()];
                 let hint = Some("POLYGON ((x y, ...)) in metres is needed".to_owned());
-                faults.push(source.fault(&path, message, hint, FaultSeverity::Error));
+                faults.push(areas.source.fault(&path, message, hint, FaultSeverity::Error));
             }
         }
     }
-    if faults.is_empty() { Ok(outlined) } else { Err(faults) }
+    outlined
 }
 
 /// Room types by word, remembering the words that are unknown.
@@ -61,10 +58,11 @@ impl<'a> RoomTypes<'a> {
     }
 
     /// One warning per unknown word, at its first area.
-    pub(super) fn warnings(&self, source: &Source, areas: &[Area]) -> Faults {
+    pub(super) fn warnings(&self, areas: &Table<Area>) -> Faults {
         let warning = |(word, &(id, count)): (&String, &(i64, usize))| -> Fault {
-            let index = areas.iter().position(|area| area.id == id).unwrap_or_default();
-            unknown_word(source, &[index.into(), "area_type".into()], NAME, (word, count))
+            let index =
+                areas.rows().find(|(_, area)| area.id == id).map(|(index, _)| index).unwrap_or_default();
+            unknown_word(&areas.source, &[index.into(), "area_type".into()], NAME, (word, count))
         };
         Faults(self.unknown.iter().map(warning).collect())
     }

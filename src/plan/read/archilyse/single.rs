@@ -6,9 +6,10 @@ use super::areas::Area;
 use super::drawing::Drawing;
 use super::level::{Floor, Heights, Naming, level};
 use super::rooms::{RoomTypes, outlined};
-use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, Warned};
+use super::tables::Table;
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
 use crate::plan::read::foreign::both;
-use crate::plan::read::{DraftedBuilding, ReadResult};
+use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::metres_per_pixel;
 use crate::plan::{BuildingDraft, RoomWords};
 
@@ -16,11 +17,12 @@ use crate::plan::{BuildingDraft, RoomWords};
 pub(super) fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let source = Source::read(path)?;
     let drawing = source.parse::<Drawing>();
-    let areas_source = Source::read(&areas_file(path)?)?;
+    let areas_file = areas_file(path)?;
+    let mut faults = Faults::default();
     // Both files are looked at before giving up on one.
-    let (drawing, areas) = both(drawing, areas_source.parse::<Vec<Area>>())?;
+    let (drawing, areas) = both(drawing, Table::<Area>::read(&areas_file, &mut faults))?;
     let pixel = pixel_size(&source, drawing.scale, &["scale".into()])?;
-    let areas_of_floor = outlined(&areas_source, &areas)?;
+    let areas_of_floor = outlined(&areas, &mut faults);
     let mut types = RoomTypes::new(words);
     let heights = Heights::default();
     let floor = Floor { drawing: &drawing, pixel, areas: areas_of_floor, heights, number: 0 };
@@ -29,8 +31,8 @@ pub(super) fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let levels = vec![level(&floor, &mut naming)];
     let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let draft = BuildingDraft { name: None, levels };
-    let warnings = types.warnings(&areas_source, &areas);
-    Ok(Warned { value: vec![DraftedBuilding { id, draft }], warnings })
+    faults.merge(types.warnings(&areas));
+    Found::new(vec![DraftedBuilding { id, draft }], faults)
 }
 
 /// The file of a drawing's areas, beside it or in the folder `areas` beside its own.

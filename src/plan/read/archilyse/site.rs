@@ -12,9 +12,10 @@ use super::drawing::Drawing;
 use super::level::{Floor, Heights, Naming, level};
 use super::rooms::{Outlined, RoomTypes, outlined};
 use super::single::pixel_size;
-use crate::document::{FaultSeverity, Faults, PathStep, Source};
+use super::tables::Table;
+use crate::document::{FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::both;
-use crate::plan::read::{DraftedBuilding, ReadResult};
+use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::{BuildingDraft, LevelDraft, RoomWords};
 
 #[derive(Deserialize, JsonSchema)]
@@ -59,9 +60,9 @@ struct UnitAreaRow {
 
 /// The tables of a site.
 struct Site {
-    projects: (Source, Vec<ProjectRow>),
-    areas: (Source, Vec<Area>),
-    floors: (Source, Vec<FloorRow>),
+    projects: Table<ProjectRow>,
+    areas: Table<Area>,
+    floors: Table<FloorRow>,
     heights: BTreeMap<i64, Heights>,
     /// Title by building.
     titles: BTreeMap<i64, String>,
@@ -70,20 +71,24 @@ struct Site {
 }
 
 /// Reads a site's folder: one building for each that a floor names, floors lowest first.
+///
+/// A floor that cannot be read is reported and left out.
 pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
-    let site = Site::read(folder)?;
-    let outlines = outlined(&site.areas.0, &site.areas.1)?;
-    let mut types = RoomTypes::new(words);
     let mut faults = Faults::default();
+    let site = Site::read(folder, &mut faults)?;
+    let outlines = outlined(&site.areas, &mut faults);
+    let mut types = RoomTypes::new(words);
     let mut buildings: BTreeMap<i64, Vec<(i32, LevelDraft)>> = BTreeMap::new();
-    for (index, floor) in site.floors.1.iter().enumerate() {
-        match site.level(index, &outlines, &mut types) {
-            Ok(level) => buildings.entry(floor.building_id).or_default().push((floor.floor_number, level)),
+    for (index, floor) in site.floors.rows() {
+        let floors = buildings.entry(floor.building_id).or_default();
+        match site.level((index, floor), &outlines, &mut types) {
+            Ok(level) => floors.push((floor.floor_number, level)),
             Err(found) => faults.merge(found),
         }
     }
-    faults.merge(types.warnings(&site.areas.0, &site.areas.1));
+    faults.merge(types.warnings(&site.areas));
     let name = folder_name(folder);
+    // Counted with those that lost all floors, so that a fault does not rename the others.
     let is_single = buildings.len() == 1;
     let drafted = buildings.into_iter().map(|(building, mut floors)| {
         // The table of floors is in no order.
@@ -92,8 +97,7 @@ pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
         let levels = floors.into_iter().map(|(_, level)| level).collect();
         DraftedBuilding { id, draft: BuildingDraft { name: site.titles.get(&building).cloned(), levels } }
     });
-    let drafted = drafted.collect();
-    faults.into_result(drafted)
+    Found::new(drafted.collect(), faults)
 }
 
 /// The folder's own name, also where the path is `.`.
@@ -103,18 +107,21 @@ fn folder_name(folder: &Path) -> String {
 }
 
 impl Site {
-    fn read(folder: &Path) -> Result<Self, Faults> {
+    fn read(folder: &Path, faults: &mut Faults) -> Result<Self, Faults> {
         let (projects, (areas, floors)) = both(
-            table::<ProjectRow>(folder, SITE_FILE),
-            both(table(folder, "areas.json"), table(folder, "floors.json")),
+            Table::read(&folder.join(SITE_FILE), faults),
+            both(
+                Table::read(&folder.join("areas.json"), faults),
+                Table::read(&folder.join("floors.json"), faults),
+            ),
         )?;
         let (plans, (buildings, (units, unit_areas))) = both(
-            optional_table::<PlanRow>(folder, "plans.json"),
+            optional_rows::<PlanRow>(folder, "plans.json", faults),
             both(
-                optional_table::<BuildingRow>(folder, "buildings.json"),
+                optional_rows::<BuildingRow>(folder, "buildings.json", faults),
                 both(
-                    optional_table::<UnitRow>(folder, "units.json"),
-                    optional_table::<UnitAreaRow>(folder, "unit_areas.json"),
+                    optional_rows::<UnitRow>(folder, "units.json", faults),
+                    optional_rows::<UnitAreaRow>(folder, "unit_areas.json", faults),
                 ),
             ),
         )?;
@@ -131,21 +138,21 @@ impl Site {
     /// The level of a row of the table of floors.
     fn level(
         &self,
-        row: usize,
+        (row, floor): (usize, &FloorRow),
         outlines: &Outlined<'_>,
         types: &mut RoomTypes<'_>,
     ) -> Result<LevelDraft, Faults> {
-        let floor = &self.floors.1[row];
-        let project = self.projects.1.iter().position(|project| project.plan_id == floor.plan_id);
-        let project = project.ok_or_else(|| {
+        let mut projects = self.projects.rows();
+        let project = projects.find(|(_, project)| project.plan_id == floor.plan_id);
+        let (place, project) = project.ok_or_else(|| {
             let path = [PathStep::from(row), "plan_id".into()];
             let message = format!("floor {} has no drawing {}", floor.floor_number, floor.plan_id);
-            let hint = Some(format!("\"{SITE_FILE}\" needs an entry with this plan_id"));
-            self.floors.0.fault(&path, message, hint, FaultSeverity::Error)
+            let hint = Some(format!("\"{SITE_FILE}\" needs a sound entry with this plan_id"));
+            self.floors.source.fault(&path, message, hint, FaultSeverity::Error)
         })?;
-        let drawing = &self.projects.1[project].data;
-        let path = [PathStep::from(project), "data".into(), "scale".into()];
-        let pixel = pixel_size(&self.projects.0, drawing.scale, &path)?;
+        let drawing = &project.data;
+        let path = [PathStep::from(place), "data".into(), "scale".into()];
+        let pixel = pixel_size(&self.projects.source, drawing.scale, &path)?;
         let mine = outlines.iter().filter(|(area, _)| area.plan_id == Some(floor.plan_id));
         let heights = self.heights.get(&floor.plan_id).copied().unwrap_or_default();
         let floor =
@@ -158,24 +165,16 @@ impl Site {
     }
 }
 
-fn table<T>(folder: &Path, name: &str) -> Result<(Source, Vec<T>), Faults>
-where
-    T: for<'de> Deserialize<'de> + JsonSchema,
-{
-    let source = Source::read(&folder.join(name))?;
-    let rows = source.parse()?;
-    Ok((source, rows))
-}
-
 /// No rows where the file is missing.
-fn optional_table<T>(folder: &Path, name: &str) -> Result<Vec<T>, Faults>
+fn optional_rows<T>(folder: &Path, name: &str, faults: &mut Faults) -> Result<Vec<T>, Faults>
 where
     T: for<'de> Deserialize<'de> + JsonSchema,
 {
-    if !folder.join(name).exists() {
+    let file = folder.join(name);
+    if !file.exists() {
         return Ok(Vec::new());
     }
-    table(folder, name).map(|(_, rows)| rows)
+    Table::read(&file, faults).map(Table::into_rows)
 }
 
 fn apartments(units: &[UnitRow], unit_areas: &[UnitAreaRow]) -> BTreeMap<i64, String> {

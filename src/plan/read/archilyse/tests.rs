@@ -31,9 +31,9 @@ fn buildings(data: &Path) -> Vec<DraftedBuilding> {
         .iter()
         .flat_map(|path| {
             assert!(recognises(path), "{}", path.display());
-            let warned = read(path, &words).unwrap_or_else(|faults| panic!("{faults}"));
-            assert!(warned.warnings.is_empty(), "{}", warned.warnings);
-            warned.value
+            let found = read(path, &words).unwrap_or_else(|faults| panic!("{faults}"));
+            assert!(found.faults.is_empty(), "{}", found.faults);
+            found.buildings
         })
         .collect()
 }
@@ -123,7 +123,7 @@ fn the_shared_drawings_hold_what_their_source_says() {
 #[test]
 fn a_site_is_one_building_with_its_floors_in_order() {
     let Some(data) = folder("archilyse") else { return };
-    let site = read(&data.join("site_1440"), &words()).unwrap().value;
+    let site = read(&data.join("site_1440"), &words()).unwrap().buildings;
     assert_eq!(site.len(), 1);
     let levels = &site[0].draft.levels;
     let ids: Vec<&str> = levels.iter().map(|level| level.id.as_str()).collect();
@@ -282,7 +282,7 @@ fn broken(from: &str, to: &str) -> Faults {
         std::fs::write(path, text.replacen(from, to, 1)).unwrap();
     }
     match read(&folder.path().join("plan_7.json"), &words()) {
-        Ok(read) => read.warnings,
+        Ok(read) => read.faults,
         Err(faults) => faults,
     }
 }

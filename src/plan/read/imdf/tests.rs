@@ -14,9 +14,9 @@ use crate::plan::{LevelDraft, OpeningPlace, assemble_level};
 fn university() -> Option<Vec<DraftedBuilding>> {
     let path = folder("imdf-spbpu")?;
     assert!(recognises(&path));
-    let warned = read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}"));
-    assert!(warned.warnings.is_empty(), "{}", warned.warnings);
-    Some(warned.value)
+    let found = read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}"));
+    assert!(found.faults.is_empty(), "{}", found.faults);
+    Some(found.buildings)
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn broken(name: &str, from: &str, to: &str) -> Faults {
     }
     assert!(recognises(folder.path()));
     match read(folder.path(), &words()) {
-        Ok(read) => read.warnings,
+        Ok(read) => read.faults,
         Err(faults) => faults,
     }
 }

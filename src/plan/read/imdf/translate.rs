@@ -7,7 +7,7 @@ use super::place::{outlines, plane_of, points};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::unknown_word;
-use crate::plan::read::{DraftedBuilding, ReadResult};
+use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
     BuildingDraft, GENERIC_ROOM_TYPE, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace,
@@ -44,7 +44,7 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
         buildings.push(DraftedBuilding { id, draft: BuildingDraft { name, levels } });
     }
     translation.report_unknown_words();
-    translation.faults.into_result(buildings)
+    Found::new(buildings, translation.faults)
 }
 
 /// A name that reads well in paths, or the feature's own id.
