@@ -53,6 +53,30 @@ pub struct Class {
     pub depth: u32,
 }
 
+impl Class {
+    /// A box made by a recipe in one look, of these sizes, that stands nowhere and offers nothing: where programs that
+    /// put catalogues together themselves begin.
+    #[must_use]
+    pub fn plain(id: &str, sizes: Vec<Size>, recipe: &str) -> Self {
+        Self {
+            id: id.to_owned(),
+            label: id.to_owned(),
+            groups: Vec::new(),
+            sizes,
+            looks: 1,
+            shape: Shape::Box,
+            parents: Vec::new(),
+            sides: [SideOffer::NONE; 6],
+            clearances: Vec::new(),
+            relations: Vec::new(),
+            grid: None,
+            priority: 0,
+            model: ModelSource::Recipe { name: recipe.to_owned(), parameters: Vec::new() },
+            depth: 0,
+        }
+    }
+}
+
 /// Metres: x width, y depth, z height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {

@@ -3,33 +3,23 @@ use crate::layout::{Parent, Placement, Removal, RemovalReason};
 use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, assemble_level};
 
 use super::*;
-use crate::catalog::{Class, ModelSource, RoomType, Shape, Side, SideOffer, Size};
+use crate::catalog::{Class, RoomType, Side, Size};
 
 const DESK: Size = Size { width: 1.6, depth: 0.8, height: 0.74 };
 
 fn class() -> Class {
+    let clearance = crate::catalog::Clearance {
+        side: Side::Front,
+        minimum: 0.75,
+        good: 0.9,
+        margin: 0.0,
+        height: 2.0,
+        allows_children: true,
+    };
     Class {
-        id: "desk".to_owned(),
         label: "Desk <wide>".to_owned(),
-        groups: Vec::new(),
-        sizes: vec![DESK],
-        looks: 1,
-        shape: Shape::Box,
-        parents: Vec::new(),
-        sides: [SideOffer::NONE; 6],
-        clearances: vec![crate::catalog::Clearance {
-            side: Side::Front,
-            minimum: 0.75,
-            good: 0.9,
-            margin: 0.0,
-            height: 2.0,
-            allows_children: true,
-        }],
-        relations: Vec::new(),
-        grid: None,
-        priority: 0,
-        model: ModelSource::Recipe { name: "desk".to_owned(), parameters: Vec::new() },
-        depth: 0,
+        clearances: vec![clearance],
+        ..Class::plain("desk", vec![DESK], "desk")
     }
 }
 

@@ -138,26 +138,10 @@ fn unknown_recipe(class: &Class, name: &str) -> Fault {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::{Shape, SideOffer};
 
     fn class(id: &str, recipe: &str) -> Class {
         let size = |width| Size { width, depth: 0.5, height: 0.9 };
-        Class {
-            id: id.to_owned(),
-            label: id.to_owned(),
-            groups: Vec::new(),
-            sizes: vec![size(0.5), size(0.6)],
-            looks: 2,
-            shape: Shape::Box,
-            parents: Vec::new(),
-            sides: [SideOffer::NONE; 6],
-            clearances: Vec::new(),
-            relations: Vec::new(),
-            grid: None,
-            priority: 0,
-            model: ModelSource::Recipe { name: recipe.to_owned(), parameters: Vec::new() },
-            depth: 0,
-        }
+        Class { looks: 2, ..Class::plain(id, vec![size(0.5), size(0.6)], recipe) }
     }
 
     fn library(recipe: &str) -> ModelLibrary {

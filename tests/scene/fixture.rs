@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use roomwright::catalog::{
-    Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, MATERIAL_SLOTS, Material, ModelSource, Palette,
-    RoomType, Shape, Side, SideOffer, Size, Style, Untidiness,
+    Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, MATERIAL_SLOTS, Material, Palette, RoomType, Side,
+    Size, Style, Untidiness,
 };
 use roomwright::geometry::{Point, Polygon, Region};
 use roomwright::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -154,22 +154,7 @@ pub(crate) fn two_rooms() -> Level {
 }
 
 fn class(id: &str, width: f64, depth: f64, height: f64) -> Class {
-    Class {
-        id: id.to_owned(),
-        label: id.to_owned(),
-        groups: Vec::new(),
-        sizes: vec![Size { width, depth, height }],
-        looks: 2,
-        shape: Shape::Box,
-        parents: Vec::new(),
-        sides: [SideOffer::NONE; 6],
-        clearances: Vec::new(),
-        relations: Vec::new(),
-        grid: None,
-        priority: 0,
-        model: ModelSource::Recipe { name: id.to_owned(), parameters: Vec::new() },
-        depth: 0,
-    }
+    Class { looks: 2, ..Class::plain(id, vec![Size { width, depth, height }], id) }
 }
 
 fn material(slot: &str) -> Material {

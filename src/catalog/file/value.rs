@@ -42,6 +42,31 @@ impl<T: JsonSchema> JsonSchema for OneOrMany<T> {
     }
 }
 
+/// The schema of a number where a list of so many numbers may stand. The derived one would offer a choice, and
+/// faults would then name neither of its ways.
+macro_rules! number_or_list {
+    ($name:ident, $count:literal) => {
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                json_schema!({
+                    "type": ["number", "array"],
+                    "items": {"type": "number"},
+                    "minItems": $count,
+                    "maxItems": $count
+                })
+            }
+        }
+    };
+}
+
 /// A number, or the lowest and the highest.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(untagged)]
@@ -78,24 +103,7 @@ impl Pair {
     }
 }
 
-impl JsonSchema for Pair {
-    fn schema_name() -> Cow<'static, str> {
-        "Pair".into()
-    }
-
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "type": ["number", "array"],
-            "items": {"type": "number"},
-            "minItems": 2,
-            "maxItems": 2
-        })
-    }
-}
+number_or_list!(Pair, 2);
 
 /// A number for all edges, or left, front, right, back.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -117,24 +125,7 @@ impl Edges {
     }
 }
 
-impl JsonSchema for Edges {
-    fn schema_name() -> Cow<'static, str> {
-        "Edges".into()
-    }
-
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "type": ["number", "array"],
-            "items": {"type": "number"},
-            "minItems": 4,
-            "maxItems": 4
-        })
-    }
-}
+number_or_list!(Edges, 4);
 
 /// A coordinate inside a box as written: metres from the low end, or a share of the length.
 #[derive(Clone, Debug, PartialEq, Deserialize)]

@@ -27,6 +27,16 @@ fn machine(builder: &mut Builder, fittings: &Fittings, bay: Bay, slot: &'static 
     body.inset(0.003, 0.003, 0.0)
 }
 
+/// A machine under its own top; gives its fittings and the bay of its fronts.
+fn machine_under_top(builder: &mut Builder) -> (Fittings, Bay) {
+    let bay = builder.bay();
+    builder.block("appliance", bay.slab(Side::Above, 0.025), 0.004);
+    let fittings = steel("appliance");
+    let body = bay.without(Side::Above, 0.025 - SINK).inset(0.002, 0.0, 0.002);
+    let face = machine(builder, &fittings, body, "appliance");
+    (fittings, face)
+}
+
 /// A free-standing cooker: four zones over an oven.
 pub(super) fn cooker(_draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
@@ -42,11 +52,7 @@ pub(super) fn cooker(_draft: &Draft, builder: &mut Builder) {
 
 /// A dishwasher under its own top.
 pub(super) fn dishwasher(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    builder.block("appliance", bay.slab(Side::Above, 0.025), 0.004);
-    let fittings = steel("appliance");
-    let body = bay.without(Side::Above, 0.025 - SINK).inset(0.002, 0.0, 0.002);
-    let face = machine(builder, &fittings, body, "appliance");
+    let (fittings, face) = machine_under_top(builder);
     let strip = face.slab(Side::Above, face.height() * 0.14);
     fittings.panel(builder, strip);
     let door = face.without(Side::Above, face.height() * 0.14 + 0.004);
@@ -60,11 +66,7 @@ pub(super) fn dishwasher(_draft: &Draft, builder: &mut Builder) {
 
 /// A washing machine with a porthole and a drawer for powder.
 pub(super) fn washing_machine(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    builder.block("appliance", bay.slab(Side::Above, 0.025), 0.004);
-    let fittings = steel("appliance");
-    let body = bay.without(Side::Above, 0.025 - SINK).inset(0.002, 0.0, 0.002);
-    let face = machine(builder, &fittings, body, "appliance");
+    let (fittings, face) = machine_under_top(builder);
     let strip = face.slab(Side::Above, face.height() * 0.16);
     let surface = face.high.z - REACH;
     fittings.panel(builder, face.without(Side::Above, face.height() * 0.16 + 0.003));
