@@ -3,13 +3,13 @@
 use geo::{Area, BooleanOps};
 
 use super::Assembly;
-use crate::geometry::{Point, Polygon, Region};
+use crate::geometry::{Point, Polygon};
 use crate::plan::clean::{separate_holes, to_surface};
 use crate::plan::inset::CenterRoom;
 use crate::plan::{Problem, Subject};
 
-/// Overlaps below this many square metres are drawing noise.
-const SMALLEST_OVERLAP: f64 = 0.05;
+/// Overlaps up to this many square metres are drawing noise: a corner that slipped by a few millimetres.
+const LARGEST_SLIP: f64 = 0.02;
 /// A room that lies in another with this share of its area is one drawn inside it.
 const ENCLOSED_SHARE: f64 = 0.9;
 
@@ -57,39 +57,33 @@ struct Overlap {
     area: f64,
 }
 
-/// All pairs of rooms that share floor, by index.
+/// All pairs of rooms that share floor, by the smaller and then the larger index.
 fn overlaps(borders: &[CenterRoom]) -> Vec<Overlap> {
-    let regions: Vec<Region> = borders
-        .iter()
-        .map(|room| Region { outline: room.ring.polygon.clone(), holes: room.holes.clone() })
-        .collect();
-    let bounds: Vec<(Point, Point)> = regions.iter().map(|region| region.outline.bounds()).collect();
-    let mut found = Vec::new();
-    for first in 0..regions.len() {
-        for second in first + 1..regions.len() {
-            let (low, high) = (bounds[first].0.max(bounds[second].0), bounds[first].1.min(bounds[second].1));
-            let size = (high - low).max(Point::ZERO);
-            let may_overlap = size.x * size.y >= SMALLEST_OVERLAP
-                && (reaches_into(&regions[first], &regions[second])
-                    || reaches_into(&regions[second], &regions[first]));
-            let area = if may_overlap { shared_area(&regions[first], &regions[second]) } else { 0.0 };
-            if area >= SMALLEST_OVERLAP {
-                let is_first_larger = regions[first].outline.area() >= regions[second].outline.area();
-                let (large, small) = if is_first_larger { (first, second) } else { (second, first) };
-                found.push(Overlap { large, small, area });
+    let bounds: Vec<(Point, Point)> = borders.iter().map(|room| room.ring.polygon.bounds()).collect();
+    let mut order: Vec<usize> = (0..borders.len()).collect();
+    order.sort_by(|&a, &b| bounds[a].0.x.total_cmp(&bounds[b].0.x));
+    let mut pairs = Vec::new();
+    for (place, &room) in order.iter().enumerate() {
+        // Sorted from west to east: nobody after the first that begins east of this room touches it.
+        let reached = order[place + 1..].iter().take_while(|&&other| bounds[other].0.x < bounds[room].1.x);
+        for &other in reached {
+            let size = bounds[room].1.min(bounds[other].1) - bounds[room].0.max(bounds[other].0);
+            if size.min_element() > 0.0 && size.x * size.y > LARGEST_SLIP {
+                pairs.push((room.min(other), room.max(other)));
             }
         }
     }
-    found
+    pairs.sort_unstable();
+    let overlap = |(first, second): (usize, usize)| {
+        let area = shared_area(&borders[first], &borders[second]);
+        let is_first_larger = borders[first].ring.polygon.area() >= borders[second].ring.polygon.area();
+        let (large, small) = if is_first_larger { (first, second) } else { (second, first) };
+        (area > LARGEST_SLIP).then_some(Overlap { large, small, area })
+    };
+    pairs.into_iter().filter_map(overlap).collect()
 }
 
-/// A cheap look before the exact one: corners and middles of edges.
-fn reaches_into(region: &Region, other: &Region) -> bool {
-    let mut places = region.outline.edges().flat_map(|(a, b)| [a, a.midpoint(b)]);
-    places.any(|place| other.contains(place))
-}
-
-fn shared_area(first: &Region, second: &Region) -> f64 {
-    let first = to_surface(&first.outline, &first.holes);
-    first.intersection(&to_surface(&second.outline, &second.holes)).unsigned_area()
+fn shared_area(first: &CenterRoom, second: &CenterRoom) -> f64 {
+    let surface = |room: &CenterRoom| to_surface(&room.ring.polygon, &room.holes);
+    surface(first).intersection(&surface(second)).unsigned_area()
 }

@@ -3,15 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use geo::{Area, BooleanOps};
-
-use crate::plan::clean::to_surface;
 use crate::plan::{Level, LevelDraft, OpeningKind, Problem, Room, Subject};
 
 /// Metres that an opening may lose to the ends of its wall without a word.
 const LOST_WIDTH: f64 = 0.005;
-/// Square metres that two rooms may share without a word: the slip of a corner by a millimetre.
-const SHARED_AREA: f64 = 0.02;
 /// Rooms of these types need no way in.
 const CLOSED_ROOM_TYPES: [&str; 2] = ["shaft", "void"];
 
@@ -38,7 +33,6 @@ impl NativeChecks {
     pub(crate) fn run(&self, level: &Level, problems: &mut Vec<Problem>) {
         self.cut_openings(level, problems);
         self.sealed_rooms(level, problems);
-        self.overlapping_rooms(level, problems);
     }
 
     fn cut_openings(&self, level: &Level, problems: &mut Vec<Problem>) {
@@ -65,44 +59,7 @@ impl NativeChecks {
         }
     }
 
-    fn overlapping_rooms(&self, level: &Level, problems: &mut Vec<Problem>) {
-        let mut order: Vec<(&Room, (f64, f64))> = level
-            .rooms
-            .iter()
-            .map(|room| {
-                let (low, high) = room.region.outline.bounds();
-                (room, (low.x, high.x))
-            })
-            .collect();
-        order.sort_by(|a, b| a.1.0.total_cmp(&b.1.0));
-        for (index, (room, (_, end))) in order.iter().enumerate() {
-            // Sorted from west to east: nobody after the first that begins east of this room touches it.
-            for (other, _) in order[index + 1..].iter().take_while(|(_, (start, _))| start < end) {
-                let shared = shared_area(room, other);
-                if shared > SHARED_AREA {
-                    let mut pair = [*room, *other];
-                    pair.sort_by_key(|room| self.rooms.get(&room.id));
-                    let [first, second] = pair.map(|room| &room.id);
-                    let fact = format!("rooms \"{first}\" and \"{second}\" share {shared:.2} m² of floor");
-                    let hint = Some("move their outlines apart, or cut a hole");
-                    problems.push(Problem::warning(self.subject(pair[1]), fact, hint));
-                }
-            }
-        }
-    }
-
     fn subject(&self, room: &Room) -> Subject {
         self.rooms.get(&room.id).map_or(Subject::Level, |index| Subject::Room(*index))
     }
-}
-
-/// Square metres of floor that two rooms claim both.
-fn shared_area(a: &Room, b: &Room) -> f64 {
-    let ((a_low, a_high), (b_low, b_high)) = (a.region.outline.bounds(), b.region.outline.bounds());
-    let common = a_high.min(b_high) - a_low.max(b_low);
-    if common.min_element() <= 0.0 || common.x * common.y <= SHARED_AREA {
-        return 0.0;
-    }
-    let surface = |room: &Room| to_surface(&room.region.outline, &room.region.holes);
-    surface(a).intersection(&surface(b)).unsigned_area()
 }
