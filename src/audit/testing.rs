@@ -222,12 +222,14 @@ fn class(id: &str, (width, depth, height): (f64, f64, f64), parent: ParentName) 
         along: Along::Random,
         gap: (0.0, 0.0),
         elevation: (0.0, 0.0),
+        above_head: None,
     };
     Class {
         id: id.into(),
         label: id.into(),
         groups: Vec::new(),
         sizes: vec![Size { width, depth, height }],
+        usual_sizes: 1,
         looks: 1,
         shape: Shape::Box,
         parents: vec![rule],

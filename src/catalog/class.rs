@@ -30,6 +30,8 @@ pub struct Class {
     pub groups: Vec<String>,
     /// The sizes it is made in; at least one.
     pub sizes: Vec<Size>,
+    /// How many of them, from the first, a room asks for; the others are taken where none of these has a place.
+    pub usual_sizes: usize,
     /// How many looks of each size the model recipe makes; at least one.
     pub looks: u32,
     /// The solid parts of its box.
@@ -62,6 +64,7 @@ impl Class {
             id: id.to_owned(),
             label: id.to_owned(),
             groups: Vec::new(),
+            usual_sizes: sizes.len(),
             sizes,
             looks: 1,
             shape: Shape::Box,
@@ -198,6 +201,9 @@ pub struct ParentRule {
     /// Metres of the underside above the parent's underside (above its top for `above`), lowest and
     /// highest; zero for what stands.
     pub elevation: (f64, f64),
+    /// For windows and doors: metres of the top above the opening's head, in place of the elevation; the piece
+    /// covers the opening.
+    pub above_head: Option<f64>,
 }
 
 /// What a class may name as its parent.
@@ -338,8 +344,13 @@ pub enum RelationKind {
 /// A regular layout on a side (section 3.3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
-    /// Metres between neighbours along x and y of the parent's side.
+    /// Metres between neighbours along x and y: along the width and the depth of the class where it turns by
+    /// quarters, else of the parent's side.
     pub interval: Point,
+    /// Places in a row along x and y after which an aisle follows; zero for none.
+    pub block: [u32; 2],
+    /// Metres that an aisle adds to the interval.
+    pub aisle: f64,
     /// Whether the grid is centred on the side instead of starting at a random first position.
     pub is_centered: bool,
 }
@@ -368,6 +379,12 @@ impl Class {
     #[must_use]
     pub fn variant_count(&self) -> u32 {
         u32::try_from(self.sizes.len()).expect("a class lists a handful of sizes") * self.looks
+    }
+
+    /// Number of variants that a room asks for: the usual sizes times looks.
+    #[must_use]
+    pub fn usual_variant_count(&self) -> u32 {
+        u32::try_from(self.usual_sizes).expect("a class lists a handful of sizes") * self.looks
     }
 
     /// The size of a variant; variant = index of the size × looks + look.

@@ -62,6 +62,8 @@ pub enum Count {
     PerArea(f64, u32, u32),
     /// Pieces for each piece of another class that was asked for (four chairs a table).
     PerPiece(ClassIndex, f64),
+    /// Pieces for each window of the room.
+    PerWindow(f64),
     /// As many as fit, at most.
     Fill(u32),
 }

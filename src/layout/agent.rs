@@ -29,6 +29,8 @@ pub(crate) struct Agent {
     pub(crate) bodies: std::ops::Range<usize>,
     /// Its clearances, as a range of [`super::environment::Environment::clearances`].
     pub(crate) clearances: std::ops::Range<usize>,
+    /// Its box where others could slide under it, as a range of the environment's roofs; one or none.
+    pub(crate) roofs: std::ops::Range<usize>,
     /// How often it has searched, for the random stream.
     pub(crate) searches: u32,
 }
@@ -86,6 +88,7 @@ impl Agent {
             children: Vec::new(),
             bodies: 0..0,
             clearances: 0..0,
+            roofs: 0..0,
             searches: 0,
         }
     }

@@ -41,6 +41,9 @@ fn search_in_any_size(
     agent: AgentIndex,
     key: &RoomKey,
 ) -> Result<Place, RemovalReason> {
+    if environment.class(agent).parents.iter().any(|rule| rule.above_head.is_some()) {
+        return search_in_sizes(environment, agent, key, &covering_sizes(environment, agent));
+    }
     let drawn = search(environment, agent, key);
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
     if drawn.is_ok() || class.sizes.len() == 1 || environment.is_exhausted[piece.class] {
@@ -51,15 +54,38 @@ fn search_in_any_size(
     let variants = (0..class.variant_count()).filter(|variant| variant % class.looks == look);
     let mut smaller: Vec<u32> = variants.filter(|&variant| area(variant) < area(piece.variant)).collect();
     smaller.sort_by(|&a, &b| area(b).total_cmp(&area(a)).then(a.cmp(&b)));
-    for variant in smaller {
+    search_in_sizes(environment, agent, key, &smaller).or(drawn)
+}
+
+/// Searches in one size after the other; where none has a place, says why the last has none.
+fn search_in_sizes(
+    environment: &mut Environment<'_>,
+    agent: AgentIndex,
+    key: &RoomKey,
+    variants: &[u32],
+) -> Result<Place, RemovalReason> {
+    let mut found = Err(RemovalReason::NoPlace);
+    for &variant in variants {
         environment.agents[agent].piece.variant = variant;
-        environment.agents[agent].size = class.size(variant);
-        let found = search(environment, agent, key);
+        environment.agents[agent].size = environment.class(agent).size(variant);
+        found = search(environment, agent, key);
         if found.is_ok() {
-            return found;
+            break;
         }
     }
-    drawn
+    found
+}
+
+/// The sizes of something that covers an opening, in the look that was drawn: the largest first, so that a wide
+/// window gets a wide curtain.
+fn covering_sizes(environment: &Environment<'_>, agent: AgentIndex) -> Vec<u32> {
+    let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
+    let look = piece.variant % class.looks;
+    let mut variants: Vec<u32> =
+        (0..class.variant_count()).filter(|variant| variant % class.looks == look).collect();
+    let area = |&variant: &u32| class.size(variant).width * class.size(variant).height;
+    variants.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.cmp(b)));
+    variants
 }
 
 /// "We prioritize agents according to their expected depth in the hierarchy, so that the arrangement of tables

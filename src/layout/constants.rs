@@ -20,9 +20,13 @@ pub(crate) const TRIALS_PER_WALL: usize = 3;
 pub(crate) const SCAN_STEP: f64 = 0.2;
 /// Points of that scan at most; larger floors are scanned more coarsely.
 pub(crate) const SCAN_POINTS: f64 = 1500.0;
+/// Metres between the points of a scan over a table top or shelf.
+pub(crate) const SURFACE_STEP: f64 = 0.08;
 /// Metres from the end of a free stretch of wall within which a piece slides flush to the end: nobody leaves a
 /// gap that a broom does not fit into.
 pub(crate) const SNAP_DISTANCE: f64 = 0.25;
+/// Metres by which a curtain may be wider and higher than its window.
+pub(crate) const COVER_MARGIN: f64 = 0.45;
 /// Depth in metres of the free space before a door, at most (a narrower door keeps its own width).
 pub(crate) const DOOR_APPROACH: f64 = 0.8;
 /// Depth in metres of the free space along an open boundary.
@@ -43,6 +47,14 @@ pub(crate) const HANGING_GAP: f64 = 0.008;
 pub(crate) const FRONT_MARGIN: f64 = 0.04;
 /// Share of a score lost by standing before a window.
 pub(crate) const WINDOW_PENALTY: f64 = 2.0;
+/// Metres up to which a piece is too narrow to darken a window.
+pub(crate) const NARROW_WIDTH: f64 = 0.6;
+/// Share of a score lost by taking the place of a seat, or by leaving none for one's own.
+pub(crate) const SEAT_PENALTY: f64 = 3.0;
+/// Metres before a table or desk that a seat takes with somebody on it.
+pub(crate) const SEAT_DEPTH: f64 = 0.55;
+/// Metres above the floor from which a body fills the space under a table: a rug does not.
+pub(crate) const RUG_HEIGHT: f64 = 0.05;
 /// Share of a score lost where a clearance is only at its minimum.
 pub(crate) const TIGHT_PENALTY: f64 = 0.3;
 /// Rounds in which agents that lost their parent may search again.

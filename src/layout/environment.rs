@@ -5,9 +5,12 @@ use std::cell::Cell;
 use crate::catalog::{Catalog, Class, ClassIndex, Shape, Side, Size};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 
+mod clearances;
+mod hanging;
+
 use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
 use super::body::{Pose, append_solids, box_solid, clearance_solid};
-use super::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, HANGING_GAP, HUNG_ELEVATION, THIN_DEPTH};
+use super::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, HUNG_ELEVATION, THIN_DEPTH};
 use super::furnished::RemovalReason;
 use super::programme::Piece;
 use super::surroundings::Surroundings;
@@ -33,6 +36,9 @@ pub(crate) struct Environment<'a> {
     body_grid: Grid,
     clearances: Vec<Region>,
     clearance_grid: Grid,
+    /// Boxes of agents that leave room under or beside their solid parts, a table's.
+    roofs: Vec<(Solid, AgentIndex)>,
+    roof_grid: Grid,
     kept_free_grid: Grid,
     /// Room for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
@@ -53,6 +59,8 @@ struct Region {
     solid: Solid,
     owner: AgentIndex,
     allows_children: bool,
+    /// The part of it where a child's seat stands, if it allows any.
+    seat: Option<Solid>,
 }
 
 /// An agent's body where it would stand.
@@ -109,6 +117,8 @@ impl<'a> Environment<'a> {
             body_grid: Grid::new(low, high),
             clearances: Vec::new(),
             clearance_grid: Grid::new(low, high),
+            roofs: Vec::new(),
+            roof_grid: Grid::new(low, high),
             kept_free_grid,
             scratch: Cell::default(),
             surroundings,
@@ -154,40 +164,6 @@ impl<'a> Environment<'a> {
         reason
     }
 
-    /// Whether something that hangs over or beside its parent (a mirror over a basin, a cupboard over a worktop)
-    /// has no wall behind it: its back must lie on one wall, clear of that wall's openings.
-    fn hangs_in_the_air(&self, agent: AgentIndex, place: &Place) -> bool {
-        let ParentPart::Agent(parent) = place.parent else { return false };
-        let Some(rest) = self.agents[parent].rest() else { return true };
-        let (holder, size) = (&self.agents[parent], self.agents[agent].size);
-        let carried_from = match place.side {
-            Side::Below => return false,
-            Side::Above => self.class(parent).offer(Side::Above).surface.unwrap_or(holder.size.height),
-            Side::Front | Side::Back | Side::Left | Side::Right => 0.0,
-        };
-        if place.pose.elevation <= rest.pose.elevation + carried_from + HANGING_GAP {
-            return false;
-        }
-        let back = place.pose.place(Point::new(0.0, size.depth / 2.0));
-        let room = self.surroundings.room;
-        !room.walls.iter().enumerate().any(|(index, wall)| {
-            let at = (back - wall.start).dot(wall.direction());
-            let (from, to) = (at - size.width / 2.0, at + size.width / 2.0);
-            let is_behind = (back - wall.start).dot(wall.normal()).abs() <= HANGING_GAP
-                && wall.normal().dot(place.pose.front()) > 1.0 - HANGING_GAP
-                && from >= -HANGING_GAP
-                && to <= wall.length() + HANGING_GAP;
-            is_behind
-                && !room.openings.iter().filter(|side| side.wall == index).any(|side| {
-                    let opening = &self.surroundings.level.openings[side.opening];
-                    from < side.to
-                        && to > side.from
-                        && place.pose.elevation < opening.top
-                        && place.pose.elevation + size.height > opening.bottom
-                })
-        })
-    }
-
     fn shape_obstruction(
         &self,
         agent: AgentIndex,
@@ -198,7 +174,7 @@ impl<'a> Environment<'a> {
         let probe = Probe { agent, place, whole, parts };
         if !self.is_inside(&whole) && !parts.iter().all(|part| self.is_inside(part)) {
             Some(RemovalReason::Outside)
-        } else if self.has_collision(&probe) {
+        } else if self.has_collision(&probe) || self.slides_under_a_stranger(&probe) {
             Some(RemovalReason::Collision)
         } else if self.blocks_a_way(&probe) || !self.has_clearances(agent, place, false) {
             Some(RemovalReason::Clearance)
@@ -228,63 +204,6 @@ impl<'a> Environment<'a> {
             let body = &self.bodies[index as usize];
             body.owner != probe.agent && probe.meets(&body.solid, CONTACT_TOLERANCE)
         })
-    }
-
-    /// Whether a body would stand in a door's way or in another object's clearance.
-    fn blocks_a_way(&self, probe: &Probe<'_>) -> bool {
-        let bounds = probe.whole.bounds;
-        let kept_free = &self.surroundings.kept_free;
-        let is_in_a_door = |index: u32| probe.meets(&kept_free[index as usize], CONTACT_TOLERANCE);
-        let is_in_a_clearance = |index: u32| {
-            let region = &self.clearances[index as usize];
-            region.owner != probe.agent
-                && probe.meets(&region.solid, CLEARANCE_TOLERANCE)
-                && !(region.allows_children && self.descends(probe.place.parent, region.owner))
-        };
-        let is_flat = is_flat(self.agents[probe.agent].size, probe.place);
-        self.kept_free_grid.any(bounds, is_in_a_door)
-            || (!is_flat && self.clearance_grid.any(bounds, is_in_a_clearance))
-    }
-
-    /// Whether a parent is an agent or one of its descendants.
-    fn descends(&self, parent: ParentPart, ancestor: AgentIndex) -> bool {
-        let mut parent = parent;
-        while let ParentPart::Agent(index) = parent {
-            if index == ancestor {
-                return true;
-            }
-            match self.agents[index].rest() {
-                Some(rest) => parent = rest.parent,
-                None => return false,
-            }
-        }
-        false
-    }
-
-    /// Whether all clearances of an agent are free at a place: inside the room, and of bodies other than its
-    /// relatives and what hangs flat on a wall.
-    pub(crate) fn has_clearances(&self, agent: AgentIndex, place: &Place, is_good: bool) -> bool {
-        let (class, size) = (self.class(agent), self.agents[agent].size);
-        class.clearances.iter().all(|clearance| {
-            let depth = if is_good { clearance.good } else { clearance.minimum };
-            let solid = clearance_solid(clearance, size, &place.pose, depth);
-            self.is_free_of_walls(&solid, CLEARANCE_TOLERANCE)
-                && self.surroundings.room.region.contains(solid.base.center())
-                && !self.body_grid.any(solid.bounds, |index| {
-                    let body = &self.bodies[index as usize];
-                    !body.is_flat
-                        && body.owner != agent
-                        && body.solid.overlaps(&solid, CLEARANCE_TOLERANCE)
-                        && !self.is_relative(agent, place.parent, body.owner)
-                })
-        })
-    }
-
-    /// Whether an owner is an ancestor or a descendant of an agent that would have this parent.
-    fn is_relative(&self, agent: AgentIndex, parent: ParentPart, owner: AgentIndex) -> bool {
-        owner != ROOM
-            && (self.descends(parent, owner)
-                || self.agents[owner].rest().is_some_and(|rest| self.descends(rest.parent, agent)))
     }
 
     /// Calls `visit` with every body that meets a region, relatives of nobody excepted.
@@ -349,6 +268,7 @@ impl<'a> Environment<'a> {
         for index in self.agents[agent].bodies.clone() {
             self.body_grid.remove(item(index), self.bodies[index].solid.bounds);
         }
+        self.remove_roof(agent);
         for index in self.agents[agent].clearances.clone() {
             self.clearance_grid.remove(item(index), self.clearances[index].solid.bounds);
         }
@@ -367,9 +287,12 @@ impl<'a> Environment<'a> {
         let first_clearance = self.clearances.len();
         for clearance in &class.clearances {
             let solid = clearance_solid(clearance, size, &place.pose, clearance.minimum);
+            let seat = clearances::seat(clearance, size, &place.pose);
             self.clearance_grid.insert(item(self.clearances.len()), solid.bounds);
-            self.clearances.push(Region { solid, owner: agent, allows_children: clearance.allows_children });
+            let allows_children = clearance.allows_children;
+            self.clearances.push(Region { solid, owner: agent, allows_children, seat });
         }
+        self.add_roof(agent, place);
         self.agents[agent].bodies = first..self.bodies.len();
         self.agents[agent].clearances = first_clearance..self.clearances.len();
     }

@@ -114,5 +114,7 @@ fn style<'a>(room: &Room, catalog: &'a Catalog, options: &FurnishOptions<'_>) ->
 fn site(level: &Level, room: &Room) -> Site {
     let is_window =
         |side: &crate::plan::RoomOpening| level.openings[side.opening].kind == OpeningKind::Window;
-    Site { area: room.region.area(), has_window: room.openings.iter().any(is_window) }
+    let windows = room.openings.iter().filter(|side| is_window(side)).count();
+    let window_count = u32::try_from(windows).expect("a room has fewer than 2^32 windows");
+    Site { area: room.region.area(), window_count }
 }

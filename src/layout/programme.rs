@@ -24,8 +24,8 @@ pub(crate) struct Piece {
 pub(crate) struct Site {
     /// Square metres of floor.
     pub(crate) area: f64,
-    /// Whether the room has a window.
-    pub(crate) has_window: bool,
+    /// Windows of the room.
+    pub(crate) window_count: u32,
 }
 
 /// Draws the pieces of a room, in the order of the programme.
@@ -50,7 +50,7 @@ pub(crate) fn pieces(
         for _ in 0..count {
             counts[class] += 1;
             let id = &catalog.classes[class].id;
-            let variants = catalog.classes[class].variant_count();
+            let variants = catalog.classes[class].usual_variant_count();
             let mut stream = key.stream(Purpose::Variant, id, counts[class]);
             pieces.push(Piece {
                 class,
@@ -68,7 +68,7 @@ fn applies(request: &Request, site: Site, stream: &mut Stream) -> bool {
     // Drawn even where the line does not apply: the numbers after it stay the same.
     let is_lucky = stream.unit() < request.chance;
     let (least, most) = request.area;
-    is_lucky && site.area >= least && site.area < most && (site.has_window || !request.needs_window)
+    is_lucky && site.area >= least && site.area < most && (site.window_count > 0 || !request.needs_window)
 }
 
 fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &mut Stream) -> u32 {
@@ -79,6 +79,7 @@ fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &m
             (site.area * per_area).round().clamp(f64::from(least), f64::from(most))
         }
         Count::PerPiece(class, each) => f64::from(counts[class]) * each,
+        Count::PerWindow(each) => f64::from(site.window_count) * each,
     };
     let factor = if request.is_required { 1.0 } else { density };
     (base * factor).round().max(0.0) as u32

@@ -8,14 +8,14 @@ use super::body::Pose;
 use super::constants::{CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE};
 use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
-use super::rules::{self, View};
+use super::rules::{self, Score, View};
 use super::seed::{Purpose, RoomKey, Stream};
 
 /// Finds the best place for an agent, or says why there is none.
 ///
 /// The lines of its description are taken in order; within a line, the parents that have fewest children of
 /// its class come first. The first place that is free is taken, or, where the agent has wishes, the best of
-/// a few.
+/// a few. A place that darkens a window or takes a seat is kept in hand while the search goes on.
 pub(crate) fn search(
     environment: &Environment<'_>,
     agent: AgentIndex,
@@ -28,6 +28,7 @@ pub(crate) fn search(
     let mut stream = key.stream(Purpose::Placement, &class.id, number);
     let mut failures = Failures::default();
     let mut poses = Vec::new();
+    let mut fallback: Option<(f64, Place)> = None;
     let may_scan = !piece.is_fill && !environment.is_exhausted[piece.class];
     for rule in &class.parents {
         let mut choice = Choice::new(environment, agent);
@@ -39,7 +40,7 @@ pub(crate) fn search(
             poses.clear();
             rules::propose(&view, key, &mut stream, &mut poses);
             choice.consider(&view, &poses, &mut failures);
-            if choice.best.is_none() && may_scan {
+            if may_scan && choice.best.is_none_or(|(score, _)| score.is_spoilt) {
                 poses.clear();
                 rules::propose_scan(&view, &mut stream, &mut poses);
                 choice.consider(&view, &poses, &mut failures);
@@ -48,16 +49,20 @@ pub(crate) fn search(
                 break;
             }
         }
-        if let Some((_, place)) = choice.best {
-            return Ok(place);
+        match choice.best {
+            Some((score, place)) if !score.is_spoilt => return Ok(place),
+            Some((score, place)) if fallback.is_none_or(|(best, _)| score.value > best) => {
+                fallback = Some((score.value, place));
+            }
+            _ => {}
         }
     }
-    Err(failures.reason())
+    fallback.map(|(_, place)| place).ok_or_else(|| failures.reason())
 }
 
 /// The best of the candidates seen so far.
 struct Choice {
-    best: Option<(f64, Place)>,
+    best: Option<(Score, Place)>,
     /// Free candidates still to be compared.
     left: usize,
     is_first_best: bool,
@@ -87,10 +92,13 @@ impl Choice {
                 failures.count(reason);
                 continue;
             }
-            self.left -= 1;
-            let score =
-                if self.is_first_best { 0.0 } else { rules::score(view.environment, view.agent, &place) };
-            if self.best.is_none_or(|(best, _)| score > best) {
+            let score = if self.is_first_best {
+                Score { value: 0.0, is_spoilt: false }
+            } else {
+                rules::score(view.environment, view.agent, &place)
+            };
+            self.left -= usize::from(!score.is_spoilt);
+            if self.best.is_none_or(|(best, _)| score.value > best.value) {
                 self.best = Some((score, place));
             }
         }

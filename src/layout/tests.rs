@@ -16,6 +16,7 @@ fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentR
         along,
         gap: (0.0, 0.0),
         elevation: (0.0, 0.0),
+        above_head: None,
     }
 }
 
@@ -25,6 +26,7 @@ fn class(id: &str, size: (f64, f64, f64), parents: Vec<ParentRule>, depth: u32) 
         label: id.to_owned(),
         groups: Vec::new(),
         sizes: vec![Size { width: size.0, depth: size.1, height: size.2 }],
+        usual_sizes: 1,
         looks: 1,
         shape: Shape::Box,
         parents,
@@ -60,7 +62,7 @@ fn classes() -> Vec<Class> {
     let on_desk = rule(ParentName::Classes(vec![1]), &[Side::Above], Turn::Parallel, Along::Back);
     let on_ceiling = rule(ParentName::Ceiling, &[Side::Below], Turn::Parallel, Along::Random);
     let mut light = class("light", (0.6, 0.6, 0.1), vec![on_ceiling], 0);
-    light.grid = Some(Grid { interval: Point::splat(2.0), is_centered: true });
+    light.grid = Some(Grid { interval: Point::splat(2.0), block: [0, 0], aisle: 0.0, is_centered: true });
     let at_wall = rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Random);
     vec![
         class("chair", (0.5, 0.5, 0.9), vec![at_desk], 1),

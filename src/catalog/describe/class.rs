@@ -131,7 +131,8 @@ fn list_room_types(catalog: &Catalog, class: ClassIndex) -> Vec<&str> {
 }
 
 fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIndex], &[&str])) -> Value {
-    let sizes: Vec<[f64; 3]> = class.sizes.iter().map(|size| [size.width, size.depth, size.height]).collect();
+    let all: Vec<[f64; 3]> = class.sizes.iter().map(|size| [size.width, size.depth, size.height]).collect();
+    let (sizes, spare_sizes) = all.split_at(class.usual_sizes);
     let parents: Vec<Value> = class.parents.iter().map(|rule| value_of_parent(catalog, rule)).collect();
     let relations: Vec<Value> =
         class.relations.iter().map(|relation| value_of_relation(catalog, relation)).collect();
@@ -139,6 +140,7 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "label": class.label,
         "groups": class.groups,
         "sizes": sizes,
+        "spare_sizes": spare_sizes,
         "looks": class.looks,
         "shape": value_of_shape(&class.shape),
         "parents": parents,
@@ -146,7 +148,7 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "clearances": class.clearances.iter().map(value_of_clearance).collect::<Vec<_>>(),
         "relations": relations,
         "grid": class.grid.map(|grid| json!({
-            "interval": [grid.interval.x, grid.interval.y], "centered": grid.is_centered
+            "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered
         })),
         "priority": class.priority,
         "depth": class.depth,
@@ -183,6 +185,7 @@ fn value_of_parent(catalog: &Catalog, rule: &ParentRule) -> Value {
         "along": rule.along,
         "gap": [rule.gap.0, rule.gap.1],
         "elevation": [rule.elevation.0, rule.elevation.1],
+        "above_head": rule.above_head,
     })
 }
 

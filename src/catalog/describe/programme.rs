@@ -40,6 +40,7 @@ fn show_count(catalog: &Catalog, count: Count) -> String {
         Count::Range(least, most) => format!("{least} to {most}"),
         Count::PerArea(pieces, least, most) => format!("{} per m², {least} to {most},", rounded(pieces)),
         Count::PerPiece(class, each) => format!("{} per {}:", rounded(each), catalog.classes[class].id),
+        Count::PerWindow(each) => format!("{} per window:", rounded(each)),
         Count::Fill(most) => format!("up to {most}"),
     }
 }
@@ -51,6 +52,7 @@ pub(super) fn value_of_request(catalog: &Catalog, request: &Request) -> Value {
         Count::Range(least, most) => json!([least, most]),
         Count::PerArea(pieces, least, most) => json!({"per_area": pieces, "least": least, "most": most}),
         Count::PerPiece(class, each) => json!({"per": catalog.classes[class].id, "each": each}),
+        Count::PerWindow(each) => json!({"per": "window", "each": each}),
         Count::Fill(most) => json!({"fill": most}),
     };
     json!({

@@ -38,6 +38,9 @@ pub(crate) struct ClassEntry {
     pub(crate) groups: Option<OneOrMany<String>>,
     /// The sizes it is made in, each [width, depth, height].
     pub(crate) sizes: Option<Vec<[f64; 3]>>,
+    /// Smaller sizes, taken only where none of `sizes` has a place: each [width, depth, height].
+    #[serde(default)]
+    pub(crate) spare_sizes: Vec<[f64; 3]>,
     /// How many looks of each size the recipe makes; default 1.
     pub(crate) looks: Option<i64>,
     /// The solid parts of its box: `box` (default), `disc`, or a list of parts.
@@ -124,6 +127,9 @@ pub(crate) struct ParentEntry {
     pub(crate) gap: Option<Pair>,
     /// Metres of the underside above the floor, for what hangs; default 0.
     pub(crate) elevation: Option<Pair>,
+    /// On a window or door: metres of the top above its head, in place of `elevation`. The piece then covers the
+    /// opening and takes the largest of its sizes that is not much wider and higher.
+    pub(crate) above_head: Option<f64>,
 }
 
 /// What the sides offer to children.
@@ -223,8 +229,13 @@ pub(crate) struct RelationEntry {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct GridEntry {
-    /// Metres between neighbours, one number or [along x, along y] of the parent's side.
+    /// Metres between neighbours, one number or [along x, along y]: along the width and the depth of the class
+    /// where it turns by quarters, else of the parent's side.
     pub(crate) interval: Pair,
+    /// Places along x and along y after which an aisle follows; default [0, 0], no aisles.
+    pub(crate) block: Option<[i64; 2]>,
+    /// Metres that an aisle adds to the interval; default 0.
+    pub(crate) aisle: Option<f64>,
     /// Whether the grid is centred on the side instead of starting at a random place; default false.
     #[serde(default)]
     pub(crate) centered: bool,

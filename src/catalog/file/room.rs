@@ -121,13 +121,13 @@ impl JsonSchema for CountEntry {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "A number, [least, most], {per: class, each: n}, {per_area: n, least: n, most: n} or {fill: n}.",
+            "description": "A number, [least, most], {per: class or window, each: n}, {per_area: n, least: n, most: n} or {fill: n}.",
             "type": ["integer", "array", "object"],
             "items": {"type": "integer"},
             "minItems": 2,
             "maxItems": 2,
             "properties": {
-                "per": {"type": "string", "description": "So many for each piece of this class that was asked for."},
+                "per": {"type": "string", "description": "So many for each piece of this class that was asked for, or for each window of the room."},
                 "each": {"type": "number", "description": "With per: how many for each piece; default 1."},
                 "per_area": {"type": "number", "description": "Pieces per square metre of floor."},
                 "least": {"type": "integer", "description": "With per_area: at least; default 0."},

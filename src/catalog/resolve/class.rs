@@ -2,11 +2,11 @@
 
 use super::model::resolve_model;
 use super::names::Names;
-use super::number::{LENGTH, Quantity, check_count};
+use super::number::{DISTANCE, LENGTH, Quantity, check_count};
 use super::parents::{ResolvedParent, resolve_parents};
 use super::relations::resolve_relations;
 use super::resolve_label;
-use super::shape::{resolve_shape, resolve_sizes};
+use super::shape::{resolve_shape, resolve_sizes, resolve_spare_sizes};
 use super::sides::{resolve_clearances, resolve_sides};
 use crate::catalog::file::ClassEntry;
 use crate::catalog::read::Files;
@@ -45,7 +45,9 @@ fn resolve_class(
     report: &mut Report<'_>,
 ) -> Option<ResolvedClass> {
     let own = chain.own();
-    let sizes = resolve_sizes(chain, report);
+    let mut sizes = resolve_sizes(chain, report);
+    let usual_sizes = sizes.len();
+    sizes.extend(resolve_spare_sizes(chain, report));
     let shape = resolve_shape(chain, &sizes, report);
     let parents = resolve_parents(chain, names, report);
     let sides = resolve_sides(chain, &sizes, report);
@@ -60,6 +62,7 @@ fn resolve_class(
         label: resolve_label(chain, |entry| entry.label.as_ref()),
         groups: names.groups(index).to_vec(),
         sizes,
+        usual_sizes,
         looks,
         shape,
         parents: parents.iter().map(|parent| parent.rule.clone()).collect(),
@@ -90,5 +93,10 @@ fn resolve_grid(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Optio
     let quantity = Quantity::metres("interval", LENGTH);
     let (x, y) = found.value.interval.both();
     let interval = Point::new(quantity.check(x, &spot, report), quantity.check(y, &spot, report));
-    Some(Grid { interval, is_centered: found.value.centered })
+    let block = found.value.block.unwrap_or_default();
+    let block_spot = found.spot.key("block");
+    let block = [0, 1].map(|axis| check_count("block", block[axis], &block_spot.index(axis), report));
+    let aisle = Quantity::metres("aisle", DISTANCE);
+    let aisle = found.value.aisle.map_or(0.0, |metres| aisle.check(metres, &found.spot.key("aisle"), report));
+    Some(Grid { interval, block, aisle, is_centered: found.value.centered })
 }

@@ -44,6 +44,8 @@ fn resolve_parent(
     let elevation = entry
         .elevation
         .map_or((0.0, 0.0), |pair| elevation.check_pair(pair.both(), &spot.key("elevation"), report));
+    let above_head = Quantity::metres("above_head", DISTANCE);
+    let above_head = entry.above_head.map(|metres| above_head.check(metres, &spot.key("above_head"), report));
     let parent = parent?;
     let sides = resolve_sides(entry, &parent, spot, report)?;
     let default_turn = if parent == ParentName::Floor { Turn::Quarter } else { Turn::Parallel };
@@ -54,6 +56,7 @@ fn resolve_parent(
         along: entry.along.unwrap_or(Along::Random),
         gap,
         elevation,
+        above_head,
         parent,
     };
     Some(ResolvedParent { rule, named })

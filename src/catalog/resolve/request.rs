@@ -8,6 +8,8 @@ use crate::catalog::{ClassIndex, Count, Request};
 
 /// Pieces for each piece of another class where the file says nothing.
 const DEFAULT_EACH: f64 = 1.0;
+/// What `per` names to count by the room's windows.
+const WINDOW_WORD: &str = "window";
 /// Most pieces of a line whose count goes with the area, where the file says nothing.
 const DEFAULT_MOST: i64 = 1000;
 
@@ -104,6 +106,9 @@ fn resolve_fields(
         (Some(word), None, None) => {
             let each = Quantity::plain("each", FACTOR);
             let each = each.check(fields.each.unwrap_or(DEFAULT_EACH), &spot.key("each"), report);
+            if word == WINDOW_WORD {
+                return Some(Count::PerWindow(each));
+            }
             Some(Count::PerPiece(only_class(word, &spot.key("per"), names, report)?, each))
         }
         (None, Some(per_area), None) => {
@@ -115,7 +120,8 @@ fn resolve_fields(
         }
         (None, None, Some(fill)) => Some(Count::Fill(check_count("fill", fill, &spot.key("fill"), report))),
         _ => {
-            let hint = "write a number, [least, most], {per: class, each: n}, {per_area: n} or {fill: n}";
+            let hint =
+                "write a number, [least, most], {per: class or window, each: n}, {per_area: n} or {fill: n}";
             report.error_with_hint(spot, "the count needs exactly one of `per`, `per_area` and `fill`", hint);
             None
         }

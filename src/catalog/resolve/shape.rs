@@ -32,14 +32,25 @@ pub(super) fn resolve_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'
             "write at least [[width, depth, height]]",
         );
     }
+    check_sizes(found.value, &found.spot, report)
+}
+
+/// The sizes that a class falls back on. They belong to the entry that gives the sizes: a class with sizes of its
+/// own does not inherit its base's spare ones.
+pub(super) fn resolve_spare_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Size> {
+    let found = chain.find("spare_sizes", |entry| entry.sizes.as_ref().map(|_| entry.spare_sizes.as_slice()));
+    found.map_or_else(Vec::new, |found| check_sizes(found.value, &found.spot, report))
+}
+
+fn check_sizes(written: &[[f64; 3]], spot: &Spot, report: &mut Report<'_>) -> Vec<Size> {
     let size = |(index, lengths): (usize, &[f64; 3])| {
         let mut check = |axis: usize| {
             let quantity = Quantity::metres(AXES[axis].0, LENGTH);
-            quantity.check(lengths[axis], &found.spot.index(index).index(axis), report)
+            quantity.check(lengths[axis], &spot.index(index).index(axis), report)
         };
         Size { width: check(0), depth: check(1), height: check(2) }
     };
-    found.value.iter().enumerate().map(size).collect()
+    written.iter().enumerate().map(size).collect()
 }
 
 /// The shape of a class, checked against its sizes.

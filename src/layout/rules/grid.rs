@@ -4,13 +4,14 @@
 //! worked out from the room and the number of agents of the class, which gives every agent the same lattice
 //! without reading the others' positions.
 
-use crate::catalog::Grid;
+use crate::catalog::{Grid, Turn};
 use crate::geometry::Point;
 use crate::layout::body::Pose;
-use crate::layout::seed::{Purpose, RoomKey};
+use crate::layout::seed::{Purpose, RoomKey, Stream};
 
 use super::View;
 use super::floor::elevation;
+use super::relation::best_quarter;
 use super::turn::{self, Bearing};
 
 /// Added before rounding down, so that a length of exactly n intervals counts n.
@@ -18,21 +19,21 @@ const ROUNDING: f64 = 1e-9;
 
 /// Poses on the lattice of the agent's class, starting with the first that no neighbour holds.
 pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<Pose>) {
-    let surroundings = &view.environment.surroundings;
     // One stream for the class: all its agents must agree on the lattice.
     let mut stream = key.stream(Purpose::Placement, &view.class.id, 0);
-    let bearing = Bearing { parent_angle: surroundings.main_angle, outward: Point::ZERO };
-    let angle = turn::angle(&view.rule.orientation, &bearing, &mut stream);
-    let frame = Pose::new(Point::ZERO, 0.0, surroundings.main_angle);
+    let angle = angle(view, &mut stream);
+    // Rows and aisles go by the side of the pieces, not by the walls: pupils sit beside each other.
+    let frame = Pose::new(Point::ZERO, 0.0, angle);
     let (low, high) = extent(view, &frame);
     let margin = Point::new(view.size.width, view.size.depth) / 2.0;
     let room = (high - low - 2.0 * margin).max(Point::ZERO);
-    let intervals = room / grid.interval + Point::splat(ROUNDING);
+    let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
+    let most = [axes[0].count(room.x), axes[1].count(room.y)];
     let agents = &view.environment.agents;
     let class = agents[view.agent].piece.class;
     let wanted = agents.iter().filter(|agent| agent.piece.class == class).count();
-    let counts = lattice(wanted, [intervals.x as usize + 1, intervals.y as usize + 1], intervals);
-    let span = Point::new((counts[0] - 1) as f64, (counts[1] - 1) as f64) * grid.interval;
+    let counts = lattice(wanted, most, room / grid.interval);
+    let span = Point::new(axes[0].offset(counts[0] - 1), axes[1].offset(counts[1] - 1));
     let slack = (room - span).max(Point::ZERO);
     let share = if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
     let first = low + margin + slack * share;
@@ -40,26 +41,75 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let total = counts[0] * counts[1];
     let resting = view.environment.resting[class].len();
     for slot in (0..total).map(|index| (index + resting) % total) {
-        add(first + Point::new((slot % counts[0]) as f64, (slot / counts[0]) as f64) * grid.interval);
+        add(first + Point::new(axes[0].offset(slot % counts[0]), axes[1].offset(slot / counts[0])));
     }
-    add_outside((first, span), (low + margin, high - margin), grid, add);
+    add_outside((first, counts), (low + margin, high - margin), &axes, add);
+}
+
+/// The angle of all agents of the class: towards what they want to face, where it is in the room, else as the
+/// rule says.
+fn angle(view: &View<'_>, stream: &mut Stream) -> f64 {
+    let surroundings = &view.environment.surroundings;
+    let bearing = Bearing { parent_angle: surroundings.main_angle, outward: Point::ZERO };
+    let drawn = turn::angle(&view.rule.orientation, &bearing, stream);
+    if view.rule.orientation.turn != Turn::Quarter {
+        return drawn;
+    }
+    let (low, high) = surroundings.room.region.outline.bounds();
+    let middle = (low + high) / 2.0;
+    best_quarter(view.environment, &view.class.relations, middle, surroundings.main_angle).unwrap_or(drawn)
+}
+
+/// One direction of a lattice: regular intervals, with an aisle after each block of so many.
+///
+/// ```text
+///  o--o--o----o--o--o----o     block 3
+/// ```
+#[derive(Clone, Copy, Debug)]
+struct Axis {
+    interval: f64,
+    block: usize,
+    aisle: f64,
+}
+
+impl Axis {
+    fn new(grid: &Grid, axis: usize) -> Self {
+        Self { interval: grid.interval[axis], block: grid.block[axis] as usize, aisle: grid.aisle }
+    }
+
+    /// Metres from the first place to another.
+    fn offset(&self, index: usize) -> f64 {
+        let aisles = index.checked_div(self.block).unwrap_or(0);
+        index as f64 * self.interval + aisles as f64 * self.aisle
+    }
+
+    /// How many places a length has room for, one at least.
+    fn count(&self, length: f64) -> usize {
+        let most = (length / self.interval + ROUNDING).max(0.0) as usize;
+        (0..=most).rev().find(|&index| self.offset(index) <= length + ROUNDING).unwrap_or(0) + 1
+    }
 }
 
 /// Lattice points outside the chosen block, for agents whose slot is taken by a column or a door.
 fn add_outside(
-    (first, span): (Point, Point),
+    (first, counts): (Point, [usize; 2]),
     (low, high): (Point, Point),
-    grid: &Grid,
+    axes: &[Axis; 2],
     mut add: impl FnMut(Point),
 ) {
-    let steps =
-        |length: Point| (length / grid.interval + Point::splat(ROUNDING)).max(Point::ZERO).as_i64vec2();
-    let (before, after, last) = (steps(first - low), steps(high - first), steps(span));
-    for row in -before.y..=after.y {
-        for column in -before.x..=after.x {
-            let is_in_block = (0..=last.x).contains(&column) && (0..=last.y).contains(&row);
-            if !is_in_block {
-                add(first + Point::new(column as f64, row as f64) * grid.interval);
+    let steps = |length: f64, axis: usize| (length / axes[axis].interval + ROUNDING).max(0.0) as i64;
+    let before = [steps(first.x - low.x, 0), steps(first.y - low.y, 1)];
+    let after = [axes[0].count(high.x - first.x) as i64, axes[1].count(high.y - first.y) as i64];
+    // Before the first place there are no aisles: what stands there has lost its block anyway.
+    let at = |axis: usize, index: i64| match usize::try_from(index) {
+        Ok(index) => axes[axis].offset(index),
+        Err(_) => index as f64 * axes[axis].interval,
+    };
+    for row in -before[1]..after[1] {
+        for column in -before[0]..after[0] {
+            let is_in_block = |index: i64, count: usize| (0..count as i64).contains(&index);
+            if !(is_in_block(column, counts[0]) && is_in_block(row, counts[1])) {
+                add(first + Point::new(at(0, column), at(1, row)));
             }
         }
     }
@@ -95,6 +145,15 @@ fn lattice(wanted: usize, most: [usize; 2], intervals: Point) -> [usize; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_aisle_follows_each_block() {
+        let axis = Axis { interval: 1.0, block: 2, aisle: 0.5 };
+        assert_eq!([0, 1, 2, 3, 4].map(|index| axis.offset(index)), [0.0, 1.0, 2.5, 3.5, 5.0]);
+        assert_eq!([axis.count(0.9), axis.count(2.4), axis.count(2.5)], [1, 2, 3]);
+        let without = Axis { block: 0, ..axis };
+        assert_eq!((without.offset(4), without.count(3.0)), (4.0, 4));
+    }
 
     #[test]
     fn six_lamps_in_a_wide_room_make_three_by_two() {

@@ -9,7 +9,7 @@ mod surface;
 mod turn;
 mod wall;
 
-pub(crate) use relation::score;
+pub(crate) use relation::{Score, score};
 
 use crate::catalog::{Class, ParentRule, Side, Size};
 
@@ -56,9 +56,11 @@ pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses
     }
 }
 
-/// Appends a regular scan of a floor or ceiling, for an agent that found no place at random.
+/// Appends a regular scan of a floor, ceiling or top, for an agent that found no place at random.
 pub(crate) fn propose_scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
-    if matches!(view.parent, ParentPart::Floor | ParentPart::Ceiling) {
-        floor::scan(view, stream, poses);
+    match (view.parent, view.side) {
+        (ParentPart::Floor | ParentPart::Ceiling, _) => floor::scan(view, stream, poses),
+        (ParentPart::Agent(parent), Side::Above) => surface::scan(view, parent, stream, poses),
+        _ => {}
     }
 }

@@ -1,10 +1,14 @@
 //! Wishes about objects that are not the parent (beyond the paper, its section 6.1).
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::catalog::{ParentName, Relation, RelationKind};
 use crate::geometry::Point;
 use crate::layout::agent::{AgentIndex, ParentPart};
-use crate::layout::body::box_solid;
-use crate::layout::constants::{CONTACT_TOLERANCE, TIGHT_PENALTY, WINDOW_PENALTY};
+use crate::layout::body::{Pose, box_solid};
+use crate::layout::constants::{
+    CONTACT_TOLERANCE, NARROW_WIDTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
+};
 use crate::layout::environment::{Environment, Place};
 use crate::plan::OpeningKind;
 
@@ -13,23 +17,59 @@ const ANGLE_FADE: f64 = 1.0;
 /// Metres beyond the good distance over which a wish about distance fades to half.
 const DISTANCE_FADE: f64 = 1.0;
 
-/// How well a place suits an agent; more is better, zero is indifferent.
-pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+/// How well a place suits an agent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Score {
+    /// More is better, zero is indifferent.
+    pub(crate) value: f64,
+    /// Whether it darkens a window or takes the place of a seat: worth looking further.
+    pub(crate) is_spoilt: bool,
+}
+
+/// How well a place suits an agent.
+pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> Score {
     let class = environment.class(agent);
     let is_before_window = stands_before_window(environment, agent, place);
     let wish = |relation: &Relation| match relation.kind {
         RelationKind::NotBefore => f64::from(u8::from(!is_before_window)),
         _ => fulfilment(environment, agent, place, relation),
     };
-    let mut score: f64 = class.relations.iter().map(|relation| relation.weight * wish(relation)).sum();
+    let mut value: f64 = class.relations.iter().map(|relation| relation.weight * wish(relation)).sum();
     if is_before_window {
-        score -= WINDOW_PENALTY;
+        value -= WINDOW_PENALTY;
+    }
+    let takes_a_seat = environment.takes_a_seat(agent, place);
+    if takes_a_seat {
+        value -= SEAT_PENALTY;
     }
     let has_good = class.clearances.iter().any(|clearance| clearance.good > clearance.minimum);
     if has_good && !environment.has_clearances(agent, place, true) {
-        score -= TIGHT_PENALTY;
+        value -= TIGHT_PENALTY;
     }
-    score
+    Score { value, is_spoilt: is_before_window || takes_a_seat }
+}
+
+/// The quarter turn from `angle` that meets the wishes to face something best, seen from `position`; `None`
+/// where there is no such wish or nothing to face.
+pub(super) fn best_quarter(
+    environment: &Environment<'_>,
+    relations: &[Relation],
+    position: Point,
+    angle: f64,
+) -> Option<f64> {
+    let facing = |kind| matches!(kind, RelationKind::Faces | RelationKind::Opposite);
+    let wishes = relations.iter().filter(|relation| facing(relation.kind));
+    let wishes: Vec<_> = wishes
+        .flat_map(|relation| targets(environment, &relation.target).map(move |target| (relation, target)))
+        .collect();
+    let fulfilment = |turn: f64| -> f64 {
+        let front = Pose::new(position, 0.0, turn).front();
+        let own = Target { position, front, radius: 0.0 };
+        wishes.iter().map(|&(relation, target)| relation.weight * value(relation, own, target)).sum()
+    };
+    let quarters = (0..4).map(|quarter| angle + FRAC_PI_2 * f64::from(quarter));
+    let best = quarters.reduce(|best, next| if fulfilment(next) > fulfilment(best) { next } else { best });
+    best.filter(|_| !wishes.is_empty())
 }
 
 /// What an agent looks at: a point, the direction it faces, and half of its smaller side.
@@ -112,11 +152,15 @@ fn targets<'a>(
     }
 }
 
-/// Whether something tall would stand before a window. What hangs at the window itself may.
+/// Whether something tall and wide would stand before a window. What hangs at the window itself may.
 fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
     if matches!(place.parent, ParentPart::Opening(_)) {
         return false;
     }
-    let body = box_solid(environment.agents[agent].size, &place.pose);
+    let size = environment.agents[agent].size;
+    if size.width.max(size.depth) < NARROW_WIDTH {
+        return false;
+    }
+    let body = box_solid(size, &place.pose);
     environment.surroundings.window_strips.iter().any(|strip| strip.overlaps(&body, CONTACT_TOLERANCE))
 }

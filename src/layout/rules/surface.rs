@@ -4,7 +4,7 @@ use crate::catalog::{Along, Side, Turn};
 use crate::geometry::Point;
 use crate::layout::agent::{Agent, AgentIndex};
 use crate::layout::body::Pose;
-use crate::layout::constants::{FRONT_MARGIN, TRIALS_PER_SIDE};
+use crate::layout::constants::{FRONT_MARGIN, SURFACE_STEP, TRIALS_PER_SIDE};
 use crate::layout::seed::Stream;
 
 use super::View;
@@ -15,39 +15,45 @@ use super::turn::{self, Bearing};
 struct Surface {
     low: Point,
     high: Point,
+    /// Metres above the parent's underside at which a child's underside comes to be.
+    elevation: f64,
     places: usize,
     taken: usize,
     /// Half axes of the ellipse that carries, where the top is round.
     round: Option<Point>,
 }
 
+impl Surface {
+    fn of(view: &View<'_>, parent: AgentIndex, agent: &Agent) -> Self {
+        let class = view.environment.class(parent);
+        let offer = class.offer(view.side);
+        let [left, front, right, back] = offer.margin;
+        let half = Point::new(agent.size.width, agent.size.depth) / 2.0;
+        Self {
+            low: Point::new(left, front) - half,
+            high: half - Point::new(right, back),
+            elevation: match view.side {
+                Side::Below => -view.size.height,
+                _ => offer.surface.unwrap_or(agent.size.height),
+            },
+            places: offer.places.max(1) as usize,
+            taken: agent.taken[view.side.index()] as usize,
+            round: class.shape.is_round_on_top().then_some(half),
+        }
+    }
+}
+
 /// Poses on the surface of a resting agent.
 pub(super) fn propose(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, poses: &mut Vec<Pose>) {
     let agent = &view.environment.agents[parent];
     let Some(rest) = agent.rest() else { return };
-    let offer = view.environment.class(parent).offer(view.side);
-    let elevation = match view.side {
-        Side::Below => rest.pose.elevation - view.size.height,
-        _ => rest.pose.elevation + offer.surface.unwrap_or(agent.size.height),
-    };
-    let [left, front, right, back] = offer.margin;
-    let half = Point::new(agent.size.width, agent.size.depth) / 2.0;
-    let surface = Surface {
-        low: Point::new(left, front) - half,
-        high: half - Point::new(right, back),
-        places: offer.places.max(1) as usize,
-        taken: agent.taken[view.side.index()] as usize,
-        round: view.environment.class(parent).shape.is_round_on_top().then_some(half),
-    };
+    let surface = Surface::of(view, parent, agent);
+    let elevation = rest.pose.elevation + surface.elevation;
     let orientation = &view.rule.orientation;
     let bearing = Bearing { parent_angle: rest.pose.angle, outward: Point::ZERO };
     for trial in 0..TRIALS_PER_SIDE {
         let angle = turn::angle(orientation, &bearing, stream);
-        let own_right = crate::geometry::direction(angle);
-        let extent = Point::new(
-            Agent::half_extent(view.size, own_right, rest.pose.right),
-            Agent::half_extent(view.size, own_right, rest.pose.right.perp()),
-        );
+        let extent = half_extents(view, angle, &rest.pose);
         let Some(local) = position(&surface, extent, view.rule.along, trial, stream) else { return };
         let local = surface.round.map_or(local, |axes| onto_ellipse(local, extent, axes));
         let position = rest.pose.place(local);
@@ -61,6 +67,45 @@ pub(super) fn propose(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, 
             return;
         }
     }
+}
+
+/// Poses on a lattice over the surface, along the edge that the rule asks for.
+pub(super) fn scan(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    let agent = &view.environment.agents[parent];
+    let Some(rest) = agent.rest() else { return };
+    let surface = Surface::of(view, parent, agent);
+    let elevation = rest.pose.elevation + surface.elevation + view.rule.elevation.0;
+    let bearing = Bearing { parent_angle: rest.pose.angle, outward: Point::ZERO };
+    let angle = turn::angle(&view.rule.orientation, &bearing, stream);
+    let extent = half_extents(view, angle, &rest.pose);
+    let (least, most) = (surface.low + extent, surface.high - extent);
+    if least.cmpgt(most).any() {
+        return;
+    }
+    let steps = ((most - least) / SURFACE_STEP).ceil().max(Point::ONE);
+    let rows = match view.rule.along {
+        Along::Random => 0..=steps.y as u32,
+        Along::Back => steps.y as u32..=steps.y as u32,
+        Along::Front => 0..=0,
+        Along::Center | Along::Even | Along::Ends => return,
+    };
+    for row in rows {
+        for column in 0..=steps.x as u32 {
+            let share = Point::new(f64::from(column), f64::from(row)) / steps;
+            let local = least + (most - least) * share;
+            let local = surface.round.map_or(local, |axes| onto_ellipse(local, extent, axes));
+            poses.push(Pose::new(rest.pose.place(local), elevation, angle));
+        }
+    }
+}
+
+/// Half of the child's extent along width and depth of its parent.
+fn half_extents(view: &View<'_>, angle: f64, parent: &Pose) -> Point {
+    let right = crate::geometry::direction(angle);
+    Point::new(
+        Agent::half_extent(view.size, right, parent.right),
+        Agent::half_extent(view.size, right, parent.right.perp()),
+    )
 }
 
 /// Where the middle of a child with half extents `extent` goes, in the parent's frame; `None` if it is larger

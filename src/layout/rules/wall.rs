@@ -1,11 +1,13 @@
 //! At a wall, between its openings: the paper's random position along the touching side, drawn from the
 //! stretches that are really free, so that a piece that fits is not missed by bad luck.
 
-use crate::catalog::{Along, Side};
+use crate::catalog::{Along, Clearance, Side};
 use crate::geometry::{Convex, Intervals, Point, Solid};
 use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
-use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, SNAP_DISTANCE, TRIALS_PER_WALL};
+use crate::layout::constants::{
+    CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, COVER_MARGIN, SEAT_DEPTH, SNAP_DISTANCE, TRIALS_PER_WALL,
+};
 use crate::layout::seed::Stream;
 use crate::plan::{OpeningKind, Wall, WallKind};
 
@@ -59,7 +61,19 @@ pub(super) fn propose_at_opening(
     let right = crate::geometry::direction(angle);
     let reach = Agent::half_extent(view.size, right, wall.normal());
     let gap = stream.between(view.rule.gap.0, view.rule.gap.1);
-    let elevation = stream.between(view.rule.elevation.0, view.rule.elevation.1);
+    let drawn = stream.between(view.rule.elevation.0, view.rule.elevation.1);
+    let elevation = match view.rule.above_head {
+        Some(above) => {
+            let opening = &view.environment.surroundings.level.openings[side.opening];
+            let most = Point::new(side.to - side.from, opening.top - opening.bottom) + COVER_MARGIN;
+            let top = (opening.top + above).min(room.height);
+            if view.size.width > most.x || view.size.height > most.y.min(top) {
+                return;
+            }
+            top - view.size.height
+        }
+        None => drawn,
+    };
     let middle = wall.start + wall.direction() * f64::midpoint(side.from, side.to);
     poses.push(Pose::new(middle + wall.normal() * (gap + reach), elevation, angle));
 }
@@ -102,7 +116,23 @@ impl Strip<'_> {
                 }
             });
             self.block_borders(&mut free, &region);
+            let spacious = self.without_seats(free.clone(), front);
+            if !spacious.as_slice().is_empty() {
+                return spacious;
+            }
         }
+        free
+    }
+
+    /// The free stretches less those where the floor before the box is claimed by others, if this one's seat
+    /// needs it, or is where their seats stand.
+    fn without_seats(&self, mut free: Intervals, front: &Clearance) -> Intervals {
+        let depth = if front.allows_children { front.minimum.min(SEAT_DEPTH) } else { front.minimum };
+        let region =
+            self.region(self.from + self.depth, depth - CLEARANCE_TOLERANCE, self.low + front.height);
+        self.view
+            .environment
+            .each_claim(&region, front.allows_children, |solid| self.block(&mut free, solid));
         free
     }
 

@@ -1,0 +1,129 @@
+//! How good the rooms are: furnishes plans over many seeds, audits every room, and prints one line a plan.
+//!
+//! ```text
+//! cargo run --release --example quality -- [--seeds N] [--details] PLAN…
+//! ```
+//! A PLAN is a file or folder as `bake` takes it. Nothing is written.
+#![allow(clippy::print_stdout)] // the table is what it is for
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use clap::Parser;
+use rayon::prelude::*;
+use roomwright::audit::{Grade, Severity, audit_room};
+use roomwright::catalog::{Catalog, load_catalog};
+use roomwright::layout::{FurnishOptions, Furnished, furnish};
+use roomwright::plan::{Level, PlanOptions, read_plans};
+
+#[derive(Parser)]
+#[command(about = "Audits plans over many seeds")]
+struct Arguments {
+    /// Files or folders, each a line of the table.
+    #[arg(required = true)]
+    plans: Vec<PathBuf>,
+    /// Seeds per room.
+    #[arg(long, default_value_t = 100)]
+    seeds: u64,
+    /// Also list findings and missing pieces by class.
+    #[arg(long)]
+    details: bool,
+}
+
+/// What rooms came to; sums over rooms and seeds.
+#[derive(Default)]
+struct Tally {
+    rooms: u64,
+    without_finding: u64,
+    failed_findings: u64,
+    requested: u64,
+    placed: u64,
+    /// Counts of findings and of missing pieces by what they concern.
+    details: BTreeMap<String, u64>,
+}
+
+impl Tally {
+    fn of(level: &Level, room: usize, catalog: &Catalog, (building, seed): (&str, u64)) -> Self {
+        let furnished = furnish(level, room, catalog, &FurnishOptions { seed, building, style: None });
+        let mut tally = Self::default();
+        if furnished.requested == 0 {
+            return tally;
+        }
+        tally.rooms = 1;
+        tally.requested = u64::from(furnished.requested);
+        tally.placed = furnished.placements.len() as u64;
+        tally.judge(level, &furnished, catalog);
+        tally
+    }
+
+    fn judge(&mut self, level: &Level, furnished: &Furnished, catalog: &Catalog) {
+        let findings = audit_room(level, furnished.room, furnished, catalog);
+        let room_type = &level.rooms[furnished.room].room_type;
+        self.without_finding = u64::from(Grade::of(&findings) == Grade::None);
+        self.failed_findings = findings.iter().filter(|f| f.severity == Severity::Failed).count() as u64;
+        for finding in &findings {
+            let classes: Vec<&str> =
+                finding.objects.iter().map(|id| id.split('.').next().unwrap_or(id)).collect();
+            let name = finding.code.name();
+            *self
+                .details
+                .entry(format!("finding {name}: {} in {room_type}", classes.join(", ")))
+                .or_default() += 1;
+        }
+        for removal in &furnished.removals {
+            let (class, reason) = (&catalog.classes[removal.class].id, removal.reason.name());
+            *self.details.entry(format!("missing {class}: {reason} in {room_type}")).or_default() += 1;
+        }
+    }
+
+    fn join(mut self, other: Self) -> Self {
+        self.rooms += other.rooms;
+        self.without_finding += other.without_finding;
+        self.failed_findings += other.failed_findings;
+        self.requested += other.requested;
+        self.placed += other.placed;
+        for (key, count) in other.details {
+            *self.details.entry(key).or_default() += count;
+        }
+        self
+    }
+}
+
+fn main() {
+    let arguments = Arguments::parse();
+    let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
+    println!("| plan | rooms × seeds | failing findings | rooms without finding | placed of requested |");
+    println!("|---|---|---|---|---|");
+    for plan in &arguments.plans {
+        let tally = measure(plan, &catalog, arguments.seeds);
+        let share = |part: u64, whole: u64| 100.0 * part as f64 / whole.max(1) as f64;
+        println!(
+            "| {} | {} | {} | {:.2} % | {:.2} % |",
+            plan.display(),
+            tally.rooms,
+            tally.failed_findings,
+            share(tally.without_finding, tally.rooms),
+            share(tally.placed, tally.requested),
+        );
+        if arguments.details {
+            let mut details: Vec<_> = tally.details.into_iter().collect();
+            details.sort_by_key(|(text, count)| (std::cmp::Reverse(*count), text.clone()));
+            details.iter().for_each(|(text, count)| println!("    {count:6} {text}"));
+        }
+    }
+}
+
+/// All rooms of a plan over all seeds; storeys that repeat count once.
+fn measure(plan: &PathBuf, catalog: &Catalog, seeds: u64) -> Tally {
+    let reading = read_plans(std::slice::from_ref(plan), &PlanOptions { words: &catalog.room_words });
+    let levels = reading.plan.buildings.iter().flat_map(|placed| {
+        let id = placed.id.as_str();
+        placed.building.levels.iter().map(move |level| (id, level))
+    });
+    let rooms: Vec<(&str, &Level, usize)> =
+        levels.flat_map(|(id, level)| (0..level.rooms.len()).map(move |room| (id, level, room))).collect();
+    let tasks = rooms.par_iter().flat_map(|room| (0..seeds).into_par_iter().map(move |seed| (room, seed)));
+    tasks
+        .map(|(&(building, level, room), seed)| Tally::of(level, room, catalog, (building, seed)))
+        .reduce(Tally::default, Tally::join)
+}

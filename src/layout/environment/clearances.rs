@@ -1,0 +1,155 @@
+//! Regions that people need: before doors, before the sides of objects, and under tables.
+
+use crate::catalog::{Clearance, Shape, Size};
+use crate::geometry::Solid;
+use crate::layout::agent::{AgentIndex, ParentPart};
+use crate::layout::body::{Pose, box_solid, clearance_solid};
+use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT, SEAT_DEPTH};
+
+use super::{Environment, Place, Probe, ROOM, is_flat, item};
+
+/// Where a child's seat stands in a clearance that allows one.
+pub(super) fn seat(clearance: &Clearance, size: Size, pose: &Pose) -> Option<Solid> {
+    let depth = clearance.minimum.min(SEAT_DEPTH);
+    clearance.allows_children.then(|| clearance_solid(clearance, size, pose, depth))
+}
+
+impl Environment<'_> {
+    /// Whether a body would stand in a door's way or in another object's clearance.
+    pub(super) fn blocks_a_way(&self, probe: &Probe<'_>) -> bool {
+        let bounds = probe.whole.bounds;
+        let kept_free = &self.surroundings.kept_free;
+        let is_in_a_door = |index: u32| probe.meets(&kept_free[index as usize], CONTACT_TOLERANCE);
+        let is_in_a_clearance = |index: u32| {
+            let region = &self.clearances[index as usize];
+            region.owner != probe.agent
+                && probe.meets(&region.solid, CLEARANCE_TOLERANCE)
+                && !(region.allows_children && self.descends(probe.place.parent, region.owner))
+        };
+        let is_flat = is_flat(self.agents[probe.agent].size, probe.place);
+        self.kept_free_grid.any(bounds, is_in_a_door)
+            || (!is_flat && self.clearance_grid.any(bounds, is_in_a_clearance))
+    }
+
+    /// Whether a parent is an agent or one of its descendants.
+    fn descends(&self, parent: ParentPart, ancestor: AgentIndex) -> bool {
+        let mut parent = parent;
+        while let ParentPart::Agent(index) = parent {
+            if index == ancestor {
+                return true;
+            }
+            match self.agents[index].rest() {
+                Some(rest) => parent = rest.parent,
+                None => return false,
+            }
+        }
+        false
+    }
+
+    /// Whether all clearances of an agent are free at a place: inside the room, and of bodies other than its
+    /// relatives and what hangs flat on a wall.
+    pub(crate) fn has_clearances(&self, agent: AgentIndex, place: &Place, is_good: bool) -> bool {
+        let (class, size) = (self.class(agent), self.agents[agent].size);
+        class.clearances.iter().all(|clearance| {
+            let depth = if is_good { clearance.good } else { clearance.minimum };
+            let solid = clearance_solid(clearance, size, &place.pose, depth);
+            self.is_free_of_walls(&solid, CLEARANCE_TOLERANCE)
+                && self.surroundings.room.region.contains(solid.base.center())
+                && !self.body_grid.any(solid.bounds, |index| {
+                    let body = &self.bodies[index as usize];
+                    !body.is_flat
+                        && body.owner != agent
+                        && body.solid.overlaps(&solid, CLEARANCE_TOLERANCE)
+                        && !self.is_relative(agent, place.parent, body.owner)
+                })
+        })
+    }
+
+    /// Whether an owner is an ancestor or a descendant of an agent that would have this parent.
+    fn is_relative(&self, agent: AgentIndex, parent: ParentPart, owner: AgentIndex) -> bool {
+        owner != ROOM
+            && (self.descends(parent, owner)
+                || self.agents[owner].rest().is_some_and(|rest| self.descends(rest.parent, agent)))
+    }
+
+    /// Whether a place uses the floor where another object's seat will stand, or has its own seats where others
+    /// need the floor. Two clearances may share space; a clearance and somebody who sits there may not.
+    pub(crate) fn takes_a_seat(&self, agent: AgentIndex, place: &Place) -> bool {
+        let (class, size) = (self.class(agent), self.agents[agent].size);
+        class.clearances.iter().any(|clearance| {
+            let own_seat = seat(clearance, size, &place.pose);
+            let own =
+                own_seat.unwrap_or_else(|| clearance_solid(clearance, size, &place.pose, clearance.minimum));
+            self.clearance_grid.any(own.bounds, |index| {
+                let other = &self.clearances[index as usize];
+                let needed = match (own_seat, other.seat) {
+                    (None, None) => return false,
+                    (Some(_), None) => &other.solid,
+                    (_, Some(_)) => other.seat.as_ref().expect("just matched"),
+                };
+                other.owner != agent
+                    && own.overlaps(needed, CLEARANCE_TOLERANCE)
+                    && !self.is_relative(agent, place.parent, other.owner)
+            })
+        })
+    }
+
+    /// Calls `visit` with every place of a seat in a region, and, for a region where a seat will stand, with every
+    /// other clearance too.
+    pub(crate) fn each_claim(&self, region: &Solid, is_seat: bool, mut visit: impl FnMut(&Solid)) {
+        self.clearance_grid.each(region.bounds, |index| {
+            let other = &self.clearances[index as usize];
+            let claimed = other.seat.as_ref().or(is_seat.then_some(&other.solid));
+            if let Some(claimed) = claimed.filter(|solid| solid.overlaps(region, CLEARANCE_TOLERANCE)) {
+                visit(claimed);
+            }
+        });
+    }
+
+    /// Whether something would stand under a table that it does not belong to, or a table over it.
+    pub(super) fn slides_under_a_stranger(&self, probe: &Probe<'_>) -> bool {
+        let place = probe.place;
+        let stands = |solid: &Solid| solid.low < RUG_HEIGHT && solid.high > RUG_HEIGHT;
+        if !stands(&probe.whole) {
+            return false;
+        }
+        let is_under = |index: u32| {
+            let (roof, owner) = &self.roofs[index as usize];
+            *owner != probe.agent
+                && probe.meets(roof, CONTACT_TOLERANCE)
+                && !self.is_relative(probe.agent, place.parent, *owner)
+        };
+        let is_over = |index: u32| {
+            let body = &self.bodies[index as usize];
+            stands(&body.solid)
+                && body.owner != probe.agent
+                && body.solid.overlaps(&probe.whole, CONTACT_TOLERANCE)
+                && !self.is_relative(probe.agent, place.parent, body.owner)
+        };
+        self.roof_grid.any(probe.whole.bounds, is_under)
+            || (has_roof(&self.class(probe.agent).shape) && self.body_grid.any(probe.whole.bounds, is_over))
+    }
+
+    /// Notes the box of an agent that others could slide under.
+    pub(super) fn add_roof(&mut self, agent: AgentIndex, place: &Place) {
+        let first = self.roofs.len();
+        if has_roof(&self.class(agent).shape) && place.pose.elevation < RUG_HEIGHT {
+            let solid = box_solid(self.agents[agent].size, &place.pose);
+            self.roof_grid.insert(item(first), solid.bounds);
+            self.roofs.push((solid, agent));
+        }
+        self.agents[agent].roofs = first..self.roofs.len();
+    }
+
+    /// Forgets it again.
+    pub(super) fn remove_roof(&mut self, agent: AgentIndex) {
+        for index in self.agents[agent].roofs.clone() {
+            self.roof_grid.remove(item(index), self.roofs[index].0.bounds);
+        }
+    }
+}
+
+/// Whether a shape leaves parts of its box empty, where low things could stand.
+fn has_roof(shape: &Shape) -> bool {
+    matches!(shape, Shape::Prisms(_))
+}

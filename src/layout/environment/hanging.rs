@@ -1,0 +1,44 @@
+//! What hangs over or beside an object needs a wall behind it.
+
+use crate::catalog::Side;
+use crate::geometry::Point;
+use crate::layout::agent::{AgentIndex, ParentPart};
+use crate::layout::constants::HANGING_GAP;
+
+use super::{Environment, Place};
+
+impl Environment<'_> {
+    /// Whether something that hangs over or beside its parent (a mirror over a basin, a cupboard over a worktop)
+    /// has no wall behind it: its back must lie on one wall, clear of that wall's openings.
+    pub(super) fn hangs_in_the_air(&self, agent: AgentIndex, place: &Place) -> bool {
+        let ParentPart::Agent(parent) = place.parent else { return false };
+        let Some(rest) = self.agents[parent].rest() else { return true };
+        let (holder, size) = (&self.agents[parent], self.agents[agent].size);
+        let carried_from = match place.side {
+            Side::Below => return false,
+            Side::Above => self.class(parent).offer(Side::Above).surface.unwrap_or(holder.size.height),
+            Side::Front | Side::Back | Side::Left | Side::Right => 0.0,
+        };
+        if place.pose.elevation <= rest.pose.elevation + carried_from + HANGING_GAP {
+            return false;
+        }
+        let back = place.pose.place(Point::new(0.0, size.depth / 2.0));
+        let room = self.surroundings.room;
+        !room.walls.iter().enumerate().any(|(index, wall)| {
+            let at = (back - wall.start).dot(wall.direction());
+            let (from, to) = (at - size.width / 2.0, at + size.width / 2.0);
+            let is_behind = (back - wall.start).dot(wall.normal()).abs() <= HANGING_GAP
+                && wall.normal().dot(place.pose.front()) > 1.0 - HANGING_GAP
+                && from >= -HANGING_GAP
+                && to <= wall.length() + HANGING_GAP;
+            is_behind
+                && !room.openings.iter().filter(|side| side.wall == index).any(|side| {
+                    let opening = &self.surroundings.level.openings[side.opening];
+                    from < side.to
+                        && to > side.from
+                        && place.pose.elevation < opening.top
+                        && place.pose.elevation + size.height > opening.bottom
+                })
+        })
+    }
+}
