@@ -19,7 +19,8 @@ impl Environment<'_> {
             Side::Above => self.class(parent).offer(Side::Above).surface.unwrap_or(holder.size.height),
             Side::Front | Side::Back | Side::Left | Side::Right => 0.0,
         };
-        if place.pose.elevation <= rest.pose.elevation + carried_from + HANGING_GAP {
+        let is_above = place.pose.elevation > rest.pose.elevation + carried_from + HANGING_GAP;
+        if !is_above && (place.side == Side::Above || !self.hangs_on_a_wall(parent)) {
             return false;
         }
         let back = place.pose.place(Point::new(0.0, size.depth / 2.0));
@@ -40,5 +41,25 @@ impl Environment<'_> {
                         && place.pose.elevation + size.height > opening.bottom
                 })
         })
+    }
+
+    /// Whether a resting agent, or the one that it hangs beside, hangs on a wall: what joins a row of urinals or
+    /// cupboards needs the wall as they do.
+    fn hangs_on_a_wall(&self, agent: AgentIndex) -> bool {
+        let mut agent = agent;
+        while let Some(rest) = self.agents[agent].rest() {
+            match rest.parent {
+                ParentPart::Wall(_) => return rest.pose.elevation > HANGING_GAP,
+                ParentPart::Agent(parent) if rest.side != Side::Above && rest.side != Side::Below => {
+                    let base = self.agents[parent].rest().map_or(0.0, |parent| parent.pose.elevation);
+                    if rest.pose.elevation > base + HANGING_GAP {
+                        return true;
+                    }
+                    agent = parent;
+                }
+                _ => return false,
+            }
+        }
+        false
     }
 }
