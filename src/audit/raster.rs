@@ -11,6 +11,9 @@ pub(crate) const CELL: f64 = 0.05;
 /// cells along a diagonal. With it, a passage as wide as the disc is passed whatever its direction.
 const SLACK: f64 = 0.35 * CELL;
 
+/// Cells of the largest radius whose squares are counted: 7.5 m, more than anybody needs to pass.
+const MOST_REACH: u16 = 150;
+
 /// A grid of free and blocked cells. The outermost cells are always blocked.
 pub(crate) struct Raster {
     /// Middle of the first cell.
@@ -51,7 +54,7 @@ impl Raster {
         spans.into_iter().for_each(|span| self.is_free[span].fill(is_free));
     }
 
-    /// Calls `visit` with the cells whose middles lie inside some rings, row by row.
+    /// Calls `visit` with the cells whose middles lie inside some rings, row by row; never with none.
     pub(crate) fn spans(&self, edges: &[(Point, Point)], mut visit: impl FnMut(Range<usize>)) {
         let (low, high) =
             edges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (start, end)| {
@@ -69,41 +72,48 @@ impl Raster {
             crossings.sort_unstable_by(f64::total_cmp);
             for pair in crossings.chunks_exact(2) {
                 let column = |x: f64| row * self.columns + index_after(x - self.low.x, self.columns);
-                visit(column(pair[0])..column(pair[1]));
+                let span = column(pair[0])..column(pair[1]);
+                if !span.is_empty() {
+                    visit(span);
+                }
             }
         }
     }
 
-    /// The distance of every cell to the nearest blocked one, in cells and squared; zero for blocked cells.
+    /// The distance of every cell to the nearest blocked one, in cells and squared: exact up to `reach` cells,
+    /// more than that beyond it, zero for blocked cells.
     ///
-    /// P. Felzenszwalb, D. Huttenlocher, "Distance Transforms of Sampled Functions", Theory of Computing 8,
-    /// 2012: distances along columns first, then along rows the lower envelope of the parabolas that stand on
-    /// their squares. Rows are cut at blocked cells: no parabola from beyond one is the lowest.
-    pub(crate) fn distances(&self) -> Vec<u32> {
-        let mut squares = self.column_squares();
-        let mut envelope = Envelope::default();
-        for row in squares.chunks_exact_mut(self.columns) {
-            let mut next = 0;
-            while let Some(start) = row[next..].iter().position(|&square| square > 0).map(|at| next + at) {
-                let length = row[start..].iter().position(|&square| square == 0);
-                let end = start + length.expect("the outermost cells are blocked");
-                envelope.lower(&mut row[start - 1..=end]);
-                next = end;
+    /// T. Saito, J. Toriwaki, "New algorithms for Euclidean distance transformation", Pattern Recognition 27,
+    /// 1994: distances along columns first, then along rows the least sum of squares. A person's radius reaches
+    /// over so few cells that trying each of them, on whole rows at once, is faster than any cleverer search.
+    pub(crate) fn distances(&self, reach: u16) -> Vec<u16> {
+        let heights = self.column_squares(reach + 1);
+        let mut squares = heights.clone();
+        let rows = squares.chunks_exact_mut(self.columns).zip(heights.chunks_exact(self.columns));
+        for (squares, heights) in rows {
+            for step in (1..=reach).take(self.columns - 1) {
+                let (from, aside) = (usize::from(step), step * step);
+                let lower = |(square, &height): (&mut u16, &u16)| *square = (*square).min(height + aside);
+                squares[from..].iter_mut().zip(heights).for_each(lower);
+                squares.iter_mut().zip(&heights[from..]).for_each(lower);
             }
         }
         squares
     }
 
-    fn column_squares(&self) -> Vec<u32> {
+    /// The distance of every cell to the nearest blocked one of its column, at most `most`, squared.
+    fn column_squares(&self, most: u16) -> Vec<u16> {
         let columns = self.columns;
-        let mut steps = vec![0_u32; self.len()];
-        for cell in columns..self.len() {
-            if self.is_free[cell] {
-                steps[cell] = steps[cell - columns] + 1;
+        let mut steps = vec![0_u16; self.len()];
+        for start in (columns..self.len()).step_by(columns) {
+            let (before, row) = steps[start - columns..start + columns].split_at_mut(columns);
+            for ((step, &before), &is_free) in row.iter_mut().zip(&*before).zip(&self.is_free[start..]) {
+                *step = u16::from(is_free) * (before + 1).min(most);
             }
         }
-        for cell in (0..self.len() - columns).rev() {
-            steps[cell] = steps[cell].min(steps[cell + columns] + 1);
+        for start in (columns..self.len()).step_by(columns).rev() {
+            let (row, after) = steps[start - columns..start + columns].split_at_mut(columns);
+            row.iter_mut().zip(&*after).for_each(|(step, &after)| *step = (*step).min(after + 1));
         }
         steps.iter_mut().for_each(|step| *step *= *step);
         steps
@@ -117,49 +127,14 @@ fn index_after(metres: f64, count: usize) -> usize {
 }
 
 /// The least distance, as [`Raster::distances`] gives it, of cells where a disc of a diameter may be.
-pub(crate) fn least_distance(diameter: f64) -> u32 {
+pub(crate) fn least_distance(diameter: f64) -> u16 {
     let radius = (diameter / 2.0 - SLACK).max(0.0) / CELL;
-    ((radius * radius).ceil() as u32).max(1)
+    ((radius * radius).ceil() as u16).max(1)
 }
 
-/// The lower envelope of parabolas, its buffers kept from run to run.
-#[derive(Default)]
-struct Envelope {
-    /// Places of the parabolas in the envelope, with their heights.
-    feet: Vec<(f64, f64)>,
-    /// From where on each is the lowest.
-    from: Vec<f64>,
-}
-
-impl Envelope {
-    /// Replaces the heights of parabolas by the lowest value of all parabolas at each place.
-    fn lower(&mut self, heights: &mut [u32]) {
-        self.feet.clear();
-        self.from.clear();
-        for (place, &height) in heights.iter().enumerate() {
-            let (place, height) = (place as f64, f64::from(height));
-            let mut start = f64::NEG_INFINITY;
-            while let (Some(&(foot, low)), Some(&from)) = (self.feet.last(), self.from.last()) {
-                start = ((height + place * place) - (low + foot * foot)) / (2.0 * (place - foot));
-                if start > from {
-                    break;
-                }
-                self.feet.pop();
-                self.from.pop();
-            }
-            self.feet.push((place, height));
-            self.from.push(start);
-        }
-        let mut lowest = 0;
-        for (place, height) in heights.iter_mut().enumerate() {
-            let place = place as f64;
-            while self.from.get(lowest + 1).is_some_and(|&from| from < place) {
-                lowest += 1;
-            }
-            let (foot, low) = self.feet[lowest];
-            *height = ((place - foot) * (place - foot) + low) as u32;
-        }
-    }
+/// Cells from the middle to the edge of a disc of a diameter, rounded up.
+pub(crate) fn reach(diameter: f64) -> u16 {
+    ((diameter / 2.0 / CELL).ceil() as u16).min(MOST_REACH)
 }
 
 #[cfg(test)]
@@ -195,14 +170,23 @@ mod tests {
         raster.paint(&edges((0.3, 0.4), (0.1, 0.5)), false);
         raster.paint(&edges((1.0, 0.2), (0.05, 0.05)), false);
         raster.paint(&edges((1.1, 0.9), (0.3, 0.1)), false);
-        let distances = raster.distances();
+        let reach = 6;
+        let distances = raster.distances(reach);
         let place = |cell: usize| (cell / raster.columns, cell % raster.columns);
+        let mut beyond = 0;
         for (cell, &distance) in distances.iter().enumerate() {
             let (row, column) = place(cell);
             let blocked = (0..raster.len()).filter(|&other| !raster.is_free[other]).map(place);
             let nearest = blocked.map(|(y, x)| row.abs_diff(y).pow(2) + column.abs_diff(x).pow(2)).min();
-            assert_eq!(distance as usize, nearest.unwrap(), "cell {row} {column}");
+            let (distance, nearest) = (usize::from(distance), nearest.unwrap());
+            let is_beyond = nearest > usize::from(reach * reach);
+            assert!(
+                if is_beyond { distance > usize::from(reach * reach) } else { distance == nearest },
+                "cell {row} {column}: {distance}, not {nearest}"
+            );
+            beyond += usize::from(is_beyond);
         }
+        assert!(beyond > 10, "{beyond}");
     }
 
     #[test]
@@ -212,7 +196,7 @@ mod tests {
             let widest = |width: f64| {
                 let mut raster = Raster::new((Point::ZERO, Point::new(2.0, 3.0)));
                 raster.paint(&edges((0.1, 0.5 + shift), (1.5, width)), true);
-                raster.distances().into_iter().max().unwrap()
+                raster.distances(reach(0.45)).into_iter().max().unwrap()
             };
             assert!(widest(0.451) >= least_distance(0.45), "shifted by {shift}");
             assert!(widest(0.399) < least_distance(0.45), "shifted by {shift}");
@@ -229,7 +213,7 @@ mod tests {
                 Polygon::new(&[corners[0], corners[1], corners[2], start + along.perp() * 0.45]).unwrap();
             let mut raster = Raster::new(polygon.bounds());
             raster.paint(&polygon.edges().collect::<Vec<_>>(), true);
-            assert!(raster.distances().into_iter().max().unwrap() >= least_distance(0.45));
+            assert!(raster.distances(reach(0.45)).into_iter().max().unwrap() >= least_distance(0.45));
         }
     }
 }

@@ -1,16 +1,20 @@
 //! Where people get to on the floor of a room.
 
+use core::cmp::Reverse;
+use core::ops::Range;
+
 use crate::geometry::Point;
 use crate::plan::RoomOpening;
 
 use super::convex::{depth, edges, nearest_on_segment};
-use super::raster::{CELL, Raster, least_distance};
+use super::raster::{CELL, Raster, least_distance, reach};
 use super::subject::{Body, Subject};
 
 /// The floor of a room with what stands on it.
 pub(crate) struct Floor {
     raster: Raster,
-    distances: Vec<u32>,
+    /// As [`Raster::distances`] gives them, to the widest disc that is asked for.
+    distances: Vec<u16>,
     /// One per walkable opening.
     doors: Vec<Doorway>,
 }
@@ -19,20 +23,29 @@ pub(crate) struct Floor {
 struct Doorway {
     /// Index into the level's openings.
     opening: usize,
-    /// The cells on its threshold.
-    threshold: Vec<usize>,
+    /// The cells on its threshold, row by row.
+    threshold: Vec<Range<usize>>,
 }
 
-/// Where a disc gets to from the doors.
+/// Cells side by side in a row where a disc may be.
+struct Run {
+    cells: Range<usize>,
+    group: Group,
+}
+
+/// A number for all runs and doors that are reached from each other.
+pub(crate) type Group = usize;
+
+/// Where a disc gets to.
 pub(crate) struct Walk<'f> {
     floor: &'f Floor,
     diameter: f64,
-    /// Which group of doors each cell is reached from, zero for none.
-    cells: Vec<u16>,
-    /// The group of each door; doors of a group are reached from each other.
-    groups: Vec<u16>,
-    /// Cells by group; the first counts those that no group reaches.
-    sizes: Vec<usize>,
+    /// Row by row.
+    runs: Vec<Run>,
+    /// Index of each row's first run, and the number of runs.
+    rows: Vec<usize>,
+    /// The group of each door.
+    doors: Vec<Group>,
 }
 
 impl Floor {
@@ -68,7 +81,8 @@ impl Floor {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
         }
         let doors = places.iter().map(|place| Doorway::new(subject, place, &raster)).collect();
-        Some(Self { distances: raster.distances(), raster, doors })
+        let widest = rules.person.max(rules.narrow_person).max(rules.robot);
+        Some(Self { distances: raster.distances(reach(widest)), raster, doors })
     }
 
     /// The doors, as indices into the level's openings.
@@ -77,20 +91,83 @@ impl Floor {
     }
 
     /// Where a disc of a diameter gets to.
+    ///
+    /// Runs of cells are joined to those of the row before that they touch, sideways or across a corner. Doors
+    /// join all runs on their threshold: who leaves by a wide opening may come in again at its other end.
     pub(crate) fn walk(&self, diameter: f64) -> Walk<'_> {
-        let mut walk = Walk {
-            floor: self,
-            diameter,
-            cells: vec![0; self.raster.len()],
-            groups: vec![0; self.doors.len()],
-            sizes: vec![0],
-        };
-        for door in 0..self.doors.len() {
-            if walk.groups[door] == 0 {
-                walk.set_out(door);
+        let (runs, rows) = self.runs(least_distance(diameter));
+        let mut joined = Joined::new(self.doors.len() + runs.len());
+        let number = |run: usize| self.doors.len() + run;
+        for three in rows.windows(3) {
+            let (mut before, mut next) = (three[0], three[1]);
+            let columns = self.raster.columns();
+            while before < three[1] && next < three[2] {
+                let above = runs[before].start + columns..runs[before].end + columns;
+                let run = &runs[next];
+                if above.start <= run.end && run.start <= above.end {
+                    joined.join(number(before), number(next));
+                }
+                if above.end < run.end { before += 1 } else { next += 1 }
             }
         }
-        walk
+        for (door, doorway) in self.doors.iter().enumerate() {
+            for threshold in &doorway.threshold {
+                let row = threshold.start / self.raster.columns();
+                let met = (rows[row]..rows[row + 1]).filter(|&run| overlaps(&runs[run], threshold));
+                met.for_each(|run| joined.join(door, number(run)));
+            }
+        }
+        let doors = (0..self.doors.len()).map(|door| joined.group(door)).collect();
+        let runs = runs.into_iter().enumerate();
+        let runs = runs.map(|(run, cells)| Run { cells, group: joined.group(number(run)) }).collect();
+        Walk { floor: self, diameter, runs, rows, doors }
+    }
+
+    /// The runs of cells at least as far from everything as `least`, and the index of each row's first.
+    fn runs(&self, least: u16) -> (Vec<Range<usize>>, Vec<usize>) {
+        let columns = self.raster.columns();
+        let (mut runs, mut rows) = (Vec::new(), vec![0]);
+        for (row, distances) in self.distances.chunks_exact(columns).enumerate() {
+            let mut next = 0;
+            // Every row ends with a blocked cell.
+            while let Some(start) = distances[next..].iter().position(|&distance| distance >= least) {
+                let start = next + start;
+                let length = distances[start..].iter().position(|&distance| distance < least);
+                next = start + length.unwrap_or(columns - start);
+                runs.push(row * columns + start..row * columns + next);
+            }
+            rows.push(runs.len());
+        }
+        (runs, rows)
+    }
+}
+
+fn overlaps(a: &Range<usize>, b: &Range<usize>) -> bool {
+    a.start < b.end && b.start < a.end
+}
+
+/// Disjoint sets of numbers, each a tree whose root is its smallest.
+struct Joined {
+    parents: Vec<usize>,
+}
+
+impl Joined {
+    fn new(count: usize) -> Self {
+        Self { parents: (0..count).collect() }
+    }
+
+    /// The root of a number's set; the way there is halved for the next who asks.
+    fn group(&mut self, mut number: usize) -> Group {
+        while self.parents[number] != number {
+            self.parents[number] = self.parents[self.parents[number]];
+            number = self.parents[number];
+        }
+        number
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.group(a), self.group(b));
+        self.parents[a.max(b)] = a.min(b);
     }
 }
 
@@ -105,78 +182,55 @@ fn strip(subject: &Subject<'_>, place: &RoomOpening, from: f64, to: f64) -> Vec<
 impl Doorway {
     fn new(subject: &Subject<'_>, place: &RoomOpening, raster: &Raster) -> Self {
         let mut threshold = Vec::new();
-        raster.spans(&strip(subject, place, -CELL, CELL), |span| threshold.extend(span));
+        raster.spans(&strip(subject, place, -CELL, CELL), |span| threshold.push(span));
         Self { opening: place.opening, threshold }
     }
 }
 
 impl Walk<'_> {
-    /// Walks from a door, and from all doors that are met: who leaves by a wide opening may come in again at
-    /// its other end.
-    fn set_out(&mut self, door: usize) {
-        let group = u16::try_from(self.sizes.len()).expect("a room has fewer than 65,000 doors");
-        self.sizes.push(0);
-        let mut pending = vec![door];
-        while let Some(door) = pending.pop() {
-            self.groups[door] = group;
-            self.spread(door, group);
-            let is_met = |doorway: &Doorway| doorway.threshold.iter().any(|&cell| self.cells[cell] == group);
-            let doors = self.floor.doors.iter().enumerate();
-            let met = doors.filter(|&(other, doorway)| self.groups[other] == 0 && is_met(doorway));
-            pending = met.map(|(other, _)| other).collect();
-        }
-    }
-
-    fn spread(&mut self, door: usize, group: u16) {
-        let least = least_distance(self.diameter);
-        let columns = self.floor.raster.columns();
-        let mut pending = self.floor.doors[door].threshold.clone();
-        while let Some(cell) = pending.pop() {
-            if self.cells[cell] != 0 || self.floor.distances[cell] < least {
-                continue;
-            }
-            self.cells[cell] = group;
-            self.sizes[usize::from(group)] += 1;
-            // Cells where the disc may be are never at the edge of the grid.
-            for row in [cell - columns, cell, cell + columns] {
-                pending.extend((row - 1..=row + 1).filter(|&next| self.cells[next] == 0));
-            }
-        }
-    }
-
-    /// A door of the group of most doors, then of most cells; an index into the level's openings.
+    /// A door of the group of most doors, then of most cells, then of the first door; an index into the level's
+    /// openings.
     pub(crate) fn main_door(&self) -> usize {
-        let main = self.main_group();
-        let main_door = self.doors().find(|&(_, group)| group == main);
-        main_door.expect("a group has a door").0
+        let doors_of = |group: Group| self.doors.iter().filter(|&&other| other == group).count();
+        let rank =
+            |&(_, group): &(usize, Group)| (Reverse(doors_of(group)), Reverse(self.size(group)), group);
+        let best = self.doors().min_by_key(rank);
+        best.expect("a floor has a door").0
     }
 
     /// The group of a door.
-    pub(crate) fn group(&self, door: usize) -> u16 {
+    pub(crate) fn group(&self, door: usize) -> Group {
         self.doors().find(|&(other, _)| other == door).expect("all walks have the same doors").1
     }
 
-    fn main_group(&self) -> u16 {
-        let groups = 1..self.sizes.len();
-        let door_count = |group: usize| self.groups.iter().filter(|&&one| usize::from(one) == group).count();
-        let best = groups.max_by_key(|&group| (door_count(group), self.sizes[group], usize::MAX - group));
-        best.map_or(0, |group| u16::try_from(group).expect("groups are counted in 16 bits"))
+    /// Doors, as indices into the level's openings, with the group of each.
+    pub(crate) fn doors(&self) -> impl Iterator<Item = (usize, Group)> {
+        self.floor.doors.iter().zip(&self.doors).map(|(door, &group)| (door.opening, group))
     }
 
-    /// Doors, as indices into the level's openings, with the group of each.
-    pub(crate) fn doors(&self) -> impl Iterator<Item = (usize, u16)> {
-        self.floor.doors.iter().zip(&self.groups).map(|(door, &group)| (door.opening, group))
+    /// Cells of a group.
+    fn size(&self, group: Group) -> usize {
+        self.runs.iter().filter(|run| run.group == group).map(|run| run.cells.len()).sum()
+    }
+
+    /// The cells of a group among some of a row.
+    fn cells_among(&self, group: Group, span: Range<usize>) -> impl Iterator<Item = usize> {
+        let row = span.start / self.floor.raster.columns();
+        let runs = self.runs[self.rows[row]..self.rows[row + 1]].iter().filter(move |run| run.group == group);
+        runs.flat_map(move |run| run.cells.start.max(span.start)..run.cells.end.min(span.end))
     }
 
     /// Whether a disc of a group touches a convex area.
-    pub(crate) fn touches(&self, group: u16, area: &[Point]) -> bool {
+    pub(crate) fn touches(&self, group: Group, area: &[Point]) -> bool {
         let mut is_inside = false;
         let sides: Vec<(Point, Point)> = edges(area).collect();
-        self.floor.raster.spans(&sides, |span| is_inside |= self.cells[span].contains(&group));
+        self.floor.raster.spans(&sides, |span| {
+            is_inside = is_inside || self.cells_among(group, span).next().is_some();
+        });
         is_inside || self.touches_from_outside(group, area)
     }
 
-    fn touches_from_outside(&self, group: u16, area: &[Point]) -> bool {
+    fn touches_from_outside(&self, group: Group, area: &[Point]) -> bool {
         let radius = self.diameter / 2.0;
         let nothing = (Point::INFINITY, Point::NEG_INFINITY);
         let (low, high) =
@@ -189,19 +243,16 @@ impl Walk<'_> {
         };
         let mut found = false;
         self.floor.raster.spans(&edges(&around).collect::<Vec<_>>(), |span| {
-            found = found
-                || span
-                    .into_iter()
-                    .any(|cell| self.cells[cell] == group && is_near(self.floor.raster.middle(cell)));
+            let mut cells = self.cells_among(group, span);
+            found = found || cells.any(|cell| is_near(self.floor.raster.middle(cell)));
         });
         found
     }
 
     /// The share of all places where the disc could stand that a group reaches (the walkable rate of
     /// PhyScene, Yang et al. 2024, for one door).
-    pub(crate) fn rate(&self, group: u16) -> f64 {
-        let least = least_distance(self.diameter);
-        let all = self.floor.distances.iter().filter(|&&distance| distance >= least).count();
-        if all == 0 { 0.0 } else { self.sizes[usize::from(group)] as f64 / all as f64 }
+    pub(crate) fn rate(&self, group: Group) -> f64 {
+        let all: usize = self.runs.iter().map(|run| run.cells.len()).sum();
+        if all == 0 { 0.0 } else { self.size(group) as f64 / all as f64 }
     }
 }
