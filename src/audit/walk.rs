@@ -129,17 +129,24 @@ impl Floor {
         let (mut runs, mut rows) = (Vec::new(), vec![0]);
         for (row, distances) in self.distances.chunks_exact(columns).enumerate() {
             let mut next = 0;
-            // Every row ends with a blocked cell.
-            while let Some(start) = distances[next..].iter().position(|&distance| distance >= least) {
+            while let Some(start) = first(&distances[next..], |distance| distance >= least) {
                 let start = next + start;
-                let length = distances[start..].iter().position(|&distance| distance < least);
-                next = start + length.unwrap_or(columns - start);
+                let length = first(&distances[start..], |distance| distance < least);
+                next = start + length.expect("every row ends with a blocked cell");
                 runs.push(row * columns + start..row * columns + next);
             }
             rows.push(runs.len());
         }
         (runs, rows)
     }
+}
+
+/// Index of the first distance that is wanted. Whole blocks without one are skipped, each compared at once.
+fn first(distances: &[u16], is_wanted: impl Fn(u16) -> bool) -> Option<usize> {
+    const BLOCK: usize = 16;
+    let has_none = |block: &&[u16]| !block.iter().fold(false, |any, &distance| any | is_wanted(distance));
+    let skipped = BLOCK * distances.chunks_exact(BLOCK).take_while(has_none).count();
+    distances[skipped..].iter().position(|&distance| is_wanted(distance)).map(|index| skipped + index)
 }
 
 fn overlaps(a: &Range<usize>, b: &Range<usize>) -> bool {
