@@ -1,8 +1,8 @@
 //! Small rooms and a small catalogue for the audit's tests.
 
 use crate::catalog::{
-    Along, Catalog, Class, Clearance, Count, Extent, Finish, ModelSource, Orientation, ParentName,
-    ParentRule, PrismRule, Request, RoomType, Shape, Side, SideOffer, Size, Style, Turn, Untidiness,
+    Along, Catalog, Class, Clearance, Count, Extent, Finish, Orientation, ParentName, ParentRule, PrismRule,
+    Request, RoomType, Shape, Side, Size, Style, Turn, Untidiness,
 };
 use crate::geometry::{Point, Polygon, Region};
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -168,14 +168,7 @@ fn line(catalog: &Catalog, class: &str, count: Count) -> Request {
 
 fn catalog() -> Catalog {
     let mut desk = class("desk", (1.5, 0.75, 0.75), ParentName::Floor);
-    desk.clearances.push(Clearance {
-        side: Side::Front,
-        minimum: 0.75,
-        good: 0.91,
-        margin: 0.0,
-        height: 2.0,
-        allows_children: true,
-    });
+    desk.clearances.push(Clearance::SEAT);
     let mut table = class("table", (1.5, 0.75, 0.75), ParentName::Floor);
     table.shape = table_shape();
     let room_type = RoomType {
@@ -224,23 +217,7 @@ fn class(id: &str, (width, depth, height): (f64, f64, f64), parent: ParentName) 
         elevation: (0.0, 0.0),
         above_head: None,
     };
-    Class {
-        id: id.into(),
-        label: id.into(),
-        groups: Vec::new(),
-        sizes: vec![Size { width, depth, height }],
-        usual_sizes: 1,
-        looks: 1,
-        shape: Shape::Box,
-        parents: vec![rule],
-        sides: [SideOffer::NONE; 6],
-        clearances: Vec::new(),
-        relations: Vec::new(),
-        grid: None,
-        priority: 0,
-        model: ModelSource::Recipe { name: "cabinet".into(), parameters: Vec::new() },
-        depth: 0,
-    }
+    Class { parents: vec![rule], ..Class::plain(id, vec![Size { width, depth, height }], "cabinet") }
 }
 
 /// A top of 4 cm on four legs of 5 cm at the corners.

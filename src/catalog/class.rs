@@ -306,6 +306,13 @@ pub struct Clearance {
     pub allows_children: bool,
 }
 
+#[cfg(test)]
+impl Clearance {
+    /// The place of somebody who sits before a desk.
+    pub(crate) const SEAT: Self =
+        Self { side: Side::Front, minimum: 0.75, good: 0.9, margin: 0.0, height: 2.0, allows_children: true };
+}
+
 /// A wish about another object, scored when candidates are compared.
 #[derive(Clone, Debug)]
 pub struct Relation {

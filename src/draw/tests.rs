@@ -3,22 +3,14 @@ use crate::layout::{Parent, Placement, Removal, RemovalReason};
 use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, assemble_level};
 
 use super::*;
-use crate::catalog::{Class, RoomType, Side, Size};
+use crate::catalog::{Class, Clearance, RoomType, Side, Size};
 
 const DESK: Size = Size { width: 1.6, depth: 0.8, height: 0.74 };
 
 fn class() -> Class {
-    let clearance = crate::catalog::Clearance {
-        side: Side::Front,
-        minimum: 0.75,
-        good: 0.9,
-        margin: 0.0,
-        height: 2.0,
-        allows_children: true,
-    };
     Class {
         label: "Desk <wide>".to_owned(),
-        clearances: vec![clearance],
+        clearances: vec![Clearance::SEAT],
         ..Class::plain("desk", vec![DESK], "desk")
     }
 }

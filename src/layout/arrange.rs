@@ -1,5 +1,7 @@
 //! The loop of section 4: agents act according to their state until all rest or are removed.
 
+use crate::catalog::Size;
+
 use super::agent::{AgentIndex, State};
 use super::constants::SEARCH_ROUNDS;
 use super::environment::{Environment, Place};
@@ -35,26 +37,26 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
 }
 
 /// Searches in the size that was drawn, then in the smaller sizes of the class, largest first: a narrow
-/// wardrobe is better than none.
+/// wardrobe is better than none. What covers an opening begins with the largest, so that a wide window gets a
+/// wide curtain.
 fn search_in_any_size(
     environment: &mut Environment<'_>,
     agent: AgentIndex,
     key: &RoomKey,
 ) -> Result<Place, RemovalReason> {
     if environment.class(agent).parents.iter().any(|rule| rule.above_head.is_some()) {
-        return search_in_sizes(environment, agent, key, &covering_sizes(environment, agent));
+        let sizes = sizes_by(environment, agent, |size| size.width * size.height);
+        return search_in_sizes(environment, agent, key, &sizes);
     }
     let drawn = search(environment, agent, key);
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
     if drawn.is_ok() || class.sizes.len() == 1 || environment.is_exhausted[piece.class] {
         return drawn;
     }
-    let area = |variant: u32| class.size(variant).width * class.size(variant).depth;
-    let look = piece.variant % class.looks;
-    let variants = (0..class.variant_count()).filter(|variant| variant % class.looks == look);
-    let mut smaller: Vec<u32> = variants.filter(|&variant| area(variant) < area(piece.variant)).collect();
-    smaller.sort_by(|&a, &b| area(b).total_cmp(&area(a)).then(a.cmp(&b)));
-    search_in_sizes(environment, agent, key, &smaller).or(drawn)
+    let area = |size: Size| size.width * size.depth;
+    let mut sizes = sizes_by(environment, agent, area);
+    sizes.retain(|&variant| area(class.size(variant)) < area(class.size(piece.variant)));
+    search_in_sizes(environment, agent, key, &sizes).or(drawn)
 }
 
 /// Searches in one size after the other; where none has a place, says why the last has none.
@@ -76,15 +78,13 @@ fn search_in_sizes(
     found
 }
 
-/// The sizes of something that covers an opening, in the look that was drawn: the largest first, so that a wide
-/// window gets a wide curtain.
-fn covering_sizes(environment: &Environment<'_>, agent: AgentIndex) -> Vec<u32> {
+/// The variants of an agent's class in the look that was drawn, those of greatest extent first.
+fn sizes_by(environment: &Environment<'_>, agent: AgentIndex, extent: impl Fn(Size) -> f64) -> Vec<u32> {
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
-    let look = piece.variant % class.looks;
-    let mut variants: Vec<u32> =
-        (0..class.variant_count()).filter(|variant| variant % class.looks == look).collect();
-    let area = |&variant: &u32| class.size(variant).width * class.size(variant).height;
-    variants.sort_by(|a, b| area(b).total_cmp(&area(a)).then(a.cmp(b)));
+    let has_look = |variant: &u32| variant % class.looks == piece.variant % class.looks;
+    let mut variants: Vec<u32> = (0..class.variant_count()).filter(has_look).collect();
+    // Stable: of equal extents the lower variant comes first.
+    variants.sort_by(|&a, &b| extent(class.size(b)).total_cmp(&extent(class.size(a))));
     variants
 }
 

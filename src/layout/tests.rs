@@ -21,23 +21,8 @@ fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentR
 }
 
 fn class(id: &str, size: (f64, f64, f64), parents: Vec<ParentRule>, depth: u32) -> Class {
-    Class {
-        id: id.to_owned(),
-        label: id.to_owned(),
-        groups: Vec::new(),
-        sizes: vec![Size { width: size.0, depth: size.1, height: size.2 }],
-        usual_sizes: 1,
-        looks: 1,
-        shape: Shape::Box,
-        parents,
-        sides: [SideOffer::NONE; 6],
-        clearances: Vec::new(),
-        relations: Vec::new(),
-        grid: None,
-        priority: 0,
-        model: ModelSource::Recipe { name: "box".to_owned(), parameters: Vec::new() },
-        depth,
-    }
+    let size = Size { width: size.0, depth: size.1, height: size.2 };
+    Class { parents, depth, ..Class::plain(id, vec![size], "box") }
 }
 
 /// chair, desk, lamp, light, shelf: sorted by id, as a catalogue must be.
@@ -50,14 +35,7 @@ fn classes() -> Vec<Class> {
     );
     desk.sides[Side::Front.index()].places = 1;
     desk.sides[Side::Above.index()].places = 2;
-    desk.clearances = vec![Clearance {
-        side: Side::Front,
-        minimum: 0.75,
-        good: 0.9,
-        margin: 0.0,
-        height: 2.0,
-        allows_children: true,
-    }];
+    desk.clearances = vec![Clearance::SEAT];
     let at_desk = rule(ParentName::Classes(vec![1]), &[Side::Front], Turn::Facing, Along::Center);
     let on_desk = rule(ParentName::Classes(vec![1]), &[Side::Above], Turn::Parallel, Along::Back);
     let on_ceiling = rule(ParentName::Ceiling, &[Side::Below], Turn::Parallel, Along::Random);
