@@ -18,3 +18,4 @@ pub mod layout;
 pub mod model;
 pub mod plan;
 pub mod scene;
+mod walk;

@@ -1,10 +1,10 @@
 //! `out_of_room`: part of a body outside the outline, in a hole or a column, below the floor or above the
 //! ceiling.
 
-use crate::geometry::{Point, Polygon, Solid};
+use crate::geometry::{Point, Polygon, Solid, edges, nearest_on_segment};
 use crate::plan::Obstacle;
 
-use super::convex::{clip_segment, depth, edges, nearest_on_segment};
+use super::convex::{clip_segment, depth};
 use super::finding::{Code, Finding};
 use super::subject::Subject;
 use super::thresholds::ROUNDING;

@@ -3,13 +3,7 @@
 //!
 //! Polygons are slices of corners, counter-clockwise, in plan metres.
 
-use crate::geometry::Point;
-
-/// The edges of a polygon that have a length, the inside on the left.
-pub(crate) fn edges(polygon: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
-    let all = (0..polygon.len()).map(|i| (polygon[i], polygon[(i + 1) % polygon.len()]));
-    all.filter(|(start, end)| start != end)
-}
+use crate::geometry::{Point, edges, nearest_on_segment};
 
 /// How far one polygon must move for the two to part: above zero where they overlap, else at most zero.
 ///
@@ -89,16 +83,6 @@ pub(crate) fn intersection(a: &[Point], b: &[Point]) -> Vec<Point> {
 pub(crate) fn middle(polygon: &[Point]) -> Point {
     let count = f64::from(u32::try_from(polygon.len()).expect("a footprint has few corners"));
     polygon.iter().copied().sum::<Point>() / count
-}
-
-/// The point of a segment nearest to `point`.
-pub(crate) fn nearest_on_segment(point: Point, (start, end): (Point, Point)) -> Point {
-    let along = end - start;
-    let length_squared = along.length_squared();
-    if length_squared == 0.0 {
-        return start;
-    }
-    start + along * ((point - start).dot(along) / length_squared).clamp(0.0, 1.0)
 }
 
 /// Metres between a polygon and a segment; zero where they touch.

@@ -3,10 +3,10 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::catalog::{Class, ClassIndex, ParentName, Side, Size};
-use crate::geometry::{Point, direction};
+use crate::geometry::{Point, direction, edges};
 use crate::plan::Wall;
 
-use super::convex::{clip_segment, edges, penetration};
+use super::convex::{clip_segment, penetration};
 use super::doors;
 use super::subject::Subject;
 use super::thresholds::{FIT_STEP, ROUNDING};

@@ -1,7 +1,7 @@
 //! Building and placements to findings; never changes a layout.
 //!
 //! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
-//! ([`crate::layout::solids`]). What each code means stands at the head of the file
+//! ([`crate::layout::solids`]). Where people walk, [`crate::walk`] tells both. What each code means stands at the head of the file
 //! that judges it, the figures and where they come from in `configs/audit.yaml`.
 
 mod clearances;
@@ -12,7 +12,6 @@ mod doors;
 mod finding;
 mod fit;
 mod programme;
-mod raster;
 mod reach;
 mod subject;
 mod summary;
@@ -22,7 +21,6 @@ mod sweep;
 mod testing;
 mod thresholds;
 mod verdict;
-mod walk;
 mod zone;
 
 pub use finding::{Code, Finding, Grade, Severity};

@@ -1,20 +1,30 @@
 //! `unreachable`: a door, or a side of an object that is used, that people cannot walk to; and the walkable
 //! rate of every door.
 
+use crate::geometry::Solid;
+use crate::walk::{CELL, Floor, Goal};
+
 use super::finding::{Code, Finding};
-use super::raster::CELL;
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
-use super::walk::{Floor, Walk};
 use super::zone::{Purpose, Zone};
 
 /// What must be walked to.
 #[derive(Clone, Copy)]
-enum Goal<'z> {
+enum Target<'z> {
     /// A door, by index into the level's openings.
     Door(usize),
     /// The space before a side of an object, and the object's index.
     Side(&'z Zone, usize),
+}
+
+impl<'z> Target<'z> {
+    fn goal(self) -> Goal<'z> {
+        match self {
+            Self::Door(door) => Goal::Door(door),
+            Self::Side(zone, _) => Goal::Area(&zone.base),
+        }
+    }
 }
 
 /// What share of the floor is walked to from a door, by index into the level's openings.
@@ -27,12 +37,13 @@ pub(crate) fn judge(subject: &Subject<'_>, zones: &[Zone], findings: &mut Vec<Fi
     if !subject.bodies.iter().any(|body| body.low() < rules.body_height) {
         return Vec::new();
     }
-    let Some(floor) = Floor::new(subject, subject.bodies.iter()) else { return Vec::new() };
+    let solids = subject.bodies.iter().flat_map(|body| &body.solids);
+    let Some(floor) = floor(subject, solids) else { return Vec::new() };
     let walk = floor.walk(rules.person);
     // The door from which the others are reached, in whatever room they are compared with.
     let home = walk.main_door();
     let goals = goals(subject, zones, &floor);
-    let missed: Vec<Goal<'_>> = goals.into_iter().filter(|&goal| !is_reached(&walk, home, goal)).collect();
+    let missed: Vec<Target<'_>> = goals.into_iter().filter(|goal| !walk.reaches(home, goal.goal())).collect();
     if !missed.is_empty() {
         findings.extend(explain(subject, (&floor, home), &missed));
     }
@@ -40,39 +51,36 @@ pub(crate) fn judge(subject: &Subject<'_>, zones: &[Zone], findings: &mut Vec<Fi
     robot.doors().map(|(door, group)| (door, robot.rate(group))).collect()
 }
 
+/// The room with some of its bodies' solids; `None` where no door leads in.
+fn floor<'s>(subject: &Subject<'_>, solids: impl Iterator<Item = &'s Solid>) -> Option<Floor> {
+    Floor::new((subject.level, subject.room), &subject.rules().walking, solids)
+}
+
 /// Every door and every side with room for somebody. Narrower strips (beside a toilet) are elbow room.
-fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor) -> Vec<Goal<'z>> {
+fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor) -> Vec<Target<'z>> {
     let rules = subject.rules().walking;
     let sides = zones.iter().filter_map(|zone| {
         let Purpose::Using(owner, number) = zone.purpose else { return None };
         let clearance = &subject.bodies[owner].class.clearances[number];
         let is_stood_in = clearance.minimum >= rules.narrow_person && zone.heights.0 < rules.body_height;
-        is_stood_in.then_some(Goal::Side(zone, owner))
+        is_stood_in.then_some(Target::Side(zone, owner))
     });
-    floor.doors().map(Goal::Door).chain(sides).collect()
-}
-
-fn is_reached(walk: &Walk<'_>, home: usize, goal: Goal<'_>) -> bool {
-    let main = walk.group(home);
-    match goal {
-        Goal::Door(door) => walk.group(door) == main,
-        Goal::Side(zone, _) => walk.touches(main, &zone.base),
-    }
+    floor.doors().map(Target::Door).chain(sides).collect()
 }
 
 /// The findings of goals that are not reached. What the empty room allows is asked of the furnished one: the
 /// full width, else the narrow one; what it does not allow is the plan's fault.
-fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Goal<'_>]) -> Vec<Finding> {
+fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Target<'_>]) -> Vec<Finding> {
     let rules = subject.rules().walking;
-    let empty = Floor::new(subject, core::iter::empty()).expect("furniture closes no door");
+    let empty = self::floor(subject, core::iter::empty()).expect("furniture closes no door");
     let (wide, narrow) = (empty.walk(rules.person), empty.walk(rules.narrow_person));
     let widths = widest((floor, home), missed, rules.person);
     let mut findings = Vec::new();
     for (&goal, width) in missed.iter().zip(widths) {
-        let required = if is_reached(&wide, home, goal) { rules.person } else { rules.narrow_person };
+        let required = if wide.reaches(home, goal.goal()) { rules.person } else { rules.narrow_person };
         if width < required - ROUNDING {
             let finding = Finding::new(Code::Unreachable, names(subject, goal), width, required);
-            let is_possible = required == rules.person || is_reached(&narrow, home, goal);
+            let is_possible = required == rules.person || narrow.reaches(home, goal.goal());
             findings.push(if is_possible { finding } else { finding.given() });
         }
     }
@@ -82,7 +90,7 @@ fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Goal
 }
 
 /// For each goal the widest disc that gets there, to a cell and below `missed_by`; zero where none does.
-fn widest((floor, home): (&Floor, usize), goals: &[Goal<'_>], missed_by: f64) -> Vec<f64> {
+fn widest((floor, home): (&Floor, usize), goals: &[Target<'_>], missed_by: f64) -> Vec<f64> {
     let mut widths = vec![0.0; goals.len()];
     let steps = (missed_by / CELL) as u32;
     for diameter in (1..steps).map(|step| missed_by - f64::from(step) * CELL) {
@@ -91,7 +99,7 @@ fn widest((floor, home): (&Floor, usize), goals: &[Goal<'_>], missed_by: f64) ->
         }
         let walk = floor.walk(diameter);
         for (width, &goal) in widths.iter_mut().zip(goals) {
-            if *width == 0.0 && is_reached(&walk, home, goal) {
+            if *width == 0.0 && walk.reaches(home, goal.goal()) {
                 *width = diameter;
             }
         }
@@ -99,10 +107,10 @@ fn widest((floor, home): (&Floor, usize), goals: &[Goal<'_>], missed_by: f64) ->
     widths
 }
 
-fn names(subject: &Subject<'_>, goal: Goal<'_>) -> Vec<String> {
-    match goal {
-        Goal::Door(door) => vec![format!("door:{}", subject.level.openings[door].id)],
-        Goal::Side(_, owner) => vec![subject.bodies[owner].id.clone()],
+fn names(subject: &Subject<'_>, target: Target<'_>) -> Vec<String> {
+    match target {
+        Target::Door(door) => vec![format!("door:{}", subject.level.openings[door].id)],
+        Target::Side(_, owner) => vec![subject.bodies[owner].id.clone()],
     }
 }
 

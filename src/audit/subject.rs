@@ -3,11 +3,10 @@
 use glam::DVec3;
 
 use crate::catalog::{AuditRules, Catalog, Class};
-use crate::geometry::Solid;
+use crate::geometry::{Solid, edges};
 use crate::layout::{Furnished, Parent, Placement, solids};
 use crate::plan::{Level, Room};
 
-use super::convex::edges;
 use super::sweep::Bounds;
 
 /// One furnished room.

@@ -3,11 +3,11 @@
 use geo::{Area, BooleanOps, Centroid, Contains, Coord, LineString, MultiPolygon};
 
 use crate::catalog::Side;
-use crate::geometry::{Intervals, Point, Solid};
+use crate::geometry::{Intervals, Point, Solid, edges};
 use crate::layout::Parent;
 use crate::plan::{OpeningKind, Wall, WallKind};
 
-use super::convex::{depth, distance, edges, penetration, segment_distance};
+use super::convex::{depth, distance, penetration, segment_distance};
 use super::finding::{Code, Finding};
 use super::subject::{Body, Subject};
 use super::thresholds::ROUNDING;

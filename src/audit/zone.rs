@@ -1,8 +1,8 @@
 //! Regions of a room that must stay free, and how far a body reaches into one.
 
-use crate::geometry::{Point, Solid};
+use crate::geometry::{Point, Solid, nearest_on_segment};
 
-use super::convex::{intersection, middle, nearest_on_segment, penetration};
+use super::convex::{intersection, middle, penetration};
 use super::subject::{Body, Subject};
 use super::sweep::Bounds;
 

@@ -7,12 +7,14 @@ mod convex;
 mod grid;
 mod interval;
 mod polygon;
+mod segment;
 mod solid;
 
 pub use convex::{Convex, DISC_CORNERS};
 pub use grid::Grid;
 pub use interval::Intervals;
 pub use polygon::{CORNER_TOLERANCE, MINIMUM_AREA, Polygon, PolygonFault, Region};
+pub use segment::{distance_to_convex, edges, nearest_on_segment};
 pub use solid::{Solid, bounds_overlap};
 
 /// A point or direction in the plan frame: metres, x east, y north. Scene points are [`glam::Vec3`]

@@ -33,6 +33,8 @@ pub(crate) struct Agent {
     pub(crate) roofs: std::ops::Range<usize>,
     /// How often it has searched, for the random stream.
     pub(crate) searches: u32,
+    /// Whether it was sent away from the only way to something.
+    pub(crate) is_in_the_way: bool,
 }
 
 /// The states of figure 3, and what is left of an agent without a parent.
@@ -90,6 +92,7 @@ impl Agent {
             clearances: 0..0,
             roofs: 0..0,
             searches: 0,
+            is_in_the_way: false,
         }
     }
 

@@ -31,7 +31,11 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
         Err(reason) => reason,
     };
     let has_lost_parent = environment.agents[agent].searches > 0;
-    let reason = if has_lost_parent { RemovalReason::LostParent } else { reason };
+    let reason = match environment.agents[agent].is_in_the_way {
+        true => RemovalReason::Repair,
+        false if has_lost_parent => RemovalReason::LostParent,
+        false => reason,
+    };
     environment.agents[agent].state = State::Removed(reason);
     environment.is_exhausted[environment.agents[agent].piece.class] = true;
 }

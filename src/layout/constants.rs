@@ -59,6 +59,8 @@ pub(crate) const RUG_HEIGHT: f64 = 0.05;
 pub(crate) const TIGHT_PENALTY: f64 = 0.3;
 /// Rounds in which agents that lost their parent may search again.
 pub(crate) const SEARCH_ROUNDS: usize = 4;
+/// Rounds in which agents that close a way are sent away; what they close elsewhere is seen in the next round.
+pub(crate) const WAY_ROUNDS: usize = 4;
 /// Times that a room is furnished from derived seeds while a required piece is missing or many pieces are;
 /// rooms that come out well, nearly all, are furnished once.
 pub(crate) const ATTEMPTS: u32 = 4;

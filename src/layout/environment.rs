@@ -240,6 +240,18 @@ impl<'a> Environment<'a> {
         });
     }
 
+    /// The solid parts of all resting agents.
+    pub(crate) fn solids(&self) -> impl Iterator<Item = &Solid> {
+        let resting = (0..self.agents.len()).filter(|&agent| self.agents[agent].rest().is_some());
+        resting.flat_map(|agent| self.solids_of(agent))
+    }
+
+    /// The solid parts of a resting agent; none of another.
+    pub(crate) fn solids_of(&self, agent: AgentIndex) -> impl Iterator<Item = &Solid> {
+        let bodies = self.agents[agent].rest().map_or(0..0, |_| self.agents[agent].bodies.clone());
+        self.bodies[bodies].iter().map(|body| &body.solid)
+    }
+
     /// Lets an agent rest at a place.
     pub(crate) fn settle(&mut self, agent: AgentIndex, place: &Place) {
         let extent = self.extent_along(agent, place);

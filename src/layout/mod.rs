@@ -6,7 +6,9 @@
 //!   table without meeting a leg;
 //! - along walls, positions are drawn from the stretches that are really free (`rules`);
 //! - clearances, door swings and approaches are regions that bodies keep out of;
-//! - a room that lacks a required piece, or many, is furnished again from a derived seed, a few times at most;
+//! - who closes the only way to a door or to a side that people use is sent away to search again (`ways`);
+//! - a room that lacks a required piece, a way, or many pieces is furnished again from a derived seed, a few
+//!   times at most;
 //! - an agent with wishes about other objects compares a few free places instead of taking the first.
 
 mod agent;
@@ -25,6 +27,7 @@ mod surroundings;
 #[cfg(test)]
 mod tests;
 mod untidy;
+mod ways;
 
 pub use body::{clearance_solids, solids};
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -68,39 +71,52 @@ pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishO
     let surroundings = Surroundings::new(level, plan);
     let attempt = |number: u32| {
         let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);
-        act_all(&mut environment, &style.untidiness, &key.attempt(number));
-        result::furnished(&environment, room, key.seed(), style)
+        let closed_ways = act_all(&mut environment, &style.untidiness, &key.attempt(number));
+        Attempt { furnished: result::furnished(&environment, room, key.seed(), style), closed_ways }
     };
     let mut best = attempt(0);
     for number in 1..ATTEMPTS {
-        if !is_lacking(&best) {
+        if !best.is_lacking() {
             break;
         }
         let next = attempt(number);
-        if lack(&next) < lack(&best) {
+        if next.lack() < best.lack() {
             best = next;
         }
     }
-    best
+    best.furnished
 }
 
-/// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness.
-fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) {
+/// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness; after that,
+/// ways are cleared. Returns how many ways stay closed.
+fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) -> usize {
     arrange::arrange(environment, key);
     if untidy::make_untidy(environment, untidiness, key) {
         arrange::arrange(environment, key);
     }
+    ways::clear_ways(environment, key)
 }
 
-/// Required pieces that are missing, then all that are: what attempts are compared by.
-fn lack(furnished: &Furnished) -> (usize, usize) {
-    (furnished.removals.iter().filter(|removal| removal.is_required).count(), furnished.removals.len())
+/// One of the times that a room is furnished.
+struct Attempt {
+    furnished: Furnished,
+    closed_ways: usize,
 }
 
-/// Whether another attempt is worth its time.
-fn is_lacking(furnished: &Furnished) -> bool {
-    let (required, all) = lack(furnished);
-    required > 0 || all as f64 > MISSING_SHARE * f64::from(furnished.requested)
+impl Attempt {
+    /// Required pieces that are missing, then ways that are closed, then all pieces that are missing: what
+    /// attempts are compared by.
+    fn lack(&self) -> (usize, usize, usize) {
+        let removals = &self.furnished.removals;
+        let required = removals.iter().filter(|removal| removal.is_required).count();
+        (required, self.closed_ways, removals.len())
+    }
+
+    /// Whether another attempt is worth its time.
+    fn is_lacking(&self) -> bool {
+        let (required, ways, all) = self.lack();
+        required > 0 || ways > 0 || all as f64 > MISSING_SHARE * f64::from(self.furnished.requested)
+    }
 }
 
 /// The style of a room: its own, else the run's if that is made for such rooms, else the default.

@@ -28,6 +28,17 @@ pub(crate) fn move_agent(environment: &mut Environment<'_>, agent: AgentIndex, p
     true
 }
 
+/// Sends a resting agent away from where it stands, with all that stands on it, to search again.
+pub(crate) fn send_away(environment: &mut Environment<'_>, agent: AgentIndex) {
+    for (member, _) in family(environment, agent).into_iter().rev() {
+        environment.unsettle(member);
+        environment.agents[member].searches += 1;
+    }
+    environment.agents[agent].is_in_the_way = true;
+    // There is more room now than when others of its class found none.
+    environment.is_exhausted.fill(false);
+}
+
 fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, (from, to): (&Pose, &Pose)) {
     let has_parent = match rest.parent {
         ParentPart::Agent(parent) => environment.agents[parent].rest().is_some(),

@@ -278,3 +278,40 @@ fn fill_asks_for_no_more_than_fits() {
     assert!((8..=22).contains(&room.placements.len()), "{} shelves", room.placements.len());
     assert_eq!(room.requested as usize, room.placements.len());
 }
+
+/// A strip with a door at each end: shelves against both walls leave too little between them.
+fn strip_rooms() -> (Level, Catalog, Vec<Furnished>) {
+    let mut level = level(&[(0.0, 0.0), (1.2, 0.0), (1.2, 6.0), (0.0, 6.0)]);
+    let far = Opening {
+        id: "2".into(),
+        center: Point::new(0.6, 6.0),
+        along: level.rooms[0].walls[2].direction(),
+        leaves: Vec::new(),
+        sides: vec![OpeningSide { room: 0, wall: 2, from: 0.15, to: 1.05 }],
+        ..level.openings[0].clone()
+    };
+    level.openings.push(far);
+    level.rooms[0].openings.push(RoomOpening { opening: 1, wall: 2, from: 0.15, to: 1.05 });
+    let catalog = catalog(&[(4, Count::Fixed(5))], Untidiness::default());
+    let rooms = (0..50).map(|seed| run(&level, &catalog, seed)).collect();
+    (level, catalog, rooms)
+}
+
+#[test]
+fn who_stands_in_the_only_way_is_sent_away() {
+    let (level, catalog, rooms) = strip_rooms();
+    let is_closed = |room: &Furnished| {
+        let findings = crate::audit::audit_room(&level, 0, room, &catalog);
+        findings.iter().any(|finding| finding.code == crate::audit::Code::Unreachable)
+    };
+    assert!(!rooms.iter().any(is_closed));
+    let shelves: usize = rooms.iter().map(|room| room.placements.len()).sum();
+    assert!(shelves >= 2 * rooms.len(), "{shelves} of {} rest", 5 * rooms.len());
+}
+
+#[test]
+fn who_was_sent_away_for_good_says_so() {
+    let (.., rooms) = strip_rooms();
+    let removals = rooms.iter().flat_map(|room| &room.removals);
+    assert!(removals.filter(|removal| removal.reason == RemovalReason::Repair).count() > 0);
+}

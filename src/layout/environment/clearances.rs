@@ -31,6 +31,25 @@ impl Environment<'_> {
             || (!is_flat && self.clearance_grid.any(bounds, is_in_a_clearance))
     }
 
+    /// Keeps a region free of all bodies from now on.
+    pub(crate) fn keep_free(&mut self, solid: Solid) {
+        self.kept_free_grid.insert(item(self.surroundings.kept_free.len()), solid.bounds);
+        self.surroundings.kept_free.push(solid);
+    }
+
+    /// Clearances of resting agents at least so deep, so low that people stand in them.
+    pub(crate) fn used_areas(&self, depth: f64, most: f64) -> impl Iterator<Item = &Solid> {
+        let resting = (0..self.agents.len()).filter(|&agent| self.agents[agent].rest().is_some());
+        resting.flat_map(move |agent| {
+            let clearances = self.class(agent).clearances.iter();
+            let regions = &self.clearances[self.agents[agent].clearances.clone()];
+            let is_used =
+                move |clearance: &Clearance, region: &Solid| clearance.minimum >= depth && region.low < most;
+            let pairs = clearances.zip(regions).map(|(clearance, region)| (clearance, &region.solid));
+            pairs.filter(move |(clearance, solid)| is_used(clearance, solid)).map(|(_, solid)| solid)
+        })
+    }
+
     /// Whether a parent is an agent or one of its descendants.
     fn descends(&self, parent: ParentPart, ancestor: AgentIndex) -> bool {
         let mut parent = parent;

@@ -3,20 +3,28 @@
 use core::cmp::Reverse;
 use core::ops::Range;
 
-use crate::geometry::Point;
-use crate::plan::RoomOpening;
+use crate::catalog::WalkingRules;
+use crate::geometry::{Point, Solid, distance_to_convex, edges};
+use crate::plan::{Level, Room, RoomOpening};
 
-use super::convex::{depth, edges, nearest_on_segment};
 use super::raster::{CELL, Raster, least_distance, reach};
-use super::subject::{Body, Subject};
 
 /// The floor of a room with what stands on it.
 pub(crate) struct Floor {
-    raster: Raster,
+    pub(super) raster: Raster,
     /// As [`Raster::distances`] gives them, to the widest disc that is asked for.
-    distances: Vec<u16>,
+    pub(super) distances: Vec<u16>,
     /// One per walkable opening.
     doors: Vec<Doorway>,
+}
+
+/// What people walk to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Goal<'g> {
+    /// A door, by index into the level's openings.
+    Door(usize),
+    /// Any place on a convex area, corners counter-clockwise.
+    Area(&'g [Point]),
 }
 
 /// An opening that people walk through.
@@ -38,8 +46,8 @@ pub(crate) type Group = usize;
 
 /// Where a disc gets to.
 pub(crate) struct Walk<'f> {
-    floor: &'f Floor,
-    diameter: f64,
+    pub(super) floor: &'f Floor,
+    pub(super) diameter: f64,
     /// Row by row.
     runs: Vec<Run>,
     /// Index of each row's first run, and the number of runs.
@@ -49,38 +57,32 @@ pub(crate) struct Walk<'f> {
 }
 
 impl Floor {
-    /// The floor of a room with some bodies; `None` where no door leads in.
-    pub(crate) fn new<'b, 'a: 'b>(
-        subject: &Subject<'_>,
-        bodies: impl Iterator<Item = &'b Body<'a>>,
+    /// The floor of a room with some solids; `None` where no door leads in.
+    pub(crate) fn new<'s>(
+        (level, room): (&Level, &Room),
+        rules: &WalkingRules,
+        solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
-        let places: Vec<&RoomOpening> = subject
-            .room
-            .openings
-            .iter()
-            .filter(|place| subject.level.openings[place.opening].kind.is_walkable())
-            .collect();
+        let is_door = |place: &&RoomOpening| level.openings[place.opening].kind.is_walkable();
+        let places: Vec<&RoomOpening> = room.openings.iter().filter(is_door).collect();
         if places.is_empty() {
             return None;
         }
-        let rules = subject.rules().walking;
         // Somebody on a threshold stands half behind it.
         let behind = rules.person / 2.0 + 2.0 * CELL;
-        let (low, high) = subject.room.region.outline.bounds();
+        let (low, high) = room.region.outline.bounds();
         let mut raster = Raster::new((low - Point::splat(behind), high + Point::splat(behind)));
-        raster.paint(&subject.room.region.borders().collect::<Vec<_>>(), true);
+        raster.paint(&room.region.borders().collect::<Vec<_>>(), true);
         for place in &places {
-            raster.paint(&strip(subject, place, -behind, CELL), true);
+            raster.paint(&strip(room, place, -behind, CELL), true);
         }
-        for column in &subject.room.obstacles {
+        for column in &room.obstacles {
             raster.paint(&column.outline.edges().collect::<Vec<_>>(), false);
         }
-        let is_in_the_way = |low: f64, high: f64| low < rules.body_height && high > rules.step;
-        for solid in bodies.flat_map(|body| &body.solids).filter(|solid| is_in_the_way(solid.low, solid.high))
-        {
+        for solid in solids.filter(|solid| solid.low < rules.body_height && solid.high > rules.step) {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
         }
-        let doors = places.iter().map(|place| Doorway::new(subject, place, &raster)).collect();
+        let doors = places.iter().map(|place| Doorway::new(room, place, &raster)).collect();
         let widest = rules.person.max(rules.narrow_person).max(rules.robot);
         Some(Self { distances: raster.distances(reach(widest)), raster, doors })
     }
@@ -179,17 +181,17 @@ impl Joined {
 }
 
 /// The strip along an opening between two distances from the wall's inner face, above zero inside the room.
-fn strip(subject: &Subject<'_>, place: &RoomOpening, from: f64, to: f64) -> Vec<(Point, Point)> {
-    let wall = &subject.room.walls[place.wall];
+fn strip(room: &Room, place: &RoomOpening, from: f64, to: f64) -> Vec<(Point, Point)> {
+    let wall = &room.walls[place.wall];
     let at = |along: f64, inward: f64| wall.start + wall.direction() * along + wall.normal() * inward;
     let corners = [at(place.from, from), at(place.to, from), at(place.to, to), at(place.from, to)];
     edges(&corners).collect()
 }
 
 impl Doorway {
-    fn new(subject: &Subject<'_>, place: &RoomOpening, raster: &Raster) -> Self {
+    fn new(room: &Room, place: &RoomOpening, raster: &Raster) -> Self {
         let mut threshold = Vec::new();
-        raster.spans(&strip(subject, place, -CELL, CELL), |span| threshold.push(span));
+        raster.spans(&strip(room, place, -CELL, CELL), |span| threshold.push(span));
         Self { opening: place.opening, threshold }
     }
 }
@@ -220,40 +222,76 @@ impl Walk<'_> {
         self.runs.iter().filter(|run| run.group == group).map(|run| run.cells.len()).sum()
     }
 
-    /// The cells of a group among some of a row.
-    fn cells_among(&self, group: Group, span: Range<usize>) -> impl Iterator<Item = usize> {
+    /// Runs of a row that have cells among some of it.
+    fn runs_among(&self, span: &Range<usize>) -> &[Run] {
         let row = span.start / self.floor.raster.columns();
-        let runs = self.runs[self.rows[row]..self.rows[row + 1]].iter().filter(move |run| run.group == group);
-        runs.flat_map(move |run| run.cells.start.max(span.start)..run.cells.end.min(span.end))
+        let runs = &self.runs[self.rows[row]..self.rows[row + 1]];
+        let from = runs.partition_point(|run| run.cells.end <= span.start);
+        let to = runs.partition_point(|run| run.cells.start < span.end);
+        &runs[from..to]
+    }
+
+    /// The cells on a door's threshold.
+    pub(super) fn threshold(&self, door: usize) -> impl Iterator<Item = usize> {
+        let doorway = self.floor.doors.iter().find(|doorway| doorway.opening == door);
+        doorway.into_iter().flat_map(|doorway| doorway.threshold.iter().cloned().flatten())
+    }
+
+    /// The cells of a group.
+    pub(super) fn cells(&self, group: Group) -> impl Iterator<Item = usize> {
+        self.runs.iter().filter(move |run| run.group == group).flat_map(|run| run.cells.clone())
     }
 
     /// Whether a disc of a group touches a convex area.
-    pub(crate) fn touches(&self, group: Group, area: &[Point]) -> bool {
-        let mut is_inside = false;
-        let sides: Vec<(Point, Point)> = edges(area).collect();
-        self.floor.raster.spans(&sides, |span| {
-            is_inside = is_inside || self.cells_among(group, span).next().is_some();
-        });
-        is_inside || self.touches_from_outside(group, area)
+    fn touches(&self, group: Group, area: &[Point]) -> bool {
+        self.any_touching(area, |other| other == group, |_| true)
     }
 
-    fn touches_from_outside(&self, group: Group, area: &[Point]) -> bool {
+    /// The cells whose discs touch a convex area.
+    pub(super) fn touching(&self, area: &[Point]) -> Vec<usize> {
+        let mut cells = Vec::new();
+        self.any_touching(
+            area,
+            |_| true,
+            |cell| {
+                cells.push(cell);
+                false
+            },
+        );
+        cells
+    }
+
+    /// Whether one of the cells of wanted groups whose discs touch a convex area is the one looked for.
+    fn any_touching(
+        &self,
+        area: &[Point],
+        is_wanted: impl Fn(Group) -> bool,
+        mut is_it: impl FnMut(usize) -> bool,
+    ) -> bool {
         let radius = self.diameter / 2.0;
         let nothing = (Point::INFINITY, Point::NEG_INFINITY);
         let (low, high) =
             area.iter().fold(nothing, |(low, high), &corner| (low.min(corner), high.max(corner)));
         let (low, high) = (low - Point::splat(radius), high + Point::splat(radius));
         let around = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
-        let is_near = |middle: Point| {
-            depth(area, middle) >= -radius
-                && edges(area).any(|edge| middle.distance(nearest_on_segment(middle, edge)) <= radius)
-        };
+        let is_near = |cell: usize| distance_to_convex(area, self.floor.raster.middle(cell)) <= radius;
         let mut found = false;
         self.floor.raster.spans(&edges(&around).collect::<Vec<_>>(), |span| {
-            let mut cells = self.cells_among(group, span);
-            found = found || cells.any(|cell| is_near(self.floor.raster.middle(cell)));
+            for run in self.runs_among(&span).iter().filter(|run| is_wanted(run.group)) {
+                let mut cells = run.cells.start.max(span.start)..run.cells.end.min(span.end);
+                found = found || cells.any(|cell| is_near(cell) && is_it(cell));
+            }
         });
         found
+    }
+
+    /// Whether who comes in by a door (an index into the level's openings) gets to a goal.
+    pub(crate) fn reaches(&self, home: usize, goal: Goal<'_>) -> bool {
+        let group = self.group(home);
+        match goal {
+            Goal::Door(door) => self.group(door) == group,
+            Goal::Area(area) => self.touches(group, area),
+        }
     }
 
     /// The share of all places where the disc could stand that a group reaches (the walkable rate of

@@ -1,0 +1,12 @@
+//! Where people get to on the floor of a room: level, room and solids to groups of places that are reached from
+//! each other. Never decides what that means: the layout clears the ways that it closed, the audit judges.
+//!
+//! A person is a disc on a grid of 5 cm. Distances are exact, tested against asking every cell.
+
+mod floor;
+mod raster;
+mod way;
+
+pub(crate) use floor::{Floor, Goal};
+pub(crate) use raster::CELL;
+pub(crate) use way::{Way, blocked_ways};
