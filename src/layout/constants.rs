@@ -61,8 +61,10 @@ pub(crate) const TIGHT_PENALTY: f64 = 0.3;
 pub(crate) const SEARCH_ROUNDS: usize = 4;
 /// Rounds in which agents that close a way are sent away; what they close elsewhere is seen in the next round.
 pub(crate) const WAY_ROUNDS: usize = 4;
-/// Times that a room is furnished from derived seeds while a required piece is missing or many pieces are;
-/// rooms that come out well, nearly all, are furnished once.
+/// Times that a room is furnished from derived seeds while many pieces are missing; rooms that come out well,
+/// nearly all, are furnished once.
 pub(crate) const ATTEMPTS: u32 = 4;
+/// Times while a required piece is missing or a way is closed: a bathroom of 3 m² has few good arrangements.
+pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
 /// Share of the requested pieces that may be missing before another attempt.
 pub(crate) const MISSING_SHARE: f64 = 0.1;

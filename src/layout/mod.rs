@@ -35,7 +35,7 @@ pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 use crate::catalog::{Catalog, DEFAULT_STYLE, Style, Untidiness};
 use crate::plan::{Level, OpeningKind, Room};
 
-use constants::{ATTEMPTS, MISSING_SHARE};
+use constants::{ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE};
 use environment::Environment;
 use programme::Site;
 use seed::RoomKey;
@@ -75,8 +75,8 @@ pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishO
         Attempt { furnished: result::furnished(&environment, room, key.seed(), style), closed_ways }
     };
     let mut best = attempt(0);
-    for number in 1..ATTEMPTS {
-        if !best.is_lacking() {
+    for number in 1..ATTEMPTS_IN_NEED {
+        if !best.is_worth_another(number) {
             break;
         }
         let next = attempt(number);
@@ -112,10 +112,11 @@ impl Attempt {
         (required, self.closed_ways, removals.len())
     }
 
-    /// Whether another attempt is worth its time.
-    fn is_lacking(&self) -> bool {
+    /// Whether another attempt is worth its time after so many.
+    fn is_worth_another(&self, attempts: u32) -> bool {
         let (required, ways, all) = self.lack();
-        required > 0 || ways > 0 || all as f64 > MISSING_SHARE * f64::from(self.furnished.requested)
+        let misses_many = all as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
+        required > 0 || ways > 0 || (misses_many && attempts < ATTEMPTS)
     }
 }
 
