@@ -30,7 +30,7 @@ pub(crate) struct Environment<'a> {
     pub(crate) resting: Vec<Vec<AgentIndex>>,
     /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
     pub(crate) is_exhausted: Vec<bool>,
-    borders: Vec<(Point, Point)>,
+    borders: Vec<Border>,
     border_grid: Grid,
     bodies: Vec<Body>,
     body_grid: Grid,
@@ -42,6 +42,25 @@ pub(crate) struct Environment<'a> {
     kept_free_grid: Grid,
     /// Room for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
+}
+
+/// A stretch of the room's outline or of a hole.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Border {
+    /// Index of its wall.
+    pub(crate) wall: usize,
+    /// Where it begins.
+    pub(crate) start: Point,
+    /// Where it ends.
+    pub(crate) end: Point,
+    /// Whether nothing stands there: bodies stay inside all the same, people walk across.
+    pub(crate) is_open: bool,
+}
+
+impl Border {
+    fn bounds(&self) -> (Point, Point) {
+        (self.start.min(self.end), self.start.max(self.end))
+    }
 }
 
 /// A solid part of an agent or column.
@@ -96,10 +115,10 @@ impl<'a> Environment<'a> {
     pub(crate) fn new(catalog: &'a Catalog, surroundings: Surroundings<'a>, pieces: &[Piece]) -> Self {
         let region = &surroundings.room.region;
         let (low, high) = region.outline.bounds();
-        let borders: Vec<(Point, Point)> = region.borders().collect();
+        let borders = surroundings.borders();
         let mut border_grid = Grid::new(low, high);
-        for (index, &(start, end)) in borders.iter().enumerate() {
-            border_grid.insert(item(index), (start.min(end), start.max(end)));
+        for (index, border) in borders.iter().enumerate() {
+            border_grid.insert(item(index), border.bounds());
         }
         let mut kept_free_grid = Grid::new(low, high);
         for (index, solid) in surroundings.kept_free.iter().enumerate() {
@@ -185,15 +204,21 @@ impl<'a> Environment<'a> {
 
     /// Whether a solid lies inside the outline and outside the holes.
     pub(crate) fn is_inside(&self, solid: &Solid) -> bool {
-        self.is_free_of_walls(solid, CONTACT_TOLERANCE)
+        self.lies_inside(solid, CONTACT_TOLERANCE)
+    }
+
+    fn lies_inside(&self, solid: &Solid, tolerance: f64) -> bool {
+        !self.is_entered(solid, tolerance, |_| true)
             && self.surroundings.room.region.contains(solid.base.center())
     }
 
-    fn is_free_of_walls(&self, solid: &Solid, tolerance: f64) -> bool {
-        !self.border_grid.any(solid.bounds, |index| {
-            let (start, end) = self.borders[index as usize];
-            bounds_overlap((start.min(end), start.max(end)), solid.bounds, -tolerance)
-                && solid.base.is_entered_by(start, end, tolerance)
+    /// Whether a border of some kind runs through a solid.
+    fn is_entered(&self, solid: &Solid, tolerance: f64, counts: impl Fn(&Border) -> bool) -> bool {
+        self.border_grid.any(solid.bounds, |index| {
+            let border = &self.borders[index as usize];
+            counts(border)
+                && bounds_overlap(border.bounds(), solid.bounds, -tolerance)
+                && solid.base.is_entered_by(border.start, border.end, tolerance)
         })
     }
 
@@ -233,11 +258,8 @@ impl<'a> Environment<'a> {
     }
 
     /// Calls `visit` with every border of the room near a region.
-    pub(crate) fn each_border(&self, region: &Solid, mut visit: impl FnMut(usize, Point, Point)) {
-        self.border_grid.each(region.bounds, |index| {
-            let (start, end) = self.borders[index as usize];
-            visit(index as usize, start, end);
-        });
+    pub(crate) fn each_border(&self, region: &Solid, mut visit: impl FnMut(&Border)) {
+        self.border_grid.each(region.bounds, |index| visit(&self.borders[index as usize]));
     }
 
     /// The solid parts of all resting agents.

@@ -4,6 +4,7 @@ use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
 use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening};
 
 use super::constants::{DOOR_APPROACH, FRAME_WIDTH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
+use super::environment::Border;
 
 /// The fixed part of an agent's environment.
 #[derive(Clone, Debug)]
@@ -41,6 +42,35 @@ impl<'a> Surroundings<'a> {
             surroundings.add_opening(&level.openings[side.opening], side);
         }
         surroundings
+    }
+
+    /// The outline and the holes, cut where a wall is open.
+    pub(crate) fn borders(&self) -> Vec<Border> {
+        let mut borders = Vec::new();
+        for (wall, (start, end)) in self.room.region.borders().enumerate() {
+            let is_open = |side: &&RoomOpening| {
+                let kind = self.level.openings[side.opening].kind;
+                side.wall == wall && matches!(kind, OpeningKind::OpenBoundary | OpeningKind::Passage)
+            };
+            let mut gaps: Vec<_> =
+                self.room.openings.iter().filter(is_open).map(|side| (side.from, side.to)).collect();
+            gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (length, along) = (start.distance(end), (end - start).normalize_or_zero());
+            let mut add = |from: f64, to: f64, is_open: bool| {
+                if to > from {
+                    let end = if to < length { start + along * to } else { end };
+                    borders.push(Border { wall, start: start + along * from, end, is_open });
+                }
+            };
+            let mut done = 0.0;
+            for (from, to) in gaps {
+                add(done, from.min(length), false);
+                add(from.max(done), to.min(length), true);
+                done = to.max(done);
+            }
+            add(done, length, false);
+        }
+        borders
     }
 
     fn add_opening(&mut self, opening: &Opening, side: &RoomOpening) {

@@ -4,9 +4,11 @@ use crate::catalog::{Clearance, Shape, Size};
 use crate::geometry::Solid;
 use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::{Pose, box_solid, clearance_solid};
-use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT, SEAT_DEPTH};
+use crate::layout::constants::{
+    CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, OPEN_BOUNDARY_APPROACH, RUG_HEIGHT, SEAT_DEPTH,
+};
 
-use super::{Environment, Place, Probe, ROOM, is_flat, item};
+use super::{Border, Environment, Place, Probe, ROOM, is_flat, item};
 
 /// Where a child's seat stands in a clearance that allows one.
 pub(super) fn seat(clearance: &Clearance, size: Size, pose: &Pose) -> Option<Solid> {
@@ -65,15 +67,21 @@ impl Environment<'_> {
         false
     }
 
-    /// Whether all clearances of an agent are free at a place: inside the room, and of bodies other than its
+    /// Whether all clearances of an agent are free at a place: free of walls, and of bodies other than its
     /// relatives and what hangs flat on a wall.
     pub(crate) fn has_clearances(&self, agent: AgentIndex, place: &Place, is_good: bool) -> bool {
         let (class, size) = (self.class(agent), self.agents[agent].size);
         class.clearances.iter().all(|clearance| {
             let depth = if is_good { clearance.good } else { clearance.minimum };
             let solid = clearance_solid(clearance, size, &place.pose, depth);
-            self.is_free_of_walls(&solid, CLEARANCE_TOLERANCE)
-                && self.surroundings.room.region.contains(solid.base.center())
+            // Where the wall is open it may reach across the strip that the next room keeps free.
+            let within = || {
+                let depth = (depth - OPEN_BOUNDARY_APPROACH).max(CLEARANCE_TOLERANCE);
+                self.lies_inside(&clearance_solid(clearance, size, &place.pose, depth), CLEARANCE_TOLERANCE)
+            };
+            let is_walled = |border: &Border| !border.is_open;
+            (self.lies_inside(&solid, CLEARANCE_TOLERANCE)
+                || (!self.is_entered(&solid, CLEARANCE_TOLERANCE, is_walled) && within()))
                 && !self.body_grid.any(solid.bounds, |index| {
                     let body = &self.bodies[index as usize];
                     !body.is_flat

@@ -8,6 +8,7 @@ use crate::layout::body::Pose;
 use crate::layout::constants::{
     CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, COVER_MARGIN, SEAT_DEPTH, SNAP_DISTANCE, TRIALS_PER_WALL,
 };
+use crate::layout::environment::Border;
 use crate::layout::seed::Stream;
 use crate::plan::{OpeningKind, Wall, WallKind};
 
@@ -32,7 +33,7 @@ pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: 
         index: wall,
         from: stream.between(view.rule.gap.0, view.rule.gap.1),
         depth: 2.0 * Agent::half_extent(view.size, right, normal),
-        half: Agent::half_extent(view.size, right, along) - CONTACT_TOLERANCE,
+        half: Agent::half_extent(view.size, right, along) - CONTACT_TOLERANCE / 2.0,
         low: elevation,
         high: elevation + view.size.height,
     };
@@ -88,7 +89,8 @@ struct Strip<'a> {
     from: f64,
     /// Metres of the box away from the wall.
     depth: f64,
-    /// Half of the box along the wall, less the tolerance for contact.
+    /// Half of the box along the wall, less half of the tolerance for contact: at the end of a stretch it touches
+    /// what is there, and no rounding makes that a collision.
     half: f64,
     /// Underside of the box.
     low: f64,
@@ -105,7 +107,7 @@ impl Strip<'_> {
         let region = self.region(self.from, self.depth, self.high);
         environment.each_obstacle(&region, |solid, _| self.block(&mut free, solid));
         environment.each_kept_free(&region, |solid| self.block(&mut free, solid));
-        self.block_borders(&mut free, &region);
+        self.block_borders(&mut free, &region, |_| true);
         if let Some(front) = self.view.class.clearances.iter().find(|clearance| clearance.side == Side::Front)
         {
             let depth = front.minimum - CLEARANCE_TOLERANCE;
@@ -115,7 +117,8 @@ impl Strip<'_> {
                     self.block(&mut free, solid);
                 }
             });
-            self.block_borders(&mut free, &region);
+            // People who use it may stand across an open side; how far is asked of each candidate.
+            self.block_borders(&mut free, &region, |border| !border.is_open);
             let spacious = self.without_seats(free.clone(), front);
             if !spacious.as_slice().is_empty() {
                 return spacious;
@@ -164,13 +167,14 @@ impl Strip<'_> {
     }
 
     /// Other walls that come into the region: concave corners, slanted neighbours.
-    fn block_borders(&self, free: &mut Intervals, region: &Solid) {
+    fn block_borders(&self, free: &mut Intervals, region: &Solid, counts: impl Fn(&Border) -> bool) {
         let (along, normal) = (self.wall.direction(), self.wall.normal());
         let (near, far) = region.base.project(normal);
         let start = self.wall.start.dot(along);
-        self.view.environment.each_border(region, |index, a, b| {
-            if index != self.index
-                && let Some((from, to)) = clip(a, b, (along, normal), (near, far))
+        self.view.environment.each_border(region, |border| {
+            if border.wall != self.index
+                && counts(border)
+                && let Some((from, to)) = clip(border.start, border.end, (along, normal), (near, far))
             {
                 free.subtract(from - start - self.half, to - start + self.half);
             }
