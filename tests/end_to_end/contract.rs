@@ -6,7 +6,7 @@ use glam::{DMat4, DVec3, Mat4};
 use gltf::Gltf;
 use serde_json::Value;
 
-use roomwright::audit::{Code, Finding};
+use roomwright::audit::{Finding, Severity};
 use roomwright::catalog::Catalog;
 use roomwright::geometry::{Point, Region};
 
@@ -41,11 +41,11 @@ pub fn check_level(baked: &BakedLevel<'_>, catalog: &Catalog) {
     }
 }
 
-/// The findings that no room may have, a line each: broken physical rules and blocked doors.
+/// The findings that no room may have, a line each: all that make a room fail.
 pub fn grave_findings(baked: &BakedLevel<'_>) -> Vec<String> {
     let rooms = baked.level.rooms.iter().zip(&baked.findings);
     let lines = rooms.flat_map(|(room, findings)| {
-        let grave = findings.iter().filter(|f| f.code.is_physical() || f.code == Code::DoorBlocked);
+        let grave = findings.iter().filter(|finding| finding.severity == Severity::Failed);
         grave.map(move |finding| {
             let Finding { code, objects, measured, .. } = finding;
             let place = format!("{}/{}/{}", baked.building, baked.level.id, room.id);

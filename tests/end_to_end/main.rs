@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 
 use roomwright::audit::AuditSummary;
 use roomwright::document::FaultSeverity;
+use roomwright::plan::{Building, write_native};
 
 use contract::{check_level, grave_findings};
 use pipeline::{BakedLevel, Pipeline, each_level};
@@ -134,7 +135,7 @@ fn room_lines(baked: &BakedLevel<'_>, room: &str) -> Vec<String> {
 }
 
 #[test]
-fn real_apartment_blocks_have_no_physical_fault() {
+fn real_apartment_blocks_have_no_room_that_fails() {
     let Some(folder) = real_plans() else { return };
     let pipeline = Pipeline::new();
     let (levels, summary) = bake_and_check(&pipeline, &[folder.join("archilyse")]);
@@ -143,10 +144,37 @@ fn real_apartment_blocks_have_no_physical_fault() {
 }
 
 #[test]
-fn a_real_university_has_no_physical_fault() {
+fn a_real_university_has_no_room_that_fails() {
     let Some(folder) = real_plans() else { return };
     let pipeline = Pipeline::new();
     let (levels, summary) = bake_and_check(&pipeline, &[folder.join("imdf-spbpu")]);
     println!("imdf-spbpu: {levels} levels, {summary:?}");
     assert_eq!(levels, 8);
+}
+
+/// What reading a written plan back must give again.
+fn outline(building: &Building) -> Vec<(String, Vec<String>, usize)> {
+    let level = |level: &roomwright::plan::Level| {
+        let rooms = level.rooms.iter().map(|room| format!("{} {} {}", room.id, room.number, room.room_type));
+        (level.id.clone(), rooms.collect(), level.openings.len())
+    };
+    building.levels.iter().map(level).collect()
+}
+
+#[test]
+fn imports_of_real_plans_read_back_without_an_error() {
+    let Some(folder) = real_plans() else { return };
+    let pipeline = Pipeline::new();
+    let read = pipeline.read(&[folder.join("archilyse"), folder.join("imdf-spbpu")]);
+    let written = tempfile::tempdir().unwrap();
+    for placed in &read.plan.buildings {
+        let file = written.path().join("plan.yaml");
+        std::fs::write(&file, write_native(&placed.building, &placed.id)).unwrap();
+        let back = pipeline.read(&[file]);
+        let errors = back.faults.0.iter().filter(|fault| fault.severity == FaultSeverity::Error);
+        let errors: Vec<String> = errors.map(ToString::to_string).collect();
+        assert!(errors.is_empty(), "{}: {errors:#?}", placed.id);
+        assert_eq!(outline(&back.plan.buildings[0].building), outline(&placed.building), "{}", placed.id);
+    }
+    assert_eq!(read.plan.buildings.len(), 11);
 }

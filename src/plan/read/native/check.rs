@@ -7,7 +7,7 @@ use crate::document::{PathStep, did_you_mean};
 use crate::plan::RoomWords;
 
 /// Shortest and longest room in metres; outside, the unit is wrong.
-const ROOM_EXTENT: (f64, f64) = (0.2, 1000.0);
+const ROOM_EXTENT: (f64, f64) = (0.05, 1000.0);
 /// Farthest coordinate from the origin in metres.
 const FARTHEST: f64 = 100_000.0;
 /// Lowest and highest room and storey in metres.
@@ -291,7 +291,9 @@ impl Check<'_, '_> {
             let size = values.fold(f64::NEG_INFINITY, f64::max) - low;
             let metres = self.units.to_metres(size);
             if metres.is_finite() && !(range.0..=range.1).contains(&metres) && metres <= 2.0 * FARTHEST {
-                let message = format!("{what} is {} {} {name}", size, self.units.word());
+                // The difference of two written numbers: more digits than those are noise.
+                let size = (size * 1e6).round() / 1e6;
+                let message = format!("{what} is {size} {} {name}", self.units.word());
                 self.report.error(path, message, self.unit_hint(size, range));
                 return;
             }
