@@ -46,31 +46,20 @@ impl<'a> Surroundings<'a> {
 
     /// The outline and the holes, cut where a wall is open.
     pub(crate) fn borders(&self) -> Vec<Border> {
-        let mut borders = Vec::new();
-        for (wall, (start, end)) in self.room.region.borders().enumerate() {
-            let is_open = |side: &&RoomOpening| {
-                let kind = self.level.openings[side.opening].kind;
-                side.wall == wall && matches!(kind, OpeningKind::OpenBoundary | OpeningKind::Passage)
-            };
-            let mut gaps: Vec<_> =
-                self.room.openings.iter().filter(is_open).map(|side| (side.from, side.to)).collect();
-            gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let (length, along) = (start.distance(end), (end - start).normalize_or_zero());
-            let mut add = |from: f64, to: f64, is_open: bool| {
-                if to > from {
-                    let end = if to < length { start + along * to } else { end };
-                    borders.push(Border { wall, start: start + along * from, end, is_open });
-                }
-            };
-            let mut done = 0.0;
-            for (from, to) in gaps {
-                add(done, from.min(length), false);
-                add(from.max(done), to.min(length), true);
-                done = to.max(done);
-            }
-            add(done, length, false);
-        }
-        borders
+        let edges = self.room.region.borders().enumerate();
+        edges.flat_map(|(wall, edge)| cut(wall, edge, self.open_stretches(wall))).collect()
+    }
+
+    /// Where a wall has nothing that closes it, in metres along it, from its start on.
+    fn open_stretches(&self, wall: usize) -> Vec<(f64, f64)> {
+        let is_open = |side: &&RoomOpening| {
+            let kind = self.level.openings[side.opening].kind;
+            side.wall == wall && matches!(kind, OpeningKind::OpenBoundary | OpeningKind::Passage)
+        };
+        let open = self.room.openings.iter().filter(is_open);
+        let mut stretches: Vec<_> = open.map(|side| (side.from, side.to)).collect();
+        stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
+        stretches
     }
 
     fn add_opening(&mut self, opening: &Opening, side: &RoomOpening) {
@@ -92,6 +81,24 @@ impl<'a> Surroundings<'a> {
             }
         }
     }
+}
+
+/// An edge as borders, closed between its open stretches.
+fn cut(wall: usize, (start, end): (Point, Point), open: Vec<(f64, f64)>) -> Vec<Border> {
+    let (length, along) = (start.distance(end), (end - start).normalize_or_zero());
+    // Exact at the corners, so that neighbours meet.
+    let at = |metres: f64| if metres < length { start + along * metres } else { end };
+    let mut pieces = Vec::with_capacity(2 * open.len() + 1);
+    let mut done = 0.0_f64;
+    for (from, to) in open {
+        pieces.push((done, from.min(length), false));
+        pieces.push((from.max(done), to.min(length), true));
+        done = done.max(to);
+    }
+    pieces.push((done, length, false));
+    let border =
+        |(from, to, is_open): (f64, f64, bool)| Border { wall, start: at(from), end: at(to), is_open };
+    pieces.into_iter().filter(|(from, to, _)| to > from).map(border).collect()
 }
 
 /// The region before an opening on the room's side: `depth` metres deep, `margin` wider at both ends.
