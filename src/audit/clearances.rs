@@ -13,20 +13,24 @@ use super::subject::{Body, Subject};
 use super::thresholds::ROUNDING;
 use super::zone::{NearPair, Purpose, Zone};
 
-/// The smallest clearances of all bodies.
+/// The smallest clearances of all bodies, and the good ones where they are deeper.
 pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
     let mut zones = Vec::new();
     for (owner, body) in subject.bodies.iter().enumerate() {
         for (number, clearance) in body.class.clearances.iter().enumerate() {
             if clearance.minimum > 0.0 {
-                zones.push(zone(body, clearance, Purpose::Using(owner, number)));
+                zones.push(zone(body, clearance, clearance.minimum, Purpose::Using(owner, number)));
+            }
+            if clearance.good > clearance.minimum + ROUNDING {
+                zones.push(zone(body, clearance, clearance.good, Purpose::Comfort(owner, number)));
             }
         }
     }
     zones
 }
 
-fn zone(body: &Body<'_>, clearance: &Clearance, purpose: Purpose) -> Zone {
+/// The region before a side, `depth` metres deep.
+pub(crate) fn zone(body: &Body<'_>, clearance: &Clearance, depth: f64, purpose: Purpose) -> Zone {
     let placement = body.placement;
     let (half_width, half_depth) = (placement.size.width / 2.0, placement.size.depth / 2.0);
     // Out of the side, and how far the side lies from the middle and reaches left and right of it.
@@ -42,7 +46,6 @@ fn zone(body: &Body<'_>, clearance: &Clearance, purpose: Purpose) -> Zone {
         placement.position + turn.rotate(out * (reach + out_by) + out.perp() * along_by)
     };
     let half = half + clearance.margin;
-    let depth = clearance.minimum;
     Zone {
         purpose,
         base: vec![place(0.0, -half), place(depth, -half), place(depth, half), place(0.0, half)],
@@ -59,43 +62,61 @@ pub(crate) fn judge(
     hits: &[NearPair<'_>],
     findings: &mut Vec<Finding>,
 ) {
-    let limit = subject.rules().clearances.intrusion + ROUNDING;
-    let mut blocked = Blocked::default();
-    for &(zone, body) in hits {
-        let Purpose::Using(owner, number) = zone.purpose else { continue };
-        let clearance = &subject.bodies[owner].class.clearances[number];
-        let other = &subject.bodies[body];
-        if is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner) {
-            continue;
-        }
-        if !is_flat(subject, other) && zone.intrusion(subject, other) > limit {
-            blocked.note(owner, other.id.clone(), zone.free_depth(other), clearance.minimum);
-        }
-    }
-    for zone in zones {
-        if let Purpose::Using(owner, number) = zone.purpose {
-            let minimum = subject.bodies[owner].class.clearances[number].minimum;
-            for (part, segment) in fixed_edges(subject, zone) {
-                blocked.note(owner, part, zone.free_depth_to(segment), minimum);
-            }
-        }
-    }
-    findings.extend(blocked.0.into_iter().map(|((owner, blocker), (free, minimum))| {
-        Finding::new(Code::BlockedUse, vec![subject.bodies[owner].id.clone(), blocker], free, minimum)
+    let taken = taken(subject, zones, hits, |purpose| match purpose {
+        Purpose::Using(owner, number) => Some((owner, number)),
+        _ => None,
+    });
+    findings.extend(taken.into_iter().map(|((owner, blocker), (free, number))| {
+        let owner = &subject.bodies[owner];
+        let minimum = owner.class.clearances[number].minimum;
+        Finding::new(Code::BlockedUse, vec![owner.id.clone(), blocker], free, minimum)
     }));
 }
 
-/// By object and blocker: what is left of the narrowest clearance, and what it must be.
-#[derive(Default)]
-struct Blocked(BTreeMap<(usize, String), (f64, f64)>);
+/// By object and what takes its clearance: what is left of the narrowest one, and which it is.
+pub(crate) type Taken = BTreeMap<(usize, String), (f64, usize)>;
 
-impl Blocked {
-    fn note(&mut self, owner: usize, blocker: String, free: f64, minimum: f64) {
-        let known = self.0.entry((owner, blocker)).or_insert((free, minimum));
-        if free < known.0 {
-            *known = (free, minimum);
+/// Who takes the clearances of some purpose; `select` tells their object and number.
+pub(crate) fn taken(
+    subject: &Subject<'_>,
+    zones: &[Zone],
+    hits: &[NearPair<'_>],
+    select: impl Fn(Purpose) -> Option<(usize, usize)>,
+) -> Taken {
+    let limit = subject.rules().clearances.intrusion + ROUNDING;
+    let mut taken = Taken::new();
+    for &(zone, body) in hits {
+        let Some((owner, number)) = select(zone.purpose) else { continue };
+        let other = &subject.bodies[body];
+        if !is_welcome(subject, (owner, number), body)
+            && !is_flat(subject, other)
+            && zone.intrusion(subject, other) > limit
+        {
+            note(&mut taken, (owner, other.id.clone()), (zone.free_depth(other), number));
         }
     }
+    for zone in zones {
+        if let Some((owner, number)) = select(zone.purpose) {
+            for (part, segment) in fixed_edges(subject, zone) {
+                note(&mut taken, (owner, part), (zone.free_depth_to(segment), number));
+            }
+        }
+    }
+    taken
+}
+
+fn note(taken: &mut Taken, key: (usize, String), value: (f64, usize)) {
+    let known = taken.entry(key).or_insert(value);
+    if value.0 < known.0 {
+        *known = value;
+    }
+}
+
+/// Whether a body may be in a clearance: it belongs to its object, and the side takes children or it lies
+/// below in the hierarchy.
+fn is_welcome(subject: &Subject<'_>, (owner, number): (usize, usize), body: usize) -> bool {
+    let clearance = &subject.bodies[owner].class.clearances[number];
+    is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner)
 }
 
 /// Whether a body belongs to the owner of a clearance: the owner itself, what it stands at, what stands on or

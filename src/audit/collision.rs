@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn boxes_side_by_side_touch_and_do_not_collide() {
-        let mut room = TestRoom::rectangle(5.0, 4.0);
+        let mut room = TestRoom::rectangle(3.0, 3.0);
         room.stand("chest", at(1.0, 2.0));
         room.stand("chest", at(2.0, 2.0));
         assert_eq!(room.count(Code::Collision), 0);

@@ -79,6 +79,11 @@ pub(crate) fn intersection(a: &[Point], b: &[Point]) -> Vec<Point> {
     kept
 }
 
+/// Square metres of a polygon.
+pub(crate) fn area(polygon: &[Point]) -> f64 {
+    edges(polygon).map(|(start, end)| (start - polygon[0]).perp_dot(end - polygon[0])).sum::<f64>() / 2.0
+}
+
 /// The mean of the corners; inside, for every convex polygon.
 pub(crate) fn middle(polygon: &[Point]) -> Point {
     let count = f64::from(u32::try_from(polygon.len()).expect("a footprint has few corners"));

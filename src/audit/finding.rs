@@ -11,7 +11,7 @@ pub struct Finding {
     pub severity: Severity,
     /// Ids of the objects concerned, sorted; an opening is `door:<id>`, a missing piece its class.
     pub objects: Vec<String>,
-    /// The measured value, in metres or as a share.
+    /// The measured value: metres, degrees, a share or a count.
     pub measured: f64,
     /// The threshold that it breaks.
     pub threshold: f64,
@@ -48,15 +48,35 @@ pub enum Code {
     Unreachable,
     /// A body in the clearance of a functional side.
     BlockedUse,
+    /// A clearance between its minimum and its good depth.
+    TightUse,
+    /// A body before a window that takes its light.
+    WindowBlocked,
+    /// A screen that nobody sees from a seat or bed, or one before a window.
+    TvPosition,
+    /// A seat turned away from its table, a desk used from behind, a mirror over nothing.
+    Facing,
+    /// A tub or shower right before the toilet, a toilet that faces a kitchen.
+    WetRoom,
+    /// A double bed with one side to get in where the room allows two.
+    Bedside,
+    /// Nearly all furniture in one half of the room.
+    CrowdedHalf,
+    /// Wall furniture off its wall in a tidy style.
+    Crooked,
     /// A required piece is absent.
     MissingRequired,
-    /// Fewer than nine tenths of the requested pieces rest.
+    /// Too few of the requested pieces rest.
     Unfulfilled,
+    /// Much less furniture than style and room type ask for.
+    Sparse,
+    /// Surfaces that should carry small things are empty.
+    Bare,
 }
 
 impl Code {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 19] = [
         Self::Collision,
         Self::OutOfRoom,
         Self::Floating,
@@ -64,8 +84,18 @@ impl Code {
         Self::DoorBlocked,
         Self::Unreachable,
         Self::BlockedUse,
+        Self::TightUse,
+        Self::WindowBlocked,
+        Self::TvPosition,
+        Self::Facing,
+        Self::WetRoom,
+        Self::Bedside,
+        Self::CrowdedHalf,
+        Self::Crooked,
         Self::MissingRequired,
         Self::Unfulfilled,
+        Self::Sparse,
+        Self::Bare,
     ];
 
     /// The word in the output.
@@ -79,15 +109,36 @@ impl Code {
             Self::DoorBlocked => "door_blocked",
             Self::Unreachable => "unreachable",
             Self::BlockedUse => "blocked_use",
+            Self::TightUse => "tight_use",
+            Self::WindowBlocked => "window_blocked",
+            Self::TvPosition => "tv_position",
+            Self::Facing => "facing",
+            Self::WetRoom => "wet_room",
+            Self::Bedside => "bedside",
+            Self::CrowdedHalf => "crowded_half",
+            Self::Crooked => "crooked",
             Self::MissingRequired => "missing_required",
             Self::Unfulfilled => "unfulfilled",
+            Self::Sparse => "sparse",
+            Self::Bare => "bare",
         }
     }
 
     /// How bad a finding of this kind is, unless the plan leaves no other choice.
     #[must_use]
     pub fn severity(self) -> Severity {
-        if self == Self::Unfulfilled { Severity::Minor } else { Severity::Failed }
+        match self {
+            Self::TightUse
+            | Self::WindowBlocked
+            | Self::Facing
+            | Self::Bedside
+            | Self::CrowdedHalf
+            | Self::Crooked
+            | Self::Unfulfilled
+            | Self::Sparse
+            | Self::Bare => Severity::Minor,
+            _ => Severity::Failed,
+        }
     }
 
     /// Whether no room may ever have it: the laws of bodies, as against the customs of use.
@@ -156,6 +207,6 @@ mod tests {
         for code in Code::ALL {
             assert_eq!(serde_json::to_value(code).unwrap(), code.name());
         }
-        assert!(Code::ALL.is_sorted() && Code::ALL.last() == Some(&Code::Unfulfilled));
+        assert!(Code::ALL.is_sorted() && Code::ALL.last() == Some(&Code::Bare));
     }
 }

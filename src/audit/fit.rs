@@ -2,13 +2,13 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::catalog::{Class, ClassIndex, ParentName, Side, Size};
-use crate::geometry::{Point, direction, edges};
+use crate::catalog::{Class, ClassIndex, Clearance, ParentName, Side, Size};
+use crate::geometry::{Point, Solid, direction, edges};
 use crate::plan::Wall;
 
-use super::convex::{clip_segment, penetration};
+use super::convex::{clip_segment, middle, penetration};
 use super::doors;
-use super::subject::Subject;
+use super::subject::{Body, Subject};
 use super::thresholds::{FIT_STEP, ROUNDING};
 use super::zone::Zone;
 
@@ -17,18 +17,22 @@ use super::zone::Zone;
 /// way. Positions are tried every [`FIT_STEP`]; "no" may miss a fit without slack, "yes" never errs.
 pub(crate) fn can_hold(subject: &Subject<'_>, class: ClassIndex) -> bool {
     let class = &subject.catalog.classes[class];
-    let empty = EmptyRoom::new(subject);
-    let hangs = |wanted: &ParentName| class.parents.iter().any(|rule| rule.parent == *wanted);
-    let needs_wall = hangs(&ParentName::Wall) && !hangs(&ParentName::Floor);
-    let fits_under = |size: &&Size| lowest_underside(class) + size.height <= subject.room.height;
-    class.sizes.iter().filter(fits_under).any(|&size| {
-        let boxes = needed_boxes(class, size);
-        let walls = subject.room.walls.iter().enumerate().filter(|(_, wall)| wall.length() > ROUNDING);
-        walls.into_iter().any(|(number, wall)| {
-            empty.holds_at_wall(&boxes, size, (number, wall))
-                || (!needs_wall && empty.holds_inside(&boxes, wall))
-        })
-    })
+    let empty = Space::empty(subject);
+    class.sizes.iter().any(|&size| empty.holds(class, size, |clearance| clearance.minimum))
+}
+
+/// The same for one body with its good clearances.
+pub(crate) fn can_hold_comfortably(subject: &Subject<'_>, body: &Body<'_>) -> bool {
+    Space::empty(subject).holds(body.class, body.placement.size, |clearance| clearance.good)
+}
+
+/// Whether a body could stand, with its smallest clearances, among the others on one side of a line: to the
+/// left of a direction from a point.
+pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point)) -> bool {
+    let among = subject.bodies.iter().filter(|other| other.low() < body.high());
+    let bodies = among.flat_map(|other| other.solids.iter().map(Solid::footprint)).collect();
+    let space = Space { bodies, line: Some(line), ..Space::empty(subject) };
+    space.holds(body.class, body.placement.size, |clearance| clearance.minimum)
 }
 
 /// Metres above the floor of the underside of a piece hung as low as its class allows.
@@ -41,17 +45,17 @@ fn lowest_underside(class: &Class) -> f64 {
 /// A box of a piece or its clearance in the class's frame: lowest and highest corner.
 type LocalBox = (Point, Point);
 
-/// The piece itself and the clearances without which it is of no use.
-fn needed_boxes(class: &Class, size: Size) -> Vec<LocalBox> {
+/// The piece itself and its clearances.
+fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> Vec<LocalBox> {
     let half = Point::new(size.width, size.depth) / 2.0;
     let mut boxes = vec![(-half, half)];
     for clearance in &class.clearances {
-        let (mut low, mut high) = (-half, half);
+        let (mut low, mut high, depth) = (-half, half, depth_of(clearance));
         match clearance.side {
-            Side::Front => (low.y, high.y) = (-half.y - clearance.minimum, -half.y),
-            Side::Back => (low.y, high.y) = (half.y, half.y + clearance.minimum),
-            Side::Left => (low.x, high.x) = (-half.x - clearance.minimum, -half.x),
-            Side::Right => (low.x, high.x) = (half.x, half.x + clearance.minimum),
+            Side::Front => (low.y, high.y) = (-half.y - depth, -half.y),
+            Side::Back => (low.y, high.y) = (half.y, half.y + depth),
+            Side::Left => (low.x, high.x) = (-half.x - depth, -half.x),
+            Side::Right => (low.x, high.x) = (half.x, half.x + depth),
             Side::Above | Side::Below => continue,
         }
         boxes.push((low, high));
@@ -60,18 +64,49 @@ fn needed_boxes(class: &Class, size: Size) -> Vec<LocalBox> {
     boxes
 }
 
-/// The room without furniture.
-struct EmptyRoom<'s, 'a> {
+/// Where a piece may stand.
+struct Space<'s, 'a> {
     subject: &'s Subject<'a>,
     borders: Vec<(Point, Point)>,
     door_zones: Vec<Zone>,
+    /// Footprints that the piece and its clearances keep clear of.
+    bodies: Vec<&'s [Point]>,
+    /// The piece stays to the left of this line: a point and a direction.
+    line: Option<(Point, Point)>,
 }
 
-impl<'s, 'a> EmptyRoom<'s, 'a> {
-    fn new(subject: &'s Subject<'a>) -> Self {
+impl<'s, 'a> Space<'s, 'a> {
+    /// The room without furniture.
+    fn empty(subject: &'s Subject<'a>) -> Self {
         let columns = subject.room.obstacles.iter().flat_map(|column| column.outline.edges());
         let borders = subject.room.region.borders().chain(columns).collect();
-        Self { subject, borders, door_zones: doors::zones(subject) }
+        Self { subject, borders, door_zones: doors::zones(subject), bodies: Vec::new(), line: None }
+    }
+
+    fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
+        if lowest_underside(class) + size.height > self.subject.room.height {
+            return false;
+        }
+        let boxes = needed_boxes(class, size, depth_of);
+        let hangs = |wanted: &ParentName| class.parents.iter().any(|rule| rule.parent == *wanted);
+        let needs_wall = hangs(&ParentName::Wall) && !hangs(&ParentName::Floor);
+        let walls = self.subject.room.walls.iter().enumerate();
+        let mut walls = walls.filter(|(_, wall)| wall.length() > ROUNDING);
+        walls.any(|wall| self.holds_at_wall(&boxes, size, wall))
+            || (!needs_wall && self.directions().into_iter().any(|angle| self.holds_inside(&boxes, angle)))
+    }
+
+    /// The directions of the walls that are no quarter turns of each other.
+    fn directions(&self) -> Vec<f64> {
+        let mut directions: Vec<Point> = Vec::new();
+        for wall in self.subject.room.walls.iter().filter(|wall| wall.length() > ROUNDING) {
+            let along = wall.direction();
+            let is_known = |known: &Point| known.perp_dot(along).abs().min(known.dot(along).abs()) < ROUNDING;
+            if !directions.iter().any(is_known) {
+                directions.push(along);
+            }
+        }
+        directions.into_iter().map(|along| libm::atan2(along.y, along.x)).collect()
     }
 
     /// Tries the piece along a wall, its back to it.
@@ -88,9 +123,8 @@ impl<'s, 'a> EmptyRoom<'s, 'a> {
             .any(|along| self.is_free(boxes, wall.start + wall.direction() * along + off_wall, angle))
     }
 
-    /// Tries the piece anywhere, parallel to a wall, in four directions.
-    fn holds_inside(&self, boxes: &[LocalBox], wall: &Wall) -> bool {
-        let first = libm::atan2(wall.direction().y, wall.direction().x);
+    /// Tries the piece anywhere, at an angle and its quarter turns.
+    fn holds_inside(&self, boxes: &[LocalBox], first: f64) -> bool {
         let (low, high) = self.subject.room.region.outline.bounds();
         let turns = (0..4).map(|quarter| first + FRAC_PI_2 * f64::from(quarter));
         turns.into_iter().any(|angle| {
@@ -105,17 +139,31 @@ impl<'s, 'a> EmptyRoom<'s, 'a> {
             && boxes.iter().enumerate().all(|(number, &local)| {
                 let footprint = placed(local, position, angle);
                 let is_body = number == 0;
-                self.is_inside(&footprint) && !(is_body && self.blocks_a_door(&footprint))
+                self.is_inside(&footprint)
+                    && self.is_clear(&footprint)
+                    && !(is_body && (self.blocks_a_door(&footprint) || self.crosses_line(&footprint)))
             })
     }
 
     fn is_inside(&self, footprint: &[Point]) -> bool {
         let in_column =
             |point: Point| self.subject.room.obstacles.iter().any(|column| column.outline.contains(point));
-        let corner = footprint[0];
-        self.subject.room.region.contains(corner)
-            && !in_column(corner)
+        // A corner may lie on a border, where it is neither in nor out.
+        let middle = middle(footprint);
+        self.subject.room.region.contains(middle)
+            && !in_column(middle)
             && !self.borders.iter().any(|&border| clip_segment(footprint, border, ROUNDING / 2.0).is_some())
+    }
+
+    fn is_clear(&self, footprint: &[Point]) -> bool {
+        !self.bodies.iter().any(|body| penetration(body, footprint) > 0.0)
+    }
+
+    fn crosses_line(&self, footprint: &[Point]) -> bool {
+        let is_right = |(from, along): (Point, Point)| {
+            footprint.iter().any(|&corner| along.perp_dot(corner - from) < 0.0)
+        };
+        self.line.is_some_and(is_right)
     }
 
     fn blocks_a_door(&self, footprint: &[Point]) -> bool {
@@ -164,6 +212,21 @@ mod tests {
     fn a_desk_needs_its_clearance_too() {
         assert!(holds(&TestRoom::rectangle(1.52, 1.52), "desk"));
         assert!(!holds(&TestRoom::rectangle(1.45, 1.45), "desk"));
+    }
+
+    #[test]
+    fn a_clearance_wholly_behind_a_wall_is_not_in_the_room() {
+        let mut room = TestRoom::rectangle(1.6, 2.0);
+        let chest = room.catalog.class_index("chest").unwrap();
+        let desk = room.catalog.class_index("desk").unwrap();
+        let beside = room.catalog.classes[desk].clearances[0];
+        for side in [Side::Left, Side::Right, Side::Front, Side::Back] {
+            room.catalog.classes[chest].clearances.push(Clearance { side, minimum: 0.31, ..beside });
+        }
+        assert!(!holds(&room, "chest"));
+        let mut wide = TestRoom::rectangle(1.7, 2.0);
+        wide.catalog = room.catalog;
+        assert!(holds(&wide, "chest"));
     }
 
     #[test]

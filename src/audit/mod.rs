@@ -1,18 +1,26 @@
 //! Building and placements to findings; never changes a layout.
 //!
 //! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
-//! ([`crate::layout::solids`]). Where people walk, [`crate::walk`] tells both. What each code means stands at the head of the file
-//! that judges it, the figures and where they come from in `configs/audit.yaml`.
+//! ([`crate::layout::solids`]). Where people walk, [`crate::walk`] tells both. What each code means stands at the
+//! head of the file that judges it, the figures and where they come from in `configs/audit.yaml`.
 
+mod bare;
+mod bedside;
 mod clearances;
 mod collision;
 mod containment;
 mod convex;
+mod crooked;
 mod doors;
+mod facing;
 mod finding;
 mod fit;
+mod groups;
+mod halves;
 mod programme;
 mod reach;
+mod screens;
+mod sparse;
 mod subject;
 mod summary;
 mod support;
@@ -20,7 +28,10 @@ mod sweep;
 #[cfg(test)]
 mod testing;
 mod thresholds;
+mod tight;
 mod verdict;
+mod wet_room;
+mod windows;
 mod zone;
 
 pub use finding::{Code, Finding, Grade, Severity};
@@ -58,19 +69,44 @@ pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &C
     containment::judge(&subject, &mut findings);
     support::judge(&subject, &mut findings);
     // What two bodies, or a body and a zone that people need, do to each other.
-    let mut zones = doors::zones(&subject);
-    zones.extend(clearances::zones(&subject));
+    let zones = all_zones(&subject);
     let (collisions, hits) = near_pairs(&subject, &zones);
     collision::judge(&subject, &collisions, &mut findings);
     doors::judge(&subject, &hits, &mut findings);
     clearances::judge(&subject, &zones, &hits, &mut findings);
-    let rates = reach::judge(&subject, &zones, &mut findings);
+    tight::judge(&subject, &zones, &hits, &mut findings);
+    windows::judge(&subject, &hits, &mut findings);
+    screens::judge(&subject, &hits, &mut findings);
+    wet_room::judge(&subject, &hits, &mut findings);
+    // Ways through the room.
+    let floor = reach::floor(&subject);
+    let rates = floor.map_or_else(Vec::new, |floor| {
+        bedside::judge(&subject, &floor, &mut findings);
+        reach::judge(&subject, &floor, &zones, &mut findings)
+    });
+    // How things stand to each other and in the whole.
+    facing::judge(&subject, &mut findings);
+    crooked::judge(&subject, &mut findings);
+    halves::judge(&subject, &mut findings);
     // What should be there and is not.
     programme::judge(&subject, &mut findings);
+    sparse::judge(&subject, &mut findings);
+    bare::judge(&subject, &mut findings);
     findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
+    // Two pieces in each other's way are one finding.
+    findings.dedup_by(|a, b| a.code == b.code && !a.objects.is_empty() && a.objects == b.objects);
     let door =
         |(door, rate): (usize, f64)| DoorRate { door: format!("door:{}", level.openings[door].id), rate };
     Verdict { findings, walkable: rates.into_iter().map(door).collect() }
+}
+
+/// Whatever people need to be free.
+fn all_zones(subject: &Subject<'_>) -> Vec<Zone> {
+    let mut zones = doors::zones(subject);
+    zones.extend(clearances::zones(subject));
+    zones.extend(windows::zones(subject));
+    zones.extend(wet_room::zones(subject));
+    zones
 }
 
 /// Pairs of bodies whose boxes touch, and pairs of a zone and a body whose boxes touch.

@@ -50,7 +50,8 @@ fn is_met(subject: &Subject<'_>, class: ClassIndex) -> bool {
     })
 }
 
-fn programme<'a>(subject: &Subject<'a>) -> Vec<&'a Request> {
+/// The lines that ask for what the room holds.
+pub(crate) fn programme<'a>(subject: &Subject<'a>) -> Vec<&'a Request> {
     let catalog = subject.catalog;
     let style = catalog.styles.get(&subject.furnished.style).or_else(|| catalog.styles.get(DEFAULT_STYLE));
     let room_type = catalog.room_types.get(&subject.room.room_type);

@@ -30,29 +30,37 @@ impl<'z> Target<'z> {
 /// What share of the floor is walked to from a door, by index into the level's openings.
 pub(crate) type Rates = Vec<(usize, f64)>;
 
-/// Judges the ways from every door to every other and to all furniture. Rooms without doors or without
-/// bodies in the way have none to judge.
-pub(crate) fn judge(subject: &Subject<'_>, zones: &[Zone], findings: &mut Vec<Finding>) -> Rates {
-    let rules = subject.rules().walking;
-    if !subject.bodies.iter().any(|body| body.low() < rules.body_height) {
-        return Vec::new();
-    }
+/// The floor that people walk on; `None` without doors or without bodies in the way, where there is nothing to
+/// judge.
+pub(crate) fn floor(subject: &Subject<'_>) -> Option<Floor> {
+    let limit = subject.rules().walking.body_height;
+    let has_bodies = subject.bodies.iter().any(|body| body.low() < limit);
     let solids = subject.bodies.iter().flat_map(|body| &body.solids);
-    let Some(floor) = floor(subject, solids) else { return Vec::new() };
+    if has_bodies { floor_with(subject, solids) } else { None }
+}
+
+/// Judges the ways from every door to every other and to all furniture.
+pub(crate) fn judge(
+    subject: &Subject<'_>,
+    floor: &Floor,
+    zones: &[Zone],
+    findings: &mut Vec<Finding>,
+) -> Rates {
+    let rules = subject.rules().walking;
     let walk = floor.walk(rules.person);
     // The door from which the others are reached, in whatever room they are compared with.
     let home = walk.main_door();
-    let goals = goals(subject, zones, &floor);
+    let goals = goals(subject, zones, floor);
     let missed: Vec<Target<'_>> = goals.into_iter().filter(|goal| !walk.reaches(home, goal.goal())).collect();
     if !missed.is_empty() {
-        findings.extend(explain(subject, (&floor, home), &missed));
+        findings.extend(explain(subject, (floor, home), &missed));
     }
     let robot = floor.walk(rules.robot);
     robot.doors().map(|(door, group)| (door, robot.rate(group))).collect()
 }
 
 /// The room with some of its bodies' solids; `None` where no door leads in.
-fn floor<'s>(subject: &Subject<'_>, solids: impl Iterator<Item = &'s Solid>) -> Option<Floor> {
+fn floor_with<'s>(subject: &Subject<'_>, solids: impl Iterator<Item = &'s Solid>) -> Option<Floor> {
     Floor::new((subject.level, subject.room), &subject.rules().walking, solids)
 }
 
@@ -72,7 +80,7 @@ fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor) -> Vec<Tar
 /// full width, else the narrow one; what it does not allow is the plan's fault.
 fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Target<'_>]) -> Vec<Finding> {
     let rules = subject.rules().walking;
-    let empty = self::floor(subject, core::iter::empty()).expect("furniture closes no door");
+    let empty = floor_with(subject, core::iter::empty()).expect("furniture closes no door");
     let (wide, narrow) = (empty.walk(rules.person), empty.walk(rules.narrow_person));
     let widths = widest((floor, home), missed, rules.person);
     let mut findings = Vec::new();

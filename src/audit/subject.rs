@@ -3,10 +3,11 @@
 use glam::DVec3;
 
 use crate::catalog::{AuditRules, Catalog, Class};
-use crate::geometry::{Solid, edges};
+use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, solids};
 use crate::plan::{Level, Room};
 
+use super::convex::area;
 use super::sweep::Bounds;
 
 /// One furnished room.
@@ -71,6 +72,41 @@ impl<'a> Body<'a> {
         let solids = solids(class, placement);
         let bounds = solids.iter().map(solid_bounds).fold(Bounds::EMPTY, Bounds::union);
         Self { id: format!("{}.{}", class.id, placement.number), placement, class, solids, bounds }
+    }
+
+    /// Whether it belongs to a group of classes.
+    pub(crate) fn is_in(&self, group: &str) -> bool {
+        self.class.groups.binary_search_by(|one| one.as_str().cmp(group)).is_ok()
+    }
+
+    /// Unit vector of its front.
+    pub(crate) fn front(&self) -> Point {
+        -direction(self.placement.angle).perp()
+    }
+
+    /// A point of the class's frame in the level's frame.
+    pub(crate) fn place(&self, local: Point) -> Point {
+        self.placement.position + direction(self.placement.angle).rotate(local)
+    }
+
+    /// The corners of its box, counter-clockwise.
+    pub(crate) fn corners(&self) -> [Point; 4] {
+        let half = Point::new(self.placement.size.width, self.placement.size.depth) / 2.0;
+        [-half, Point::new(half.x, -half.y), half, Point::new(-half.x, half.y)]
+            .map(|corner| self.place(corner))
+    }
+
+    /// Whether it stands on the floor.
+    pub(crate) fn is_standing(&self, rules: &AuditRules) -> bool {
+        self.low() <= rules.bodies.support_gap
+    }
+
+    /// Square metres of floor that it covers: its outline if it is of one piece, else its box.
+    pub(crate) fn footprint_area(&self) -> f64 {
+        match self.solids.as_slice() {
+            [solid] => area(solid.footprint()),
+            _ => self.placement.size.width * self.placement.size.depth,
+        }
     }
 
     /// Metres of its underside above the floor.

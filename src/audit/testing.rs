@@ -92,6 +92,19 @@ impl TestRoom {
         self.placements.len() - 1
     }
 
+    /// Adds a class to a group.
+    pub(crate) fn group(&mut self, class: &str, group: &str) {
+        let class = self.catalog.class_index(class).unwrap();
+        let groups = &mut self.catalog.classes[class].groups;
+        groups.push(group.into());
+        groups.sort();
+    }
+
+    /// Sets the least share of the floor that the room's type asks to cover.
+    pub(crate) fn set_density(&mut self, least: f64) {
+        self.catalog.room_types.get_mut("office").unwrap().density.0 = least;
+    }
+
     pub(crate) fn remove(&mut self, class: &str, is_required: bool) {
         let class = self.catalog.class_index(class).unwrap();
         self.removals.push(Removal { class, reason: RemovalReason::Collision, is_required });
@@ -177,7 +190,7 @@ fn catalog() -> Catalog {
         is_furnished: true,
         programme: Vec::new(),
         excludes: Vec::new(),
-        density: (0.1, 0.4),
+        density: (0.0, 1.0),
         finish: Finish { floor: "parquet".into(), wall: "plaster".into(), ceiling: "ceiling".into() },
     };
     let style = Style {

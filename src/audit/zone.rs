@@ -28,6 +28,12 @@ pub(crate) enum Purpose {
     Passing(usize),
     /// The use of an object: its index and that of the clearance in its class.
     Using(usize, usize),
+    /// The comfortable use of an object, likewise.
+    Comfort(usize, usize),
+    /// The light of a window, by index into the level's openings.
+    Light(usize),
+    /// The front of a toilet bowl, by index of the object.
+    Bowl(usize),
 }
 
 impl Zone {

@@ -242,6 +242,15 @@ impl Walk<'_> {
         self.runs.iter().filter(move |run| run.group == group).flat_map(|run| run.cells.clone())
     }
 
+    /// Whether the disc's middle gets into a convex area, from whatever door.
+    pub(crate) fn enters(&self, area: &[Point]) -> bool {
+        let mut is_inside = false;
+        self.floor.raster.spans(&edges(area).collect::<Vec<_>>(), |span| {
+            is_inside |= self.runs_among(&span).iter().any(|run| self.doors.contains(&run.group));
+        });
+        is_inside
+    }
+
     /// Whether a disc of a group touches a convex area.
     fn touches(&self, group: Group, area: &[Point]) -> bool {
         self.any_touching(area, |other| other == group, |_| true)

@@ -1,0 +1,88 @@
+//! `crooked`: wall furniture that is not parallel to its wall in a tidy style.
+
+use super::finding::{Code, Finding};
+use super::subject::{Body, Subject};
+use super::thresholds::ROUNDING;
+use crate::catalog::{DEFAULT_STYLE, ParentName, Shape, Turn};
+use crate::geometry::{Point, direction};
+use crate::layout::Parent;
+
+/// Judges what stands at walls or hangs on them.
+pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+    let limit = subject.rules().alignment.angle;
+    if !is_tidy(subject, limit) {
+        return;
+    }
+    for body in subject.bodies.iter().filter(|body| stands_straight(body, limit)) {
+        let Parent::Wall(wall) = body.placement.parent else { continue };
+        let off = angle_off(body, subject.room.walls[wall].direction());
+        if off > limit + ROUNDING {
+            let objects = vec![body.id.clone(), format!("wall.{wall}")];
+            findings.push(Finding::new(Code::Crooked, objects, off.to_degrees(), limit.to_degrees()));
+        }
+    }
+}
+
+/// A style whose untidiness turns nothing further than furniture may stand crooked.
+fn is_tidy(subject: &Subject<'_>, limit: f64) -> bool {
+    let styles = &subject.catalog.styles;
+    let style = styles.get(&subject.furnished.style).or_else(|| styles.get(DEFAULT_STYLE));
+    style.is_none_or(|style| style.untidiness.turn <= limit)
+}
+
+/// Whether a class wants to stand straight at its wall; plants and round things do not.
+fn stands_straight(body: &Body<'_>, limit: f64) -> bool {
+    let at_wall = body.class.parents.iter().filter(|rule| rule.parent == ParentName::Wall);
+    let mut orientations = at_wall.map(|rule| rule.orientation);
+    let is_free = orientations.any(|orientation| orientation.turn == Turn::Any || orientation.jitter > limit);
+    !is_free && body.class.shape != Shape::Disc
+}
+
+/// Radians between a body's sides and a direction, at most an eighth of a turn.
+pub(crate) fn angle_off(body: &Body<'_>, along: Point) -> f64 {
+    let right = direction(body.placement.angle);
+    let (cosine, sine) = (right.dot(along).abs(), right.perp_dot(along).abs());
+    libm::atan2(cosine.min(sine), cosine.max(sine))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Code;
+    use crate::audit::testing::{TestRoom, at};
+    use crate::catalog::Turn;
+    use crate::layout::Parent;
+
+    /// A chest before the south wall, turned by some degrees.
+    fn turned(degrees: f64) -> TestRoom {
+        let mut room = TestRoom::rectangle(3.0, 3.0);
+        let chest = room.add("chest", at(1.5, 0.7), Parent::Wall(0));
+        room.placements[chest].angle = degrees.to_radians();
+        room
+    }
+
+    #[test]
+    fn five_degrees_are_straight_and_six_are_crooked() {
+        for straight in [0.0, 4.9, 85.1, 180.0, 270.0] {
+            assert_eq!(turned(straight).count(Code::Crooked), 0, "{straight}");
+        }
+        for crooked in [6.0, -20.0, 45.0, 84.0, 130.0] {
+            assert_eq!(turned(crooked).count(Code::Crooked), 1, "{crooked}");
+        }
+        let findings = turned(6.0).audit();
+        assert_eq!(findings[0].objects, ["chest.1", "wall.0"]);
+        assert!((findings[0].measured - 6.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_untidy_style_and_a_class_that_turns_freely_may_be_crooked() {
+        let mut room = turned(12.0);
+        room.catalog.styles.get_mut("default").unwrap().untidiness.turn = 0.3;
+        assert_eq!(room.count(Code::Crooked), 0);
+        let mut room = turned(12.0);
+        let chest = room.catalog.class_index("chest").unwrap();
+        let mut rule = room.catalog.classes[chest].parents[0].clone();
+        (rule.parent, rule.orientation.turn) = (crate::catalog::ParentName::Wall, Turn::Any);
+        room.catalog.classes[chest].parents.push(rule);
+        assert_eq!(room.count(Code::Crooked), 0);
+    }
+}

@@ -1,0 +1,144 @@
+//! `crowded_half`: nearly all furniture in one half of a room while the other has room for some.
+
+use super::convex::area;
+use super::finding::{Code, Finding};
+use super::fit::has_room_beside;
+use super::subject::{Body, Subject};
+use crate::geometry::{Point, Polygon};
+
+/// Judges the halves of a room along both of its main axes.
+pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+    let rules = subject.rules();
+    if subject.room.region.area() < rules.balance.least_area {
+        return;
+    }
+    let standing: Vec<&Body<'_>> = subject.bodies.iter().filter(|body| body.is_standing(rules)).collect();
+    let middle = middle_of(subject);
+    let along = main_direction(subject);
+    let worst = [along, along.perp(), -along, -along.perp()]
+        .into_iter()
+        .filter_map(|direction| crowd(subject, &standing, (middle, direction)))
+        .reduce(|a, b| if b.0 > a.0 { b } else { a });
+    if let Some((share, largest)) = worst {
+        findings.push(Finding::new(Code::CrowdedHalf, vec![largest], share, rules.balance.share));
+    }
+}
+
+/// The share of the footprints to the right of a line if that is too much, with the largest piece there, for
+/// which the left half has room.
+///
+/// One piece that outweighs all others cannot be balanced: moving it would crowd the other half.
+fn crowd(subject: &Subject<'_>, standing: &[&Body<'_>], line: (Point, Point)) -> Option<(f64, String)> {
+    let limit = subject.rules().balance.share;
+    let all: f64 = standing.iter().map(|body| box_area(body)).sum();
+    let right: f64 = standing.iter().map(|body| box_area(body) * share_right_of(body, line)).sum();
+    let share = right / all;
+    if all == 0.0 || share <= limit {
+        return None;
+    }
+    let on_right = standing.iter().filter(|body| share_right_of(body, line) >= 1.0);
+    let largest = on_right.max_by(|a, b| box_area(a).total_cmp(&box_area(b)).then(b.id.cmp(&a.id)))?;
+    let is_better = 1.0 - (share - box_area(largest) / all) <= limit;
+    (is_better && has_room_beside(subject, largest, line)).then(|| (share, largest.id.clone()))
+}
+
+fn box_area(body: &Body<'_>) -> f64 {
+    body.placement.size.width * body.placement.size.depth
+}
+
+/// The share of a body's box to the right of a line.
+fn share_right_of(body: &Body<'_>, (from, along): (Point, Point)) -> f64 {
+    let depth = |corner: Point| -along.perp_dot(corner - from);
+    let corners = body.corners();
+    let mut kept = Vec::with_capacity(5);
+    for index in 0..corners.len() {
+        let (start, end) = (corners[index], corners[(index + 1) % corners.len()]);
+        let (at_start, at_end) = (depth(start), depth(end));
+        if at_start >= 0.0 {
+            kept.push(start);
+        }
+        if (at_start >= 0.0) != (at_end >= 0.0) {
+            kept.push(start.lerp(end, at_start / (at_start - at_end)));
+        }
+    }
+    if kept.len() < 3 { 0.0 } else { area(&kept) / area(&corners) }
+}
+
+/// The centre of the floor's area.
+pub(crate) fn middle_of(subject: &Subject<'_>) -> Point {
+    let region = &subject.room.region;
+    let moment = |polygon: &Polygon| {
+        // Relative to a corner: far from the origin the plain sum loses digits.
+        let base = polygon.corners()[0];
+        let parts = polygon.edges().map(|(start, end)| {
+            let (start, end) = (start - base, end - base);
+            (start + end) * start.perp_dot(end) / 6.0
+        });
+        parts.sum::<Point>() + base * polygon.area()
+    };
+    let holes: Point = region.holes.iter().map(moment).sum();
+    (moment(&region.outline) - holes) / region.area()
+}
+
+/// The direction of the longest wall.
+fn main_direction(subject: &Subject<'_>) -> Point {
+    let walls = subject.room.region.outline.edges();
+    let longest = walls.map(|(start, end)| end - start).reduce(|longest, wall| {
+        if wall.length_squared() > longest.length_squared() { wall } else { longest }
+    });
+    longest.map_or(Point::X, Point::normalize)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Code;
+    use crate::audit::testing::{TestRoom, at};
+
+    #[test]
+    fn two_chests_in_one_half_of_a_hall_are_crowded_and_one_in_each_is_not() {
+        let mut room = TestRoom::rectangle(6.0, 4.0);
+        room.stand("chest", at(0.5, 0.5));
+        room.stand("chest", at(0.5, 3.5));
+        let findings = room.audit();
+        assert_eq!((findings[0].code, findings.len()), (Code::CrowdedHalf, 1));
+        assert!((findings[0].measured - 1.0).abs() < 1e-9);
+        room.placements[1].position.x = 5.5;
+        assert_eq!(room.audit(), []);
+    }
+
+    #[test]
+    fn both_axes_count() {
+        let mut room = TestRoom::rectangle(6.0, 4.0);
+        room.stand("chest", at(0.5, 0.5));
+        room.stand("chest", at(5.5, 0.5));
+        assert_eq!(room.count(Code::CrowdedHalf), 1);
+        room.placements[1].position.y = 1.9;
+        assert_eq!(room.count(Code::CrowdedHalf), 0, "a fifth and more in each half");
+    }
+
+    #[test]
+    fn one_piece_a_small_room_or_a_half_without_space_are_fine() {
+        let mut room = TestRoom::rectangle(6.0, 4.0);
+        room.stand("chest", at(0.5, 0.5));
+        assert_eq!(room.audit(), []);
+        let mut small = TestRoom::rectangle(3.0, 3.0);
+        small.stand("chest", at(0.5, 0.5));
+        small.stand("chest", at(0.5, 2.5));
+        assert_eq!(small.audit(), []);
+        // The other half is 0.9 m wide, too narrow for a chest.
+        let corners = [
+            (0.0, 0.0),
+            (4.0, 0.0),
+            (4.0, 0.55),
+            (12.0, 0.55),
+            (12.0, 1.45),
+            (4.0, 1.45),
+            (4.0, 2.0),
+            (0.0, 2.0),
+        ];
+        let mut tail = TestRoom::outline(&corners);
+        tail.stand("chest", at(0.5, 0.5));
+        tail.stand("chest", at(0.5, 1.5));
+        assert_eq!(tail.count(Code::CrowdedHalf), 0);
+    }
+}

@@ -1,0 +1,136 @@
+//! `wet_room`: a tub or shower directly before the toilet bowl, a toilet that faces an open kitchen.
+
+use super::clearances::zone;
+use super::finding::{Code, Finding};
+use super::groups::{BATHING, COOKING, TOILET};
+use super::subject::{Body, Subject};
+use super::thresholds::ROUNDING;
+use super::zone::{NearPair, Purpose, Zone};
+use crate::catalog::{Clearance, Side};
+use crate::geometry::Point;
+use crate::plan::{OpeningKind, RoomOpening};
+
+/// Metres above the floor up to which the front of a bowl is looked at.
+const BOWL_HEIGHT: f64 = 1.1;
+
+/// The front of every toilet bowl, over its full width.
+pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
+    let depth = subject.rules().wet_rooms.toilet_front;
+    let front = Clearance {
+        side: Side::Front,
+        minimum: depth,
+        good: depth,
+        margin: 0.0,
+        height: BOWL_HEIGHT,
+        allows_children: false,
+    };
+    let toilets = subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(TOILET));
+    toilets.map(|(index, body)| zone(body, &front, depth, Purpose::Bowl(index))).collect()
+}
+
+/// Judges the pairs of zone and body that the broad phase found, then what the toilets look at.
+pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
+    let limit = subject.rules().clearances.intrusion + ROUNDING;
+    for &(zone, body) in hits {
+        let Purpose::Bowl(toilet) = zone.purpose else { continue };
+        let other = &subject.bodies[body];
+        if other.is_in(BATHING) && zone.intrusion(subject, other) > limit {
+            let objects = vec![subject.bodies[toilet].id.clone(), other.id.clone()];
+            let depth = subject.rules().wet_rooms.toilet_front;
+            findings.push(Finding::new(Code::WetRoom, objects, zone.free_depth(other), depth));
+        }
+    }
+    for toilet in subject.bodies.iter().filter(|body| body.is_in(TOILET)) {
+        if let Some((what, distance)) = kitchen_before(subject, toilet) {
+            findings.push(Finding::new(Code::WetRoom, vec![toilet.id.clone(), what], distance, distance));
+        }
+    }
+}
+
+/// The open kitchen that a toilet faces: a cooker in the same room, or an opening without a door to a room
+/// that one cooks in; with the metres up to it.
+fn kitchen_before(subject: &Subject<'_>, toilet: &Body<'_>) -> Option<(String, f64)> {
+    let (from, along) = (toilet.placement.position, toilet.front());
+    let ahead = |point: Point| {
+        let offset = point - from;
+        let aside = offset.perp_dot(along).abs();
+        (offset.dot(along) > 0.0 && aside <= offset.dot(along)).then_some(offset.length())
+    };
+    let cooker = subject.bodies.iter().find_map(|body| {
+        let distance = ahead(body.placement.position).filter(|_| body.is_in(COOKING))?;
+        Some((body.id.clone(), distance))
+    });
+    let through = || {
+        subject.room.openings.iter().find_map(|place| {
+            let wall = &subject.room.walls[place.wall];
+            let middle = wall.start + wall.direction() * f64::midpoint(place.from, place.to);
+            let distance = ahead(middle).filter(|_| leads_to_kitchen(subject, place))?;
+            Some((format!("door:{}", subject.level.openings[place.opening].id), distance))
+        })
+    };
+    cooker.or_else(through)
+}
+
+fn leads_to_kitchen(subject: &Subject<'_>, place: &RoomOpening) -> bool {
+    let opening = &subject.level.openings[place.opening];
+    let is_open = matches!(opening.kind, OpeningKind::Passage | OpeningKind::OpenBoundary);
+    let cooks = |room: usize| {
+        let room_type = subject.catalog.room_types.get(&subject.level.rooms[room].room_type);
+        let lines = room_type.into_iter().flat_map(|room_type| &room_type.programme);
+        let mut classes = lines.flat_map(|line| &line.classes);
+        classes.any(|&class| subject.catalog.classes[class].groups.iter().any(|group| group == COOKING))
+    };
+    let is_here = |room: usize| core::ptr::eq(&raw const subject.level.rooms[room], subject.room);
+    is_open && opening.sides.iter().any(|side| !is_here(side.room) && cooks(side.room))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Code;
+    use crate::audit::testing::{TestRoom, at, required};
+    use crate::plan::{OpeningKind, OpeningSide};
+
+    /// A bowl (the stool, 0.4 square) that faces south, its front edge at y = 2.
+    fn bathroom() -> TestRoom {
+        let mut room = TestRoom::rectangle(4.0, 3.0);
+        room.group("stool", "wc");
+        room.group("chest", "bathing");
+        room.stand("stool", at(2.0, 2.2));
+        room
+    }
+
+    #[test]
+    fn a_tub_right_before_the_bowl_is_wrong_and_one_beside_it_is_not() {
+        let mut room = bathroom();
+        let tub = room.stand("chest", at(2.0, 1.0));
+        let findings = room.audit();
+        assert_eq!((findings[0].code, findings.len()), (Code::WetRoom, 1));
+        assert_eq!(findings[0].objects, ["chest.1", "stool.1"]);
+        assert!((findings[0].measured - 0.5).abs() < 1e-9);
+        room.placements[tub].position.y = 0.96;
+        assert_eq!(room.audit(), []);
+        room.placements[tub].position = at(2.0 + 0.2 + 0.5, 1.6);
+        assert_eq!(room.audit(), [], "it touches the zone at its side");
+    }
+
+    #[test]
+    fn a_bowl_does_not_face_a_cooker_or_an_open_kitchen() {
+        let mut room = bathroom();
+        room.group("table", "cooking");
+        let cooker = room.stand("table", at(2.0, 0.5));
+        assert_eq!(room.count(Code::WetRoom), 1);
+        room.placements[cooker].position = at(3.2, 2.6);
+        assert_eq!(room.count(Code::WetRoom), 0);
+        let mut room = bathroom();
+        room.group("table", "cooking");
+        room.open(0, OpeningKind::Passage, (1.5, 2.5), (0.0, 2.0));
+        room.ask(required("table"));
+        assert_eq!(room.count(Code::WetRoom), 0, "the passage leads into the open");
+        let kitchen = room.level.rooms[0].clone();
+        room.level.rooms.push(kitchen);
+        room.level.openings[0].sides.push(OpeningSide { room: 1, wall: 0, from: 1.5, to: 2.5 });
+        assert_eq!(room.count(Code::WetRoom), 1);
+        room.level.openings[0].kind = OpeningKind::Door;
+        assert_eq!(room.count(Code::WetRoom), 0);
+    }
+}

@@ -1,0 +1,118 @@
+//! `window_blocked`: a body before a window that takes its light.
+
+use super::finding::{Code, Finding};
+use super::groups::{LIGHT, MOVABLE, PLANT, SCREEN, SMALL, WINDOW_DRESSING};
+use super::subject::{Body, Subject};
+use super::thresholds::ROUNDING;
+use super::zone::{NearPair, Purpose, Zone};
+use crate::layout::Parent;
+use crate::plan::OpeningKind;
+
+/// The strip before every window, from where a body counts as high up to the head.
+pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
+    let rules = subject.rules().windows;
+    let zones = subject.room.openings.iter().filter_map(|place| {
+        let opening = &subject.level.openings[place.opening];
+        let from = (opening.bottom + rules.over_sill).max(rules.low_piece);
+        if opening.kind != OpeningKind::Window || from >= opening.top {
+            return None;
+        }
+        let wall = &subject.room.walls[place.wall];
+        let at = |along: f64, inward: f64| wall.start + wall.direction() * along + wall.normal() * inward;
+        let face = (at(place.from, 0.0), at(place.to, 0.0));
+        Some(Zone {
+            purpose: Purpose::Light(place.opening),
+            base: vec![face.0, face.1, at(place.to, rules.depth), at(place.from, rules.depth)],
+            heights: (from, opening.top),
+            face,
+        })
+    });
+    zones.collect()
+}
+
+/// Judges the pairs of zone and body that the broad phase found.
+pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
+    for &(zone, body) in hits {
+        let Purpose::Light(window) = zone.purpose else { continue };
+        let body = &subject.bodies[body];
+        // A screen before a window is judged as a screen.
+        if body.is_in(SCREEN) || lets_light_through(subject, body) || !is_before(subject, zone, body) {
+            continue;
+        }
+        let window = format!("window:{}", subject.level.openings[window].id);
+        let objects = vec![body.id.clone(), window];
+        findings.push(Finding::new(Code::WindowBlocked, objects, body.high(), zone.heights.0));
+    }
+}
+
+/// Whether a body stands before a window by more than is tolerated.
+pub(crate) fn is_before(subject: &Subject<'_>, zone: &Zone, body: &Body<'_>) -> bool {
+    zone.intrusion(subject, body) > subject.rules().clearances.intrusion + ROUNDING
+}
+
+/// Curtains, lamps, chairs that one moves away, and slim plants and things.
+fn lets_light_through(subject: &Subject<'_>, body: &Body<'_>) -> bool {
+    let size = body.placement.size;
+    let is_slim = size.width.max(size.depth) < subject.rules().windows.slim_width;
+    matches!(body.placement.parent, Parent::Opening(_))
+        || body.is_in(WINDOW_DRESSING)
+        || body.is_in(LIGHT)
+        || body.is_in(MOVABLE)
+        || (is_slim && (body.is_in(PLANT) || body.is_in(SMALL)))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::Code;
+    use crate::audit::testing::{TestRoom, at};
+    use crate::plan::OpeningKind;
+
+    /// A chest 1.1 m high, its back `gap` metres from a window with its sill at 0.9.
+    fn chest_before_window(gap: f64) -> TestRoom {
+        let mut room = TestRoom::rectangle(5.0, 4.0);
+        room.open(0, OpeningKind::Window, (1.5, 3.5), (0.9, 2.2));
+        let chest = room.stand("chest", at(2.5, gap + 0.5));
+        room.placements[chest].size.height = 1.1;
+        room
+    }
+
+    #[test]
+    fn a_body_over_the_sill_takes_the_light_and_one_as_high_as_the_sill_does_not() {
+        let mut room = chest_before_window(0.0);
+        let findings = room.audit();
+        assert_eq!((findings[0].code, findings.len()), (Code::WindowBlocked, 1));
+        assert_eq!(findings[0].objects, ["chest.1", "window:0"]);
+        room.placements[0].size.height = 0.99;
+        assert_eq!(room.audit(), []);
+    }
+
+    #[test]
+    fn half_a_metre_away_or_beside_the_window_it_may_stand() {
+        assert_eq!(chest_before_window(0.48).count(Code::WindowBlocked), 1);
+        assert_eq!(chest_before_window(0.51).count(Code::WindowBlocked), 0);
+        let mut room = chest_before_window(0.0);
+        room.placements[0].position.x = 0.95;
+        assert_eq!(room.audit(), []);
+    }
+
+    #[test]
+    fn low_pieces_may_stand_before_a_window_down_to_the_floor() {
+        let mut room = chest_before_window(0.0);
+        room.level.openings[0].bottom = 0.1;
+        room.placements[0].size.height = 0.85;
+        assert_eq!(room.audit(), []);
+        room.placements[0].size.height = 0.95;
+        assert_eq!(room.count(Code::WindowBlocked), 1);
+    }
+
+    #[test]
+    fn slim_plants_may_stand_there() {
+        let mut room = chest_before_window(0.0);
+        room.placements[0].size.width = 0.5;
+        room.placements[0].size.depth = 0.5;
+        room.placements[0].position.y = 0.25;
+        assert_eq!(room.count(Code::WindowBlocked), 1);
+        room.group("chest", "greenery");
+        assert_eq!(room.count(Code::WindowBlocked), 0);
+    }
+}
