@@ -326,6 +326,8 @@ pub struct Relation {
     pub angle: f64,
     /// Share in the score.
     pub weight: f64,
+    /// Whether the object is left out where it is not met.
+    pub is_needed: bool,
 }
 
 /// The kinds of [`Relation`].

@@ -84,6 +84,8 @@ pub enum RemovalReason {
     Outside,
     /// Every position tried stands in a door's way or takes another object's clearance.
     Clearance,
+    /// Every position tried misses a relation that the class needs.
+    Relation,
     /// Its parent was lost and no other was found.
     LostParent,
     /// Taken away again by the repair pass.
@@ -100,6 +102,7 @@ impl RemovalReason {
             Self::Collision => "collision",
             Self::Outside => "outside",
             Self::Clearance => "clearance",
+            Self::Relation => "relation",
             Self::LostParent => "lost parent",
             Self::Repair => "repair",
         }

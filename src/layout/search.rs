@@ -92,6 +92,10 @@ impl Choice {
                 failures.count(reason);
                 continue;
             }
+            if !rules::meets_needs(view.environment, view.agent, &place) {
+                failures.count(RemovalReason::Relation);
+                continue;
+            }
             let score = if self.is_first_best {
                 Score { value: 0.0, is_spoilt: false }
             } else {
@@ -112,6 +116,7 @@ struct Failures {
     outside: u32,
     collision: u32,
     clearance: u32,
+    relation: u32,
 }
 
 impl Failures {
@@ -119,15 +124,18 @@ impl Failures {
         match reason {
             RemovalReason::Outside => self.outside += 1,
             RemovalReason::Collision => self.collision += 1,
+            RemovalReason::Relation => self.relation += 1,
             _ => self.clearance += 1,
         }
     }
 
     fn reason(&self) -> RemovalReason {
         let most = self.outside.max(self.collision).max(self.clearance);
-        match most {
+        match most.max(self.relation) {
             0 if !self.has_parent => RemovalReason::NoParent,
             0 => RemovalReason::NoPlace,
+            // Free but for this: nothing else kept it out.
+            _ if self.relation > 0 => RemovalReason::Relation,
             _ if most == self.clearance => RemovalReason::Clearance,
             _ if most == self.collision => RemovalReason::Collision,
             _ => RemovalReason::Outside,

@@ -94,10 +94,11 @@ fn show_offers(class: &Class) -> String {
 fn show_relation(catalog: &Catalog, relation: &Relation) -> String {
     let targets = parent_names(catalog, &relation.target).join(", ");
     format!(
-        "{} {targets}, {} m, weight {}",
+        "{} {targets}, {} m, weight {}{}",
         word(relation.kind),
         range(relation.distance),
-        rounded(relation.weight)
+        rounded(relation.weight),
+        if relation.is_needed { ", needed" } else { "" }
     )
 }
 
@@ -220,6 +221,7 @@ fn value_of_relation(catalog: &Catalog, relation: &Relation) -> Value {
         "distance": [relation.distance.0, relation.distance.1],
         "angle": degrees(relation.angle),
         "weight": relation.weight,
+        "needed": relation.is_needed,
     })
 }
 

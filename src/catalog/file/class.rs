@@ -223,6 +223,9 @@ pub(crate) struct RelationEntry {
     pub(crate) angle: Option<f64>,
     /// Share in the score; default 1.
     pub(crate) weight: Option<f64>,
+    /// Whether the object is left out where this is not met (a television that nobody sees); default false.
+    #[serde(default)]
+    pub(crate) needed: bool,
 }
 
 /// A regular layout.

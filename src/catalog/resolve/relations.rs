@@ -59,7 +59,7 @@ fn resolve_relation(
         },
     );
     let target = resolve_target(target, &spot.key(key), names, report)?;
-    Some(Relation { kind, target, distance, angle: angle.to_radians(), weight })
+    Some(Relation { kind, target, distance, angle: angle.to_radians(), weight, is_needed: entry.needed })
 }
 
 /// The kind that is written, if it is exactly one.

@@ -9,7 +9,7 @@ mod surface;
 mod turn;
 mod wall;
 
-pub(crate) use relation::{Score, score};
+pub(crate) use relation::{Score, meets_needs, score};
 
 use crate::catalog::{Class, ParentRule, Side, Size};
 

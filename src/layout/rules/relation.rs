@@ -49,6 +49,19 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
     Score { value, is_spoilt: is_before_window || takes_a_seat }
 }
 
+/// Whether a place meets the relations that an agent's class needs. To face something, it must be there.
+pub(crate) fn meets_needs(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
+    let mut needed = environment.class(agent).relations.iter().filter(|relation| relation.is_needed);
+    needed.all(|relation| match relation.kind {
+        RelationKind::NotBefore => !stands_before_window(environment, agent, place),
+        RelationKind::AwayFrom => fulfilment(environment, agent, place, relation) >= 1.0,
+        _ => {
+            let own = Target::own(environment, agent, place);
+            targets(environment, &relation.target).any(|target| value(relation, own, target) >= 1.0)
+        }
+    })
+}
+
 /// The quarter turn from `angle` that meets the wishes to face something best, seen from `position`; `None`
 /// where there is no such wish or nothing to face.
 pub(super) fn best_quarter(
@@ -57,11 +70,7 @@ pub(super) fn best_quarter(
     position: Point,
     angle: f64,
 ) -> Option<f64> {
-    let facing = |kind| matches!(kind, RelationKind::Faces | RelationKind::Opposite);
-    let wishes = relations.iter().filter(|relation| facing(relation.kind));
-    let wishes: Vec<_> = wishes
-        .flat_map(|relation| targets(environment, &relation.target).map(move |target| (relation, target)))
-        .collect();
+    let wishes: Vec<_> = facing(environment, relations).collect();
     let fulfilment = |turn: f64| -> f64 {
         let front = Pose::new(position, 0.0, turn).front();
         let own = Target { position, front, radius: 0.0 };
@@ -72,6 +81,29 @@ pub(super) fn best_quarter(
     best.filter(|_| !wishes.is_empty())
 }
 
+/// Where the things are that some wishes want to face: the best places at a wall are across from them.
+pub(super) fn facing_targets<'a>(
+    environment: &'a Environment<'_>,
+    relations: &'a [Relation],
+) -> impl Iterator<Item = Point> + 'a {
+    facing(environment, relations).map(|(_, target)| target.position)
+}
+
+/// The wishes to face something, with what they want to face.
+fn facing<'a>(
+    environment: &'a Environment<'_>,
+    relations: &'a [Relation],
+) -> impl Iterator<Item = (&'a Relation, Target)> + 'a {
+    let is_facing = |relation: &&Relation| {
+        matches!(relation.kind, RelationKind::Faces | RelationKind::Opposite)
+            && matches!(relation.target, ParentName::Classes(_))
+    };
+    relations
+        .iter()
+        .filter(is_facing)
+        .flat_map(|relation| targets(environment, &relation.target).map(move |target| (relation, target)))
+}
+
 /// What an agent looks at: a point, the direction it faces, and half of its smaller side.
 #[derive(Clone, Copy)]
 struct Target {
@@ -80,14 +112,18 @@ struct Target {
     radius: f64,
 }
 
+impl Target {
+    /// An agent at a place.
+    fn own(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> Self {
+        let size = environment.agents[agent].size;
+        let radius = size.width.min(size.depth) / 2.0;
+        Self { position: place.pose.position, front: place.pose.front(), radius }
+    }
+}
+
 /// 1 where the wish is met, falling to 0; 1 where there is nothing to relate to.
 fn fulfilment(environment: &Environment<'_>, agent: AgentIndex, place: &Place, relation: &Relation) -> f64 {
-    let size = environment.agents[agent].size;
-    let own = Target {
-        position: place.pose.position,
-        front: place.pose.front(),
-        radius: size.width.min(size.depth) / 2.0,
-    };
+    let own = Target::own(environment, agent, place);
     let values = targets(environment, &relation.target).map(|target| value(relation, own, target));
     let is_bad_if_any = relation.kind == RelationKind::AwayFrom;
     values.reduce(if is_bad_if_any { f64::min } else { f64::max }).unwrap_or(1.0)

@@ -13,6 +13,7 @@ use crate::layout::seed::Stream;
 use crate::plan::{OpeningKind, Wall, WallKind};
 
 use super::View;
+use super::relation::facing_targets;
 use super::turn::{self, Bearing, angle_of_front};
 
 /// Poses along a wall.
@@ -38,13 +39,26 @@ pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: 
         high: elevation + view.size.height,
     };
     let free = strip.free_stretches();
+    let mut add = |at: f64| {
+        let position = part.start + along * at + normal * (strip.from + strip.depth / 2.0);
+        poses.push(Pose::new(position, elevation, angle));
+    };
+    for target in facing_targets(view.environment, &view.class.relations) {
+        let across = (target - part.start).dot(along);
+        nearest_free(free.as_slice(), across).into_iter().for_each(&mut add);
+    }
     for trial in 0..TRIALS_PER_WALL {
         let Some(at) = choose(view.rule.along, part.length() / 2.0, free.as_slice(), trial, stream) else {
             return;
         };
-        let position = part.start + along * at + normal * (strip.from + strip.depth / 2.0);
-        poses.push(Pose::new(position, elevation, angle));
+        add(at);
     }
+}
+
+/// The position in the free stretches that is nearest to another.
+fn nearest_free(free: &[(f64, f64)], at: f64) -> Option<f64> {
+    let nearest = free.iter().map(|&(from, to)| at.max(from).min(to));
+    nearest.min_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()))
 }
 
 /// The pose before an opening, in its middle.
