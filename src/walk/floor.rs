@@ -127,28 +127,20 @@ impl Floor {
 
     /// The runs of cells at least as far from everything as `least`, and the index of each row's first.
     fn runs(&self, least: u16) -> (Vec<Range<usize>>, Vec<usize>) {
-        let columns = self.raster.columns();
-        let (mut runs, mut rows) = (Vec::new(), vec![0]);
-        for (row, distances) in self.distances.chunks_exact(columns).enumerate() {
-            let mut next = 0;
-            while let Some(start) = first(&distances[next..], |distance| distance >= least) {
-                let start = next + start;
-                let length = first(&distances[start..], |distance| distance < least);
-                next = start + length.expect("every row ends with a blocked cell");
-                runs.push(row * columns + start..row * columns + next);
-            }
-            rows.push(runs.len());
+        let is_wide = |distance: u16| distance >= least;
+        let pairs = self.distances.iter().zip(&self.distances[1..]);
+        let changes: Vec<u8> = pairs.map(|(&a, &b)| u8::from(is_wide(a) != is_wide(b))).collect();
+        // Rows begin and end with blocked cells: every run has its end in its row. memchr compares 32 cells at once.
+        let mut ends = memchr::memchr_iter(1, &changes).map(|change| change + 1);
+        let mut runs = Vec::new();
+        while let (Some(start), Some(end)) = (ends.next(), ends.next()) {
+            runs.push(start..end);
         }
+        let columns = self.raster.columns();
+        let starts = (0..=self.distances.len() / columns).map(|row| row * columns);
+        let rows = starts.map(|start| runs.partition_point(|run| run.start < start)).collect();
         (runs, rows)
     }
-}
-
-/// Index of the first distance that is wanted. Whole blocks without one are skipped, each compared at once.
-fn first(distances: &[u16], is_wanted: impl Fn(u16) -> bool) -> Option<usize> {
-    const BLOCK: usize = 16;
-    let has_none = |block: &&[u16]| !block.iter().fold(false, |any, &distance| any | is_wanted(distance));
-    let skipped = BLOCK * distances.chunks_exact(BLOCK).take_while(has_none).count();
-    distances[skipped..].iter().position(|&distance| is_wanted(distance)).map(|index| skipped + index)
 }
 
 fn overlaps(a: &Range<usize>, b: &Range<usize>) -> bool {
