@@ -55,7 +55,7 @@ pub(crate) const SEAT_PENALTY: f64 = 3.0;
 pub(crate) const SEAT_DEPTH: f64 = 0.55;
 /// Metres above the floor from which a body fills the space under a table: a rug does not.
 pub(crate) const RUG_HEIGHT: f64 = 0.05;
-/// Share of a score lost where a clearance is only at its minimum.
+/// Share of a score lost where a clearance is only at its minimum, one's own or another's.
 pub(crate) const TIGHT_PENALTY: f64 = 0.3;
 /// Rounds in which agents that lost their parent may search again.
 pub(crate) const SEARCH_ROUNDS: usize = 4;

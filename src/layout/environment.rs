@@ -76,6 +76,8 @@ struct Body {
 #[derive(Clone, Copy, Debug)]
 struct Region {
     solid: Solid,
+    /// As deep as is good; the solid is as deep as is needed.
+    comfort: Solid,
     owner: AgentIndex,
     allows_children: bool,
     /// The part of it where a child's seat stands, if it allows any.
@@ -304,7 +306,7 @@ impl<'a> Environment<'a> {
         }
         self.remove_roof(agent);
         for index in self.agents[agent].clearances.clone() {
-            self.clearance_grid.remove(item(index), self.clearances[index].solid.bounds);
+            self.clearance_grid.remove(item(index), self.clearances[index].comfort.bounds);
         }
         self.agents[agent].state = State::Search;
     }
@@ -321,10 +323,12 @@ impl<'a> Environment<'a> {
         let first_clearance = self.clearances.len();
         for clearance in &class.clearances {
             let solid = clearance_solid(clearance, size, &place.pose, clearance.minimum);
+            let comfort =
+                clearance_solid(clearance, size, &place.pose, clearance.good.max(clearance.minimum));
             let seat = clearances::seat(clearance, size, &place.pose);
-            self.clearance_grid.insert(item(self.clearances.len()), solid.bounds);
+            self.clearance_grid.insert(item(self.clearances.len()), comfort.bounds);
             let allows_children = clearance.allows_children;
-            self.clearances.push(Region { solid, owner: agent, allows_children, seat });
+            self.clearances.push(Region { solid, comfort, owner: agent, allows_children, seat });
         }
         self.add_roof(agent, place);
         self.agents[agent].bodies = first..self.bodies.len();

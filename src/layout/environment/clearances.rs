@@ -121,6 +121,29 @@ impl Environment<'_> {
         })
     }
 
+    /// Whether a place takes of the space that others have plenty of beyond what they need.
+    pub(crate) fn takes_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
+        let size = self.agents[agent].size;
+        let whole = box_solid(size, &place.pose);
+        !is_flat(size, place)
+            && self.clearance_grid.any(whole.bounds, |index| {
+                let region = &self.clearances[index as usize];
+                region.owner != agent
+                    && region.comfort.overlaps(&whole, CLEARANCE_TOLERANCE)
+                    && !self.is_relative(agent, place.parent, region.owner)
+            })
+    }
+
+    /// Calls `visit` with every region that is good to have free and meets another.
+    pub(crate) fn each_comfort(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
+        self.clearance_grid.each(region.bounds, |index| {
+            let comfort = &self.clearances[index as usize].comfort;
+            if comfort.overlaps(region, CLEARANCE_TOLERANCE) {
+                visit(comfort);
+            }
+        });
+    }
+
     /// Calls `visit` with every place of a seat in a region, and, for a region where a seat will stand, with every
     /// other clearance too.
     pub(crate) fn each_claim(&self, region: &Solid, is_seat: bool, mut visit: impl FnMut(&Solid)) {

@@ -42,6 +42,9 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
     if takes_a_seat {
         value -= SEAT_PENALTY;
     }
+    if environment.takes_comfort(agent, place) {
+        value -= TIGHT_PENALTY;
+    }
     let has_good = class.clearances.iter().any(|clearance| clearance.good > clearance.minimum);
     if has_good && !environment.has_clearances(agent, place, true) {
         value -= TIGHT_PENALTY;

@@ -135,9 +135,16 @@ impl Strip<'_> {
             self.block_borders(&mut free, &region, |border| !border.is_open);
             let spacious = self.without_seats(free.clone(), front);
             if !spacious.as_slice().is_empty() {
-                return spacious;
+                free = spacious;
             }
         }
+        let comfortable = self.without_comfort(free.clone(), &region);
+        if comfortable.as_slice().is_empty() { free } else { comfortable }
+    }
+
+    /// The free stretches less those where the box would take what others have beyond their need.
+    fn without_comfort(&self, mut free: Intervals, region: &Solid) -> Intervals {
+        self.view.environment.each_comfort(region, |solid| self.block(&mut free, solid));
         free
     }
 
