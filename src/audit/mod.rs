@@ -1,7 +1,7 @@
 //! Building and placements to findings; never changes a layout.
 //!
 //! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
-//! ([`crate::layout::solids`]). Where people walk, [`crate::walk`] tells both. What each code means stands at the
+//! ([`crate::layout::solids`]). Where people walk, `walk` tells both. What each code means stands at the
 //! head of the file that judges it, the figures and where they come from in `configs/audit.yaml`.
 
 mod bare;
