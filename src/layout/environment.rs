@@ -266,14 +266,19 @@ impl<'a> Environment<'a> {
 
     /// The solid parts of all resting agents.
     pub(crate) fn solids(&self) -> impl Iterator<Item = &Solid> {
-        let resting = (0..self.agents.len()).filter(|&agent| self.agents[agent].rest().is_some());
-        resting.flat_map(|agent| self.solids_of(agent))
+        let resting = self.agents.iter().filter(|agent| agent.rest().is_some());
+        resting.flat_map(|agent| &self.bodies[agent.bodies.clone()]).map(|body| &body.solid)
     }
 
-    /// The solid parts of a resting agent; none of another.
-    pub(crate) fn solids_of(&self, agent: AgentIndex) -> impl Iterator<Item = &Solid> {
-        let bodies = self.agents[agent].rest().map_or(0..0, |_| self.agents[agent].bodies.clone());
-        self.bodies[bodies].iter().map(|body| &body.solid)
+    /// Calls `visit` with every part of a resting agent near a place, and its owner.
+    pub(crate) fn each_part_near(&self, place: Point, reach: f64, mut visit: impl FnMut(AgentIndex, &Solid)) {
+        let around = (place - Point::splat(reach), place + Point::splat(reach));
+        self.body_grid.each(around, |index| {
+            let body = &self.bodies[index as usize];
+            if body.owner != ROOM {
+                visit(body.owner, &body.solid);
+            }
+        });
     }
 
     /// Lets an agent rest at a place.

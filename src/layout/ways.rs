@@ -1,6 +1,9 @@
 //! Ways through the room: who stands in the only way to a door or to a side that people use looks for another
 //! place (the paper keeps nothing accessible, section 6.1).
 
+use core::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::geometry::{Convex, Point, Solid, distance_to_convex};
 use crate::walk::{Floor, Goal, Way, blocked_ways};
 
@@ -53,28 +56,33 @@ fn closed_ways(environment: &Environment<'_>) -> Vec<Way> {
 /// Whom the ways ask to go: at each narrow place the agent that reaches farthest into it, unless one that goes
 /// already was in its way.
 fn who_goes(environment: &Environment<'_>, ways: &[Way]) -> Vec<AgentIndex> {
-    let rules = &environment.catalog.audit.walking;
-    let mut going = Vec::new();
-    for way in ways {
-        for &place in &way.narrows {
-            let distance = |agent: AgentIndex| {
-                let solids = environment.solids_of(agent);
-                let solids = solids.filter(|solid| solid.low < rules.body_height && solid.high > rules.step);
-                solids.map(|solid| distance_to_convex(solid.footprint(), place)).fold(f64::INFINITY, f64::min)
-            };
-            let is_near = |&agent: &AgentIndex| distance(agent) < way.width / 2.0 - CONTACT_TOLERANCE;
-            if going.iter().any(is_near) {
-                continue;
-            }
-            // Required pieces stay where another can go; of equals the later one, which fewer rely on.
-            let rank = |&agent: &AgentIndex| {
-                let piece = &environment.agents[agent].piece;
-                let is_inside = distance(agent) == 0.0;
-                (!is_inside, piece.is_required, !piece.is_fill, core::cmp::Reverse(agent))
-            };
-            let near = (0..environment.agents.len()).filter(is_near);
-            going.extend(near.min_by_key(rank));
+    let mut going: BTreeSet<AgentIndex> = BTreeSet::new();
+    for (way, &place) in ways.iter().flat_map(|way| way.narrows.iter().map(move |place| (way, place))) {
+        let near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
+        if near.keys().any(|agent| going.contains(agent)) {
+            continue;
         }
+        // Required pieces stay where another can go; of equals the later one, which fewer rely on.
+        let rank = |&(&agent, &distance): &(&AgentIndex, &f64)| {
+            let piece = &environment.agents[agent].piece;
+            (distance > 0.0, piece.is_required, !piece.is_fill, Reverse(agent))
+        };
+        going.extend(near.iter().min_by_key(rank).map(|(&agent, _)| agent));
     }
-    going
+    going.into_iter().collect()
+}
+
+/// Agents in the way of people at a place, with their distances.
+fn who_is_near(environment: &Environment<'_>, place: Point, reach: f64) -> BTreeMap<AgentIndex, f64> {
+    let rules = &environment.catalog.audit.walking;
+    let mut near: BTreeMap<AgentIndex, f64> = BTreeMap::new();
+    environment.each_part_near(place, reach, |agent, solid| {
+        let is_in_the_way = solid.low < rules.body_height && solid.high > rules.step;
+        let distance = distance_to_convex(solid.footprint(), place);
+        if is_in_the_way && distance < reach {
+            let known = near.entry(agent).or_insert(distance);
+            *known = known.min(distance);
+        }
+    });
+    near
 }

@@ -34,64 +34,92 @@ pub(crate) fn blocked_ways(
         return Vec::new();
     }
     let empty = empty();
-    let narrow = (empty.walk(rules.narrow_person), floor.walk(rules.narrow_person));
-    let wide = (empty.walk(rules.person), walk);
+    let narrow = Ways::new((empty.walk(rules.narrow_person), floor.walk(rules.narrow_person)), home);
+    let wide = Ways::new((empty.walk(rules.person), walk), home);
     let way = |&goal: &Goal<'_>| {
-        let (possible, walk) = [&wide, &narrow].into_iter().find(|(empty, _)| empty.reaches(home, goal))?;
-        (!walk.reaches(home, goal)).then(|| shortest_way((possible, walk), home, goal))
+        let ways = [&wide, &narrow].into_iter().find(|ways| ways.empty.reaches(home, goal))?;
+        (!ways.walk.reaches(home, goal)).then(|| ways.way_to(goal))
     };
     missed.iter().filter_map(way).collect()
 }
 
-/// The way between a door and a goal that asks furniture for least room (E. Dijkstra 1959, on cells): those where
+const NOWHERE: usize = usize::MAX;
+
+/// The ways from a door to everywhere that ask furniture for least room (E. Dijkstra 1959, on cells): cells where
 /// the disc may be cost nothing, others what their distance lacks.
-fn shortest_way((empty, walk): (&Walk<'_>, &Walk<'_>), home: usize, goal: Goal<'_>) -> Way {
-    const NOWHERE: usize = usize::MAX;
-    let floor = walk.floor;
-    let least = least_distance(walk.diameter);
-    let cost = |cell: usize| u32::from(least.saturating_sub(floor.distances[cell]));
-    let is_possible = |cell: usize| empty.floor.distances[cell] >= least;
-    let mut is_goal = vec![false; floor.distances.len()];
-    match goal {
-        Goal::Door(door) => walk.threshold(door).for_each(|cell| is_goal[cell] = true),
-        Goal::Area(area) => empty.touching(area).into_iter().for_each(|cell| is_goal[cell] = true),
-    }
-    let mut costs = vec![u32::MAX; floor.distances.len()];
-    let mut came_from = vec![NOWHERE; floor.distances.len()];
-    let mut waiting = BinaryHeap::new();
-    for cell in walk.cells(walk.group(home)).chain(walk.threshold(home)).filter(|&cell| is_possible(cell)) {
-        costs[cell] = cost(cell);
-        waiting.push(Reverse((costs[cell], cell)));
-    }
-    let columns = floor.raster.columns();
-    let mut end = NOWHERE;
-    while let Some(Reverse((known, cell))) = waiting.pop() {
-        if is_goal[cell] {
-            end = cell;
-            break;
+struct Ways<'f> {
+    /// What the empty room allows.
+    empty: Walk<'f>,
+    /// What the furnished room allows.
+    walk: Walk<'f>,
+    /// The least distance of cells where the disc may be.
+    least: u16,
+    /// By cell; beyond all others where no way leads.
+    costs: Vec<u32>,
+    /// The cell before, or [`NOWHERE`] at the door.
+    came_from: Vec<usize>,
+}
+
+impl<'f> Ways<'f> {
+    fn new((empty, walk): (Walk<'f>, Walk<'f>), home: usize) -> Self {
+        let cell_count = walk.floor.distances.len();
+        let least = least_distance(walk.diameter);
+        let (costs, came_from) = (vec![u32::MAX; cell_count], vec![NOWHERE; cell_count]);
+        let mut ways = Self { empty, walk, least, costs, came_from };
+        let mut waiting = BinaryHeap::new();
+        let walk = &ways.walk;
+        for cell in
+            walk.cells(walk.group(home)).chain(walk.threshold(home)).filter(|&cell| ways.is_possible(cell))
+        {
+            waiting.push(Reverse((ways.cost(cell), cell)));
         }
-        if known > costs[cell] {
-            continue;
+        for &Reverse((cost, cell)) in &waiting {
+            ways.costs[cell] = cost;
         }
-        // Cells where a disc may be are never at the edge of the grid.
-        for row in [cell - columns, cell, cell + columns] {
-            for next in (row - 1..=row + 1).filter(|&next| is_possible(next)) {
-                let total = known + cost(next);
-                if total < costs[next] {
-                    (costs[next], came_from[next]) = (total, cell);
+        ways.spread(waiting);
+        ways
+    }
+
+    fn spread(&mut self, mut waiting: BinaryHeap<Reverse<(u32, usize)>>) {
+        let columns = self.walk.floor.raster.columns();
+        while let Some(Reverse((known, cell))) = waiting.pop() {
+            if known > self.costs[cell] {
+                continue;
+            }
+            // Cells where a disc may be are never at the edge of the grid.
+            for next in [cell - columns, cell, cell + columns].into_iter().flat_map(|row| row - 1..=row + 1) {
+                let total = known + self.cost(next);
+                if self.is_possible(next) && total < self.costs[next] {
+                    (self.costs[next], self.came_from[next]) = (total, cell);
                     waiting.push(Reverse((total, next)));
                 }
             }
         }
     }
-    let mut narrows = Vec::new();
-    while end != NOWHERE {
-        if cost(end) > 0 {
-            narrows.push(floor.raster.middle(end));
-        }
-        end = came_from[end];
+
+    /// What of its distance a cell lacks.
+    fn cost(&self, cell: usize) -> u32 {
+        u32::from(self.least.saturating_sub(self.walk.floor.distances[cell]))
     }
-    Way { width: walk.diameter, narrows }
+
+    fn is_possible(&self, cell: usize) -> bool {
+        self.empty.floor.distances[cell] >= self.least
+    }
+
+    /// The cheapest way to a goal.
+    fn way_to(&self, goal: Goal<'_>) -> Way {
+        let ends: Vec<usize> = match goal {
+            Goal::Door(door) => self.walk.threshold(door).collect(),
+            Goal::Area(area) => self.empty.touching(area),
+        };
+        let reached = ends.into_iter().filter(|&cell| self.costs[cell] < u32::MAX);
+        let end = reached.min_by_key(|&cell| (self.costs[cell], cell)).unwrap_or(NOWHERE);
+        let before = |&cell: &usize| Some(self.came_from[cell]).filter(|&before| before != NOWHERE);
+        let cells = core::iter::successors(Some(end).filter(|&end| end != NOWHERE), before);
+        let narrow = cells.filter(|&cell| self.cost(cell) > 0);
+        let narrows = narrow.map(|cell| self.walk.floor.raster.middle(cell)).collect();
+        Way { width: self.walk.diameter, narrows }
+    }
 }
 
 #[cfg(test)]
