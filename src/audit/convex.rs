@@ -61,20 +61,20 @@ pub(crate) fn clip_segment(
 
 /// The common part of two polygons (Sutherland and Hodgman 1974); empty where there is none.
 pub(crate) fn intersection(a: &[Point], b: &[Point]) -> Vec<Point> {
-    let mut kept = a.to_vec();
-    for (start, end) in edges(b) {
-        let side = |point: Point| (end - start).perp_dot(point - start);
-        let mut next = Vec::with_capacity(kept.len() + 1);
-        for (from, to) in edges(&kept) {
-            let (from_side, to_side) = (side(from), side(to));
-            if from_side >= 0.0 {
-                next.push(from);
-            }
-            if (from_side >= 0.0) != (to_side >= 0.0) {
-                next.push(from.lerp(to, from_side / (from_side - to_side)));
-            }
+    edges(b).fold(a.to_vec(), |kept, (start, end)| half(&kept, |point| (end - start).perp_dot(point - start)))
+}
+
+/// The part of a polygon on the side of a line where `side`, a multiple of the distance to it, is not below zero.
+pub(crate) fn half(polygon: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (from, to) in edges(polygon) {
+        let (from_side, to_side) = (side(from), side(to));
+        if from_side >= 0.0 {
+            kept.push(from);
         }
-        kept = next;
+        if (from_side >= 0.0) != (to_side >= 0.0) {
+            kept.push(from.lerp(to, from_side / (from_side - to_side)));
+        }
     }
     kept
 }

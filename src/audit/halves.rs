@@ -1,6 +1,6 @@
 //! `crowded_half`: nearly all furniture in one half of a room while the other has room for some.
 
-use super::convex::area;
+use super::convex::{area, half};
 use super::finding::{Code, Finding};
 use super::fit::has_room_beside;
 use super::subject::{Body, Subject};
@@ -48,19 +48,8 @@ fn box_area(body: &Body<'_>) -> f64 {
 
 /// The share of a body's box to the right of a line.
 fn share_right_of(body: &Body<'_>, (from, along): (Point, Point)) -> f64 {
-    let depth = |corner: Point| -along.perp_dot(corner - from);
     let corners = body.corners();
-    let mut kept = Vec::with_capacity(5);
-    for index in 0..corners.len() {
-        let (start, end) = (corners[index], corners[(index + 1) % corners.len()]);
-        let (at_start, at_end) = (depth(start), depth(end));
-        if at_start >= 0.0 {
-            kept.push(start);
-        }
-        if (at_start >= 0.0) != (at_end >= 0.0) {
-            kept.push(start.lerp(end, at_start / (at_start - at_end)));
-        }
-    }
+    let kept = half(&corners, |corner| -along.perp_dot(corner - from));
     if kept.len() < 3 { 0.0 } else { area(&kept) / area(&corners) }
 }
 

@@ -5,7 +5,7 @@ use core::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::geometry::{Convex, Point, Solid, distance_to_convex};
-use crate::walk::{Floor, Goal, Way, blocked_ways};
+use crate::walk::{Floor, Goal, Way, blocked_ways, is_in_the_way};
 
 use super::agent::AgentIndex;
 use super::arrange::arrange;
@@ -77,9 +77,8 @@ fn who_is_near(environment: &Environment<'_>, place: Point, reach: f64) -> BTree
     let rules = &environment.catalog.audit.walking;
     let mut near: BTreeMap<AgentIndex, f64> = BTreeMap::new();
     environment.each_part_near(place, reach, |agent, solid| {
-        let is_in_the_way = solid.low < rules.body_height && solid.high > rules.step;
         let distance = distance_to_convex(solid.footprint(), place);
-        if is_in_the_way && distance < reach {
+        if is_in_the_way(rules, solid) && distance < reach {
             let known = near.entry(agent).or_insert(distance);
             *known = known.min(distance);
         }

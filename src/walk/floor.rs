@@ -79,7 +79,7 @@ impl Floor {
         for column in &room.obstacles {
             raster.paint(&column.outline.edges().collect::<Vec<_>>(), false);
         }
-        for solid in solids.filter(|solid| solid.low < rules.body_height && solid.high > rules.step) {
+        for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
         }
         let doors = places.iter().map(|place| Doorway::new(room, place, &raster)).collect();
@@ -170,6 +170,11 @@ impl Joined {
         let (a, b) = (self.group(a), self.group(b));
         self.parents[a.max(b)] = a.min(b);
     }
+}
+
+/// Whether people walk neither under a solid nor over it.
+pub(crate) fn is_in_the_way(rules: &WalkingRules, solid: &Solid) -> bool {
+    solid.low < rules.body_height && solid.high > rules.step
 }
 
 /// The strip along an opening between two distances from the wall's inner face, above zero inside the room.

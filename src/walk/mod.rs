@@ -7,6 +7,6 @@ mod floor;
 mod raster;
 mod way;
 
-pub(crate) use floor::{Floor, Goal, Walk};
+pub(crate) use floor::{Floor, Goal, Walk, is_in_the_way};
 pub(crate) use raster::CELL;
 pub(crate) use way::{Way, blocked_ways};
