@@ -11,9 +11,10 @@ use std::path::PathBuf;
 
 use clap::Parser;
 use rayon::prelude::*;
-use roomwright::audit::{Grade, Severity, audit_room};
+use roomwright::audit::{Finding, Grade, Severity};
+use roomwright::best::{DEFAULT_EFFORT, furnish_best};
 use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::layout::{FurnishOptions, Furnished, furnish};
+use roomwright::layout::{FurnishOptions, Furnished};
 use roomwright::plan::{Level, PlanOptions, read_plans};
 
 #[derive(Parser)]
@@ -25,6 +26,9 @@ struct Arguments {
     /// Seeds per room.
     #[arg(long, default_value_t = 100)]
     seeds: u64,
+    /// Layouts per room and seed at most, as for `bake`.
+    #[arg(long, default_value_t = DEFAULT_EFFORT)]
+    effort: u32,
     /// Also list findings and missing pieces by class.
     #[arg(long)]
     details: bool,
@@ -43,8 +47,9 @@ struct Tally {
 }
 
 impl Tally {
-    fn of(level: &Level, room: usize, catalog: &Catalog, (building, seed): (&str, u64)) -> Self {
-        let furnished = furnish(level, room, catalog, &FurnishOptions { seed, building, style: None });
+    fn of(level: &Level, room: usize, catalog: &Catalog, options: &FurnishOptions<'_>, effort: u32) -> Self {
+        let judged = furnish_best(level, room, catalog, options, effort);
+        let furnished = judged.furnished;
         let mut tally = Self::default();
         if furnished.requested == 0 {
             return tally;
@@ -52,16 +57,15 @@ impl Tally {
         tally.rooms = 1;
         tally.requested = u64::from(furnished.requested);
         tally.placed = furnished.placements.len() as u64;
-        tally.judge(level, &furnished, catalog);
+        tally.judge(level, &furnished, &judged.verdict.findings, catalog);
         tally
     }
 
-    fn judge(&mut self, level: &Level, furnished: &Furnished, catalog: &Catalog) {
-        let findings = audit_room(level, furnished.room, furnished, catalog);
+    fn judge(&mut self, level: &Level, furnished: &Furnished, findings: &[Finding], catalog: &Catalog) {
         let room_type = &level.rooms[furnished.room].room_type;
-        self.without_finding = u64::from(Grade::of(&findings) == Grade::None);
+        self.without_finding = u64::from(Grade::of(findings) == Grade::None);
         self.failed_findings = findings.iter().filter(|f| f.severity == Severity::Failed).count() as u64;
-        for finding in &findings {
+        for finding in findings {
             let classes: Vec<&str> =
                 finding.objects.iter().map(|id| id.split('.').next().unwrap_or(id)).collect();
             let name = finding.code.name();
@@ -95,7 +99,7 @@ fn main() {
     println!("| plan | rooms × seeds | failing findings | rooms without finding | placed of requested |");
     println!("|---|---|---|---|---|");
     for plan in &arguments.plans {
-        let tally = measure(plan, &catalog, arguments.seeds);
+        let tally = measure(plan, &catalog, &arguments);
         let share = |part: u64, whole: u64| 100.0 * part as f64 / whole.max(1) as f64;
         println!(
             "| {} | {} | {} | {:.2} % | {:.2} % |",
@@ -114,7 +118,7 @@ fn main() {
 }
 
 /// All rooms of a plan over all seeds; storeys that repeat count once.
-fn measure(plan: &PathBuf, catalog: &Catalog, seeds: u64) -> Tally {
+fn measure(plan: &PathBuf, catalog: &Catalog, arguments: &Arguments) -> Tally {
     let reading = read_plans(std::slice::from_ref(plan), &PlanOptions { words: &catalog.room_words });
     let levels = reading.plan.buildings.iter().flat_map(|placed| {
         let id = placed.id.as_str();
@@ -122,8 +126,12 @@ fn measure(plan: &PathBuf, catalog: &Catalog, seeds: u64) -> Tally {
     });
     let rooms: Vec<(&str, &Level, usize)> =
         levels.flat_map(|(id, level)| (0..level.rooms.len()).map(move |room| (id, level, room))).collect();
+    let Arguments { seeds, effort, .. } = *arguments;
     let tasks = rooms.par_iter().flat_map(|room| (0..seeds).into_par_iter().map(move |seed| (room, seed)));
     tasks
-        .map(|(&(building, level, room), seed)| Tally::of(level, room, catalog, (building, seed)))
+        .map(|(&(building, level, room), seed)| {
+            let options = FurnishOptions { seed, building, style: None };
+            Tally::of(level, room, catalog, &options, effort)
+        })
         .reduce(Tally::default, Tally::join)
 }

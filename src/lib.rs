@@ -3,11 +3,12 @@
 //! ```text
 //! plan files -> plan -> layout -> scene -> gltf -> out/<building>/<level>.glb
 //! configs/   -> catalog --'         |
-//! assets/    -> model   ------------'      batch drives it, audit judges it
+//! assets/    -> model   ------------'      batch drives it, audit judges it, best chooses
 //! ```
 
 pub mod audit;
 pub mod batch;
+pub mod best;
 pub mod catalog;
 pub mod cli;
 pub mod document;

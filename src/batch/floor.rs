@@ -2,9 +2,10 @@
 
 use rayon::prelude::*;
 
-use crate::audit::{Finding, Grade, audit_room};
+use crate::audit::{Finding, Grade, judge_room};
+use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
-use crate::layout::{FurnishOptions, Furnished, furnish};
+use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
 use crate::model::ModelLibrary;
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
@@ -84,9 +85,14 @@ fn bake_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
     let furnish_options =
         FurnishOptions { seed: options.seed, building: &job.placed.id, style: options.style.as_deref() };
     let baked = catch_bug(|| {
-        let furnished = watch.measure(Stage::Layout, || furnish(job.level, room, catalog, &furnish_options));
-        let findings = watch.measure(Stage::Audit, || audit_room(job.level, room, &furnished, catalog));
-        BakedRoom { furnished, findings, failure: None }
+        let furnish =
+            |alternative| furnish_alternative(job.level, room, catalog, &furnish_options, alternative);
+        let Judged { furnished, verdict, .. } = best_of(
+            options.effort,
+            |alternative| watch.measure(Stage::Layout, || furnish(alternative)),
+            |furnished| watch.measure(Stage::Audit, || judge_room(job.level, room, furnished, catalog)),
+        );
+        BakedRoom { furnished, findings: verdict.findings, failure: None }
     });
     baked.unwrap_or_else(|bug| BakedRoom {
         furnished: unfurnished(room, options),

@@ -2,6 +2,7 @@
 
 use sha2::{Digest, Sha256};
 
+use crate::best::DEFAULT_EFFORT;
 use crate::catalog::Catalog;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
 
@@ -16,6 +17,8 @@ pub struct BakeOptions {
     pub seed: u64,
     /// Style for rooms whose plan names none; default the catalogue's default style.
     pub style: Option<String>,
+    /// How often a room is furnished at most until the audit finds nothing; default [`DEFAULT_EFFORT`].
+    pub effort: u32,
     /// Kind of file; default `.glb`.
     pub format: Format,
     /// Whether floors refer to one library of furniture instead of carrying their own copies; default no.
@@ -28,7 +31,15 @@ pub struct BakeOptions {
 
 impl Default for BakeOptions {
     fn default() -> Self {
-        Self { seed: 1, style: None, format: Format::Glb, has_shared_library: false, threads: 1, shard: None }
+        Self {
+            seed: 1,
+            style: None,
+            effort: DEFAULT_EFFORT,
+            format: Format::Glb,
+            has_shared_library: false,
+            threads: 1,
+            shard: None,
+        }
     }
 }
 
@@ -131,6 +142,7 @@ fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
     let mut hash = Sha256::new();
     hash.update(catalog.digest);
     hash.update(options.seed.to_le_bytes());
+    hash.update(options.effort.to_le_bytes());
     hash.update([u8::from(options.format == Format::Gltf), u8::from(options.has_shared_library)]);
     // Last, so that its length needs no mark.
     hash.update(options.style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
@@ -208,6 +220,7 @@ pub(crate) mod tests {
         let base = inputs(&plan, &BakeOptions::default());
         let options = [
             BakeOptions { seed: 2, ..BakeOptions::default() },
+            BakeOptions { effort: 1, ..BakeOptions::default() },
             BakeOptions { style: Some("hotel".to_owned()), ..BakeOptions::default() },
             BakeOptions { format: Format::Gltf, ..BakeOptions::default() },
             BakeOptions { has_shared_library: true, ..BakeOptions::default() },

@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::exit::EXIT_CODES;
 use crate::batch::Shard;
+use crate::best::DEFAULT_EFFORT;
 
 /// Furnishes the rooms of building floor plans and writes one glTF file per floor.
 ///
@@ -66,7 +67,7 @@ pub(crate) struct SourceArguments {
 }
 
 /// What the furniture depends on.
-#[derive(Clone, Debug, Default, Args)]
+#[derive(Clone, Debug, Args)]
 pub(crate) struct FurnishArguments {
     /// Seed of all rooms; another number gives other rooms [default: the project's, or 1].
     #[arg(long, value_name = "N")]
@@ -74,6 +75,9 @@ pub(crate) struct FurnishArguments {
     /// Style of rooms whose plan names none [default: the project's, or `default`].
     #[arg(long, value_name = "NAME")]
     pub(crate) style: Option<String>,
+    /// Furnish a room up to K times, until the audit finds nothing, and keep the best.
+    #[arg(long, value_name = "K", default_value_t = DEFAULT_EFFORT, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) effort: u32,
 }
 
 /// `bake`.

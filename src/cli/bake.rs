@@ -63,6 +63,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
     let options = BakeOptions {
         seed: arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED),
         style,
+        effort: arguments.furnish.effort,
         format: match arguments.format {
             FormatWord::Glb => Format::Glb,
             FormatWord::Gltf => Format::Gltf,

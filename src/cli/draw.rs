@@ -10,11 +10,11 @@ use super::exit::Outcome;
 use super::files::write_text;
 use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
-use crate::audit::audit_room;
 use crate::batch::distinct_names;
+use crate::best::{Judged, furnish_best};
 use crate::document::{Fault, Faults, did_you_mean};
 use crate::draw::{Drawing, draw_level};
-use crate::layout::{FurnishOptions, furnish};
+use crate::layout::FurnishOptions;
 use crate::plan::{Level, PlacedBuilding};
 
 /// A level to draw.
@@ -110,8 +110,9 @@ fn draw_one(
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
     let options = FurnishOptions { seed, building: &placed.id, style };
     let rooms = || (0..level.rooms.len()).into_par_iter();
-    let furnished: Vec<_> = rooms().map(|room| furnish(level, room, catalog, &options)).collect();
-    let findings: Vec<_> = rooms().map(|room| audit_room(level, room, &furnished[room], catalog)).collect();
+    let best = |room| furnish_best(level, room, catalog, &options, arguments.furnish.effort);
+    let judged = |judged: Judged| (judged.furnished, judged.verdict.findings);
+    let (furnished, findings): (Vec<_>, Vec<_>) = rooms().map(best).map(judged).unzip();
     draw_level(&Drawing {
         building: &placed.id,
         site: placed.site,

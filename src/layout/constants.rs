@@ -59,6 +59,12 @@ pub(crate) const RUG_HEIGHT: f64 = 0.05;
 pub(crate) const TIGHT_PENALTY: f64 = 0.3;
 /// Rounds in which agents that lost their parent may search again.
 pub(crate) const SEARCH_ROUNDS: usize = 4;
+/// Metres by which agents are pushed to have more room.
+pub(crate) const PUSH_DISTANCES: [f64; 10] = [0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.9, 1.2, 1.6];
+/// How much better a place must be to be pushed to.
+pub(crate) const PUSH_GAIN: f64 = 0.05;
+/// Rounds of pushing: who moves makes room for others.
+pub(crate) const PUSH_ROUNDS: usize = 3;
 /// Rounds in which agents that close a way are sent away; what they close elsewhere is seen in the next round.
 pub(crate) const WAY_ROUNDS: usize = 4;
 /// Times that a room is furnished from derived seeds while many pieces are missing; rooms that come out well,

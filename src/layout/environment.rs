@@ -18,6 +18,9 @@ use super::surroundings::Surroundings;
 /// Owner of what belongs to the room and not to an agent.
 const ROOM: AgentIndex = AgentIndex::MAX;
 
+/// Classes of this group are built in and never off their place.
+pub(crate) const FIXED_GROUP: &str = "fixed";
+
 /// The room with its agents.
 pub(crate) struct Environment<'a> {
     /// The classes.

@@ -19,6 +19,7 @@ mod environment;
 mod furnished;
 mod movement;
 mod programme;
+mod push;
 mod result;
 mod rules;
 mod search;
@@ -58,6 +59,19 @@ pub struct FurnishOptions<'a> {
 /// furnished come back empty.
 #[must_use]
 pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishOptions<'_>) -> Furnished {
+    furnish_alternative(level, room, catalog, options, 0)
+}
+
+/// Furnishes one room as [`furnish`] does, with the same pieces in another arrangement for each `alternative`;
+/// 0 is that of [`furnish`].
+#[must_use]
+pub fn furnish_alternative(
+    level: &Level,
+    room: usize,
+    catalog: &Catalog,
+    options: &FurnishOptions<'_>,
+    alternative: u32,
+) -> Furnished {
     let plan = &level.rooms[room];
     let key = RoomKey::new(options.seed, options.building, level, plan);
     let style = style(plan, catalog, options);
@@ -71,7 +85,8 @@ pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishO
     let surroundings = Surroundings::new(level, plan);
     let attempt = |number: u32| {
         let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);
-        let closed_ways = act_all(&mut environment, &style.untidiness, &key.attempt(number));
+        let key = key.attempt(alternative * ATTEMPTS_IN_NEED + number);
+        let closed_ways = act_all(&mut environment, &style.untidiness, &key);
         Attempt { furnished: result::furnished(&environment, room, key.seed(), style), closed_ways }
     };
     let mut best = attempt(0);
@@ -91,6 +106,7 @@ pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishO
 /// ways are cleared. Returns how many ways stay closed.
 fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) -> usize {
     arrange::arrange(environment, key);
+    push::push_apart(environment);
     if untidy::make_untidy(environment, untidiness, key) {
         arrange::arrange(environment, key);
     }

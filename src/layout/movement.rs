@@ -9,23 +9,62 @@ use super::environment::{Environment, Place};
 /// Moves a resting agent and all that stands on it. Returns whether it moved: if its own new place is not free,
 /// everything stays. A descendant that collides at its new place searches again, and so does what stood on it.
 pub(crate) fn move_agent(environment: &mut Environment<'_>, agent: AgentIndex, pose: Pose) -> bool {
-    let family = family(environment, agent);
-    let Some(&(_, old)) = family.first() else { return false };
-    for &(member, _) in family.iter().rev() {
-        environment.unsettle(member);
-    }
+    let Some(group) = lift(environment, agent) else { return false };
+    let old = *group.head();
     let place = Place { pose, parent: old.parent, side: old.side };
     if environment.obstruction(agent, &place).is_some() {
-        for &(member, rest) in &family {
-            environment.settle(member, &Place { pose: rest.pose, parent: rest.parent, side: rest.side });
-        }
+        group.put_back(environment);
         return false;
     }
     environment.settle(agent, &place);
-    for &(member, rest) in &family[1..] {
+    for &(member, rest) in &group.0[1..] {
         follow(environment, member, &rest, (&old.pose, &pose));
     }
     true
+}
+
+/// A resting agent with all that stands on it or belongs to it, taken out of the room to be put elsewhere.
+pub(crate) struct Group(Vec<(AgentIndex, Rest)>);
+
+/// Takes a resting agent out of the room, with its group; `None` if it does not rest.
+pub(crate) fn lift(environment: &mut Environment<'_>, agent: AgentIndex) -> Option<Group> {
+    let family = family(environment, agent);
+    for &(member, _) in family.iter().rev() {
+        environment.unsettle(member);
+    }
+    (!family.is_empty()).then_some(Group(family))
+}
+
+impl Group {
+    /// Where the first one rested.
+    pub(crate) fn head(&self) -> &Rest {
+        &self.0[0].1
+    }
+
+    /// Puts all where they were.
+    pub(crate) fn put_back(&self, environment: &mut Environment<'_>) {
+        for &(member, rest) in &self.0 {
+            environment.settle(member, &Place { pose: rest.pose, parent: rest.parent, side: rest.side });
+        }
+    }
+
+    /// Puts the first one at a pose and carries the others along. Where one of them has no place then, nobody is
+    /// put anywhere and the answer is no.
+    pub(crate) fn settle_whole(&self, environment: &mut Environment<'_>, pose: &Pose) -> bool {
+        let from = self.head().pose;
+        for (count, &(member, rest)) in self.0.iter().enumerate() {
+            let place =
+                Place { pose: carried(&rest.pose, &from, pose), parent: rest.parent, side: rest.side };
+            if environment.obstruction(member, &place).is_some() {
+                for &(settled, _) in self.0[..count].iter().rev() {
+                    environment.unsettle(settled);
+                }
+                return false;
+            }
+            environment.settle(member, &place);
+        }
+        true
+    }
 }
 
 /// Sends a resting agent away from where it stands, with all that stands on it, to search again.

@@ -5,12 +5,9 @@ use crate::geometry::Point;
 
 use super::agent::{Agent, AgentIndex, ParentPart, Rest};
 use super::body::{Pose, outward};
-use super::environment::Environment;
+use super::environment::{Environment, FIXED_GROUP};
 use super::movement::move_agent;
 use super::seed::{Purpose, RoomKey, Stream};
-
-/// Classes of this group are built in and never off their place.
-const FIXED_GROUP: &str = "fixed";
 
 /// Moves every movable agent a little; where there is no room for that it stays. Returns whether any moved.
 pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) -> bool {

@@ -2,13 +2,17 @@
 
 use std::path::PathBuf;
 
-use roomwright::audit::{Finding, audit_room};
+use roomwright::audit::Finding;
+use roomwright::best::{Judged, furnish_best};
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::gltf::write_glb;
-use roomwright::layout::{FurnishOptions, Furnished, furnish};
+use roomwright::layout::{FurnishOptions, Furnished};
 use roomwright::model::ModelLibrary;
 use roomwright::plan::{Level, Plan, PlanOptions, PlanReading, SitePlacement, read_plans};
 use roomwright::scene::{SceneInput, build_scene};
+
+/// Layouts per room at most: less than a bake's, for tests run without optimisation.
+const EFFORT: u32 = 2;
 
 /// What all levels of a run share.
 pub struct Pipeline {
@@ -51,10 +55,9 @@ impl Pipeline {
     pub fn bake<'a>(&self, building: &'a str, level: &'a Level) -> BakedLevel<'a> {
         let options = FurnishOptions { seed: self.seed, building, style: None };
         let rooms = 0..level.rooms.len();
-        let furnished: Vec<Furnished> =
-            rooms.map(|room| furnish(level, room, &self.catalog, &options)).collect();
-        let findings: Vec<Vec<Finding>> =
-            furnished.iter().map(|room| audit_room(level, room.room, room, &self.catalog)).collect();
+        let best = |room| furnish_best(level, room, &self.catalog, &options, EFFORT);
+        let judged = |judged: Judged| (judged.furnished, judged.verdict.findings);
+        let (furnished, findings): (Vec<_>, Vec<_>) = rooms.map(best).map(judged).unzip();
         let scene = build_scene(&SceneInput {
             level,
             building,

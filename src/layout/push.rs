@@ -1,0 +1,114 @@
+//! Pushing resting agents within bounds (the paper's section 6.2 asks for it): who has less room than is good, or
+//! takes it from others, slides along its wall or over the floor, with all that belongs to it.
+
+use std::collections::BTreeSet;
+
+use crate::geometry::Point;
+
+use super::agent::{AgentIndex, ParentPart, Rest};
+use super::body::Pose;
+use super::constants::{PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS};
+use super::environment::{Environment, FIXED_GROUP, Place};
+use super::movement::lift;
+use super::rules::{meets_needs, score};
+
+/// Pushes every group with a tight member to the best place within reach.
+pub(crate) fn push_apart(environment: &mut Environment<'_>) {
+    for _ in 0..PUSH_ROUNDS {
+        let mut has_moved = false;
+        for root in tight_roots(environment) {
+            has_moved |= push(environment, root);
+        }
+        if !has_moved {
+            return;
+        }
+    }
+}
+
+/// The agents at the head of the groups in which somebody has less room than is good.
+fn tight_roots(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
+    let is_tight = |&agent: &AgentIndex| {
+        environment.agents[agent].rest().is_some_and(|rest| is_tight(environment, agent, &place_of(rest)))
+    };
+    let roots = (0..environment.agents.len()).filter(is_tight).map(|agent| root(environment, agent));
+    roots.filter(|&root| can_slide(environment, root)).collect()
+}
+
+/// Whether an agent takes of the room that is good for others, or has less than is good itself.
+fn is_tight(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
+    let mut clearances = environment.class(agent).clearances.iter();
+    let lacks = clearances.any(|clearance| clearance.good > clearance.minimum)
+        && !environment.has_clearances(agent, place, true);
+    lacks || environment.takes_comfort(agent, place)
+}
+
+fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {
+    while let Some(Rest { parent: ParentPart::Agent(parent), .. }) = environment.agents[agent].rest() {
+        agent = *parent;
+    }
+    agent
+}
+
+/// Whether an agent may move at all: what is built in, in rows or hung stays.
+fn can_slide(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    let class = environment.class(agent);
+    let is_free = class.grid.is_none() && !class.groups.iter().any(|group| group == FIXED_GROUP);
+    let rest = environment.agents[agent].rest();
+    is_free
+        && rest.is_some_and(|rest| {
+            rest.pose.elevation == 0.0 && matches!(rest.parent, ParentPart::Wall(_) | ParentPart::Floor)
+        })
+}
+
+/// Moves a group to the best of the places within reach that are better than its own.
+fn push(environment: &mut Environment<'_>, root: AgentIndex) -> bool {
+    let Some(group) = lift(environment, root) else { return false };
+    let old = place_of(group.head());
+    let least = score(environment, root, &old).value + PUSH_GAIN;
+    let mut better: Vec<(f64, Place)> = Vec::new();
+    for pose in slides(environment, group.head()) {
+        let place = Place { pose, ..old };
+        if environment.obstruction(root, &place).is_none() && meets_needs(environment, root, &place) {
+            let value = score(environment, root, &place).value;
+            if value > least {
+                better.push((value, place));
+            }
+        }
+    }
+    // Stable: of equals the shorter way comes first.
+    better.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    for (_, place) in better {
+        if group.settle_whole(environment, &place.pose) {
+            return true;
+        }
+    }
+    group.put_back(environment);
+    false
+}
+
+/// The poses that an agent can slide to, nearest first.
+fn slides(environment: &Environment<'_>, rest: &Rest) -> Vec<Pose> {
+    let directions: Vec<Point> = match rest.parent {
+        ParentPart::Wall(wall) => {
+            let along = environment.surroundings.room.walls[wall].direction();
+            vec![along, -along]
+        }
+        _ => {
+            let right = rest.pose.right;
+            vec![right, right.perp(), -right, -right.perp()]
+        }
+    };
+    let slide = |(distance, direction): (f64, Point)| Pose {
+        position: rest.pose.position + direction * distance,
+        ..rest.pose
+    };
+    PUSH_DISTANCES
+        .iter()
+        .flat_map(|&distance| directions.iter().map(move |&direction| (distance, direction)))
+        .map(slide)
+        .collect()
+}
+
+fn place_of(rest: &Rest) -> Place {
+    Place { pose: rest.pose, parent: rest.parent, side: rest.side }
+}
