@@ -17,6 +17,7 @@ mod finding;
 mod fit;
 mod groups;
 mod halves;
+mod measure;
 mod programme;
 mod reach;
 mod screens;
@@ -35,6 +36,7 @@ mod windows;
 mod zone;
 
 pub use finding::{Code, Finding, Grade, Severity};
+pub use measure::Measure;
 pub use summary::{AuditSummary, GradeCounts};
 pub use verdict::{DoorRate, Verdict};
 

@@ -170,6 +170,9 @@ pub(crate) struct DrawArguments {
     /// Show the clearances that furniture and doors need.
     #[arg(long)]
     pub(crate) clearances: bool,
+    /// Mark what the audit finds in the plan, numbered and coloured by severity, and list it below.
+    #[arg(long)]
+    pub(crate) findings: bool,
     /// Overwrite existing files.
     #[arg(long)]
     pub(crate) force: bool,

@@ -122,6 +122,7 @@ fn draw_one(
         catalog,
         seed,
         has_clearances: arguments.clearances,
+        has_findings: arguments.findings,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::geometry::Point;
+use crate::geometry::{Point, bounds_overlap};
 
 /// Pixels per metre of a house; large levels are drawn smaller.
 const SCALE: f64 = 60.0;
@@ -19,6 +19,9 @@ const NARROWEST: f64 = 560.0;
 /// Pixels between the lines of the notes below the plan.
 const LINE_HEIGHT: f64 = 15.0;
 
+/// Mean width of a letter as a share of its size, in the widest of the usual fonts.
+pub(crate) const LETTER_WIDTH: f64 = 0.58;
+
 /// A sheet: a title, the plan, notes.
 pub(crate) struct Canvas {
     body: String,
@@ -27,6 +30,10 @@ pub(crate) struct Canvas {
     scale: f64,
     /// Pixels from the top to the next note.
     pen: f64,
+    /// Patterns that the elements refer to.
+    definitions: String,
+    /// Pixels that words and marks take: upper left and lower right corners.
+    taken: Vec<(Point, Point)>,
 }
 
 /// How text is set.
@@ -52,7 +59,7 @@ impl Canvas {
         let size = high - low;
         let scale = SCALE.min(LONGEST_SIDE / size.max_element());
         let pen = HEAD + size.y * scale;
-        Self { body: String::new(), low, high, scale, pen }
+        Self { body: String::new(), low, high, scale, pen, definitions: String::new(), taken: Vec::new() }
     }
 
     /// Pixels per metre.
@@ -74,6 +81,28 @@ impl Canvas {
     /// Pixels from the top to the end of the plan.
     pub(crate) fn plan_bottom(&self) -> f64 {
         HEAD + (self.high.y - self.low.y) * self.scale
+    }
+
+    /// Pixels from the top to the next note.
+    pub(crate) fn pen(&self) -> f64 {
+        self.pen
+    }
+
+    /// Adds a pattern that elements refer to.
+    pub(crate) fn define(&mut self, element: &str) {
+        self.definitions.push_str(element);
+    }
+
+    /// Whether a rectangle of pixels lies beside the plan or on it, where no words and no marks are.
+    pub(crate) fn is_clear(&self, (low, high): (Point, Point)) -> bool {
+        let is_on_plan =
+            low.x >= 0.0 && high.x <= self.width() && low.y >= HEAD && high.y <= self.plan_bottom();
+        is_on_plan && !self.taken.iter().any(|&taken| bounds_overlap((low, high), taken, 0.0))
+    }
+
+    /// Keeps words and marks that ask off a rectangle of pixels.
+    pub(crate) fn reserve(&mut self, rectangle: (Point, Point)) {
+        self.taken.push(rectangle);
     }
 
     /// Moves the place of the next note down.
@@ -135,14 +164,17 @@ impl Canvas {
         self.raw(&format!("<path d=\"{path}\" {attributes}/>"));
     }
 
-    /// Text in the plan; `at` is the middle of its height.
-    pub(crate) fn text(&mut self, at: Point, text: &str, style: TextStyle) {
+    /// Text in the plan where it covers no other words; `at` is the middle of its height.
+    pub(crate) fn text_if_clear(&mut self, at: Point, text: &str, style: TextStyle) {
         let at = self.pixel(at);
-        self.text_at(at, text, style);
+        if self.is_clear(extent(at, text, style)) {
+            self.text_at(at, text, style);
+        }
     }
 
     /// Text at a pixel.
     pub(crate) fn text_at(&mut self, at: Point, text: &str, style: TextStyle) {
+        self.reserve(extent(at, text, style));
         let (x, y) = (short(at.x), short(at.y));
         let anchor = if style.anchor.is_empty() { "start" } else { style.anchor };
         let color = if style.color.is_empty() { "#222" } else { style.color };
@@ -177,9 +209,9 @@ impl Canvas {
              viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, sans-serif\">\n\
              <defs><pattern id=\"hatch\" width=\"8\" height=\"8\" patternUnits=\"userSpaceOnUse\" \
              patternTransform=\"rotate(45)\"><rect width=\"8\" height=\"8\" fill=\"#eee\"/>\
-             <path d=\"M0 0V8\" stroke=\"#ccc\" stroke-width=\"2\"/></pattern></defs>\n\
+             <path d=\"M0 0V8\" stroke=\"#ccc\" stroke-width=\"2\"/></pattern>{}</defs>\n\
              <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n{}</svg>\n",
-            self.body
+            self.definitions, self.body
         )
     }
 }
@@ -192,6 +224,22 @@ pub(crate) fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// The pixels that a text takes.
+fn extent(at: Point, text: &str, style: TextStyle) -> (Point, Point) {
+    let length = text.chars().count() as f64 * style.size * LETTER_WIDTH;
+    let before = match style.anchor {
+        "middle" => length / 2.0,
+        "end" => length,
+        _ => 0.0,
+    };
+    let half = style.size / 2.0;
+    if style.is_upright {
+        (at + Point::new(-half, before - length), at + Point::new(half, before))
+    } else {
+        (at - Point::new(before, half), at + Point::new(length - before, half))
+    }
 }
 
 fn escape(text: &str) -> String {

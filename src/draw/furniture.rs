@@ -5,7 +5,7 @@ use crate::geometry::{Point, direction};
 use crate::layout::{Parent, Placement, clearance_solids, solids};
 
 use super::Drawing;
-use super::canvas::{Canvas, TextStyle};
+use super::canvas::{Canvas, LETTER_WIDTH, TextStyle};
 use super::color::class_colors;
 
 const MINIMUM_CLEARANCE: &str =
@@ -20,9 +20,6 @@ const HANGING: f64 = 1.0;
 
 /// Metres of an object's longer side from which it is named.
 const NAMED_SIDE: f64 = 0.6;
-
-/// Mean width of a letter as a share of its size, in the widest of the usual fonts.
-pub(crate) const LETTER_WIDTH: f64 = 0.58;
 
 /// Pixels of the largest and the smallest letters on furniture.
 const LETTERS: (f64, f64) = (10.0, 6.0);
@@ -40,7 +37,7 @@ pub(crate) fn draw_clearances(canvas: &mut Canvas, drawing: &Drawing<'_>) {
     }
 }
 
-/// All objects of all rooms; names come after all bodies, so that nothing covers them.
+/// All objects of all rooms.
 pub(crate) fn draw_furniture(canvas: &mut Canvas, drawing: &Drawing<'_>) {
     let mut placements: Vec<&Placement> =
         drawing.furnished.iter().flat_map(|room| &room.placements).collect();
@@ -49,7 +46,12 @@ pub(crate) fn draw_furniture(canvas: &mut Canvas, drawing: &Drawing<'_>) {
     for placement in &placements {
         draw_object(canvas, &drawing.catalog.classes[placement.class], placement);
     }
-    for placement in placements.iter().filter(|placement| carries_name(placement)) {
+}
+
+/// The names of objects; they come after all bodies, so that nothing covers them, and cover no other words.
+pub(crate) fn draw_names(canvas: &mut Canvas, drawing: &Drawing<'_>) {
+    let placements = drawing.furnished.iter().flat_map(|room| &room.placements);
+    for placement in placements.filter(|placement| carries_name(placement)) {
         draw_name(canvas, &drawing.catalog.classes[placement.class].label, placement);
     }
 }
@@ -118,6 +120,6 @@ fn draw_name(canvas: &mut Canvas, label: &str, placement: &Placement) {
     let size = fitting.min(height * 0.6).min(LETTERS.0);
     if size >= LETTERS.1 {
         let style = TextStyle { size, anchor: "middle", is_upright, has_halo: true, ..TextStyle::default() };
-        canvas.text(placement.position, label, style);
+        canvas.text_if_clear(placement.position, label, style);
     }
 }

@@ -4,6 +4,7 @@
 
 mod canvas;
 mod color;
+mod findings;
 mod furniture;
 mod labels;
 mod sheet;
@@ -28,7 +29,7 @@ pub struct Drawing<'a> {
     pub level: &'a Level,
     /// One per room, in the order of the level's rooms.
     pub furnished: &'a [Furnished],
-    /// Findings of the audit, in the same order; listed below the plan.
+    /// Findings of the audit, in the same order; listed below the plan. May be empty.
     pub findings: &'a [Vec<Finding>],
     /// Classes and room types.
     pub catalog: &'a Catalog,
@@ -36,6 +37,8 @@ pub struct Drawing<'a> {
     pub seed: u64,
     /// Whether to show the regions that furniture needs in front of it.
     pub has_clearances: bool,
+    /// Whether to mark the findings in the plan and list them in full.
+    pub has_findings: bool,
 }
 
 /// Metres of paper around the walls.
@@ -58,9 +61,16 @@ pub fn draw_level(drawing: &Drawing<'_>) -> String {
     }
     shell::draw_openings(&mut canvas, drawing.level);
     furniture::draw_furniture(&mut canvas, drawing);
-    // Then everything to read.
+    let noted = if drawing.has_findings { findings::number(drawing) } else { Vec::new() };
+    findings::draw_regions(&mut canvas, drawing, &noted);
+    // Then everything to read: what comes later keeps off what stands already.
     labels::draw_labels(&mut canvas, drawing);
+    furniture::draw_names(&mut canvas, drawing);
+    findings::draw_marks(&mut canvas, drawing, &noted);
     sheet::draw_notes(&mut canvas, drawing);
+    if drawing.has_findings {
+        findings::draw_legend(&mut canvas, drawing, &noted);
+    }
     canvas.finish()
 }
 

@@ -26,7 +26,9 @@ pub(crate) fn draw_notes(canvas: &mut Canvas, drawing: &Drawing<'_>) {
     draw_north(canvas, drawing);
     draw_scale(canvas);
     list_removals(canvas, drawing);
-    list_findings(canvas, drawing);
+    if !drawing.has_findings {
+        list_findings(canvas, drawing);
+    }
 }
 
 fn draw_title(canvas: &mut Canvas, drawing: &Drawing<'_>) {
@@ -119,13 +121,13 @@ fn list(canvas: &mut Canvas, title: &str, paragraphs: Vec<String>) {
     canvas.skip(6.0);
     canvas.note(title, TextStyle { is_bold: true, ..SMALL });
     let letters = ((canvas.width() - 2.0 * MARGIN_LEFT) / NOTE_LETTER) as usize;
-    for line in paragraphs.iter().flat_map(|paragraph| broken(paragraph, letters)) {
+    for line in paragraphs.iter().flat_map(|paragraph| broken(paragraph, letters, "    ")) {
         canvas.note(&line, SMALL);
     }
 }
 
-/// A paragraph in lines of so many letters, broken at spaces.
-fn broken(text: &str, letters: usize) -> Vec<String> {
+/// A paragraph in lines of so many letters, broken at spaces; all but the first are indented.
+pub(crate) fn broken(text: &str, letters: usize, indent: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split(' ') {
         let line = lines.last_mut().expect("there is always a line");
@@ -135,7 +137,7 @@ fn broken(text: &str, letters: usize) -> Vec<String> {
             line.push(' ');
             line.push_str(word);
         } else {
-            lines.push(format!("    {word}"));
+            lines.push(format!("{indent}{word}"));
         }
     }
     lines

@@ -1,0 +1,108 @@
+//! The audit's findings over the plan: outlines and hatched zones, numbered marks, and a legend below.
+
+mod legend;
+mod mark;
+mod thing;
+mod zone;
+
+use crate::audit::{Finding, Grade, Severity};
+use crate::geometry::Point;
+
+use super::Drawing;
+use super::canvas::Canvas;
+use thing::Thing;
+
+pub(crate) use legend::draw_legend;
+pub(crate) use mark::draw_marks;
+
+/// A finding with its number on the sheet.
+pub(crate) struct Noted<'a> {
+    /// Counts from 1 over the whole level.
+    number: usize,
+    /// Index of its room in the level.
+    room: usize,
+    finding: &'a Finding,
+    /// What it is about, as far as that is in the plan.
+    things: Vec<Thing>,
+    /// Regions of floor that it is about.
+    zones: Vec<Vec<Point>>,
+}
+
+/// All findings of a level, numbered by room.
+pub(crate) fn number<'a>(drawing: &Drawing<'a>) -> Vec<Noted<'a>> {
+    let findings = drawing.findings.iter().enumerate();
+    let findings = findings.flat_map(|(room, findings)| findings.iter().map(move |finding| (room, finding)));
+    let noted = findings.enumerate().map(|(index, (room, finding))| {
+        let things = thing::find_all(drawing, room, &finding.objects);
+        let zones = zone::find_all(drawing, (room, finding), &things);
+        Noted { number: index + 1, room, finding, things, zones }
+    });
+    noted.collect()
+}
+
+/// What lies under the words: hatched zones, then outlines, the worst last so that its colour wins.
+pub(crate) fn draw_regions(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[Noted<'_>]) {
+    let mut by_severity: Vec<&Noted<'_>> = all.iter().collect();
+    by_severity.sort_by_key(|noted| (noted.finding.severity, noted.number));
+    for severity in [Severity::Given, Severity::Minor, Severity::Failed] {
+        if all.iter().any(|noted| noted.finding.severity == severity && !noted.zones.is_empty()) {
+            canvas.define(&hatch(severity));
+        }
+    }
+    for noted in &by_severity {
+        let (name, color) = (severity_name(noted.finding.severity), severity_color(noted.finding.severity));
+        for zone in &noted.zones {
+            let attributes = format!("fill=\"url(#hatch-{name})\" stroke=\"{color}\" stroke-width=\"0.8\"");
+            canvas.polygon(zone, &attributes);
+        }
+    }
+    for noted in by_severity {
+        let color = severity_color(noted.finding.severity);
+        for thing in &noted.things {
+            thing.draw(canvas, drawing, noted.room, color);
+        }
+    }
+}
+
+/// Diagonal lines in a severity's colour.
+fn hatch(severity: Severity) -> String {
+    let (name, color) = (severity_name(severity), severity_color(severity));
+    format!(
+        "<pattern id=\"hatch-{name}\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" \
+         patternTransform=\"rotate(45)\"><path d=\"M0 0V6\" stroke=\"{color}\" stroke-width=\"1.6\" \
+         stroke-opacity=\"0.55\"/></pattern>"
+    )
+}
+
+fn severity_name(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Failed => "failed",
+        Severity::Minor => "minor",
+        Severity::Given => "given",
+    }
+}
+
+fn severity_color(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Failed => "#c92a2a",
+        Severity::Minor => "#e67700",
+        Severity::Given => "#868e96",
+    }
+}
+
+/// The colour of a grade, for words.
+pub(crate) fn grade_color(grade: Grade) -> &'static str {
+    match grade {
+        Grade::None => "#2b8a3e",
+        Grade::Minor => "#d9480f",
+        Grade::Failed => "#c92a2a",
+    }
+}
+
+fn grade_name(grade: Grade) -> &'static str {
+    match grade {
+        Grade::None => "none",
+        Grade::Minor => "minor",
+        Grade::Failed => "failed",
+    }
+}
