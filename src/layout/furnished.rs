@@ -86,6 +86,8 @@ pub enum RemovalReason {
     Clearance,
     /// Every position tried misses a relation that the class needs.
     Relation,
+    /// Every free place would make the room tight or dark.
+    Comfort,
     /// Its parent was lost and no other was found.
     LostParent,
     /// Taken away again by the repair pass.
@@ -103,6 +105,7 @@ impl RemovalReason {
             Self::Outside => "outside",
             Self::Clearance => "clearance",
             Self::Relation => "relation",
+            Self::Comfort => "comfort",
             Self::LostParent => "lost parent",
             Self::Repair => "repair",
         }

@@ -36,10 +36,7 @@ fn tight_roots(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
 
 /// Whether an agent takes of the room that is good for others, or has less than is good itself.
 fn is_tight(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    let mut clearances = environment.class(agent).clearances.iter();
-    let lacks = clearances.any(|clearance| clearance.good > clearance.minimum)
-        && !environment.has_clearances(agent, place, true);
-    lacks || environment.takes_comfort(agent, place)
+    environment.lacks_comfort(agent, place) || environment.takes_comfort(agent, place)
 }
 
 fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {

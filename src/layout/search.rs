@@ -6,7 +6,7 @@ use crate::plan::OpeningKind;
 use super::agent::{AgentIndex, ParentPart};
 use super::body::Pose;
 use super::constants::{CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE};
-use super::environment::{Environment, Place};
+use super::environment::{Environment, FIXED_GROUP, Place};
 use super::furnished::RemovalReason;
 use super::rules::{self, Score, View};
 use super::seed::{Purpose, RoomKey, Stream};
@@ -31,7 +31,7 @@ pub(crate) fn search(
     let mut fallback: Option<(f64, Place)> = None;
     let may_scan = !piece.is_fill && !environment.is_exhausted[piece.class];
     for rule in &class.parents {
-        let mut choice = Choice::new(environment, agent);
+        let mut choice = Choice::new(environment, agent, rule);
         let mut parents = parents(environment, agent, rule, &mut stream);
         failures.has_parent |= has_parent(environment, rule);
         while let Some((parent, side)) = take_first(&mut parents) {
@@ -66,10 +66,12 @@ struct Choice {
     /// Free candidates still to be compared.
     left: usize,
     is_first_best: bool,
+    /// Whether the agent is there only where nobody has less room or light for it.
+    is_guest: bool,
 }
 
 impl Choice {
-    fn new(environment: &Environment<'_>, agent: AgentIndex) -> Self {
+    fn new(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> Self {
         let class = environment.class(agent);
         let left = if !class.relations.is_empty() {
             CANDIDATES_WITH_RELATIONS
@@ -78,7 +80,7 @@ impl Choice {
         } else {
             CANDIDATES_WITH_CLEARANCES
         };
-        Self { best: None, left, is_first_best: left == 1 }
+        Self { best: None, left, is_first_best: left == 1, is_guest: is_guest(environment, agent, rule) }
     }
 
     /// Tests poses until enough are free; ties go to the earlier one.
@@ -96,17 +98,30 @@ impl Choice {
                 failures.count(RemovalReason::Relation);
                 continue;
             }
-            let score = if self.is_first_best {
-                Score { value: 0.0, is_spoilt: false }
+            let score = if self.is_first_best && !self.is_guest {
+                Score { value: 0.0, is_spoilt: false, is_tight: false }
             } else {
                 rules::score(view.environment, view.agent, &place)
             };
+            if self.is_guest && (score.is_spoilt || score.is_tight) {
+                failures.count(RemovalReason::Comfort);
+                continue;
+            }
             self.left -= usize::from(!score.is_spoilt);
             if self.best.is_none_or(|(best, _)| score.value > best.value) {
                 self.best = Some((score, place));
             }
         }
     }
+}
+
+/// Whether a piece is left out rather than let it make the room tight or dark: what the programme does not
+/// require and what does not belong to a group. Rows keep their pattern.
+fn is_guest(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> bool {
+    let class = environment.class(agent);
+    let is_free = matches!(rule.parent, ParentName::Floor | ParentName::Wall | ParentName::Column);
+    let is_built_in = class.groups.iter().any(|group| group == FIXED_GROUP);
+    !environment.agents[agent].piece.is_required && class.grid.is_none() && (is_free || is_built_in)
 }
 
 /// Why places were refused, to name the reason that was met most.
@@ -117,6 +132,7 @@ struct Failures {
     collision: u32,
     clearance: u32,
     relation: u32,
+    comfort: u32,
 }
 
 impl Failures {
@@ -125,16 +141,18 @@ impl Failures {
             RemovalReason::Outside => self.outside += 1,
             RemovalReason::Collision => self.collision += 1,
             RemovalReason::Relation => self.relation += 1,
+            RemovalReason::Comfort => self.comfort += 1,
             _ => self.clearance += 1,
         }
     }
 
     fn reason(&self) -> RemovalReason {
         let most = self.outside.max(self.collision).max(self.clearance);
-        match most.max(self.relation) {
+        match most.max(self.relation).max(self.comfort) {
             0 if !self.has_parent => RemovalReason::NoParent,
             0 => RemovalReason::NoPlace,
             // Free but for this: nothing else kept it out.
+            _ if self.comfort > 0 => RemovalReason::Comfort,
             _ if self.relation > 0 => RemovalReason::Relation,
             _ if most == self.clearance => RemovalReason::Clearance,
             _ if most == self.collision => RemovalReason::Collision,

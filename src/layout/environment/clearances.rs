@@ -134,6 +134,13 @@ impl Environment<'_> {
             })
     }
 
+    /// Whether an agent would have less room at a place than is good.
+    pub(crate) fn lacks_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
+        let mut clearances = self.class(agent).clearances.iter();
+        clearances.any(|clearance| clearance.good > clearance.minimum)
+            && !self.has_clearances(agent, place, true)
+    }
+
     /// Calls `visit` with every region that is good to have free and meets another.
     pub(crate) fn each_comfort(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
         self.clearance_grid.each(region.bounds, |index| {

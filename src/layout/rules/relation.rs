@@ -24,6 +24,8 @@ pub(crate) struct Score {
     pub(crate) value: f64,
     /// Whether it darkens a window or takes the place of a seat: worth looking further.
     pub(crate) is_spoilt: bool,
+    /// Whether somebody has less room than is good because of it.
+    pub(crate) is_tight: bool,
 }
 
 /// How well a place suits an agent.
@@ -42,14 +44,10 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
     if takes_a_seat {
         value -= SEAT_PENALTY;
     }
-    if environment.takes_comfort(agent, place) {
-        value -= TIGHT_PENALTY;
-    }
-    let has_good = class.clearances.iter().any(|clearance| clearance.good > clearance.minimum);
-    if has_good && !environment.has_clearances(agent, place, true) {
-        value -= TIGHT_PENALTY;
-    }
-    Score { value, is_spoilt: is_before_window || takes_a_seat }
+    let (takes_comfort, lacks_comfort) =
+        (environment.takes_comfort(agent, place), environment.lacks_comfort(agent, place));
+    value -= TIGHT_PENALTY * f64::from(u8::from(takes_comfort) + u8::from(lacks_comfort));
+    Score { value, is_spoilt: is_before_window || takes_a_seat, is_tight: takes_comfort || lacks_comfort }
 }
 
 /// Whether a place meets the relations that an agent's class needs. To face something, it must be there.
