@@ -4,7 +4,7 @@
 //! worked out from the room and the number of agents of the class, which gives every agent the same lattice
 //! without reading the others' positions.
 
-use crate::catalog::{Grid, Turn};
+use crate::catalog::{Clearance, Grid, Side, Turn};
 use crate::geometry::Point;
 use crate::layout::body::Pose;
 use crate::layout::seed::{Purpose, RoomKey, Stream};
@@ -25,25 +25,50 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     // Rows and aisles go by the side of the pieces, not by the walls: pupils sit beside each other.
     let frame = Pose::new(Point::ZERO, 0.0, angle);
     let (low, high) = extent(view, &frame);
-    let margin = Point::new(view.size.width, view.size.depth) / 2.0;
-    let room = (high - low - 2.0 * margin).max(Point::ZERO);
     let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
-    let most = [axes[0].count(room.x), axes[1].count(room.y)];
     let agents = &view.environment.agents;
     let class = agents[view.agent].piece.class;
     let wanted = agents.iter().filter(|agent| agent.piece.class == class).count();
+    let frame_room = |margins: &Margins| (high - low - margins.low - margins.high).max(Point::ZERO);
+    let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
+    let has_places = |margins: &Margins| most_in(frame_room(margins)).iter().product::<usize>() >= wanted;
+    let margins = [Margins::new(view, |clearance| clearance.good), Margins::new(view, |c| c.minimum)];
+    let margins = margins.into_iter().find(has_places).unwrap_or_else(|| Margins::new(view, |_| 0.0));
+    let room = frame_room(&margins);
+    let most = most_in(room);
     let counts = lattice(wanted, most, room / grid.interval);
     let span = Point::new(axes[0].offset(counts[0] - 1), axes[1].offset(counts[1] - 1));
     let slack = (room - span).max(Point::ZERO);
     let share = if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
-    let first = low + margin + slack * share;
+    let first = low + margins.low + slack * share;
     let mut add = |point: Point| poses.push(Pose::new(frame.turn(point), elevation(view), angle));
     let total = counts[0] * counts[1];
     let resting = view.environment.resting[class].len();
     for slot in (0..total).map(|index| (index + resting) % total) {
         add(first + Point::new(axes[0].offset(slot % counts[0]), axes[1].offset(slot / counts[0])));
     }
-    add_outside((first, counts), (low + margin, high - margin), &axes, add);
+    let half = Point::new(view.size.width, view.size.depth) / 2.0;
+    add_outside((first, counts), (low + half, high - half), &axes, add);
+}
+
+/// How far the middles of the outermost places keep from the ends of the room.
+struct Margins {
+    low: Point,
+    high: Point,
+}
+
+impl Margins {
+    /// Half of the piece, and a depth of the clearances on the side that meets the wall.
+    fn new(view: &View<'_>, depth: impl Fn(&Clearance) -> f64) -> Self {
+        let half = Point::new(view.size.width, view.size.depth) / 2.0;
+        let clearances = view.class.clearances.iter();
+        let deepest =
+            |side: Side| clearances.clone().filter(|c| c.side == side).map(&depth).fold(0.0, f64::max);
+        Self {
+            low: half + Point::new(deepest(Side::Left), deepest(Side::Front)),
+            high: half + Point::new(deepest(Side::Right), deepest(Side::Back)),
+        }
+    }
 }
 
 /// The angle of all agents of the class: towards what they want to face, where it is in the room, else as the
