@@ -69,9 +69,10 @@ impl Tally {
             let classes: Vec<&str> =
                 finding.objects.iter().map(|id| id.split('.').next().unwrap_or(id)).collect();
             let name = finding.code.name();
+            let kind = if finding.severity == Severity::Given { "given" } else { "finding" };
             *self
                 .details
-                .entry(format!("finding {name}: {} in {room_type}", classes.join(", ")))
+                .entry(format!("{kind} {name}: {} in {room_type}", classes.join(", ")))
                 .or_default() += 1;
         }
         for removal in &furnished.removals {

@@ -6,7 +6,7 @@ use super::agent::{AgentIndex, State};
 use super::constants::SEARCH_ROUNDS;
 use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
-use super::search::search;
+use super::search::{Found, search};
 use super::seed::RoomKey;
 
 /// Lets all searching agents act until each rests or is removed.
@@ -40,9 +40,9 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
     environment.is_exhausted[environment.agents[agent].piece.class] = true;
 }
 
-/// Searches in the size that was drawn, then in the smaller sizes of the class, largest first: a narrow
-/// wardrobe is better than none. What covers an opening begins with the largest, so that a wide window gets a
-/// wide curtain.
+/// Searches in the size that was drawn; where that has no good place, in the smaller sizes of the class, largest
+/// first: a narrow wardrobe is better than none, or one in the way. What covers an opening begins with the
+/// largest, so that a wide window gets a wide curtain.
 fn search_in_any_size(
     environment: &mut Environment<'_>,
     agent: AgentIndex,
@@ -50,36 +50,51 @@ fn search_in_any_size(
 ) -> Result<Place, RemovalReason> {
     if environment.class(agent).parents.iter().any(|rule| rule.above_head.is_some()) {
         let sizes = sizes_by(environment, agent, |size| size.width * size.height);
-        return search_in_sizes(environment, agent, key, &sizes);
+        return search_in_sizes(environment, agent, key, &sizes).map(|found| found.place);
     }
     let drawn = search(environment, agent, key);
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
-    if drawn.is_ok() || class.sizes.len() == 1 || environment.is_exhausted[piece.class] {
-        return drawn;
+    let is_good = drawn.as_ref().is_ok_and(|found| !found.is_poor);
+    if is_good || class.sizes.len() == 1 || environment.is_exhausted[piece.class] {
+        return drawn.map(|found| found.place);
     }
     let area = |size: Size| size.width * size.depth;
     let mut sizes = sizes_by(environment, agent, area);
     sizes.retain(|&variant| area(class.size(variant)) < area(class.size(piece.variant)));
-    search_in_sizes(environment, agent, key, &sizes).or(drawn)
+    let smaller = search_in_sizes(environment, agent, key, &sizes);
+    let is_smaller_better = smaller.as_ref().is_ok_and(|found| !found.is_poor || drawn.is_err());
+    if !is_smaller_better {
+        take_size(environment, agent, piece.variant);
+    }
+    if is_smaller_better { smaller } else { drawn }.map(|found| found.place)
 }
 
-/// Searches in one size after the other; where none has a place, says why the last has none.
+fn take_size(environment: &mut Environment<'_>, agent: AgentIndex, variant: u32) {
+    environment.agents[agent].piece.variant = variant;
+    environment.agents[agent].size = environment.class(agent).size(variant);
+}
+
+/// Searches in one size after the other until one has a good place; where none has, takes the first poor one, or
+/// says why the last has none.
 fn search_in_sizes(
     environment: &mut Environment<'_>,
     agent: AgentIndex,
     key: &RoomKey,
     variants: &[u32],
-) -> Result<Place, RemovalReason> {
-    let mut found = Err(RemovalReason::NoPlace);
+) -> Result<Found, RemovalReason> {
+    let mut best: Result<(u32, Found), RemovalReason> = Err(RemovalReason::NoPlace);
     for &variant in variants {
-        environment.agents[agent].piece.variant = variant;
-        environment.agents[agent].size = environment.class(agent).size(variant);
-        found = search(environment, agent, key);
-        if found.is_ok() {
-            break;
+        take_size(environment, agent, variant);
+        match search(environment, agent, key) {
+            Ok(found) if !found.is_poor => return Ok(found),
+            Ok(found) if best.is_err() => best = Ok((variant, found)),
+            Err(reason) if best.is_err() => best = Err(reason),
+            _ => {}
         }
     }
-    found
+    let (variant, found) = best?;
+    take_size(environment, agent, variant);
+    Ok(found)
 }
 
 /// The variants of an agent's class in the look that was drawn, those of greatest extent first.

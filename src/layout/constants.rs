@@ -56,9 +56,13 @@ pub(crate) const SEAT_DEPTH: f64 = 0.55;
 /// Metres above the floor from which a body fills the space under a table: a rug does not.
 pub(crate) const RUG_HEIGHT: f64 = 0.05;
 /// Share of a score lost where a clearance is only at its minimum, one's own or another's.
-pub(crate) const TIGHT_PENALTY: f64 = 0.3;
+pub(crate) const TIGHT_PENALTY: f64 = 1.0;
 /// Rounds in which agents that lost their parent may search again.
 pub(crate) const SEARCH_ROUNDS: usize = 4;
+/// Gained by a built-in piece that fills its wall from end to end; one that takes half of it gains nothing.
+pub(crate) const BUILT_IN_REWARD: f64 = 1.0;
+/// Candidates compared for what is built in and required: bathrooms and kitchens live by it.
+pub(crate) const CANDIDATES_BUILT_IN: usize = 24;
 /// Metres by which agents are pushed to have more room.
 pub(crate) const PUSH_DISTANCES: [f64; 10] = [0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.9, 1.2, 1.6];
 /// How much better a place must be to be pushed to.

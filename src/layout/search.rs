@@ -5,7 +5,9 @@ use crate::plan::OpeningKind;
 
 use super::agent::{AgentIndex, ParentPart};
 use super::body::Pose;
-use super::constants::{CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE};
+use super::constants::{
+    CANDIDATES_BUILT_IN, CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE,
+};
 use super::environment::{Environment, FIXED_GROUP, Place};
 use super::furnished::RemovalReason;
 use super::rules::{self, Score, View};
@@ -15,12 +17,13 @@ use super::seed::{Purpose, RoomKey, Stream};
 ///
 /// The lines of its description are taken in order; within a line, the parents that have fewest children of
 /// its class come first. The first place that is free is taken, or, where the agent has wishes, the best of
-/// a few. A place that darkens a window or takes a seat is kept in hand while the search goes on.
+/// a few. A place that makes the room tight, darkens a window or takes a seat is kept in hand while the search goes
+/// on.
 pub(crate) fn search(
     environment: &Environment<'_>,
     agent: AgentIndex,
     key: &RoomKey,
-) -> Result<Place, RemovalReason> {
+) -> Result<Found, RemovalReason> {
     let class = environment.class(agent);
     let piece = environment.agents[agent].piece;
     // A second search must not repeat the first one's draws.
@@ -40,7 +43,7 @@ pub(crate) fn search(
             poses.clear();
             rules::propose(&view, key, &mut stream, &mut poses);
             choice.consider(&view, &poses, &mut failures);
-            if may_scan && choice.best.is_none_or(|(score, _)| score.is_spoilt) {
+            if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
                 poses.clear();
                 rules::propose_scan(&view, &mut stream, &mut poses);
                 choice.consider(&view, &poses, &mut failures);
@@ -50,14 +53,23 @@ pub(crate) fn search(
             }
         }
         match choice.best {
-            Some((score, place)) if !score.is_spoilt => return Ok(place),
+            Some((score, place)) if !score.is_poor() => return Ok(Found { place, is_poor: false }),
             Some((score, place)) if fallback.is_none_or(|(best, _)| score.value > best) => {
                 fallback = Some((score.value, place));
             }
             _ => {}
         }
     }
-    fallback.map(|(_, place)| place).ok_or_else(|| failures.reason())
+    let poor = |(_, place)| Found { place, is_poor: true };
+    fallback.map(poor).ok_or_else(|| failures.reason())
+}
+
+/// A place that an agent can take.
+pub(crate) struct Found {
+    /// Where.
+    pub(crate) place: Place,
+    /// Whether somebody has less room, light or a seat less because of it.
+    pub(crate) is_poor: bool,
 }
 
 /// The best of the candidates seen so far.
@@ -73,7 +85,10 @@ struct Choice {
 impl Choice {
     fn new(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> Self {
         let class = environment.class(agent);
-        let left = if !class.relations.is_empty() {
+        let is_built_in = class.groups.iter().any(|group| group == FIXED_GROUP);
+        let left = if is_built_in && environment.agents[agent].piece.is_required {
+            CANDIDATES_BUILT_IN
+        } else if !class.relations.is_empty() {
             CANDIDATES_WITH_RELATIONS
         } else if class.clearances.is_empty() || class.grid.is_some() {
             1
@@ -103,11 +118,11 @@ impl Choice {
             } else {
                 rules::score(view.environment, view.agent, &place)
             };
-            if self.is_guest && (score.is_spoilt || score.is_tight) {
+            if self.is_guest && score.is_poor() {
                 failures.count(RemovalReason::Comfort);
                 continue;
             }
-            self.left -= usize::from(!score.is_spoilt);
+            self.left -= usize::from(!score.is_poor());
             if self.best.is_none_or(|(best, _)| score.value > best.value) {
                 self.best = Some((score, place));
             }
@@ -119,7 +134,8 @@ impl Choice {
 /// require and what does not belong to a group. Rows keep their pattern.
 fn is_guest(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> bool {
     let class = environment.class(agent);
-    let is_free = matches!(rule.parent, ParentName::Floor | ParentName::Wall | ParentName::Column);
+    let is_free =
+        matches!(rule.parent, ParentName::Floor | ParentName::Wall | ParentName::Column | ParentName::Window);
     let is_built_in = class.groups.iter().any(|group| group == FIXED_GROUP);
     !environment.agents[agent].piece.is_required && class.grid.is_none() && (is_free || is_built_in)
 }

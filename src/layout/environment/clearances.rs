@@ -121,16 +121,20 @@ impl Environment<'_> {
         })
     }
 
-    /// Whether a place takes of the space that others have plenty of beyond what they need.
+    /// Whether a place takes of the space that others have plenty of beyond what they need, with the piece itself or
+    /// with those who will sit at it.
     pub(crate) fn takes_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
-        let size = self.agents[agent].size;
+        let (class, size) = (self.class(agent), self.agents[agent].size);
         let whole = box_solid(size, &place.pose);
+        let seats = class.clearances.iter().filter_map(|clearance| seat(clearance, size, &place.pose));
         !is_flat(size, place)
-            && self.clearance_grid.any(whole.bounds, |index| {
-                let region = &self.clearances[index as usize];
-                region.owner != agent
-                    && region.comfort.overlaps(&whole, CLEARANCE_TOLERANCE)
-                    && !self.is_relative(agent, place.parent, region.owner)
+            && core::iter::once(whole).chain(seats).any(|solid| {
+                self.clearance_grid.any(solid.bounds, |index| {
+                    let region = &self.clearances[index as usize];
+                    region.owner != agent
+                        && region.comfort.overlaps(&solid, CLEARANCE_TOLERANCE)
+                        && !self.is_relative(agent, place.parent, region.owner)
+                })
             })
     }
 

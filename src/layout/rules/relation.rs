@@ -7,9 +7,9 @@ use crate::geometry::Point;
 use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::{Pose, box_solid};
 use crate::layout::constants::{
-    CONTACT_TOLERANCE, NARROW_WIDTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
+    BUILT_IN_REWARD, CONTACT_TOLERANCE, NARROW_WIDTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
 };
-use crate::layout::environment::{Environment, Place};
+use crate::layout::environment::{Environment, FIXED_GROUP, Place};
 use crate::plan::OpeningKind;
 
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
@@ -28,6 +28,13 @@ pub(crate) struct Score {
     pub(crate) is_tight: bool,
 }
 
+impl Score {
+    /// Whether a better place is worth looking for.
+    pub(crate) fn is_poor(self) -> bool {
+        self.is_spoilt || self.is_tight
+    }
+}
+
 /// How well a place suits an agent.
 pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> Score {
     let class = environment.class(agent);
@@ -40,6 +47,7 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
     if is_before_window {
         value -= WINDOW_PENALTY;
     }
+    value += BUILT_IN_REWARD * (2.0 * share_of_wall(environment, agent, place) - 1.0).max(0.0);
     let takes_a_seat = environment.takes_a_seat(agent, place);
     if takes_a_seat {
         value -= SEAT_PENALTY;
@@ -48,6 +56,15 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
         (environment.takes_comfort(agent, place), environment.lacks_comfort(agent, place));
     value -= TIGHT_PENALTY * f64::from(u8::from(takes_comfort) + u8::from(lacks_comfort));
     Score { value, is_spoilt: is_before_window || takes_a_seat, is_tight: takes_comfort || lacks_comfort }
+}
+
+/// How much of its wall a built-in piece would take: a bathtub belongs where its length fills the niche.
+fn share_of_wall(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+    let ParentPart::Wall(wall) = place.parent else { return 0.0 };
+    if !environment.class(agent).groups.iter().any(|group| group == FIXED_GROUP) {
+        return 0.0;
+    }
+    (environment.agents[agent].size.width / environment.surroundings.room.walls[wall].length()).min(1.0)
 }
 
 /// Whether a place meets the relations that an agent's class needs. To face something, it must be there.
