@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::audit::audit_room;
+use roomwright::audit::judge_room;
 use roomwright::batch::{BakeInput, BakeOptions, OutputFolder, bake};
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::gltf::write_glb;
@@ -25,13 +25,13 @@ fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models
     let options = FurnishOptions { seed: SEED, building: &placed.id, style: None };
     let furnished: Vec<_> =
         (0..level.rooms.len()).map(|room| furnish(level, room, catalog, &options)).collect();
-    let findings: Vec<_> = furnished.iter().map(|room| audit_room(level, room.room, room, catalog)).collect();
+    let verdicts: Vec<_> = furnished.iter().map(|room| judge_room(level, room.room, room, catalog)).collect();
     let scene = build_scene(&SceneInput {
         level,
         building: &placed.id,
         site: placed.site,
         furnished: &furnished,
-        findings: &findings,
+        verdicts: &verdicts,
         catalog,
         models: &|class, variant, geometry| models.model(class, variant, geometry),
         seed: SEED,

@@ -52,7 +52,7 @@ FIELDS = {
     "level": {"building", "level", "elevation", "height", "seed", "generator"},
     "opening": {"opening", "closure", "rooms", "width", "height", "sill"},
     "room": {"room", "type", "style", "seed", "outline", "holes", "height", "requested", "placed", "removed",
-             "findings"},
+             "grade", "findings"},
     "part": {"part", "tags"},
     "furniture": {"class", "id", "parent", "side", "size", "variant"},
 }

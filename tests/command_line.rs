@@ -10,5 +10,6 @@ mod command_line {
     mod faults;
     mod output_folder;
     mod user_models;
+    mod verdicts;
     mod world;
 }

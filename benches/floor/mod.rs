@@ -43,7 +43,7 @@ impl Floor {
             building: "hotel",
             site: SitePlacement::default(),
             furnished: &self.furnished,
-            findings: &[],
+            verdicts: &[],
             catalog: &self.catalog,
             models: &models,
             seed: SEED,

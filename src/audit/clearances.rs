@@ -62,29 +62,50 @@ pub(crate) fn judge(
     hits: &[NearPair<'_>],
     findings: &mut Vec<Finding>,
 ) {
-    let taken = taken(subject, zones, hits, |purpose| match purpose {
+    let takings = takings(subject, zones, hits, |purpose| match purpose {
         Purpose::Using(owner, number) => Some((owner, number)),
         _ => None,
     });
-    findings.extend(taken.into_iter().map(|((owner, blocker), (free, number))| {
-        let owner = &subject.bodies[owner];
-        let minimum = owner.class.clearances[number].minimum;
-        Finding::new(Code::BlockedUse, vec![owner.id.clone(), blocker], free, minimum)
+    findings.extend(narrowest(&takings).into_values().map(|taking| {
+        let owner = &subject.bodies[taking.owner];
+        let minimum = owner.class.clearances[taking.number].minimum;
+        Finding::new(Code::BlockedUse, vec![owner.id.clone(), taking.blocker.clone()], taking.free, minimum)
     }));
 }
 
-/// By object and what takes its clearance: what is left of the narrowest one, and which it is.
-pub(crate) type Taken = BTreeMap<(usize, String), (f64, usize)>;
+/// Something in a clearance that should not be there.
+pub(crate) struct Taking {
+    /// Whose clearance it is, by index.
+    pub(crate) owner: usize,
+    /// Which of the clearances of its class.
+    pub(crate) number: usize,
+    /// The id of what takes it.
+    pub(crate) blocker: String,
+    /// Metres that are left of it.
+    pub(crate) free: f64,
+}
 
-/// Who takes the clearances of some purpose; `select` tells their object and number.
-pub(crate) fn taken(
+/// For each object and what takes its clearances, the narrowest that is left.
+pub(crate) fn narrowest(takings: &[Taking]) -> BTreeMap<(usize, &str), &Taking> {
+    let mut narrowest: BTreeMap<(usize, &str), &Taking> = BTreeMap::new();
+    for taking in takings {
+        let known = narrowest.entry((taking.owner, &taking.blocker)).or_insert(taking);
+        if taking.free < known.free {
+            *known = taking;
+        }
+    }
+    narrowest
+}
+
+/// What takes the clearances of some purpose; `select` tells their object and number.
+pub(crate) fn takings(
     subject: &Subject<'_>,
     zones: &[Zone],
     hits: &[NearPair<'_>],
     select: impl Fn(Purpose) -> Option<(usize, usize)>,
-) -> Taken {
+) -> Vec<Taking> {
     let limit = subject.rules().clearances.intrusion + ROUNDING;
-    let mut taken = Taken::new();
+    let mut takings = Vec::new();
     for &(zone, body) in hits {
         let Some((owner, number)) = select(zone.purpose) else { continue };
         let other = &subject.bodies[body];
@@ -92,24 +113,20 @@ pub(crate) fn taken(
             && !is_flat(subject, other)
             && zone.intrusion(subject, other) > limit
         {
-            note(&mut taken, (owner, other.id.clone()), (zone.free_depth(other), number));
+            takings.push(Taking { owner, number, blocker: other.id.clone(), free: zone.free_depth(other) });
         }
     }
     for zone in zones {
         if let Some((owner, number)) = select(zone.purpose) {
-            for (part, segment) in fixed_edges(subject, zone) {
-                note(&mut taken, (owner, part), (zone.free_depth_to(segment), number));
-            }
+            takings.extend(fixed_edges(subject, zone).into_iter().map(|(blocker, edge)| Taking {
+                owner,
+                number,
+                blocker,
+                free: zone.free_depth_to(edge),
+            }));
         }
     }
-    taken
-}
-
-fn note(taken: &mut Taken, key: (usize, String), value: (f64, usize)) {
-    let known = taken.entry(key).or_insert(value);
-    if value.0 < known.0 {
-        *known = value;
-    }
+    takings
 }
 
 /// Whether a body may be in a clearance: it belongs to its object, and the side takes children or it lies

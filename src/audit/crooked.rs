@@ -31,7 +31,7 @@ fn is_tidy(subject: &Subject<'_>, limit: f64) -> bool {
 }
 
 /// Whether a class wants to stand straight at its wall; plants and round things do not.
-fn stands_straight(body: &Body<'_>, limit: f64) -> bool {
+pub(crate) fn stands_straight(body: &Body<'_>, limit: f64) -> bool {
     let at_wall = body.class.parents.iter().filter(|rule| rule.parent == ParentName::Wall);
     let mut orientations = at_wall.map(|rule| rule.orientation);
     let is_free = orientations.any(|orientation| orientation.turn == Turn::Any || orientation.jitter > limit);

@@ -1,6 +1,6 @@
 //! What an audit says.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A fault of a furnished room.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,7 +31,7 @@ impl Finding {
 }
 
 /// The kinds of findings; the words are part of the output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Code {
     /// Two bodies intersect.
@@ -149,7 +149,7 @@ impl Code {
 }
 
 /// How bad a finding is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
     /// The empty room already makes the rule impossible: no fault of the furniture, and no part of the grade.
@@ -161,7 +161,7 @@ pub enum Severity {
 }
 
 /// The paper's three grades (section 6).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Grade {
     /// No finding, or none of the furniture's.

@@ -20,6 +20,8 @@ mod halves;
 mod measure;
 mod programme;
 mod reach;
+mod relations;
+mod score;
 mod screens;
 mod sparse;
 mod subject;
@@ -37,7 +39,8 @@ mod zone;
 
 pub use finding::{Code, Finding, Grade, Severity};
 pub use measure::Measure;
-pub use summary::{AuditSummary, GradeCounts};
+pub use score::Score;
+pub use summary::{AuditSummary, GradeCounts, ScoreSum};
 pub use verdict::{DoorRate, Verdict};
 
 use crate::catalog::Catalog;
@@ -76,7 +79,8 @@ pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &C
     collision::judge(&subject, &collisions, &mut findings);
     doors::judge(&subject, &hits, &mut findings);
     clearances::judge(&subject, &zones, &hits, &mut findings);
-    tight::judge(&subject, &zones, &hits, &mut findings);
+    let comfort = tight::takings(&subject, &zones, &hits);
+    tight::judge(&subject, &comfort, &mut findings);
     windows::judge(&subject, &hits, &mut findings);
     screens::judge(&subject, &hits, &mut findings);
     wet_room::judge(&subject, &hits, &mut findings);
@@ -97,9 +101,13 @@ pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &C
     findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
     // Two pieces in each other's way are one finding.
     findings.dedup_by(|a, b| a.code == b.code && !a.objects.is_empty() && a.objects == b.objects);
+    let score = score::score(
+        &subject,
+        &score::Measured { zones: &zones, hits: &hits, comfort: &comfort, rates: &rates },
+    );
     let door =
         |(door, rate): (usize, f64)| DoorRate { door: format!("door:{}", level.openings[door].id), rate };
-    Verdict { findings, walkable: rates.into_iter().map(door).collect() }
+    Verdict { findings, score, walkable: rates.into_iter().map(door).collect() }
 }
 
 /// Whatever people need to be free.

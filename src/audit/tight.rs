@@ -2,51 +2,42 @@
 
 use std::collections::BTreeMap;
 
-use super::clearances::taken;
+use super::clearances::{self, Taking, narrowest};
 use super::finding::{Code, Finding};
 use super::fit::can_hold_comfortably;
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
 use super::zone::{NearPair, Purpose, Zone};
 
-/// The tightest side of an object: metres free, metres that are good, and what takes them.
-struct Tightest {
-    free: f64,
-    good: f64,
-    blocker: String,
+/// What takes the good clearances.
+pub(crate) fn takings(subject: &Subject<'_>, zones: &[Zone], hits: &[NearPair<'_>]) -> Vec<Taking> {
+    clearances::takings(subject, zones, hits, |purpose| match purpose {
+        Purpose::Comfort(owner, number) => Some((owner, number)),
+        _ => None,
+    })
 }
 
 /// Judges what takes the good clearances; an object makes one finding, that of its tightest side. Where the
 /// good depth does not fit into the empty room, the plan asks for no more than the minimum.
-pub(crate) fn judge(
-    subject: &Subject<'_>,
-    zones: &[Zone],
-    hits: &[NearPair<'_>],
-    findings: &mut Vec<Finding>,
-) {
+pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], findings: &mut Vec<Finding>) {
     let slack = subject.rules().clearances.intrusion + ROUNDING;
-    let taken = taken(subject, zones, hits, |purpose| match purpose {
-        Purpose::Comfort(owner, number) => Some((owner, number)),
-        _ => None,
-    });
-    let mut tightest: BTreeMap<usize, Tightest> = BTreeMap::new();
-    for ((owner, blocker), (free, number)) in taken {
-        let clearance = &subject.bodies[owner].class.clearances[number];
+    let clearance = |taking: &Taking| &subject.bodies[taking.owner].class.clearances[taking.number];
+    let lacks = |taking: &Taking| clearance(taking).good - taking.free;
+    let mut tightest: BTreeMap<usize, &Taking> = BTreeMap::new();
+    for taking in narrowest(takings).into_values() {
         // Below the minimum the side is not tight but blocked.
-        if free < clearance.minimum - slack {
+        if taking.free < clearance(taking).minimum - slack {
             continue;
         }
-        let side = Tightest { free, good: clearance.good, blocker };
-        let lacks = |side: &Tightest| side.good - side.free;
-        match tightest.get(&owner) {
-            Some(known) if lacks(known) >= lacks(&side) => {}
-            _ => drop(tightest.insert(owner, side)),
+        match tightest.get(&taking.owner) {
+            Some(known) if lacks(known) >= lacks(taking) => {}
+            _ => drop(tightest.insert(taking.owner, taking)),
         }
     }
-    findings.extend(tightest.into_iter().map(|(owner, side)| {
+    findings.extend(tightest.into_iter().map(|(owner, taking)| {
         let body = &subject.bodies[owner];
-        let objects = vec![body.id.clone(), side.blocker];
-        let finding = Finding::new(Code::TightUse, objects, side.free, side.good);
+        let objects = vec![body.id.clone(), taking.blocker.clone()];
+        let finding = Finding::new(Code::TightUse, objects, taking.free, clearance(taking).good);
         if can_hold_comfortably(subject, body) { finding } else { finding.given() }
     }));
 }

@@ -3,12 +3,15 @@
 use serde::Serialize;
 
 use super::finding::{Finding, Grade};
+use super::score::Score;
 
 /// The verdict on a furnished room.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Verdict {
     /// Sorted by code, then by objects; none in a good room.
     pub findings: Vec<Finding>,
+    /// How good the room is beside that; `None` where nothing was asked for.
+    pub score: Option<Score>,
     /// What share of the floor is walked to from each door; empty where nothing stands in the way.
     pub walkable: Vec<DoorRate>,
 }

@@ -26,7 +26,7 @@ pub enum Event<'a> {
         /// Level id.
         level: &'a str,
         /// Its sums.
-        totals: Totals,
+        totals: &'a Totals,
     },
     /// A level, or one room of it, failed.
     Failed(&'a LevelFailure),

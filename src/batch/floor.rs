@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::audit::{Finding, Grade, judge_room};
+use crate::audit::{Verdict, judge_room};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
@@ -42,7 +42,7 @@ pub(crate) struct BakedLevel {
 /// One room on its way to the scene.
 struct BakedRoom {
     furnished: Furnished,
-    findings: Vec<Finding>,
+    verdict: Verdict,
     failure: Option<String>,
 }
 
@@ -55,12 +55,12 @@ pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<Baked
     let rooms: Vec<BakedRoom> =
         (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(workshop, job, room)).collect();
     let (furnished, judged): (Vec<_>, Vec<_>) =
-        rooms.into_iter().map(|room| (room.furnished, (room.findings, room.failure))).unzip();
-    let (findings, failures): (Vec<_>, Vec<_>) = judged.into_iter().unzip();
+        rooms.into_iter().map(|room| (room.furnished, (room.verdict, room.failure))).unzip();
+    let (verdicts, failures): (Vec<_>, Vec<_>) = judged.into_iter().unzip();
 
     // The tree of nodes, and what it becomes.
     let built = catch_bug(|| {
-        let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &furnished, &findings));
+        let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &furnished, &verdicts));
         workshop.watch.measure(Stage::Encoding, || encode(workshop, job, &scene))
     });
     let files = match built {
@@ -70,7 +70,7 @@ pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<Baked
     };
 
     // Files first, the record after them: what is recorded is there.
-    let record = record(workshop, job, &files, &RoomResults { furnished, findings, failures: &failures });
+    let record = record(workshop, job, &files, &RoomResults { furnished, verdicts, failures: &failures });
     let written = workshop.watch.measure(Stage::Writing, || write(workshop.folder, &files, &record));
     written.map_err(|fault| Box::new(level_failure(workshop, job, fault)))?;
     Ok(BakedLevel {
@@ -92,11 +92,11 @@ fn bake_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
             |alternative| watch.measure(Stage::Layout, || furnish(alternative)),
             |furnished| watch.measure(Stage::Audit, || judge_room(job.level, room, furnished, catalog)),
         );
-        BakedRoom { furnished, findings: verdict.findings, failure: None }
+        BakedRoom { furnished, verdict, failure: None }
     });
     baked.unwrap_or_else(|bug| BakedRoom {
         furnished: unfurnished(room, options),
-        findings: Vec::new(),
+        verdict: Verdict::default(),
         failure: Some(bug),
     })
 }
@@ -113,19 +113,14 @@ fn unfurnished(room: usize, options: &BakeOptions) -> Furnished {
     }
 }
 
-fn scene(
-    workshop: &Workshop<'_>,
-    job: &Job<'_>,
-    furnished: &[Furnished],
-    findings: &[Vec<Finding>],
-) -> Scene {
+fn scene(workshop: &Workshop<'_>, job: &Job<'_>, furnished: &[Furnished], verdicts: &[Verdict]) -> Scene {
     let catalog = workshop.catalog;
     build_scene(&SceneInput {
         level: job.level,
         building: &job.placed.id,
         site: job.placed.site,
         furnished,
-        findings,
+        verdicts,
         catalog,
         models: &|class, variant, geometry| workshop.models.model(class, variant, geometry),
         seed: workshop.options.seed,
@@ -146,7 +141,7 @@ fn write(folder: &OutputFolder, files: &LevelFiles, record: &LevelRecord) -> Res
 /// What became of the rooms of a level, in the plan's order.
 struct RoomResults<'a> {
     furnished: Vec<Furnished>,
-    findings: Vec<Vec<Finding>>,
+    verdicts: Vec<Verdict>,
     failures: &'a [Option<String>],
 }
 
@@ -170,12 +165,12 @@ fn record(
         classes: std::collections::BTreeMap::new(),
         rooms: Vec::new(),
     };
-    let results = rooms.furnished.iter().zip(&rooms.findings).zip(rooms.failures);
-    for ((furnished, findings), failure) in results {
+    let results = rooms.furnished.iter().zip(&rooms.verdicts).zip(rooms.failures);
+    for ((furnished, verdict), failure) in results {
         count_room(&mut record, workshop.catalog, furnished);
-        record.totals.count_grade(Grade::of(findings));
+        record.totals.audit.add_room(verdict);
         record.totals.broken += u64::from(failure.is_some());
-        let room = room_record(job.level, workshop.catalog, furnished, findings, failure.is_some());
+        let room = room_record(job.level, workshop.catalog, furnished, verdict, failure.is_some());
         record.rooms.extend(room);
     }
     record
@@ -198,10 +193,10 @@ fn room_record(
     level: &Level,
     catalog: &Catalog,
     furnished: &Furnished,
-    findings: &[Finding],
+    verdict: &Verdict,
     is_broken: bool,
 ) -> Option<RoomRecord> {
-    if furnished.removals.is_empty() && findings.is_empty() && !is_broken {
+    if furnished.removals.is_empty() && verdict.findings.is_empty() && !is_broken {
         return None;
     }
     let removed = furnished.removals.iter().map(|removal| RemovedRecord {
@@ -211,8 +206,10 @@ fn room_record(
     let to_value = |finding| serde_json::to_value(finding).expect("findings are plain data");
     Some(RoomRecord {
         room: level.rooms[furnished.room].id.clone(),
+        grade: (!is_broken).then(|| verdict.grade()),
+        score: verdict.score.map(|score| score.value),
         removed: removed.collect(),
-        findings: findings.iter().map(to_value).collect(),
+        findings: verdict.findings.iter().map(to_value).collect(),
         failure: is_broken.then(|| FaultCode::RoomBroken.name().to_owned()),
     })
 }

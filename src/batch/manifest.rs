@@ -169,8 +169,11 @@ impl Formatter for ShallowFormatter {
 pub(crate) mod tests {
     use super::super::record::{RemovedRecord, RoomRecord, SiteRecord};
     use super::*;
+    use crate::audit::{AuditSummary, Grade, Verdict};
 
     pub(crate) fn record(building: &str, level: &str) -> LevelRecord {
+        let mut audit = AuditSummary::default();
+        audit.add_room(&Verdict::default());
         LevelRecord {
             building: building.to_owned(),
             level: level.to_owned(),
@@ -184,10 +187,12 @@ pub(crate) mod tests {
                 bytes: level.len() as u64,
             }],
             library: Vec::new(),
-            totals: Totals { rooms: 2, requested: 5, placed: 4, removed: 1, none: 2, ..Totals::default() },
+            totals: Totals { rooms: 2, requested: 5, placed: 4, removed: 1, audit, ..Totals::default() },
             classes: BTreeMap::from([("bed".to_owned(), 1), ("chair".to_owned(), 3)]),
             rooms: vec![RoomRecord {
                 room: "12".to_owned(),
+                grade: Some(Grade::Minor),
+                score: Some(0.8125),
                 removed: vec![RemovedRecord { class: "lamp".to_owned(), reason: "no place".to_owned() }],
                 findings: vec![serde_json::json!({"measured": 0.7299999999999999})],
                 failure: None,
@@ -218,7 +223,7 @@ pub(crate) mod tests {
         let line = text.lines().find(|line| line.contains("\"room\"")).unwrap();
         assert_eq!(
             line.trim(),
-            r#"{"room": "12", "removed": [{"class": "lamp", "reason": "no place"}], "findings": [{"measured": 0.7299999999999999}]}"#
+            r#"{"room": "12", "grade": "minor", "score": 0.8125, "removed": [{"class": "lamp", "reason": "no place"}], "findings": [{"measured": 0.7299999999999999}]}"#
         );
         assert!(text.lines().any(|line| line.trim() == r#""classes": {"#));
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::audit::Grade;
+use crate::audit::{AuditSummary, Grade};
 
 /// One level of one building as it was written. The keys and their order are part of the output.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -56,7 +56,7 @@ pub struct FileRecord {
 }
 
 /// Sums over rooms.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Totals {
     /// All rooms, furnished or not.
     pub rooms: u64,
@@ -66,12 +66,9 @@ pub struct Totals {
     pub placed: u64,
     /// Pieces that are missing.
     pub removed: u64,
-    /// Rooms without a finding.
-    pub none: u64,
-    /// Rooms with minor findings only.
-    pub minor: u64,
-    /// Rooms that fail the audit.
-    pub failed: u64,
+    /// Rooms by grade, findings by code, scores.
+    #[serde(flatten)]
+    pub audit: AuditSummary,
     /// Rooms left empty by a fault of the program; their level is baked again next time.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub broken: u64,
@@ -89,19 +86,8 @@ impl Totals {
         self.requested += other.requested;
         self.placed += other.placed;
         self.removed += other.removed;
-        self.none += other.none;
-        self.minor += other.minor;
-        self.failed += other.failed;
+        self.audit.merge(&other.audit);
         self.broken += other.broken;
-    }
-
-    /// Counts a room's grade.
-    pub(crate) fn count_grade(&mut self, grade: Grade) {
-        match grade {
-            Grade::None => self.none += 1,
-            Grade::Minor => self.minor += 1,
-            Grade::Failed => self.failed += 1,
-        }
     }
 }
 
@@ -110,6 +96,12 @@ impl Totals {
 pub struct RoomRecord {
     /// Room id.
     pub room: String,
+    /// The grade of the audit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grade: Option<Grade>,
+    /// The score of the audit; none where nothing was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub score: Option<f64>,
     /// Missing pieces in the order of removal.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub removed: Vec<RemovedRecord>,

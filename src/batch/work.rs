@@ -64,7 +64,7 @@ pub fn bake(
 
     // The records become the manifest.
     let joined = folder.finish(options.shard, |contents| jobs.iter().all(|job| is_recorded(contents, job)));
-    let mut in_place = tally.totals;
+    let mut in_place = tally.totals.clone();
     kept.iter().for_each(|job| in_place.add(&folder.known.levels[&job.key()].1.totals));
     let done = tally.baked + tally.failed_levels;
     Ok(BakeReport {
@@ -143,7 +143,7 @@ fn tell(observer: &Observer<'_>, job: &Job<'_>, result: &Result<BakedLevel, Box<
                 observer(&Event::Failed(failure));
             }
             let (building, level) = (&job.placed.id, &job.level.id);
-            observer(&Event::Baked { building, level, totals: baked.totals });
+            observer(&Event::Baked { building, level, totals: &baked.totals });
         }
         Err(failure) => observer(&Event::Failed(failure)),
     }

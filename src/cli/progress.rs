@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn events_for_machines_name_themselves() {
         let totals = Totals { rooms: 3, placed: 40, ..Totals::default() };
-        let event = Event::Baked { building: "a", level: "1", totals };
+        let event = Event::Baked { building: "a", level: "1", totals: &totals };
         assert_eq!(
             event_json(&event),
             json!({"event": "baked", "building": "a", "level": "1", "rooms": 3, "objects": 40})

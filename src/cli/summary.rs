@@ -1,11 +1,13 @@
 //! What a bake did, for people and for machines.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Duration;
 
 use indicatif::{HumanBytes, HumanCount};
 use serde_json::{Value, json};
 
+use crate::audit::{AuditSummary, Code, GradeCounts};
 use crate::batch::{BakeReport, Joined, LevelFailure, Stage, Totals};
 
 /// The summary for people.
@@ -25,20 +27,42 @@ pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
     if report.kept > 0 {
         lines.push(format!("Kept {} that nothing has changed for.", levels(report.kept)));
     }
-    let Totals { none, minor, failed, requested, removed, .. } = report.in_place;
+    let Totals { requested, removed, audit, .. } = &report.in_place;
+    let GradeCounts { none, minor, failed } = audit.grades;
     lines.push(format!(
         "Rooms by verdict: {} without findings, {} with minor ones, {} failed. Of {} requested pieces {} found no \
          place.",
         count(none),
         count(minor),
         count(failed),
-        count(requested),
-        count(removed),
+        count(*requested),
+        count(*removed),
     ));
+    lines.extend(audit_lines(audit));
     if report.skipped > 0 {
         lines.push(format!("Stopped early: {} were not tried.", levels(report.skipped)));
     }
     lines.join("\n")
+}
+
+/// The counts of findings and the mean score, where there are any.
+pub(crate) fn audit_lines(audit: &AuditSummary) -> Vec<String> {
+    let counts = |counts: &BTreeMap<Code, u64>| {
+        let each = counts.iter().map(|(code, &count)| format!("{} {}", code.name(), HumanCount(count)));
+        each.collect::<Vec<_>>().join(", ")
+    };
+    let mut lines = Vec::new();
+    if !audit.findings.is_empty() {
+        lines.push(format!("Findings: {}.", counts(&audit.findings)));
+    }
+    if !audit.given.is_empty() {
+        lines.push(format!("Given by the plans, not counted: {}.", counts(&audit.given)));
+    }
+    if let Some(mean) = audit.score.mean() {
+        lines
+            .push(format!("Mean score of {} furnished rooms: {mean}.", HumanCount(audit.score.room_count())));
+    }
+    lines
 }
 
 fn levels(number: usize) -> String {

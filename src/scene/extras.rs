@@ -2,7 +2,7 @@
 
 use super::node::{Extras, LeafExtras, Removed, SiteExtras};
 use super::{SceneInput, names};
-use crate::audit::Finding;
+use crate::audit::Verdict;
 use crate::catalog::{Catalog, Side};
 use crate::geometry::{Point, Polygon};
 use crate::layout::{Furnished, Placement};
@@ -51,12 +51,7 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
     }
 }
 
-pub(crate) fn room_extras(
-    room: &Room,
-    furnished: &Furnished,
-    findings: &[Finding],
-    catalog: &Catalog,
-) -> Extras {
+pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, catalog: &Catalog) -> Extras {
     let corners = |polygon: &Polygon| polygon.corners().iter().map(|&corner| pair(corner)).collect();
     let removed = furnished.removals.iter().map(|removal| Removed {
         class: catalog.classes[removal.class].id.clone(),
@@ -73,7 +68,9 @@ pub(crate) fn room_extras(
         requested: furnished.requested,
         placed: u32::try_from(furnished.placements.len()).unwrap_or(u32::MAX),
         removed: removed.collect(),
-        findings: findings.to_vec(),
+        grade: verdict.grade(),
+        score: verdict.score.map(|score| score.value),
+        findings: verdict.findings,
     }
 }
 

@@ -20,7 +20,7 @@ use axes::Pose;
 use meshes::{Look, MeshTable};
 use shell::{RoomFinish, opening_node};
 
-use crate::audit::Finding;
+use crate::audit::Verdict;
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::geometry::Point;
 use crate::layout::Furnished;
@@ -37,8 +37,8 @@ pub struct SceneInput<'a> {
     pub site: SitePlacement,
     /// One per room, in the order of the level's rooms.
     pub furnished: &'a [Furnished],
-    /// What the audit says, in the same order; rooms past the end have none.
-    pub findings: &'a [Vec<Finding>],
+    /// What the audit says, in the same order; rooms past the end are as good as empty ones.
+    pub verdicts: &'a [Verdict],
     /// Classes, room types, styles and palettes.
     pub catalog: &'a Catalog,
     /// The model of a class, variant and geometry set; the same one for the same arguments.

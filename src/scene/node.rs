@@ -6,7 +6,7 @@ use glam::{Quat, Vec3};
 use serde::Serialize;
 
 use super::axes::Pose;
-use crate::audit::Finding;
+use crate::audit::{Finding, Grade};
 use crate::catalog::Material;
 use crate::model::{Model, OwnMaterial};
 
@@ -162,6 +162,11 @@ pub enum Extras {
         placed: u32,
         /// Pieces that do not, each with its reason.
         removed: Vec<Removed>,
+        /// The audit's grade.
+        grade: Grade,
+        /// The audit's score from 0 to 1; none where nothing was asked for.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        score: Option<f64>,
         /// Findings of the audit.
         findings: Vec<Finding>,
     },

@@ -11,10 +11,10 @@ use crate::layout::{Furnished, Parent, Placement};
 /// The node of a room: shell parts first, then furniture in the order of its placement.
 pub(crate) fn room_node<'a>(input: &SceneInput<'a>, index: usize, meshes: &mut MeshTable<'a>) -> Node {
     let (room, furnished) = (&input.level.rooms[index], &input.furnished[index]);
-    let findings = input.findings.get(index).map_or(&[][..], Vec::as_slice);
+    let verdict = input.verdicts.get(index).cloned().unwrap_or_default();
     let look = Look::of_style(input.catalog, &furnished.style);
     let finish = RoomFinish::of(input.catalog, room);
-    let extras = room_extras(room, furnished, findings, input.catalog);
+    let extras = room_extras(room, furnished, verdict, input.catalog);
     let mut node = Node::at(names::room(&room.id), &ROOM_POSE, None, extras);
     node.children = room_parts(input.level, room, finish, look, meshes);
     node.children.extend(furniture(input, furnished, &room.id, look, meshes));

@@ -43,9 +43,9 @@ pub fn check_level(baked: &BakedLevel<'_>, catalog: &Catalog) {
 
 /// The findings that no room may have, a line each: all that make a room fail.
 pub fn grave_findings(baked: &BakedLevel<'_>) -> Vec<String> {
-    let rooms = baked.level.rooms.iter().zip(&baked.findings);
-    let lines = rooms.flat_map(|(room, findings)| {
-        let grave = findings.iter().filter(|finding| finding.severity == Severity::Failed);
+    let rooms = baked.level.rooms.iter().zip(&baked.verdicts);
+    let lines = rooms.flat_map(|(room, verdict)| {
+        let grave = verdict.findings.iter().filter(|finding| finding.severity == Severity::Failed);
         grave.map(move |finding| {
             let Finding { code, objects, measured, .. } = finding;
             let place = format!("{}/{}/{}", baked.building, baked.level.id, room.id);
@@ -93,7 +93,9 @@ fn check_room(baked: &BakedLevel<'_>, index: usize, nodes: &[ReadNode<'_>], node
     assert_eq!(extras["type"], room.room_type.as_str());
     assert_eq!(extras["placed"], furnished.placements.len());
     assert_eq!(extras["removed"].as_array().unwrap().len(), furnished.removals.len());
-    assert_eq!(extras["findings"].as_array().unwrap().len(), baked.findings[index].len());
+    assert_eq!(extras["findings"].as_array().unwrap().len(), baked.verdicts[index].findings.len());
+    assert_eq!(extras["grade"], serde_json::to_value(baked.verdicts[index].grade()).unwrap());
+    assert_eq!(extras["score"].as_f64(), baked.verdicts[index].score.map(|score| score.value));
     assert_eq!(extras["outline"].as_array().unwrap().len(), room.region.outline.corners().len());
     assert_eq!(nodes[node].parent, Some(0));
 }

@@ -66,7 +66,7 @@ fn bake_and_check(pipeline: &Pipeline, paths: &[PathBuf]) -> (usize, AuditSummar
         check_level(&baked, &pipeline.catalog);
         grave.extend(grave_findings(&baked));
         level_count += 1;
-        baked.findings.iter().for_each(|findings| summary.add_room(findings));
+        baked.verdicts.iter().for_each(|verdict| summary.add_room(verdict));
     });
     assert!(grave.is_empty(), "{} of {} rooms: {grave:#?}", grave.len(), summary.room_count());
     (level_count, summary)

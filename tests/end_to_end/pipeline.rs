@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use roomwright::audit::Finding;
+use roomwright::audit::Verdict;
 use roomwright::best::{Judged, furnish_best};
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::gltf::write_glb;
@@ -33,7 +33,7 @@ pub struct BakedLevel<'a> {
     /// By room.
     pub furnished: Vec<Furnished>,
     /// By room.
-    pub findings: Vec<Vec<Finding>>,
+    pub verdicts: Vec<Verdict>,
     /// The file.
     pub glb: Vec<u8>,
 }
@@ -56,19 +56,19 @@ impl Pipeline {
         let options = FurnishOptions { seed: self.seed, building, style: None };
         let rooms = 0..level.rooms.len();
         let best = |room| furnish_best(level, room, &self.catalog, &options, EFFORT);
-        let judged = |judged: Judged| (judged.furnished, judged.verdict.findings);
-        let (furnished, findings): (Vec<_>, Vec<_>) = rooms.map(best).map(judged).unzip();
+        let judged = |judged: Judged| (judged.furnished, judged.verdict);
+        let (furnished, verdicts): (Vec<_>, Vec<_>) = rooms.map(best).map(judged).unzip();
         let scene = build_scene(&SceneInput {
             level,
             building,
             site: SitePlacement::default(),
             furnished: &furnished,
-            findings: &findings,
+            verdicts: &verdicts,
             catalog: &self.catalog,
             models: &|class, variant, geometry| self.models.model(class, variant, geometry),
             seed: self.seed,
         });
-        BakedLevel { building, level, furnished, findings, glb: write_glb(&scene).unwrap() }
+        BakedLevel { building, level, furnished, verdicts, glb: write_glb(&scene).unwrap() }
     }
 }
 

@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 
-use roomwright::audit::{AuditSummary, Code, Finding, audit_room};
+use roomwright::audit::{AuditSummary, Code, Finding, Verdict, judge_room};
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::layout::{FurnishOptions, Furnished, Parent, furnish};
 use roomwright::plan::Level;
@@ -36,15 +36,15 @@ fn config() -> ProptestConfig {
 }
 
 /// Asks a property of every room that can be built from a sketch.
-fn for_every_room(property: impl Fn(&Level, &Furnished, &[Finding]) -> Result<(), TestCaseError>) {
+fn for_every_room(property: impl Fn(&Level, &Furnished, &Verdict) -> Result<(), TestCaseError>) {
     let catalog = &*CATALOG;
     let mut runner = TestRunner::new(config());
     let answer = runner.run(&sketches(), |sketch| {
         let Some(level) = sketch.level(catalog) else { return Ok(()) };
         let options = FurnishOptions { seed: sketch.seed, building: "random", style: None };
         let furnished = furnish(&level, 0, catalog, &options);
-        let findings = audit_room(&level, 0, &furnished, catalog);
-        property(&level, &furnished, &findings)
+        let verdict = judge_room(&level, 0, &furnished, catalog);
+        property(&level, &furnished, &verdict)
     });
     if let Err(error) = answer {
         panic!("{error}");
@@ -59,20 +59,20 @@ fn without(codes: impl Fn(Code) -> bool, findings: &[Finding]) -> Result<(), Tes
 
 #[test]
 fn bodies_obey_the_physical_rules() {
-    for_every_room(|_, _, findings| without(Code::is_physical, findings));
+    for_every_room(|_, _, verdict| without(Code::is_physical, &verdict.findings));
 }
 
 #[test]
 fn doors_can_be_opened_and_walked_through() {
-    for_every_room(|_, _, findings| without(|code| code == Code::DoorBlocked, findings));
+    for_every_room(|_, _, verdict| without(|code| code == Code::DoorBlocked, &verdict.findings));
 }
 
 #[test]
 fn the_same_room_is_furnished_and_judged_the_same_again() {
-    for_every_room(|level, furnished, findings| {
+    for_every_room(|level, furnished, verdict| {
         let options = FurnishOptions { seed: 0, building: "random", style: None };
         prop_assert_eq!(furnish(level, 0, &CATALOG, &options), furnish(level, 0, &CATALOG, &options));
-        prop_assert_eq!(&audit_room(level, 0, furnished, &CATALOG)[..], findings);
+        prop_assert_eq!(&judge_room(level, 0, furnished, &CATALOG), verdict);
         Ok(())
     });
 }
@@ -96,10 +96,10 @@ fn parents_come_first_and_ids_are_unique() {
 #[test]
 fn verdicts_are_counted() {
     let counts = RefCell::new((AuditSummary::default(), BTreeMap::<String, u32>::new()));
-    for_every_room(|level, _, findings| {
+    for_every_room(|level, _, verdict| {
         let (summary, kinds) = &mut *counts.borrow_mut();
-        summary.add_room(findings);
-        for finding in findings {
+        summary.add_room(verdict);
+        for finding in &verdict.findings {
             let classes = finding.objects.iter().map(|id| id.split(['.', ':']).next().unwrap());
             let classes = classes.collect::<Vec<_>>().join(" ");
             let kind = format!("{} {} in {}", finding.code.name(), classes, level.rooms[0].room_type);

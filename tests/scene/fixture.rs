@@ -297,7 +297,7 @@ pub(crate) fn scene(level: &Level, furnished: &[Furnished]) -> Scene {
         building: "tower",
         site: SitePlacement::default(),
         furnished,
-        findings: &[],
+        verdicts: &[],
         catalog: &catalog,
         models: &models(&catalog),
         seed: 42,

@@ -127,7 +127,8 @@ def build_floor() -> Floor:
                            "width": 0.9, "height": 2.0, "sill": 0.0}, level)
     room = floor.node("room:101", {"kind": "room", "room": "101", "type": "office", "style": "default", "seed": 7,
                                    "outline": outline, "holes": [], "height": 2.5, "requested": 4, "placed": 3,
-                                   "removed": [{"class": "chair", "reason": "no place"}], "findings": []}, level)
+                                   "removed": [{"class": "chair", "reason": "no place"}], "grade": "none",
+                                   "findings": []}, level)
     slab = floor.box_mesh("floor@101", 4.0, 3.0, 0.1)
     floor.node("floor@101", {"kind": "part", "part": "floor", "tags": []}, room, slab, at=(2.0, -0.1, -1.5))
     desk = floor.box_mesh("desk.0", 1.6, 0.8, 0.74, parts=2)
