@@ -1,15 +1,19 @@
 //! How good the rooms are: furnishes plans over many seeds, audits every room, and prints one line a plan.
 //!
 //! ```text
-//! cargo run --release --example quality -- [--seeds N] [--details] PLAN…
+//! cargo run --release --example quality -- [--seeds N] [--random N] [--details] PLAN…
 //! ```
-//! A PLAN is a file or folder as `bake` takes it. Nothing is written.
+//! A PLAN is a file or folder as `bake` takes it; `--random` adds rooms of random shape, size, type and style, those of
+//! `tests/properties`. Nothing is written.
 #![allow(clippy::print_stdout)] // the table is what it is for
+#![allow(unreachable_pub)] // of the shared file
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::Parser;
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, RngSeed, TestRunner};
 use rayon::prelude::*;
 use roomwright::audit::{Finding, Grade, Severity};
 use roomwright::best::{DEFAULT_EFFORT, furnish_best};
@@ -17,15 +21,20 @@ use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::layout::{FurnishOptions, Furnished};
 use roomwright::plan::{Level, PlanOptions, read_plans};
 
+#[path = "../tests/properties/rooms.rs"]
+mod rooms;
+
 #[derive(Parser)]
 #[command(about = "Audits plans over many seeds")]
 struct Arguments {
     /// Files or folders, each a line of the table.
-    #[arg(required = true)]
     plans: Vec<PathBuf>,
     /// Seeds per room.
     #[arg(long, default_value_t = 100)]
     seeds: u64,
+    /// So many rooms of random shape: convex, concave, slanted, with columns; 1 to 500 m².
+    #[arg(long, default_value_t = 0)]
+    random: usize,
     /// Layouts per room and seed at most, as for `bake`.
     #[arg(long, default_value_t = DEFAULT_EFFORT)]
     effort: u32,
@@ -40,6 +49,8 @@ struct Tally {
     rooms: u64,
     without_finding: u64,
     failed_findings: u64,
+    /// Rooms in which the plan itself makes a rule impossible.
+    given: u64,
     requested: u64,
     placed: u64,
     /// Counts of findings and of missing pieces by what they concern.
@@ -64,12 +75,17 @@ impl Tally {
     fn judge(&mut self, level: &Level, furnished: &Furnished, findings: &[Finding], catalog: &Catalog) {
         let room_type = &level.rooms[furnished.room].room_type;
         self.without_finding = u64::from(Grade::of(findings) == Grade::None);
+        self.given = u64::from(findings.iter().any(|finding| finding.severity == Severity::Given));
         self.failed_findings = findings.iter().filter(|f| f.severity == Severity::Failed).count() as u64;
         for finding in findings {
             let classes: Vec<&str> =
                 finding.objects.iter().map(|id| id.split('.').next().unwrap_or(id)).collect();
             let name = finding.code.name();
-            let kind = if finding.severity == Severity::Given { "given" } else { "finding" };
+            let kind = match finding.severity {
+                Severity::Given => "given",
+                Severity::Minor => "minor",
+                Severity::Failed => "FAILED",
+            };
             *self
                 .details
                 .entry(format!("{kind} {name}: {} in {room_type}", classes.join(", ")))
@@ -85,6 +101,7 @@ impl Tally {
         self.rooms += other.rooms;
         self.without_finding += other.without_finding;
         self.failed_findings += other.failed_findings;
+        self.given += other.given;
         self.requested += other.requested;
         self.placed += other.placed;
         for (key, count) in other.details {
@@ -97,25 +114,46 @@ impl Tally {
 fn main() {
     let arguments = Arguments::parse();
     let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
-    println!("| plan | rooms × seeds | failing findings | rooms without finding | placed of requested |");
-    println!("|---|---|---|---|---|");
+    println!(
+        "| set | rooms × seeds | failing findings | rooms without finding | placed of requested | impossible by plan |"
+    );
+    println!("|---|---|---|---|---|---|");
     for plan in &arguments.plans {
-        let tally = measure(plan, &catalog, &arguments);
-        let share = |part: u64, whole: u64| 100.0 * part as f64 / whole.max(1) as f64;
-        println!(
-            "| {} | {} | {} | {:.2} % | {:.2} % |",
-            plan.display(),
-            tally.rooms,
-            tally.failed_findings,
-            share(tally.without_finding, tally.rooms),
-            share(tally.placed, tally.requested),
-        );
-        if arguments.details {
-            let mut details: Vec<_> = tally.details.into_iter().collect();
-            details.sort_by_key(|(text, count)| (std::cmp::Reverse(*count), text.clone()));
-            details.iter().for_each(|(text, count)| println!("    {count:6} {text}"));
-        }
+        print_line(&plan.display().to_string(), measure(plan, &catalog, &arguments), &arguments);
     }
+    if arguments.random > 0 {
+        print_line("random polygons", measure_random(&catalog, &arguments), &arguments);
+    }
+}
+
+fn print_line(name: &str, tally: Tally, arguments: &Arguments) {
+    let share = |part: u64, whole: u64| 100.0 * part as f64 / whole.max(1) as f64;
+    println!(
+        "| {name} | {} | {} | {:.2} % | {:.2} % | {:.2} % |",
+        tally.rooms,
+        tally.failed_findings,
+        share(tally.without_finding, tally.rooms),
+        share(tally.placed, tally.requested),
+        share(tally.given, tally.rooms),
+    );
+    if arguments.details {
+        let mut details: Vec<_> = tally.details.into_iter().collect();
+        details.sort_by_key(|(text, count)| (std::cmp::Reverse(*count), text.clone()));
+        details.iter().for_each(|(text, count)| println!("    {count:6} {text}"));
+    }
+}
+
+/// Random rooms, each with a seed of its own; always the same ones.
+fn measure_random(catalog: &Catalog, arguments: &Arguments) -> Tally {
+    let config = Config { rng_seed: RngSeed::Fixed(1), ..Config::default() };
+    let (mut runner, sketches) = (TestRunner::new(config), rooms::sketches());
+    let mut sketch = |_| sketches.new_tree(&mut runner).expect("sketches reject nothing").current();
+    let sketches: Vec<rooms::Sketch> = (0..arguments.random).map(&mut sketch).collect();
+    let tally = |sketch: &rooms::Sketch| {
+        let options = FurnishOptions { seed: sketch.seed, building: "random", style: None };
+        sketch.level(catalog).map(|level| Tally::of(&level, 0, catalog, &options, arguments.effort))
+    };
+    sketches.par_iter().filter_map(tally).reduce(Tally::default, Tally::join)
 }
 
 /// All rooms of a plan over all seeds; storeys that repeat count once.

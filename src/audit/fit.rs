@@ -26,6 +26,46 @@ pub(crate) fn can_hold_comfortably(subject: &Subject<'_>, body: &Body<'_>) -> bo
     Space::empty(subject).holds(body.class, body.placement.size, |clearance| clearance.good)
 }
 
+/// Whether one piece of each class, in its smallest size and with its smallest clearances, fits on the empty floor
+/// at the same time. Clearances may share space. Where that takes too long to find out, the answer is yes.
+pub(crate) fn can_hold_together(subject: &Subject<'_>, classes: &[ClassIndex]) -> bool {
+    let empty = Space::empty(subject);
+    let classes = classes.iter().map(|&class| &subject.catalog.classes[class]);
+    let mut choices: Vec<Vec<Stand>> = classes.map(|class| empty.free_stands(class)).collect();
+    // Who has the least choice goes first, so that dead ends are seen early.
+    choices.sort_by_key(Vec::len);
+    let mut tests = 0;
+    together(&choices, &mut Vec::new(), &mut tests) || tests > MOST_TESTS
+}
+
+/// A piece where it could stand: its footprint, then those of its clearances.
+type Stand = Vec<Vec<Point>>;
+
+/// Depth-first: the first choice that agrees with all that stand already.
+fn together<'c>(choices: &'c [Vec<Stand>], standing: &mut Vec<&'c Stand>, tests: &mut u32) -> bool {
+    let Some((choice, rest)) = choices.split_first() else { return true };
+    for stand in choice {
+        *tests += 1;
+        if *tests > MOST_TESTS {
+            return false;
+        }
+        if standing.iter().all(|other| agree(stand, other)) {
+            standing.push(stand);
+            if together(rest, standing, tests) {
+                return true;
+            }
+            standing.pop();
+        }
+    }
+    false
+}
+
+/// Whether neither piece takes floor that the other needs.
+fn agree(one: &Stand, other: &Stand) -> bool {
+    let meets = |a: &[Point], b: &[Point]| penetration(a, b) > ROUNDING;
+    !other.iter().any(|part| meets(&one[0], part)) && !one.iter().skip(1).any(|part| meets(&other[0], part))
+}
+
 /// Whether a body could stand, with its smallest clearances, among the others on one side of a line: to the
 /// left of a direction from a point.
 pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point)) -> bool {
@@ -34,6 +74,9 @@ pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Poi
     let space = Space { bodies, line: Some(line), ..Space::empty(subject) };
     space.holds(body.class, body.placement.size, |clearance| clearance.minimum)
 }
+
+/// Pairs of places that are compared before the question is given up.
+const MOST_TESTS: u32 = 200_000;
 
 /// Metres above the floor of the underside of a piece hung as low as its class allows.
 fn lowest_underside(class: &Class) -> f64 {
@@ -84,16 +127,34 @@ impl<'s, 'a> Space<'s, 'a> {
     }
 
     fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
-        if lowest_underside(class) + size.height > self.subject.room.height {
-            return false;
-        }
         let boxes = needed_boxes(class, size, depth_of);
+        let mut stands = self.stands(class, size);
+        lowest_underside(class) + size.height <= self.subject.room.height
+            && stands.any(|(position, angle)| self.is_free(&boxes, position, angle))
+    }
+
+    /// Where the middle of a piece may be tried, and its angle: along the walls, and all over the floor unless it
+    /// needs a wall.
+    fn stands(&self, class: &Class, size: Size) -> impl Iterator<Item = (Point, f64)> + '_ {
         let hangs = |wanted: &ParentName| class.parents.iter().any(|rule| rule.parent == *wanted);
         let needs_wall = hangs(&ParentName::Wall) && !hangs(&ParentName::Floor);
-        let walls = self.subject.room.walls.iter().enumerate();
-        let mut walls = walls.filter(|(_, wall)| wall.length() > ROUNDING);
-        walls.any(|wall| self.holds_at_wall(&boxes, size, wall))
-            || (!needs_wall && self.directions().into_iter().any(|angle| self.holds_inside(&boxes, angle)))
+        let walls = self.subject.room.walls.iter().enumerate().filter(|(_, wall)| wall.length() > ROUNDING);
+        let directions = if needs_wall { Vec::new() } else { self.directions() };
+        walls
+            .flat_map(move |wall| self.stands_at_wall(size, wall))
+            .chain(directions.into_iter().flat_map(|angle| self.stands_inside(angle)))
+    }
+
+    /// All places for the smallest size of a class.
+    fn free_stands(&self, class: &Class) -> Vec<Stand> {
+        let area = |size: &&Size| size.width * size.depth;
+        let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
+        let size = *smallest.expect("a class has a size");
+        let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
+        let footprints =
+            |(position, angle)| boxes.iter().map(|&local| placed(local, position, angle)).collect();
+        let free = |&(position, angle): &(Point, f64)| self.is_free(&boxes, position, angle);
+        self.stands(class, size).filter(free).map(footprints).collect()
     }
 
     /// The directions of the walls that are no quarter turns of each other.
@@ -109,27 +170,31 @@ impl<'s, 'a> Space<'s, 'a> {
         directions.into_iter().map(|along| libm::atan2(along.y, along.x)).collect()
     }
 
-    /// Tries the piece along a wall, its back to it.
-    fn holds_at_wall(&self, boxes: &[LocalBox], size: Size, (number, wall): (usize, &Wall)) -> bool {
+    /// Along a wall, the back of the piece to it, before solid wall.
+    fn stands_at_wall(
+        &self,
+        size: Size,
+        (number, wall): (usize, &'a Wall),
+    ) -> impl Iterator<Item = (Point, f64)> + '_ {
         let angle = libm::atan2(wall.direction().y, wall.direction().x) + core::f64::consts::PI;
         let off_wall = wall.normal() * (size.depth / 2.0 + ROUNDING);
-        let is_solid = |along: f64| {
+        let is_solid = move |&along: &f64| {
             let mut here = self.subject.room.openings.iter().filter(|place| place.wall == number);
             let (from, to) = (along - size.width / 2.0, along + size.width / 2.0);
             !here.any(|place| place.from < to && from < place.to)
         };
         steps(size.width / 2.0 + ROUNDING, wall.length() - size.width / 2.0)
-            .filter(|&along| is_solid(along))
-            .any(|along| self.is_free(boxes, wall.start + wall.direction() * along + off_wall, angle))
+            .filter(is_solid)
+            .map(move |along| (wall.start + wall.direction() * along + off_wall, angle))
     }
 
-    /// Tries the piece anywhere, at an angle and its quarter turns.
-    fn holds_inside(&self, boxes: &[LocalBox], first: f64) -> bool {
+    /// Anywhere, at an angle and its quarter turns.
+    fn stands_inside(&self, first: f64) -> impl Iterator<Item = (Point, f64)> + '_ {
         let (low, high) = self.subject.room.region.outline.bounds();
-        let turns = (0..4).map(|quarter| first + FRAC_PI_2 * f64::from(quarter));
-        turns.into_iter().any(|angle| {
+        let turns = (0..4).map(move |quarter| first + FRAC_PI_2 * f64::from(quarter));
+        turns.flat_map(move |angle| {
             steps(low.x, high.x)
-                .any(|x| steps(low.y, high.y).any(|y| self.is_free(boxes, Point::new(x, y), angle)))
+                .flat_map(move |x| steps(low.y, high.y).map(move |y| (Point::new(x, y), angle)))
         })
     }
 

@@ -1,11 +1,11 @@
 //! `missing_required` and `unfulfilled`: what the programme asks for and the room does not have.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::catalog::{ClassIndex, Count, DEFAULT_STYLE, Request};
+use crate::catalog::{Class, ClassIndex, Count, DEFAULT_STYLE, ParentName, Request};
 
 use super::finding::{Code, Finding};
-use super::fit::can_hold;
+use super::fit::{can_hold, can_hold_together};
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
 
@@ -16,14 +16,59 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
             let (rest, asked) =
                 (resting(subject, &[class]), resting(subject, &[class]) + removed(subject, class));
             let objects = vec![subject.catalog.classes[class].id.clone()];
-            findings.push(Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked)));
+            let finding = Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked));
+            findings.push(if can_hold_beside_others(subject, class) { finding } else { finding.given() });
         }
     }
     let (requested, limit) = (subject.furnished.requested, subject.rules().fulfilment.resting);
     let share = f64::from(count(subject.bodies.len())) / f64::from(requested.max(1));
     if requested > 0 && share < limit - ROUNDING {
-        findings.push(Finding::new(Code::Unfulfilled, Vec::new(), share, limit));
+        let finding = Finding::new(Code::Unfulfilled, Vec::new(), share, limit);
+        let impossible = impossible_pieces(subject);
+        let possible = f64::from(count(subject.bodies.len())) / f64::from((requested - impossible).max(1));
+        findings.push(if possible < limit - ROUNDING { finding } else { finding.given() });
     }
+}
+
+/// How many of the missing pieces the empty room has no place for.
+fn impossible_pieces(subject: &Subject<'_>) -> u32 {
+    let mut missing: BTreeMap<ClassIndex, u32> = BTreeMap::new();
+    for removal in &subject.furnished.removals {
+        *missing.entry(removal.class).or_insert(0) += 1;
+    }
+    let has_no_place = |class: ClassIndex| {
+        stands_by_itself(&subject.catalog.classes[class])
+            && !(can_hold(subject, class) && can_hold_beside_others(subject, class))
+    };
+    missing.into_iter().filter(|&(class, _)| has_no_place(class)).map(|(_, pieces)| pieces).sum()
+}
+
+/// Whether the empty room can hold a class together with whatever else it cannot do without.
+fn can_hold_beside_others(subject: &Subject<'_>, missing: ClassIndex) -> bool {
+    if !stands_by_itself(&subject.catalog.classes[missing]) {
+        return true;
+    }
+    let area = subject.room.region.area();
+    let applies = |line: &&&Request| {
+        line.is_required
+            && !matches!(line.count, Count::PerPiece(..))
+            && (line.area.0..=line.area.1).contains(&area)
+            && !line.classes.contains(&missing)
+    };
+    let lines = programme(subject);
+    let is_there = |&class: &ClassIndex| resting(subject, &[class]) + removed(subject, class) > 0;
+    let others = lines.iter().filter(applies).filter_map(|line| line.classes.iter().copied().find(is_there));
+    let mut classes: Vec<ClassIndex> = core::iter::once(missing).chain(others).collect();
+    classes.retain(|&class| stands_by_itself(&subject.catalog.classes[class]));
+    can_hold_together(subject, &classes)
+}
+
+/// Whether a class stands on the floor without belonging to another piece.
+fn stands_by_itself(class: &Class) -> bool {
+    class
+        .parents
+        .iter()
+        .any(|rule| matches!(rule.parent, ParentName::Wall | ParentName::Floor) && rule.elevation.0 == 0.0)
 }
 
 /// Classes with a required removal whose line of the programme is left without what it is for: no piece at

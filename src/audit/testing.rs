@@ -190,6 +190,7 @@ fn catalog() -> Catalog {
         is_furnished: true,
         programme: Vec::new(),
         excludes: Vec::new(),
+        area: (0.0, 1e6),
         density: (0.0, 1.0),
         finish: Finish { floor: "parquet".into(), wall: "plaster".into(), ceiling: "ceiling".into() },
     };

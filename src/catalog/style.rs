@@ -17,6 +17,8 @@ pub struct RoomType {
     pub programme: Vec<Request>,
     /// Groups of classes that contradict it (`sleeping` in an office), sorted.
     pub excludes: Vec<String>,
+    /// Square metres that such rooms usually have, least and most.
+    pub area: (f64, f64),
     /// Lowest and highest share of the floor that furniture covers.
     pub density: (f64, f64),
     /// Material slots of floor, wall and ceiling.

@@ -23,6 +23,7 @@ fn catalog() -> Catalog {
         is_furnished: true,
         programme: Vec::new(),
         excludes: Vec::new(),
+        area: (0.0, 1e6),
         density: (0.0, 1.0),
         finish: crate::catalog::Finish {
             floor: "wood".into(),

@@ -20,6 +20,12 @@ pub(crate) const TRIALS_PER_WALL: usize = 3;
 pub(crate) const SCAN_STEP: f64 = 0.2;
 /// Points of that scan at most; larger floors are scanned more coarsely.
 pub(crate) const SCAN_POINTS: f64 = 1500.0;
+/// Directions of walls that such a scan tries at most, for what the room cannot do without.
+pub(crate) const SCAN_DIRECTIONS: usize = 4;
+/// Sine of the angle below which two walls have the same direction.
+pub(crate) const SAME_DIRECTION: f64 = 0.02;
+/// Metres between the points of a scan along a wall.
+pub(crate) const WALL_STEP: f64 = 0.03;
 /// Metres between the points of a scan over a table top or shelf.
 pub(crate) const SURFACE_STEP: f64 = 0.08;
 /// Metres from the end of a free stretch of wall within which a piece slides flush to the end: nobody leaves a

@@ -90,7 +90,9 @@ pub fn furnish_alternative(
         Attempt { furnished: result::furnished(&environment, room, key.seed(), style), closed_ways }
     };
     let mut best = attempt(0);
-    for number in 1..ATTEMPTS_IN_NEED {
+    // Who compares alternatives has many more of them.
+    let most = if alternative == 0 { ATTEMPTS_IN_NEED } else { ATTEMPTS };
+    for number in 1..most {
         if !best.is_worth_another(number) {
             break;
         }

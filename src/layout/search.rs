@@ -131,13 +131,15 @@ impl Choice {
 }
 
 /// Whether a piece is left out rather than let it make the room tight or dark: what the programme does not
-/// require and what does not belong to a group. Rows keep their pattern.
+/// require, further pieces of a row, and what does not belong to a group.
 fn is_guest(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> bool {
     let class = environment.class(agent);
     let is_free =
         matches!(rule.parent, ParentName::Floor | ParentName::Wall | ParentName::Column | ParentName::Window);
     let is_built_in = class.groups.iter().any(|group| group == FIXED_GROUP);
-    !environment.agents[agent].piece.is_required && class.grid.is_none() && (is_free || is_built_in)
+    let piece = &environment.agents[agent].piece;
+    let is_one_of_many = class.grid.is_some() && !environment.resting[piece.class].is_empty();
+    (!piece.is_required || is_one_of_many) && (is_free || is_built_in)
 }
 
 /// Why places were refused, to name the reason that was met most.

@@ -67,6 +67,7 @@ fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> Catalog {
         is_furnished: true,
         programme: programme.iter().map(request).collect(),
         excludes: Vec::new(),
+        area: (0.0, 1e6),
         density: (0.2, 0.4),
         finish,
     };

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-use roomwright::catalog::Catalog;
+use roomwright::catalog::{Catalog, RoomType};
 use roomwright::geometry::{Point, Polygon, direction};
 use roomwright::plan::{
     LeafDraft, Level, LevelDraft, ObstacleDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft,
@@ -58,7 +58,7 @@ struct OpeningSketch {
 
 /// All kinds of rooms.
 pub fn sketches() -> impl Strategy<Value = Sketch> {
-    let size = ((AREAS.0.ln())..(AREAS.1.ln())).prop_map(f64::exp);
+    let size = (libm::log(AREAS.0)..libm::log(AREAS.1)).prop_map(libm::exp);
     let turn = prop_oneof![2 => Just(0.0), 1 => 0.0..core::f64::consts::TAU];
     let block = (0.1..0.9, 0.1..0.9, 0.1..0.6);
     let fixtures = (
@@ -151,7 +151,8 @@ impl Sketch {
         let turn = direction(self.turn);
         let corners: Vec<Point> = corners.iter().map(|&corner| turn.rotate(corner * scale)).collect();
         let outline = Polygon::new(&corners).ok()?;
-        let types: Vec<&String> = catalog.room_types.keys().collect();
+        let usual = |one: &&RoomType| (one.area.0..=one.area.1).contains(&self.area);
+        let types: Vec<&RoomType> = catalog.room_types.values().filter(usual).collect();
         let styles: Vec<&String> = catalog.styles.keys().collect();
         let columns =
             self.columns.iter().map(|block| ObstacleDraft { outline: square(&outline, block), height: None });
@@ -163,7 +164,7 @@ impl Sketch {
             rooms: vec![RoomDraft {
                 id: "room".into(),
                 number: Some(1),
-                room_type: (*self.room_type.get(&types)).clone(),
+                room_type: self.room_type.get(&types).id.clone(),
                 style: self.style.map(|style| (*style.get(&styles)).clone()),
                 outline: outline.corners().to_vec(),
                 holes: self.hole.iter().map(|block| square(&outline, block)).collect(),

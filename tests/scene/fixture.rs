@@ -183,6 +183,7 @@ pub(crate) fn catalog() -> Catalog {
         is_furnished: true,
         programme: Vec::new(),
         excludes: Vec::new(),
+        area: (0.0, 1e6),
         density: (0.2, 0.4),
         finish,
     };

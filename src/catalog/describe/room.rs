@@ -29,6 +29,7 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
     let mut lines = Lines::default();
     lines.add("label", &room_type.label);
     lines.add("furnished", if room_type.is_furnished { "yes" } else { "no" });
+    lines.add("usually", &format!("{} m²", range(room_type.area)));
     lines.add("density", &range(room_type.density));
     lines.add("excludes", &room_type.excludes.join(", "));
     lines.add("finish", &format!("floor {}, wall {}, ceiling {}", finish.floor, finish.wall, finish.ceiling));
@@ -37,6 +38,7 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
     let value = json!({
         "label": room_type.label,
         "furnish": room_type.is_furnished,
+        "area": [room_type.area.0, room_type.area.1],
         "density": [room_type.density.0, room_type.density.1],
         "excludes": room_type.excludes,
         "finish": {"floor": finish.floor, "wall": finish.wall, "ceiling": finish.ceiling},

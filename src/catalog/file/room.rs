@@ -33,6 +33,8 @@ pub(crate) struct RoomTypeEntry {
     pub(crate) is_abstract: bool,
     /// Whether it is furnished at all; default true.
     pub(crate) furnish: Option<bool>,
+    /// Square metres that such rooms usually have; default [0, 1000000].
+    pub(crate) area: Option<Pair>,
     /// Lowest and highest share of the floor that furniture covers; default [0, 1].
     pub(crate) density: Option<Pair>,
     /// Classes and groups that contradict it.

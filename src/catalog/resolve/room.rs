@@ -1,7 +1,7 @@
 //! Room types.
 
 use super::names::{NamedClasses, Names};
-use super::number::{Quantity, SHARE};
+use super::number::{AREA, Quantity, SHARE};
 use super::request::{ResolvedProgramme, resolve_programme};
 use super::resolve_label;
 use crate::catalog::file::RoomTypeEntry;
@@ -39,6 +39,14 @@ fn resolve_room_type(
     let density = density.map_or((0.0, 1.0), |found| {
         Quantity::plain("density", SHARE).check_pair(found.value.both(), &found.spot, report)
     });
+    let area = chain.find("area", |entry| entry.area.as_ref());
+    let area = area.map_or((*AREA.start(), *AREA.end()), |found| {
+        Quantity { name: "area", unit: " m²", range: AREA }.check_pair(
+            found.value.both(),
+            &found.spot,
+            report,
+        )
+    });
     let excluded = resolve_excludes(chain, names, report);
     let programme = chain.find("programme", |entry| entry.programme.as_deref());
     let programme =
@@ -52,6 +60,7 @@ fn resolve_room_type(
         is_furnished: chain.find("furnish", |entry| entry.furnish.as_ref()).is_none_or(|found| *found.value),
         programme: programme.requests.clone(),
         excludes,
+        area,
         density,
         finish: resolve_finish(chain, report),
     };

@@ -42,6 +42,7 @@ fn a_room_type_lists_its_programme() {
     let expected = "room type office
   label       Office
   furnished   yes
+  usually     0 to 1000000 m²
   density     0 to 1
   excludes    sleeping
   finish      floor parquet, wall plaster, ceiling ceiling

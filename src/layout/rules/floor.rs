@@ -1,10 +1,12 @@
 //! On the floor or under the ceiling: a random position in the room (section 3.2).
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::catalog::{Along, Turn};
 use crate::geometry::Point;
 use crate::layout::agent::{Agent, ParentPart};
 use crate::layout::body::Pose;
-use crate::layout::constants::{SCAN_POINTS, SCAN_STEP, TRIALS_PER_FLOOR};
+use crate::layout::constants::{SAME_DIRECTION, SCAN_DIRECTIONS, SCAN_POINTS, SCAN_STEP, TRIALS_PER_FLOOR};
 use crate::layout::seed::Stream;
 
 use super::View;
@@ -36,7 +38,9 @@ pub(super) fn scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
     let region = &view.environment.surroundings.room.region;
     let (low, high) = region.outline.bounds();
     let size = high - low;
-    let step = SCAN_STEP.max((size.x * size.y / SCAN_POINTS).sqrt());
+    let (finest, most) =
+        if view.is_required() { (SCAN_STEP / 2.0, 2.0 * SCAN_POINTS) } else { (SCAN_STEP, SCAN_POINTS) };
+    let step = finest.max((size.x * size.y / most).sqrt());
     let (columns, rows) = ((size.x / step) as usize, (size.y / step) as usize);
     for row in 0..=rows {
         for column in 0..=columns {
@@ -44,6 +48,32 @@ pub(super) fn scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
             if region.contains(point) {
                 poses.push(pose_at(view, point, stream));
             }
+        }
+    }
+    if view.is_required() && view.rule.orientation.turn == Turn::Quarter {
+        add_all_turns(view, poses);
+    }
+}
+
+/// Whatever the room cannot do without is also tried at every quarter turn of every wall.
+fn add_all_turns(view: &View<'_>, poses: &mut Vec<Pose>) {
+    let surroundings = &view.environment.surroundings;
+    let mut turns = vec![surroundings.main_angle];
+    for wall in surroundings.room.walls.iter().filter(|wall| wall.length() > SCAN_STEP) {
+        let along = wall.direction();
+        let is_known = |turn: &f64| {
+            let known = crate::geometry::direction(*turn);
+            known.dot(along).abs().min(known.perp_dot(along).abs()) < SAME_DIRECTION
+        };
+        if turns.len() < SCAN_DIRECTIONS && !turns.iter().any(is_known) {
+            turns.push(angle_of_front(wall.normal()));
+        }
+    }
+    let places: Vec<Pose> = poses.clone();
+    for turn in turns {
+        for quarter in 0..4 {
+            let angle = turn + FRAC_PI_2 * f64::from(quarter);
+            poses.extend(places.iter().map(|place| Pose::new(place.position, place.elevation, angle)));
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
 use crate::layout::constants::{
     CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, COVER_MARGIN, SEAT_DEPTH, SNAP_DISTANCE, TRIALS_PER_WALL,
+    WALL_STEP,
 };
 use crate::layout::environment::Border;
 use crate::layout::seed::Stream;
@@ -18,40 +19,31 @@ use super::turn::{self, Bearing, angle_of_front};
 
 /// Poses along a wall.
 pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {
-    let part = &view.environment.surroundings.room.walls[wall];
-    let (along, normal) = (part.direction(), part.normal());
-    let elevation = stream.between(view.rule.elevation.0, view.rule.elevation.1);
-    let is_hung = elevation > 0.0;
-    if matches!(part.kind, WallKind::Railing(height) if is_hung && elevation + view.size.height > height) {
-        return;
-    }
-    let bearing = Bearing { parent_angle: angle_of_front(normal), outward: normal };
-    let angle = turn::angle(&view.rule.orientation, &bearing, stream);
-    let right = crate::geometry::direction(angle);
-    let strip = Strip {
-        view,
-        wall: part,
-        index: wall,
-        from: stream.between(view.rule.gap.0, view.rule.gap.1),
-        depth: 2.0 * Agent::half_extent(view.size, right, normal),
-        half: Agent::half_extent(view.size, right, along) - CONTACT_TOLERANCE / 2.0,
-        low: elevation,
-        high: elevation + view.size.height,
-    };
+    let Some(strip) = Strip::new(view, wall, stream) else { return };
     let free = strip.free_stretches();
-    let mut add = |at: f64| {
-        let position = part.start + along * at + normal * (strip.from + strip.depth / 2.0);
-        poses.push(Pose::new(position, elevation, angle));
-    };
     for target in facing_targets(view.environment, &view.class.relations) {
-        let across = (target - part.start).dot(along);
-        nearest_free(free.as_slice(), across).into_iter().for_each(&mut add);
+        let across = (target - strip.wall.start).dot(strip.wall.direction());
+        poses.extend(nearest_free(free.as_slice(), across).map(|at| strip.pose(at)));
     }
     for trial in 0..TRIALS_PER_WALL {
-        let Some(at) = choose(view.rule.along, part.length() / 2.0, free.as_slice(), trial, stream) else {
-            return;
-        };
-        add(at);
+        let middle = strip.wall.length() / 2.0;
+        match choose(view.rule.along, middle, free.as_slice(), trial, stream) {
+            Some(at) => poses.push(strip.pose(at)),
+            None => return,
+        }
+    }
+}
+
+/// Poses all along a wall, in a fixed order. What is free is asked of each: the free stretches leave out the whole
+/// width of what only reaches into them.
+pub(super) fn scan(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    let Some(strip) = Strip::new(view, wall, stream) else { return };
+    let mut free = Intervals::new(strip.half, strip.wall.length() - strip.half);
+    strip.block_openings(&mut free);
+    for &(from, to) in free.as_slice() {
+        let steps = ((to - from) / WALL_STEP).ceil();
+        let at = |step: u32| from + (to - from) * f64::from(step) / steps.max(1.0);
+        poses.extend((0..=steps as u32).map(|step| strip.pose(at(step))));
     }
 }
 
@@ -110,9 +102,36 @@ struct Strip<'a> {
     low: f64,
     /// Top of the box.
     high: f64,
+    /// The angle of the box.
+    angle: f64,
 }
 
-impl Strip<'_> {
+impl<'a> Strip<'a> {
+    /// The strip for an agent at a wall; `None` where it would hang over a railing.
+    fn new(view: &'a View<'a>, index: usize, stream: &mut Stream) -> Option<Self> {
+        let wall = &view.environment.surroundings.room.walls[index];
+        let normal = wall.normal();
+        let low = stream.between(view.rule.elevation.0, view.rule.elevation.1);
+        let high = low + view.size.height;
+        if matches!(wall.kind, WallKind::Railing(height) if low > 0.0 && high > height) {
+            return None;
+        }
+        let bearing = Bearing { parent_angle: angle_of_front(normal), outward: normal };
+        let angle = turn::angle(&view.rule.orientation, &bearing, stream);
+        let right = crate::geometry::direction(angle);
+        let from = stream.between(view.rule.gap.0, view.rule.gap.1);
+        let depth = 2.0 * Agent::half_extent(view.size, right, normal);
+        let half = Agent::half_extent(view.size, right, wall.direction()) - CONTACT_TOLERANCE / 2.0;
+        Some(Self { view, wall, index, from, depth, half, low, high, angle })
+    }
+
+    /// The box with its middle so far from the wall's start.
+    fn pose(&self, at: f64) -> Pose {
+        let (start, along) = (self.wall.start, self.wall.direction());
+        let position = start + along * at + self.wall.normal() * (self.from + self.depth / 2.0);
+        Pose::new(position, self.low, self.angle)
+    }
+
     /// Where the middle of the box may be, in metres from the wall's start.
     fn free_stretches(&self) -> Intervals {
         let environment = self.view.environment;
