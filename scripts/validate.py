@@ -50,7 +50,7 @@ BOUNDS_TOLERANCE = 1e-3
 
 FIELDS = {
     "level": {"building", "level", "elevation", "height", "seed", "generator"},
-    "opening": {"opening", "closure", "rooms", "width", "height", "sill"},
+    "opening": {"opening", "closure", "id", "rooms", "sides", "width", "height", "sill"},
     "room": {"room", "type", "style", "seed", "outline", "holes", "height", "requested", "placed", "removed",
              "grade", "findings"},
     "part": {"part", "tags"},

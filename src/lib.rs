@@ -18,5 +18,6 @@ pub mod gltf;
 pub mod layout;
 pub mod model;
 pub mod plan;
+pub mod read_back;
 pub mod scene;
 mod walk;

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot set up its folder fails
 
 mod command_line {
+    mod audit;
     mod cache;
     mod commands;
     mod demo;

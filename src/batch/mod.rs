@@ -19,6 +19,7 @@ mod record;
 mod sources;
 mod work;
 
+pub(crate) use bug::catch_bug;
 pub use bug::collect_panics;
 pub use event::{BakeReport, Event, LevelFailure, Observer, Stage, Timings};
 pub use fault::{FaultCode, OutputFault};

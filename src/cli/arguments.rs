@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use super::exit::EXIT_CODES;
+use super::exit::{AUDIT_EXIT_CODES, EXIT_CODES};
 use crate::batch::Shard;
 use crate::best::DEFAULT_EFFORT;
 
@@ -44,6 +44,9 @@ pub(crate) enum Command {
     Check(CheckArguments),
     /// Show what the catalogue holds.
     Catalog(CatalogArguments),
+    /// Judge finished files: what is wrong with their rooms as they are now.
+    #[command(after_help = AUDIT_EXIT_CODES)]
+    Audit(AuditArguments),
     /// Draw furnished levels as SVG.
     #[command(after_help = EXIT_CODES)]
     Draw(DrawArguments),
@@ -118,6 +121,20 @@ pub(crate) struct CheckArguments {
     /// Style of rooms whose plan names none, as for `bake`.
     #[arg(long, value_name = "NAME")]
     pub(crate) style: Option<String>,
+}
+
+/// `audit`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct AuditArguments {
+    /// Files that bake wrote (.glb, .gltf), edited or not, or folders with such files.
+    #[arg(value_name = "PATH", default_value = "out")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Further folders of configuration, as for the bake: classes, and thresholds in audit.yaml.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
+    /// Show every finding, not the first of them only.
+    #[arg(long)]
+    pub(crate) all: bool,
 }
 
 /// `catalog`.

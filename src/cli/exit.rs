@@ -18,6 +18,13 @@ Exit codes:
   1  some inputs failed; the rest is done
   2  nothing could start: bad arguments, no readable input, no output folder";
 
+/// For the help page of `audit`.
+pub(crate) const AUDIT_EXIT_CODES: &str = "\
+Exit codes:
+  0  every room was judged, and none fails
+  1  some rooms fail, or could not be judged
+  2  nothing could be judged: bad arguments, bad configuration, no readable file";
+
 impl Outcome {
     /// The worse of two.
     #[must_use]
@@ -52,7 +59,10 @@ mod tests {
     #[test]
     fn the_help_page_lists_every_code() {
         for code in [Outcome::Done, Outcome::SomeFailed, Outcome::NotStarted] {
-            assert!(EXIT_CODES.lines().any(|line| line.trim().starts_with(&(code as u8).to_string())));
+            let number = (code as u8).to_string();
+            for page in [EXIT_CODES, AUDIT_EXIT_CODES] {
+                assert!(page.lines().any(|line| line.trim().starts_with(&number)));
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Arguments to a job to an exit code; the only place that prints.
 
 mod arguments;
+mod audit;
 mod bake;
 mod catalog;
 mod check;
@@ -31,6 +32,7 @@ pub fn run() -> Outcome {
         Command::Bake(arguments) => bake::run(arguments, screen),
         Command::Check(arguments) => check::run(&arguments, screen),
         Command::Catalog(arguments) => catalog::run(&arguments, screen),
+        Command::Audit(arguments) => audit::run(&arguments, screen),
         Command::Draw(arguments) => draw::run(&arguments, screen),
         Command::Import(arguments) => import::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),

@@ -95,6 +95,19 @@ pub enum RemovalReason {
 }
 
 impl RemovalReason {
+    /// All of them, in the order of their declaration.
+    pub const ALL: [Self; 9] = [
+        Self::NoParent,
+        Self::NoPlace,
+        Self::Collision,
+        Self::Outside,
+        Self::Clearance,
+        Self::Relation,
+        Self::Comfort,
+        Self::LostParent,
+        Self::Repair,
+    ];
+
     /// The word in the output.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -21,4 +21,4 @@ pub use recipes::{
     PLAIN, RecipeInput, TRADITIONAL, build_recipe, geometry_sets, recipe_names, recipe_parameters,
     recipe_size,
 };
-pub(crate) use user::companion_files;
+pub(crate) use user::{companion_files, unchecked_document};

@@ -1,12 +1,12 @@
 //! The `extras` of levels, openings, rooms and furniture.
 
-use super::node::{Extras, LeafExtras, Removed, SiteExtras};
+use super::node::{Extras, LeafExtras, Removed, SideExtras, SiteExtras};
 use super::{SceneInput, names};
 use crate::audit::Verdict;
 use crate::catalog::{Catalog, Side};
 use crate::geometry::{Point, Polygon};
 use crate::layout::{Furnished, Placement};
-use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, SitePlacement};
+use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Room, SitePlacement};
 
 /// Parts of a metre (or radian) that extras keep: what is smaller is rounding errors of the reader.
 const PER_UNIT: f64 = 1e6;
@@ -34,6 +34,12 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
         closed: pair(leaf.closed_tip),
         open: pair(leaf.open_tip),
     };
+    let side = |side: &OpeningSide| SideExtras {
+        room: level.rooms[side.room].id.clone(),
+        wall: side.wall,
+        from: rounded(side.from),
+        to: rounded(side.to),
+    };
     Extras::Opening {
         opening: if opening.kind.is_walkable() { "door" } else { "window" },
         closure: match opening.kind {
@@ -43,7 +49,9 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
             OpeningKind::OpenBoundary => "open",
             OpeningKind::Window => "window",
         },
+        id: opening.id.clone(),
         rooms: opening.sides.iter().map(|side| level.rooms[side.room].id.clone()).collect(),
+        sides: opening.sides.iter().map(side).collect(),
         width: rounded(opening.width),
         height: rounded(opening.top - opening.bottom),
         sill: rounded(opening.bottom),
@@ -52,10 +60,10 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
 }
 
 pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, catalog: &Catalog) -> Extras {
-    let corners = |polygon: &Polygon| polygon.corners().iter().map(|&corner| pair(corner)).collect();
     let removed = furnished.removals.iter().map(|removal| Removed {
         class: catalog.classes[removal.class].id.clone(),
         reason: removal.reason.name(),
+        required: removal.is_required,
     });
     Extras::Room {
         room: room.id.clone(),
@@ -91,11 +99,16 @@ pub(crate) fn furniture_extras(
     }
 }
 
+/// The corners of a polygon.
+pub(crate) fn corners(polygon: &Polygon) -> Vec<[f64; 2]> {
+    polygon.corners().iter().map(|&corner| pair(corner)).collect()
+}
+
 fn pair(point: Point) -> [f64; 2] {
     [rounded(point.x), rounded(point.y)]
 }
 
 /// Without digits that are rounding errors, and without a negative zero.
-fn rounded(value: f64) -> f64 {
+pub(crate) fn rounded(value: f64) -> f64 {
     (value * PER_UNIT).round() / PER_UNIT + 0.0
 }

@@ -12,7 +12,9 @@ mod room;
 mod shell;
 
 pub use meshes::ModelSourceFunction;
-pub use node::{Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneMaterial, SceneMesh, SiteExtras};
+pub use node::{
+    Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneMaterial, SceneMesh, SideExtras, SiteExtras,
+};
 
 pub(crate) use extras::GENERATOR;
 

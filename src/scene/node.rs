@@ -127,8 +127,12 @@ pub enum Extras {
         opening: &'static str,
         /// How it is closed: door, sliding, passage, open, window.
         closure: &'static str,
+        /// Unique in the level; the node's name is `door:<id>` or `window:<id>`.
+        id: String,
         /// Room ids.
         rooms: Vec<String>,
+        /// Where it is in the walls of these rooms.
+        sides: Vec<SideExtras>,
         /// Metres along the wall.
         width: f64,
         /// Metres from bottom to top.
@@ -178,6 +182,12 @@ pub enum Extras {
         id: String,
         /// The paper's tags.
         tags: Vec<String>,
+        /// Of a column, its corners in plan metres, counter-clockwise, not closed.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        outline: Option<Vec<[f64; 2]>>,
+        /// Of a column, metres of its top above the floor.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        height: Option<f64>,
     },
     /// An object.
     Furniture {
@@ -203,6 +213,8 @@ pub struct Removed {
     pub class: String,
     /// Why.
     pub reason: &'static str,
+    /// Whether the programme calls it required.
+    pub required: bool,
 }
 
 /// Where a building stands, in plan axes.
@@ -212,6 +224,19 @@ pub struct SiteExtras {
     pub position: [f64; 2],
     /// Radians counter-clockwise.
     pub turn: f64,
+}
+
+/// Where an opening is in a wall of a room.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SideExtras {
+    /// Room id.
+    pub room: String,
+    /// Number of the wall: `wall.<n>` of that room.
+    pub wall: usize,
+    /// Metres from the wall's start where it begins.
+    pub from: f64,
+    /// Metres from the wall's start where it ends.
+    pub to: f64,
 }
 
 /// The sector a door leaf sweeps, as points in plan metres.

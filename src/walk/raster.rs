@@ -7,6 +7,10 @@ use crate::geometry::Point;
 /// Metres from cell to cell.
 pub(crate) const CELL: f64 = 0.05;
 
+/// Metres by which cells are shifted against the room's corner, no whole millimetres: faces of walls and furniture, which
+/// are, then do not run through the middles of a row, where rounding would decide whether it is free.
+const OFF_GRID: f64 = 0.012_34;
+
 /// Metres by which a disc may seem too wide for a passage because of the cells: half of the step between
 /// cells along a diagonal. With it, a passage as wide as the disc is passed whatever its direction.
 const SLACK: f64 = 0.35 * CELL;
@@ -25,7 +29,7 @@ pub(crate) struct Raster {
 impl Raster {
     /// A grid around a box, all of it blocked.
     pub(crate) fn new((low, high): (Point, Point)) -> Self {
-        let low = low - Point::splat(2.0 * CELL);
+        let low = low - Point::splat(2.0 * CELL + OFF_GRID);
         let size = (high - low) / CELL + Point::splat(3.0);
         let (columns, rows) = (size.x as usize, size.y as usize);
         Self { low, columns, is_free: vec![false; columns * rows] }

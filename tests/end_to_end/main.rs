@@ -7,6 +7,7 @@
 
 mod contract;
 mod pipeline;
+mod read_back;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -17,6 +18,7 @@ use roomwright::plan::{Building, write_native};
 
 use contract::{check_level, grave_findings};
 use pipeline::{BakedLevel, Pipeline, each_level};
+use read_back::check_agreement;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -64,6 +66,7 @@ fn bake_and_check(pipeline: &Pipeline, paths: &[PathBuf]) -> (usize, AuditSummar
         }
         let baked = pipeline.bake(building, level);
         check_level(&baked, &pipeline.catalog);
+        check_agreement(pipeline, &baked);
         grave.extend(grave_findings(&baked));
         level_count += 1;
         baked.verdicts.iter().for_each(|verdict| summary.add_room(verdict));

@@ -123,7 +123,8 @@ def build_floor() -> Floor:
     outline = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]]
     level = floor.node("house/ground", {"kind": "level", "building": "house", "level": "ground", "elevation": 0.0,
                                         "height": 3.0, "seed": 18446744073709551615, "generator": "test"})
-    floor.node("door:d1", {"kind": "opening", "opening": "door", "closure": "passage", "rooms": ["101"],
+    floor.node("door:d1", {"kind": "opening", "opening": "door", "closure": "passage", "id": "d1",
+                           "rooms": ["101"], "sides": [{"room": "101", "wall": 0, "from": 1.0, "to": 1.9}],
                            "width": 0.9, "height": 2.0, "sill": 0.0}, level)
     room = floor.node("room:101", {"kind": "room", "room": "101", "type": "office", "style": "default", "seed": 7,
                                    "outline": outline, "holes": [], "height": 2.5, "requested": 4, "placed": 3,

@@ -7,6 +7,7 @@ use serde::Deserialize;
 
 use super::problem::Problem;
 use super::resource::Resources;
+use crate::document::Fault;
 
 /// An opened file.
 #[derive(Debug)]
@@ -69,6 +70,16 @@ pub(crate) fn companion_files(path: &Path, bytes: &[u8]) -> Vec<PathBuf> {
         .filter_map(|entry| entry.get("uri")?.as_str())
         .filter_map(|uri| resources.file_of_uri(uri).ok().flatten())
         .collect()
+}
+
+/// A document as it stands in a file: nothing in it has been checked, indices may point nowhere.
+///
+/// # Errors
+/// Bytes that are no glTF document.
+pub(crate) fn unchecked_document(file: &Path, bytes: &[u8]) -> Result<Root, Fault> {
+    let not_json = |error: serde_json::Error| Problem::new(format!("is no glTF document: {error}"));
+    let parsed = split(bytes).and_then(|(text, _)| serde_json::from_slice(&text).map_err(not_json));
+    parsed.map_err(|problem| problem.in_file(file))
 }
 
 /// The document's text and the binary chunk of a `.glb`.

@@ -17,7 +17,7 @@ mod tests;
 
 use std::path::{Path, PathBuf};
 
-pub(crate) use container::companion_files;
+pub(crate) use container::{companion_files, unchecked_document};
 
 use super::Model;
 use crate::catalog::Size;

@@ -153,7 +153,7 @@ impl Pieces<'_, '_, '_> {
     fn piece(&mut self, (part, id): (&'static str, String), pose: &Pose, shape: Shape) {
         let name = names::owned(&id, self.owner);
         let Some(mesh) = self.meshes.shell(shape, self.palette, &name) else { return };
-        let extras = Extras::Part { part, id, tags: Vec::new() };
+        let extras = Extras::Part { part, id, tags: Vec::new(), outline: None, height: None };
         self.nodes.push(Node::at(name, &pose.relative_to(&self.origin), Some(mesh), extras));
     }
 }

@@ -10,6 +10,7 @@ use crate::catalog::Catalog;
 use crate::geometry::Region;
 use crate::plan::{Level, Opening, Room, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_facing};
+use crate::scene::extras::{corners, rounded};
 use crate::scene::meshes::{Look, MeshTable, slot_named};
 use crate::scene::names;
 use crate::scene::node::{Extras, Node};
@@ -123,14 +124,18 @@ impl Parts<'_, '_, '_> {
             let region = Region::simple(obstacle.outline.clone());
             let shape = SlabShape::of_region(&region, anchor, [-sunk, top], slot);
             let id = names::numbered("column", index);
-            self.part(("column", id), Pose::on_floor(anchor, 0.0), Shape::Slab(shape));
+            let node = self.part(("column", id), Pose::on_floor(anchor, 0.0), Shape::Slab(shape));
+            if let Some(Extras::Part { outline, height, .. }) = &mut node.extras {
+                *outline = Some(corners(&obstacle.outline));
+                *height = Some(rounded(obstacle.height));
+            }
         }
     }
 
     fn part(&mut self, (part, id): (&'static str, String), pose: Pose, shape: Shape) -> &mut Node {
         let name = names::owned(&id, &self.room.id);
         let mesh = self.meshes.shell(shape, self.palette, &name);
-        let extras = Extras::Part { part, id, tags: Vec::new() };
+        let extras = Extras::Part { part, id, tags: Vec::new(), outline: None, height: None };
         self.nodes.push(Node::at(name, &pose, mesh, extras));
         let last = self.nodes.len() - 1;
         &mut self.nodes[last]

@@ -1,0 +1,126 @@
+//! The `extras` of nodes as they are read; [`crate::scene::Extras`] is how they are written.
+
+use serde::Deserialize;
+use serde_json::Value;
+
+/// A corner in plan metres.
+pub(super) type Corner = [f64; 2];
+
+/// What a node is.
+#[derive(Clone, Debug)]
+pub(super) enum Extras {
+    Level(LevelExtras),
+    Opening(OpeningExtras),
+    Room(RoomExtras),
+    Part(PartExtras),
+    Furniture(FurnitureExtras),
+    /// Of the contract, but not readable; a problem says so.
+    Broken,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct LevelExtras {
+    pub(super) building: String,
+    pub(super) level: String,
+    pub(super) elevation: f64,
+    pub(super) height: f64,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct OpeningExtras {
+    pub(super) id: String,
+    pub(super) closure: Closure,
+    pub(super) width: f64,
+    pub(super) height: f64,
+    pub(super) sill: f64,
+    pub(super) sides: Vec<SideExtras>,
+    #[serde(default)]
+    pub(super) leaves: Vec<LeafExtras>,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Closure {
+    Door,
+    Sliding,
+    Passage,
+    Open,
+    Window,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct SideExtras {
+    pub(super) room: String,
+    pub(super) wall: usize,
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+#[derive(Clone, Copy, Debug, Deserialize)]
+pub(super) struct LeafExtras {
+    pub(super) hinge: Corner,
+    pub(super) closed: Corner,
+    pub(super) open: Corner,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct RoomExtras {
+    pub(super) room: String,
+    #[serde(rename = "type")]
+    pub(super) room_type: String,
+    pub(super) style: String,
+    pub(super) seed: u64,
+    pub(super) outline: Vec<Corner>,
+    pub(super) holes: Vec<Vec<Corner>>,
+    pub(super) height: f64,
+    pub(super) requested: u32,
+    pub(super) removed: Vec<RemovedExtras>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct RemovedExtras {
+    pub(super) class: String,
+    pub(super) reason: String,
+    #[serde(default)]
+    pub(super) required: bool,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct PartExtras {
+    pub(super) id: String,
+    #[serde(default)]
+    pub(super) tags: Vec<String>,
+    /// Of columns only.
+    pub(super) outline: Option<Vec<Corner>>,
+    /// Of columns only.
+    pub(super) height: Option<f64>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct FurnitureExtras {
+    pub(super) class: String,
+    pub(super) id: String,
+    pub(super) parent: String,
+    pub(super) side: String,
+    pub(super) size: [f64; 3],
+    pub(super) variant: u32,
+}
+
+impl Extras {
+    /// What a node's extras say; `None` where they are about something else.
+    pub(super) fn parse(text: &str) -> Result<Option<Self>, String> {
+        fn typed<T: serde::de::DeserializeOwned>(value: Value) -> Result<T, String> {
+            serde_json::from_value(value).map_err(|error| error.to_string())
+        }
+        let value: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        let kind = value.get("kind").and_then(Value::as_str).unwrap_or_default().to_owned();
+        Ok(Some(match kind.as_str() {
+            "level" => Self::Level(typed(value)?),
+            "opening" => Self::Opening(typed(value)?),
+            "room" => Self::Room(typed(value)?),
+            "part" => Self::Part(typed(value)?),
+            "furniture" => Self::Furniture(typed(value)?),
+            _ => return Ok(None),
+        }))
+    }
+}

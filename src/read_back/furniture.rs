@@ -1,0 +1,208 @@
+//! What stands in the rooms, where it stands now.
+
+use glam::{DMat4, DVec3};
+
+use super::extras::{Extras, FurnitureExtras, RemovedExtras};
+use super::level::EmptyLevel;
+use super::parents::parents_first;
+use super::problem::Problem;
+use super::tree::Node;
+use crate::catalog::{Catalog, ClassIndex, Side, Size};
+use crate::document::did_you_mean;
+use crate::geometry::Point;
+use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
+
+/// Sine of the largest tilt of what counts as upright, and the largest change of size that is rounding.
+const ROUNDING: f64 = 1e-4;
+/// Pieces of the fullest room: a hall of 500 m² has a few hundred.
+const MOST_PIECES: usize = 20_000;
+/// Metres: sizes outside are no furniture.
+const SIZES: std::ops::Range<f64> = 1e-6..1e4;
+
+/// A piece before its parent is known by its place in the list.
+pub(super) struct Piece<'f> {
+    /// The index of its node.
+    pub(super) node: usize,
+    /// What it says.
+    pub(super) extras: &'f FurnitureExtras,
+    /// Where it stands; its parent is still to be found.
+    pub(super) placement: Placement,
+    /// The node of the object that it hangs below.
+    pub(super) above: Option<usize>,
+}
+
+/// The furniture of each room; `None` where something of it cannot be read.
+pub(super) fn read(
+    nodes: &[Node],
+    empty: &EmptyLevel,
+    catalog: &Catalog,
+    problems: &mut Vec<Problem>,
+) -> Vec<Option<Furnished>> {
+    let mut pieces: Vec<Vec<Piece<'_>>> = Vec::new();
+    pieces.resize_with(empty.level.rooms.len(), Vec::new);
+    let mut is_broken = empty.is_broken.clone();
+    let spots = spots(nodes, empty);
+    for (index, node) in nodes.iter().enumerate() {
+        match (&node.extras, &spots[index]) {
+            (Some(Extras::Furniture(extras)), &Some(Spot { room, place, above })) => {
+                match read_piece(&node.name, extras, &place, catalog) {
+                    Ok(placement) => pieces[room].push(Piece { node: index, extras, placement, above }),
+                    Err(problem) => {
+                        problems.push(problem);
+                        is_broken[room] = true;
+                    }
+                }
+            }
+            // Of a room that cannot be read, one fault says so.
+            (Some(Extras::Furniture(_)), None) if !is_below_bad_room(nodes, node) => {
+                let problem = Problem::new(&node.name, "belongs to no room");
+                problems.push(problem.with_hint("hang it below its room's node").that_only_warns());
+            }
+            (Some(Extras::Broken), &Some(Spot { room, .. })) => is_broken[room] = true,
+            _ => {}
+        }
+    }
+    let rooms = pieces.into_iter().enumerate().map(|(room, pieces)| {
+        // What stands on a piece that cannot be read would be called a fault too.
+        if is_broken[room] {
+            return None;
+        }
+        let furnished = furnish(nodes, (empty, room), pieces, catalog);
+        furnished.map_err(|problem| problems.push(problem)).ok()
+    });
+    rooms.collect()
+}
+
+/// Where a node is.
+#[derive(Clone, Copy)]
+struct Spot {
+    /// The room that it belongs to.
+    room: usize,
+    /// Its place in the frame of the room.
+    place: DMat4,
+    /// The nearest object that it hangs below.
+    above: Option<usize>,
+}
+
+/// The spot of each node that hangs below a room.
+fn spots(nodes: &[Node], empty: &EmptyLevel) -> Vec<Option<Spot>> {
+    let mut spots: Vec<Option<Spot>> = Vec::with_capacity(nodes.len());
+    for node in nodes {
+        // Parents come before children.
+        let spot = node.parent.and_then(|parent| match empty.room_of(parent) {
+            Some(room) => Some(Spot { room, place: node.local, above: None }),
+            None => spots[parent].map(|spot| {
+                let is_object = matches!(nodes[parent].extras, Some(Extras::Furniture(_)));
+                Spot {
+                    place: spot.place * node.local,
+                    above: if is_object { Some(parent) } else { spot.above },
+                    ..spot
+                }
+            }),
+        });
+        spots.push(spot);
+    }
+    spots
+}
+
+/// Whether a node that has no spot hangs below a room all the same.
+fn is_below_bad_room(nodes: &[Node], node: &Node) -> bool {
+    /// Deeper than people stack things.
+    const DEEPEST: usize = 64;
+    let ancestors = std::iter::successors(node.parent, |&ancestor| nodes[ancestor].parent);
+    let is_room = |ancestor: usize| matches!(nodes[ancestor].extras, Some(Extras::Room(_) | Extras::Broken));
+    ancestors.take(DEEPEST).any(is_room)
+}
+
+fn furnish(
+    nodes: &[Node],
+    (empty, room): (&EmptyLevel, usize),
+    pieces: Vec<Piece<'_>>,
+    catalog: &Catalog,
+) -> Result<Furnished, Problem> {
+    let node = &nodes[empty.room_nodes[room]];
+    let Some(Extras::Room(extras)) = &node.extras else {
+        return Err(Problem::new(&node.name, "is no room"));
+    };
+    if pieces.len() > MOST_PIECES {
+        return Err(Problem::new(&node.name, format!("holds more than {MOST_PIECES} pieces")));
+    }
+    let removals = extras.removed.iter().map(|removed| removal(removed, &node.name, catalog));
+    Ok(Furnished {
+        room,
+        seed: extras.seed,
+        style: extras.style.clone(),
+        requested: extras.requested,
+        removals: removals.collect::<Result<Vec<_>, _>>()?,
+        placements: parents_first(nodes, (empty, room), pieces)?,
+    })
+}
+
+fn removal(removed: &RemovedExtras, node: &str, catalog: &Catalog) -> Result<Removal, Problem> {
+    let reason = RemovalReason::ALL.into_iter().find(|reason| reason.name() == removed.reason);
+    let reason =
+        reason.ok_or_else(|| Problem::new(node, format!("has an unknown reason \"{}\"", removed.reason)))?;
+    Ok(Removal { class: class(&removed.class, node, catalog)?, reason, is_required: removed.required })
+}
+
+fn class(id: &str, node: &str, catalog: &Catalog) -> Result<ClassIndex, Problem> {
+    catalog.class_index(id).ok_or_else(|| {
+        let known = catalog.classes.iter().map(|class| class.id.as_str());
+        let hint = did_you_mean(id, known).unwrap_or_else(|| {
+            "name the folder that has it with --catalog; its room is not judged".to_owned()
+        });
+        Problem::new(node, format!("is of an unknown class \"{id}\"")).with_hint(hint)
+    })
+}
+
+fn read_piece(
+    name: &str,
+    extras: &FurnitureExtras,
+    place: &DMat4,
+    catalog: &Catalog,
+) -> Result<Placement, Problem> {
+    let problem = |message: String| Problem::new(name, message);
+    let class = class(&extras.class, name, catalog)?;
+    let number = extras.id.rsplit_once('.').and_then(|(_, number)| number.parse().ok());
+    let number =
+        number.ok_or_else(|| problem(format!("has the id \"{}\", which ends in no number", extras.id)))?;
+    let side = Side::ALL.into_iter().find(|side| side.name() == extras.side);
+    let side = side.ok_or_else(|| problem(format!("touches an unknown side \"{}\"", extras.side)))?;
+    let (position, angle, scale) = pose(place).ok_or_else(|| {
+        let hint = "furniture is moved, turned about the vertical and scaled";
+        problem("does not stand upright, or nowhere".to_owned()).with_hint(hint)
+    })?;
+    let [width, depth, height] = extras.size;
+    let size = [width * scale.x, depth * scale.z, height * scale.y];
+    if !size.iter().all(|length| SIZES.contains(length)) {
+        return Err(problem(format!("has the size {size:?}, in metres")));
+    }
+    Ok(Placement {
+        class,
+        number,
+        // Until all pieces are known.
+        parent: Parent::Floor,
+        side,
+        position: Point::new(position.x, -position.z),
+        elevation: position.y,
+        angle,
+        variant: extras.variant,
+        size: Size { width: size[0], depth: size[1], height: size[2] },
+    })
+}
+
+/// Position, angle and scale (width, height, depth) in the room; `None` unless upright and finite.
+fn pose(place: &DMat4) -> Option<(DVec3, f64, DVec3)> {
+    let (across, up, forth) = (place.x_axis.truncate(), place.y_axis.truncate(), place.z_axis.truncate());
+    let position = place.w_axis.truncate();
+    let scale = DVec3::new(across.length(), up.length(), forth.length());
+    if !place.is_finite() || scale.min_element() <= 0.0 || position.abs().max_element() > 1e6 {
+        return None;
+    }
+    let is_level = |axis: DVec3, length: f64| (axis.y / length).abs() < ROUNDING;
+    let is_upright = up.y / scale.y > 1.0 - ROUNDING && is_level(across, scale.x) && is_level(forth, scale.z);
+    let is_mirrored = across.cross(up).dot(forth) <= 0.0;
+    let exact = |factor: f64| if (factor - 1.0).abs() < ROUNDING { 1.0 } else { factor };
+    let scale = DVec3::new(exact(scale.x), exact(scale.y), exact(scale.z));
+    (is_upright && !is_mirrored).then(|| (position, libm::atan2(-across.z, across.x), scale))
+}

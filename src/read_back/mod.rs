@@ -1,0 +1,71 @@
+//! A finished file to the level and the furniture that it holds, so that the audit can judge what is there now.
+//!
+//! The other end of the output contract (`scene/node.rs`). Where furniture stands is taken from the transforms of
+//! the nodes, so that a piece that somebody moved is found where it is; what it is, and what the room is, from the
+//! extras. Meshes are not looked at. What later stages may rely on: every index points somewhere, every number is
+//! finite, parents come before children. A room with a fault is left out of the verdict; the others go on.
+
+mod extras;
+mod furniture;
+mod level;
+mod openings;
+mod outline;
+mod parents;
+mod problem;
+#[cfg(test)]
+mod tests;
+mod tree;
+
+use std::path::Path;
+
+use crate::catalog::Catalog;
+use crate::document::{Fault, Faults};
+use crate::layout::Furnished;
+use crate::plan::Level;
+
+/// A level as its file has it.
+#[derive(Clone, Debug)]
+pub struct ReadLevel {
+    /// Id of the building.
+    pub building: String,
+    /// The rooms and openings; rooms without an outline are missing.
+    pub level: Level,
+    /// What stands in each room of `level`; `None` where a fault makes a verdict impossible.
+    pub furnished: Vec<Option<Furnished>>,
+    /// What is wrong with the file, room by room.
+    pub faults: Faults,
+}
+
+/// Largest file that is read: a level of a thousand rooms with its own meshes is a tenth of it.
+const LARGEST_FILE: u64 = 1 << 30;
+
+/// Reads a `.glb` or `.gltf` file.
+///
+/// # Errors
+/// If it cannot be read, is no glTF, or has no level in it. Faults of single rooms are in the answer.
+pub fn read_level(path: &Path, catalog: &Catalog) -> Result<ReadLevel, Fault> {
+    let unreadable = |error: std::io::Error| Fault::of_file(path, format!("cannot be read: {error}"));
+    let length = std::fs::metadata(path).map_err(unreadable)?.len();
+    if length > LARGEST_FILE {
+        return Err(Fault::of_file(
+            path,
+            format!("has {length} bytes, {LARGEST_FILE} are the most that is read"),
+        ));
+    }
+    parse_level(path, &std::fs::read(path).map_err(unreadable)?, catalog)
+}
+
+/// As [`read_level`], for bytes in memory; `file` is the name for messages.
+///
+/// # Errors
+/// As [`read_level`].
+pub fn parse_level(file: &Path, bytes: &[u8], catalog: &Catalog) -> Result<ReadLevel, Fault> {
+    // The nodes, each with its place and what it says about itself.
+    let document = crate::model::unchecked_document(file, bytes)?;
+    let (nodes, mut problems) = tree::nodes(&document);
+    // The empty level, then what stands in it.
+    let read = level::read(&nodes, &mut problems).map_err(|problem| problem.in_file(file))?;
+    let furnished = furniture::read(&nodes, &read, catalog, &mut problems);
+    let faults = problems.into_iter().map(|problem| problem.in_file(file)).collect();
+    Ok(ReadLevel { building: read.building, level: read.level, furnished, faults: Faults(faults) })
+}

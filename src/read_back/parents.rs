@@ -1,0 +1,76 @@
+//! What each piece stands on or belongs to.
+
+use std::collections::BTreeMap;
+
+use super::furniture::Piece;
+use super::level::EmptyLevel;
+use super::problem::Problem;
+use super::tree::Node;
+use crate::layout::{Parent, Placement};
+
+/// The placements with their parents, each after its parent.
+pub(super) fn parents_first(
+    nodes: &[Node],
+    (empty, room): (&EmptyLevel, usize),
+    mut pieces: Vec<Piece<'_>>,
+) -> Result<Vec<Placement>, Problem> {
+    let by_id: BTreeMap<&str, usize> =
+        pieces.iter().map(|piece| (piece.extras.id.as_str(), piece.node)).collect();
+    if by_id.len() < pieces.len() {
+        return Err(Problem::new(&nodes[empty.room_nodes[room]].name, "has two objects of the same id"));
+    }
+    let by_node: BTreeMap<usize, Option<usize>> =
+        pieces.iter().map(|piece| (piece.node, object_above(piece, &by_id))).collect();
+    // Those that stand on no other, then what stands on them, and so on.
+    let mut waiting: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
+    for piece in &pieces {
+        waiting.entry(by_node[&piece.node]).or_default().push(piece.node);
+    }
+    let mut sorted = waiting.remove(&None).unwrap_or_default();
+    let mut next = 0;
+    while let Some(&node) = sorted.get(next) {
+        sorted.extend(waiting.remove(&Some(node)).unwrap_or_default());
+        next += 1;
+    }
+    if let Some(&node) = waiting.values().flatten().next() {
+        return Err(Problem::new(&nodes[node].name, "stands on itself"));
+    }
+    let order: BTreeMap<usize, usize> =
+        sorted.into_iter().enumerate().map(|(index, node)| (node, index)).collect();
+    pieces.sort_by_key(|piece| order[&piece.node]);
+    let placed = pieces.into_iter().map(|piece| {
+        let parent = match by_node[&piece.node] {
+            Some(above) => Parent::Object(order[&above]),
+            None => part(&piece.extras.parent, (empty, room)).ok_or_else(|| {
+                let message = format!("stands on \"{}\", which is not there", piece.extras.parent);
+                Problem::new(&nodes[piece.node].name, message)
+            })?,
+        };
+        Ok(Placement { parent, ..piece.placement })
+    });
+    placed.collect()
+}
+
+/// The node of the object that a piece belongs to: the one that it hangs below and moves with, else the one that
+/// it names.
+fn object_above(piece: &Piece<'_>, by_id: &BTreeMap<&str, usize>) -> Option<usize> {
+    piece.above.or_else(|| by_id.get(piece.extras.parent.as_str()).copied())
+}
+
+/// The part of the room, or the opening, that an id means.
+fn part(id: &str, (empty, room): (&EmptyLevel, usize)) -> Option<Parent> {
+    let room = &empty.level.rooms[room];
+    if let Some(opening) = id.strip_prefix("door:").or_else(|| id.strip_prefix("window:")) {
+        let mut here = room.openings.iter().map(|place| place.opening);
+        return here.find(|&index| empty.level.openings[index].id == opening).map(Parent::Opening);
+    }
+    let (kind, number) = id.split_once('.').unwrap_or((id, ""));
+    let number = number.parse::<usize>().ok();
+    match (kind, number) {
+        ("floor", None) => Some(Parent::Floor),
+        ("ceiling", None) => Some(Parent::Ceiling),
+        ("wall", Some(wall)) => (wall < room.walls.len()).then_some(Parent::Wall(wall)),
+        ("column", Some(column)) => (column < room.obstacles.len()).then_some(Parent::Column(column)),
+        _ => None,
+    }
+}
