@@ -4,6 +4,8 @@
 //! each room once; that samples are ranked by how good a room they make is the way of P. Merrell et al.,
 //! "Interactive Furniture Layout Using Interior Design Guidelines", 2011.
 
+use core::cmp::Ordering;
+
 use crate::audit::{Severity, Verdict, judge_room};
 use crate::catalog::Catalog;
 use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
@@ -60,7 +62,7 @@ pub fn best_of(
             break;
         }
         let next = make(alternative);
-        if next.flaws() < best.flaws() {
+        if next.is_better_than(&best) {
             best = next;
         }
     }
@@ -73,7 +75,17 @@ impl Judged {
         self.flaws() == (0, 0, 0)
     }
 
-    /// What alternatives are compared by: findings that fail the room, then the minor ones, then missing pieces.
+    /// Whether it has fewer flaws, or as few and a higher score.
+    fn is_better_than(&self, other: &Self) -> bool {
+        let score = |judged: &Self| judged.verdict.score.map_or(0.0, |score| score.value);
+        match self.flaws().cmp(&other.flaws()) {
+            Ordering::Less => true,
+            Ordering::Equal => score(self) > score(other),
+            Ordering::Greater => false,
+        }
+    }
+
+    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then missing pieces.
     fn flaws(&self) -> (usize, usize, usize) {
         let count = |severity: Severity| {
             self.verdict.findings.iter().filter(|finding| finding.severity == severity).count()

@@ -246,6 +246,9 @@ pub enum Turn {
     Away,
     /// Front towards the middle of the parent.
     TowardsCenter,
+    /// At the front of a piece in a corner: a quarter turn on, with its back to the wall that the parent's right side
+    /// touches, so that a run goes on around the corner.
+    AroundCorner,
     /// One of the four directions of the parent.
     Quarter,
     /// Any angle.

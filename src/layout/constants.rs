@@ -65,8 +65,13 @@ pub(crate) const RUG_HEIGHT: f64 = 0.05;
 pub(crate) const TIGHT_PENALTY: f64 = 1.0;
 /// Rounds in which agents that lost their parent may search again.
 pub(crate) const SEARCH_ROUNDS: usize = 4;
-/// Gained by a built-in piece that fills its wall from end to end; one that takes half of it gains nothing.
+/// Gained by a long built-in piece that fills its wall from end to end (half of it gains nothing), and by the first
+/// of a run at a wall that holds the others too.
 pub(crate) const BUILT_IN_REWARD: f64 = 1.0;
+/// Metres of wall that hold a whole run.
+pub(crate) const RUN_LENGTH: f64 = 3.0;
+/// Widths of a piece in depths from which it is long.
+pub(crate) const LONG_PIECE: f64 = 2.0;
 /// Candidates compared for what is built in and required: bathrooms and kitchens live by it.
 pub(crate) const CANDIDATES_BUILT_IN: usize = 24;
 /// Metres by which agents are pushed to have more room.

@@ -1,15 +1,17 @@
-//! What hangs over or beside an object needs a wall behind it.
+//! What hangs over or beside an object, or goes on with a built-in run, needs a wall behind it.
 
-use crate::catalog::Side;
+use crate::catalog::{Side, Size};
 use crate::geometry::Point;
 use crate::layout::agent::{AgentIndex, ParentPart};
+use crate::layout::body::Pose;
 use crate::layout::constants::HANGING_GAP;
 
-use super::{Environment, Place};
+use super::{Environment, FIXED_GROUP, Place};
 
 impl Environment<'_> {
     /// Whether something that hangs over or beside its parent (a mirror over a basin, a cupboard over a worktop)
-    /// has no wall behind it: its back must lie on one wall, clear of that wall's openings.
+    /// has no wall behind it, or a built-in piece where its parent has one: its back must lie on one wall, clear of
+    /// that wall's openings.
     pub(super) fn hangs_in_the_air(&self, agent: AgentIndex, place: &Place) -> bool {
         let ParentPart::Agent(parent) = place.parent else { return false };
         let Some(rest) = self.agents[parent].rest() else { return true };
@@ -20,16 +22,26 @@ impl Environment<'_> {
             Side::Front | Side::Back | Side::Left | Side::Right => 0.0,
         };
         let is_above = place.pose.elevation > rest.pose.elevation + carried_from + HANGING_GAP;
-        if !is_above && (place.side == Side::Above || !self.hangs_on_a_wall(parent)) {
-            return false;
-        }
-        let back = place.pose.place(Point::new(0.0, size.depth / 2.0));
+        let hangs = is_above || (place.side != Side::Above && self.hangs_on_a_wall(parent));
+        let continues = || self.is_built_in(agent) && self.is_built_in(parent) && place.side != Side::Above;
+        (hangs || (continues() && self.has_wall_behind(&rest.pose, holder.size)))
+            && !self.has_wall_behind(&place.pose, size)
+    }
+
+    /// Whether an agent's class is built in: a run of such pieces goes on along the wall, not past its end.
+    fn is_built_in(&self, agent: AgentIndex) -> bool {
+        self.class(agent).groups.iter().any(|group| group == FIXED_GROUP)
+    }
+
+    /// Whether a back lies on one wall, clear of that wall's openings.
+    fn has_wall_behind(&self, pose: &Pose, size: Size) -> bool {
+        let back = pose.place(Point::new(0.0, size.depth / 2.0));
         let room = self.surroundings.room;
-        !room.walls.iter().enumerate().any(|(index, wall)| {
+        room.walls.iter().enumerate().any(|(index, wall)| {
             let at = (back - wall.start).dot(wall.direction());
             let (from, to) = (at - size.width / 2.0, at + size.width / 2.0);
             let is_behind = (back - wall.start).dot(wall.normal()).abs() <= HANGING_GAP
-                && wall.normal().dot(place.pose.front()) > 1.0 - HANGING_GAP
+                && wall.normal().dot(pose.front()) > 1.0 - HANGING_GAP
                 && from >= -HANGING_GAP
                 && to <= wall.length() + HANGING_GAP;
             is_behind
@@ -37,8 +49,8 @@ impl Environment<'_> {
                     let opening = &self.surroundings.level.openings[side.opening];
                     from < side.to
                         && to > side.from
-                        && place.pose.elevation < opening.top
-                        && place.pose.elevation + size.height > opening.bottom
+                        && pose.elevation < opening.top
+                        && pose.elevation + size.height > opening.bottom
                 })
         })
     }

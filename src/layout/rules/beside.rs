@@ -86,6 +86,8 @@ fn propose(view: &View<'_>, face: &Face, stream: &mut Stream, poses: &mut Vec<Po
             Along::Even => even(face, trial),
             Along::Ends => room * if trial % 2 == 0 { 1.0 } else { -1.0 },
             // Left and right of a parent, "back" is flush with its back, so that cabinets line up.
+            // Around a corner the back is at the wall beside the parent.
+            Along::Back if rule.orientation.turn == Turn::AroundCorner => room,
             Along::Back => room * towards_back(face, along),
             Along::Front => -room * towards_back(face, along),
             Along::Random => room * stream.signed(),

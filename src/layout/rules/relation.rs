@@ -2,12 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::catalog::{ParentName, Relation, RelationKind};
+use crate::catalog::{ParentName, Relation, RelationKind, Side};
 use crate::geometry::Point;
 use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::{Pose, box_solid};
 use crate::layout::constants::{
-    BUILT_IN_REWARD, CONTACT_TOLERANCE, NARROW_WIDTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
+    BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, NARROW_WIDTH, RUN_LENGTH, SEAT_PENALTY, TIGHT_PENALTY,
+    WINDOW_PENALTY,
 };
 use crate::layout::environment::{Environment, FIXED_GROUP, Place};
 use crate::plan::OpeningKind;
@@ -47,7 +48,7 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
     if is_before_window {
         value -= WINDOW_PENALTY;
     }
-    value += BUILT_IN_REWARD * (2.0 * share_of_wall(environment, agent, place) - 1.0).max(0.0);
+    value += BUILT_IN_REWARD * suits_wall(environment, agent, place);
     let takes_a_seat = environment.takes_a_seat(agent, place);
     if takes_a_seat {
         value -= SEAT_PENALTY;
@@ -58,13 +59,23 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
     Score { value, is_spoilt: is_before_window || takes_a_seat, is_tight: takes_comfort || lacks_comfort }
 }
 
-/// How much of its wall a built-in piece would take: a bathtub belongs where its length fills the niche.
-fn share_of_wall(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+/// How well a wall suits a built-in piece: a bathtub belongs where its length fills the niche, the first unit of a
+/// run where the wall is long enough for the others.
+fn suits_wall(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
     let ParentPart::Wall(wall) = place.parent else { return 0.0 };
-    if !environment.class(agent).groups.iter().any(|group| group == FIXED_GROUP) {
+    let (class, size) = (environment.class(agent), environment.agents[agent].size);
+    if !class.groups.iter().any(|group| group == FIXED_GROUP) {
         return 0.0;
     }
-    (environment.agents[agent].size.width / environment.surroundings.room.walls[wall].length()).min(1.0)
+    let length = environment.surroundings.room.walls[wall].length();
+    let joins = [Side::Left, Side::Right].iter().any(|&side| class.offer(side).places > 0);
+    if joins {
+        (length / RUN_LENGTH).min(1.0)
+    } else if size.width >= LONG_PIECE * size.depth {
+        (2.0 * size.width / length - 1.0).clamp(0.0, 1.0)
+    } else {
+        0.0
+    }
 }
 
 /// Whether a place meets the relations that an agent's class needs. To face something, it must be there.

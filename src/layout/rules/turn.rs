@@ -25,6 +25,7 @@ pub(crate) fn angle_of_front(front: Point) -> f64 {
 pub(crate) fn angle(orientation: &Orientation, bearing: &Bearing, stream: &mut Stream) -> f64 {
     let straight = match orientation.turn {
         Turn::Parallel | Turn::TowardsCenter => bearing.parent_angle,
+        Turn::AroundCorner => bearing.parent_angle - FRAC_PI_2,
         Turn::Facing if bearing.outward == Point::ZERO => bearing.parent_angle + PI,
         Turn::Facing => angle_of_front(-bearing.outward),
         Turn::Away if bearing.outward == Point::ZERO => bearing.parent_angle,
