@@ -50,6 +50,9 @@ pub(crate) enum Command {
     /// Draw furnished levels as SVG.
     #[command(after_help = EXIT_CODES)]
     Draw(DrawArguments),
+    /// Tell why each object of a room is where it is, and why others are missing.
+    #[command(after_help = EXIT_CODES)]
+    Explain(ExplainArguments),
     /// Turn foreign plans into native ones.
     #[command(after_help = EXIT_CODES)]
     Import(ImportArguments),
@@ -193,6 +196,28 @@ pub(crate) struct DrawArguments {
     /// Overwrite existing files.
     #[arg(long)]
     pub(crate) force: bool,
+}
+
+/// `explain`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// A plan, project or folder of plans.
+    #[arg(value_name = "PLAN")]
+    pub(crate) plan: PathBuf,
+    /// Id or name of the room.
+    #[arg(value_name = "ROOM")]
+    pub(crate) room: String,
+    /// Building of the room, where several have one of that id.
+    #[arg(long, value_name = "ID")]
+    pub(crate) building: Option<String>,
+    /// Level of the room, where several have one of that id.
+    #[arg(long, value_name = "ID")]
+    pub(crate) level: Option<String>,
+    #[command(flatten)]
+    pub(crate) furnish: FurnishArguments,
+    /// Further folders of configuration.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
 }
 
 /// `merge`.

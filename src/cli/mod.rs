@@ -7,6 +7,7 @@ mod catalog;
 mod check;
 mod draw;
 mod exit;
+mod explain;
 mod files;
 mod import;
 mod merge;
@@ -34,6 +35,7 @@ pub fn run() -> Outcome {
         Command::Catalog(arguments) => catalog::run(&arguments, screen),
         Command::Audit(arguments) => audit::run(&arguments, screen),
         Command::Draw(arguments) => draw::run(&arguments, screen),
+        Command::Explain(arguments) => explain::run(&arguments, screen),
         Command::Import(arguments) => import::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),
     }

@@ -1,12 +1,13 @@
 //! The environment of the agents: who rests where, and whether a place is free.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use crate::catalog::{Catalog, Class, ClassIndex, Shape, Side, Size};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 
 mod clearances;
 mod hanging;
+mod obstacles;
 
 use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
 use super::body::{Pose, append_solids, box_solid, clearance_solid};
@@ -14,6 +15,7 @@ use super::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, HUNG_ELEVATION, T
 use super::furnished::RemovalReason;
 use super::programme::Piece;
 use super::surroundings::Surroundings;
+use super::trace::Trace;
 
 /// Owner of what belongs to the room and not to an agent.
 const ROOM: AgentIndex = AgentIndex::MAX;
@@ -31,6 +33,8 @@ pub(crate) struct Environment<'a> {
     pub(crate) agents: Vec<Agent>,
     /// Resting agents by class (section 4: "lists according to their type").
     pub(crate) resting: Vec<Vec<AgentIndex>>,
+    /// What the agents meet on their search, where somebody wants to know.
+    pub(crate) trace: Option<RefCell<Trace>>,
     /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
     pub(crate) is_exhausted: Vec<bool>,
     borders: Vec<Border>,
@@ -134,6 +138,7 @@ impl<'a> Environment<'a> {
             catalog,
             agents: pieces.iter().map(agent).collect(),
             resting: vec![Vec::new(); catalog.classes.len()],
+            trace: None,
             is_exhausted: vec![false; catalog.classes.len()],
             borders,
             border_grid,

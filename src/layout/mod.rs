@@ -16,6 +16,7 @@ mod arrange;
 mod body;
 mod constants;
 mod environment;
+mod explain;
 mod furnished;
 mod movement;
 mod programme;
@@ -27,10 +28,15 @@ mod seed;
 mod surroundings;
 #[cfg(test)]
 mod tests;
+mod trace;
 mod untidy;
 mod ways;
 
 pub use body::{clearance_solids, solids};
+pub use explain::{
+    Explanation, MissingStory, ObjectStory, ObstacleStory, ParentStory, Refusal, SearchStory, WallStory,
+    Wish, explain, explain_alternative,
+};
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 
 use crate::catalog::{Catalog, DEFAULT_STYLE, Style, Untidiness};
@@ -72,36 +78,73 @@ pub fn furnish_alternative(
     options: &FurnishOptions<'_>,
     alternative: u32,
 ) -> Furnished {
-    let plan = &level.rooms[room];
-    let key = RoomKey::new(options.seed, options.building, level, plan);
-    let style = style(plan, catalog, options);
-    let room_type = catalog.room_types.get(&plan.room_type).filter(|room_type| room_type.is_furnished);
-    let (Some(style), Some(room_type)) = (style, room_type) else {
-        return result::empty(room, key.seed(), style);
-    };
+    let task = Task { level, room, catalog, options: *options, alternative };
+    task.furnish(false, |_, _| ()).0
+}
 
-    // The programme is drawn once: another attempt must not ask for other pieces.
-    let pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
-    let surroundings = Surroundings::new(level, plan);
-    let attempt = |number: u32| {
-        let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);
-        let key = key.attempt(alternative * ATTEMPTS_IN_NEED + number);
-        let closed_ways = act_all(&mut environment, &style.untidiness, &key);
-        Attempt { furnished: result::furnished(&environment, room, key.seed(), style), closed_ways }
-    };
-    let mut best = attempt(0);
-    // Who compares alternatives has many more of them.
-    let most = if alternative == 0 { ATTEMPTS_IN_NEED } else { ATTEMPTS };
-    for number in 1..most {
-        if !best.is_worth_another(number) {
-            break;
+/// A room to furnish.
+#[derive(Clone, Copy)]
+struct Task<'a> {
+    level: &'a Level,
+    room: usize,
+    catalog: &'a Catalog,
+    options: FurnishOptions<'a>,
+    alternative: u32,
+}
+
+impl Task<'_> {
+    /// Furnishes the room. Each attempt may be traced, and `tell` says something about it; what it says about the
+    /// one that is kept comes back, or nothing for a room that is not furnished.
+    fn furnish<T>(
+        &self,
+        is_traced: bool,
+        tell: impl Fn(&Environment<'_>, &Furnished) -> T,
+    ) -> (Furnished, Option<Told<T>>) {
+        let Self { level, room, catalog, options, alternative } = *self;
+        let plan = &level.rooms[room];
+        let key = RoomKey::new(options.seed, options.building, level, plan);
+        let style = style(plan, catalog, &options);
+        let room_type = catalog.room_types.get(&plan.room_type).filter(|room_type| room_type.is_furnished);
+        let (Some(style), Some(room_type)) = (style, room_type) else {
+            return (result::empty(room, key.seed(), style), None);
+        };
+
+        // The programme is drawn once: another attempt must not ask for other pieces.
+        let pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
+        let surroundings = Surroundings::new(level, plan);
+        let attempt = |number: u32| {
+            let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);
+            environment.trace = is_traced.then(|| trace::Trace::new(&environment));
+            let key = key.attempt(alternative * ATTEMPTS_IN_NEED + number);
+            let closed_ways = act_all(&mut environment, &style.untidiness, &key);
+            let furnished = result::furnished(&environment, room, key.seed(), style);
+            let told = Told { words: tell(&environment, &furnished), kept: number + 1, attempts: number + 1 };
+            Attempt { furnished, closed_ways, told }
+        };
+        let mut best = attempt(0);
+        // Who compares alternatives has many more of them.
+        let most = if alternative == 0 { ATTEMPTS_IN_NEED } else { ATTEMPTS };
+        for number in 1..most {
+            if !best.is_worth_another(number) {
+                break;
+            }
+            let next = attempt(number);
+            if next.lack() < best.lack() {
+                best = next;
+            }
+            best.told.attempts = number + 1;
         }
-        let next = attempt(number);
-        if next.lack() < best.lack() {
-            best = next;
-        }
+        (best.furnished, Some(best.told))
     }
-    best.furnished
+}
+
+/// What is said about the attempt that is kept.
+struct Told<T> {
+    words: T,
+    /// Which attempt it is, from 1.
+    kept: u32,
+    /// How many there were.
+    attempts: u32,
 }
 
 /// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness; after that,
@@ -116,12 +159,13 @@ fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &Roo
 }
 
 /// One of the times that a room is furnished.
-struct Attempt {
+struct Attempt<T> {
     furnished: Furnished,
     closed_ways: usize,
+    told: Told<T>,
 }
 
-impl Attempt {
+impl<T> Attempt<T> {
     /// Required pieces that are missing, then ways that are closed, then all pieces that are missing: what
     /// attempts are compared by.
     fn lack(&self) -> (usize, usize, usize) {

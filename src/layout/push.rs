@@ -76,6 +76,7 @@ fn push(environment: &mut Environment<'_>, root: AgentIndex) -> bool {
     better.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     for (_, place) in better {
         if group.settle_whole(environment, &place.pose) {
+            environment.note_push(root);
             return true;
         }
     }

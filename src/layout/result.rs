@@ -27,15 +27,20 @@ pub(crate) fn furnished(environment: &Environment<'_>, room: usize, seed: u64, s
         place(environment, agent, &mut indices, &mut result.placements);
     }
     let removal = |agent: &Agent| match agent.state {
-        State::Removed(reason) if !agent.piece.is_fill => {
+        State::Removed(reason) => {
             Some(Removal { class: agent.piece.class, reason, is_required: agent.piece.is_required })
         }
         _ => None,
     };
-    result.removals = agents.iter().filter_map(removal).collect();
+    result.removals = agents.iter().filter(|agent| is_missed(agent)).filter_map(removal).collect();
     let count = result.placements.len() + result.removals.len();
     result.requested = u32::try_from(count).expect("a programme asks for fewer than 2^32 pieces");
     result
+}
+
+/// Whether an agent is a piece that was asked for and is not there.
+pub(crate) fn is_missed(agent: &Agent) -> bool {
+    matches!(agent.state, State::Removed(_)) && !agent.piece.is_fill
 }
 
 /// Appends an agent's placement after its parent's.

@@ -24,6 +24,7 @@ pub(crate) fn search(
     agent: AgentIndex,
     key: &RoomKey,
 ) -> Result<Found, RemovalReason> {
+    environment.note_search(agent);
     let class = environment.class(agent);
     let piece = environment.agents[agent].piece;
     // A second search must not repeat the first one's draws.
@@ -105,12 +106,9 @@ impl Choice {
                 return;
             }
             let place = Place { pose, parent: view.parent, side: view.side };
-            if let Some(reason) = view.environment.obstruction(view.agent, &place) {
+            if let Some(reason) = refusal(view, &place) {
                 failures.count(reason);
-                continue;
-            }
-            if !rules::meets_needs(view.environment, view.agent, &place) {
-                failures.count(RemovalReason::Relation);
+                view.environment.note_refusal(view.agent, &place, reason);
                 continue;
             }
             let score = if self.is_first_best && !self.is_guest {
@@ -120,8 +118,10 @@ impl Choice {
             };
             if self.is_guest && score.is_poor() {
                 failures.count(RemovalReason::Comfort);
+                view.environment.note_refusal(view.agent, &place, RemovalReason::Comfort);
                 continue;
             }
+            view.environment.note_free(view.agent);
             self.left -= usize::from(!score.is_poor());
             if self.best.is_none_or(|(best, _)| score.value > best.value) {
                 self.best = Some((score, place));
@@ -140,6 +140,13 @@ fn is_guest(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule)
     let piece = &environment.agents[agent].piece;
     let is_one_of_many = class.grid.is_some() && !environment.resting[piece.class].is_empty();
     (!piece.is_required || is_one_of_many) && (is_free || is_built_in)
+}
+
+/// Why an agent cannot or will not stand at a place.
+fn refusal(view: &View<'_>, place: &Place) -> Option<RemovalReason> {
+    let obstruction = view.environment.obstruction(view.agent, place);
+    let is_pointless = || !rules::meets_needs(view.environment, view.agent, place);
+    obstruction.or_else(|| is_pointless().then_some(RemovalReason::Relation))
 }
 
 /// Why places were refused, to name the reason that was met most.

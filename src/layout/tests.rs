@@ -51,7 +51,7 @@ fn classes() -> Vec<Class> {
     ]
 }
 
-fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> Catalog {
+pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> Catalog {
     let request = |&(class, count): &(usize, Count)| Request {
         classes: vec![class],
         count,
@@ -91,7 +91,7 @@ fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> Catalog {
 }
 
 /// A room with a door 0.9 m wide that opens inward at the start of its first wall.
-fn level(corners: &[(f64, f64)]) -> Level {
+pub(super) fn level(corners: &[(f64, f64)]) -> Level {
     let points: Vec<Point> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
     let region = Region::simple(Polygon::new(&points).unwrap());
     let wall = |(start, end)| Wall {
@@ -143,7 +143,7 @@ fn level(corners: &[(f64, f64)]) -> Level {
     }
 }
 
-const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)];
+pub(super) const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)];
 const CONCAVE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 2.5), (3.0, 2.5), (3.0, 5.0), (0.0, 5.0)];
 
 fn run(level: &Level, catalog: &Catalog, seed: u64) -> Furnished {

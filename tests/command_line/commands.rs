@@ -132,6 +132,40 @@ fn the_catalogue_lists_and_describes() {
 }
 
 #[test]
+fn a_room_is_explained_as_text_and_as_json() {
+    let world = World::new();
+    world.write("a.yaml", plan("alpha", 2));
+    let report: serde_json::Value =
+        serde_json::from_str(&world.must(&["explain", "a.yaml", "study", "--level", "2", "--json"]).stdout)
+            .unwrap();
+    let objects = report["objects"].as_array().unwrap();
+    assert_eq!(objects.len() as u64, report["placed"].as_u64().unwrap());
+    assert!(objects.len() > 3 && objects.iter().all(|object| object["search"]["places"].as_u64() > Some(0)));
+    let text = world.must(&["explain", "a.yaml", "study", "--level", "2"]).stdout;
+    for object in objects {
+        let id = object["id"].as_str().unwrap();
+        assert!(text.lines().any(|line| line.starts_with(&format!("{id}  "))), "{id}");
+    }
+    assert!(text.lines().all(|line| line.trim_end() == line));
+}
+
+#[test]
+fn an_unknown_or_ambiguous_room_is_a_fault_with_a_hint() {
+    let world = World::new();
+    world.write("a.yaml", plan("alpha", 2));
+    for (arguments, hint) in [
+        (&["explain", "a.yaml", "stdy", "--level", "2"][..], "did you mean \"study\"?"),
+        (&["explain", "a.yaml", "study"], "alpha/1, alpha/2"),
+        (&["explain", "a.yaml", "study", "--level", "3"], "possible here: 1, 2"),
+        (&["explain", "a.yaml", "study", "--building", "alfa"], "did you mean \"alpha\"?"),
+    ] {
+        let ran = world.run(arguments);
+        assert_eq!(ran.code, Some(2), "{arguments:?}");
+        assert!(ran.stderr.contains(hint), "{arguments:?}: {}", ran.stderr);
+    }
+}
+
+#[test]
 fn merge_needs_a_folder() {
     let world = World::new();
     let ran = world.run(&["merge", "nowhere"]);

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 
 use roomwright::audit::AuditSummary;
 use roomwright::document::FaultSeverity;
+use roomwright::layout::{FurnishOptions, Placement, explain, furnish};
 use roomwright::plan::{Building, write_native};
 
 use contract::{check_level, grave_findings};
@@ -120,6 +121,37 @@ fn changing_one_room_changes_its_nodes_only() {
             assert_eq!(is_same, index != target, "room {}", room.id);
         }
     });
+}
+
+#[test]
+fn an_explained_room_is_the_room_and_accounts_for_every_piece() {
+    let pipeline = Pipeline::new();
+    let mut known = BTreeSet::new();
+    let mut room_count = 0;
+    each_level(&pipeline.read(&ready_plans("plans")).plan, |building, level| {
+        if !known.insert(level.digest) {
+            return;
+        }
+        for room in 0..level.rooms.len() {
+            let options = FurnishOptions { seed: 1, building, style: None };
+            let (furnished, told) = explain(level, room, &pipeline.catalog, &options);
+            let name = format!("{building}/{}/{}", level.id, level.rooms[room].id);
+            assert_eq!(furnished, furnish(level, room, &pipeline.catalog, &options), "{name}");
+            let id = |object: &Placement| {
+                format!("{}.{}", pipeline.catalog.classes[object.class].id, object.number)
+            };
+            let ids: Vec<String> = furnished.placements.iter().map(id).collect();
+            assert_eq!(
+                told.objects.iter().map(|object| object.id.clone()).collect::<Vec<_>>(),
+                ids,
+                "{name}"
+            );
+            let reasons: Vec<&str> = furnished.removals.iter().map(|removal| removal.reason.name()).collect();
+            assert_eq!(told.missing.iter().map(|piece| piece.reason).collect::<Vec<_>>(), reasons, "{name}");
+            room_count += 1;
+        }
+    });
+    assert!(room_count > 50, "{room_count} rooms");
 }
 
 /// A line for each node of a room: name, place and what it is.

@@ -53,7 +53,7 @@ impl Environment<'_> {
     }
 
     /// Whether a parent is an agent or one of its descendants.
-    fn descends(&self, parent: ParentPart, ancestor: AgentIndex) -> bool {
+    pub(super) fn descends(&self, parent: ParentPart, ancestor: AgentIndex) -> bool {
         let mut parent = parent;
         while let ParentPart::Agent(index) = parent {
             if index == ancestor {
@@ -93,7 +93,7 @@ impl Environment<'_> {
     }
 
     /// Whether an owner is an ancestor or a descendant of an agent that would have this parent.
-    fn is_relative(&self, agent: AgentIndex, parent: ParentPart, owner: AgentIndex) -> bool {
+    pub(super) fn is_relative(&self, agent: AgentIndex, parent: ParentPart, owner: AgentIndex) -> bool {
         owner != ROOM
             && (self.descends(parent, owner)
                 || self.agents[owner].rest().is_some_and(|rest| self.descends(rest.parent, agent)))

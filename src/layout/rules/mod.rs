@@ -9,7 +9,8 @@ mod surface;
 mod turn;
 mod wall;
 
-pub(crate) use relation::{Score, meets_needs, score};
+pub(crate) use relation::{Ground, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
+pub(crate) use turn::angle_of_front;
 
 use crate::catalog::{Class, ParentRule, Side, Size};
 

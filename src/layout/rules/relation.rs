@@ -38,25 +38,59 @@ impl Score {
 
 /// How well a place suits an agent.
 pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> Score {
+    let mut value = 0.0;
+    let (is_spoilt, is_tight) = weigh(environment, agent, place, |_, points| value += points);
+    Score { value, is_spoilt, is_tight }
+}
+
+/// What counts for or against a place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Ground<'a> {
+    /// A wish of the class.
+    Wish(&'a Relation),
+    /// It darkens a window.
+    BeforeWindow,
+    /// Its length fills its wall, or the wall holds a run of its kind.
+    SuitsWall,
+    /// It takes the place of a seat, or leaves none for its own.
+    TakesSeat,
+    /// It takes of the space that is good for others, or has less than is good itself.
+    Tight { takes: bool, lacks: bool },
+}
+
+/// Tells what counts for or against a place, with its points, and answers whether the place is spoilt and whether
+/// it is tight. The sum of the points is the score.
+pub(crate) fn weigh<'a>(
+    environment: &Environment<'a>,
+    agent: AgentIndex,
+    place: &Place,
+    mut tell: impl FnMut(Ground<'a>, f64),
+) -> (bool, bool) {
     let class = environment.class(agent);
     let is_before_window = stands_before_window(environment, agent, place);
-    let wish = |relation: &Relation| match relation.kind {
-        RelationKind::NotBefore => f64::from(u8::from(!is_before_window)),
-        _ => fulfilment(environment, agent, place, relation),
-    };
-    let mut value: f64 = class.relations.iter().map(|relation| relation.weight * wish(relation)).sum();
-    if is_before_window {
-        value -= WINDOW_PENALTY;
+    for relation in &class.relations {
+        let value = match relation.kind {
+            RelationKind::NotBefore => f64::from(u8::from(!is_before_window)),
+            _ => fulfilment(environment, agent, place, relation),
+        };
+        tell(Ground::Wish(relation), relation.weight * value);
     }
-    value += BUILT_IN_REWARD * suits_wall(environment, agent, place);
+    if is_before_window {
+        tell(Ground::BeforeWindow, -WINDOW_PENALTY);
+    }
+    let suits = suits_wall(environment, agent, place);
+    if suits > 0.0 {
+        tell(Ground::SuitsWall, BUILT_IN_REWARD * suits);
+    }
     let takes_a_seat = environment.takes_a_seat(agent, place);
     if takes_a_seat {
-        value -= SEAT_PENALTY;
+        tell(Ground::TakesSeat, -SEAT_PENALTY);
     }
-    let (takes_comfort, lacks_comfort) =
-        (environment.takes_comfort(agent, place), environment.lacks_comfort(agent, place));
-    value -= TIGHT_PENALTY * f64::from(u8::from(takes_comfort) + u8::from(lacks_comfort));
-    Score { value, is_spoilt: is_before_window || takes_a_seat, is_tight: takes_comfort || lacks_comfort }
+    let (takes, lacks) = (environment.takes_comfort(agent, place), environment.lacks_comfort(agent, place));
+    if takes || lacks {
+        tell(Ground::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
+    }
+    (is_before_window || takes_a_seat, takes || lacks)
 }
 
 /// How well a wall suits a built-in piece: a bathtub belongs where its length fills the niche, the first unit of a
@@ -78,17 +112,56 @@ fn suits_wall(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -
     }
 }
 
-/// Whether a place meets the relations that an agent's class needs. To face something, it must be there.
+/// Whether a place meets the relations that an agent's class needs.
 pub(crate) fn meets_needs(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    let mut needed = environment.class(agent).relations.iter().filter(|relation| relation.is_needed);
-    needed.all(|relation| match relation.kind {
+    unmet_need(environment, agent, place).is_none()
+}
+
+/// The first relation that an agent's class needs and a place does not meet, by index. To face something, it must
+/// be there.
+pub(crate) fn unmet_need(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> Option<usize> {
+    let is_met = |relation: &Relation| match relation.kind {
         RelationKind::NotBefore => !stands_before_window(environment, agent, place),
         RelationKind::AwayFrom => fulfilment(environment, agent, place, relation) >= 1.0,
         _ => {
             let own = Target::own(environment, agent, place);
             targets(environment, &relation.target).any(|target| value(relation, own, target) >= 1.0)
         }
-    })
+    };
+    let relations = &environment.class(agent).relations;
+    relations.iter().position(|relation| relation.is_needed && !is_met(relation))
+}
+
+/// The thing that decides about a wish, and where it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Measured {
+    /// Its position among the things of the wish: of resting agents, that of [`Environment::resting_of`].
+    pub(crate) index: usize,
+    /// Metres between the two.
+    pub(crate) distance: f64,
+    /// Radians between the front and the direction to it.
+    pub(crate) angle: f64,
+    /// How well the wish is met, 0 to 1.
+    pub(crate) value: f64,
+}
+
+/// What decides about a wish at a place, or nothing where there is nothing to relate to.
+pub(crate) fn measure(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    place: &Place,
+    relation: &Relation,
+) -> Option<Measured> {
+    let own = Target::own(environment, agent, place);
+    let measured = targets(environment, &relation.target).enumerate().map(|(index, other)| {
+        let (distance, towards) = way_to(own, other);
+        let angle = libm::acos(own.front.dot(towards).clamp(-1.0, 1.0));
+        Measured { index, distance, angle, value: value(relation, own, other) }
+    });
+    let is_bad_if_any = relation.kind == RelationKind::AwayFrom;
+    let decides =
+        |a: &Measured, b: &Measured| if is_bad_if_any { b.value < a.value } else { b.value > a.value };
+    measured.reduce(|a, b| if decides(&a, &b) { b } else { a })
 }
 
 /// The quarter turn from `angle` that meets the wishes to face something best, seen from `position`; `None`
@@ -158,10 +231,16 @@ fn fulfilment(environment: &Environment<'_>, agent: AgentIndex, place: &Place, r
     values.reduce(if is_bad_if_any { f64::min } else { f64::max }).unwrap_or(1.0)
 }
 
-fn value(relation: &Relation, own: Target, other: Target) -> f64 {
+/// Metres between two things, and the direction from one to the other.
+fn way_to(own: Target, other: Target) -> (f64, Point) {
     let between = other.position - own.position;
     let distance = (between.length() - own.radius - other.radius).max(0.0);
-    let towards = between.normalize_or(own.front);
+    (distance, between.normalize_or(own.front))
+}
+
+fn value(relation: &Relation, own: Target, other: Target) -> f64 {
+    let between = other.position - own.position;
+    let (distance, towards) = way_to(own, other);
     let faces = |front: Point, direction: Point| {
         let off = libm::acos(front.dot(direction).clamp(-1.0, 1.0));
         1.0 - ((off - relation.angle).max(0.0) / ANGLE_FADE).min(1.0)

@@ -1,0 +1,262 @@
+//! Why every object is where it is, and why the others are missing.
+//!
+//! Wishes are weighed where things stand in the end, not when a place was chosen: who came later moved the
+//! figures. What agents met on their search is counted over all their searches of the attempt that was kept.
+
+mod names;
+mod story;
+mod survey;
+
+use std::cmp::Reverse;
+
+use crate::catalog::{Catalog, ParentName, Relation, RelationKind};
+use crate::plan::Level;
+
+pub use story::{
+    Explanation, MissingStory, ObjectStory, ObstacleStory, ParentStory, Refusal, SearchStory, WallStory, Wish,
+};
+
+use super::agent::AgentIndex;
+use super::environment::{Environment, Place};
+use super::furnished::{Furnished, RemovalReason};
+use super::result::is_missed;
+use super::rules::{Ground, measure, weigh};
+use super::trace::Refused;
+use super::{FurnishOptions, Task, Told};
+use names::{decider, id, obstacle_name, relation_word, target_name};
+use survey::survey_walls;
+
+/// Furnishes one room exactly as [`super::furnish`] does, and explains what came of it.
+///
+/// # Panics
+/// As [`super::furnish`], if there is no such room.
+#[must_use]
+pub fn explain(
+    level: &Level,
+    room: usize,
+    catalog: &Catalog,
+    options: &FurnishOptions<'_>,
+) -> (Furnished, Explanation) {
+    explain_alternative(level, room, catalog, options, 0)
+}
+
+/// Furnishes one room exactly as [`super::furnish_alternative`] does, and explains what came of it.
+///
+/// # Panics
+/// As [`explain`].
+#[must_use]
+pub fn explain_alternative(
+    level: &Level,
+    room: usize,
+    catalog: &Catalog,
+    options: &FurnishOptions<'_>,
+    alternative: u32,
+) -> (Furnished, Explanation) {
+    let task = Task { level, room, catalog, options: *options, alternative };
+    let (furnished, told) = task.furnish(true, explanation);
+    let numbered =
+        |told: Told<Explanation>| Explanation { attempts: told.attempts, kept: told.kept, ..told.words };
+    (furnished, told.map(numbered).unwrap_or_default())
+}
+
+/// Tells about the objects and the missing pieces of an attempt; its number is filled in by the caller.
+fn explanation(environment: &Environment<'_>, furnished: &Furnished) -> Explanation {
+    let agent_of = |class: usize, number: u32| {
+        let is_it = |&agent: &AgentIndex| {
+            let piece = &environment.agents[agent].piece;
+            (piece.class, piece.number) == (class, number)
+        };
+        (0..environment.agents.len()).find(is_it)
+    };
+    let agents = furnished.placements.iter().filter_map(|object| agent_of(object.class, object.number));
+    let missed = (0..environment.agents.len()).filter(|&agent| is_missed(&environment.agents[agent]));
+    let missing = missed.zip(&furnished.removals).map(|(agent, removal)| MissingStory {
+        id: id(environment, agent),
+        reason: removal.reason.name(),
+        is_required: removal.is_required,
+        search: search_story(environment, agent),
+        walls: survey_walls(environment, agent).map(|survey| WallStory {
+            places: survey.places,
+            refused: refusals(environment, agent, &survey.refused),
+        }),
+        parents: parents(environment, agent),
+    });
+    Explanation {
+        attempts: 0,
+        kept: 0,
+        objects: agents.map(|agent| object_story(environment, agent)).collect(),
+        missing: missing.collect(),
+    }
+}
+
+fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory {
+    let mut wishes = Vec::new();
+    if let Some(rest) = environment.agents[agent].rest() {
+        let place = Place { pose: rest.pose, parent: rest.parent, side: rest.side };
+        weigh(environment, agent, &place, |ground, points| match ground {
+            Ground::Wish(relation) => wishes.push(wish(environment, (agent, &place), relation, points)),
+            Ground::BeforeWindow => wishes.push(fault("before a window", points)),
+            Ground::SuitsWall => wishes.push(Wish { is_met: true, ..fault("fills its wall", points) }),
+            Ground::TakesSeat => wishes.push(fault("takes the place of a seat", points)),
+            Ground::Tight { takes, lacks } => {
+                let faults = [
+                    (takes, "takes of the space that is good for others"),
+                    (lacks, "has less space than is good"),
+                ];
+                let each = points / faults.iter().filter(|(is_so, _)| *is_so).count() as f64;
+                let faults = faults.iter().filter(|(is_so, _)| *is_so);
+                wishes.extend(faults.map(|(_, about)| fault(about, each)));
+            }
+        });
+    }
+    let score = wishes.iter().map(|wish| wish.points).sum();
+    ObjectStory { id: id(environment, agent), score, wishes, search: search_story(environment, agent) }
+}
+
+/// Something about a place that is no wish; bad unless said otherwise.
+fn fault(about: &'static str, points: f64) -> Wish {
+    Wish {
+        about,
+        target: String::new(),
+        is_met: false,
+        decided_by: None,
+        distance: None,
+        angle: None,
+        weight: 0.0,
+        points,
+    }
+}
+
+fn wish(
+    environment: &Environment<'_>,
+    (agent, place): (AgentIndex, &Place),
+    relation: &Relation,
+    points: f64,
+) -> Wish {
+    let measured = match relation.kind {
+        RelationKind::NotBefore => None,
+        _ => measure(environment, agent, place, relation),
+    };
+    let has_direction = matches!(relation.kind, RelationKind::Faces | RelationKind::Opposite);
+    Wish {
+        about: relation_word(relation.kind),
+        target: target_name(environment, &relation.target),
+        is_met: match relation.kind {
+            // Farther is better without an end: from the lower distance on it is far enough.
+            RelationKind::AwayFrom => measured.is_none_or(|found| found.distance >= relation.distance.0),
+            _ => points >= relation.weight,
+        },
+        decided_by: measured.map(|measured| decider(environment, &relation.target, &measured)),
+        distance: measured.map(|measured| measured.distance),
+        angle: measured.filter(|_| has_direction).map(|measured| measured.angle.to_degrees()),
+        weight: relation.weight,
+        points,
+    }
+}
+
+fn search_story(environment: &Environment<'_>, agent: AgentIndex) -> SearchStory {
+    let Some(trace) = &environment.trace else { return SearchStory::default() };
+    let trace = trace.borrow();
+    let record = trace.record(agent);
+    SearchStory {
+        searches: record.searches,
+        places: record.places,
+        was_sent_away: environment.agents[agent].is_in_the_way,
+        was_pushed: record.was_pushed,
+        refused: refusals(environment, agent, &record.refused),
+    }
+}
+
+/// Counts by reason and by what stood in the way, as stories.
+fn refusals(environment: &Environment<'_>, agent: AgentIndex, refused: &Refused) -> Vec<Refusal> {
+    let stories = |wanted: RemovalReason| {
+        let of_reason = refused.obstacles.iter().filter(|((reason, _), _)| *reason == wanted);
+        let mut stories: Vec<ObstacleStory> = of_reason
+            .map(|((_, obstacle), &places)| ObstacleStory {
+                name: obstacle_name(environment, agent, *obstacle),
+                places,
+            })
+            .collect();
+        stories.sort_by(|a, b| b.places.cmp(&a.places).then_with(|| a.name.cmp(&b.name)));
+        stories
+    };
+    let refusal = |(&reason, &places): (&RemovalReason, &u32)| Refusal {
+        reason: reason.name(),
+        places,
+        obstacles: stories(reason),
+    };
+    let mut refusals: Vec<Refusal> = refused.by_reason.iter().map(refusal).collect();
+    refusals.sort_by_key(|refusal| Reverse(refusal.places));
+    refusals
+}
+
+/// The resting objects that a class names as parents, with the sides that it would take.
+fn parents(environment: &Environment<'_>, agent: AgentIndex) -> Vec<ParentStory> {
+    let mut stories = Vec::new();
+    for rule in &environment.class(agent).parents {
+        let ParentName::Classes(classes) = &rule.parent else { continue };
+        for parent in environment.resting_of(classes) {
+            for &side in &rule.sides {
+                let places = environment.class(parent).offer(side).places;
+                let taken = environment.agents[parent].taken[side.index()];
+                if places > 0 {
+                    stories.push(ParentStory { id: id(environment, parent), side, taken, places });
+                }
+            }
+        }
+    }
+    stories
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::{Count, Untidiness};
+    use crate::layout::tests::{WIDE, catalog, level};
+
+    const DESK: usize = 1;
+    const SHELF: usize = 4;
+
+    /// Desks, then shelves, in a room of two by two metres at most.
+    fn small_room(desks: u32, shelves: u32) -> (Furnished, Explanation) {
+        let corners: Vec<(f64, f64)> = WIDE.iter().map(|&(x, y)| (x / 3.0, y / 3.0)).collect();
+        let programme = [(DESK, Count::Fixed(desks)), (SHELF, Count::Fixed(shelves))];
+        let catalog = catalog(&programme, Untidiness::default());
+        let options = FurnishOptions { seed: 1, building: "test", style: None };
+        explain(&level(&corners), 0, &catalog, &options)
+    }
+
+    #[test]
+    fn who_finds_no_place_says_what_stood_there_most() {
+        let (furnished, told) = small_room(1, 3);
+        assert_eq!(told.objects.len(), furnished.placements.len());
+        assert_eq!(told.missing.len(), furnished.removals.len());
+        let shelf = told.missing.last().expect("the room is too small for all of them");
+        let walls = shelf.walls.as_ref().expect("a shelf goes to a wall");
+        let refused: u32 = walls.refused.iter().map(|refusal| refusal.places).sum();
+        assert!(shelf.id.starts_with("shelf.") && walls.places > 0 && refused == walls.places, "{walls:?}");
+        assert!(walls.refused.is_sorted_by(|a, b| a.places >= b.places));
+        let known = |name: &str| {
+            let objects = told.objects.iter().any(|object| name.contains(&object.id));
+            objects || name.contains("wall.") || name == "door:1"
+        };
+        let obstacles = walls.refused.iter().flat_map(|refusal| &refusal.obstacles);
+        assert!(obstacles.clone().any(|obstacle| obstacle.name == "door:1"), "{walls:?}");
+        assert!(obstacles.clone().all(|obstacle| known(&obstacle.name)), "{walls:?}");
+    }
+
+    #[test]
+    fn places_are_free_or_refused_and_attempts_are_counted() {
+        let (_, alone) = small_room(0, 1);
+        assert_eq!((alone.attempts, alone.kept, alone.missing.len()), (1, 1, 0));
+        let (_, crowded) = small_room(1, 3);
+        assert!(crowded.attempts > 1 && (1..=crowded.attempts).contains(&crowded.kept));
+        let stories = crowded.objects.iter().map(|object| &object.search);
+        for (story, is_placed) in
+            stories.map(|story| (story, 1)).chain(crowded.missing.iter().map(|piece| (&piece.search, 0)))
+        {
+            let refused: u32 = story.refused.iter().map(|refusal| refusal.places).sum();
+            assert!(story.searches > 0 && refused + is_placed <= story.places, "{story:?}");
+        }
+    }
+}

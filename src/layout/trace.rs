@@ -1,0 +1,147 @@
+//! What agents meet on their search, for `explain`. Where nobody listens it costs a look at a field for each
+//! refused place, and nothing for those that are free.
+
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::agent::AgentIndex;
+use super::environment::{Environment, Place};
+use super::furnished::RemovalReason;
+use super::rules::unmet_need;
+
+/// What all agents of an attempt met.
+pub(crate) struct Trace {
+    /// By agent.
+    records: Vec<Record>,
+    /// How many of the regions that are kept free belong to openings; the others were cleared by repair.
+    pub(crate) opening_region_count: usize,
+}
+
+/// What one agent met, over all its searches.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Record {
+    /// How often it searched, in any size.
+    pub(crate) searches: u32,
+    /// Whether it was pushed, as the head of its group.
+    pub(crate) was_pushed: bool,
+    /// Places that were tested.
+    pub(crate) places: u32,
+    /// Those that were refused.
+    pub(crate) refused: Refused,
+}
+
+/// Refused places.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Refused {
+    /// How many, by reason.
+    pub(crate) by_reason: BTreeMap<RemovalReason, u32>,
+    /// What stood in the way; a place may be refused because of several things.
+    pub(crate) obstacles: BTreeMap<(RemovalReason, Obstacle), u32>,
+}
+
+impl Refused {
+    /// Counts a place.
+    pub(crate) fn add(&mut self, reason: RemovalReason, obstacles: BTreeSet<Obstacle>) {
+        *self.by_reason.entry(reason).or_default() += 1;
+        for obstacle in obstacles {
+            *self.obstacles.entry((reason, obstacle)).or_default() += 1;
+        }
+    }
+}
+
+/// Something that keeps an agent from a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Obstacle {
+    /// The body of another agent.
+    Body(AgentIndex),
+    /// The clearance of another agent.
+    ClearanceOf(AgentIndex),
+    /// A body in the agent's own clearance.
+    InOwnClearance(AgentIndex),
+    /// A wall that leaves the agent's own clearance no room.
+    WallInOwnClearance(usize),
+    /// A column in the agent's own clearance.
+    ColumnInOwnClearance,
+    /// A wall through the agent's body.
+    Wall(usize),
+    /// Not even the middle lies in the room.
+    BeyondWalls,
+    /// A column.
+    Column,
+    /// The swing or approach of an opening, by index into the level's openings.
+    Opening(usize),
+    /// A way that was closed before and is kept free now.
+    Way,
+    /// There is no wall behind what hangs.
+    NoWall,
+    /// The floor or the ceiling.
+    Height,
+    /// A window that it would darken.
+    WindowBehind,
+    /// The place of somebody who sits.
+    Seat,
+    /// The agent would have less room itself than is good.
+    OwnComfort,
+    /// A needed relation, by index in the class.
+    Relation(usize),
+}
+
+impl Trace {
+    /// Nothing has happened yet.
+    pub(crate) fn new(environment: &Environment<'_>) -> RefCell<Self> {
+        RefCell::new(Self {
+            records: vec![Record::default(); environment.agents.len()],
+            opening_region_count: environment.surroundings.kept_free.len(),
+        })
+    }
+
+    /// What an agent met.
+    pub(crate) fn record(&self, agent: AgentIndex) -> &Record {
+        &self.records[agent]
+    }
+}
+
+impl Environment<'_> {
+    /// An agent begins to search.
+    pub(crate) fn note_search(&self, agent: AgentIndex) {
+        if let Some(trace) = &self.trace {
+            trace.borrow_mut().records[agent].searches += 1;
+        }
+    }
+
+    /// A place was free.
+    pub(crate) fn note_free(&self, agent: AgentIndex) {
+        if let Some(trace) = &self.trace {
+            trace.borrow_mut().records[agent].places += 1;
+        }
+    }
+
+    /// A group was pushed; its head tells.
+    pub(crate) fn note_push(&self, agent: AgentIndex) {
+        if let Some(trace) = &self.trace {
+            trace.borrow_mut().records[agent].was_pushed = true;
+        }
+    }
+
+    /// A place was refused.
+    pub(crate) fn note_refusal(&self, agent: AgentIndex, place: &Place, reason: RemovalReason) {
+        if self.trace.is_some() {
+            self.record_refusal(agent, place, reason);
+        }
+    }
+
+    #[cold]
+    fn record_refusal(&self, agent: AgentIndex, place: &Place, reason: RemovalReason) {
+        let Some(trace) = &self.trace else { return };
+        let opening_region_count = trace.borrow().opening_region_count;
+        let obstacles = match reason {
+            RemovalReason::Relation => {
+                unmet_need(self, agent, place).map(Obstacle::Relation).into_iter().collect()
+            }
+            _ => self.obstacles(agent, place, (reason, opening_region_count)),
+        };
+        let record = &mut trace.borrow_mut().records[agent];
+        record.places += 1;
+        record.refused.add(reason, obstacles);
+    }
+}
