@@ -12,7 +12,7 @@ use super::resolve::{
     resolve_words,
 };
 use super::table::{Extends, Table};
-use super::{Catalog, Class, DEFAULT_STYLE, DefinitionKind};
+use super::{Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin};
 use crate::document::{Fault, Faults, Warned};
 use crate::plan::GENERIC_ROOM_TYPE;
 
@@ -90,7 +90,7 @@ fn check_indispensable(definitions: &Definitions, report: &mut Report<'_>) {
     }
 }
 
-fn find_origins(definitions: &Definitions, files: &Files) -> BTreeMap<(DefinitionKind, String), PathBuf> {
+fn find_origins(definitions: &Definitions, files: &Files) -> BTreeMap<(DefinitionKind, String), Origin> {
     let mut origins = BTreeMap::new();
     add_origins(&definitions.classes, DefinitionKind::Class, files, &mut origins);
     add_origins(&definitions.room_types, DefinitionKind::RoomType, files, &mut origins);
@@ -103,11 +103,28 @@ fn add_origins<T: Extends>(
     table: &Table<T>,
     kind: DefinitionKind,
     files: &Files,
-    origins: &mut BTreeMap<(DefinitionKind, String), PathBuf>,
+    origins: &mut BTreeMap<(DefinitionKind, String), Origin>,
 ) {
     for id in table.ids() {
         let definition = table.get(id).expect("the id comes from the table");
-        let file = files.sources[definition.spot.source].file();
-        origins.insert((kind, id.to_owned()), file.to_owned());
+        let source = &files.sources[definition.spot.source];
+        let origin = Origin {
+            file: source.file().to_owned(),
+            line: line_of(source.text(), id),
+            extends: definition.entry.base().map(str::to_owned),
+        };
+        origins.insert((kind, id.to_owned()), origin);
     }
+}
+
+/// The line on which an id is defined: of the lines that begin with it as a key, the one that is indented least,
+/// but is no key of the file itself. Parsing the tree once more for this would cost as much as all the rest.
+fn line_of(text: &str, id: &str) -> Option<usize> {
+    let indent = |line: &str| line.len() - line.trim_start().len();
+    let defines = |line: &str| {
+        let key = line.trim_start().trim_start_matches('"').strip_prefix(id);
+        key.is_some_and(|rest| rest.trim_start_matches('"').trim_start().starts_with(':'))
+    };
+    let lines = text.lines().enumerate().filter(|(_, line)| indent(line) > 0 && defines(line));
+    lines.min_by_key(|(_, line)| indent(line)).map(|(index, _)| index + 1)
 }

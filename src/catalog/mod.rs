@@ -55,11 +55,21 @@ pub struct Catalog {
     pub room_words: RoomWords,
     /// What the audit calls a fault.
     pub audit: AuditRules,
-    /// The file in which each definition is written: the last one where later folders replace earlier ones.
-    /// Built-in files stand below `configs/`.
-    pub origins: BTreeMap<(DefinitionKind, String), PathBuf>,
+    /// Where each definition is written: the last place where later folders replace earlier ones.
+    pub origins: BTreeMap<(DefinitionKind, String), Origin>,
     /// SHA-256 over all configuration and model files that were read.
     pub digest: [u8; 32],
+}
+
+/// Where a definition is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// The file; built-in ones stand below `configs/`.
+    pub file: PathBuf,
+    /// The line of its id, counted from 1, where the file writes it in a line of its own.
+    pub line: Option<usize>,
+    /// What it extends.
+    pub extends: Option<String>,
 }
 
 /// What a definition in `configs/` defines.

@@ -21,7 +21,9 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     let mut lines = Lines::default();
     lines.add("label", &class.label);
     lines.add("groups", &class.groups.join(", "));
-    lines.add_all("size", class.sizes.iter().map(show_size));
+    let spare = |index: usize| if index < class.usual_sizes { "" } else { ", where no larger one fits" };
+    let sizes = class.sizes.iter().enumerate();
+    lines.add_all("size", sizes.map(|(index, size)| show_size(size) + spare(index)));
     lines.add("looks", &format!("{} of each size", class.looks));
     lines.add("shape", &show_shape(&class.shape));
     lines.add_all("stands", class.parents.iter().map(|rule| show_parent(catalog, rule)));
@@ -66,7 +68,7 @@ fn word<T: serde::Serialize>(value: T) -> String {
 
 fn show_parent(catalog: &Catalog, rule: &ParentRule) -> String {
     let sides: Vec<&str> = rule.sides.iter().map(|side| side.name()).collect();
-    let parents = parent_names(catalog, &rule.parent).join(", ");
+    let parents = show_target(catalog, &rule.parent);
     let mut text = format!("{} of {parents}; turned {}", sides.join(", "), word(rule.orientation.turn));
     if rule.orientation.jitter > 0.0 {
         text += &format!(" ± {}°", degrees(rule.orientation.jitter));
@@ -84,6 +86,14 @@ fn show_parent(catalog: &Catalog, rule: &ParentRule) -> String {
     text
 }
 
+/// A room part, a group, or classes.
+fn show_target(catalog: &Catalog, target: &ParentName) -> String {
+    match target {
+        ParentName::Classes(classes) => catalog.class_names(classes),
+        part => parent_names(catalog, part).join(", "),
+    }
+}
+
 fn show_offers(class: &Class) -> String {
     let offers = Side::ALL.into_iter().filter(|&side| class.offer(side).places > 0);
     let offers: Vec<String> =
@@ -92,7 +102,7 @@ fn show_offers(class: &Class) -> String {
 }
 
 fn show_relation(catalog: &Catalog, relation: &Relation) -> String {
-    let targets = parent_names(catalog, &relation.target).join(", ");
+    let targets = show_target(catalog, &relation.target);
     format!(
         "{} {targets}, {} m, weight {}{}",
         word(relation.kind),

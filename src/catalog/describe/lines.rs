@@ -10,7 +10,7 @@ impl Lines {
     /// Adds a fact; one without text is left out.
     pub(super) fn add(&mut self, name: &str, text: &str) {
         if !text.is_empty() {
-            self.0.push((name.to_owned(), text.to_owned()));
+            self.add_all(name, broken(text));
         }
     }
 
@@ -26,6 +26,26 @@ impl Lines {
         let width = self.0.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
         self.0.iter().map(|(name, text)| format!("  {name:width$}  {text}\n")).collect()
     }
+}
+
+/// Letters of a fact's line from which on it goes on in the next.
+const LONGEST: usize = 92;
+
+/// A text in lines, broken at spaces.
+fn broken(text: &str) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let length = lines.last().map_or(0, |line| line.chars().count());
+        if length > 0 && length + 1 + word.chars().count() > LONGEST {
+            lines.push(String::new());
+        }
+        let line = lines.last_mut().expect("there is always a line");
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    lines
 }
 
 /// Rows with their columns aligned, each ended by a newline.

@@ -3,6 +3,7 @@
 mod class;
 mod lines;
 mod palette;
+mod plan;
 mod programme;
 mod room;
 mod style;
@@ -11,7 +12,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::{Catalog, DefinitionKind};
+use super::{Catalog, DefinitionKind, Style};
 use crate::document::{Fault, Faults, did_you_mean};
 use lines::Lines;
 
@@ -90,7 +91,7 @@ fn describe_kind(catalog: &Catalog, kind: DefinitionKind) -> Description {
             DefinitionKind::Style => style::summary(catalog, id),
             DefinitionKind::Palette => palette::summary(catalog, id),
         };
-        let file = origin(catalog, kind, id);
+        let file = file_of(catalog, kind, id);
         values.push(describe_one(catalog, kind, id).map(|description| description.value));
         rows.push([id.to_owned(), label, fact, file]);
     }
@@ -102,18 +103,41 @@ fn describe_one(catalog: &Catalog, kind: DefinitionKind, id: &str) -> Option<Des
     let (mut lines, mut value) = match kind {
         DefinitionKind::Class => class::describe_class(catalog, catalog.class_index(id)?),
         DefinitionKind::RoomType => room::describe_room_type(catalog, catalog.room_types.get(id)?),
-        DefinitionKind::Style => style::describe_style(catalog, catalog.styles.get(id)?),
+        DefinitionKind::Style => {
+            style::describe_style(catalog, catalog.styles.get(id)?, base_style(catalog, id))
+        }
         DefinitionKind::Palette => palette::describe_palette(catalog, catalog.palettes.get(id)?),
     };
-    let file = origin(catalog, kind, id);
-    lines.add("written in", &file);
+    let file = file_of(catalog, kind, id);
+    let origin = catalog.origins.get(&(kind, id.to_owned()));
+    let line = origin.and_then(|origin| origin.line);
+    let base = origin.and_then(|origin| origin.extends.as_deref());
+    lines.add("extends", base.unwrap_or_default());
+    lines.add("written in", &line.map_or_else(|| file.clone(), |line| format!("{file}:{line}")));
     value["file"] = json!(file);
+    value["line"] = json!(line);
+    value["extends"] = json!(base);
     value["id"] = json!(id);
-    Some(Description { text: format!("{} {id}\n{}", kind.name(), lines.text()), value })
+    let mut text = format!("{} {id}\n{}", kind.name(), lines.text());
+    if let (DefinitionKind::Class, Some(class)) = (kind, catalog.class_index(id)) {
+        text += "\n";
+        text.extend(
+            plan::plan(&catalog.classes[class])
+                .iter()
+                .map(|line| format!("  {line}").trim_end().to_owned() + "\n"),
+        );
+    }
+    Some(Description { text, value })
+}
+
+/// The style that another extends; one that replaces an earlier one of its own name has none to compare with.
+fn base_style<'a>(catalog: &'a Catalog, id: &str) -> Option<&'a Style> {
+    let base = catalog.origins.get(&(DefinitionKind::Style, id.to_owned()))?.extends.as_ref()?;
+    catalog.styles.get(base).filter(|style| style.id != id)
 }
 
 /// The file that defines it, with `/` on every system.
-fn origin(catalog: &Catalog, kind: DefinitionKind, id: &str) -> String {
-    let file = catalog.origins.get(&(kind, id.to_owned()));
-    file.map(|file| file.display().to_string().replace('\\', "/")).unwrap_or_default()
+fn file_of(catalog: &Catalog, kind: DefinitionKind, id: &str) -> String {
+    let origin = catalog.origins.get(&(kind, id.to_owned()));
+    origin.map(|origin| origin.file.display().to_string().replace('\\', "/")).unwrap_or_default()
 }

@@ -13,26 +13,58 @@ pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
     catalog.styles.get(id).map(|style| (style.label.clone(), show_room_types(style))).unwrap_or_default()
 }
 
+type Programmes = BTreeMap<String, Vec<Request>>;
+
+/// A fact about a style, as people read it.
+type Show = fn(&Style) -> String;
+
+/// Programmes of a style.
+type Select = fn(&Style) -> &Programmes;
+
+/// What a style says besides programmes.
+const FACTS: [(&str, Show); 5] = [
+    ("made for", show_room_types),
+    ("geometry", |style| style.geometry.clone()),
+    ("palette", |style| style.palette.clone()),
+    ("untidiness", |style| {
+        format!("{}°, {} m", degrees(style.untidiness.turn), rounded(style.untidiness.distance))
+    }),
+    ("density", |style| rounded(style.density).to_string()),
+];
+
+/// A fact, with that of the style that is extended where it is another.
+fn compared(style: &Style, base: Option<&Style>, show: Show) -> String {
+    let own = show(style);
+    match base.map(|base| (show(base), &base.id)) {
+        Some((other, id)) if other != own => format!("{own} (in {id}: {other})"),
+        _ => own,
+    }
+}
+
 fn show_room_types(style: &Style) -> String {
     if style.room_types.is_empty() { "all rooms".to_owned() } else { style.room_types.join(", ") }
 }
 
-/// Everything about a style.
-pub(super) fn describe_style(catalog: &Catalog, style: &Style) -> (Lines, Value) {
+/// Everything about a style, and what it changes of the one that it extends.
+pub(super) fn describe_style(catalog: &Catalog, style: &Style, base: Option<&Style>) -> (Lines, Value) {
     let untidiness = style.untidiness;
     let mut lines = Lines::default();
     lines.add("label", &style.label);
-    lines.add("made for", &show_room_types(style));
-    lines.add("geometry", &style.geometry);
-    lines.add("palette", &style.palette);
-    lines.add("untidiness", &format!("{}°, {} m", degrees(untidiness.turn), rounded(untidiness.distance)));
-    lines.add("density", &rounded(style.density).to_string());
-    for (room_type, programme) in &style.programmes {
-        lines.add_all(room_type, programme.iter().map(|request| show_request(catalog, request)));
+    for (name, show) in FACTS {
+        lines.add(name, &compared(style, base, show));
     }
-    for (room_type, programme) in &style.additions {
-        let lines_of = programme.iter().map(|request| show_request(catalog, request));
-        lines.add_all(&format!("{room_type}, also"), lines_of);
+    let inherited = |room_type: &str, of: Select| {
+        base.filter(|base| of(base).get(room_type) == of(style).get(room_type)).map(|base| &base.id)
+    };
+    let kinds: [(&str, Select); 2] = [("", |style| &style.programmes), (", also", |style| &style.additions)];
+    for (suffix, of) in kinds {
+        for (room_type, programme) in of(style) {
+            let name = format!("{room_type}{suffix}");
+            match inherited(room_type, of) {
+                Some(base) => lines.add(&name, &format!("as in {base}")),
+                None => lines.add_all(&name, programme.iter().map(|request| show_request(catalog, request))),
+            }
+        }
     }
     let value = json!({
         "label": style.label,

@@ -1,6 +1,7 @@
 //! The configuration that comes with the program.
 
-use crate::catalog::{DEFAULT_STYLE, MATERIAL_SLOTS, builtin_files, load_catalog};
+use crate::catalog::{DEFAULT_STYLE, MATERIAL_SLOTS, builtin_file, builtin_files, load_catalog};
+use crate::document::Source;
 
 #[test]
 fn it_loads_without_faults_or_warnings() {
@@ -17,8 +18,12 @@ fn it_loads_without_faults_or_warnings() {
 #[test]
 fn every_definition_has_an_origin() {
     let catalog = load_catalog(&[]).unwrap().value;
-    for ((kind, id), file) in &catalog.origins {
-        assert!(file.starts_with("configs"), "{kind:?} {id} is written in {}", file.display());
+    for ((kind, id), origin) in &catalog.origins {
+        let file = origin.file.strip_prefix("configs").unwrap_or_else(|_| panic!("{kind:?} {id}"));
+        let text = builtin_file(&file.display().to_string().replace('\\', "/")).unwrap();
+        let table = ["classes", "room_types", "styles", "palettes"][*kind as usize];
+        let key = Source::new(file, text).fault_of_key(&[table.into(), id.as_str().into()], "", None);
+        assert_eq!(origin.line, key.position.map(|(line, _)| line), "{kind:?} {id}");
     }
 }
 

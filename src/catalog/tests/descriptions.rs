@@ -5,8 +5,8 @@ use crate::catalog::{Catalog, DefinitionKind, describe, load_catalog};
 
 fn base() -> Catalog {
     let (mut catalog, _) = load_above_base(&[]).unwrap();
-    for file in catalog.origins.values_mut() {
-        *file = file.file_name().unwrap().into();
+    for origin in catalog.origins.values_mut() {
+        origin.file = origin.file.file_name().unwrap().into();
     }
     catalog
 }
@@ -27,7 +27,19 @@ fn a_class_tells_everything() {
   model       recipe table
   children    chair
   asked for   office
-  written in  furniture.yaml
+  written in  furniture.yaml:4
+
+            back
+  ########################
+  ########################
+  ########################
+  ########################
+  ########################
+  ########################
+  ########################
+  ########################
+            front
+  one letter is 0.05 m wide
 ";
     assert_eq!(description.text, expected);
     assert_eq!(description.value["sizes"], serde_json::json!([[1.2, 0.8, 0.75]]));
@@ -49,7 +61,7 @@ fn a_room_type_lists_its_programme() {
   holds       1 table
               2 per table: chair
   styles      default
-  written in  rooms.yaml
+  written in  rooms.yaml:5
 ";
     assert_eq!(description.text, expected);
     let count = &description.value["programme"][1]["count"];
@@ -69,6 +81,30 @@ table  Table  1.2 × 0.8 × 0.75 m  furniture.yaml
     let all = describe(&catalog, None, None).unwrap();
     assert_eq!(all.text, "  classes     3\n  room types  2\n  styles      1\n  palettes    1\n");
     assert_eq!(all.value["room_types"], 2);
+}
+
+#[test]
+fn a_style_tells_what_it_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("styles")).unwrap();
+    let text = "version: 1
+styles:
+  full:
+    extends: default
+    density: 2
+    additions: {office: [{class: chair, count: 1}]}
+  fuller:
+    extends: full
+    untidiness: {turn: 3}
+";
+    std::fs::write(folder.path().join("styles/more.yaml"), text).unwrap();
+    let (catalog, _) = load_above_base(&[folder.path().to_owned()]).unwrap();
+    let text = |id: &str| describe(&catalog, Some(DefinitionKind::Style), Some(id)).unwrap().text;
+    assert!(text("full").contains("2 (in default: 1)"), "{}", text("full"));
+    assert!(text("full").contains("office, also  1 chair"), "{}", text("full"));
+    assert!(text("fuller").contains("3°, 0 m (in full: 0°, 0 m)"), "{}", text("fuller"));
+    assert!(text("fuller").contains("office, also  as in full") && !text("fuller").contains("(in full: 2)"));
+    assert!(text("fuller").contains("more.yaml:7\n"), "{}", text("fuller"));
 }
 
 #[test]

@@ -264,8 +264,13 @@ fn origins_name_the_last_file() {
     let folder =
         folder(&[("classes/deep/a.yaml", "version: 1\nclasses: {table: {extends: table, looks: 2}}\n")]);
     let (catalog, _) = load_above_base(&[folder.path().to_owned()]).unwrap();
-    let file = &catalog.origins[&(crate::catalog::DefinitionKind::Class, "table".to_owned())];
-    assert_eq!(file, &folder.path().join("classes/deep/a.yaml"));
+    let origin = &catalog.origins[&(crate::catalog::DefinitionKind::Class, "table".to_owned())];
+    assert_eq!(origin.file, folder.path().join("classes/deep/a.yaml"));
+    assert_eq!(
+        (origin.extends.as_deref(), origin.line),
+        (Some("table"), None),
+        "its line begins with another key"
+    );
 }
 
 #[test]
