@@ -96,7 +96,7 @@ fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory
         weigh(environment, agent, &place, |ground, points| match ground {
             Ground::Wish(relation) => wishes.push(wish(environment, (agent, &place), relation, points)),
             Ground::BeforeWindow => wishes.push(fault("before a window", points)),
-            Ground::SuitsWall => wishes.push(Wish { is_met: true, ..fault("fills its wall", points) }),
+            Ground::SuitsWall => wishes.push(Wish { is_met: true, ..fault("its wall suits it", points) }),
             Ground::TakesSeat => wishes.push(fault("takes the place of a seat", points)),
             Ground::Tight { takes, lacks } => {
                 let faults = [
