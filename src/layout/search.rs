@@ -46,7 +46,8 @@ pub(crate) fn search(
             choice.consider(&view, &poses, &mut failures);
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
                 poses.clear();
-                rules::propose_scan(&view, &mut stream, &mut poses);
+                let is_thorough = piece.is_required && choice.best.is_none() && fallback.is_none();
+                rules::propose_scan(&view, is_thorough, &mut stream, &mut poses);
                 choice.consider(&view, &poses, &mut failures);
             }
             if choice.left == 0 {

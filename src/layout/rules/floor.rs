@@ -38,7 +38,7 @@ pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose
 }
 
 /// Poses on a regular lattice over the whole room, in a fixed order.
-pub(super) fn scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
+pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, poses: &mut Vec<Pose>) {
     if view.rule.along == Along::Ends && is_built_in(view) {
         return;
     }
@@ -46,7 +46,7 @@ pub(super) fn scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
     let (low, high) = region.outline.bounds();
     let size = high - low;
     let (finest, most) =
-        if view.is_required() { (SCAN_STEP / 2.0, 2.0 * SCAN_POINTS) } else { (SCAN_STEP, SCAN_POINTS) };
+        if is_thorough { (SCAN_STEP / 2.0, 2.0 * SCAN_POINTS) } else { (SCAN_STEP, SCAN_POINTS) };
     let step = finest.max((size.x * size.y / most).sqrt());
     let (columns, rows) = ((size.x / step) as usize, (size.y / step) as usize);
     for row in 0..=rows {
@@ -57,7 +57,7 @@ pub(super) fn scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
             }
         }
     }
-    if view.is_required() && view.rule.orientation.turn == Turn::Quarter {
+    if is_thorough && view.rule.orientation.turn == Turn::Quarter {
         add_all_turns(view, poses);
     }
 }

@@ -38,13 +38,6 @@ pub(crate) struct View<'a> {
     pub(crate) side: Side,
 }
 
-impl View<'_> {
-    /// Whether the room cannot do without the agent.
-    pub(crate) fn is_required(&self) -> bool {
-        self.environment.agents[self.agent].piece.is_required
-    }
-}
-
 /// Appends the poses that an agent would take at a side of a parent, best first.
 pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses: &mut Vec<Pose>) {
     if let (Some(grid), ParentPart::Floor | ParentPart::Ceiling) = (&view.class.grid, view.parent) {
@@ -64,12 +57,12 @@ pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses
     }
 }
 
-/// Appends a regular scan of a floor, ceiling or top, or of a wall for what the room cannot do without, for an agent
-/// that found no place at random.
-pub(crate) fn propose_scan(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
+/// Appends a regular scan of a floor, ceiling or top for an agent that found no good place at random; a thorough one
+/// is finer, tries every turn and walls too: for what has no place at all and cannot be missed.
+pub(crate) fn propose_scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, poses: &mut Vec<Pose>) {
     match (view.parent, view.side) {
-        (ParentPart::Floor | ParentPart::Ceiling, _) => floor::scan(view, stream, poses),
-        (ParentPart::Wall(wall), _) if view.is_required() => wall::scan(view, wall, stream, poses),
+        (ParentPart::Floor | ParentPart::Ceiling, _) => floor::scan(view, is_thorough, stream, poses),
+        (ParentPart::Wall(wall), _) if is_thorough => wall::scan(view, wall, stream, poses),
         (ParentPart::Agent(parent), Side::Above) => surface::scan(view, parent, stream, poses),
         _ => {}
     }
