@@ -156,6 +156,7 @@ fn room(region: Region) -> Room {
         name: None,
         room_type: "office".into(),
         style: None,
+        dwelling: None,
         region,
         height: 2.5,
         walls,

@@ -8,11 +8,11 @@ use super::digest::finish_digest;
 use super::read::{Definitions, Files};
 use super::report::Report;
 use super::resolve::{
-    Names, StyleWorld, resolve_audit, resolve_classes, resolve_palettes, resolve_room_types, resolve_styles,
-    resolve_words,
+    BuildingStyleWorld, Names, StyleWorld, resolve_audit, resolve_building_styles, resolve_classes,
+    resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
 };
 use super::table::{Extends, Table};
-use super::{Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin};
+use super::{BuildingStyle, Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin, Style};
 use crate::document::{Fault, Faults, Warned};
 use crate::plan::GENERIC_ROOM_TYPE;
 
@@ -56,7 +56,10 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
         StyleWorld { names: &names, room_types: &definitions.room_types, palettes: &definitions.palettes };
     let styles = resolve_styles(&definitions.styles.chains(report), &world, report);
     check_programmes(&room_types, &styles, &names, report);
-    let room_words = resolve_words(&definitions.words, &definitions.room_types, &definitions.styles, report);
+    let styles = by_id(styles.into_iter().map(|resolved| resolved.style), |one| &one.id);
+    let building_styles = building_styles(definitions, &styles, report);
+    let style_words = definitions.styles.ids().chain(definitions.building_styles.ids());
+    let room_words = resolve_words(&definitions.words, &definitions.room_types, style_words, report);
     let audit = resolve_audit(&definitions.audit, report);
     check_indispensable(definitions, report);
 
@@ -65,12 +68,23 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
         digest: finish_digest(files.digest(), &classes, report),
         classes,
         room_types: by_id(room_types.into_iter().map(|resolved| resolved.room_type), |one| &one.id),
-        styles: by_id(styles.into_iter().map(|resolved| resolved.style), |one| &one.id),
+        styles,
+        building_styles: by_id(building_styles, |one| &one.id),
         palettes: by_id(palettes, |one| &one.id),
         room_words,
         audit,
         origins: find_origins(definitions, files),
     }
+}
+
+fn building_styles(
+    definitions: &Definitions,
+    styles: &BTreeMap<String, Style>,
+    report: &mut Report<'_>,
+) -> Vec<BuildingStyle> {
+    let Definitions { room_types, styles: style_table, building_styles, .. } = definitions;
+    let world = BuildingStyleWorld { room_types, style_table, styles };
+    resolve_building_styles(&building_styles.chains(report), &world, report)
 }
 
 fn by_id<T>(values: impl IntoIterator<Item = T>, id: impl Fn(&T) -> &String) -> BTreeMap<String, T> {
@@ -95,6 +109,7 @@ fn find_origins(definitions: &Definitions, files: &Files) -> BTreeMap<(Definitio
     add_origins(&definitions.classes, DefinitionKind::Class, files, &mut origins);
     add_origins(&definitions.room_types, DefinitionKind::RoomType, files, &mut origins);
     add_origins(&definitions.styles, DefinitionKind::Style, files, &mut origins);
+    add_origins(&definitions.building_styles, DefinitionKind::BuildingStyle, files, &mut origins);
     add_origins(&definitions.palettes, DefinitionKind::Palette, files, &mut origins);
     origins
 }

@@ -5,6 +5,7 @@
 //! table; sizes are positive; every palette fills every slot; no class has itself as its only ancestor.
 
 mod audit;
+mod building_style;
 mod builtin;
 mod check;
 mod class;
@@ -28,6 +29,7 @@ pub use audit::{
     AlignmentRules, AuditRules, BalanceRules, BedRules, BodyRules, ClearanceRules, DoorRules, FacingRules,
     FulfilmentRules, ScoreRules, ScreenRules, WalkingRules, WetRoomRules, WindowRules,
 };
+pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{BuiltinFile, builtin_file, builtin_files};
 pub use class::{
     Along, Class, ClassIndex, Clearance, Extent, Grid, ModelSource, Orientation, ParentName, ParentRule,
@@ -49,6 +51,8 @@ pub struct Catalog {
     pub room_types: BTreeMap<String, RoomType>,
     /// Styles by id; always contains [`DEFAULT_STYLE`].
     pub styles: BTreeMap<String, Style>,
+    /// Building styles by id; none has the id of a style.
+    pub building_styles: BTreeMap<String, BuildingStyle>,
     /// Palettes by id.
     pub palettes: BTreeMap<String, Palette>,
     /// The room words of plan formats.
@@ -81,24 +85,26 @@ pub enum DefinitionKind {
     RoomType,
     /// A style.
     Style,
+    /// A building style.
+    BuildingStyle,
     /// A palette.
     Palette,
 }
 
 impl DefinitionKind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [Self::Class, Self::RoomType, Self::Style, Self::Palette];
+    pub const ALL: [Self; 5] = [Self::Class, Self::RoomType, Self::Style, Self::BuildingStyle, Self::Palette];
 
     /// The word in messages.
     #[must_use]
     pub fn name(self) -> &'static str {
-        ["class", "room type", "style", "palette"][self as usize]
+        ["class", "room type", "style", "building style", "palette"][self as usize]
     }
 
     /// The word for several.
     #[must_use]
     pub fn plural(self) -> &'static str {
-        ["classes", "room types", "styles", "palettes"][self as usize]
+        ["classes", "room types", "styles", "building styles", "palettes"][self as usize]
     }
 }
 
@@ -106,6 +112,12 @@ impl DefinitionKind {
 pub const DEFAULT_STYLE: &str = "default";
 
 impl Catalog {
+    /// Whether there is a style or building style of that id.
+    #[must_use]
+    pub fn has_style(&self, id: &str) -> bool {
+        self.styles.contains_key(id) || self.building_styles.contains_key(id)
+    }
+
     /// Index of a class by id.
     #[must_use]
     pub fn class_index(&self, id: &str) -> Option<ClassIndex> {

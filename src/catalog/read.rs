@@ -6,7 +6,9 @@ use sha2::{Digest, Sha256};
 
 use super::audit::{AUDIT_FILE, AuditFile};
 use super::builtin::{BUILTIN_FOLDER, builtin_files};
-use super::file::{ClassEntry, ClassFile, PaletteEntry, PaletteFile, RoomFile, RoomTypeEntry, StyleEntry};
+use super::file::{
+    BuildingStyleEntry, ClassEntry, ClassFile, PaletteEntry, PaletteFile, RoomFile, RoomTypeEntry, StyleEntry,
+};
 use super::file::{StyleFile, WordsFile};
 use super::report::{Report, Spot};
 use super::table::{Definition, Extends, Table};
@@ -77,6 +79,8 @@ pub(crate) struct Definitions {
     pub(crate) room_types: Table<RoomTypeEntry>,
     /// The styles.
     pub(crate) styles: Table<StyleEntry>,
+    /// The building styles.
+    pub(crate) building_styles: Table<BuildingStyleEntry>,
     /// The palettes.
     pub(crate) palettes: Table<PaletteEntry>,
     /// The room words of each file, with its index.
@@ -251,7 +255,10 @@ impl Definitions {
         match parsed {
             Parsed::Classes(file) => add_all(&mut self.classes, file.classes, place, report),
             Parsed::RoomTypes(file) => add_all(&mut self.room_types, file.room_types, place, report),
-            Parsed::Styles(file) => add_all(&mut self.styles, file.styles, place, report),
+            Parsed::Styles(file) => {
+                add_all(&mut self.styles, file.styles, place, report);
+                add_all(&mut self.building_styles, file.building_styles, place, report);
+            }
             Parsed::Palettes(file) => add_all(&mut self.palettes, file.palettes, place, report),
             Parsed::Words(file) => self.words.push((place.0, file)),
             Parsed::Audit(file) => self.audit.push((place.0, *file)),

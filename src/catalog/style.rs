@@ -103,6 +103,12 @@ pub struct Untidiness {
 }
 
 impl Style {
+    /// Whether it is made for rooms of a type.
+    #[must_use]
+    pub fn suits(&self, room_type: &str) -> bool {
+        self.room_types.is_empty() || self.room_types.iter().any(|one| one == room_type)
+    }
+
     /// The programme of a room type in this style: the style's own or the room type's, then its additions.
     pub fn programme<'a>(&'a self, room_type: &'a RoomType) -> impl Iterator<Item = &'a Request> {
         let base = self.programmes.get(&room_type.id).unwrap_or(&room_type.programme);

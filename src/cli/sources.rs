@@ -84,7 +84,8 @@ fn extract_demo() -> std::io::Result<tempfile::TempDir> {
 /// # Errors
 /// If the catalogue has no such style.
 pub(crate) fn run_style(typed: Option<&String>, sources: &Sources) -> Result<Option<String>, Faults> {
-    let is_known = |style: &&String| sources.catalog.styles.contains_key(style.as_str());
+    let catalog = &sources.catalog;
+    let is_known = |style: &&String| catalog.has_style(style);
     // The project's own is reported where it is written.
     let of_project = sources.settings.style.as_ref().filter(is_known);
     let Some(style) = typed else { return Ok(of_project.cloned()) };
@@ -92,7 +93,7 @@ pub(crate) fn run_style(typed: Option<&String>, sources: &Sources) -> Result<Opt
         return Ok(Some(style.clone()));
     }
     let fault = Fault::of_file(Path::new("--style"), format!("unknown style \"{style}\""));
-    let known = sources.catalog.styles.keys().map(String::as_str);
+    let known = catalog.styles.keys().chain(catalog.building_styles.keys()).map(String::as_str);
     let hint = did_you_mean(style, known).unwrap_or_else(|| "see `roomwright catalog styles`".to_owned());
     Err(fault.with_hint(hint).into())
 }

@@ -14,6 +14,7 @@
 mod agent;
 mod arrange;
 mod body;
+mod choice;
 mod constants;
 mod environment;
 mod explain;
@@ -33,13 +34,14 @@ mod untidy;
 mod ways;
 
 pub use body::{clearance_solids, solids};
+pub use choice::room_style;
 pub use explain::{
     Explanation, MissingStory, ObjectStory, ObstacleStory, ParentStory, Refusal, SearchStory, WallStory,
     Wish, explain, explain_alternative,
 };
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 
-use crate::catalog::{Catalog, DEFAULT_STYLE, Style, Untidiness};
+use crate::catalog::{Catalog, Untidiness};
 use crate::plan::{Level, OpeningKind, Room};
 
 use constants::{ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE};
@@ -55,7 +57,8 @@ pub struct FurnishOptions<'a> {
     pub seed: u64,
     /// Id of the building, part of the room's seed.
     pub building: &'a str,
-    /// Style for rooms whose plan names none, where it suits their type; else [`DEFAULT_STYLE`].
+    /// Style or building style for rooms whose plan names none, where it suits their type; else
+    /// [`crate::catalog::DEFAULT_STYLE`].
     pub style: Option<&'a str>,
 }
 
@@ -103,7 +106,7 @@ impl Task<'_> {
         let Self { level, room, catalog, options, alternative } = *self;
         let plan = &level.rooms[room];
         let key = RoomKey::new(options.seed, options.building, level, plan);
-        let style = style(plan, catalog, &options);
+        let style = room_style(level, plan, catalog, &options);
         let room_type = catalog.room_types.get(&plan.room_type).filter(|room_type| room_type.is_furnished);
         let (Some(style), Some(room_type)) = (style, room_type) else {
             return (result::empty(room, key.seed(), style), None);
@@ -180,14 +183,6 @@ impl<T> Attempt<T> {
         let misses_many = all as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
         required > 0 || ways > 0 || (misses_many && attempts < ATTEMPTS)
     }
-}
-
-/// The style of a room: its own, else the run's if that is made for such rooms, else the default.
-fn style<'a>(room: &Room, catalog: &'a Catalog, options: &FurnishOptions<'_>) -> Option<&'a Style> {
-    let own = room.style.as_ref().and_then(|id| catalog.styles.get(id));
-    let of_run = options.style.and_then(|id| catalog.styles.get(id));
-    let suits = |style: &&Style| style.room_types.is_empty() || style.room_types.contains(&room.room_type);
-    own.or(of_run.filter(suits)).or_else(|| catalog.styles.get(DEFAULT_STYLE))
 }
 
 fn site(level: &Level, room: &Room) -> Site {

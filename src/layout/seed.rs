@@ -55,6 +55,19 @@ impl RoomKey {
     }
 }
 
+/// A number even in [0, 1) that depends on the seed and the names only: what rooms share that share the names.
+pub(crate) fn shared_draw(seed: u64, names: &[&str]) -> f64 {
+    let mut hash = Sha256::new_with_prefix("shared");
+    hash.update(seed.to_le_bytes());
+    for name in names {
+        hash.update((name.len() as u64).to_le_bytes());
+        hash.update(name.as_bytes());
+    }
+    let bytes = hash.finalize();
+    let number = u32::from_le_bytes(bytes[..4].try_into().expect("a hash has 32 bytes"));
+    f64::from(number) / 4_294_967_296.0
+}
+
 /// What random numbers are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {

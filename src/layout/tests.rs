@@ -126,6 +126,7 @@ pub(super) fn level(corners: &[(f64, f64)]) -> Level {
         name: None,
         room_type: "office".into(),
         style: None,
+        dwelling: None,
         region,
         height: 2.8,
         walls,

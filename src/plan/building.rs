@@ -71,8 +71,10 @@ pub struct Room {
     pub name: Option<String>,
     /// Id of a room type of the catalogue.
     pub room_type: String,
-    /// Id of a style of the catalogue, if the plan asks for one.
+    /// Id of a style or building style of the catalogue, if the plan asks for one.
     pub style: Option<String>,
+    /// The flat or other unit that it is part of, if the plan says: equal for rooms of a level that belong together.
+    pub dwelling: Option<String>,
     /// The free floor between the inner faces of the walls.
     pub region: Region,
     /// Metres from floor to ceiling.

@@ -6,7 +6,7 @@ use super::{Level, Obstacle, Opening, Room, Wall, WallKind};
 use crate::geometry::{Point, Polygon};
 
 /// Changes whenever the byte form below does, so that old fingerprints never match by chance.
-const FORM: &str = "roomwright level 1";
+const FORM: &str = "roomwright level 2";
 
 /// SHA-256 of everything in the level but its `digest`.
 ///
@@ -67,6 +67,7 @@ impl Form {
         self.optional(room.name.as_deref());
         self.text(&room.room_type);
         self.optional(room.style.as_deref());
+        self.optional(room.dwelling.as_deref());
         self.polygon(&room.region.outline);
         self.list(&room.region.holes, Self::polygon);
         self.number(room.height);

@@ -67,8 +67,10 @@ pub struct RoomDraft {
     pub name: Option<String>,
     /// Id of a room type.
     pub room_type: String,
-    /// Id of a style.
+    /// Id of a style or building style.
     pub style: Option<String>,
+    /// The flat or other unit that it is part of, if the plan says: equal for rooms of a level that belong together.
+    pub dwelling: Option<String>,
     /// Corners as found.
     pub outline: Vec<Point>,
     /// Corners of each hole as found.

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct RoomWords {
     /// Every room type that exists, for checking native plans; with none every type is taken.
     pub known: BTreeSet<String>,
-    /// Every style that exists, for checking native plans and projects; with none every style is taken.
+    /// Every style and building style that exists, for checking native plans and projects; with none every style is taken.
     pub styles: BTreeSet<String>,
     /// format → word (lower case) → room type.
     pub words: BTreeMap<String, BTreeMap<String, String>>,

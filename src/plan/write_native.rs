@@ -63,6 +63,7 @@ fn room(room: &Room) -> OutRoom {
         name: room.name.clone(),
         room_type: room.room_type.clone(),
         style: room.style.clone(),
+        dwelling: room.dwelling.clone(),
         number: (room.number != number_of_id(&room.id)).then_some(room.number),
         height: Number(room.height),
         outline: ring(&room.region.outline),

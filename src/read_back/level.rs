@@ -113,6 +113,7 @@ fn read_room(extras: &RoomExtras, number: usize) -> Result<Room, String> {
         name: None,
         room_type: extras.room_type.clone(),
         style: Some(extras.style.clone()),
+        dwelling: None,
         walls: region.borders().map(wall).collect(),
         region,
         height: extras.height,

@@ -45,6 +45,7 @@ pub(crate) fn room_of_region(id: &str, region: Region) -> Room {
         name: None,
         room_type: "office".to_owned(),
         style: None,
+        dwelling: None,
         walls: region.borders().map(wall).collect(),
         region,
         height: 2.6,

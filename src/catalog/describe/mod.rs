@@ -1,5 +1,6 @@
 //! What exists: lists and single definitions, as text for people and as values for programs.
 
+mod building_style;
 mod class;
 mod lines;
 mod palette;
@@ -37,16 +38,32 @@ pub fn describe(
 ) -> Result<Description, Faults> {
     match (kind, id) {
         (None, None) => Ok(describe_all(catalog)),
+        (Some(DefinitionKind::Style), None) => Ok(describe_styles(catalog)),
         (Some(kind), None) => Ok(describe_kind(catalog, kind)),
-        (Some(kind), Some(id)) => {
-            describe_one(catalog, kind, id).ok_or_else(|| unknown(catalog, &[kind], id))
+        (Some(DefinitionKind::Style), Some(id)) => {
+            describe_any(catalog, &[DefinitionKind::Style, DefinitionKind::BuildingStyle], id)
         }
-        (None, Some(id)) => {
-            let mut found =
-                DefinitionKind::ALL.into_iter().filter_map(|kind| describe_one(catalog, kind, id));
-            found.next().ok_or_else(|| unknown(catalog, &DefinitionKind::ALL, id))
-        }
+        (Some(kind), Some(id)) => describe_any(catalog, &[kind], id),
+        (None, Some(id)) => describe_any(catalog, &DefinitionKind::ALL, id),
     }
+}
+
+/// The definition of an id, of the first of the kinds that has one.
+fn describe_any(catalog: &Catalog, kinds: &[DefinitionKind], id: &str) -> Result<Description, Faults> {
+    let mut found = kinds.iter().filter_map(|&kind| describe_one(catalog, kind, id));
+    found.next().ok_or_else(|| unknown(catalog, kinds, id))
+}
+
+/// Styles and building styles: plans name both by the same key.
+fn describe_styles(catalog: &Catalog) -> Description {
+    let mut styles = describe_kind(catalog, DefinitionKind::Style);
+    if catalog.building_styles.is_empty() {
+        return styles;
+    }
+    let mut buildings = describe_kind(catalog, DefinitionKind::BuildingStyle);
+    styles.text += &format!("\nbuilding styles\n{}", buildings.text);
+    styles.value["building_styles"] = buildings.value["building_styles"].take();
+    styles
 }
 
 /// The ids of a kind, sorted; what is abstract is left out.
@@ -55,6 +72,7 @@ fn ids(catalog: &Catalog, kind: DefinitionKind) -> Vec<&str> {
         DefinitionKind::Class => catalog.classes.iter().map(|class| class.id.as_str()).collect(),
         DefinitionKind::RoomType => catalog.room_types.keys().map(String::as_str).collect(),
         DefinitionKind::Style => catalog.styles.keys().map(String::as_str).collect(),
+        DefinitionKind::BuildingStyle => catalog.building_styles.keys().map(String::as_str).collect(),
         DefinitionKind::Palette => catalog.palettes.keys().map(String::as_str).collect(),
     }
 }
@@ -89,6 +107,7 @@ fn describe_kind(catalog: &Catalog, kind: DefinitionKind) -> Description {
             DefinitionKind::Class => class::summary(catalog, id),
             DefinitionKind::RoomType => room::summary(catalog, id),
             DefinitionKind::Style => style::summary(catalog, id),
+            DefinitionKind::BuildingStyle => building_style::summary(catalog, id),
             DefinitionKind::Palette => palette::summary(catalog, id),
         };
         let file = file_of(catalog, kind, id);
@@ -105,6 +124,9 @@ fn describe_one(catalog: &Catalog, kind: DefinitionKind, id: &str) -> Option<Des
         DefinitionKind::RoomType => room::describe_room_type(catalog, catalog.room_types.get(id)?),
         DefinitionKind::Style => {
             style::describe_style(catalog, catalog.styles.get(id)?, base_style(catalog, id))
+        }
+        DefinitionKind::BuildingStyle => {
+            building_style::describe_building_style(catalog.building_styles.get(id)?)
         }
         DefinitionKind::Palette => palette::describe_palette(catalog, catalog.palettes.get(id)?),
     };

@@ -2,6 +2,7 @@
 //!
 //! Everything is optional that inheritance or a default can fill; nothing is checked beyond its type.
 
+mod building_style;
 mod class;
 mod extent;
 mod palette;
@@ -12,6 +13,7 @@ mod words;
 
 use serde::Deserialize;
 
+pub(crate) use building_style::{BuildingStyleEntry, ChoiceEntry};
 pub(crate) use class::{
     ClassEntry, ClassFile, ClearanceEntry, ModelEntry, ModelFields, Parameter, ParentEntry, PartEntry,
     RelationEntry, ShapeEntry, SideEntry,

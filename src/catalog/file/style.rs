@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::building_style::BuildingStyleEntry;
 use super::room::RequestEntry;
 use super::{FormatVersion, OneOrMany};
 use crate::catalog::table::Extends;
@@ -17,7 +18,11 @@ pub(crate) struct StyleFile {
     #[expect(dead_code, reason = "checked while reading")]
     pub(crate) version: FormatVersion,
     /// The styles by id: lower-case words joined by `_`.
+    #[serde(default)]
     pub(crate) styles: BTreeMap<String, StyleEntry>,
+    /// Building styles by id: which style each room of a building is furnished in. No style has the same id.
+    #[serde(default)]
+    pub(crate) building_styles: BTreeMap<String, BuildingStyleEntry>,
 }
 
 /// A style.

@@ -2,6 +2,7 @@
 //! every value checked. What is wrong is reported where it is written, and the rest goes on.
 
 mod audit;
+mod building_style;
 mod class;
 mod color;
 mod model;
@@ -18,6 +19,7 @@ mod style;
 mod words;
 
 pub(crate) use audit::resolve_audit;
+pub(crate) use building_style::{BuildingStyleWorld, resolve_building_styles};
 pub(crate) use class::{ResolvedClass, resolve_classes};
 pub(crate) use color::srgb_hex;
 pub(crate) use names::Names;

@@ -119,7 +119,7 @@ fn resolve_lines(
         let found =
             chain.find(key, |entry| get(entry)?.get(room_type)).expect("the key comes from the chain");
         let spot = found.spot.key(room_type);
-        check_room_type(room_type, &spot, world, report);
+        check_room_type(room_type, &spot, world.room_types, report);
         let programme = resolve_programme(found.value, &spot, world.names, report);
         let (room_type, written_by) = (room_type.clone(), found.definition.id.clone());
         lines.push(StyleLines { room_type, written_by, is_addition, spot, programme });
@@ -127,8 +127,14 @@ fn resolve_lines(
     lines
 }
 
-fn check_room_type(room_type: &str, spot: &Spot, world: &StyleWorld<'_>, report: &mut Report<'_>) {
-    match world.room_types.get(room_type) {
+/// Reports a word that is no room type that rooms can be of.
+pub(super) fn check_room_type(
+    room_type: &str,
+    spot: &Spot,
+    room_types: &Table<RoomTypeEntry>,
+    report: &mut Report<'_>,
+) {
+    match room_types.get(room_type) {
         Some(definition) if definition.entry.is_abstract => {
             let hint = "name the room types that extend it";
             report.error_with_hint(
@@ -138,7 +144,7 @@ fn check_room_type(room_type: &str, spot: &Spot, world: &StyleWorld<'_>, report:
             );
         }
         Some(_) => (),
-        None => report.unknown(spot, "room type", room_type, world.room_types.ids()),
+        None => report.unknown(spot, "room type", room_type, room_types.ids()),
     }
 }
 
@@ -149,7 +155,7 @@ fn resolve_room_type_names(
 ) -> Vec<String> {
     let Some(found) = chain.find("room_types", |entry| entry.room_types.as_ref()) else { return Vec::new() };
     for (place, room_type) in found.value.items() {
-        check_room_type(room_type, &found.spot.item(place), world, report);
+        check_room_type(room_type, &found.spot.item(place), world.room_types, report);
     }
     let mut names: Vec<String> = found.value.items().map(|(_, room_type)| room_type.clone()).collect();
     names.sort();

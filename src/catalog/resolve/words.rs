@@ -2,21 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use crate::catalog::file::{RoomTypeEntry, StyleEntry, WordsFile};
+use crate::catalog::file::{RoomTypeEntry, WordsFile};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Table;
 use crate::plan::RoomWords;
 
 /// Merges the tables of all folders word by word, later ones first.
-pub(crate) fn resolve_words(
+pub(crate) fn resolve_words<'a>(
     files: &[(usize, WordsFile)],
     room_types: &Table<RoomTypeEntry>,
-    styles: &Table<StyleEntry>,
+    styles: impl Iterator<Item = &'a str>,
     report: &mut Report<'_>,
 ) -> RoomWords {
     let is_abstract = |id: &str| room_types.get(id).is_some_and(|definition| definition.entry.is_abstract);
     let known = room_types.ids().filter(|id| !is_abstract(id)).map(str::to_owned).collect();
-    let styles = styles.ids().map(str::to_owned).collect();
+    let styles = styles.map(str::to_owned).collect();
     let mut words = RoomWords { known, styles, words: BTreeMap::new() };
     for (source, file) in files {
         for (format, table) in &file.formats {

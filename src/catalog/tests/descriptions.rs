@@ -79,7 +79,10 @@ table  Table  1.2 × 0.8 × 0.75 m  furniture.yaml
     assert_eq!(list.text, expected);
     assert_eq!(list.value["classes"].as_array().unwrap().len(), 3);
     let all = describe(&catalog, None, None).unwrap();
-    assert_eq!(all.text, "  classes     3\n  room types  2\n  styles      1\n  palettes    1\n");
+    assert_eq!(
+        all.text,
+        "  classes          3\n  room types       2\n  styles           1\n  building styles  0\n  palettes         1\n"
+    );
     assert_eq!(all.value["room_types"], 2);
 }
 
@@ -122,7 +125,7 @@ fn everything_that_is_built_in_can_be_shown() {
         let is_abstract = match kind {
             DefinitionKind::Class => catalog.class_index(id).is_none(),
             DefinitionKind::RoomType => !catalog.room_types.contains_key(id),
-            DefinitionKind::Style | DefinitionKind::Palette => false,
+            DefinitionKind::Style | DefinitionKind::BuildingStyle | DefinitionKind::Palette => false,
         };
         assert_eq!(describe(&catalog, Some(*kind), Some(id)).is_err(), is_abstract, "{kind:?} {id}");
     }

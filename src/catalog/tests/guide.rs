@@ -11,13 +11,14 @@ fn the_examples_of_the_guide_are_one_good_folder() {
         GUIDE.split("```yaml\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
     let files: Vec<(&str, &str)> =
         blocks.iter().map(|block| (block.lines().next().unwrap().trim_start_matches("# "), *block)).collect();
-    assert_eq!(files.len(), 7, "{:?}", files.iter().map(|(name, _)| name).collect::<Vec<_>>());
+    assert_eq!(files.len(), 8, "{:?}", files.iter().map(|(name, _)| name).collect::<Vec<_>>());
     let folder = folder(&files);
     let loaded = load_catalog(&[folder.path().to_owned()]).unwrap_or_else(|faults| panic!("{faults}"));
     assert!(loaded.warnings.is_empty(), "{}", loaded.warnings);
     let catalog = loaded.value;
     assert!(catalog.class_index("wide_reading_chair").is_some());
     assert!(catalog.styles["club"].programme(&catalog.room_types["reading_room"]).count() == 7);
+    assert_eq!(catalog.building_styles["residence"].style("bedroom", 0.7), Some("home_modern"));
     assert_eq!(catalog.room_words.room_type("imdf", "readingroom"), Some("reading_room"));
     let class = catalog.class_index("bookshelf").unwrap();
     assert_eq!(catalog.classes[class].priority, 90);

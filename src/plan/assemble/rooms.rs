@@ -123,6 +123,7 @@ fn build_room(assembly: &mut Assembly<'_>, source: usize, border: CenterRoom, nu
         name: draft.name.clone(),
         room_type: draft.room_type.clone(),
         style: draft.style.clone(),
+        dwelling: draft.dwelling.clone(),
         region,
         height,
         walls,

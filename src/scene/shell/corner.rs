@@ -170,6 +170,7 @@ mod tests {
             name: None,
             room_type: "room".to_owned(),
             style: None,
+            dwelling: None,
             walls: walls.collect(),
             region,
             height: 2.5,

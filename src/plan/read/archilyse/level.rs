@@ -106,10 +106,12 @@ fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
         for (part, outline) in outlines.iter().enumerate() {
             let id = if part == 0 { area.id.to_string() } else { format!("{}.{}", area.id, part + 1) };
             let kind = area.area_type.to_lowercase().replace('_', " ");
-            let name = (naming.apartment)(area).map(|apartment| format!("{kind}, {apartment}"));
+            let dwelling = (naming.apartment)(area);
+            let name = dwelling.as_ref().map(|apartment| format!("{kind}, {apartment}"));
             rooms.push(RoomDraft {
                 id,
                 name,
+                dwelling,
                 room_type: (naming.room_type)(area, is_toilet(area, outline, &fixtures)),
                 outline: outline.outer.clone(),
                 holes: outline.holes.clone(),

@@ -136,8 +136,11 @@ pub(crate) struct RoomFile {
     pub(crate) holes: Vec<Vec<[f64; 2]>>,
     /// From floor to ceiling; the level's height less a slab of 0.3 m where absent.
     pub(crate) height: Option<f64>,
-    /// Style of the catalogue.
+    /// Style or building style of the catalogue.
     pub(crate) style: Option<String>,
+    /// The flat or other unit that it is part of; rooms of a level with the same word belong together. A copy of a
+    /// prototype is one of its own where absent.
+    pub(crate) dwelling: Option<String>,
     /// Number for the room's seed, unique in the level; made from the id where absent.
     pub(crate) number: Option<u32>,
     /// What is special about its walls.

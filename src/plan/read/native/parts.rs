@@ -78,6 +78,7 @@ impl Scope<'_> {
             name: room.name.clone(),
             room_type: room.room_type.clone(),
             style: room.style.as_ref().or(self.style).cloned(),
+            dwelling: room.dwelling.as_deref().or(self.instance_id()).map(str::to_owned),
             outline: self.outline(room.outline.as_deref(), room.rectangle),
             holes: room.holes.iter().map(|hole| self.moved(hole)).collect(),
             height: room.height.map(|height| self.units.to_metres(height)),

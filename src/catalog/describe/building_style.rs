@@ -1,0 +1,49 @@
+//! One building style.
+
+use serde_json::{Map, Value, json};
+
+use super::lines::{Lines, rounded};
+use crate::catalog::{BuildingStyle, Catalog, WeightedStyle};
+
+/// The label, and what it draws from.
+pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
+    let fact = |style: &BuildingStyle| match (show_choice(&style.styles), style.rooms.len()) {
+        (choice, 0) => choice,
+        (choice, 1) => format!("{choice}; 1 room type apart"),
+        (choice, count) => format!("{choice}; {count} room types apart"),
+    };
+    catalog.building_styles.get(id).map(|style| (style.label.clone(), fact(style))).unwrap_or_default()
+}
+
+/// Everything about a building style.
+pub(super) fn describe_building_style(style: &BuildingStyle) -> (Lines, Value) {
+    let mut lines = Lines::default();
+    lines.add("label", &style.label);
+    lines.add("drawn per", style.share.word());
+    lines.add("styles", &show_choice(&style.styles));
+    for (room_type, choice) in &style.rooms {
+        lines.add(room_type, &show_choice(choice));
+    }
+    let rooms = style.rooms.iter().map(|(room_type, choice)| (room_type.clone(), value_of_choice(choice)));
+    let value = json!({
+        "label": style.label,
+        "share": style.share.word(),
+        "styles": value_of_choice(&style.styles),
+        "rooms": Value::Object(rooms.collect::<Map<_, _>>()),
+    });
+    (lines, value)
+}
+
+fn show_choice(choice: &[WeightedStyle]) -> String {
+    let is_even = choice.windows(2).all(|pair| pair[0].weight == pair[1].weight);
+    let show = |one: &WeightedStyle| {
+        if is_even { one.style.clone() } else { format!("{} {}", rounded(one.weight), one.style) }
+    };
+    let shown: Vec<String> = choice.iter().map(show).collect();
+    if shown.is_empty() { "default".to_owned() } else { shown.join(", ") }
+}
+
+fn value_of_choice(choice: &[WeightedStyle]) -> Value {
+    let weights = choice.iter().map(|one| (one.style.clone(), json!(one.weight)));
+    Value::Object(weights.collect::<Map<_, _>>())
+}

@@ -1,0 +1,106 @@
+//! The style that a room is furnished in.
+
+use super::FurnishOptions;
+use super::seed::shared_draw;
+use crate::catalog::{BuildingStyle, Catalog, DEFAULT_STYLE, Share, Style};
+use crate::plan::{Level, Room};
+
+/// The style of a room: its own, else the run's if that is made for such rooms, else the default. A building style
+/// draws one; where that is not made for such rooms, the default takes its place.
+#[must_use]
+pub fn room_style<'a>(
+    level: &Level,
+    room: &Room,
+    catalog: &'a Catalog,
+    options: &FurnishOptions<'_>,
+) -> Option<&'a Style> {
+    let suits = |style: &&Style| style.suits(&room.room_type);
+    let of_building = |id: &str| {
+        let building_style = catalog.building_styles.get(id)?;
+        let drawn = draw(building_style, level, room, options);
+        let style = building_style.style(&room.room_type, drawn).and_then(|style| catalog.styles.get(style));
+        style.filter(suits).or_else(|| catalog.styles.get(DEFAULT_STYLE))
+    };
+    let own = room.style.as_deref().and_then(|id| catalog.styles.get(id).or_else(|| of_building(id)));
+    let of_run =
+        options.style.and_then(|id| catalog.styles.get(id).filter(suits).or_else(|| of_building(id)));
+    own.or(of_run).or_else(|| catalog.styles.get(DEFAULT_STYLE))
+}
+
+/// The number that a building style draws with: equal for rooms that share it, whatever other rooms there are.
+fn draw(style: &BuildingStyle, level: &Level, room: &Room, options: &FurnishOptions<'_>) -> f64 {
+    let (building, level) = (options.building, level.id.as_str());
+    let number = room.number.to_string();
+    match (style.share, &room.dwelling) {
+        (Share::Building, _) => shared_draw(options.seed, &[building]),
+        (Share::Level, _) | (Share::Dwelling, None) => shared_draw(options.seed, &[building, level]),
+        (Share::Dwelling, Some(dwelling)) => shared_draw(options.seed, &[building, level, dwelling]),
+        (Share::Room, _) => shared_draw(options.seed, &[building, level, "", &number]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::catalog::load_catalog;
+    use crate::layout::tests::level;
+
+    /// A room of a type in a dwelling, numbered by its place.
+    fn room(level: &Level, number: u32, room_type: &str, dwelling: Option<&str>) -> Room {
+        let dwelling = dwelling.map(str::to_owned);
+        Room { number, room_type: room_type.to_owned(), dwelling, ..level.rooms[0].clone() }
+    }
+
+    fn style_of<'a>(level: &Level, room: &Room, catalog: &'a Catalog, seed: u64, style: &str) -> &'a str {
+        let options = FurnishOptions { seed, building: "block", style: Some(style) };
+        &room_style(level, room, catalog, &options).unwrap().id
+    }
+
+    #[test]
+    fn flats_differ_and_each_is_of_one_piece() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let mut styles = BTreeSet::new();
+        for flat in 0..24 {
+            let dwelling = format!("flat {flat}");
+            let of = |number, room_type| {
+                let room = room(&level, number, room_type, Some(&dwelling));
+                style_of(&level, &room, &catalog, 1, "apartment_block")
+            };
+            let first = of(flat * 3, "living_room");
+            assert_eq!(first, of(flat * 3 + 1, "bedroom"), "{dwelling}");
+            assert_eq!(first, of(flat * 3 + 2, "kitchen"), "{dwelling}");
+            assert_eq!(first, of(flat * 3, "living_room"), "the same seed gives the same");
+            styles.insert(first);
+        }
+        assert!(styles.len() >= 4, "{styles:?}");
+    }
+
+    #[test]
+    fn without_dwellings_a_level_is_of_one_piece_and_seeds_differ() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let of = |number, seed| {
+            style_of(&level, &room(&level, number, "bedroom", None), &catalog, seed, "apartment_block")
+        };
+        assert!((0..12).all(|seed| of(1, seed) == of(2, seed)));
+        assert!((0..12).map(|seed| of(1, seed)).collect::<BTreeSet<_>>().len() > 2);
+    }
+
+    #[test]
+    fn a_room_keeps_its_own_style_and_a_building_style_of_its_own_wins_over_that_of_the_run() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let own = |style: &str, room_type| Room {
+            style: Some(style.to_owned()),
+            ..room(&level, 1, room_type, None)
+        };
+        let of = |room: &Room| style_of(&level, room, &catalog, 1, "apartment_block").to_owned();
+        assert_eq!(of(&own("home_loft", "bedroom")), "home_loft");
+        assert!(of(&own("student_residence", "lobby")).starts_with("hotel"), "inherited by room type");
+        assert!(of(&own("school_campus", "library")).starts_with("library"));
+        assert_eq!(of(&own("hotel_building", "bedroom")), "default", "nothing is said about bedrooms");
+    }
+}
