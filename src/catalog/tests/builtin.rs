@@ -21,7 +21,7 @@ fn every_definition_has_an_origin() {
     for ((kind, id), origin) in &catalog.origins {
         let file = origin.file.strip_prefix("configs").unwrap_or_else(|_| panic!("{kind:?} {id}"));
         let text = builtin_file(&file.display().to_string().replace('\\', "/")).unwrap();
-        let table = ["classes", "room_types", "styles", "palettes"][*kind as usize];
+        let table = ["classes", "room_types", "styles", "building_styles", "palettes"][*kind as usize];
         let key = Source::new(file, text).fault_of_key(&[table.into(), id.as_str().into()], "", None);
         assert_eq!(origin.line, key.position.map(|(line, _)| line), "{kind:?} {id}");
     }
