@@ -3,8 +3,9 @@
 /// Metres that bodies may overlap before it counts as a collision: contact must pass, and the audit's limit
 /// is 1 mm. Larger lets bodies sink into each other, smaller makes touching bodies collide by rounding.
 pub(crate) const CONTACT_TOLERANCE: f64 = 5e-4;
-/// Metres by which a clearance may reach into a wall or another body: people do not measure centimetres.
-pub(crate) const CLEARANCE_TOLERANCE: f64 = 0.01;
+/// Metres by which a clearance may reach into a wall or another body: people do not measure centimetres. A little
+/// less than the audit allows, so that a file's 32-bit numbers do not tip what stands at the limit.
+pub(crate) const CLEARANCE_TOLERANCE: f64 = 0.0098;
 /// Candidates compared where an agent has wishes about other objects; more finds better places, slower.
 pub(crate) const CANDIDATES_WITH_RELATIONS: usize = 10;
 /// Candidates compared where only clearances and windows tell places apart.
