@@ -3,7 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::catalog::{Class, ClassIndex, Clearance, ParentName, Side, Size};
-use crate::geometry::{Point, Solid, direction, edges};
+use crate::geometry::{Point, Solid, bounds_overlap, direction, edges};
 use crate::plan::Wall;
 
 use super::convex::{clip_segment, middle, penetration};
@@ -38,8 +38,13 @@ pub(crate) fn can_hold_together(subject: &Subject<'_>, classes: &[ClassIndex]) -
     together(&choices, &mut Vec::new(), &mut tests) || tests > MOST_TESTS
 }
 
-/// A piece where it could stand: its footprint, then those of its clearances.
-type Stand = Vec<Vec<Point>>;
+/// A piece where it could stand.
+struct Stand {
+    /// Its footprint, then those of its clearances.
+    parts: Vec<Vec<Point>>,
+    /// The box around them.
+    bounds: (Point, Point),
+}
 
 /// Depth-first: the first choice that agrees with all that stand already.
 fn together<'c>(choices: &'c [Vec<Stand>], standing: &mut Vec<&'c Stand>, tests: &mut u32) -> bool {
@@ -63,7 +68,14 @@ fn together<'c>(choices: &'c [Vec<Stand>], standing: &mut Vec<&'c Stand>, tests:
 /// Whether neither piece takes floor that the other needs.
 fn agree(one: &Stand, other: &Stand) -> bool {
     let meets = |a: &[Point], b: &[Point]| penetration(a, b) > ROUNDING;
-    !other.iter().any(|part| meets(&one[0], part)) && !one.iter().skip(1).any(|part| meets(&other[0], part))
+    !bounds_overlap(one.bounds, other.bounds, 0.0)
+        || (!other.parts.iter().any(|part| meets(&one.parts[0], part))
+            && !one.parts.iter().skip(1).any(|part| meets(&other.parts[0], part)))
+}
+
+/// The box around corners.
+fn bounds_of<'p>(corners: impl Iterator<Item = &'p Point>) -> (Point, Point) {
+    corners.fold((Point::INFINITY, Point::NEG_INFINITY), |(low, high), &at| (low.min(at), high.max(at)))
 }
 
 /// Whether a body could stand, with its smallest clearances, among the others on one side of a line: to the
@@ -76,7 +88,7 @@ pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Poi
 }
 
 /// Pairs of places that are compared before the question is given up.
-const MOST_TESTS: u32 = 200_000;
+const MOST_TESTS: u32 = 50_000;
 
 /// Metres above the floor of the underside of a piece hung as low as its class allows.
 fn lowest_underside(class: &Class) -> f64 {
@@ -151,10 +163,12 @@ impl<'s, 'a> Space<'s, 'a> {
         let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
         let size = *smallest.expect("a class has a size");
         let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
-        let footprints =
-            |(position, angle)| boxes.iter().map(|&local| placed(local, position, angle)).collect();
+        let stand = |(position, angle)| {
+            let parts: Vec<Vec<Point>> = boxes.iter().map(|&local| placed(local, position, angle)).collect();
+            Stand { bounds: bounds_of(parts.iter().flatten()), parts }
+        };
         let free = |&(position, angle): &(Point, f64)| self.is_free(&boxes, position, angle);
-        self.stands(class, size).filter(free).map(footprints).collect()
+        self.stands(class, size).filter(free).map(stand).collect()
     }
 
     /// The directions of the walls that are no quarter turns of each other.
@@ -215,9 +229,15 @@ impl<'s, 'a> Space<'s, 'a> {
             |point: Point| self.subject.room.obstacles.iter().any(|column| column.outline.contains(point));
         // A corner may lie on a border, where it is neither in nor out.
         let middle = middle(footprint);
-        self.subject.room.region.contains(middle)
-            && !in_column(middle)
-            && !self.borders.iter().any(|&border| clip_segment(footprint, border, ROUNDING / 2.0).is_some())
+        self.subject.room.region.contains(middle) && !in_column(middle) && !self.is_crossed(footprint)
+    }
+
+    /// Whether a border runs through a footprint. Nearly all borders are far away, which their boxes tell.
+    fn is_crossed(&self, footprint: &[Point]) -> bool {
+        let around = bounds_of(footprint.iter());
+        let is_near = |(a, b): (Point, Point)| bounds_overlap((a.min(b), a.max(b)), around, -ROUNDING);
+        let crosses = |border| clip_segment(footprint, border, ROUNDING / 2.0).is_some();
+        self.borders.iter().any(|&border| is_near(border) && crosses(border))
     }
 
     fn is_clear(&self, footprint: &[Point]) -> bool {

@@ -36,10 +36,8 @@ fn impossible_pieces(subject: &Subject<'_>) -> u32 {
     for removal in &subject.furnished.removals {
         *missing.entry(removal.class).or_insert(0) += 1;
     }
-    let has_no_place = |class: ClassIndex| {
-        stands_by_itself(&subject.catalog.classes[class])
-            && !(can_hold(subject, class) && can_hold_beside_others(subject, class))
-    };
+    let has_no_place =
+        |class: ClassIndex| stands_by_itself(&subject.catalog.classes[class]) && !can_hold(subject, class);
     missing.into_iter().filter(|&(class, _)| has_no_place(class)).map(|(_, pieces)| pieces).sum()
 }
 
