@@ -13,6 +13,7 @@ mod belongings;
 #[cfg(test)]
 mod checks;
 mod electronics;
+mod equipment;
 mod input;
 mod kitchen;
 mod lights;

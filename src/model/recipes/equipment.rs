@@ -1,0 +1,334 @@
+//! Machines and apparatus of gyms, wards, stations, shops and workshops.
+
+use super::input::Draft;
+use super::parts::{LegKind, legs_at_corners, turned_forward};
+use crate::catalog::Side;
+use crate::model::kit::{Bay, Builder, SINK, cylinder};
+
+/// A disc or bar that lies across: along x from `x[0]` to `x[1]`, around a point.
+fn across(builder: &mut Builder, slot: &'static str, radius: f64, x: [f64; 2], (y, z): (f64, f64)) {
+    let bar = turned_forward(cylinder(radius, [x[0], x[1]], 14)).turned_y(std::f64::consts::FRAC_PI_2);
+    builder.add(slot, bar.moved(0.0, y, z));
+}
+
+/// A running belt between two side rails, with a console on posts at its back.
+pub(super) fn treadmill(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let deck = bay.slab(Side::Below, 0.18);
+    for side in [Side::Left, Side::Right] {
+        builder.block("plastic_dark", deck.slab(side, bay.width() * 0.16), 0.01);
+    }
+    let belt = deck.inset(bay.width() * 0.15, 0.01, 0.02).without(Side::Above, 0.01);
+    builder.cuboid("rubber", belt);
+    let hood = bay.slab(Side::Back, bay.depth() * 0.2).with_y([0.1, 0.34]).inset(0.06, 0.0, 0.004);
+    builder.block("metal_dark", hood, 0.02);
+    let zone = bay.slab(Side::Back, bay.depth() * 0.4);
+    for side in [Side::Left, Side::Right] {
+        let post =
+            zone.slab(side, 0.07).without(Side::Front, zone.depth() * 0.82).with_y([0.17, bay.high.y * 0.8]);
+        builder.cuboid("metal", post.moved(0.0, 0.0, 0.03));
+        let rail = zone
+            .slab(side, 0.05)
+            .with_y([bay.high.y * 0.66, bay.high.y * 0.66 + 0.05])
+            .inset(0.003, 0.0, 0.034);
+        builder.block("rubber", rail, 0.01);
+    }
+    let console = zone.slab(Side::Back, 0.16).with_y([bay.high.y * 0.76, bay.high.y]);
+    builder.block("plastic_dark", console.inset(0.02, 0.0, 0.01), 0.02);
+    let screen = console.inset(bay.width() * 0.2, console.height() * 0.2, 0.0);
+    builder.cuboid("screen", screen.with_z([console.high.z - 0.012, console.high.z - 0.006]));
+}
+
+/// A padded bench under a bar with weights.
+pub(super) fn exercise_bench(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let (width, depth) = (bay.width(), bay.depth());
+    let lying = bay.height() * 0.38;
+    let pad = Bay::new([-0.15, 0.15], [lying - 0.08, lying], [bay.low.z + depth * 0.1, bay.high.z]);
+    builder.cushion("leather", pad, 0.03);
+    let frame = pad.with_y([0.0, lying - 0.08 + SINK]).inset(0.03, 0.0, 0.05);
+    builder.cuboid("metal_dark", frame.slab(Side::Above, 0.06));
+    legs_at_corners(
+        builder,
+        "metal_dark",
+        frame.without(Side::Above, 0.06 - SINK).inset(0.002, 0.0, 0.002),
+        0.06,
+        LegKind::Square,
+    );
+    let (bar, z) = (bay.high.y - 0.2, bay.low.z + 0.2);
+    let gap = width * 0.26;
+    for x in [-gap, gap] {
+        let foot = Bay::new([x - 0.03, x + 0.03], [0.0, 0.05], [bay.low.z, bay.low.z + 0.5]);
+        builder.cuboid("metal", foot);
+        builder.cuboid("metal", Bay::new([x - 0.028, x + 0.028], [0.05 - SINK, bar], [z - 0.03, z + 0.03]));
+    }
+    across(builder, "chrome", 0.014, [bay.low.x, bay.high.x], (bar, z));
+    for side in [-1.0, 1.0] {
+        let [outer, inner] = [side * width * 0.47, side * width * 0.4];
+        across(builder, "rubber", 0.2, [outer.min(inner), outer.max(inner)], (bar, z));
+    }
+}
+
+/// Two shelves of dumbbells on a frame.
+pub(super) fn dumbbell_rack(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid("metal_dark", bay.slab(side, 0.05));
+    }
+    let pieces = (bay.width() / 0.22).floor().max(1.0) as u32;
+    for (share, z) in [(0.28, [-0.5, 0.5]), (0.72, [-0.5, 0.5])] {
+        let y = bay.high.y * share;
+        let board = bay.inset(0.05 - SINK, 0.0, 0.01).with_y([y - 0.03, y]);
+        builder.cuboid("metal", board);
+        for cell in board.columns(pieces, 0.02) {
+            let (x, radius) = (cell.center().x, (cell.width() * 0.35).min(0.075));
+            let ends = z.map(|end: f64| end * bay.depth() * 0.6);
+            let grip = turned_forward(cylinder(0.016, ends, 8));
+            builder.add("chrome", grip.moved(x, y + radius - SINK, 0.0));
+            for end in ends {
+                let weight = turned_forward(cylinder(radius, [-0.05, 0.05], 8));
+                builder.add("rubber", weight.moved(x, y + radius - SINK, end * 0.72));
+            }
+        }
+    }
+}
+
+/// A table with cloth between cushions, on broad legs: for pool or football.
+pub(super) fn pool_table(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let wood = draft.sampler().pick(&["wood_dark", "wood"]);
+    let rim = bay.slab(Side::Above, bay.height() * 0.18);
+    let edge = bay.width().min(bay.depth()) * 0.1;
+    for side in [Side::Front, Side::Back] {
+        builder.block(wood, rim.slab(side, edge), 0.01);
+    }
+    for side in [Side::Left, Side::Right] {
+        builder.block(wood, rim.slab(side, edge).inset(0.0, 0.002, edge - 0.015), 0.01);
+    }
+    let bed = rim.inset(edge - 0.01, 0.0, edge - 0.01);
+    builder.cuboid("fabric_accent", bed.without(Side::Above, rim.height() * 0.3));
+    let apron = bay.without(Side::Above, rim.height() - SINK).slab(Side::Above, bay.height() * 0.15);
+    builder.cuboid(wood, apron.inset(edge * 0.6, 0.0, edge * 0.6));
+    let legs = bay.with_y([0.0, apron.low.y + SINK]).inset(edge * 0.7, 0.0, edge * 0.7);
+    legs_at_corners(builder, wood, legs, edge * 0.9, LegKind::Square);
+    let ball = 0.028;
+    for (place, slot) in [(-0.25, "linen"), (0.2, "painted_accent"), (0.24, "rubber"), (0.28, "brass")] {
+        let y = bed.high.y - rim.height() * 0.3;
+        let disc =
+            Bay::around(bed.center(), ball * 2.0, ball, ball * 2.0).moved(bed.width() * place, 0.0, 0.0);
+        builder.cushion(slot, disc.with_y([y - SINK, y + ball]), ball * 0.45);
+    }
+}
+
+/// A table-tennis table with its net.
+pub(super) fn tennis_table(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let net = (bay.height() * 0.17).min(0.1525);
+    let top = bay.without(Side::Above, net);
+    builder.cuboid("painted_accent", top.slab(Side::Above, 0.03));
+    let line = top.slab(Side::Above, 0.001).moved(0.0, 0.0005, 0.0);
+    builder.cuboid("linen", line.with_z([-0.005, 0.005]).inset(0.02, 0.0, 0.0));
+    let mesh = bay.slab(Side::Above, net + SINK).with_x([-0.004, 0.004]).inset(0.0, 0.0, 0.003);
+    builder.cuboid("linen", mesh);
+    let legs = top.without(Side::Above, 0.03 - SINK).inset(bay.width() * 0.12, 0.0, bay.depth() * 0.1);
+    legs_at_corners(builder, "metal_dark", legs, 0.05, LegKind::Square);
+}
+
+/// A bed on wheels with boards at its ends and guards at its sides.
+pub(super) fn hospital_bed(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let lying = bay.height() * 0.58;
+    let mattress = bay.with_y([lying - 0.14, lying]).inset(0.06, 0.0, 0.06);
+    builder.cushion("linen", mattress, 0.04);
+    let pillow = mattress.slab(Side::Back, 0.45).with_y([lying - 0.02, lying + 0.09]).inset(0.14, 0.0, 0.04);
+    builder.cushion("linen", pillow, 0.045);
+    let blanket = mattress.without(Side::Back, bay.depth() * 0.36).with_y([lying - 0.1, lying + 0.015]);
+    builder.cushion("fabric_light", blanket.inset(-0.01, 0.0, 0.01), 0.012);
+    builder.cuboid("metal", bay.with_y([lying - 0.22, lying - 0.13]).inset(0.05, 0.0, 0.04));
+    for (side, height) in [(Side::Back, bay.high.y), (Side::Front, bay.high.y * 0.85)] {
+        let board = bay.slab(side, 0.05).with_y([lying - 0.25, height]).inset(0.03, 0.0, 0.0);
+        builder.block("plastic", board, 0.02);
+    }
+    for side in [Side::Left, Side::Right] {
+        let guard = bay.slab(side, 0.03).with_z([bay.low.z + 0.25, bay.low.z + bay.depth() * 0.6]);
+        builder.block("chrome", guard.with_y([lying + 0.13, lying + 0.17]), 0.01);
+        for post in guard.with_y([lying - 0.2, lying + 0.14]).inset(0.004, 0.0, 0.02).columns(1, 0.0) {
+            builder.cuboid("chrome", post.slab(Side::Front, 0.03));
+            builder.cuboid("chrome", post.slab(Side::Back, 0.03));
+        }
+    }
+    let legs = bay.with_y([0.0, lying - 0.2]).inset(0.12, 0.0, 0.25);
+    legs_at_corners(builder, "rubber", legs.slab(Side::Below, 0.12), 0.06, LegKind::Square);
+    legs_at_corners(
+        builder,
+        "metal",
+        legs.without(Side::Below, 0.12 - SINK).inset(0.01, 0.0, 0.01),
+        0.04,
+        LegKind::Square,
+    );
+}
+
+/// A cabinet with a screen, keys and a tray.
+pub(super) fn ticket_machine(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let body = bay.without(Side::Front, 0.03);
+    builder.block("metal_dark", body.slab(Side::Below, 0.1), 0.004);
+    let slot = draft.sampler().pick(&["painted_accent", "appliance"]);
+    builder.block(slot, body.without(Side::Below, 0.1 - SINK), 0.02);
+    let face = bay.inset(bay.width() * 0.14, 0.0, 0.0).with_z([body.high.z - SINK, body.high.z + 0.006]);
+    let at = |low: f64, high: f64| [bay.high.y * low, bay.high.y * high];
+    builder.cuboid("screen", face.with_y(at(0.6, 0.82)));
+    let keys = face.with_y(at(0.46, 0.56));
+    builder.cuboid("metal", keys.slab(Side::Right, keys.width() * 0.4));
+    builder.cuboid("screen", keys.slab(Side::Left, keys.width() * 0.3).inset(0.0, 0.03, 0.0));
+    let tray = face.with_y(at(0.3, 0.36)).with_z([body.high.z - SINK, bay.high.z]);
+    builder.block("metal", tray, 0.004);
+    builder.cuboid("lamp", face.with_y(at(0.89, 0.96)));
+}
+
+/// A rubber belt on a metal body.
+pub(super) fn luggage_belt(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let rim = (bay.depth() * 0.1).min(0.12);
+    builder.cuboid("metal_dark", bay.slab(Side::Below, 0.08 + SINK).inset(0.05, 0.0, 0.05));
+    let body = bay.without(Side::Below, 0.08);
+    for side in [Side::Front, Side::Back] {
+        builder.block("metal", body.slab(side, rim), 0.01);
+    }
+    for side in [Side::Left, Side::Right] {
+        builder.block("metal", body.slab(side, rim).inset(0.0, 0.001, rim - 0.012), 0.005);
+    }
+    let belt = body.inset(rim - 0.01, 0.0, rim - 0.01).without(Side::Above, 0.02);
+    let plates = (belt.width() / 0.4).round().clamp(1.0, 24.0) as u32;
+    builder.cuboid("rubber", belt.without(Side::Above, 0.006));
+    for plate in belt.slab(Side::Above, 0.01).columns(plates, 0.02) {
+        builder.cuboid("rubber", plate);
+    }
+}
+
+/// A chest with two lids of glass.
+pub(super) fn chest_freezer(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    builder.cuboid("plastic_dark", bay.slab(Side::Below, 0.08 + SINK).inset(0.03, 0.0, 0.03));
+    let rim = bay.slab(Side::Above, 0.05);
+    builder.block(
+        "appliance",
+        bay.without(Side::Below, 0.08).without(Side::Above, 0.05 - SINK).inset(0.004, 0.0, 0.004),
+        0.02,
+    );
+    builder.block("metal", rim.without(Side::Above, 0.012), 0.006);
+    for lid in rim.inset(0.03, 0.0, 0.05).slab(Side::Above, 0.014).columns(2, 0.02) {
+        builder.cuboid("glass", lid);
+    }
+    let band = bay.with_y([bay.high.y * 0.55, bay.high.y * 0.7]).inset(0.1, 0.0, 0.0);
+    builder.cuboid("painted_accent", band.slab(Side::Front, 0.008));
+}
+
+/// A thick top with a vice, on a frame with a drawer and a board below.
+pub(super) fn workbench(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let top = bay.without(Side::Above, 0.04).slab(Side::Above, 0.06).without(Side::Front, 0.03);
+    builder.block("wood_light", top, 0.005);
+    let frame = top.with_y([0.0, top.low.y + SINK]).inset(0.04, 0.0, 0.04);
+    legs_at_corners(builder, "metal_dark", frame, 0.07, LegKind::Square);
+    let shelf = frame.with_y([frame.high.y * 0.22, frame.high.y * 0.22 + 0.03]).inset(0.03, 0.0, 0.03);
+    builder.cuboid("metal", shelf);
+    let drawers = frame.slab(Side::Above, 0.2).slab(Side::Right, bay.width() * 0.3).inset(0.06, 0.002, 0.02);
+    builder.block("painted_accent", drawers, 0.004);
+    let vice = bay.slab(Side::Above, 0.12).slab(Side::Front, 0.2).slab(Side::Left, bay.width() * 0.28);
+    let jaw = vice.inset(vice.width() * 0.3, 0.0, 0.0);
+    builder.block("metal", jaw.slab(Side::Front, 0.05), 0.006);
+    builder.block("metal", jaw.slab(Side::Back, 0.05).slab(Side::Above, 0.093), 0.006);
+    builder.cuboid("metal_dark", jaw.inset(0.03, 0.05, 0.03));
+}
+
+/// A tall mirror over a narrow board.
+pub(super) fn mirror_station(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let wood = draft.sampler().pick(&["wood_dark", "painted"]);
+    let panel = bay.slab(Side::Back, 0.04);
+    builder.block(wood, panel, 0.004);
+    let glass = panel.inset(0.06, 0.0, 0.0).with_y([bay.high.y * 0.44, bay.high.y - 0.06]);
+    builder.cuboid("mirror", glass.with_z([panel.high.z - SINK, panel.high.z + 0.005]));
+    let board = bay.with_y([bay.high.y * 0.4, bay.high.y * 0.4 + 0.04]).without(Side::Back, 0.04 - SINK);
+    builder.block(wood, board, 0.006);
+    let drawer = board.moved(0.0, -0.12, 0.0).inset(0.03, 0.0, 0.0).without(Side::Front, 0.06);
+    builder.block("painted", drawer.with_y([board.low.y - 0.14, board.low.y + SINK]), 0.004);
+    for (place, slot) in [(-0.3, "plastic"), (-0.2, "painted_accent"), (0.3, "glass")] {
+        let bottle = cylinder(0.025, [-SINK, 0.16], 10);
+        builder.add(slot, bottle.moved(bay.width() * place, board.high.y, board.center().z));
+    }
+}
+
+/// A padded seat with arms, head rest and foot rest on a column.
+pub(super) fn barber_chair(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let slot = draft.sampler().pick(&["leather", "fabric"]);
+    let (high, depth) = (bay.high.y, bay.depth());
+    let base = cylinder(bay.width() * 0.4, [0.0, 0.04], 20);
+    builder.add("chrome", base.moved(0.0, 0.0, 0.0));
+    builder.add("chrome", cylinder(0.06, [0.04 - SINK, high * 0.36], 14));
+    let seat =
+        bay.with_y([high * 0.35, high * 0.48]).without(Side::Front, depth * 0.25).inset(0.08, 0.0, 0.0);
+    builder.cushion(slot, seat, 0.04);
+    let back = seat.slab(Side::Back, 0.13).with_y([high * 0.46, high * 0.84]);
+    builder.cushion(slot, back, 0.04);
+    builder.cushion(slot, back.inset(bay.width() * 0.16, 0.0, 0.01).with_y([high * 0.86, high]), 0.03);
+    builder.cuboid("chrome", back.inset(bay.width() * 0.32, 0.0, 0.05).with_y([high * 0.8, high * 0.9]));
+    for side in [Side::Left, Side::Right] {
+        let arm = bay.slab(side, 0.09).with_z([seat.low.z + 0.05, seat.high.z - 0.05]);
+        builder.cushion("plastic_dark", arm.with_y([high * 0.56, high * 0.62]), 0.02);
+        builder.cuboid("chrome", arm.inset(0.025, 0.0, 0.15).with_y([high * 0.4, high * 0.57]));
+    }
+    let rest = bay.slab(Side::Front, 0.16).with_y([high * 0.14, high * 0.18]).inset(0.12, 0.0, 0.0);
+    builder.block("metal", rest, 0.006);
+    let stay = Bay::new([-0.03, 0.03], [high * 0.15, high * 0.38], [bay.high.z - 0.3, bay.high.z - 0.14]);
+    builder.cuboid("chrome", stay);
+}
+
+/// A dark cabinet with a door of mesh behind which lights glow.
+pub(super) fn server_rack(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let mut sampler = draft.sampler();
+    let body = bay.without(Side::Front, 0.02);
+    builder.block("metal_dark", body, 0.006);
+    let face = bay.inset(0.04, 0.06, 0.0).with_z([body.high.z - SINK, body.high.z + 0.01]);
+    for unit in face.rows(14, 0.012) {
+        builder.cuboid(sampler.pick(&["plastic_dark", "metal", "plastic_dark"]), unit);
+        let light = unit.slab(Side::Right, 0.05).inset(0.015, unit.height() * 0.35, 0.0);
+        if sampler.chance(0.7) {
+            builder.cuboid("lamp", light.with_z([unit.high.z - SINK, unit.high.z + 0.002]));
+        }
+    }
+    let frame = bay.slab(Side::Front, 0.02 + SINK);
+    builder.cuboid("metal_dark", frame.slab(Side::Left, 0.02));
+    builder.cuboid("metal_dark", frame.slab(Side::Right, 0.02));
+}
+
+/// A car: a body on four wheels under a cabin of glass; its front looks where one uses it from.
+pub(super) fn car(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let paint = draft.sampler().pick(&["painted_accent", "metal", "metal_dark", "painted"]);
+    let (width, high, depth) = (bay.width(), bay.high.y, bay.depth());
+    let wheel = high * 0.22;
+    let body = bay.with_y([wheel * 0.7, high * 0.62]);
+    builder.rounded(paint, body, glam::DVec3::new(0.12, 0.12, 0.25), 3);
+    let cabin = bay.with_y([high * 0.5, high]).inset(width * 0.08, 0.0, 0.0);
+    let cabin = cabin.with_z([bay.low.z + depth * 0.14, bay.high.z - depth * 0.34]);
+    builder.rounded("screen", cabin.without(Side::Above, 0.03), glam::DVec3::new(0.12, 0.25, 0.5), 3);
+    let roof = cabin.slab(Side::Above, 0.09).inset(width * 0.03, 0.0, depth * 0.09);
+    builder.rounded(paint, roof, glam::DVec3::new(0.1, 0.04, 0.2), 3);
+    for z in [bay.low.z + depth * 0.19, bay.high.z - depth * 0.19] {
+        for [outer, inner] in [[bay.low.x + 0.01, bay.low.x + 0.22], [bay.high.x - 0.22, bay.high.x - 0.01]] {
+            across(builder, "rubber", wheel, [outer, inner], (wheel, z));
+            let hub = [outer - 0.005, inner + 0.005];
+            across(builder, "chrome", wheel * 0.55, hub, (wheel, z));
+        }
+    }
+    for side in [Side::Left, Side::Right] {
+        let corner = body.inset(width * 0.08, 0.0, 0.0).slab(side, width * 0.2);
+        let lamp = corner.with_y([high * 0.42, high * 0.5]);
+        builder.cuboid("lamp", lamp.slab(Side::Front, 0.06).moved(0.0, 0.0, -0.004));
+        builder.cuboid("painted_accent", lamp.slab(Side::Back, 0.06).moved(0.0, 0.0, 0.004));
+    }
+}
