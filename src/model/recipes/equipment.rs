@@ -311,15 +311,15 @@ pub(super) fn car(draft: &Draft, builder: &mut Builder) {
     let paint = draft.sampler().pick(&["painted_accent", "metal", "metal_dark", "painted"]);
     let (width, high, depth) = (bay.width(), bay.high.y, bay.depth());
     let wheel = high * 0.22;
-    let body = bay.with_y([wheel * 0.7, high * 0.62]);
+    let body = bay.with_y([wheel * 0.7, high * 0.62]).inset(0.03, 0.0, 0.0);
     builder.rounded(paint, body, glam::DVec3::new(0.12, 0.12, 0.25), 3);
-    let cabin = bay.with_y([high * 0.5, high]).inset(width * 0.08, 0.0, 0.0);
+    let cabin = bay.with_y([high * 0.5, high]).inset(width * 0.1, 0.0, 0.0);
     let cabin = cabin.with_z([bay.low.z + depth * 0.14, bay.high.z - depth * 0.34]);
     builder.rounded("screen", cabin.without(Side::Above, 0.03), glam::DVec3::new(0.12, 0.25, 0.5), 3);
     let roof = cabin.slab(Side::Above, 0.09).inset(width * 0.03, 0.0, depth * 0.09);
     builder.rounded(paint, roof, glam::DVec3::new(0.1, 0.04, 0.2), 3);
     for z in [bay.low.z + depth * 0.19, bay.high.z - depth * 0.19] {
-        for [outer, inner] in [[bay.low.x + 0.01, bay.low.x + 0.22], [bay.high.x - 0.22, bay.high.x - 0.01]] {
+        for [outer, inner] in [[bay.low.x + 0.005, bay.low.x + 0.22], [bay.high.x - 0.22, bay.high.x - 0.005]] {
             across(builder, "rubber", wheel, [outer, inner], (wheel, z));
             let hub = [outer - 0.005, inner + 0.005];
             across(builder, "chrome", wheel * 0.55, hub, (wheel, z));
