@@ -319,7 +319,8 @@ pub(super) fn car(draft: &Draft, builder: &mut Builder) {
     let roof = cabin.slab(Side::Above, 0.09).inset(width * 0.03, 0.0, depth * 0.09);
     builder.rounded(paint, roof, glam::DVec3::new(0.1, 0.04, 0.2), 3);
     for z in [bay.low.z + depth * 0.19, bay.high.z - depth * 0.19] {
-        for [outer, inner] in [[bay.low.x + 0.005, bay.low.x + 0.22], [bay.high.x - 0.22, bay.high.x - 0.005]] {
+        for [outer, inner] in [[bay.low.x + 0.005, bay.low.x + 0.22], [bay.high.x - 0.22, bay.high.x - 0.005]]
+        {
             across(builder, "rubber", wheel, [outer, inner], (wheel, z));
             let hub = [outer - 0.005, inner + 0.005];
             across(builder, "chrome", wheel * 0.55, hub, (wheel, z));
