@@ -119,8 +119,8 @@ fn count(length: usize) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use crate::audit::Code;
     use crate::audit::testing::{TestRoom, at, per_piece, required};
+    use crate::audit::{Code, Severity};
 
     #[test]
     fn a_required_piece_that_fits_and_is_absent_fails_the_room() {
@@ -175,5 +175,21 @@ mod tests {
         let findings = room.audit();
         assert_eq!(findings[0].code, Code::Unfulfilled);
         assert!((findings[0].measured - 9.0 / 11.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_fits_only_without_the_other_required_pieces_is_not_the_furnitures_fault() {
+        // A chest takes a square metre; two of them need two.
+        let missing_beside_a_desk = |width: f64| {
+            let mut room = TestRoom::rectangle(width, 1.6);
+            room.ask(required("chest"));
+            room.ask(required("desk"));
+            room.stand("desk", at(0.8, 1.2));
+            room.remove("chest", true);
+            let findings = room.audit();
+            findings.iter().find(|finding| finding.code == Code::MissingRequired).unwrap().severity
+        };
+        assert_eq!(missing_beside_a_desk(1.7), Severity::Given);
+        assert_eq!(missing_beside_a_desk(3.0), Severity::Failed);
     }
 }

@@ -93,3 +93,43 @@ impl Judged {
         (count(Severity::Failed), count(Severity::Minor), self.furnished.removals.len())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::{Code, Finding};
+
+    /// A room with so many failing and minor findings.
+    fn judged(effort: u32, flaws: &[(usize, usize)]) -> (u32, usize) {
+        let mut made = 0;
+        let empty = |_: u32| Furnished {
+            room: 0,
+            seed: 0,
+            style: String::new(),
+            requested: 0,
+            placements: Vec::new(),
+            removals: Vec::new(),
+        };
+        let best = best_of(effort, empty, |_| {
+            let (failed, minor) = flaws[made];
+            made += 1;
+            let finding = |code| Finding::new(code, Vec::new(), 0.0, 1.0);
+            let findings = (0..failed).map(|_| finding(Code::Collision));
+            let findings = findings.chain((0..minor).map(|_| finding(Code::Sparse))).collect();
+            Verdict { findings, ..Verdict::default() }
+        });
+        (best.alternative, made)
+    }
+
+    #[test]
+    fn the_first_room_without_a_finding_ends_the_search() {
+        assert_eq!(judged(8, &[(0, 0)]), (0, 1));
+        assert_eq!(judged(8, &[(0, 2), (0, 0)]), (1, 2));
+    }
+
+    #[test]
+    fn one_failing_finding_is_worse_than_many_minor_ones_and_of_equals_the_first_stays() {
+        assert_eq!(judged(3, &[(1, 0), (0, 3), (0, 3)]), (1, 3));
+        assert_eq!(judged(1, &[(1, 0)]), (0, 1));
+    }
+}

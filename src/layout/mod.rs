@@ -118,8 +118,8 @@ impl Task<'_> {
         let attempt = |number: u32| {
             let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);
             environment.trace = is_traced.then(|| trace::Trace::new(&environment));
-            let key = key.attempt(alternative * ATTEMPTS_IN_NEED + number);
-            let closed_ways = act_all(&mut environment, &style.untidiness, &key);
+            let attempt_key = key.attempt(alternative * ATTEMPTS_IN_NEED + number);
+            let closed_ways = act_all(&mut environment, &style.untidiness, &attempt_key);
             let furnished = result::furnished(&environment, room, key.seed(), style);
             let told = Told { words: tell(&environment, &furnished), kept: number + 1, attempts: number + 1 };
             Attempt { furnished, closed_ways, told }

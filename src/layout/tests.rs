@@ -317,3 +317,33 @@ fn who_was_sent_away_for_good_says_so() {
     let removals = rooms.iter().flat_map(|room| &room.removals);
     assert!(removals.filter(|removal| removal.reason == RemovalReason::Repair).count() > 0);
 }
+
+/// The office with shelves that are good to have 2 m before them, in a room as deep as is asked for.
+fn shelves_before(depth: f64, is_required: bool) -> Furnished {
+    let mut catalog = catalog(&[(4, Count::Fixed(1))], Untidiness::default());
+    let front = Clearance { minimum: 0.5, good: 2.0, ..Clearance::SEAT };
+    catalog.classes[4].clearances = vec![Clearance { allows_children: false, ..front }];
+    for room_type in catalog.room_types.values_mut() {
+        room_type.programme[0].is_required = is_required;
+    }
+    run(&level(&[(0.0, 0.0), (2.2, 0.0), (2.2, depth), (0.0, depth)]), &catalog, 3)
+}
+
+#[test]
+fn a_piece_that_would_be_tight_stays_out_unless_it_is_required() {
+    assert_eq!(shelves_before(2.6, false).placements.len(), 1, "2.6 m hold 0.4 and 2.0");
+    let tight = shelves_before(2.1, false);
+    assert_eq!(tight.removals[0].reason, RemovalReason::Comfort);
+    assert_eq!(shelves_before(2.1, true).placements.len(), 1);
+}
+
+#[test]
+fn each_alternative_holds_the_same_pieces_elsewhere() {
+    let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
+    let options = FurnishOptions { seed: 1, building: "test", style: None };
+    let alternative = |number| furnish_alternative(&level, 0, &catalog, &options, number);
+    assert_eq!(alternative(0), run(&level, &catalog, 1));
+    let pieces = |room: &Furnished| (room.requested, room.seed);
+    assert_eq!(pieces(&alternative(1)), pieces(&alternative(0)));
+    assert_ne!(alternative(1).placements, alternative(0).placements);
+}
