@@ -24,8 +24,10 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     let share = f64::from(count(subject.bodies.len())) / f64::from(requested.max(1));
     if requested > 0 && share < limit - ROUNDING {
         let finding = Finding::new(Code::Unfulfilled, Vec::new(), share, limit);
+        // A file that is read back may ask for less than it misses.
         let impossible = impossible_pieces(subject);
-        let possible = f64::from(count(subject.bodies.len())) / f64::from((requested - impossible).max(1));
+        let possible =
+            f64::from(count(subject.bodies.len())) / f64::from(requested.saturating_sub(impossible).max(1));
         findings.push(if possible < limit - ROUNDING { finding } else { finding.given() });
     }
 }
@@ -148,6 +150,15 @@ mod tests {
         room.ask(required("chest"));
         room.remove("chest", true);
         assert_eq!(room.audit(), []);
+    }
+
+    #[test]
+    fn a_room_that_misses_more_than_it_asked_for_is_judged() {
+        let mut room = TestRoom::rectangle(0.9, 4.0);
+        room.remove("chest", false);
+        room.remove("chest", false);
+        room.requested = Some(1);
+        assert_eq!(room.audit()[0].code, Code::Unfulfilled);
     }
 
     #[test]

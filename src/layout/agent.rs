@@ -4,6 +4,7 @@ use crate::catalog::{Side, Size};
 use crate::geometry::Point;
 
 use super::body::Pose;
+use super::environment::Place;
 use super::furnished::RemovalReason;
 use super::programme::Piece;
 
@@ -59,6 +60,13 @@ pub(crate) struct Rest {
     pub(crate) side: Side,
     /// Metres that it takes along that side.
     pub(crate) extent: f64,
+}
+
+impl Rest {
+    /// The place that it took.
+    pub(crate) fn place(&self) -> Place {
+        Place { pose: self.pose, parent: self.parent, side: self.side }
+    }
 }
 
 /// A resting agent or a part of the room.

@@ -21,7 +21,7 @@ use super::trace::Trace;
 const ROOM: AgentIndex = AgentIndex::MAX;
 
 /// Classes of this group are built in and never off their place.
-pub(crate) const FIXED_GROUP: &str = "fixed";
+const FIXED_GROUP: &str = "fixed";
 
 /// The room with its agents.
 pub(crate) struct Environment<'a> {
@@ -161,6 +161,11 @@ impl<'a> Environment<'a> {
     /// The class of an agent.
     pub(crate) fn class(&self, agent: AgentIndex) -> &'a Class {
         &self.catalog.classes[self.agents[agent].piece.class]
+    }
+
+    /// Whether an agent's class is built in.
+    pub(crate) fn is_built_in(&self, agent: AgentIndex) -> bool {
+        self.class(agent).groups.iter().any(|group| group == FIXED_GROUP)
     }
 
     /// Resting agents of some classes, in the order of those classes, then of coming to rest.

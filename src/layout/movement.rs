@@ -11,7 +11,7 @@ use super::environment::{Environment, Place};
 pub(crate) fn move_agent(environment: &mut Environment<'_>, agent: AgentIndex, pose: Pose) -> bool {
     let Some(group) = lift(environment, agent) else { return false };
     let old = *group.head();
-    let place = Place { pose, parent: old.parent, side: old.side };
+    let place = Place { pose, ..old.place() };
     if environment.obstruction(agent, &place).is_some() {
         group.put_back(environment);
         return false;
@@ -44,7 +44,7 @@ impl Group {
     /// Puts all where they were.
     pub(crate) fn put_back(&self, environment: &mut Environment<'_>) {
         for &(member, rest) in &self.0 {
-            environment.settle(member, &Place { pose: rest.pose, parent: rest.parent, side: rest.side });
+            environment.settle(member, &rest.place());
         }
     }
 
@@ -53,8 +53,7 @@ impl Group {
     pub(crate) fn settle_whole(&self, environment: &mut Environment<'_>, pose: &Pose) -> bool {
         let from = self.head().pose;
         for (count, &(member, rest)) in self.0.iter().enumerate() {
-            let place =
-                Place { pose: carried(&rest.pose, &from, pose), parent: rest.parent, side: rest.side };
+            let place = Place { pose: carried(&rest.pose, &from, pose), ..rest.place() };
             if environment.obstruction(member, &place).is_some() {
                 for &(settled, _) in self.0[..count].iter().rev() {
                     environment.unsettle(settled);
@@ -84,7 +83,7 @@ fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, (f
         _ => true,
     };
     let pose = carried(&rest.pose, from, to);
-    let place = Place { pose, parent: rest.parent, side: rest.side };
+    let place = Place { pose, ..rest.place() };
     if has_parent && environment.obstruction(member, &place).is_none() {
         environment.settle(member, &place);
     } else {

@@ -1,4 +1,4 @@
-//! Pushing resting agents within bounds (the paper's section 6.2 asks for it): who has less room than is good, or
+//! Pushing resting agents within bounds (the paper tried it, section 6.1, and left it out for its cost): who has less room than is good, or
 //! takes it from others, slides along its wall or over the floor, with all that belongs to it.
 
 use std::collections::BTreeSet;
@@ -8,7 +8,7 @@ use crate::geometry::Point;
 use super::agent::{AgentIndex, ParentPart, Rest};
 use super::body::Pose;
 use super::constants::{PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS};
-use super::environment::{Environment, FIXED_GROUP, Place};
+use super::environment::{Environment, Place};
 use super::movement::lift;
 use super::rules::{meets_needs, score};
 
@@ -28,7 +28,7 @@ pub(crate) fn push_apart(environment: &mut Environment<'_>) {
 /// The agents at the head of the groups in which somebody has less room than is good.
 fn tight_roots(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
     let is_tight = |&agent: &AgentIndex| {
-        environment.agents[agent].rest().is_some_and(|rest| is_tight(environment, agent, &place_of(rest)))
+        environment.agents[agent].rest().is_some_and(|rest| is_tight(environment, agent, &rest.place()))
     };
     let roots = (0..environment.agents.len()).filter(is_tight).map(|agent| root(environment, agent));
     roots.filter(|&root| can_slide(environment, root)).collect()
@@ -48,8 +48,7 @@ fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {
 
 /// Whether an agent may move at all: what is built in, in rows or hung stays.
 fn can_slide(environment: &Environment<'_>, agent: AgentIndex) -> bool {
-    let class = environment.class(agent);
-    let is_free = class.grid.is_none() && !class.groups.iter().any(|group| group == FIXED_GROUP);
+    let is_free = environment.class(agent).grid.is_none() && !environment.is_built_in(agent);
     let rest = environment.agents[agent].rest();
     is_free
         && rest.is_some_and(|rest| {
@@ -60,7 +59,7 @@ fn can_slide(environment: &Environment<'_>, agent: AgentIndex) -> bool {
 /// Moves a group to the best of the places within reach that are better than its own.
 fn push(environment: &mut Environment<'_>, root: AgentIndex) -> bool {
     let Some(group) = lift(environment, root) else { return false };
-    let old = place_of(group.head());
+    let old = group.head().place();
     let least = score(environment, root, &old).value + PUSH_GAIN;
     let mut better: Vec<(f64, Place)> = Vec::new();
     for pose in slides(environment, group.head()) {
@@ -105,8 +104,4 @@ fn slides(environment: &Environment<'_>, rest: &Rest) -> Vec<Pose> {
         .flat_map(|&distance| directions.iter().map(move |&direction| (distance, direction)))
         .map(slide)
         .collect()
-}
-
-fn place_of(rest: &Rest) -> Place {
-    Place { pose: rest.pose, parent: rest.parent, side: rest.side }
 }

@@ -8,7 +8,7 @@ use super::body::Pose;
 use super::constants::{
     CANDIDATES_BUILT_IN, CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE,
 };
-use super::environment::{Environment, FIXED_GROUP, Place};
+use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
 use super::rules::{self, Score, View};
 use super::seed::{Purpose, RoomKey, Stream};
@@ -87,8 +87,7 @@ struct Choice {
 impl Choice {
     fn new(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> Self {
         let class = environment.class(agent);
-        let is_built_in = class.groups.iter().any(|group| group == FIXED_GROUP);
-        let left = if is_built_in && environment.agents[agent].piece.is_required {
+        let left = if environment.is_built_in(agent) && environment.agents[agent].piece.is_required {
             CANDIDATES_BUILT_IN
         } else if !class.relations.is_empty() {
             CANDIDATES_WITH_RELATIONS
@@ -137,10 +136,9 @@ fn is_guest(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule)
     let class = environment.class(agent);
     let is_free =
         matches!(rule.parent, ParentName::Floor | ParentName::Wall | ParentName::Column | ParentName::Window);
-    let is_built_in = class.groups.iter().any(|group| group == FIXED_GROUP);
     let piece = &environment.agents[agent].piece;
     let is_one_of_many = class.grid.is_some() && !environment.resting[piece.class].is_empty();
-    (!piece.is_required || is_one_of_many) && (is_free || is_built_in)
+    (!piece.is_required || is_one_of_many) && (is_free || environment.is_built_in(agent))
 }
 
 /// Why an agent cannot or will not stand at a place.

@@ -5,7 +5,7 @@ use crate::geometry::Point;
 
 use super::agent::{Agent, AgentIndex, ParentPart, Rest};
 use super::body::{Pose, outward};
-use super::environment::{Environment, FIXED_GROUP};
+use super::environment::Environment;
 use super::movement::move_agent;
 use super::seed::{Purpose, RoomKey, Stream};
 
@@ -19,8 +19,8 @@ pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidi
         let class = environment.class(agent);
         let piece = environment.agents[agent].piece;
         let mut stream = key.stream(Purpose::Untidiness, &class.id, piece.number);
-        let is_fixed = class.groups.iter().any(|group| group == FIXED_GROUP);
-        if let (false, Some(rest)) = (is_fixed, environment.agents[agent].rest().copied())
+        if let (false, Some(rest)) =
+            (environment.is_built_in(agent), environment.agents[agent].rest().copied())
             && let Some(pose) = offset(environment, agent, &rest, (untidiness, &mut stream))
         {
             has_moved |= move_agent(environment, agent, pose);

@@ -17,6 +17,7 @@ pub use node::{
 };
 
 pub(crate) use extras::GENERATOR;
+pub(crate) use names::{opening as opening_id, parent as parent_id};
 
 use axes::Pose;
 use meshes::{Look, MeshTable};

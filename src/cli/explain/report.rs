@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::layout::{Parent, Placement};
+use crate::scene::parent_id;
 
 use super::Subject;
 
@@ -11,14 +11,16 @@ use super::Subject;
 pub(super) fn report(subject: &Subject<'_>) -> Value {
     let (found, explanation) = (subject.found, &subject.explanation);
     let room = found.room();
+    let (catalog, placements) = (&subject.sources.catalog, &subject.furnished.placements);
+    let parent = |parent| parent_id(parent, found.level, catalog, placements);
     let objects: Vec<Value> = explanation
         .objects
         .iter()
-        .zip(&subject.furnished.placements)
+        .zip(placements)
         .map(|(story, placement)| {
             let mut object = json!(story);
-            object["class"] = json!(subject.sources.catalog.classes[placement.class].id);
-            object["parent"] = json!(parent(subject, placement));
+            object["class"] = json!(catalog.classes[placement.class].id);
+            object["parent"] = json!(parent(placement.parent));
             object["side"] = json!(placement.side);
             object["position"] = json!([placement.position.x, placement.position.y, placement.elevation]);
             object["turn"] = json!(placement.angle.to_degrees());
@@ -42,19 +44,4 @@ pub(super) fn report(subject: &Subject<'_>) -> Value {
         "missing": explanation.missing,
         "findings": subject.findings,
     })
-}
-
-fn parent(subject: &Subject<'_>, placement: &Placement) -> String {
-    match placement.parent {
-        Parent::Floor => "floor".to_owned(),
-        Parent::Ceiling => "ceiling".to_owned(),
-        Parent::Wall(wall) => format!("wall.{wall}"),
-        Parent::Opening(index) => {
-            let opening = &subject.found.level.openings[index];
-            let kind = if opening.kind.is_walkable() { "door" } else { "window" };
-            format!("{kind}:{}", opening.id)
-        }
-        Parent::Column(column) => format!("column.{column}"),
-        Parent::Object(index) => subject.explanation.objects[index].id.clone(),
-    }
 }

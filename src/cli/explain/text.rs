@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::audit::Finding;
 use crate::catalog::Side;
 use crate::layout::{MissingStory, ObjectStory, Parent, Placement, Refusal, SearchStory, Wish};
+use crate::scene::opening_id;
 
 use super::Subject;
 
@@ -105,9 +106,7 @@ fn stands(subject: &Subject<'_>, placement: &Placement) -> String {
         Parent::Ceiling => "under the ceiling".to_owned(),
         Parent::Wall(wall) => format!("at wall.{wall}"),
         Parent::Opening(index) => {
-            let opening = &subject.found.level.openings[index];
-            let kind = if opening.kind.is_walkable() { "door" } else { "window" };
-            format!("at {kind}:{}", opening.id)
+            format!("at {}", opening_id(&subject.found.level.openings[index]))
         }
         Parent::Column(column) => format!("at the {} of column.{column}", placement.side.name()),
         Parent::Object(index) => {

@@ -6,7 +6,7 @@ use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::Pose;
 use crate::layout::constants::HANGING_GAP;
 
-use super::{Environment, FIXED_GROUP, Place};
+use super::{Environment, Place};
 
 impl Environment<'_> {
     /// Whether something that hangs over or beside its parent (a mirror over a basin, a cupboard over a worktop)
@@ -23,14 +23,10 @@ impl Environment<'_> {
         };
         let is_above = place.pose.elevation > rest.pose.elevation + carried_from + HANGING_GAP;
         let hangs = is_above || (place.side != Side::Above && self.hangs_on_a_wall(parent));
+        // A run of built-in pieces goes on along the wall, not past its end.
         let continues = || self.is_built_in(agent) && self.is_built_in(parent) && place.side != Side::Above;
         (hangs || (continues() && self.has_wall_behind(&rest.pose, holder.size)))
             && !self.has_wall_behind(&place.pose, size)
-    }
-
-    /// Whether an agent's class is built in: a run of such pieces goes on along the wall, not past its end.
-    fn is_built_in(&self, agent: AgentIndex) -> bool {
-        self.class(agent).groups.iter().any(|group| group == FIXED_GROUP)
     }
 
     /// Whether a back lies on one wall, clear of that wall's openings.

@@ -92,7 +92,7 @@ fn explanation(environment: &Environment<'_>, furnished: &Furnished) -> Explanat
 fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory {
     let mut wishes = Vec::new();
     if let Some(rest) = environment.agents[agent].rest() {
-        let place = Place { pose: rest.pose, parent: rest.parent, side: rest.side };
+        let place = rest.place();
         weigh(environment, agent, &place, |ground, points| match ground {
             Ground::Wish(relation) => wishes.push(wish(environment, (agent, &place), relation, points)),
             Ground::BeforeWindow => wishes.push(fault("before a window", points)),

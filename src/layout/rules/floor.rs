@@ -7,7 +7,6 @@ use crate::geometry::Point;
 use crate::layout::agent::{Agent, ParentPart};
 use crate::layout::body::Pose;
 use crate::layout::constants::{SAME_DIRECTION, SCAN_DIRECTIONS, SCAN_POINTS, SCAN_STEP, TRIALS_PER_FLOOR};
-use crate::layout::environment::FIXED_GROUP;
 use crate::layout::seed::Stream;
 
 use super::View;
@@ -17,7 +16,7 @@ use super::turn::{self, Bearing, angle_of_front};
 pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
     if view.rule.along == Along::Ends {
         propose_corners(view, stream, poses);
-        if is_built_in(view) {
+        if view.environment.is_built_in(view.agent) {
             return;
         }
     }
@@ -39,7 +38,7 @@ pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose
 
 /// Poses on a regular lattice over the whole room, in a fixed order.
 pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, poses: &mut Vec<Pose>) {
-    if view.rule.along == Along::Ends && is_built_in(view) {
+    if view.rule.along == Along::Ends && view.environment.is_built_in(view.agent) {
         return;
     }
     let region = &view.environment.surroundings.room.region;
@@ -100,7 +99,7 @@ fn propose_corners(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
         let shortest = (at - before).length().min((after - at).length());
         let is_corner_of_runs =
             incoming.dot(along).abs() < SAME_DIRECTION && shortest >= 2.0 * view.size.width;
-        if sine <= 0.0 || (is_built_in(view) && !is_corner_of_runs) {
+        if sine <= 0.0 || (view.environment.is_built_in(view.agent) && !is_corner_of_runs) {
             continue;
         }
         let angle = angle_of_front(along.perp());
@@ -115,11 +114,6 @@ fn propose_corners(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
         let position = at + along * (half.x + gap + shift) + along.perp() * (half.y + gap);
         poses.push(Pose::new(position, elevation(view), angle));
     }
-}
-
-/// Whether the agent stands in a corner for good and nowhere else.
-fn is_built_in(view: &View<'_>) -> bool {
-    view.class.groups.iter().any(|group| group == FIXED_GROUP)
 }
 
 fn pose_at(view: &View<'_>, position: Point, stream: &mut Stream) -> Pose {

@@ -10,7 +10,7 @@ use crate::layout::constants::{
     BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, NARROW_WIDTH, RUN_LENGTH, SEAT_PENALTY, TIGHT_PENALTY,
     WINDOW_PENALTY,
 };
-use crate::layout::environment::{Environment, FIXED_GROUP, Place};
+use crate::layout::environment::{Environment, Place};
 use crate::plan::OpeningKind;
 
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
@@ -98,7 +98,7 @@ pub(crate) fn weigh<'a>(
 fn suits_wall(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
     let ParentPart::Wall(wall) = place.parent else { return 0.0 };
     let (class, size) = (environment.class(agent), environment.agents[agent].size);
-    if !class.groups.iter().any(|group| group == FIXED_GROUP) {
+    if !environment.is_built_in(agent) {
         return 0.0;
     }
     let length = environment.surroundings.room.walls[wall].length();
