@@ -1,15 +1,15 @@
 //! How good the rooms are: furnishes plans over many seeds, audits every room, and prints one line a plan.
 //!
 //! ```text
-//! cargo run --release --example quality -- [--seeds N] [--random N] [--details] PLAN…
+//! cargo run --release --example quality -- [--seeds N] [--random N [--draw FOLDER]] [--details] PLAN…
 //! ```
 //! A PLAN is a file or folder as `bake` takes it; `--random` adds rooms of random shape, size, type and style, those of
-//! `tests/properties`. Nothing is written.
+//! `tests/properties`. Nothing is written but the drawings asked for with `--draw`.
 #![allow(clippy::print_stdout)] // the table is what it is for
 #![allow(unreachable_pub)] // of the shared file
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use proptest::strategy::{Strategy, ValueTree};
@@ -18,8 +18,9 @@ use rayon::prelude::*;
 use roomwright::audit::{Finding, Grade, Severity};
 use roomwright::best::{DEFAULT_EFFORT, furnish_best};
 use roomwright::catalog::{Catalog, load_catalog};
+use roomwright::draw::{Drawing, draw_level};
 use roomwright::layout::{FurnishOptions, Furnished};
-use roomwright::plan::{Level, PlanOptions, read_plans};
+use roomwright::plan::{Level, PlanOptions, SitePlacement, read_plans};
 
 #[path = "../tests/properties/rooms.rs"]
 mod rooms;
@@ -35,6 +36,9 @@ struct Arguments {
     /// So many rooms of random shape: convex, concave, slanted, with columns; 1 to 500 m².
     #[arg(long, default_value_t = 0)]
     random: usize,
+    /// Draw those random rooms that have findings into this folder, the grade first in the file's name.
+    #[arg(long)]
+    draw: Option<PathBuf>,
     /// Layouts per room and seed at most, as for `bake`.
     #[arg(long, default_value_t = DEFAULT_EFFORT)]
     effort: u32,
@@ -149,11 +153,45 @@ fn measure_random(catalog: &Catalog, arguments: &Arguments) -> Tally {
     let (mut runner, sketches) = (TestRunner::new(config), rooms::sketches());
     let mut sketch = |_| sketches.new_tree(&mut runner).expect("sketches reject nothing").current();
     let sketches: Vec<rooms::Sketch> = (0..arguments.random).map(&mut sketch).collect();
-    let tally = |sketch: &rooms::Sketch| {
+    let tally = |(number, sketch): (usize, &rooms::Sketch)| {
         let options = FurnishOptions { seed: sketch.seed, building: "random", style: None };
-        sketch.level(catalog).map(|level| Tally::of(&level, 0, catalog, &options, arguments.effort))
+        sketch.level(catalog).map(|level| {
+            if let Some(folder) = &arguments.draw {
+                draw_random(folder, number, &level, catalog, (&options, arguments.effort));
+            }
+            Tally::of(&level, 0, catalog, &options, arguments.effort)
+        })
     };
-    sketches.par_iter().filter_map(tally).reduce(Tally::default, Tally::join)
+    sketches.par_iter().enumerate().filter_map(tally).reduce(Tally::default, Tally::join)
+}
+
+/// Draws a random room if anything is wrong with it.
+fn draw_random(
+    folder: &Path,
+    number: usize,
+    level: &Level,
+    catalog: &Catalog,
+    (options, effort): (&FurnishOptions<'_>, u32),
+) {
+    let judged = furnish_best(level, 0, catalog, options, effort);
+    let (furnished, findings) = ([judged.furnished], [judged.verdict.findings]);
+    let grade = Grade::of(&findings[0]);
+    if grade == Grade::None {
+        return;
+    }
+    let drawing = Drawing {
+        building: options.building,
+        site: SitePlacement::default(),
+        level,
+        furnished: &furnished,
+        findings: &findings,
+        catalog,
+        seed: options.seed,
+        has_clearances: true,
+        has_findings: true,
+    };
+    let name = format!("{grade:?}-{}-{number}.svg", level.rooms[0].room_type).to_lowercase();
+    std::fs::write(folder.join(name), draw_level(&drawing)).expect("the folder can be written to");
 }
 
 /// All rooms of a plan over all seeds; storeys that repeat count once.

@@ -9,7 +9,7 @@ use crate::plan::Wall;
 use super::convex::{clip_segment, middle, penetration};
 use super::doors;
 use super::subject::{Body, Subject};
-use super::thresholds::{FIT_STEP, ROUNDING};
+use super::thresholds::{FIT_STEP, ROUNDING, SAME_DIRECTION};
 use super::zone::Zone;
 
 /// Whether some size of a class, with its smallest clearances, fits somewhere on the empty floor: clear of
@@ -41,9 +41,25 @@ pub(crate) fn can_hold_together(subject: &Subject<'_>, classes: &[ClassIndex]) -
 /// A piece where it could stand.
 struct Stand {
     /// Its footprint, then those of its clearances.
-    parts: Vec<Vec<Point>>,
+    parts: Vec<Footprint>,
     /// The box around them.
     bounds: (Point, Point),
+}
+
+/// A rectangle on the floor.
+#[derive(Clone, Copy)]
+struct Footprint {
+    /// Counter-clockwise.
+    corners: [Point; 4],
+    /// The box around them.
+    bounds: (Point, Point),
+}
+
+impl Footprint {
+    fn moved(&self, by: Point) -> Self {
+        let (low, high) = self.bounds;
+        Self { corners: self.corners.map(|corner| corner + by), bounds: (low + by, high + by) }
+    }
 }
 
 /// Depth-first: the first choice that agrees with all that stand already.
@@ -67,7 +83,9 @@ fn together<'c>(choices: &'c [Vec<Stand>], standing: &mut Vec<&'c Stand>, tests:
 
 /// Whether neither piece takes floor that the other needs.
 fn agree(one: &Stand, other: &Stand) -> bool {
-    let meets = |a: &[Point], b: &[Point]| penetration(a, b) > ROUNDING;
+    let meets = |a: &Footprint, b: &Footprint| {
+        bounds_overlap(a.bounds, b.bounds, 0.0) && penetration(&a.corners, &b.corners) > ROUNDING
+    };
     !bounds_overlap(one.bounds, other.bounds, 0.0)
         || (!other.parts.iter().any(|part| meets(&one.parts[0], part))
             && !one.parts.iter().skip(1).any(|part| meets(&other.parts[0], part)))
@@ -82,7 +100,7 @@ fn bounds_of<'p>(corners: impl Iterator<Item = &'p Point>) -> (Point, Point) {
 /// left of a direction from a point.
 pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point)) -> bool {
     let among = subject.bodies.iter().filter(|other| other.low() < body.high());
-    let bodies = among.flat_map(|other| other.solids.iter().map(Solid::footprint)).collect();
+    let bodies = among.flat_map(|other| &other.solids).collect();
     let space = Space { bodies, line: Some(line), ..Space::empty(subject) };
     space.holds(body.class, body.placement.size, |clearance| clearance.minimum)
 }
@@ -124,8 +142,8 @@ struct Space<'s, 'a> {
     subject: &'s Subject<'a>,
     borders: Vec<(Point, Point)>,
     door_zones: Vec<Zone>,
-    /// Footprints that the piece and its clearances keep clear of.
-    bodies: Vec<&'s [Point]>,
+    /// Bodies whose footprints the piece and its clearances keep clear of.
+    bodies: Vec<&'s Solid>,
     /// The piece stays to the left of this line: a point and a direction.
     line: Option<(Point, Point)>,
 }
@@ -141,8 +159,9 @@ impl<'s, 'a> Space<'s, 'a> {
     fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
         let boxes = needed_boxes(class, size, depth_of);
         let mut stands = self.stands(class, size);
+        let mut turned = Turned::new(&boxes);
         lowest_underside(class) + size.height <= self.subject.room.height
-            && stands.any(|(position, angle)| self.is_free(&boxes, position, angle))
+            && stands.any(|(position, angle)| self.is_free(turned.to(angle), position))
     }
 
     /// Where the middle of a piece may be tried, and its angle: along the walls, and all over the floor unless it
@@ -163,20 +182,24 @@ impl<'s, 'a> Space<'s, 'a> {
         let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
         let size = *smallest.expect("a class has a size");
         let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
+        let mut turned = Turned::new(&boxes);
         let stand = |(position, angle)| {
-            let parts: Vec<Vec<Point>> = boxes.iter().map(|&local| placed(local, position, angle)).collect();
-            Stand { bounds: bounds_of(parts.iter().flatten()), parts }
+            let parts = turned.to(angle);
+            self.is_free(parts, position).then(|| {
+                let parts: Vec<Footprint> = parts.iter().map(|part| part.moved(position)).collect();
+                Stand { bounds: bounds_of(parts.iter().flat_map(|part| &part.corners)), parts }
+            })
         };
-        let free = |&(position, angle): &(Point, f64)| self.is_free(&boxes, position, angle);
-        self.stands(class, size).filter(free).map(stand).collect()
+        self.stands(class, size).filter_map(stand).collect()
     }
 
-    /// The directions of the walls that are no quarter turns of each other.
+    /// The directions of the walls that are no quarter turns of each other, nearly parallel ones once.
     fn directions(&self) -> Vec<f64> {
         let mut directions: Vec<Point> = Vec::new();
         for wall in self.subject.room.walls.iter().filter(|wall| wall.length() > ROUNDING) {
             let along = wall.direction();
-            let is_known = |known: &Point| known.perp_dot(along).abs().min(known.dot(along).abs()) < ROUNDING;
+            let is_known =
+                |known: &Point| known.perp_dot(along).abs().min(known.dot(along).abs()) < SAME_DIRECTION;
             if !directions.iter().any(is_known) {
                 directions.push(along);
             }
@@ -212,56 +235,80 @@ impl<'s, 'a> Space<'s, 'a> {
         })
     }
 
-    fn is_free(&self, boxes: &[LocalBox], position: Point, angle: f64) -> bool {
+    fn is_free(&self, parts: &[Footprint], position: Point) -> bool {
         // The middle decides most positions; the rest is asked only where it is inside.
-        self.subject.room.region.contains(position)
-            && boxes.iter().enumerate().all(|(number, &local)| {
-                let footprint = placed(local, position, angle);
+        !self.crosses_line(&[position])
+            && self.subject.room.region.contains(position)
+            && parts.iter().enumerate().all(|(number, part)| {
+                let footprint = part.moved(position);
                 let is_body = number == 0;
-                self.is_inside(&footprint)
-                    && self.is_clear(&footprint)
-                    && !(is_body && (self.blocks_a_door(&footprint) || self.crosses_line(&footprint)))
+                self.is_clear(&footprint)
+                    && self.is_inside(&footprint)
+                    && !(is_body && (self.blocks_a_door(&footprint) || self.crosses_line(&footprint.corners)))
             })
     }
 
-    fn is_inside(&self, footprint: &[Point]) -> bool {
+    fn is_inside(&self, footprint: &Footprint) -> bool {
         let in_column =
             |point: Point| self.subject.room.obstacles.iter().any(|column| column.outline.contains(point));
         // A corner may lie on a border, where it is neither in nor out.
-        let middle = middle(footprint);
+        let middle = middle(&footprint.corners);
         self.subject.room.region.contains(middle) && !in_column(middle) && !self.is_crossed(footprint)
     }
 
     /// Whether a border runs through a footprint. Nearly all borders are far away, which their boxes tell.
-    fn is_crossed(&self, footprint: &[Point]) -> bool {
-        let around = bounds_of(footprint.iter());
-        let is_near = |(a, b): (Point, Point)| bounds_overlap((a.min(b), a.max(b)), around, -ROUNDING);
-        let crosses = |border| clip_segment(footprint, border, ROUNDING / 2.0).is_some();
+    fn is_crossed(&self, footprint: &Footprint) -> bool {
+        let is_near =
+            |(a, b): (Point, Point)| bounds_overlap((a.min(b), a.max(b)), footprint.bounds, -ROUNDING);
+        let crosses = |border| clip_segment(&footprint.corners, border, ROUNDING / 2.0).is_some();
         self.borders.iter().any(|&border| is_near(border) && crosses(border))
     }
 
-    fn is_clear(&self, footprint: &[Point]) -> bool {
-        !self.bodies.iter().any(|body| penetration(body, footprint) > 0.0)
+    fn is_clear(&self, footprint: &Footprint) -> bool {
+        let meets = |body: &&Solid| {
+            bounds_overlap(body.bounds, footprint.bounds, 0.0)
+                && penetration(body.footprint(), &footprint.corners) > 0.0
+        };
+        !self.bodies.iter().any(meets)
     }
 
-    fn crosses_line(&self, footprint: &[Point]) -> bool {
-        let is_right = |(from, along): (Point, Point)| {
-            footprint.iter().any(|&corner| along.perp_dot(corner - from) < 0.0)
-        };
+    fn crosses_line(&self, corners: &[Point]) -> bool {
+        let is_right =
+            |(from, along): (Point, Point)| corners.iter().any(|&corner| along.perp_dot(corner - from) < 0.0);
         self.line.is_some_and(is_right)
     }
 
-    fn blocks_a_door(&self, footprint: &[Point]) -> bool {
-        self.door_zones.iter().any(|zone| penetration(&zone.base, footprint) > 0.0)
+    fn blocks_a_door(&self, footprint: &Footprint) -> bool {
+        self.door_zones.iter().any(|zone| penetration(&zone.base, &footprint.corners) > 0.0)
     }
 }
 
-fn placed((low, high): LocalBox, position: Point, angle: f64) -> Vec<Point> {
-    let turn = direction(angle);
-    let corners = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
-    let placed: Vec<Point> = corners.map(|corner| position + turn.rotate(corner)).to_vec();
-    debug_assert!(edges(&placed).count() == 4, "empty boxes were dropped");
-    placed
+/// The boxes of a piece turned to an angle, around its middle. Places come in long runs of one angle.
+struct Turned<'b> {
+    boxes: &'b [LocalBox],
+    angle: f64,
+    parts: Vec<Footprint>,
+}
+
+impl<'b> Turned<'b> {
+    fn new(boxes: &'b [LocalBox]) -> Self {
+        Self { boxes, angle: f64::NAN, parts: Vec::new() }
+    }
+
+    fn to(&mut self, angle: f64) -> &[Footprint] {
+        if self.angle.to_bits() != angle.to_bits() {
+            self.angle = angle;
+            self.parts = self.boxes.iter().map(|&local| turned(local, direction(angle))).collect();
+        }
+        &self.parts
+    }
+}
+
+fn turned((low, high): LocalBox, turn: Point) -> Footprint {
+    let corners =
+        [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)].map(|corner| turn.rotate(corner));
+    debug_assert!(edges(&corners).count() == 4, "empty boxes were dropped");
+    Footprint { corners, bounds: bounds_of(corners.iter()) }
 }
 
 /// `from`, then on by [`FIT_STEP`] up to `to`.

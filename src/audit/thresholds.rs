@@ -7,3 +7,5 @@ pub(crate) const ROUNDING: f64 = 1e-6;
 /// Step in metres between the positions tried when asking whether an empty room can hold a piece: below
 /// the smallest clearance by a factor of six, so that what fits with any slack is found.
 pub(crate) const FIT_STEP: f64 = 0.05;
+/// Sine of the angle below which two walls count as parallel where a piece is tried along them.
+pub(crate) const SAME_DIRECTION: f64 = 0.02;

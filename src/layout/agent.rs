@@ -36,6 +36,8 @@ pub(crate) struct Agent {
     pub(crate) searches: u32,
     /// Whether it was sent away from the only way to something.
     pub(crate) is_in_the_way: bool,
+    /// In how many earlier attempts the room missed it, or what stands by it: who is urgent searches first.
+    pub(crate) urgency: u32,
 }
 
 /// The states of figure 3, and what is left of an agent without a parent.
@@ -101,6 +103,7 @@ impl Agent {
             roofs: 0..0,
             searches: 0,
             is_in_the_way: false,
+            urgency: 0,
         }
     }
 

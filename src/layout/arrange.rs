@@ -1,12 +1,14 @@
 //! The loop of section 4: agents act according to their state until all rest or are removed.
 
+use core::cmp::Reverse;
+
 use crate::catalog::Size;
 
-use super::agent::{AgentIndex, State};
+use super::agent::{Agent, AgentIndex, State};
 use super::constants::SEARCH_ROUNDS;
 use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
-use super::search::{Found, search};
+use super::search::{Care, Found, search};
 use super::seed::RoomKey;
 
 /// Lets all searching agents act until each rests or is removed.
@@ -42,7 +44,8 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
 
 /// Searches in the size that was drawn; where that has no good place, in the smaller sizes of the class, largest
 /// first: a narrow wardrobe is better than none, or one in the way. What covers an opening begins with the
-/// largest, so that a wide window gets a wide curtain.
+/// largest, so that a wide window gets a wide curtain. A piece that cannot be missed and has no place in any size
+/// looks everywhere, in its smallest.
 fn search_in_any_size(
     environment: &mut Environment<'_>,
     agent: AgentIndex,
@@ -52,13 +55,27 @@ fn search_in_any_size(
         let sizes = sizes_by(environment, agent, |size| size.width * size.height);
         return search_in_sizes(environment, agent, key, &sizes).map(|found| found.place);
     }
-    let drawn = search(environment, agent, key);
+    let may_scan = !environment.is_exhausted[environment.agents[agent].piece.class];
+    let found = search_in_smaller_sizes(environment, agent, key);
+    if found.is_ok() || !environment.agents[agent].piece.is_required || !may_scan {
+        return found.map(|found| found.place);
+    }
+    let smallest = sizes_by(environment, agent, area).pop();
+    take_size(environment, agent, smallest.expect("a class has a size"));
+    search(environment, agent, key, Care::Thorough).map(|found| found.place)
+}
+
+fn search_in_smaller_sizes(
+    environment: &mut Environment<'_>,
+    agent: AgentIndex,
+    key: &RoomKey,
+) -> Result<Found, RemovalReason> {
+    let drawn = search(environment, agent, key, Care::Usual);
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
     let is_good = drawn.as_ref().is_ok_and(|found| !found.is_poor);
     if is_good || class.sizes.len() == 1 || environment.is_exhausted[piece.class] {
-        return drawn.map(|found| found.place);
+        return drawn;
     }
-    let area = |size: Size| size.width * size.depth;
     let mut sizes = sizes_by(environment, agent, area);
     sizes.retain(|&variant| area(class.size(variant)) < area(class.size(piece.variant)));
     let smaller = search_in_sizes(environment, agent, key, &sizes);
@@ -66,7 +83,11 @@ fn search_in_any_size(
     if !is_smaller_better {
         take_size(environment, agent, piece.variant);
     }
-    if is_smaller_better { smaller } else { drawn }.map(|found| found.place)
+    if is_smaller_better { smaller } else { drawn }
+}
+
+fn area(size: Size) -> f64 {
+    size.width * size.depth
 }
 
 fn take_size(environment: &mut Environment<'_>, agent: AgentIndex, variant: u32) {
@@ -85,7 +106,7 @@ fn search_in_sizes(
     let mut best: Result<(u32, Found), RemovalReason> = Err(RemovalReason::NoPlace);
     for &variant in variants {
         take_size(environment, agent, variant);
-        match search(environment, agent, key) {
+        match search(environment, agent, key, Care::Usual) {
             Ok(found) if !found.is_poor => return Ok(found),
             Ok(found) if best.is_err() => best = Ok((variant, found)),
             Err(reason) if best.is_err() => best = Err(reason),
@@ -108,14 +129,16 @@ fn sizes_by(environment: &Environment<'_>, agent: AgentIndex, extent: impl Fn(Si
 }
 
 /// "We prioritize agents according to their expected depth in the hierarchy, so that the arrangement of tables
-/// is attempted before chairs search for parents" (section 3.2). Within a depth: by priority, the pieces that
-/// only fill last, large before small, then as the programme lists them.
+/// is attempted before chairs search for parents" (section 3.2). Within a depth: who was missed in earlier
+/// attempts; then by priority, the pieces that only fill last, large before small, then as the programme lists
+/// them.
 fn service_order(environment: &Environment<'_>) -> Vec<AgentIndex> {
     let mut order: Vec<AgentIndex> = (0..environment.agents.len()).collect();
     let rank = |&agent: &AgentIndex| {
         let (class, size) = (environment.class(agent), environment.agents[agent].size);
         let square_millimetres = (size.width * size.depth * 1e6) as i64;
-        (class.depth, environment.agents[agent].piece.is_fill, -class.priority, -square_millimetres, agent)
+        let Agent { piece, urgency, .. } = &environment.agents[agent];
+        (class.depth, Reverse(*urgency), piece.is_fill, -class.priority, -square_millimetres, agent)
     };
     order.sort_by_cached_key(rank);
     order

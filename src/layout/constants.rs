@@ -86,7 +86,7 @@ pub(crate) const WAY_ROUNDS: usize = 4;
 /// Times that a room is furnished from derived seeds while many pieces are missing; rooms that come out well,
 /// nearly all, are furnished once.
 pub(crate) const ATTEMPTS: u32 = 4;
-/// Times while a required piece is missing or a way is closed: a bathroom of 3 m² has few good arrangements.
+/// Times while there is none of what the room cannot do without or a way is closed: a bathroom of 3 m² has few good arrangements.
 pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
 /// Share of the requested pieces that may be missing before another attempt.
 pub(crate) const MISSING_SHARE: f64 = 0.1;

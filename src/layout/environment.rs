@@ -1,6 +1,6 @@
 //! The environment of the agents: who rests where, and whether a place is free.
 
-use std::cell::{Cell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
 
 use crate::catalog::{Catalog, Class, ClassIndex, Shape, Side, Size};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
@@ -97,14 +97,27 @@ struct Probe<'a> {
     place: &'a Place,
     /// Its box.
     whole: Solid,
-    /// Its true shape.
-    parts: &'a [Solid],
+    shape: &'a Shape,
+    size: Size,
+    /// Its true shape, made when the box does not decide.
+    parts: OnceCell<Vec<Solid>>,
+    /// Where to take the room for it from.
+    spare: &'a Cell<Vec<Solid>>,
 }
 
 impl Probe<'_> {
     fn meets(&self, solid: &Solid, tolerance: f64) -> bool {
-        bounds_overlap(solid.bounds, self.whole.bounds, tolerance)
-            && self.parts.iter().any(|part| part.overlaps(solid, tolerance))
+        self.whole.overlaps(solid, tolerance)
+            && (*self.shape == Shape::Box || self.parts().iter().any(|part| part.overlaps(solid, tolerance)))
+    }
+
+    fn parts(&self) -> &[Solid] {
+        self.parts.get_or_init(|| {
+            let mut parts = self.spare.take();
+            parts.clear();
+            append_solids(&mut parts, self.shape, self.size, &self.place.pose);
+            parts
+        })
     }
 }
 
@@ -178,8 +191,7 @@ impl<'a> Environment<'a> {
 
     /// Why an agent cannot stand at a place, or `None` if it can. Cheap questions first.
     pub(crate) fn obstruction(&self, agent: AgentIndex, place: &Place) -> Option<RemovalReason> {
-        let (class, size) = (self.class(agent), self.agents[agent].size);
-        let whole = box_solid(size, &place.pose);
+        let whole = box_solid(self.agents[agent].size, &place.pose);
         let height = self.surroundings.room.height;
         if whole.low < -CONTACT_TOLERANCE || whole.high > height + CONTACT_TOLERANCE {
             return Some(RemovalReason::Outside);
@@ -187,30 +199,25 @@ impl<'a> Environment<'a> {
         if self.hangs_in_the_air(agent, place) {
             return Some(RemovalReason::Outside);
         }
-        if class.shape == Shape::Box {
-            return self.shape_obstruction(agent, place, whole, std::slice::from_ref(&whole));
+        let probe = self.probe(agent, place, whole);
+        let reason = self.shape_obstruction(&probe);
+        if let Some(parts) = probe.parts.into_inner() {
+            self.scratch.set(parts);
         }
-        let mut parts = self.scratch.take();
-        parts.clear();
-        append_solids(&mut parts, &class.shape, size, &place.pose);
-        let reason = self.shape_obstruction(agent, place, whole, &parts);
-        self.scratch.set(parts);
         reason
     }
 
-    fn shape_obstruction(
-        &self,
-        agent: AgentIndex,
-        place: &Place,
-        whole: Solid,
-        parts: &[Solid],
-    ) -> Option<RemovalReason> {
-        let probe = Probe { agent, place, whole, parts };
-        if !self.is_inside(&whole) && !parts.iter().all(|part| self.is_inside(part)) {
+    fn probe<'p>(&'p self, agent: AgentIndex, place: &'p Place, whole: Solid) -> Probe<'p> {
+        let (shape, size) = (&self.class(agent).shape, self.agents[agent].size);
+        Probe { agent, place, whole, shape, size, parts: OnceCell::new(), spare: &self.scratch }
+    }
+
+    fn shape_obstruction(&self, probe: &Probe<'_>) -> Option<RemovalReason> {
+        if !self.is_inside(&probe.whole) && !probe.parts().iter().all(|part| self.is_inside(part)) {
             Some(RemovalReason::Outside)
-        } else if self.has_collision(&probe) || self.slides_under_a_stranger(&probe) {
+        } else if self.has_collision(probe) || self.slides_under_a_stranger(probe) {
             Some(RemovalReason::Collision)
-        } else if self.blocks_a_way(&probe) || !self.has_clearances(agent, place, false) {
+        } else if self.blocks_a_way(probe) || !self.has_clearances(probe.agent, probe.place, false) {
             Some(RemovalReason::Clearance)
         } else {
             None

@@ -8,7 +8,7 @@
 //! - clearances, door swings and approaches are regions that bodies keep out of;
 //! - who closes the only way to a door or to a side that people use is sent away to search again (`ways`);
 //! - a room that lacks a required piece, a way, or many pieces is furnished again from a derived seed, a few
-//!   times at most;
+//!   times at most, with those served first that were missed;
 //! - an agent with wishes about other objects compares a few free places instead of taking the first.
 
 mod agent;
@@ -41,9 +41,12 @@ pub use explain::{
 };
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 
-use crate::catalog::{Catalog, Untidiness};
+use std::collections::BTreeSet;
+
+use crate::catalog::{Catalog, ClassIndex, ParentName, Untidiness};
 use crate::plan::{Level, OpeningKind, Room};
 
+use agent::{Agent, AgentIndex, State};
 use constants::{ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE};
 use environment::Environment;
 use programme::Site;
@@ -115,27 +118,31 @@ impl Task<'_> {
         // The programme is drawn once: another attempt must not ask for other pieces.
         let pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
         let surroundings = Surroundings::new(level, plan);
-        let attempt = |number: u32| {
+        let mut urgency = vec![0; pieces.len()];
+        let mut attempt = |number: u32| {
             let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);
+            for (agent, &urgency) in environment.agents.iter_mut().zip(&urgency) {
+                agent.urgency = urgency;
+            }
             environment.trace = is_traced.then(|| trace::Trace::new(&environment));
             let attempt_key = key.attempt(alternative * ATTEMPTS_IN_NEED + number);
             let closed_ways = act_all(&mut environment, &style.untidiness, &attempt_key);
+            for agent in missed(&environment) {
+                urgency[agent] += 1;
+            }
             let furnished = result::furnished(&environment, room, key.seed(), style);
             let told = Told { words: tell(&environment, &furnished), kept: number + 1, attempts: number + 1 };
             Attempt { furnished, closed_ways, told }
         };
         let mut best = attempt(0);
-        // Who compares alternatives has many more of them.
-        let most = if alternative == 0 { ATTEMPTS_IN_NEED } else { ATTEMPTS };
-        for number in 1..most {
-            if !best.is_worth_another(number) {
-                break;
-            }
+        let mut number = 1;
+        while number < best.deserved_attempts(alternative) {
             let next = attempt(number);
             if next.lack() < best.lack() {
                 best = next;
             }
-            best.told.attempts = number + 1;
+            number += 1;
+            best.told.attempts = number;
         }
         (best.furnished, Some(best.told))
     }
@@ -161,6 +168,22 @@ fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &Roo
     ways::clear_ways(environment, key)
 }
 
+/// Whom the next attempt should serve first: the required pieces that found no place, and those by which they would
+/// stand. What goes wrong first is dealt with first: D. Joslin, D. Clements, "Squeaky Wheel Optimization", 1999.
+fn missed(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
+    let is_missed = |agent: &AgentIndex| {
+        let Agent { piece, state, .. } = &environment.agents[*agent];
+        piece.is_required && matches!(state, State::Removed(_))
+    };
+    let missed: BTreeSet<AgentIndex> = (0..environment.agents.len()).filter(is_missed).collect();
+    let rules = missed.iter().flat_map(|&agent| &environment.class(agent).parents);
+    let parents = rules.filter_map(|rule| match &rule.parent {
+        ParentName::Classes(classes) => Some(environment.resting_of(classes)),
+        _ => None,
+    });
+    missed.iter().copied().chain(parents.flatten()).collect()
+}
+
 /// One of the times that a room is furnished.
 struct Attempt<T> {
     furnished: Furnished,
@@ -169,19 +192,28 @@ struct Attempt<T> {
 }
 
 impl<T> Attempt<T> {
-    /// Required pieces that are missing, then ways that are closed, then all pieces that are missing: what
-    /// attempts are compared by.
-    fn lack(&self) -> (usize, usize, usize) {
-        let removals = &self.furnished.removals;
-        let required = removals.iter().filter(|removal| removal.is_required).count();
-        (required, self.closed_ways, removals.len())
+    /// Classes of which a required piece is missing and none is there, ways that are closed, required pieces that
+    /// are missing, all that are missing: what attempts are compared by, in this order.
+    fn lack(&self) -> [usize; 4] {
+        let required = || self.furnished.removals.iter().filter(|removal| removal.is_required);
+        let is_there = |class| self.furnished.placements.iter().any(|placement| placement.class == class);
+        let classes: BTreeSet<ClassIndex> = required().map(|removal| removal.class).collect();
+        let without_any = classes.into_iter().filter(|&class| !is_there(class)).count();
+        [without_any, self.closed_ways, required().count(), self.furnished.removals.len()]
     }
 
-    /// Whether another attempt is worth its time after so many.
-    fn is_worth_another(&self, attempts: u32) -> bool {
-        let (required, ways, all) = self.lack();
+    /// How many attempts the room deserves.
+    fn deserved_attempts(&self, alternative: u32) -> u32 {
+        let [without_any, ways, required, all] = self.lack();
         let misses_many = all as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
-        required > 0 || ways > 0 || (misses_many && attempts < ATTEMPTS)
+        let is_in_need = without_any > 0 || ways > 0;
+        match (is_in_need, alternative) {
+            (true, 0) => ATTEMPTS_IN_NEED,
+            (true, _) => ATTEMPTS,
+            (false, 0) if required > 0 || misses_many => ATTEMPTS,
+            // Who compares alternatives has more of them.
+            (false, _) => 1,
+        }
     }
 }
 

@@ -23,6 +23,7 @@ pub(crate) fn search(
     environment: &Environment<'_>,
     agent: AgentIndex,
     key: &RoomKey,
+    care: Care,
 ) -> Result<Found, RemovalReason> {
     environment.note_search(agent);
     let class = environment.class(agent);
@@ -46,8 +47,7 @@ pub(crate) fn search(
             choice.consider(&view, &poses, &mut failures);
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
                 poses.clear();
-                let is_thorough = piece.is_required && choice.best.is_none() && fallback.is_none();
-                rules::propose_scan(&view, is_thorough, &mut stream, &mut poses);
+                rules::propose_scan(&view, care == Care::Thorough, &mut stream, &mut poses);
                 choice.consider(&view, &poses, &mut failures);
             }
             if choice.left == 0 {
@@ -64,6 +64,15 @@ pub(crate) fn search(
     }
     let poor = |(_, place)| Found { place, is_poor: true };
     fallback.map(poor).ok_or_else(|| failures.reason())
+}
+
+/// How hard an agent looks.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Care {
+    /// Where it would like to be, then on a coarse lattice.
+    Usual,
+    /// At every turn and wall, on a fine lattice.
+    Thorough,
 }
 
 /// A place that an agent can take.

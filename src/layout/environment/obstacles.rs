@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::geometry::Solid;
 use crate::layout::agent::AgentIndex;
-use crate::layout::body::{append_solids, box_solid, clearance_solid};
+use crate::layout::body::{box_solid, clearance_solid};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
 use crate::layout::furnished::RemovalReason;
 use crate::layout::rules::{Ground, weigh};
@@ -22,9 +22,7 @@ impl Environment<'_> {
         (reason, opening_region_count): (RemovalReason, usize),
     ) -> BTreeSet<Obstacle> {
         let size = self.agents[agent].size;
-        let mut parts = Vec::new();
-        append_solids(&mut parts, &self.class(agent).shape, size, &place.pose);
-        let probe = Probe { agent, place, whole: box_solid(size, &place.pose), parts: &parts };
+        let probe = self.probe(agent, place, box_solid(size, &place.pose));
         match reason {
             RemovalReason::Outside => self.what_is_outside(&probe),
             RemovalReason::Collision => self.who_collides(&probe),
