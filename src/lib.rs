@@ -15,6 +15,7 @@ pub mod document;
 pub mod draw;
 pub mod geometry;
 pub mod gltf;
+pub mod handbook;
 pub mod layout;
 pub mod model;
 pub mod plan;

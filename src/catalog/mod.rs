@@ -35,7 +35,7 @@ pub use class::{
     Along, Class, ClassIndex, Clearance, Extent, Grid, ModelSource, Orientation, ParentName, ParentRule,
     PrismRule, Relation, RelationKind, Shape, Side, SideOffer, Size, Turn,
 };
-pub use describe::{Description, describe};
+pub use describe::{Description, describe, style_differences};
 pub use load::load_catalog;
 pub use palette::{MATERIAL_SLOTS, Material, Palette};
 pub use style::{Count, Finish, Request, RoomType, Style, Untidiness};

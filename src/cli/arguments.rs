@@ -152,6 +152,12 @@ pub(crate) struct CatalogArguments {
     /// Further folders of configuration.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
+    /// Write everything as a page with a picture of each room type: catalogue.md and catalogue/ in this folder.
+    #[arg(long, value_name = "DIR", conflicts_with = "what")]
+    pub(crate) docs: Option<PathBuf>,
+    /// Overwrite existing files.
+    #[arg(long, requires = "docs")]
+    pub(crate) force: bool,
 }
 
 /// `import`.

@@ -1,17 +1,23 @@
 //! `catalog`: what exists.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
+use serde_json::json;
 
 use super::arguments::{CatalogArguments, CatalogWord};
 use super::exit::Outcome;
+use super::files::write_text;
 use super::screen::Screen;
 use crate::catalog::{DefinitionKind, Description, describe, load_catalog};
 use crate::document::{Fault, Faults};
+use crate::handbook::{Page, handbook};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &CatalogArguments, screen: Screen) -> Outcome {
+    if let Some(folder) = &arguments.docs {
+        return write_handbook(arguments, folder, screen);
+    }
     match find(arguments, screen) {
         Ok(description) => {
             if screen.is_json {
@@ -26,6 +32,28 @@ pub(crate) fn run(arguments: &CatalogArguments, screen: Screen) -> Outcome {
             Outcome::NotStarted
         }
     }
+}
+
+/// Writes the catalogue's pages; the first file that cannot be written ends it.
+fn write_handbook(arguments: &CatalogArguments, folder: &Path, screen: Screen) -> Outcome {
+    let pages = load_catalog(&arguments.catalog).map(|loaded| {
+        screen.faults(&loaded.warnings);
+        handbook(&loaded.value)
+    });
+    let write = |page: &Page| {
+        let path = folder.join(&page.path);
+        write_text(&path, &page.text, arguments.force).map(|()| path)
+    };
+    let written = pages.and_then(|pages| pages.iter().map(write).collect::<Result<Vec<PathBuf>, Faults>>());
+    match written {
+        Ok(files) if screen.is_json => screen.json(&json!({ "files": files })),
+        Ok(files) => screen.note(&format!("{} files in {}", files.len(), folder.display())),
+        Err(faults) => {
+            screen.faults(&faults);
+            return Outcome::NotStarted;
+        }
+    }
+    Outcome::Done
 }
 
 fn find(arguments: &CatalogArguments, screen: Screen) -> Result<Description, Faults> {

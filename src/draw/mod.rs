@@ -78,7 +78,10 @@ pub fn draw_level(drawing: &Drawing<'_>) -> String {
 fn bounds(level: &Level) -> (Point, Point) {
     let nothing = (Point::INFINITY, Point::NEG_INFINITY);
     let corners = level.rooms.iter().flat_map(|room| room.region.outline.corners());
-    let (low, high) = corners.fold(nothing, |(low, high), &corner| (low.min(corner), high.max(corner)));
+    // Doors may open outward, over the margin.
+    let leaves = level.openings.iter().flat_map(|opening| &opening.leaves);
+    let points = corners.chain(leaves.map(|leaf| &leaf.open_tip));
+    let (low, high) = points.fold(nothing, |(low, high), &corner| (low.min(corner), high.max(corner)));
     if !low.is_finite() {
         return (Point::ZERO, Point::ONE);
     }

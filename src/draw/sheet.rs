@@ -39,8 +39,11 @@ fn draw_title(canvas: &mut Canvas, drawing: &Drawing<'_>) {
     canvas.text_at(Point::new(MARGIN_LEFT, 18.0), &format!("{} / {title}", drawing.building), bold);
     let placed: usize = drawing.furnished.iter().map(|room| room.placements.len()).sum();
     let requested: u32 = drawing.furnished.iter().map(|room| room.requested).sum();
-    let counts =
-        format!("{} rooms, {placed} of {requested} pieces placed, seed {}", level.rooms.len(), drawing.seed);
+    let rooms = match level.rooms.len() {
+        1 => "1 room".to_owned(),
+        count => format!("{count} rooms"),
+    };
+    let counts = format!("{rooms}, {placed} of {requested} pieces placed, seed {}", drawing.seed);
     canvas.text_at(Point::new(MARGIN_LEFT, 38.0), &counts, SMALL);
 }
 

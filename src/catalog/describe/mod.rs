@@ -152,6 +152,12 @@ fn describe_one(catalog: &Catalog, kind: DefinitionKind, id: &str) -> Option<Des
     Some(Description { text, value })
 }
 
+/// What a style has otherwise than the one that it extends: names of facts and what they are here, as people read it.
+#[must_use]
+pub fn style_differences(catalog: &Catalog, style: &Style) -> Vec<(&'static str, String)> {
+    style::differences(style, base_style(catalog, &style.id))
+}
+
 /// The style that another extends; one that replaces an earlier one of its own name has none to compare with.
 fn base_style<'a>(catalog: &'a Catalog, id: &str) -> Option<&'a Style> {
     let base = catalog.origins.get(&(DefinitionKind::Style, id.to_owned()))?.extends.as_ref()?;

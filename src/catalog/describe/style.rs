@@ -41,6 +41,24 @@ fn compared(style: &Style, base: Option<&Style>, show: Show) -> String {
     }
 }
 
+/// What a style has otherwise than the one that it extends, or everything where it extends none, as people read it:
+/// names of facts and what they are here.
+pub(super) fn differences(style: &Style, base: Option<&Style>) -> Vec<(&'static str, String)> {
+    let differs = |show: Show| base.is_none_or(|base| show(base) != show(style));
+    let facts = FACTS.into_iter().filter(|&(_, show)| differs(show));
+    let facts = facts.map(|(name, show)| (name, show(style)));
+    let kinds: [(&str, Select); 2] =
+        [("programmes", |style| &style.programmes), ("additions", |style| &style.additions)];
+    let changed = |(name, of): (&'static str, Select)| {
+        let is_own = |room_type: &&String| {
+            base.is_none_or(|base| of(base).get(*room_type) != of(style).get(*room_type))
+        };
+        let room_types: Vec<&str> = of(style).keys().filter(is_own).map(String::as_str).collect();
+        (!room_types.is_empty()).then(|| (name, room_types.join(", ")))
+    };
+    facts.chain(kinds.into_iter().filter_map(changed)).collect()
+}
+
 fn show_room_types(style: &Style) -> String {
     if style.room_types.is_empty() { "all rooms".to_owned() } else { style.room_types.join(", ") }
 }

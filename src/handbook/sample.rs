@@ -1,0 +1,278 @@
+//! A usual room of a type, furnished and drawn.
+
+use core::f64::consts::FRAC_PI_2;
+
+use rayon::prelude::*;
+
+use crate::best::{DEFAULT_EFFORT, furnish_best};
+use crate::catalog::{Catalog, Count, ParentName, RoomType};
+use crate::draw::{Drawing, draw_level};
+use crate::geometry::Point;
+use crate::layout::FurnishOptions;
+use crate::plan::{
+    LeafDraft, Level, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, SitePlacement,
+    assemble_level,
+};
+
+/// What the pictures show, in words.
+pub(super) const DESCRIPTION: &str = "\
+Each picture is a sample: a rectangle whose area is the geometric mean of the type's usual areas, 80 m² at most where
+smaller ones are usual, with a door, and a window where people sit. Rooms that are ways are long and have a door at both
+ends, rooms in the open have railings, rooms for cars a gate. Furnished as `bake` does, in the default style, with
+seed 1.
+";
+
+/// Seed of all samples.
+const SEED: u64 = 1;
+/// Id of the building that the samples are rooms of.
+const BUILDING: &str = "sample";
+/// Square metres of the largest sample of a type that also has smaller rooms.
+const LARGEST: f64 = 80.0;
+/// Width by depth of a room, and of one that is a way; small rooms are as much deeper than wide.
+const PROPORTIONS: (f64, f64) = (1.3, 6.0);
+/// Metres to which walls are rounded.
+const STEP: f64 = 0.1;
+/// Square metres of rooms so small that they are deep and their door opens outward, and so large that it has two
+/// leaves.
+const DOOR_AREAS: (f64, f64) = (4.0, 60.0);
+/// Metres of a level.
+const HEIGHT: f64 = 3.0;
+/// Share of the floor that furniture covers at most in a room that is a way.
+const WAY_DENSITY: f64 = 0.2;
+/// A group of classes that stands for work; a room that excludes it and holds little is a way.
+const WORK: &str = "work";
+/// A group of classes that people sit on.
+const SEAT: &str = "seat";
+/// A group of classes that drive in.
+const VEHICLE: &str = "vehicle";
+
+/// What decides the shape of a sample and its openings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Place {
+    /// A room with one door.
+    Room,
+    /// A room between two doors, that people pass through.
+    Way,
+    /// Walls on one side only.
+    Outdoors,
+}
+
+/// Furnishes and draws a sample of each furnished room type, sorted by id; one that no level can hold is left out.
+pub(super) fn draw_samples(catalog: &Catalog) -> Vec<(String, String)> {
+    let room_types: Vec<&RoomType> =
+        catalog.room_types.values().filter(|room_type| room_type.is_furnished).collect();
+    let draw = |room_type: &&RoomType| {
+        let level = sample_level(catalog, room_type)?;
+        Some((room_type.id.clone(), draw_sample(catalog, &level)))
+    };
+    room_types.par_iter().filter_map(draw).collect()
+}
+
+fn draw_sample(catalog: &Catalog, level: &Level) -> String {
+    let options = FurnishOptions { seed: SEED, building: BUILDING, style: None };
+    let judged = furnish_best(level, 0, catalog, &options, DEFAULT_EFFORT);
+    draw_level(&Drawing {
+        building: BUILDING,
+        site: SitePlacement::default(),
+        level,
+        furnished: &[judged.furnished],
+        findings: &[judged.verdict.findings],
+        catalog,
+        seed: SEED,
+        has_clearances: false,
+        has_findings: false,
+    })
+}
+
+/// A level with one room of a type; `None` where its area is too small for any room.
+fn sample_level(catalog: &Catalog, room_type: &RoomType) -> Option<Level> {
+    let place = place_of(catalog, room_type);
+    let size = size_of(room_type, place);
+    let outline = [(0.0, 0.0), (size.x, 0.0), (size.x, size.y), (0.0, size.y)];
+    let outline: Vec<Point> = outline.into_iter().map(|(x, y)| Point::new(x, y)).collect();
+    let railings = if place == Place::Outdoors { vec![railing(size)] } else { Vec::new() };
+    let draft = LevelDraft {
+        id: room_type.id.clone(),
+        name: room_type.label.clone(),
+        height: HEIGHT,
+        exterior_thickness: 0.25,
+        interior_thickness: 0.1,
+        rooms: vec![RoomDraft {
+            id: room_type.id.clone(),
+            number: Some(1),
+            room_type: room_type.id.clone(),
+            outline,
+            ..RoomDraft::default()
+        }],
+        openings: openings(catalog, room_type, place, size),
+        railings,
+        ..LevelDraft::default()
+    };
+    let (level, _) = assemble_level(draft);
+    (level.rooms.len() == 1).then_some(level)
+}
+
+/// The outline of a railing around all sides but the south.
+fn railing(size: Point) -> Vec<Point> {
+    const HALF: f64 = 0.03;
+    let Point { x, y } = size;
+    let outer = [(x + HALF, 0.0), (x + HALF, y + HALF), (-HALF, y + HALF), (-HALF, 0.0)];
+    let inner = [(HALF, 0.0), (HALF, y - HALF), (x - HALF, y - HALF), (x - HALF, 0.0)];
+    outer.into_iter().chain(inner).map(|(x, y)| Point::new(x, y)).collect()
+}
+
+fn place_of(catalog: &Catalog, room_type: &RoomType) -> Place {
+    let mut classes = room_type.programme.iter().flat_map(|request| &request.classes);
+    let hangs =
+        |&class: &usize| catalog.classes[class].parents.iter().any(|rule| rule.parent == ParentName::Ceiling);
+    if !classes.any(hangs) {
+        // Whatever is furnished below a ceiling has a lamp.
+        return Place::Outdoors;
+    }
+    let excludes_work = room_type.excludes.iter().any(|group| group == WORK);
+    if excludes_work && room_type.density.1 <= WAY_DENSITY { Place::Way } else { Place::Room }
+}
+
+/// Metres from west to east and from south to north.
+fn size_of(room_type: &RoomType, place: Place) -> Point {
+    let (least, most) = room_type.area;
+    let area = (least * most).sqrt().min(LARGEST).clamp(least, most);
+    let proportion = match place {
+        Place::Way => PROPORTIONS.1,
+        _ if area < DOOR_AREAS.0 => PROPORTIONS.0.recip(),
+        _ => PROPORTIONS.0,
+    };
+    let depth = (area / proportion).sqrt();
+    let rounded = |length: f64| (length / STEP).round() * STEP;
+    Point::new(rounded(area / depth), rounded(depth))
+}
+
+/// The openings. Edges of the outline go around from the south wall: south, east, north, west.
+fn openings(catalog: &Catalog, room_type: &RoomType, place: Place, size: Point) -> Vec<OpeningDraft> {
+    const SOUTH: usize = 0;
+    const EAST: usize = 1;
+    const NORTH: usize = 2;
+    const WEST: usize = 3;
+    let id = room_type.id.as_str();
+    let area = size.x * size.y;
+    let mut openings = match place {
+        Place::Way => {
+            vec![door((id, "west"), (WEST, size.y), area), door((id, "east"), (EAST, size.y), area)]
+        }
+        Place::Room | Place::Outdoors => vec![door((id, "door"), (SOUTH, size.x), area)],
+    };
+    if holds(catalog, room_type, VEHICLE) {
+        openings.push(gate((id, "gate"), (EAST, size.y)));
+    }
+    if has_window(catalog, room_type, place) {
+        openings.push(window((id, "window"), (NORTH, size.x)));
+    }
+    openings
+}
+
+/// Whether people sit there, other than in a hall that is filled with seats.
+fn has_window(catalog: &Catalog, room_type: &RoomType, place: Place) -> bool {
+    let is_filled = room_type.programme.iter().any(|request| matches!(request.count, Count::Fill(_)));
+    place == Place::Room && !is_filled && holds(catalog, room_type, SEAT)
+}
+
+/// Whether a room of the type may hold something of a group.
+fn holds(catalog: &Catalog, room_type: &RoomType, group: &str) -> bool {
+    let mut classes = room_type.programme.iter().flat_map(|request| &request.classes);
+    classes.any(|&class| catalog.classes[class].groups.iter().any(|one| one == group))
+}
+
+/// Ids of the room and of the opening.
+type Names<'a> = (&'a str, &'a str);
+
+/// An edge of the outline and its metres.
+type Edge = (usize, f64);
+
+/// A door near the end of a wall, in the middle of a short one.
+fn door(names: Names<'_>, (edge, length): Edge, area: f64) -> OpeningDraft {
+    const WIDTHS: [f64; 2] = [0.9, 1.6];
+    const TO_CORNER: f64 = 0.35;
+    let leaves = 1 + usize::from(area >= DOOR_AREAS.1);
+    let width = WIDTHS[leaves - 1];
+    let at = (TO_CORNER + width / 2.0).min(length / 2.0);
+    let into = (area >= DOOR_AREAS.0).then(|| names.0.to_owned());
+    let leaf = LeafDraft::Swing { hinge_left: true, into, count: leaves as u32, angle: FRAC_PI_2 };
+    opening(names, OpeningKind::Door, (edge, at), (width, 0.0, 2.05), leaf)
+}
+
+/// A gate in the middle of a wall, through which a car gets.
+fn gate(names: Names<'_>, (edge, length): Edge) -> OpeningDraft {
+    const EXTENT: (f64, f64, f64) = (2.5, 0.0, 2.2);
+    opening(names, OpeningKind::SlidingDoor, (edge, length / 2.0), EXTENT, LeafDraft::None)
+}
+
+/// A window in the middle of a wall.
+fn window(names: Names<'_>, (edge, length): Edge) -> OpeningDraft {
+    const SHARE: f64 = 0.45;
+    let extent = (length * SHARE, 0.9, 2.2);
+    opening(names, OpeningKind::Window, (edge, length / 2.0), extent, LeafDraft::None)
+}
+
+fn opening(
+    (room, id): Names<'_>,
+    kind: OpeningKind,
+    (edge, at): (usize, f64),
+    (width, bottom, top): (f64, f64, f64),
+    leaf: LeafDraft,
+) -> OpeningDraft {
+    let place = OpeningPlace::Edge { edge, at };
+    OpeningDraft { id: id.to_owned(), kind, place, rooms: vec![room.to_owned()], width, bottom, top, leaf }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::load_catalog;
+
+    #[test]
+    fn samples_are_of_a_usual_size_and_have_their_openings() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        for room_type in catalog.room_types.values().filter(|room_type| room_type.is_furnished) {
+            let level = sample_level(&catalog, room_type).unwrap();
+            let area = level.rooms[0].region.area();
+            let (least, most) = room_type.area;
+            assert!(area > least * 0.95 && area < most * 1.05, "{}: {area}", room_type.id);
+            let place = place_of(&catalog, room_type);
+            let has_window = has_window(&catalog, room_type, place);
+            let has_two_ways = place == Place::Way || holds(&catalog, room_type, VEHICLE);
+            let count = 1 + usize::from(has_window) + usize::from(has_two_ways);
+            assert_eq!(level.openings.len(), count, "{}", room_type.id);
+        }
+    }
+
+    #[test]
+    fn a_window_is_where_people_sit() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let windows = |id: &str| {
+            let level = sample_level(&catalog, &catalog.room_types[id]).unwrap();
+            level.openings.iter().filter(|opening| opening.kind == OpeningKind::Window).count()
+        };
+        assert_eq!(["bedroom", "office", "toilet", "cinema", "corridor"].map(windows), [1, 1, 0, 0, 0]);
+    }
+
+    #[test]
+    fn a_small_room_keeps_its_floor_from_the_door() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let leaf = |id: &str| {
+            let level = sample_level(&catalog, &catalog.room_types[id]).unwrap();
+            let tip = level.openings[0].leaves[0].open_tip;
+            (level.rooms[0].region.contains(tip), level.openings[0].leaves.len())
+        };
+        assert_eq!(["toilet", "bathroom", "lobby"].map(leaf), [(false, 1), (true, 1), (true, 2)]);
+    }
+
+    #[test]
+    fn what_a_room_is_follows_from_its_programme() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let place = |id: &str| place_of(&catalog, &catalog.room_types[id]);
+        assert_eq!(place("bedroom"), Place::Room);
+        assert_eq!(place("corridor"), Place::Way);
+        assert_eq!(place("ticket_hall"), Place::Room);
+        assert_eq!(place("balcony"), Place::Outdoors);
+    }
+}

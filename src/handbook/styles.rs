@@ -1,0 +1,70 @@
+//! Styles by what they change, and building styles by what they draw from.
+
+use crate::catalog::{BuildingStyle, Catalog, DefinitionKind, WeightedStyle, style_differences};
+
+use super::markdown::{code, codes, number, table};
+
+/// All styles, each with what is not as in the one that it extends.
+pub(super) fn style_section(catalog: &Catalog) -> String {
+    let row = |id: &String| {
+        let style = &catalog.styles[id];
+        let origin = catalog.origins.get(&(DefinitionKind::Style, id.clone()));
+        let base = origin.and_then(|origin| origin.extends.as_ref()).map(|base| code(base));
+        let differences: Vec<String> = style_differences(catalog, style)
+            .into_iter()
+            .map(|(name, value)| format!("{name}: {value}"))
+            .collect();
+        [code(id), style.label.clone(), base.unwrap_or_default(), differences.join("; ")]
+    };
+    let head = "## Styles\n\nEach with what it has otherwise than the style that it extends.\n\n";
+    head.to_owned() + &table(["id", "label", "extends", "what differs"], catalog.styles.keys().map(row))
+}
+
+/// All building styles.
+pub(super) fn building_style_section(catalog: &Catalog) -> String {
+    let head = "## Building styles\n\nThe figures are weights of the draw; without figures each style is as likely.\n\n";
+    let names = ["id", "label", "drawn for each", "styles", "room types apart"];
+    head.to_owned() + &table(names, catalog.building_styles.values().map(building_row))
+}
+
+fn building_row(style: &BuildingStyle) -> [String; 5] {
+    let apart = codes(style.rooms.keys());
+    [code(&style.id), style.label.clone(), style.share.word().to_owned(), show_choice(&style.styles), apart]
+}
+
+fn show_choice(choice: &[WeightedStyle]) -> String {
+    if choice.is_empty() {
+        return code(crate::catalog::DEFAULT_STYLE);
+    }
+    let is_even = choice.windows(2).all(|pair| pair[0].weight == pair[1].weight);
+    if is_even {
+        return codes(choice.iter().map(|one| &one.style));
+    }
+    let show = |one: &WeightedStyle| format!("{} {}", number(one.weight), code(&one.style));
+    choice.iter().map(show).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn weighted(style: &str, weight: f64) -> WeightedStyle {
+        WeightedStyle { style: style.to_owned(), weight }
+    }
+
+    #[test]
+    fn equal_weights_are_not_shown() {
+        assert_eq!(show_choice(&[weighted("old", 1.0), weighted("new", 1.0)]), "`old`, `new`");
+        assert_eq!(show_choice(&[weighted("old", 3.0), weighted("new", 1.0)]), "3 `old`, 1 `new`");
+        assert_eq!(show_choice(&[]), "`default`");
+    }
+
+    #[test]
+    fn a_style_shows_what_it_changes() {
+        let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
+        let text = style_section(&catalog);
+        let line = text.lines().find(|line| line.starts_with("| `hotel_budget` |")).unwrap();
+        assert!(line.contains("| `hotel` |") && line.contains("palette: budget"), "{line}");
+        assert!(!line.contains("made for"), "{line}");
+    }
+}
