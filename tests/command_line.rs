@@ -9,6 +9,7 @@ mod command_line {
     mod demo;
     mod determinism;
     mod faults;
+    mod guide;
     mod handbook;
     mod output_folder;
     mod user_models;

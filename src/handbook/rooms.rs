@@ -51,7 +51,10 @@ fn entry(catalog: &Catalog, room_type: &RoomType, pictures: &Pictures<'_>) -> St
     let origin = catalog.origins.get(&(DefinitionKind::RoomType, room_type.id.clone()));
     let base = origin.and_then(|origin| origin.extends.as_ref());
     let base = base.map(|base| format!(", extends `{base}`")).unwrap_or_default();
-    let area = format!("{} to {} m²", number(room_type.area.0), number(room_type.area.1));
+    let area = match room_type.area {
+        (least, most) if least > 0.0 => format!("{} to {} m²", number(least), number(most)),
+        _ => "of any area".to_owned(),
+    };
     let mut text = format!("\n#### {}\n\n`{}`{base}, {area}\n\n", room_type.label, room_type.id);
     text.extend(programme_lines(catalog, room_type));
     if let Some(name) = pictures.0.get(room_type.id.as_str()) {

@@ -26,6 +26,8 @@ seed 1.
 const SEED: u64 = 1;
 /// Id of the building that the samples are rooms of.
 const BUILDING: &str = "sample";
+/// Square metres of a sample of a type that says nothing about them.
+const USUAL: f64 = 20.0;
 /// Square metres of the largest sample of a type that also has smaller rooms.
 const LARGEST: f64 = 80.0;
 /// Width by depth of a room, and of one that is a way; small rooms are as much deeper than wide.
@@ -136,7 +138,8 @@ fn place_of(catalog: &Catalog, room_type: &RoomType) -> Place {
 /// Metres from west to east and from south to north.
 fn size_of(room_type: &RoomType, place: Place) -> Point {
     let (least, most) = room_type.area;
-    let area = (least * most).sqrt().min(LARGEST).clamp(least, most);
+    let mean = if least > 0.0 { (least * most).sqrt() } else { USUAL };
+    let area = mean.min(LARGEST).clamp(least, most);
     let proportion = match place {
         Place::Way => PROPORTIONS.1,
         _ if area < DOOR_AREAS.0 => PROPORTIONS.0.recip(),

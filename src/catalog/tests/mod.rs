@@ -4,7 +4,6 @@ mod builtin;
 mod cases;
 mod descriptions;
 mod digest;
-mod guide;
 mod hostile;
 mod resolved;
 mod schemas;
