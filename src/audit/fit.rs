@@ -4,7 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use crate::catalog::{Class, ClassIndex, Clearance, ParentName, Side, Size};
 use crate::geometry::{Point, Solid, bounds_overlap, direction, edges};
-use crate::plan::Wall;
+use crate::plan::{FRAME_WIDTH, Wall};
 
 use super::convex::{clip_segment, middle, penetration};
 use super::doors;
@@ -26,33 +26,34 @@ pub(crate) fn can_hold_comfortably(subject: &Subject<'_>, body: &Body<'_>) -> bo
     Space::empty(subject).holds(body.class, body.placement.size, |clearance| clearance.good)
 }
 
-/// Whether one piece of each class, in its smallest size and with its smallest clearances, fits on the empty floor
-/// at the same time. Clearances may share space. Where that takes too long to find out, the answer is yes.
-pub(crate) fn can_hold_together(subject: &Subject<'_>, classes: &[ClassIndex]) -> bool {
-    let empty = Space::empty(subject);
-    let classes = classes.iter().map(|&class| &subject.catalog.classes[class]);
-    let mut choices: Vec<Vec<Stand>> = classes.map(|class| empty.free_stands(class)).collect();
-    // Who has the least choice goes first, so that dead ends are seen early.
-    choices.sort_by_key(Vec::len);
-    let mut tests = 0;
-    together(&choices, &mut Vec::new(), &mut tests) || tests > MOST_TESTS
+/// A rectangle on the floor.
+#[derive(Clone, Copy)]
+pub(super) struct Footprint {
+    /// Counter-clockwise.
+    pub(super) corners: [Point; 4],
+    /// The box around them.
+    pub(super) bounds: (Point, Point),
+}
+
+/// Where a piece may be tried.
+#[derive(Clone, Copy)]
+pub(super) struct Spot {
+    /// The middle of the piece.
+    pub(super) position: Point,
+    /// Its angle, as a placement's.
+    pub(super) angle: f64,
+    /// The wall that it has its back to, by index into the room's walls.
+    pub(super) wall: Option<usize>,
 }
 
 /// A piece where it could stand.
-struct Stand {
+pub(super) struct Stand {
+    /// Where.
+    pub(super) spot: Spot,
     /// Its footprint, then those of its clearances.
-    parts: Vec<Footprint>,
+    pub(super) parts: Vec<Footprint>,
     /// The box around them.
-    bounds: (Point, Point),
-}
-
-/// A rectangle on the floor.
-#[derive(Clone, Copy)]
-struct Footprint {
-    /// Counter-clockwise.
-    corners: [Point; 4],
-    /// The box around them.
-    bounds: (Point, Point),
+    pub(super) bounds: (Point, Point),
 }
 
 impl Footprint {
@@ -60,35 +61,6 @@ impl Footprint {
         let (low, high) = self.bounds;
         Self { corners: self.corners.map(|corner| corner + by), bounds: (low + by, high + by) }
     }
-}
-
-/// Depth-first: the first choice that agrees with all that stand already.
-fn together<'c>(choices: &'c [Vec<Stand>], standing: &mut Vec<&'c Stand>, tests: &mut u32) -> bool {
-    let Some((choice, rest)) = choices.split_first() else { return true };
-    for stand in choice {
-        *tests += 1;
-        if *tests > MOST_TESTS {
-            return false;
-        }
-        if standing.iter().all(|other| agree(stand, other)) {
-            standing.push(stand);
-            if together(rest, standing, tests) {
-                return true;
-            }
-            standing.pop();
-        }
-    }
-    false
-}
-
-/// Whether neither piece takes floor that the other needs.
-fn agree(one: &Stand, other: &Stand) -> bool {
-    let meets = |a: &Footprint, b: &Footprint| {
-        bounds_overlap(a.bounds, b.bounds, 0.0) && penetration(&a.corners, &b.corners) > ROUNDING
-    };
-    !bounds_overlap(one.bounds, other.bounds, 0.0)
-        || (!other.parts.iter().any(|part| meets(&one.parts[0], part))
-            && !one.parts.iter().skip(1).any(|part| meets(&other.parts[0], part)))
 }
 
 /// The box around corners.
@@ -104,9 +76,6 @@ pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Poi
     let space = Space { bodies, line: Some(line), ..Space::empty(subject) };
     space.holds(body.class, body.placement.size, |clearance| clearance.minimum)
 }
-
-/// Pairs of places that are compared before the question is given up.
-const MOST_TESTS: u32 = 50_000;
 
 /// Metres above the floor of the underside of a piece hung as low as its class allows.
 fn lowest_underside(class: &Class) -> f64 {
@@ -131,6 +100,12 @@ fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64)
             Side::Right => (low.x, high.x) = (half.x, half.x + depth),
             Side::Above | Side::Below => continue,
         }
+        match clearance.side {
+            Side::Front | Side::Back => {
+                (low.x, high.x) = (low.x - clearance.margin, high.x + clearance.margin)
+            }
+            _ => (low.y, high.y) = (low.y - clearance.margin, high.y + clearance.margin),
+        }
         boxes.push((low, high));
     }
     boxes.retain(|(low, high)| low.cmplt(*high).all());
@@ -138,7 +113,7 @@ fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64)
 }
 
 /// Where a piece may stand.
-struct Space<'s, 'a> {
+pub(super) struct Space<'s, 'a> {
     subject: &'s Subject<'a>,
     borders: Vec<(Point, Point)>,
     door_zones: Vec<Zone>,
@@ -150,7 +125,7 @@ struct Space<'s, 'a> {
 
 impl<'s, 'a> Space<'s, 'a> {
     /// The room without furniture.
-    fn empty(subject: &'s Subject<'a>) -> Self {
+    pub(super) fn empty(subject: &'s Subject<'a>) -> Self {
         let columns = subject.room.obstacles.iter().flat_map(|column| column.outline.edges());
         let borders = subject.room.region.borders().chain(columns).collect();
         Self { subject, borders, door_zones: doors::zones(subject), bodies: Vec::new(), line: None }
@@ -161,12 +136,11 @@ impl<'s, 'a> Space<'s, 'a> {
         let mut stands = self.stands(class, size);
         let mut turned = Turned::new(&boxes);
         lowest_underside(class) + size.height <= self.subject.room.height
-            && stands.any(|(position, angle)| self.is_free(turned.to(angle), position))
+            && stands.any(|spot| self.is_free(turned.to(spot.angle), spot.position))
     }
 
-    /// Where the middle of a piece may be tried, and its angle: along the walls, and all over the floor unless it
-    /// needs a wall.
-    fn stands(&self, class: &Class, size: Size) -> impl Iterator<Item = (Point, f64)> + '_ {
+    /// Where a piece may be tried: along the walls, and all over the floor unless it needs a wall.
+    fn stands(&self, class: &Class, size: Size) -> impl Iterator<Item = Spot> + '_ {
         let hangs = |wanted: &ParentName| class.parents.iter().any(|rule| rule.parent == *wanted);
         let needs_wall = hangs(&ParentName::Wall) && !hangs(&ParentName::Floor);
         let walls = self.subject.room.walls.iter().enumerate().filter(|(_, wall)| wall.length() > ROUNDING);
@@ -176,18 +150,15 @@ impl<'s, 'a> Space<'s, 'a> {
             .chain(directions.into_iter().flat_map(|angle| self.stands_inside(angle)))
     }
 
-    /// All places for the smallest size of a class.
-    fn free_stands(&self, class: &Class) -> Vec<Stand> {
-        let area = |size: &&Size| size.width * size.depth;
-        let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
-        let size = *smallest.expect("a class has a size");
+    /// All free places for a size of a class with its smallest clearances, those along the walls first.
+    pub(super) fn free_stands(&self, class: &Class, size: Size) -> Vec<Stand> {
         let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
         let mut turned = Turned::new(&boxes);
-        let stand = |(position, angle)| {
-            let parts = turned.to(angle);
-            self.is_free(parts, position).then(|| {
-                let parts: Vec<Footprint> = parts.iter().map(|part| part.moved(position)).collect();
-                Stand { bounds: bounds_of(parts.iter().flat_map(|part| &part.corners)), parts }
+        let stand = |spot: Spot| {
+            let parts = turned.to(spot.angle);
+            self.is_free(parts, spot.position).then(|| {
+                let parts: Vec<Footprint> = parts.iter().map(|part| part.moved(spot.position)).collect();
+                Stand { spot, bounds: bounds_of(parts.iter().flat_map(|part| &part.corners)), parts }
             })
         };
         self.stands(class, size).filter_map(stand).collect()
@@ -212,26 +183,32 @@ impl<'s, 'a> Space<'s, 'a> {
         &self,
         size: Size,
         (number, wall): (usize, &'a Wall),
-    ) -> impl Iterator<Item = (Point, f64)> + '_ {
+    ) -> impl Iterator<Item = Spot> + '_ {
         let angle = libm::atan2(wall.direction().y, wall.direction().x) + core::f64::consts::PI;
         let off_wall = wall.normal() * (size.depth / 2.0 + ROUNDING);
         let is_solid = move |&along: &f64| {
             let mut here = self.subject.room.openings.iter().filter(|place| place.wall == number);
             let (from, to) = (along - size.width / 2.0, along + size.width / 2.0);
-            !here.any(|place| place.from < to && from < place.to)
+            !here.any(|place| {
+                let is_framed = self.subject.level.openings[place.opening].kind.has_frame();
+                let frame = if is_framed { FRAME_WIDTH } else { 0.0 };
+                place.from - frame < to && from < place.to + frame
+            })
         };
         steps(size.width / 2.0 + ROUNDING, wall.length() - size.width / 2.0)
             .filter(is_solid)
-            .map(move |along| (wall.start + wall.direction() * along + off_wall, angle))
+            .map(move |along| wall.start + wall.direction() * along + off_wall)
+            .map(move |position| Spot { position, angle, wall: Some(number) })
     }
 
     /// Anywhere, at an angle and its quarter turns.
-    fn stands_inside(&self, first: f64) -> impl Iterator<Item = (Point, f64)> + '_ {
+    fn stands_inside(&self, first: f64) -> impl Iterator<Item = Spot> + '_ {
         let (low, high) = self.subject.room.region.outline.bounds();
         let turns = (0..4).map(move |quarter| first + FRAC_PI_2 * f64::from(quarter));
         turns.flat_map(move |angle| {
             steps(low.x, high.x)
-                .flat_map(move |x| steps(low.y, high.y).map(move |y| (Point::new(x, y), angle)))
+                .flat_map(move |x| steps(low.y, high.y).map(move |y| Point::new(x, y)))
+                .map(move |position| Spot { position, angle, wall: None })
         })
     }
 

@@ -32,6 +32,7 @@ mod sweep;
 mod testing;
 mod thresholds;
 mod tight;
+mod together;
 mod verdict;
 mod wet_room;
 mod windows;
@@ -44,7 +45,7 @@ pub use summary::{AuditSummary, GradeCounts, ScoreSum};
 pub use verdict::{DoorRate, Verdict};
 
 use crate::catalog::Catalog;
-use crate::layout::Furnished;
+use crate::layout::{Furnished, Suggestion};
 use crate::plan::Level;
 
 use subject::Subject;
@@ -58,6 +59,22 @@ use zone::{NearPair, Zone};
 #[must_use]
 pub fn audit_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Vec<Finding> {
     judge_room(level, room, furnished, catalog).findings
+}
+
+/// Where the pieces could stand that a room misses and cannot do without, beside whatever else it cannot do without:
+/// places found in the empty room, for [`crate::layout::furnish_alternative`]. Empty where nothing is missing or no
+/// such places were found.
+///
+/// # Panics
+/// As [`judge_room`].
+#[must_use]
+pub fn suggest_places(
+    level: &Level,
+    room: usize,
+    furnished: &Furnished,
+    catalog: &Catalog,
+) -> Vec<Suggestion> {
+    programme::suggest(&Subject::new(level, room, furnished, catalog))
 }
 
 /// Judges one furnished room.

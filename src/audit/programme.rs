@@ -3,11 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::catalog::{Class, ClassIndex, Count, DEFAULT_STYLE, ParentName, Request};
+use crate::layout::Suggestion;
 
 use super::finding::{Code, Finding};
-use super::fit::{can_hold, can_hold_together};
+use super::fit::can_hold;
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
+use super::together::{Together, place_together};
 
 /// Judges a room against its programme.
 pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
@@ -43,11 +45,27 @@ fn impossible_pieces(subject: &Subject<'_>) -> u32 {
     missing.into_iter().filter(|&(class, _)| has_no_place(class)).map(|(_, pieces)| pieces).sum()
 }
 
-/// Whether the empty room can hold a class together with whatever else it cannot do without.
+/// Whether the empty room can hold a class together with whatever else it cannot do without. Where that takes too
+/// long to find out, the answer is yes.
 fn can_hold_beside_others(subject: &Subject<'_>, missing: ClassIndex) -> bool {
-    if !stands_by_itself(&subject.catalog.classes[missing]) {
-        return true;
-    }
+    !stands_by_itself(&subject.catalog.classes[missing])
+        || !matches!(place_together(subject, &needed_beside(subject, missing)), Together::TooMuch)
+}
+
+/// Places for the first required class that is missing though the room can hold it, and for whatever else the room
+/// cannot do without.
+pub(crate) fn suggest(subject: &Subject<'_>) -> Vec<Suggestion> {
+    let stands = |class: &ClassIndex| stands_by_itself(&subject.catalog.classes[*class]);
+    let mut missing = missing_classes(subject).into_iter().filter(stands);
+    let fit = |class| match place_together(subject, &needed_beside(subject, class)) {
+        Together::Fit(suggestions) => Some(suggestions),
+        Together::TooMuch | Together::Unknown => None,
+    };
+    missing.find_map(fit).unwrap_or_default()
+}
+
+/// A missing class and those of the other required lines.
+fn needed_beside(subject: &Subject<'_>, missing: ClassIndex) -> Vec<ClassIndex> {
     let area = subject.room.region.area();
     let applies = |line: &&&Request| {
         line.is_required
@@ -60,7 +78,7 @@ fn can_hold_beside_others(subject: &Subject<'_>, missing: ClassIndex) -> bool {
     let others = lines.iter().filter(applies).filter_map(|line| line.classes.iter().copied().find(is_there));
     let mut classes: Vec<ClassIndex> = core::iter::once(missing).chain(others).collect();
     classes.retain(|&class| stands_by_itself(&subject.catalog.classes[class]));
-    can_hold_together(subject, &classes)
+    classes
 }
 
 /// Whether a class stands on the floor without belonging to another piece.

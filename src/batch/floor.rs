@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::audit::{Verdict, judge_room};
+use crate::audit::{Verdict, judge_room, suggest_places};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
@@ -86,11 +86,12 @@ fn bake_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
         FurnishOptions { seed: options.seed, building: &job.placed.id, style: options.style.as_deref() };
     let baked = catch_bug(|| {
         let furnish =
-            |alternative| furnish_alternative(job.level, room, catalog, &furnish_options, alternative);
+            |alternative: &_| furnish_alternative(job.level, room, catalog, &furnish_options, alternative);
         let Judged { furnished, verdict, .. } = best_of(
             options.effort,
             |alternative| watch.measure(Stage::Layout, || furnish(alternative)),
             |furnished| watch.measure(Stage::Audit, || judge_room(job.level, room, furnished, catalog)),
+            |furnished| watch.measure(Stage::Audit, || suggest_places(job.level, room, furnished, catalog)),
         );
         BakedRoom { furnished, verdict, failure: None }
     });

@@ -6,13 +6,16 @@
 
 use core::cmp::Ordering;
 
-use crate::audit::{Severity, Verdict, judge_room};
+use crate::audit::{Code, Finding, Severity, Verdict, judge_room, suggest_places};
 use crate::catalog::Catalog;
-use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
+use crate::layout::{Alternative, FurnishOptions, Furnished, Suggestion, furnish_alternative};
 use crate::plan::Level;
 
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: see the README.
 pub const DEFAULT_EFFORT: u32 = 8;
+
+/// How often a room is furnished at most with the places that the audit suggests.
+const SUGGESTED_ALTERNATIVES: u32 = 3;
 
 /// A furnished room with what the audit says about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,8 +24,8 @@ pub struct Judged {
     pub furnished: Furnished,
     /// The verdict on it.
     pub verdict: Verdict,
-    /// Which alternative it is, from 0.
-    pub alternative: u32,
+    /// Which alternative it is.
+    pub alternative: Alternative,
 }
 
 /// Furnishes one room up to `effort` times (at least once) and keeps the best.
@@ -41,30 +44,40 @@ pub fn furnish_best(
         effort,
         |alternative| furnish_alternative(level, room, catalog, options, alternative),
         |furnished| judge_room(level, room, furnished, catalog),
+        |furnished| suggest_places(level, room, furnished, catalog),
     )
 }
 
 /// The loop of [`furnish_best`], for callers that measure its parts: the first alternative without a finding
-/// and with all that was asked for, else the best of `effort`; of equals the earlier one.
+/// and with all that was asked for, else the best of `effort`; of equals the earlier one. Where the best fails for
+/// want of a piece for which the audit sees a place, a few more follow in which that place is tried first.
 pub fn best_of(
     effort: u32,
-    mut furnish: impl FnMut(u32) -> Furnished,
+    mut furnish: impl FnMut(&Alternative) -> Furnished,
     mut judge: impl FnMut(&Furnished) -> Verdict,
+    mut suggest: impl FnMut(&Furnished) -> Vec<Suggestion>,
 ) -> Judged {
-    let mut make = |alternative: u32| {
-        let furnished = furnish(alternative);
+    let mut make = |alternative: Alternative| {
+        let furnished = furnish(&alternative);
         let verdict = judge(&furnished);
         Judged { furnished, verdict, alternative }
     };
-    let mut best = make(0);
-    for alternative in 1..effort {
+    let mut best = make(Alternative::default());
+    for number in 1..effort {
         if best.is_flawless() {
             break;
         }
-        let next = make(alternative);
-        if next.is_better_than(&best) {
-            best = next;
+        best = best.or_better(make(Alternative::numbered(number)));
+    }
+    for number in effort..effort.saturating_add(SUGGESTED_ALTERNATIVES) {
+        if !best.misses_required() {
+            break;
         }
+        let suggestions = suggest(&best.furnished);
+        if suggestions.is_empty() {
+            break;
+        }
+        best = best.or_better(make(Alternative { number, suggestions }));
     }
     best
 }
@@ -73,6 +86,17 @@ impl Judged {
     /// Whether another alternative cannot be better.
     fn is_flawless(&self) -> bool {
         self.flaws() == (0, 0, 0)
+    }
+
+    /// Whether it fails for want of a piece.
+    fn misses_required(&self) -> bool {
+        let is_such =
+            |finding: &Finding| finding.code == Code::MissingRequired && finding.severity == Severity::Failed;
+        self.verdict.findings.iter().any(is_such)
+    }
+
+    fn or_better(self, other: Self) -> Self {
+        if other.is_better_than(&self) { other } else { self }
     }
 
     /// Whether it has fewer flaws, or as few and a higher score.
@@ -97,28 +121,33 @@ impl Judged {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::audit::{Code, Finding};
+    use crate::catalog::Size;
+    use crate::geometry::Point;
 
-    /// A room with so many failing and minor findings.
-    fn judged(effort: u32, flaws: &[(usize, usize)]) -> (u32, usize) {
-        let mut made = 0;
-        let empty = |_: u32| Furnished {
+    fn empty(_: &Alternative) -> Furnished {
+        Furnished {
             room: 0,
             seed: 0,
             style: String::new(),
             requested: 0,
             placements: Vec::new(),
             removals: Vec::new(),
-        };
-        let best = best_of(effort, empty, |_| {
+        }
+    }
+
+    /// A room with so many failing and minor findings.
+    fn judged(effort: u32, flaws: &[(usize, usize)]) -> (u32, usize) {
+        let mut made = 0;
+        let judge = |_: &Furnished| {
             let (failed, minor) = flaws[made];
             made += 1;
             let finding = |code| Finding::new(code, Vec::new(), 0.0, 1.0);
             let findings = (0..failed).map(|_| finding(Code::Collision));
             let findings = findings.chain((0..minor).map(|_| finding(Code::Sparse))).collect();
             Verdict { findings, ..Verdict::default() }
-        });
-        (best.alternative, made)
+        };
+        let best = best_of(effort, empty, judge, |_| Vec::new());
+        (best.alternative.number, made)
     }
 
     #[test]
@@ -131,5 +160,29 @@ mod tests {
     fn one_failing_finding_is_worse_than_many_minor_ones_and_of_equals_the_first_stays() {
         assert_eq!(judged(3, &[(1, 0), (0, 3), (0, 3)]), (1, 3));
         assert_eq!(judged(1, &[(1, 0)]), (0, 1));
+    }
+
+    #[test]
+    fn a_room_that_misses_what_the_audit_sees_a_place_for_is_furnished_around_that_place() {
+        let furnish = |alternative: &Alternative| Furnished {
+            requested: u32::from(!alternative.suggestions.is_empty()),
+            ..empty(alternative)
+        };
+        let judge = |furnished: &Furnished| {
+            let finding = Finding::new(Code::MissingRequired, Vec::new(), 0.0, 1.0);
+            let findings = if furnished.requested == 0 { vec![finding] } else { Vec::new() };
+            Verdict { findings, ..Verdict::default() }
+        };
+        let place = || Suggestion {
+            class: 0,
+            size: Size { width: 1.0, depth: 1.0, height: 1.0 },
+            position: Point::ZERO,
+            angle: 0.0,
+            wall: None,
+        };
+        let best = best_of(2, furnish, judge, |_| vec![place()]);
+        assert_eq!((best.alternative.number, best.verdict.findings.len()), (2, 0));
+        let best = best_of(2, furnish, judge, |_| Vec::new());
+        assert_eq!((best.alternative.number, best.verdict.findings.len()), (0, 1));
     }
 }

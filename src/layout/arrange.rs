@@ -10,6 +10,7 @@ use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
 use super::search::{Care, Found, search};
 use super::seed::RoomKey;
+use super::suggestion::{self, suggestion};
 
 /// Lets all searching agents act until each rests or is removed.
 pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
@@ -51,6 +52,9 @@ fn search_in_any_size(
     agent: AgentIndex,
     key: &RoomKey,
 ) -> Result<Place, RemovalReason> {
+    if let Some(place) = take_suggestion(environment, agent) {
+        return Ok(place);
+    }
     if environment.class(agent).parents.iter().any(|rule| rule.above_head.is_some()) {
         let sizes = sizes_by(environment, agent, |size| size.width * size.height);
         return search_in_sizes(environment, agent, key, &sizes).map(|found| found.place);
@@ -63,6 +67,21 @@ fn search_in_any_size(
     let smallest = sizes_by(environment, agent, area).pop();
     take_size(environment, agent, smallest.expect("a class has a size"));
     search(environment, agent, key, Care::Thorough).map(|found| found.place)
+}
+
+/// Takes the size and the place that were suggested for an agent.
+fn take_suggestion(environment: &mut Environment<'_>, agent: AgentIndex) -> Option<Place> {
+    let suggested = suggestion(environment, agent)?;
+    let drawn = environment.agents[agent].piece.variant;
+    let class = environment.class(agent);
+    let has_size = |&variant: &u32| class.size(variant) == suggested.size;
+    let variant = sizes_by(environment, agent, area).into_iter().find(has_size)?;
+    take_size(environment, agent, variant);
+    let place = suggestion::place(environment, agent, &suggested);
+    if place.is_none() {
+        take_size(environment, agent, drawn);
+    }
+    place
 }
 
 fn search_in_smaller_sizes(
@@ -129,7 +148,7 @@ fn sizes_by(environment: &Environment<'_>, agent: AgentIndex, extent: impl Fn(Si
 }
 
 /// "We prioritize agents according to their expected depth in the hierarchy, so that the arrangement of tables
-/// is attempted before chairs search for parents" (section 3.2). Within a depth: who was missed in earlier
+/// is attempted before chairs search for parents" (section 3.2), but first who has a suggestion. Within a depth: who was missed in earlier
 /// attempts; then by priority, the pieces that only fill last, large before small, then as the programme lists
 /// them.
 fn service_order(environment: &Environment<'_>) -> Vec<AgentIndex> {
@@ -138,7 +157,16 @@ fn service_order(environment: &Environment<'_>) -> Vec<AgentIndex> {
         let (class, size) = (environment.class(agent), environment.agents[agent].size);
         let square_millimetres = (size.width * size.depth * 1e6) as i64;
         let Agent { piece, urgency, .. } = &environment.agents[agent];
-        (class.depth, Reverse(*urgency), piece.is_fill, -class.priority, -square_millimetres, agent)
+        let is_suggested = suggestion(environment, agent).is_some();
+        (
+            class.depth,
+            !is_suggested,
+            Reverse(*urgency),
+            piece.is_fill,
+            -class.priority,
+            -square_millimetres,
+            agent,
+        )
     };
     order.sort_by_cached_key(rank);
     order

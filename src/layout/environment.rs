@@ -14,6 +14,7 @@ use super::body::{Pose, append_solids, box_solid, clearance_solid};
 use super::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, HUNG_ELEVATION, THIN_DEPTH};
 use super::furnished::RemovalReason;
 use super::programme::Piece;
+use super::suggestion::Suggestion;
 use super::surroundings::Surroundings;
 use super::trace::Trace;
 
@@ -33,6 +34,8 @@ pub(crate) struct Environment<'a> {
     pub(crate) agents: Vec<Agent>,
     /// Resting agents by class (section 4: "lists according to their type").
     pub(crate) resting: Vec<Vec<AgentIndex>>,
+    /// Where somebody says that agents fit.
+    pub(crate) suggestions: Vec<Suggestion>,
     /// What the agents meet on their search, where somebody wants to know.
     pub(crate) trace: Option<RefCell<Trace>>,
     /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
@@ -151,6 +154,7 @@ impl<'a> Environment<'a> {
             catalog,
             agents: pieces.iter().map(agent).collect(),
             resting: vec![Vec::new(); catalog.classes.len()],
+            suggestions: Vec::new(),
             trace: None,
             is_exhausted: vec![false; catalog.classes.len()],
             borders,

@@ -26,6 +26,7 @@ mod result;
 mod rules;
 mod search;
 mod seed;
+mod suggestion;
 mod surroundings;
 #[cfg(test)]
 mod tests;
@@ -40,6 +41,7 @@ pub use explain::{
     Wish, explain, explain_alternative,
 };
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
+pub use suggestion::{Alternative, Suggestion};
 
 use std::collections::BTreeSet;
 
@@ -71,18 +73,18 @@ pub struct FurnishOptions<'a> {
 /// furnished come back empty.
 #[must_use]
 pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishOptions<'_>) -> Furnished {
-    furnish_alternative(level, room, catalog, options, 0)
+    furnish_alternative(level, room, catalog, options, &Alternative::default())
 }
 
 /// Furnishes one room as [`furnish`] does, with the same pieces in another arrangement for each `alternative`;
-/// 0 is that of [`furnish`].
+/// the default one is that of [`furnish`].
 #[must_use]
 pub fn furnish_alternative(
     level: &Level,
     room: usize,
     catalog: &Catalog,
     options: &FurnishOptions<'_>,
-    alternative: u32,
+    alternative: &Alternative,
 ) -> Furnished {
     let task = Task { level, room, catalog, options: *options, alternative };
     task.furnish(false, |_, _| ()).0
@@ -95,7 +97,7 @@ struct Task<'a> {
     room: usize,
     catalog: &'a Catalog,
     options: FurnishOptions<'a>,
-    alternative: u32,
+    alternative: &'a Alternative,
 }
 
 impl Task<'_> {
@@ -124,8 +126,9 @@ impl Task<'_> {
             for (agent, &urgency) in environment.agents.iter_mut().zip(&urgency) {
                 agent.urgency = urgency;
             }
+            environment.suggestions.clone_from(&alternative.suggestions);
             environment.trace = is_traced.then(|| trace::Trace::new(&environment));
-            let attempt_key = key.attempt(alternative * ATTEMPTS_IN_NEED + number);
+            let attempt_key = key.attempt(alternative.number * ATTEMPTS_IN_NEED + number);
             let closed_ways = act_all(&mut environment, &style.untidiness, &attempt_key);
             for agent in missed(&environment) {
                 urgency[agent] += 1;
@@ -136,7 +139,7 @@ impl Task<'_> {
         };
         let mut best = attempt(0);
         let mut number = 1;
-        while number < best.deserved_attempts(alternative) {
+        while number < best.deserved_attempts(alternative.number) {
             let next = attempt(number);
             if next.lack() < best.lack() {
                 best = next;

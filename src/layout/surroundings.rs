@@ -1,9 +1,9 @@
 //! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
 
 use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
-use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening};
+use crate::plan::{FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening};
 
-use super::constants::{DOOR_APPROACH, FRAME_WIDTH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
+use super::constants::{DOOR_APPROACH, FRAME_DEPTH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
 use super::environment::Border;
 
 /// The fixed part of an agent's environment.
@@ -73,7 +73,8 @@ impl<'a> Surroundings<'a> {
             }
             OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage => {
                 let depth = DOOR_APPROACH.min(side.to - side.from);
-                self.kept_free.push(strip(depth, FRAME_WIDTH, 0.0, opening.top));
+                self.kept_free.push(strip(depth, 0.0, 0.0, opening.top));
+                self.kept_free.push(strip(FRAME_DEPTH, FRAME_WIDTH, 0.0, opening.top));
                 let wall = &self.room.walls[side.wall];
                 let opens_inward = |leaf: &&Leaf| (leaf.open_tip - leaf.hinge).dot(wall.normal()) > 0.0;
                 let swings = opening.leaves.iter().filter(opens_inward).filter_map(swing);

@@ -341,9 +341,30 @@ fn a_piece_that_would_be_tight_stays_out_unless_it_is_required() {
 fn each_alternative_holds_the_same_pieces_elsewhere() {
     let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
     let options = FurnishOptions { seed: 1, building: "test", style: None };
-    let alternative = |number| furnish_alternative(&level, 0, &catalog, &options, number);
+    let alternative =
+        |number| furnish_alternative(&level, 0, &catalog, &options, &Alternative::numbered(number));
     assert_eq!(alternative(0), run(&level, &catalog, 1));
     let pieces = |room: &Furnished| (room.requested, room.seed);
     assert_eq!(pieces(&alternative(1)), pieces(&alternative(0)));
     assert_ne!(alternative(1).placements, alternative(0).placements);
+}
+
+#[test]
+fn who_has_a_suggestion_stands_there_and_others_keep_off() {
+    let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
+    let options = FurnishOptions { seed: 1, building: "test", style: None };
+    let desk = &run(&level, &catalog, 2).placements[0];
+    let suggestion = Suggestion {
+        class: desk.class,
+        size: desk.size,
+        position: desk.position,
+        angle: desk.angle,
+        wall: None,
+    };
+    let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
+    let furnished = furnish_alternative(&level, 0, &catalog, &options, &alternative);
+    let is_there = |placement: &Placement| {
+        placement.class == desk.class && placement.position.distance(desk.position) < 1e-9
+    };
+    assert!(furnished.placements.iter().any(is_there));
 }

@@ -13,6 +13,7 @@ use super::constants::{CONTACT_TOLERANCE, WAY_ROUNDS};
 use super::environment::Environment;
 use super::movement::send_away;
 use super::seed::RoomKey;
+use super::suggestion::follows_suggestion;
 
 /// Clears the ways that resting agents close, and keeps them free from then on. Returns how many stay closed.
 pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
@@ -65,7 +66,13 @@ fn who_goes(environment: &Environment<'_>, ways: &[Way]) -> Vec<AgentIndex> {
         // Required pieces stay where another can go; of equals the later one, which fewer rely on.
         let rank = |&(&agent, &distance): &(&AgentIndex, &f64)| {
             let piece = &environment.agents[agent].piece;
-            (distance > 0.0, piece.is_required, !piece.is_fill, Reverse(agent))
+            (
+                follows_suggestion(environment, agent),
+                distance > 0.0,
+                piece.is_required,
+                !piece.is_fill,
+                Reverse(agent),
+            )
         };
         going.extend(near.iter().min_by_key(rank).map(|(&agent, _)| agent));
     }

@@ -166,6 +166,9 @@ pub struct Opening {
     pub sides: Vec<OpeningSide>,
 }
 
+/// Metres of wall on either side of a door or passage that its frame takes.
+pub const FRAME_WIDTH: f64 = 0.06;
+
 /// What closes an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OpeningKind {
@@ -186,6 +189,12 @@ impl OpeningKind {
     #[must_use]
     pub fn is_walkable(self) -> bool {
         self != Self::Window
+    }
+
+    /// Whether a door's frame stands around it.
+    #[must_use]
+    pub fn has_frame(self) -> bool {
+        matches!(self, Self::Door | Self::SlidingDoor | Self::Passage)
     }
 }
 

@@ -75,12 +75,12 @@ fn subject<'a>(
     let options = FurnishOptions { seed, building: &found.placed.id, style };
     let (level, room, catalog) = (found.level, found.room, &sources.catalog);
     let best = furnish_best(level, room, catalog, &options, arguments.furnish.effort);
-    let (furnished, explanation) = explain_alternative(level, room, catalog, &options, best.alternative);
+    let (furnished, explanation) = explain_alternative(level, room, catalog, &options, &best.alternative);
     Subject {
         sources,
         found,
         seed,
-        alternative: best.alternative,
+        alternative: best.alternative.number,
         furnished,
         findings: best.verdict.findings,
         explanation,

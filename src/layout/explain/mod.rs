@@ -22,7 +22,7 @@ use super::furnished::{Furnished, RemovalReason};
 use super::result::is_missed;
 use super::rules::{Ground, measure, weigh};
 use super::trace::Refused;
-use super::{FurnishOptions, Task, Told};
+use super::{Alternative, FurnishOptions, Task, Told};
 use names::{decider, id, obstacle_name, relation_word, target_name};
 use survey::survey_walls;
 
@@ -37,7 +37,7 @@ pub fn explain(
     catalog: &Catalog,
     options: &FurnishOptions<'_>,
 ) -> (Furnished, Explanation) {
-    explain_alternative(level, room, catalog, options, 0)
+    explain_alternative(level, room, catalog, options, &Alternative::default())
 }
 
 /// Furnishes one room exactly as [`super::furnish_alternative`] does, and explains what came of it.
@@ -50,7 +50,7 @@ pub fn explain_alternative(
     room: usize,
     catalog: &Catalog,
     options: &FurnishOptions<'_>,
-    alternative: u32,
+    alternative: &Alternative,
 ) -> (Furnished, Explanation) {
     let task = Task { level, room, catalog, options: *options, alternative };
     let (furnished, told) = task.furnish(true, explanation);

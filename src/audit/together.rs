@@ -1,0 +1,228 @@
+//! Whether an empty room could hold several pieces at the same time, and where.
+
+use crate::catalog::{Class, ClassIndex, Size};
+use crate::geometry::{Convex, Solid, bounds_overlap};
+use crate::layout::Suggestion;
+use crate::walk::{Floor, Goal, blocked_ways};
+
+use super::convex::penetration;
+use super::fit::{Footprint, Space, Stand};
+use super::subject::Subject;
+use super::thresholds::ROUNDING;
+
+/// Pairs of places compared before the question is given up.
+const MOST_TESTS: u32 = 1_000_000;
+/// Arrangements of which the ways are looked at before the question is given up.
+const MOST_ARRANGEMENTS: u32 = 100;
+/// The share of the places to go on by: the golden section meets all parts of a list early.
+const STRIDE: f64 = 0.618_033_988_749_894_9;
+
+/// What is known about pieces in an empty room.
+pub(crate) enum Together {
+    /// They fit, each at its place; ways to doors and to all used sides stay open.
+    Fit(Vec<Suggestion>),
+    /// They do not.
+    TooMuch,
+    /// It would take too long to find out.
+    Unknown,
+}
+
+/// Whether one piece of each class, in its smallest size and with its smallest clearances, fits on the empty floor
+/// at the same time. Clearances may share space.
+pub(crate) fn place_together(subject: &Subject<'_>, classes: &[ClassIndex]) -> Together {
+    let space = Space::empty(subject);
+    let choice = |&class: &ClassIndex| Choice::new(subject, &space, class);
+    let choices: Vec<Choice<'_>> = classes.iter().map(choice).collect();
+    let open: Vec<Open<'_>> =
+        choices.iter().map(|choice| Open { choice, stands: choice.stands().collect() }).collect();
+    let mut search = Search { subject, placed: Vec::new(), tests: 0, arrangements: 0 };
+    if search.place_next(&open) {
+        Together::Fit(search.suggestions())
+    } else if search.is_given_up() {
+        Together::Unknown
+    } else {
+        Together::TooMuch
+    }
+}
+
+/// A piece with all the places that it has in the empty room.
+struct Choice<'c> {
+    index: ClassIndex,
+    class: &'c Class,
+    size: Size,
+    stands: Vec<Stand>,
+}
+
+impl<'c> Choice<'c> {
+    fn new(subject: &Subject<'c>, space: &Space<'_, '_>, index: ClassIndex) -> Self {
+        let class = &subject.catalog.classes[index];
+        let area = |size: &&Size| size.width * size.depth;
+        let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
+        let size = *smallest.expect("a class has a size");
+        Self { index, class, size, stands: space.free_stands(class, size) }
+    }
+
+    /// All places, those along walls first, neighbours far from each other.
+    fn stands(&self) -> impl Iterator<Item = &Stand> {
+        let at_walls = self.stands.partition_point(|stand| stand.spot.wall.is_some());
+        let (at_walls, inside) = self.stands.split_at(at_walls);
+        spread(at_walls).chain(spread(inside))
+    }
+}
+
+/// All items once, each far from the one before.
+fn spread<T>(items: &[T]) -> impl Iterator<Item = &T> {
+    let count = items.len();
+    let shares_factor = |stride: usize| {
+        (2..=stride).any(|factor| stride.is_multiple_of(factor) && count.is_multiple_of(factor))
+    };
+    let mut stride = ((count as f64 * STRIDE) as usize).max(1);
+    while shares_factor(stride) {
+        stride -= 1;
+    }
+    (0..count).map(move |number| &items[number * stride % count])
+}
+
+/// A piece that has no place yet, with the places that those who have one leave it.
+struct Open<'s> {
+    choice: &'s Choice<'s>,
+    stands: Vec<&'s Stand>,
+}
+
+/// A depth-first search for places that agree, with forward checking (R. Haralick, G. Elliott, "Increasing Tree
+/// Search Efficiency for Constraint Satisfaction Problems", 1980).
+struct Search<'s, 'a> {
+    subject: &'s Subject<'a>,
+    placed: Vec<(&'s Choice<'s>, &'s Stand)>,
+    tests: u32,
+    arrangements: u32,
+}
+
+impl<'s> Search<'s, '_> {
+    /// Places the open pieces; who has the least choice goes first, so that dead ends are seen early.
+    fn place_next(&mut self, open: &[Open<'s>]) -> bool {
+        let Some(next) = (0..open.len()).min_by_key(|&index| open[index].stands.len()) else {
+            self.arrangements += 1;
+            return self.has_open_ways();
+        };
+        for &stand in &open[next].stands {
+            if self.is_given_up() {
+                return false;
+            }
+            let others = open.iter().enumerate().filter(|&(index, _)| index != next);
+            let left: Vec<Open<'s>> = others.map(|(_, other)| self.left_beside(other, stand)).collect();
+            if left.iter().all(|other| !other.stands.is_empty()) {
+                self.placed.push((open[next].choice, stand));
+                if self.place_next(&left) {
+                    return true;
+                }
+                self.placed.pop();
+            }
+        }
+        false
+    }
+
+    /// The places of a piece that agree with another's.
+    fn left_beside(&mut self, open: &Open<'s>, stand: &Stand) -> Open<'s> {
+        self.tests += u32::try_from(open.stands.len()).unwrap_or(MOST_TESTS);
+        let stands = open.stands.iter().copied().filter(|other| agree(stand, other)).collect();
+        Open { choice: open.choice, stands }
+    }
+
+    fn is_given_up(&self) -> bool {
+        self.tests > MOST_TESTS || self.arrangements >= MOST_ARRANGEMENTS
+    }
+
+    /// Whether people get to all doors and to the pieces.
+    fn has_open_ways(&self) -> bool {
+        let (level, room, rules) = (self.subject.level, self.subject.room, &self.subject.rules().walking);
+        let solids: Vec<Solid> = self.placed.iter().map(|(choice, stand)| body(choice, stand)).collect();
+        let Some(floor) = Floor::new((level, room), rules, solids.iter()) else { return true };
+        let sides = self.placed.iter().flat_map(|(choice, stand)| {
+            let clearances = choice.class.clearances.iter().zip(&stand.parts[1..]);
+            clearances.filter(|(clearance, _)| clearance.minimum >= rules.narrow_person).map(|(_, part)| part)
+        });
+        let sides = sides.map(|part| Goal::Area(&part.corners));
+        let goals: Vec<Goal<'_>> = floor.doors().map(Goal::Door).chain(sides).collect();
+        let empty = || {
+            let nothing = core::iter::empty();
+            Floor::new((level, room), rules, nothing).expect("furniture makes no door")
+        };
+        blocked_ways(&floor, empty, rules, &goals).is_empty()
+    }
+
+    fn suggestions(&self) -> Vec<Suggestion> {
+        let suggestion = |(choice, stand): &(&Choice<'_>, &Stand)| Suggestion {
+            class: choice.index,
+            size: choice.size,
+            position: stand.spot.position,
+            angle: stand.spot.angle,
+            wall: stand.spot.wall,
+        };
+        self.placed.iter().map(suggestion).collect()
+    }
+}
+
+fn body(choice: &Choice<'_>, stand: &Stand) -> Solid {
+    Solid::new(Convex::from_corners(&stand.parts[0].corners), 0.0, choice.size.height)
+}
+
+/// Whether neither piece takes floor that the other needs.
+fn agree(one: &Stand, other: &Stand) -> bool {
+    let meets = |a: &Footprint, b: &Footprint| {
+        bounds_overlap(a.bounds, b.bounds, 0.0) && penetration(&a.corners, &b.corners) > ROUNDING
+    };
+    !bounds_overlap(one.bounds, other.bounds, 0.0)
+        || (!other.parts.iter().any(|part| meets(&one.parts[0], part))
+            && !one.parts.iter().skip(1).any(|part| meets(&other.parts[0], part)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::testing::TestRoom;
+    use crate::plan::OpeningKind;
+
+    fn place(room: &TestRoom, classes: &[&str]) -> Together {
+        let furnished = room.furnished();
+        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
+        let classes: Vec<ClassIndex> =
+            classes.iter().map(|class| room.catalog.class_index(class).unwrap()).collect();
+        place_together(&subject, &classes)
+    }
+
+    #[test]
+    fn two_chests_need_the_floor_of_two() {
+        let suggestions = |width: f64| match place(&TestRoom::rectangle(width, 1.02), &["chest", "chest"]) {
+            Together::Fit(suggestions) => suggestions.len(),
+            _ => 0,
+        };
+        assert_eq!(suggestions(2.05), 2);
+        assert_eq!(suggestions(1.95), 0);
+    }
+
+    #[test]
+    fn what_would_close_the_way_to_a_door_does_not_fit() {
+        let fits = |depth: f64| {
+            let mut room = TestRoom::rectangle(3.0, depth);
+            room.open(1, OpeningKind::Passage, (0.0, depth), (0.0, 2.0));
+            room.open(3, OpeningKind::Passage, (0.0, depth), (0.0, 2.0));
+            matches!(place(&room, &["chest"]), Together::Fit(_))
+        };
+        assert!(!fits(1.2), "a chest of one metre leaves no way past it");
+        assert!(fits(1.8));
+    }
+
+    #[test]
+    fn every_item_comes_once_and_far_from_the_one_before() {
+        for count in [0, 1, 2, 7, 100] {
+            let items: Vec<usize> = (0..count).collect();
+            let mut seen: Vec<usize> = spread(&items).copied().collect();
+            seen.sort_unstable();
+            assert_eq!(seen, items);
+        }
+        let hundred: Vec<i64> = (0..100).collect();
+        let order: Vec<i64> = spread(&hundred).copied().collect();
+        assert!(order.windows(2).all(|pair| (pair[0] - pair[1]).abs() > 20));
+    }
+}
