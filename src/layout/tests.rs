@@ -354,13 +354,12 @@ fn who_has_a_suggestion_stands_there_and_others_keep_off() {
     let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
     let options = FurnishOptions { seed: 1, building: "test", style: None };
     let desk = &run(&level, &catalog, 2).placements[0];
-    let suggestion = Suggestion {
-        class: desk.class,
-        size: desk.size,
-        position: desk.position,
-        angle: desk.angle,
-        wall: None,
+    let wall = match desk.parent {
+        Parent::Wall(wall) => Some(wall),
+        _ => None,
     };
+    let suggestion =
+        Suggestion { class: desk.class, size: desk.size, position: desk.position, angle: desk.angle, wall };
     let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
     let furnished = furnish_alternative(&level, 0, &catalog, &options, &alternative);
     let is_there = |placement: &Placement| {
