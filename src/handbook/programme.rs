@@ -16,7 +16,7 @@ pub(super) fn programme_lines(catalog: &Catalog, room_type: &RoomType) -> Vec<St
         ("Repeated", |request| !request.is_required && is_repeated(request.count)),
     ];
     let line = |(name, is_of_kind): (&str, IsOfKind)| {
-        let pieces = pieces(catalog, room_type.programme.iter().filter(|request| is_of_kind(request)));
+        let pieces = pieces(catalog, room_type, is_of_kind);
         (!pieces.is_empty()).then(|| format!("- {name}: {}\n", pieces.join(", ")))
     };
     kinds.into_iter().filter_map(line).collect()
@@ -28,21 +28,36 @@ fn is_repeated(count: Count) -> bool {
 }
 
 /// One text for the lines that ask for the same.
-fn pieces<'a>(catalog: &Catalog, requests: impl Iterator<Item = &'a Request>) -> Vec<String> {
-    let mut pieces: Vec<(String, Vec<Count>)> = Vec::new();
-    for request in requests {
+fn pieces(catalog: &Catalog, room_type: &RoomType, is_of_kind: IsOfKind) -> Vec<String> {
+    let mut pieces: Vec<(String, Vec<&Request>)> = Vec::new();
+    for request in room_type.programme.iter().filter(|request| is_of_kind(request)) {
         let name = name_of(catalog, request);
         match pieces.iter_mut().find(|(known, _)| *known == name) {
-            Some((_, counts)) if counts.contains(&request.count) => {}
-            Some((_, counts)) => counts.push(request.count),
-            None => pieces.push((name, vec![request.count])),
+            Some((_, requests)) => requests.push(request),
+            None => pieces.push((name, vec![request])),
         }
     }
-    let show = |(name, counts): (String, Vec<Count>)| match show_counts(catalog, &counts) {
-        Some(count) => format!("{name} ({count})"),
-        None => name,
+    let show = |(name, requests): (String, Vec<&Request>)| {
+        let terms: Vec<String> = match requests.as_slice() {
+            [request] => {
+                show_count(catalog, request.count).into_iter().chain(show_area(room_type, request)).collect()
+            }
+            _ => vec![show_counts(catalog, &requests)],
+        };
+        if terms.is_empty() { name } else { format!("{name} ({})", terms.join(", ")) }
     };
     pieces.into_iter().map(show).collect()
+}
+
+/// In which of the usual rooms of the type a line applies, where not in all.
+fn show_area(room_type: &RoomType, request: &Request) -> Option<String> {
+    let (low, high) = request.area;
+    match (low > room_type.area.0, high < room_type.area.1) {
+        (true, true) => Some(format!("{} to {} m²", number(low), number(high))),
+        (true, false) => Some(format!("from {} m²", number(low))),
+        (false, true) => Some(format!("up to {} m²", number(high))),
+        (false, false) => None,
+    }
 }
 
 fn name_of(catalog: &Catalog, request: &Request) -> String {
@@ -57,19 +72,18 @@ fn name_of(catalog: &Catalog, request: &Request) -> String {
 }
 
 /// What several lines ask for: they go by other pieces, or apply to rooms of different areas.
-fn show_counts(catalog: &Catalog, counts: &[Count]) -> Option<String> {
-    if let [count] = counts {
-        return show_count(catalog, *count);
-    }
-    let parent = |count: &Count| match count {
-        Count::PerPiece(class, each) => Some((number(*each), catalog.classes[*class].label.as_str())),
+fn show_counts(catalog: &Catalog, requests: &[&Request]) -> String {
+    let show = |request: &&Request| match request.count {
+        Count::PerPiece(..) => show_count(catalog, request.count),
         _ => None,
     };
-    let Some(parents) = counts.iter().map(parent).collect::<Option<Vec<_>>>() else {
-        return Some("by area".to_owned());
-    };
-    let show = |(each, label): &(String, &str)| format!("{each} for each {label}");
-    Some(parents.iter().map(show).collect::<Vec<_>>().join(", "))
+    match requests.iter().map(show).collect::<Option<Vec<String>>>() {
+        Some(mut counts) => {
+            counts.dedup();
+            counts.join(", ")
+        }
+        None => "by area".to_owned(),
+    }
 }
 
 /// How many, where it is not one.
@@ -106,11 +120,13 @@ mod tests {
     #[test]
     fn lines_of_one_piece_for_different_areas_are_one() {
         let catalog = load_catalog(&[]).unwrap().value;
-        let [desk, chair, shelf] = ["desk", "chair", "bookshelf"].map(|id| catalog.class_index(id).unwrap());
+        let [desk, chair, shelf, plant] =
+            ["desk", "chair", "bookshelf", "plant"].map(|id| catalog.class_index(id).unwrap());
         let programme = vec![
             Request { is_required: true, ..request(desk, Count::Fixed(1)) },
             request(shelf, Count::Fixed(1)),
             request(shelf, Count::Fixed(2)),
+            Request { area: (20.0, 1e3), ..request(plant, Count::Range(1, 2)) },
             request(chair, Count::PerPiece(desk, 1.0)),
             request(chair, Count::PerPiece(shelf, 0.5)),
         ];
@@ -120,7 +136,7 @@ mod tests {
             lines,
             [
                 "- Required: Desk\n",
-                "- Optional: Bookshelf (by area)\n",
+                "- Optional: Bookshelf (by area), House plant (1 to 2, from 20 m²)\n",
                 "- Repeated: Chair (1 for each Desk, 0.5 for each Bookshelf)\n"
             ]
         );

@@ -15,11 +15,14 @@ pub(super) struct Pictures<'a>(pub(super) BTreeMap<&'a str, &'a String>);
 /// All furnished room types with their pictures, and the names of the others.
 pub(super) fn room_section(catalog: &Catalog, pictures: &Pictures<'_>) -> String {
     let furnished = catalog.room_types.values().filter(|room_type| room_type.is_furnished);
-    let files = by_file(
+    let mut files = by_file(
         catalog,
         DefinitionKind::RoomType,
         furnished.map(|room_type| (room_type.id.clone(), room_type)),
     );
+    for (_, room_types) in &mut files {
+        room_types.sort_by_key(|room_type| &room_type.label);
+    }
     let mut text = format!("## Room types\n\n{}\n{}", sample::DESCRIPTION, list(&files));
     for (file, room_types) in &files {
         let _ = write!(text, "\n### {}\n\nIn `{file}`.\n", title_of_file(file));

@@ -28,8 +28,11 @@ pub(super) fn building_style_section(catalog: &Catalog) -> String {
 }
 
 fn building_row(style: &BuildingStyle) -> [String; 5] {
-    let apart = codes(style.rooms.keys());
-    [code(&style.id), style.label.clone(), style.share.word().to_owned(), show_choice(&style.styles), apart]
+    let show =
+        |(room_type, choice): (&String, &Vec<WeightedStyle>)| format!("{room_type}: {}", show_choice(choice));
+    let apart: Vec<String> = style.rooms.iter().map(show).collect();
+    let choice = show_choice(&style.styles);
+    [code(&style.id), style.label.clone(), style.share.word().to_owned(), choice, apart.join("; ")]
 }
 
 fn show_choice(choice: &[WeightedStyle]) -> String {
@@ -57,6 +60,14 @@ mod tests {
         assert_eq!(show_choice(&[weighted("old", 1.0), weighted("new", 1.0)]), "`old`, `new`");
         assert_eq!(show_choice(&[weighted("old", 3.0), weighted("new", 1.0)]), "3 `old`, 1 `new`");
         assert_eq!(show_choice(&[]), "`default`");
+    }
+
+    #[test]
+    fn a_building_style_shows_what_each_room_is_drawn_from() {
+        let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
+        let row = building_row(&catalog.building_styles["hotel_building"]);
+        assert!(row[4].contains("hotel_room: 3 `hotel`, 1 `hotel_budget`"), "{}", row[4]);
+        assert!(row[4].ends_with("restaurant: 3 `restaurant_fine`, 1 `restaurant_simple`"), "{}", row[4]);
     }
 
     #[test]
