@@ -12,7 +12,7 @@ use crate::layout::{Alternative, FurnishOptions, Furnished, Suggestion, furnish_
 use crate::plan::Level;
 
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: see the README.
-pub const DEFAULT_EFFORT: u32 = 8;
+pub const DEFAULT_EFFORT: u32 = 16;
 
 /// How often a room is furnished at most with the places that the audit suggests.
 const SUGGESTED_ALTERNATIVES: u32 = 3;
