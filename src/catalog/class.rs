@@ -365,6 +365,8 @@ pub struct Grid {
     pub aisle: f64,
     /// Whether the grid is centred on the side instead of starting at a random first position.
     pub is_centered: bool,
+    /// Whether two stand back to back at each place: shelves between aisles, seats in a hall.
+    pub is_back_to_back: bool,
 }
 
 /// How a class looks.

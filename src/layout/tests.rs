@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::*;
 use crate::catalog::*;
-use crate::geometry::{Point, Polygon, Region};
+use crate::geometry::{Point, Polygon, Region, direction};
 use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, RoomOpening, Wall, WallKind};
 
 fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
@@ -40,7 +40,13 @@ fn classes() -> Vec<Class> {
     let on_desk = rule(ParentName::Classes(vec![1]), &[Side::Above], Turn::Parallel, Along::Back);
     let on_ceiling = rule(ParentName::Ceiling, &[Side::Below], Turn::Parallel, Along::Random);
     let mut light = class("light", (0.6, 0.6, 0.1), vec![on_ceiling], 0);
-    light.grid = Some(Grid { interval: Point::splat(2.0), block: [0, 0], aisle: 0.0, is_centered: true });
+    light.grid = Some(Grid {
+        interval: Point::splat(2.0),
+        block: [0, 0],
+        aisle: 0.0,
+        is_centered: true,
+        is_back_to_back: false,
+    });
     let at_wall = rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Random);
     vec![
         class("chair", (0.5, 0.5, 0.9), vec![at_desk], 1),
@@ -231,6 +237,24 @@ fn the_same_seed_gives_the_same_room_and_another_seed_another() {
     let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
     assert_eq!(run(&level, &catalog, 3), run(&level, &catalog, 3));
     assert_ne!(run(&level, &catalog, 3).placements, run(&level, &catalog, 4).placements);
+}
+
+#[test]
+fn shelves_stand_back_to_back_in_rows_with_an_aisle_between() {
+    let level = level(&[(0.0, 0.0), (9.0, 0.0), (9.0, 8.0), (0.0, 8.0)]);
+    let mut catalog = catalog(&[(4, Count::Fixed(8))], Untidiness::default());
+    let shelf = &mut catalog.classes[4];
+    shelf.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
+    let interval = Point::new(1.0, 2.0);
+    shelf.grid = Some(Grid { interval, block: [0, 0], aisle: 0.0, is_centered: true, is_back_to_back: true });
+    let placements = run(&level, &catalog, 1).placements;
+    assert_eq!(placements.len(), 8);
+    for one in &placements {
+        let back = direction(one.angle).perp();
+        let is_partner = |other: &&Placement| (one.position + back * 0.4).distance(other.position) < 1e-9;
+        let partner = placements.iter().find(is_partner).expect("somebody's back is at its back");
+        assert!((direction(partner.angle) + direction(one.angle)).length() < 1e-9);
+    }
 }
 
 #[test]

@@ -39,7 +39,8 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     lines.add(
         "grid",
         &class.grid.map_or_else(String::new, |grid| {
-            format!("every {} × {} m", rounded(grid.interval.x), rounded(grid.interval.y))
+            let pairs = if grid.is_back_to_back { ", two back to back" } else { "" };
+            format!("every {} × {} m{pairs}", rounded(grid.interval.x), rounded(grid.interval.y))
         }),
     );
     lines.add("priority", &class.priority.to_string());
@@ -159,7 +160,8 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "clearances": class.clearances.iter().map(value_of_clearance).collect::<Vec<_>>(),
         "relations": relations,
         "grid": class.grid.map(|grid| json!({
-            "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered
+            "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered,
+            "back_to_back": grid.is_back_to_back
         })),
         "priority": class.priority,
         "depth": class.depth,

@@ -242,6 +242,9 @@ pub(crate) struct GridEntry {
     /// Whether the grid is centred on the side instead of starting at a random place; default false.
     #[serde(default)]
     pub(crate) centered: bool,
+    /// Whether two stand back to back at each place, which their depths share; default false.
+    #[serde(default)]
+    pub(crate) back_to_back: bool,
 }
 
 /// How a class looks.

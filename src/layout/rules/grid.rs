@@ -4,6 +4,8 @@
 //! worked out from the room and the number of agents of the class, which gives every agent the same lattice
 //! without reading the others' positions.
 
+use core::f64::consts::PI;
+
 use crate::catalog::{Clearance, Grid, Side, Turn};
 use crate::geometry::Point;
 use crate::layout::body::Pose;
@@ -28,27 +30,60 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
     let agents = &view.environment.agents;
     let class = agents[view.agent].piece.class;
-    let wanted = agents.iter().filter(|agent| agent.piece.class == class).count();
+    let members = members(view, grid);
+    let wanted = agents.iter().filter(|agent| agent.piece.class == class).count().div_ceil(members.len());
     let frame_room = |margins: &Margins| (high - low - margins.low - margins.high).max(Point::ZERO);
     let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
     let has_places = |margins: &Margins| most_in(frame_room(margins)).iter().product::<usize>() >= wanted;
-    let margins = [Margins::new(view, |clearance| clearance.good), Margins::new(view, |c| c.minimum)];
-    let margins = margins.into_iter().find(has_places).unwrap_or_else(|| Margins::new(view, |_| 0.0));
-    let room = frame_room(&margins);
+    let depths: [fn(&Clearance) -> f64; 3] =
+        [|clearance| clearance.good, |clearance| clearance.minimum, |_| 0.0];
+    let margins = depths.map(|depth| Margins::new(view, grid, depth));
+    let margins = margins.iter().find(|margins| has_places(margins)).unwrap_or(&margins[2]);
+    let room = frame_room(margins);
     let most = most_in(room);
     let counts = lattice(wanted, most, room / grid.interval);
     let span = Point::new(axes[0].offset(counts[0] - 1), axes[1].offset(counts[1] - 1));
     let slack = (room - span).max(Point::ZERO);
     let share = if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
     let first = low + margins.low + slack * share;
-    let mut add = |point: Point| poses.push(Pose::new(frame.turn(point), elevation(view), angle));
-    let total = counts[0] * counts[1];
+    let mut add = |point: Point, member: &Member| {
+        let position = frame.turn(point + member.offset);
+        poses.push(Pose::new(position, elevation(view), angle + member.turn));
+    };
+    let total = counts[0] * counts[1] * members.len();
     let resting = view.environment.resting[class].len();
     for slot in (0..total).map(|index| (index + resting) % total) {
-        add(first + Point::new(axes[0].offset(slot % counts[0]), axes[1].offset(slot / counts[0])));
+        let (place, member) = (slot / members.len(), &members[slot % members.len()]);
+        let at = Point::new(axes[0].offset(place % counts[0]), axes[1].offset(place / counts[0]));
+        add(first + at, member);
     }
-    let half = Point::new(view.size.width, view.size.depth) / 2.0;
-    add_outside((first, counts), (low + half, high - half), &axes, add);
+    let half = half_of_place(view, grid);
+    add_outside((first, counts), (low + half, high - half), &axes, |point| {
+        members.iter().for_each(|member| add(point, member));
+    });
+}
+
+/// Who stands at a place of the lattice.
+struct Member {
+    /// From the place, in the frame of the lattice.
+    offset: Point,
+    /// Radians beyond the angle of the lattice.
+    turn: f64,
+}
+
+/// One at each place, or two whose backs meet there.
+fn members(view: &View<'_>, grid: &Grid) -> Vec<Member> {
+    let back = Point::new(0.0, view.size.depth / 2.0);
+    match grid.is_back_to_back {
+        true => vec![Member { offset: -back, turn: 0.0 }, Member { offset: back, turn: PI }],
+        false => vec![Member { offset: Point::ZERO, turn: 0.0 }],
+    }
+}
+
+/// Half of the width and depth that the members of a place take.
+fn half_of_place(view: &View<'_>, grid: &Grid) -> Point {
+    let depths = if grid.is_back_to_back { 2.0 } else { 1.0 };
+    Point::new(view.size.width, depths * view.size.depth) / 2.0
 }
 
 /// How far the middles of the outermost places keep from the ends of the room.
@@ -58,16 +93,20 @@ struct Margins {
 }
 
 impl Margins {
-    /// Half of the piece, and a depth of the clearances on the side that meets the wall.
-    fn new(view: &View<'_>, depth: impl Fn(&Clearance) -> f64) -> Self {
-        let half = Point::new(view.size.width, view.size.depth) / 2.0;
+    /// Half of what stands at a place, and a depth of the clearances on the side that meets the wall.
+    fn new(view: &View<'_>, grid: &Grid, depth: impl Fn(&Clearance) -> f64) -> Self {
+        let half = half_of_place(view, grid);
         let clearances = view.class.clearances.iter();
         let deepest =
             |side: Side| clearances.clone().filter(|c| c.side == side).map(&depth).fold(0.0, f64::max);
-        Self {
-            low: half + Point::new(deepest(Side::Left), deepest(Side::Front)),
-            high: half + Point::new(deepest(Side::Right), deepest(Side::Back)),
+        let low = Point::new(deepest(Side::Left), deepest(Side::Front));
+        let high = Point::new(deepest(Side::Right), deepest(Side::Back));
+        if grid.is_back_to_back {
+            // Each end meets the front of somebody.
+            let both = Point::new(low.x.max(high.x), low.y);
+            return Self { low: half + both, high: half + both };
         }
+        Self { low: half + low, high: half + high }
     }
 }
 
