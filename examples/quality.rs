@@ -1,7 +1,8 @@
 //! How good the rooms are: furnishes plans over many seeds, audits every room, and prints one line a plan.
 //!
 //! ```text
-//! cargo run --release --example quality -- [--seeds N] [--random N [--draw FOLDER]] [--details] PLAN…
+//! cargo run --release --example quality -- [--seeds N] [--random N [--draw FOLDER]] [--catalog FOLDER]
+//!     [--style STYLE] [--details] PLAN…
 //! ```
 //! A PLAN is a file or folder as `bake` takes it; `--random` adds rooms of random shape, size, type and style, those of
 //! `tests/properties`. Nothing is written but the drawings asked for with `--draw`.
@@ -42,6 +43,12 @@ struct Arguments {
     /// Layouts per room and seed at most, as for `bake`.
     #[arg(long, default_value_t = DEFAULT_EFFORT)]
     effort: u32,
+    /// Folders of configuration beside the built-in one.
+    #[arg(long)]
+    catalog: Vec<PathBuf>,
+    /// Style or building style of the rooms, as for `bake`.
+    #[arg(long)]
+    style: Option<String>,
     /// Also list findings and missing pieces by class.
     #[arg(long)]
     details: bool,
@@ -117,7 +124,7 @@ impl Tally {
 
 fn main() {
     let arguments = Arguments::parse();
-    let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
+    let catalog = load_catalog(&arguments.catalog).unwrap_or_else(|faults| panic!("{faults}")).value;
     println!(
         "| set | rooms × seeds | failing findings | rooms without finding | placed of requested | impossible by plan |"
     );
@@ -207,7 +214,7 @@ fn measure(plan: &PathBuf, catalog: &Catalog, arguments: &Arguments) -> Tally {
     let tasks = rooms.par_iter().flat_map(|room| (0..seeds).into_par_iter().map(move |seed| (room, seed)));
     tasks
         .map(|(&(building, level, room), seed)| {
-            let options = FurnishOptions { seed, building, style: None };
+            let options = FurnishOptions { seed, building, style: arguments.style.as_deref() };
             Tally::of(level, room, catalog, &options, effort)
         })
         .reduce(Tally::default, Tally::join)

@@ -11,8 +11,18 @@ use crate::geometry::Point;
 use serde_saphyr::{FlowMap, FlowSeq};
 
 /// Tags that assembling gives by what a wall is; they are not written, for they come back by themselves.
-const GIVEN_TAGS: [&str; 9] =
-    ["blind", "door", "exterior", "interior", "longest", "open", "opposite_door", "railing", "window"];
+const GIVEN_TAGS: [&str; 10] = [
+    "blind",
+    "door",
+    "exterior",
+    "interior",
+    "longest",
+    "open",
+    "opposite_door",
+    "pipes",
+    "railing",
+    "window",
+];
 /// Thickness of outer walls where a building has none.
 const USUAL_EXTERIOR_THICKNESS: f64 = 0.3;
 

@@ -2,16 +2,62 @@
 
 use super::Assembly;
 use super::walls::ray_hit;
-use crate::plan::{Opening, OpeningKind, Room, WallKind};
+use crate::plan::{Opening, OpeningKind, Room, Wall, WallKind};
 
 /// Metres that a ray to the opposite wall starts inside the room.
 const RAY_START: f64 = 0.01;
+/// The room type of what pipes run in.
+const SHAFT: &str = "shaft";
+/// Room types with pipes in their walls.
+const WET: [&str; 6] = ["bathroom", "kitchen", "kitchen_dining", "kitchenette", "laundry", "toilet"];
+/// Metres from the face of a wall up to which something is right behind it: the wall and its cladding.
+const BEHIND: f64 = 0.6;
+/// Metres that two walls must have in common to stand back to back: less holds no pipe.
+const LEAST_SHARED: f64 = 0.1;
+/// Cosine between the normals of walls that stand back to back.
+const BACK_TO_BACK: f64 = -0.99;
 
 /// Adds the automatic tags of every wall and sorts all tags.
 pub(super) fn tag_walls(assembly: &mut Assembly<'_>, openings: &[Opening]) {
     for room in &mut assembly.rooms {
         tag_room(room, openings);
     }
+    tag_pipes(&mut assembly.rooms);
+}
+
+/// Tags the walls of wet rooms behind which pipes run: those at a shaft; in rooms without one, those shared with
+/// another wet room.
+fn tag_pipes(rooms: &mut [Room]) {
+    let is_wet = |room: &Room| WET.contains(&room.room_type.as_str());
+    let walls_of = |index: usize, counts: &dyn Fn(&Room) -> bool| -> Vec<usize> {
+        let others = rooms.iter().enumerate().filter(|(other, room)| *other != index && counts(room));
+        let others: Vec<&Wall> = others.flat_map(|(_, room)| &room.walls).collect();
+        let is_shared = |wall: &Wall| others.iter().any(|other| stand_back_to_back(wall, other));
+        let walls = rooms[index].walls.iter().enumerate();
+        walls.filter(|(_, wall)| is_shared(wall)).map(|(number, _)| number).collect()
+    };
+    let mut found = Vec::new();
+    for index in (0..rooms.len()).filter(|&index| is_wet(&rooms[index])) {
+        let at_shaft = walls_of(index, &|room| room.room_type == SHAFT);
+        let walls = if at_shaft.is_empty() { walls_of(index, &is_wet) } else { at_shaft };
+        found.extend(walls.into_iter().map(|wall| (index, wall)));
+    }
+    for (room, wall) in found {
+        let tags = &mut rooms[room].walls[wall].tags;
+        tags.push("pipes".to_owned());
+        tags.sort_unstable();
+        tags.dedup();
+    }
+}
+
+fn stand_back_to_back(wall: &Wall, other: &Wall) -> bool {
+    let along = wall.direction();
+    let depth = (wall.start - other.start).dot(wall.normal());
+    let (a, b) = ((other.start - wall.start).dot(along), (other.end - wall.start).dot(along));
+    let shared = a.max(b).min(wall.length()) - a.min(b).max(0.0);
+    wall.normal().dot(other.normal()) < BACK_TO_BACK
+        && (-RAY_START..BEHIND).contains(&depth)
+        && shared >= LEAST_SHARED
 }
 
 fn tag_room(room: &mut Room, openings: &[Opening]) {

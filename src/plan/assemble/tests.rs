@@ -165,6 +165,28 @@ fn railings_are_known_by_their_outline() {
     assert_eq!(level.rooms[0].walls[1].kind, WallKind::Solid);
 }
 
+/// A bathroom from x = 0 to 3 with a neighbour of a type on the other side of 0.2 m of wall, and a shaft that begins some
+/// metres behind its north wall. Answers which of its walls, south, east, north and west, have pipes.
+fn walls_with_pipes(neighbour: &str, shaft_distance: f64) -> Vec<usize> {
+    let of_type = |room_type: &str, room: RoomDraft| RoomDraft { room_type: room_type.to_owned(), ..room };
+    let rooms = vec![
+        of_type("bathroom", rectangle("bath", (0.0, 0.0), (3.0, 2.0))),
+        of_type(neighbour, rectangle("east", (3.2, 0.0), (3.0, 2.0))),
+        of_type("shaft", rectangle("shaft", (1.0, 2.0 + shaft_distance), (0.5, 0.4))),
+    ];
+    let (level, _) = assemble_level(level(rooms, Vec::new()));
+    let walls = level.rooms[0].walls.iter().enumerate();
+    walls.filter(|(_, wall)| wall.tags.iter().any(|tag| tag == "pipes")).map(|(index, _)| index).collect()
+}
+
+#[test]
+fn pipes_run_at_the_shaft_or_else_between_wet_rooms() {
+    assert_eq!(walls_with_pipes("bedroom", 0.2), [2], "the shaft is behind the north wall");
+    assert_eq!(walls_with_pipes("kitchen", 0.2), [2], "a shaft comes before a wet room");
+    assert_eq!(walls_with_pipes("kitchen", 2.0), [1], "the shaft is too far away");
+    assert!(walls_with_pipes("bedroom", 2.0).is_empty());
+}
+
 #[test]
 fn equal_levels_have_equal_digests_and_a_moved_corner_another() {
     let (first, _) = assemble_level(level(neighbours(), Vec::new()));
