@@ -3,7 +3,7 @@
 use super::finding::{Code, Finding};
 use super::subject::{Body, Subject};
 use super::thresholds::ROUNDING;
-use crate::catalog::{DEFAULT_STYLE, ParentName, Shape, Turn};
+use crate::catalog::{ParentName, Shape, Turn};
 use crate::geometry::{Point, direction};
 use crate::layout::Parent;
 
@@ -25,9 +25,7 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
 
 /// A style whose untidiness turns nothing further than furniture may stand crooked.
 fn is_tidy(subject: &Subject<'_>, limit: f64) -> bool {
-    let styles = &subject.catalog.styles;
-    let style = styles.get(&subject.furnished.style).or_else(|| styles.get(DEFAULT_STYLE));
-    style.is_none_or(|style| style.untidiness.turn <= limit)
+    subject.style().is_none_or(|style| style.untidiness.turn <= limit)
 }
 
 /// Whether a class wants to stand straight at its wall; plants and round things do not.

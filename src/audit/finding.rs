@@ -72,11 +72,15 @@ pub enum Code {
     Sparse,
     /// Surfaces that should carry small things are empty.
     Bare,
+    /// A way too narrow for a wheelchair, where the style asks for access.
+    NarrowWay,
+    /// Nowhere to turn a wheelchair, where the style asks for access.
+    NoTurningCircle,
 }
 
 impl Code {
     /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 21] = [
         Self::Collision,
         Self::OutOfRoom,
         Self::Floating,
@@ -96,6 +100,8 @@ impl Code {
         Self::Unfulfilled,
         Self::Sparse,
         Self::Bare,
+        Self::NarrowWay,
+        Self::NoTurningCircle,
     ];
 
     /// The word in the output.
@@ -121,6 +127,8 @@ impl Code {
             Self::Unfulfilled => "unfulfilled",
             Self::Sparse => "sparse",
             Self::Bare => "bare",
+            Self::NarrowWay => "narrow_way",
+            Self::NoTurningCircle => "no_turning_circle",
         }
     }
 
@@ -136,7 +144,9 @@ impl Code {
             | Self::Crooked
             | Self::Unfulfilled
             | Self::Sparse
-            | Self::Bare => Severity::Minor,
+            | Self::Bare
+            | Self::NarrowWay
+            | Self::NoTurningCircle => Severity::Minor,
             _ => Severity::Failed,
         }
     }
@@ -207,6 +217,6 @@ mod tests {
         for code in Code::ALL {
             assert_eq!(serde_json::to_value(code).unwrap(), code.name());
         }
-        assert!(Code::ALL.is_sorted() && Code::ALL.last() == Some(&Code::Bare));
+        assert!(Code::ALL.is_sorted() && Code::ALL.last() == Some(&Code::NoTurningCircle));
     }
 }

@@ -4,6 +4,7 @@
 //! ([`crate::layout::solids`]). Where people walk, `walk` tells both. What each code means stands at the
 //! head of the file that judges it, the figures and where they come from in `configs/audit.yaml`.
 
+mod access;
 mod bare;
 mod bedside;
 mod clearances;
@@ -107,6 +108,7 @@ pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &C
         bedside::judge(&subject, &floor, &mut findings);
         reach::judge(&subject, &floor, &zones, &mut findings)
     });
+    access::judge(&subject, &zones, &mut findings);
     // How things stand to each other and in the whole.
     facing::judge(&subject, &mut findings);
     crooked::judge(&subject, &mut findings);

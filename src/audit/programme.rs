@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::catalog::{Class, ClassIndex, Count, DEFAULT_STYLE, ParentName, Request};
+use crate::catalog::{Class, ClassIndex, Count, ParentName, Request};
 use crate::layout::Suggestion;
 
 use super::finding::{Code, Finding};
@@ -115,10 +115,8 @@ fn is_met(subject: &Subject<'_>, class: ClassIndex) -> bool {
 
 /// The lines that ask for what the room holds.
 pub(crate) fn programme<'a>(subject: &Subject<'a>) -> Vec<&'a Request> {
-    let catalog = subject.catalog;
-    let style = catalog.styles.get(&subject.furnished.style).or_else(|| catalog.styles.get(DEFAULT_STYLE));
-    let room_type = catalog.room_types.get(&subject.room.room_type);
-    match (style, room_type) {
+    let room_type = subject.catalog.room_types.get(&subject.room.room_type);
+    match (subject.style(), room_type) {
         (Some(style), Some(room_type)) => style.programme(room_type).collect(),
         _ => Vec::new(),
     }

@@ -11,7 +11,7 @@ use super::zone::{Purpose, Zone};
 
 /// What must be walked to.
 #[derive(Clone, Copy)]
-enum Target<'z> {
+pub(crate) enum Target<'z> {
     /// A door, by index into the level's openings.
     Door(usize),
     /// The space before a side of an object, and the object's index.
@@ -19,7 +19,7 @@ enum Target<'z> {
 }
 
 impl<'z> Target<'z> {
-    fn goal(self) -> Goal<'z> {
+    pub(crate) fn goal(self) -> Goal<'z> {
         match self {
             Self::Door(door) => Goal::Door(door),
             Self::Side(zone, _) => Goal::Area(&zone.base),
@@ -65,7 +65,7 @@ fn floor_with<'s>(subject: &Subject<'_>, solids: impl Iterator<Item = &'s Solid>
 }
 
 /// Every door and every side with room for somebody. Narrower strips (beside a toilet) are elbow room.
-fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor) -> Vec<Target<'z>> {
+pub(crate) fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor) -> Vec<Target<'z>> {
     let rules = subject.rules().walking;
     let sides = zones.iter().filter_map(|zone| {
         let Purpose::Using(owner, number) = zone.purpose else { return None };
@@ -98,7 +98,7 @@ fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Targ
 }
 
 /// For each goal the widest disc that gets there, to a cell and below `missed_by`; zero where none does.
-fn widest((floor, home): (&Floor, usize), goals: &[Target<'_>], missed_by: f64) -> Vec<f64> {
+pub(crate) fn widest((floor, home): (&Floor, usize), goals: &[Target<'_>], missed_by: f64) -> Vec<f64> {
     let mut widths = vec![0.0; goals.len()];
     let steps = (missed_by / CELL) as u32;
     for diameter in (1..steps).map(|step| missed_by - f64::from(step) * CELL) {
@@ -115,7 +115,7 @@ fn widest((floor, home): (&Floor, usize), goals: &[Target<'_>], missed_by: f64) 
     widths
 }
 
-fn names(subject: &Subject<'_>, target: Target<'_>) -> Vec<String> {
+pub(crate) fn names(subject: &Subject<'_>, target: Target<'_>) -> Vec<String> {
     match target {
         Target::Door(door) => vec![format!("door:{}", subject.level.openings[door].id)],
         Target::Side(_, owner) => vec![subject.bodies[owner].id.clone()],

@@ -5,7 +5,7 @@ use super::fit::can_hold;
 use super::programme::programme;
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
-use crate::catalog::{ClassIndex, DEFAULT_STYLE, ParentName};
+use crate::catalog::{ClassIndex, ParentName};
 
 /// Judges the share of the floor that is covered. The low end of the type's range follows the style's
 /// density where that is below one.
@@ -16,9 +16,7 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     if !room_type.is_furnished || area < rules.fulfilment.sparse_area {
         return;
     }
-    let styles = &subject.catalog.styles;
-    let style = styles.get(&subject.furnished.style).or_else(|| styles.get(DEFAULT_STYLE));
-    let factor = style.map_or(1.0, |style| style.density.min(1.0));
+    let factor = subject.style().map_or(1.0, |style| style.density.min(1.0));
     let least = room_type.density.0 * factor * rules.fulfilment.sparse;
     let standing = subject.bodies.iter().filter(|body| body.is_standing(rules));
     let share = standing.fold(0.0, |sum, body| sum + body.footprint_area()) / area;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::catalog::{AuditRules, Catalog, Class};
+use crate::catalog::{AuditRules, Catalog, Class, DEFAULT_STYLE, Style};
 use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, solids};
 use crate::plan::{Level, Room};
@@ -48,6 +48,12 @@ impl<'a> Subject<'a> {
     /// The thresholds.
     pub(crate) fn rules(&self) -> &'a AuditRules {
         &self.catalog.audit
+    }
+
+    /// The style that the room is furnished in.
+    pub(crate) fn style(&self) -> Option<&'a Style> {
+        let styles = &self.catalog.styles;
+        styles.get(&self.furnished.style).or_else(|| styles.get(DEFAULT_STYLE))
     }
 
     /// Whether `object` is `ancestor` or rests on it, directly or over others.

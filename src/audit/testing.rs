@@ -1,8 +1,8 @@
 //! Small rooms and a small catalogue for the audit's tests.
 
 use crate::catalog::{
-    Along, Catalog, Class, Clearance, Count, Extent, Finish, Orientation, ParentName, ParentRule, PrismRule,
-    Request, RoomType, Shape, Side, Size, Style, Turn, Untidiness,
+    Access, Along, Catalog, Class, Clearance, Count, Extent, Finish, Orientation, ParentName, ParentRule,
+    PrismRule, Request, RoomType, Shape, Side, Size, Style, Turn, Untidiness,
 };
 use crate::geometry::{Point, Polygon, Region};
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -205,6 +205,9 @@ fn catalog() -> Catalog {
         palette: "modern".into(),
         untidiness: Untidiness::default(),
         density: 1.0,
+        access: Access::default(),
+        era: None,
+        wealth: None,
     };
     Catalog {
         classes: vec![

@@ -9,6 +9,9 @@ use super::subject::Subject;
 use super::thresholds::ROUNDING;
 use super::zone::{NearPair, Purpose, Zone};
 
+/// Metres within which two bodies take as much of a clearance: the 32-bit numbers of a file do not decide which is named.
+const SAME_DEPTH: f64 = 1e-5;
+
 /// What takes the good clearances.
 pub(crate) fn takings(subject: &Subject<'_>, zones: &[Zone], hits: &[NearPair<'_>]) -> Vec<Taking> {
     clearances::takings(subject, zones, hits, |purpose| match purpose {
@@ -30,7 +33,7 @@ pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], findings: &mut Ve
             continue;
         }
         match tightest.get(&taking.owner) {
-            Some(known) if lacks(known) >= lacks(taking) => {}
+            Some(known) if lacks(known) >= lacks(taking) - SAME_DEPTH => {}
             _ => drop(tightest.insert(taking.owner, taking)),
         }
     }

@@ -132,6 +132,13 @@ thresholds! {
         /// Diameter for the walkable rate.
         robot: Metres,
     }
+    /// Where the style asks for access by wheelchair.
+    access: AccessRules {
+        /// Diameter of the disc in which a wheelchair turns.
+        turning: Metres,
+        /// Diameter of the disc that has to get everywhere with it.
+        walkway: Metres,
+    }
     /// What stands before windows.
     windows: WindowRules {
         /// How far a body may rise over the sill.

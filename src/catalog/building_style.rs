@@ -15,6 +15,9 @@ pub struct BuildingStyle {
     pub styles: Vec<WeightedStyle>,
     /// Styles by room type; no list is empty.
     pub rooms: BTreeMap<String, Vec<WeightedStyle>>,
+    /// By drawn style, the styles that single dwellings or rooms get in its place; weights are shares of all, together 1
+    /// at most.
+    pub instead: BTreeMap<String, Vec<WeightedStyle>>,
 }
 
 /// One of the styles that are drawn from.
@@ -73,6 +76,22 @@ impl BuildingStyle {
     }
 }
 
+impl BuildingStyle {
+    /// The style that a single dwelling or room gets in place of the drawn one, for a number of its own drawn evenly from
+    /// [0, 1); nearly all get none.
+    #[must_use]
+    pub fn style_instead(&self, style: &str, drawn: f64) -> Option<&str> {
+        let mut left = drawn;
+        for one in self.instead.get(style)? {
+            if left < one.weight {
+                return Some(&one.style);
+            }
+            left -= one.weight;
+        }
+        None
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -86,7 +105,11 @@ mod tests {
             share: Share::Dwelling,
             styles: [("old", 3.0), ("new", 1.0)].map(weighted).into(),
             rooms: [("lobby".to_owned(), vec![weighted(("grand", 0.5))])].into(),
+            instead: [("old".to_owned(), vec![weighted(("wide", 0.05))])].into(),
         };
+        assert_eq!(block.style_instead("old", 0.049), Some("wide"));
+        assert_eq!(block.style_instead("old", 0.051), None);
+        assert_eq!(block.style_instead("new", 0.0), None);
         assert_eq!(block.style("bedroom", 0.0), Some("old"));
         assert_eq!(block.style("bedroom", 0.749), Some("old"));
         assert_eq!(block.style("bedroom", 0.751), Some("new"));

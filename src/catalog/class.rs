@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::style::Era;
 use crate::geometry::Point;
 
 /// Index of a class in [`crate::catalog::Catalog::classes`].
@@ -48,6 +49,10 @@ pub struct Class {
     pub grid: Option<Grid>,
     /// What is given up first when room is short: lower goes first.
     pub priority: i32,
+    /// The eras whose styles it is drawn in; empty for any.
+    pub eras: Vec<Era>,
+    /// The wealth of the styles that it is drawn in, lowest and highest; `None` for any.
+    pub wealth: Option<(u32, u32)>,
     /// How it looks.
     pub model: ModelSource,
     /// Expected depth in the hierarchy: 0 for what stands on room parts, else one more than its nearest
@@ -74,6 +79,8 @@ impl Class {
             relations: Vec::new(),
             grid: None,
             priority: 0,
+            eras: Vec::new(),
+            wealth: None,
             model: ModelSource::Recipe { name: recipe.to_owned(), parameters: Vec::new() },
             depth: 0,
         }

@@ -26,8 +26,8 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 pub use audit::{
-    AlignmentRules, AuditRules, BalanceRules, BedRules, BodyRules, ClearanceRules, DoorRules, FacingRules,
-    FulfilmentRules, ScoreRules, ScreenRules, WalkingRules, WetRoomRules, WindowRules,
+    AccessRules, AlignmentRules, AuditRules, BalanceRules, BedRules, BodyRules, ClearanceRules, DoorRules,
+    FacingRules, FulfilmentRules, ScoreRules, ScreenRules, WalkingRules, WetRoomRules, WindowRules,
 };
 pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{BuiltinFile, builtin_file, builtin_files};
@@ -38,7 +38,7 @@ pub use class::{
 pub use describe::{Description, describe, style_differences};
 pub use load::load_catalog;
 pub use palette::{MATERIAL_SLOTS, Material, Palette};
-pub use style::{Count, Finish, Request, RoomType, Style, Untidiness};
+pub use style::{Access, Count, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
 
 use crate::plan::RoomWords;
 

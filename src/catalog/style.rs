@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::class::ClassIndex;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::class::{Class, ClassIndex};
 
 /// A kind of room and its programme.
 #[derive(Clone, Debug)]
@@ -91,6 +94,54 @@ pub struct Style {
     pub untidiness: Untidiness,
     /// Factor on the counts of lines that are not required; 1 is as written.
     pub density: f64,
+    /// Who gets about in the rooms.
+    pub access: Access,
+    /// When the furniture is from, if that matters.
+    pub era: Option<Era>,
+    /// What it may cost, from [`WEALTH`], if that matters.
+    pub wealth: Option<u32>,
+}
+
+/// What furniture costs, lowest and highest: 1 is cheap, 2 usual, 3 dear.
+pub const WEALTH: (u32, u32) = (1, 3);
+
+/// Who gets about in a room.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Access {
+    /// People who walk.
+    #[default]
+    Walking,
+    /// People in wheelchairs too: they get everywhere by wide ways, and there is room to turn.
+    Wheelchair,
+}
+
+/// When furniture was made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Era {
+    /// Before electric appliances.
+    Historic,
+    /// The middle of the twentieth century.
+    Midcentury,
+    /// Today.
+    Contemporary,
+}
+
+impl Access {
+    /// The word in configuration.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        ["walking", "wheelchair"][self as usize]
+    }
+}
+
+impl Era {
+    /// The word in configuration.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        ["historic", "midcentury", "contemporary"][self as usize]
+    }
 }
 
 /// Random offsets that make a room look lived in (section 4.2).
@@ -107,6 +158,31 @@ impl Style {
     #[must_use]
     pub fn suits(&self, room_type: &str) -> bool {
         self.room_types.is_empty() || self.room_types.iter().any(|one| one == room_type)
+    }
+
+    /// Those of some classes that go with the style's era and wealth, in their order. Classes made for these come before
+    /// those that go with any; where a style names neither, those that go with any come before the others.
+    #[must_use]
+    pub fn fitting(&self, requested: &[ClassIndex], classes: &[Class]) -> Vec<ClassIndex> {
+        let ranks = requested.iter().map(|&class| (self.fit(&classes[class]), class));
+        let ranks: Vec<(u32, ClassIndex)> = ranks.filter(|(fit, _)| *fit > 0).collect();
+        let best = ranks.iter().map(|(fit, _)| *fit).max();
+        ranks.into_iter().filter(|(fit, _)| Some(*fit) == best).map(|(_, class)| class).collect()
+    }
+
+    /// How well a class goes with the era and wealth; 0 for not at all.
+    fn fit(&self, class: &Class) -> u32 {
+        let of_key = |has_key: bool, is_met: Option<bool>| match (has_key, is_met) {
+            // What is for any stands between what is made for it and, in a style that does not say, what is special.
+            (false, _) => 2,
+            (true, Some(true)) => 3,
+            (true, Some(false)) => 0,
+            (true, None) => 1,
+        };
+        let era = of_key(!class.eras.is_empty(), self.era.map(|era| class.eras.contains(&era)));
+        let is_within =
+            |(least, most): (u32, u32)| self.wealth.map(|wealth| (least..=most).contains(&wealth));
+        era * of_key(class.wealth.is_some(), class.wealth.and_then(is_within))
     }
 
     /// The programme of a room type in this style: the style's own or the room type's, then its additions.

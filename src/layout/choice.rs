@@ -18,7 +18,12 @@ pub fn room_style<'a>(
     let of_building = |id: &str| {
         let building_style = catalog.building_styles.get(id)?;
         let drawn = draw(building_style, level, room, options);
-        let style = building_style.style(&room.room_type, drawn).and_then(|style| catalog.styles.get(style));
+        let id = building_style.style(&room.room_type, drawn);
+        let exception = id.and_then(|id| {
+            let drawn = single_draw(level, room, options);
+            catalog.styles.get(building_style.style_instead(id, drawn)?)
+        });
+        let style = exception.filter(suits).or_else(|| id.and_then(|id| catalog.styles.get(id)));
         style.filter(suits).or_else(|| catalog.styles.get(DEFAULT_STYLE))
     };
     let own = room.style.as_deref().and_then(|id| catalog.styles.get(id).or_else(|| of_building(id)));
@@ -37,6 +42,13 @@ fn draw(style: &BuildingStyle, level: &Level, room: &Room, options: &FurnishOpti
         (Share::Dwelling, Some(dwelling)) => shared_draw(options.seed, &[building, level, dwelling]),
         (Share::Room, _) => shared_draw(options.seed, &[building, level, "", &number]),
     }
+}
+
+/// The number that decides whether a single dwelling, or a room that is part of none, is an exception.
+fn single_draw(level: &Level, room: &Room, options: &FurnishOptions<'_>) -> f64 {
+    let number = room.number.to_string();
+    let unit = room.dwelling.as_deref().map_or(["room", &number], |dwelling| ["dwelling", dwelling]);
+    shared_draw(options.seed, &[options.building, &level.id, "instead", unit[0], unit[1]])
 }
 
 #[cfg(test)]
@@ -102,5 +114,24 @@ mod tests {
         assert!(of(&own("student_residence", "lobby")).starts_with("hotel"), "inherited by room type");
         assert!(of(&own("school_campus", "library")).starts_with("library"));
         assert_eq!(of(&own("hotel_building", "bedroom")), "default", "nothing is said about bedrooms");
+    }
+
+    #[test]
+    fn a_few_hotel_rooms_are_made_for_wheelchairs_each_with_its_bathroom() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let is_accessible = |number: u32, room_type: &str, dwelling: &str| {
+            let room = room(&level, number, room_type, Some(dwelling));
+            // Of this seed the hotel is no cheap one, which has none.
+            style_of(&level, &room, &catalog, 1, "hotel_building") == "hotel_accessible"
+        };
+        let mut accessible = 0;
+        for number in 0..400 {
+            let dwelling = format!("room {number}");
+            let is_one = is_accessible(2 * number, "hotel_room", &dwelling);
+            assert_eq!(is_one, is_accessible(2 * number + 1, "hotel_bathroom", &dwelling), "{dwelling}");
+            accessible += u32::from(is_one);
+        }
+        assert!((10..=30).contains(&accessible), "{accessible} of 400");
     }
 }

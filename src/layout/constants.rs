@@ -86,6 +86,9 @@ pub(crate) const WAY_ROUNDS: usize = 4;
 /// Times that a room is furnished from derived seeds while many pieces are missing; rooms that come out well,
 /// nearly all, are furnished once.
 pub(crate) const ATTEMPTS: u32 = 4;
+/// Alternatives of a room in which tagged walls come first, and [`ATTEMPTS`] in each: where the room does not come out
+/// well that way, room for everybody is worth more than short pipes.
+pub(crate) const ALTERNATIVES_WITH_TAGS: u32 = 4;
 /// Times while there is none of what the room cannot do without or a way is closed: a bathroom of 3 m² has few good arrangements.
 pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
 /// Share of the requested pieces that may be missing before another attempt.

@@ -2,7 +2,7 @@
 
 use std::cell::{Cell, OnceCell, RefCell};
 
-use crate::catalog::{Catalog, Class, ClassIndex, Shape, Side, Size};
+use crate::catalog::{Access, Catalog, Class, ClassIndex, Shape, Side, Size};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 
 mod clearances;
@@ -40,6 +40,10 @@ pub(crate) struct Environment<'a> {
     pub(crate) trace: Option<RefCell<Trace>>,
     /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
     pub(crate) is_exhausted: Vec<bool>,
+    /// Whether walls that carry the right tag come first.
+    pub(crate) heeds_tags: bool,
+    /// Who gets about in the room.
+    pub(crate) access: Access,
     borders: Vec<Border>,
     border_grid: Grid,
     bodies: Vec<Body>,
@@ -157,6 +161,8 @@ impl<'a> Environment<'a> {
             suggestions: Vec::new(),
             trace: None,
             is_exhausted: vec![false; catalog.classes.len()],
+            heeds_tags: true,
+            access: Access::default(),
             borders,
             border_grid,
             bodies: Vec::with_capacity(pieces.len() * 2),

@@ -31,6 +31,7 @@ mod surroundings;
 #[cfg(test)]
 mod tests;
 mod trace;
+mod turning;
 mod untidy;
 mod ways;
 
@@ -45,11 +46,11 @@ pub use suggestion::{Alternative, Suggestion};
 
 use std::collections::BTreeSet;
 
-use crate::catalog::{Catalog, ClassIndex, ParentName, Untidiness};
+use crate::catalog::{Access, Catalog, ClassIndex, ParentName, Untidiness};
 use crate::plan::{Level, OpeningKind, Room};
 
 use agent::{Agent, AgentIndex, State};
-use constants::{ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE};
+use constants::{ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE};
 use environment::Environment;
 use programme::Site;
 use seed::RoomKey;
@@ -127,6 +128,8 @@ impl Task<'_> {
                 agent.urgency = urgency;
             }
             environment.suggestions.clone_from(&alternative.suggestions);
+            environment.heeds_tags = alternative.number < ALTERNATIVES_WITH_TAGS && number < ATTEMPTS;
+            environment.access = style.access;
             environment.trace = is_traced.then(|| trace::Trace::new(&environment));
             let attempt_key = key.attempt(alternative.number * ATTEMPTS_IN_NEED + number);
             let closed_ways = act_all(&mut environment, &style.untidiness, &attempt_key);
@@ -168,7 +171,8 @@ fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &Roo
     if untidy::make_untidy(environment, untidiness, key) {
         arrange::arrange(environment, key);
     }
-    ways::clear_ways(environment, key)
+    let lacks_turn = environment.access == Access::Wheelchair && turning::lacks_turn(environment, key);
+    ways::clear_ways(environment, key) + usize::from(lacks_turn)
 }
 
 /// Whom the next attempt should serve first: the required pieces that found no place, and those by which they would

@@ -35,26 +35,34 @@ pub(crate) fn pieces(
     site: Site,
     key: &RoomKey,
 ) -> Vec<Piece> {
-    let mut counts = vec![0_u32; catalog.classes.len()];
+    let mut counts = Counts { drawn: vec![0; catalog.classes.len()], asked: vec![0; catalog.classes.len()] };
     let mut pieces = Vec::new();
     for request in style.programme(room_type) {
         let name = &catalog.classes[request.classes[0]].id;
         // Lines that begin with the same class share a stream name; their order tells them apart.
-        let line = counts[request.classes[0]];
+        let line = counts.drawn[request.classes[0]];
         let mut stream = key.stream(Purpose::Programme, name, line);
         if !applies(request, site, &mut stream) {
             continue;
         }
-        let class = request.classes[stream.below(request.classes.len())];
-        let count = count(request, style.density, site, &counts, &mut stream);
+        let mut fitting = style.fitting(&request.classes, &catalog.classes);
+        if fitting.is_empty() && request.is_required {
+            // The room is wrong without it, whatever it looks like.
+            fitting.clone_from(&request.classes);
+        }
+        if fitting.is_empty() {
+            continue;
+        }
+        let class = fitting[stream.below(fitting.len())];
+        let count = count(request, style.density, site, &counts.asked, &mut stream);
         for _ in 0..count {
-            counts[class] += 1;
+            let number = counts.add(catalog, class);
             let id = &catalog.classes[class].id;
             let variants = catalog.classes[class].usual_variant_count();
-            let mut stream = key.stream(Purpose::Variant, id, counts[class]);
+            let mut stream = key.stream(Purpose::Variant, id, number);
             pieces.push(Piece {
                 class,
-                number: counts[class],
+                number,
                 variant: stream.count(0, variants - 1),
                 is_required: request.is_required,
                 is_fill: matches!(request.count, Count::Fill(_)),
@@ -62,6 +70,26 @@ pub(crate) fn pieces(
         }
     }
     pieces
+}
+
+/// How many pieces there are so far, by class.
+struct Counts {
+    /// Of the class itself.
+    drawn: Vec<u32>,
+    /// Those of classes that stand in for it too: they are in a group of its name.
+    asked: Vec<u32>,
+}
+
+impl Counts {
+    /// Adds a piece and answers its number in its class.
+    fn add(&mut self, catalog: &Catalog, class: ClassIndex) -> u32 {
+        let groups = catalog.classes[class].groups.iter();
+        let stood_in_for = groups.filter_map(|group| catalog.class_index(group));
+        stood_in_for.filter(|&other| other != class).for_each(|other| self.asked[other] += 1);
+        self.asked[class] += 1;
+        self.drawn[class] += 1;
+        self.drawn[class]
+    }
 }
 
 fn applies(request: &Request, site: Site, stream: &mut Stream) -> bool {

@@ -226,7 +226,8 @@ fn parents(
             options.push(Possibility { parent: ParentPart::Ceiling, side: Side::Below, rank: 0.0 })
         }
         ParentName::Wall => {
-            let has_tag = |tags: &[String]| rule.tag.as_ref().is_none_or(|tag| tags.contains(tag));
+            let is_tagged = |tag: &String, tags: &[String]| environment.heeds_tags && tags.contains(tag);
+            let has_tag = |tags: &[String]| rule.tag.as_ref().is_none_or(|tag| is_tagged(tag, tags));
             for (index, wall) in room.walls.iter().enumerate() {
                 // Draws without replacement, weighted by length (Efraimidis, Spirakis 2006).
                 let rank = -libm::log(stream.unit().max(1e-12)) / wall.length();

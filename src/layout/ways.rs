@@ -4,6 +4,7 @@
 use core::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::catalog::{Access, WalkingRules};
 use crate::geometry::{Convex, Point, Solid, distance_to_convex};
 use crate::walk::{Floor, Goal, Way, blocked_ways, is_in_the_way};
 
@@ -14,11 +15,12 @@ use super::environment::Environment;
 use super::movement::send_away;
 use super::seed::RoomKey;
 use super::suggestion::follows_suggestion;
+use super::turning::has_required;
 
 /// Clears the ways that resting agents close, and keeps them free from then on. Returns how many stay closed.
 pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     for _ in 0..WAY_ROUNDS {
-        let ways = closed_ways(environment);
+        let ways = all_closed_ways(environment);
         let in_the_way = who_goes(environment, &ways);
         if in_the_way.is_empty() {
             return ways.len();
@@ -35,22 +37,42 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
         }
         arrange(environment, key);
     }
-    closed_ways(environment).len()
+    all_closed_ways(environment).len()
+}
+
+/// The closed ways of people who walk, and of wheelchairs where the style asks for these.
+fn all_closed_ways(environment: &Environment<'_>) -> Vec<Way> {
+    let rules = &environment.catalog.audit;
+    let place = (environment.surroundings.level, environment.surroundings.room);
+    let floor = Floor::new(place, &rules.walking, environment.solids());
+    let empty = || Floor::new(place, &rules.walking, core::iter::empty());
+    let mut ways = closed_ways(environment, &rules.walking, floor, empty);
+    if environment.access == Access::Wheelchair {
+        let wheelchair = WalkingRules {
+            person: rules.access.walkway,
+            narrow_person: rules.walking.person,
+            ..rules.walking
+        };
+        let floor = Floor::for_wheelchair(place, rules, environment.solids());
+        let empty = || Floor::for_wheelchair(place, rules, core::iter::empty());
+        ways.extend(closed_ways(environment, &wheelchair, floor, empty));
+    }
+    ways
 }
 
 /// The ways to doors, and to sides that people stand at, that resting agents close.
-fn closed_ways(environment: &Environment<'_>) -> Vec<Way> {
-    let (level, room) = (environment.surroundings.level, environment.surroundings.room);
-    let rules = &environment.catalog.audit.walking;
-    let Some(floor) = Floor::new((level, room), rules, environment.solids()) else { return Vec::new() };
-    let areas = environment.used_areas(rules.narrow_person, rules.body_height);
+fn closed_ways(
+    environment: &Environment<'_>,
+    rules: &WalkingRules,
+    floor: Option<Floor>,
+    empty: impl FnOnce() -> Option<Floor>,
+) -> Vec<Way> {
+    let Some(floor) = floor else { return Vec::new() };
+    let walking = &environment.catalog.audit.walking;
+    let areas = environment.used_areas(walking.narrow_person, walking.body_height);
     let goals: Vec<Goal<'_>> =
         floor.doors().map(Goal::Door).chain(areas.map(|solid| Goal::Area(solid.footprint()))).collect();
-    let empty = || {
-        let nothing = core::iter::empty();
-        Floor::new((level, room), rules, nothing)
-            .expect("a door of the furnished room is one of the empty room")
-    };
+    let empty = || empty().expect("a door of the furnished room is one of the empty room");
     blocked_ways(&floor, empty, rules, &goals)
 }
 
@@ -59,7 +81,11 @@ fn closed_ways(environment: &Environment<'_>) -> Vec<Way> {
 fn who_goes(environment: &Environment<'_>, ways: &[Way]) -> Vec<AgentIndex> {
     let mut going: BTreeSet<AgentIndex> = BTreeSet::new();
     for (way, &place) in ways.iter().flat_map(|way| way.narrows.iter().map(move |place| (way, place))) {
-        let near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
+        let mut near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
+        if way.width > environment.catalog.audit.walking.person {
+            // A wide way is a wish: nobody goes for it whom the room cannot do without.
+            near.retain(|&agent, _| !has_required(environment, agent));
+        }
         if near.keys().any(|agent| going.contains(agent)) {
             continue;
         }
@@ -80,7 +106,11 @@ fn who_goes(environment: &Environment<'_>, ways: &[Way]) -> Vec<AgentIndex> {
 }
 
 /// Agents in the way of people at a place, with their distances.
-fn who_is_near(environment: &Environment<'_>, place: Point, reach: f64) -> BTreeMap<AgentIndex, f64> {
+pub(crate) fn who_is_near(
+    environment: &Environment<'_>,
+    place: Point,
+    reach: f64,
+) -> BTreeMap<AgentIndex, f64> {
     let rules = &environment.catalog.audit.walking;
     let mut near: BTreeMap<AgentIndex, f64> = BTreeMap::new();
     environment.each_part_near(place, reach, |agent, solid| {

@@ -3,7 +3,7 @@
 use core::cmp::Reverse;
 use core::ops::Range;
 
-use crate::catalog::WalkingRules;
+use crate::catalog::{AccessRules, AuditRules, WalkingRules};
 use crate::geometry::{Point, Solid, distance_to_convex, edges};
 use crate::plan::{Level, Room, RoomOpening};
 
@@ -16,6 +16,15 @@ pub(crate) struct Floor {
     pub(super) distances: Vec<u16>,
     /// One per walkable opening.
     doors: Vec<Doorway>,
+}
+
+/// How far a door reaches, in metres from the wall's inner face.
+#[derive(Clone, Copy)]
+struct DoorDepth {
+    /// The floor behind it that is part of the room.
+    behind: f64,
+    /// Who has the middle so far before it, or less, is at the door.
+    before: f64,
 }
 
 /// What people walk to.
@@ -59,8 +68,33 @@ pub(crate) struct Walk<'f> {
 impl Floor {
     /// The floor of a room with some solids; `None` where no door leads in.
     pub(crate) fn new<'s>(
+        place: (&Level, &Room),
+        rules: &WalkingRules,
+        solids: impl Iterator<Item = &'s Solid>,
+    ) -> Option<Self> {
+        let widest = rules.person.max(rules.narrow_person).max(rules.robot);
+        // Somebody on a threshold stands half behind it.
+        let doors = DoorDepth { behind: rules.person / 2.0 + 2.0 * CELL, before: CELL };
+        Self::for_disc(place, rules, (widest, doors), solids)
+    }
+
+    /// The same for a wheelchair. Its way is wider than most doors: whoever has that width right before a door goes
+    /// straight through.
+    pub(crate) fn for_wheelchair<'s>(
+        place: (&Level, &Room),
+        rules: &AuditRules,
+        solids: impl Iterator<Item = &'s Solid>,
+    ) -> Option<Self> {
+        let AccessRules { turning, walkway } = rules.access;
+        let doors = DoorDepth { behind: 0.0, before: walkway / 2.0 + CELL };
+        Self::for_disc(place, &rules.walking, (turning.max(walkway), doors), solids)
+    }
+
+    /// The floor for discs up to a width.
+    fn for_disc<'s>(
         (level, room): (&Level, &Room),
         rules: &WalkingRules,
+        (widest, depth): (f64, DoorDepth),
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
         let is_door = |place: &&RoomOpening| level.openings[place.opening].kind.is_walkable();
@@ -68,13 +102,12 @@ impl Floor {
         if places.is_empty() {
             return None;
         }
-        // Somebody on a threshold stands half behind it.
-        let behind = rules.person / 2.0 + 2.0 * CELL;
+        let behind = depth.behind;
         let (low, high) = room.region.outline.bounds();
         let mut raster = Raster::new((low - Point::splat(behind), high + Point::splat(behind)));
         raster.paint(&room.region.borders().collect::<Vec<_>>(), true);
         for place in &places {
-            raster.paint(&strip(room, place, -behind, CELL), true);
+            raster.paint(&strip(room, place, -behind, CELL.min(behind)), true);
         }
         for column in &room.obstacles {
             raster.paint(&column.outline.edges().collect::<Vec<_>>(), false);
@@ -82,8 +115,7 @@ impl Floor {
         for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
         }
-        let doors = places.iter().map(|place| Doorway::new(room, place, &raster)).collect();
-        let widest = rules.person.max(rules.narrow_person).max(rules.robot);
+        let doors = places.iter().map(|place| Doorway::new(room, place, depth.before, &raster)).collect();
         Some(Self { distances: raster.distances(reach(widest)), raster, doors })
     }
 
@@ -186,9 +218,9 @@ fn strip(room: &Room, place: &RoomOpening, from: f64, to: f64) -> Vec<(Point, Po
 }
 
 impl Doorway {
-    fn new(room: &Room, place: &RoomOpening, raster: &Raster) -> Self {
+    fn new(room: &Room, place: &RoomOpening, depth: f64, raster: &Raster) -> Self {
         let mut threshold = Vec::new();
-        raster.spans(&strip(room, place, -CELL, CELL), |span| threshold.push(span));
+        raster.spans(&strip(room, place, -CELL, depth), |span| threshold.push(span));
         Self { opening: place.opening, threshold }
     }
 }
@@ -298,6 +330,17 @@ impl Walk<'_> {
             Goal::Door(door) => self.group(door) == group,
             Goal::Area(area) => self.touches(group, area),
         }
+    }
+
+    /// The places where a wider disc may be, among those that this one gets to from some door, row by row; where it gets
+    /// in by no door, among all.
+    pub(crate) fn wide_places(&self, diameter: f64) -> impl Iterator<Item = Point> + '_ {
+        let least = least_distance(diameter);
+        let is_entered = self.runs.iter().any(|run| self.doors.contains(&run.group));
+        let runs = self.runs.iter().filter(move |run| !is_entered || self.doors.contains(&run.group));
+        let cells = runs.flat_map(|run| run.cells.clone());
+        let wide = cells.filter(move |&cell| self.floor.distances[cell] >= least);
+        wide.map(|cell| self.floor.raster.middle(cell))
     }
 
     /// The share of all places where the disc could stand that a group reaches (the walkable rate of

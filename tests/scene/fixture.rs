@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use roomwright::catalog::{
-    Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, MATERIAL_SLOTS, Material, Palette, RoomType, Side,
-    Size, Style, Untidiness,
+    Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, MATERIAL_SLOTS, Material, Palette, RoomType,
+    Side, Size, Style, Untidiness,
 };
 use roomwright::geometry::{Point, Polygon, Region};
 use roomwright::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -198,6 +198,9 @@ pub(crate) fn catalog() -> Catalog {
         palette: palette.to_owned(),
         untidiness: Untidiness::default(),
         density: 1.0,
+        access: Access::default(),
+        era: None,
+        wealth: None,
     };
     Catalog {
         classes: vec![

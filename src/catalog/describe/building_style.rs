@@ -24,14 +24,23 @@ pub(super) fn describe_building_style(style: &BuildingStyle) -> (Lines, Value) {
     for (room_type, choice) in &style.rooms {
         lines.add(room_type, &show_choice(choice));
     }
+    lines.add_all("instead", style.instead.iter().map(show_instead));
+    let instead = style.instead.iter().map(|(drawn, choice)| (drawn.clone(), value_of_choice(choice)));
+    let instead = Value::Object(instead.collect::<Map<_, _>>());
     let rooms = style.rooms.iter().map(|(room_type, choice)| (room_type.clone(), value_of_choice(choice)));
     let value = json!({
         "label": style.label,
         "share": style.share.word(),
         "styles": value_of_choice(&style.styles),
         "rooms": Value::Object(rooms.collect::<Map<_, _>>()),
+        "instead": instead,
     });
     (lines, value)
+}
+
+fn show_instead((drawn, choice): (&String, &Vec<WeightedStyle>)) -> String {
+    let share = |one: &WeightedStyle| format!("{} in {} of 100", one.style, rounded(one.weight * 100.0));
+    format!("{drawn}: {}", choice.iter().map(share).collect::<Vec<_>>().join(", "))
 }
 
 fn show_choice(choice: &[WeightedStyle]) -> String {

@@ -45,6 +45,10 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     );
     lines.add("priority", &class.priority.to_string());
     lines.add("depth", &class.depth.to_string());
+    lines.add("eras", &class.eras.iter().map(|era| era.word()).collect::<Vec<_>>().join(", "));
+    if let Some((least, most)) = class.wealth {
+        lines.add("wealth", &if least == most { least.to_string() } else { format!("{least} to {most}") });
+    }
     lines.add("model", &show_model(&class.model));
     lines.add("children", &class_names(catalog, &children).join(", "));
     lines.add("asked for", &room_types.join(", "));
@@ -165,6 +169,8 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         })),
         "priority": class.priority,
         "depth": class.depth,
+        "eras": class.eras,
+        "wealth": class.wealth,
         "model": value_of_model(&class.model),
         "children": class_names(catalog, children),
         "room_types": room_types,

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::lines::{Lines, degrees, rounded};
 use super::programme::{show_request, value_of_programme};
-use crate::catalog::{Catalog, Request, Style};
+use crate::catalog::{Catalog, Era, Request, Style};
 
 /// The label, and what it is for.
 pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
@@ -22,7 +22,7 @@ type Show = fn(&Style) -> String;
 type Select = fn(&Style) -> &Programmes;
 
 /// What a style says besides programmes.
-const FACTS: [(&str, Show); 5] = [
+const FACTS: [(&str, Show); 8] = [
     ("made for", show_room_types),
     ("geometry", |style| style.geometry.clone()),
     ("palette", |style| style.palette.clone()),
@@ -30,6 +30,9 @@ const FACTS: [(&str, Show); 5] = [
         format!("{}°, {} m", degrees(style.untidiness.turn), rounded(style.untidiness.distance))
     }),
     ("density", |style| rounded(style.density).to_string()),
+    ("access", |style| style.access.word().to_owned()),
+    ("era", |style| style.era.map_or("any", Era::word).to_owned()),
+    ("wealth", |style| style.wealth.map_or_else(|| "any".to_owned(), |wealth| wealth.to_string())),
 ];
 
 /// A fact, with that of the style that is extended where it is another.
@@ -91,6 +94,9 @@ pub(super) fn describe_style(catalog: &Catalog, style: &Style, base: Option<&Sty
         "palette": style.palette,
         "untidiness": {"turn": degrees(untidiness.turn), "distance": untidiness.distance},
         "density": style.density,
+        "access": style.access.word(),
+        "era": style.era.map(Era::word),
+        "wealth": style.wealth,
         "programmes": value_of_programmes(catalog, &style.programmes),
         "additions": value_of_programmes(catalog, &style.additions),
     });

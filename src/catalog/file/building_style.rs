@@ -14,7 +14,8 @@ use crate::catalog::table::Extends;
 pub(crate) struct BuildingStyleEntry {
     /// A title for people; the id with spaces if absent.
     pub(crate) label: Option<String>,
-    /// Another building style, whose keys are taken where this one has none. `rooms` is merged room type by room type.
+    /// Another building style, whose keys are taken where this one has none. `rooms` is merged room type by room type,
+    /// `instead` style by style.
     pub(crate) extends: Option<String>,
     /// Which rooms are drawn for together, so that their styles agree; default `dwelling`.
     pub(crate) share: Option<ShareWord>,
@@ -22,6 +23,9 @@ pub(crate) struct BuildingStyleEntry {
     pub(crate) styles: Option<ChoiceEntry>,
     /// Styles by room type.
     pub(crate) rooms: Option<BTreeMap<String, ChoiceEntry>>,
+    /// By drawn style, the styles that single dwellings (rooms, where the plan knows none) get in its place, each with its
+    /// share of all: `{hotel: {hotel_accessible: 0.05}}`.
+    pub(crate) instead: Option<BTreeMap<String, BTreeMap<String, f64>>>,
 }
 
 /// Which rooms share one draw.

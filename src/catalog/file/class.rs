@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::{Edges, ExtentText, FormatVersion, OneOrMany, Pair};
 use crate::catalog::table::Extends;
-use crate::catalog::{Along, Side, Turn};
+use crate::catalog::{Along, Era, Side, Turn};
 
 /// Classes of furniture: what they are, where they may stand, what may stand on them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -57,6 +57,11 @@ pub(crate) struct ClassEntry {
     pub(crate) grid: Option<GridEntry>,
     /// What is given up first when room is short: lower goes first; default 0.
     pub(crate) priority: Option<i32>,
+    /// The eras that it is drawn for in styles that name one; any if absent.
+    pub(crate) eras: Option<OneOrMany<Era>>,
+    /// What it costs, 1 (cheap) to 3 (dear), as a number or [lowest, highest]: styles that name another `wealth` do not
+    /// draw it; any if absent.
+    pub(crate) wealth: Option<Pair>,
     /// How it looks: a recipe, or a model file.
     pub(crate) model: Option<ModelEntry>,
 }

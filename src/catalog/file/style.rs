@@ -9,6 +9,7 @@ use super::building_style::BuildingStyleEntry;
 use super::room::RequestEntry;
 use super::{FormatVersion, OneOrMany};
 use crate::catalog::table::Extends;
+use crate::catalog::{Access, Era};
 
 /// Styles: how rooms of a kind are furnished and how they look.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -48,6 +49,12 @@ pub(crate) struct StyleEntry {
     pub(crate) untidiness: Option<UntidinessEntry>,
     /// Factor on the counts of lines that are not required; default 1.
     pub(crate) density: Option<f64>,
+    /// Who gets about: `walking` (default), or `wheelchair`, for wide ways and room to turn.
+    pub(crate) access: Option<Access>,
+    /// When the furniture is from: classes of other `eras` are not drawn.
+    pub(crate) era: Option<Era>,
+    /// What the furniture costs, 1 (cheap) to 3 (dear): classes of other `wealth` are not drawn.
+    pub(crate) wealth: Option<i64>,
 }
 
 impl Extends for StyleEntry {

@@ -56,7 +56,33 @@ fn resolve_building_style(
             .map_or_else(Share::default, |found| (*found.value).into()),
         styles: styles.unwrap_or_default(),
         rooms,
+        instead: resolve_instead(chain, world, report),
     }
+}
+
+/// Exceptions by drawn style, each list from the nearest building style that has one.
+fn resolve_instead(
+    chain: &Chain<'_, BuildingStyleEntry>,
+    world: &BuildingStyleWorld<'_>,
+    report: &mut Report<'_>,
+) -> BTreeMap<String, Vec<WeightedStyle>> {
+    let mut instead = BTreeMap::new();
+    for style in merged_keys(chain, |entry| entry.instead.as_ref()) {
+        let found = chain.find("instead", |entry| entry.instead.as_ref()?.get(style));
+        let found = found.expect("the key comes from the chain");
+        let spot = found.spot.key(style);
+        if world.style_table.get(style).is_none() {
+            report.unknown(&spot, "style", style, world.style_table.ids());
+        }
+        let choice = resolve_choice(&ChoiceEntry::Weighted(found.value.clone()), &spot, world, report);
+        let share: f64 = choice.iter().map(|one| one.weight).sum();
+        if share > 1.0 {
+            let hint = "they are shares of all dwellings or rooms";
+            report.error_with_hint(&spot, format!("the shares add up to {share}"), hint);
+        }
+        instead.insert(style.clone(), choice);
+    }
+    instead
 }
 
 /// Lists by room type, each from the nearest building style that has one.

@@ -2,7 +2,7 @@
 
 use super::model::resolve_model;
 use super::names::Names;
-use super::number::{DISTANCE, LENGTH, Quantity, check_count};
+use super::number::{DISTANCE, LENGTH, Quantity, check_count, check_wealth};
 use super::parents::{ResolvedParent, resolve_parents};
 use super::relations::resolve_relations;
 use super::resolve_label;
@@ -12,7 +12,7 @@ use crate::catalog::file::ClassEntry;
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{Class, Grid};
+use crate::catalog::{Class, Era, Grid};
 use crate::geometry::Point;
 
 /// Looks of each size where the file says nothing.
@@ -56,6 +56,7 @@ fn resolve_class(
     let looks = resolve_looks(chain, report);
     let grid = resolve_grid(chain, report);
     let model = resolve_model(chain, files, report);
+    let wealth = resolve_wealth(chain, report);
     let index = names.index(&own.id).filter(|_| !sizes.is_empty())?;
     let class = Class {
         id: own.id.clone(),
@@ -71,10 +72,31 @@ fn resolve_class(
         relations,
         grid,
         priority: chain.find("priority", |entry| entry.priority.as_ref()).map_or(0, |found| *found.value),
+        eras: resolve_eras(chain),
+        wealth,
         model: model?,
         depth: 0,
     };
     Some(ResolvedClass { class, spot: own.spot.clone(), parents })
+}
+
+fn resolve_eras(chain: &Chain<'_, ClassEntry>) -> Vec<Era> {
+    let found = chain.find("eras", |entry| entry.eras.as_ref());
+    let mut eras: Vec<Era> =
+        found.into_iter().flat_map(|found| found.value.items().map(|(_, era)| *era)).collect();
+    eras.sort_unstable();
+    eras.dedup();
+    eras
+}
+
+fn resolve_wealth(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Option<(u32, u32)> {
+    let found = chain.find("wealth", |entry| entry.wealth.as_ref())?;
+    let (low, high) = found.value.both();
+    if low > high {
+        let message = format!("wealth goes from {low} down to {high}");
+        report.error_with_hint(&found.spot, message, "write the lower number first");
+    }
+    Some((check_wealth(low, &found.spot, report), check_wealth(high, &found.spot, report)))
 }
 
 fn resolve_looks(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> u32 {

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use crate::catalog::WEALTH;
 use crate::catalog::report::{Report, Spot};
 
 /// Metres of anything that must be there: below is an error of unit, above is no furniture.
@@ -79,6 +80,15 @@ impl Quantity {
         }
         (self.check(low, spot, report), self.check(high, spot, report))
     }
+}
+
+/// A degree of wealth, or the lowest one after a report.
+pub(super) fn check_wealth(value: f64, spot: &Spot, report: &mut Report<'_>) -> u32 {
+    let (least, most) = WEALTH;
+    if value.fract() != 0.0 {
+        report.error_with_hint(spot, format!("wealth is {value}"), "it is a whole number");
+    }
+    Quantity::plain("wealth", f64::from(least)..=f64::from(most)).check(value, spot, report) as u32
 }
 
 /// A count within [`COUNT`], or the lowest one after a report.

@@ -46,7 +46,7 @@ pub(super) fn resolve_programme(
         let chance =
             entry.chance.map_or(1.0, |chance_of| chance.check(chance_of, &spot.key("chance"), report));
         let request = count.map(|count| Request {
-            classes: in_written_order(&named),
+            classes: in_written_order(&named, names),
             count,
             area,
             is_required: entry.required,
@@ -59,12 +59,14 @@ pub(super) fn resolve_programme(
     programme
 }
 
-/// Each class once; the classes of a group by id.
-fn in_written_order(named: &[NamedClasses]) -> Vec<ClassIndex> {
+/// Each class once; of a word first the class of that id, then those of its group by id.
+fn in_written_order(named: &[NamedClasses], names: &Names<'_>) -> Vec<ClassIndex> {
     let mut classes = Vec::new();
-    for &class in named.iter().flat_map(|one| &one.classes) {
-        if !classes.contains(&class) {
-            classes.push(class);
+    for one in named {
+        for class in names.index(&one.word).into_iter().chain(one.classes.iter().copied()) {
+            if !classes.contains(&class) {
+                classes.push(class);
+            }
         }
     }
     classes

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use super::names::Names;
-use super::number::{ANGLE, FACTOR, Quantity};
+use super::number::{ANGLE, FACTOR, Quantity, check_wealth};
 use super::request::{ResolvedProgramme, resolve_programme};
 use super::{merged_keys, resolve_label};
 use crate::catalog::file::{PaletteEntry, RequestEntry, RoomTypeEntry, StyleEntry};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::{Chain, Table};
-use crate::catalog::{Request, Style, Untidiness};
+use crate::catalog::{Access, Request, Style, Untidiness};
 use crate::model::{PLAIN, geometry_sets};
 
 /// The palette of a style that names none.
@@ -81,6 +81,13 @@ fn resolve_style(
         untidiness: resolve_untidiness(chain, report),
         density: density
             .map_or(1.0, |found| Quantity::plain("density", FACTOR).check(*found.value, &found.spot, report)),
+        access: chain
+            .find("access", |entry| entry.access.as_ref())
+            .map_or_else(Access::default, |found| *found.value),
+        era: chain.find("era", |entry| entry.era.as_ref()).map(|found| *found.value),
+        wealth: chain
+            .find("wealth", |entry| entry.wealth.as_ref())
+            .map(|found| check_wealth(*found.value as f64, &found.spot, report)),
     };
     lines.extend(additions);
     warn_of_idle_lines(&style, &lines, report);

@@ -1,0 +1,72 @@
+//! Room to turn in a wheelchair, where the style asks for it: what need not stay goes from the place where fewest pieces
+//! stand, and the place is kept free from then on.
+
+use crate::geometry::{Convex, Point, Solid};
+use crate::walk::Floor;
+
+use super::agent::AgentIndex;
+use super::arrange::arrange;
+use super::constants::CONTACT_TOLERANCE;
+use super::environment::Environment;
+use super::movement::send_away;
+use super::seed::RoomKey;
+use super::ways::who_is_near;
+
+/// Of so many cells of the floor one is tried: 0.35 m apart in a row, nearer across the rows.
+const CELLS_PER_PLACE: usize = 7;
+
+/// Keeps a place to turn. Whether there is none although the empty room has one.
+pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bool {
+    let rules = environment.catalog.audit.access;
+    let Some(floor) = floor(environment, true) else { return false };
+    let free = floor.walk(rules.walkway).wide_places(rules.turning).next();
+    if let Some(place) = free {
+        keep(environment, place);
+        return false;
+    }
+    let Some(empty) = self::floor(environment, false) else { return false };
+    let walk = empty.walk(rules.walkway);
+    let places: Vec<Point> = walk.wide_places(rules.turning).step_by(CELLS_PER_PLACE).collect();
+    if places.is_empty() {
+        return false;
+    }
+    let who_goes = |&place: &Point| Some((place, dispensable(environment, place)?));
+    let least = places.iter().filter_map(who_goes).min_by_key(|(_, going)| pieces(environment, going));
+    let Some((place, going)) = least else { return true };
+    keep(environment, place);
+    for agent in going {
+        send_away(environment, agent);
+    }
+    arrange(environment, key);
+    false
+}
+
+/// The floor for a wheelchair, with what stands on it or empty.
+fn floor(environment: &Environment<'_>, is_furnished: bool) -> Option<Floor> {
+    let place = (environment.surroundings.level, environment.surroundings.room);
+    Floor::for_wheelchair(place, &environment.catalog.audit, environment.solids().filter(|_| is_furnished))
+}
+
+/// Who stands where a wheelchair would turn; `None` where the room cannot do without one of them.
+fn dispensable(environment: &Environment<'_>, place: Point) -> Option<Vec<AgentIndex>> {
+    let reach = environment.catalog.audit.access.turning / 2.0 - CONTACT_TOLERANCE;
+    let going: Vec<AgentIndex> = who_is_near(environment, place, reach).into_keys().collect();
+    (!going.iter().any(|&agent| has_required(environment, agent))).then_some(going)
+}
+
+/// Whether an agent, or one that stands on it or belongs to it, is required.
+pub(crate) fn has_required(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    let agent = &environment.agents[agent];
+    agent.piece.is_required || agent.children.iter().any(|&child| has_required(environment, child))
+}
+
+/// How many pieces go with some agents.
+fn pieces(environment: &Environment<'_>, going: &[AgentIndex]) -> usize {
+    going.iter().map(|&agent| 1 + pieces(environment, &environment.agents[agent].children)).sum()
+}
+
+fn keep(environment: &mut Environment<'_>, place: Point) {
+    let rules = &environment.catalog.audit;
+    let disc = Convex::disc(place, Point::splat(rules.access.turning / 2.0), Point::X);
+    environment.keep_free(Solid::new(disc, 0.0, rules.walking.body_height));
+}
