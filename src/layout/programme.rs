@@ -112,3 +112,50 @@ fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &m
     let factor = if request.is_required { 1.0 } else { density };
     (base * factor).round().max(0.0) as u32
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::{Class, DEFAULT_STYLE, Era, Untidiness};
+    use crate::layout::tests::{catalog, level};
+
+    /// The pieces of an office that asks for a chair, in a style of an era, where chairs are of these eras and stools, which
+    /// stand in for them, of those.
+    fn chairs(style: Option<Era>, chair: &[Era], stool: &[Era]) -> Vec<String> {
+        let mut catalog = catalog(&[(0, Count::Fixed(1))], Untidiness::default());
+        catalog.classes[0].eras = chair.to_vec();
+        let groups = vec!["chair".to_owned()];
+        let size = catalog.classes[0].sizes[0];
+        catalog.classes.push(Class {
+            groups,
+            eras: stool.to_vec(),
+            ..Class::plain("stool", vec![size], "box")
+        });
+        let programme = &mut catalog.room_types.get_mut("office").unwrap().programme;
+        programme[0].classes = vec![0, 5];
+        programme.push(Request { classes: vec![2], count: Count::PerPiece(0, 1.0), ..programme[0].clone() });
+        catalog.styles.get_mut(DEFAULT_STYLE).unwrap().era = style;
+        let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let key = RoomKey::new(1, "b", &level, &level.rooms[0]);
+        let room = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
+        let pieces = pieces(&catalog, room, Site { area: 16.0, window_count: 0 }, &key);
+        pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()
+    }
+
+    #[test]
+    fn pieces_are_of_the_era_of_their_style() {
+        let (old, new) = (Era::Historic, Era::Contemporary);
+        assert_eq!(chairs(Some(old), &[], &[old]), ["stool", "lamp"], "made for it, and counted as a chair");
+        assert_eq!(chairs(Some(new), &[], &[old]), ["chair", "lamp"]);
+        assert_eq!(
+            chairs(None, &[], &[old]),
+            ["chair", "lamp"],
+            "a style that names no era takes what is of none"
+        );
+        assert_eq!(chairs(None, &[new], &[new, old])[1], "lamp", "or else anything");
+        assert!(
+            chairs(Some(old), &[new], &[new]).is_empty(),
+            "a line without anything that goes with it asks for nothing"
+        );
+    }
+}

@@ -156,7 +156,7 @@ pub(super) fn level(corners: &[(f64, f64)]) -> Level {
 pub(super) const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)];
 const CONCAVE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 2.5), (3.0, 2.5), (3.0, 5.0), (0.0, 5.0)];
 
-fn run(level: &Level, catalog: &Catalog, seed: u64) -> Furnished {
+pub(super) fn run(level: &Level, catalog: &Catalog, seed: u64) -> Furnished {
     furnish(level, 0, catalog, &FurnishOptions { seed, building: "test", style: None })
 }
 
@@ -393,67 +393,4 @@ fn who_has_a_suggestion_stands_there_and_others_keep_off() {
         placement.class == desk.class && placement.position.distance(desk.position) < 1e-9
     };
     assert!(furnished.placements.iter().any(is_there));
-}
-
-/// The pieces of an office that asks for a chair, in a style of an era, where chairs are of these eras and stools, which
-/// stand in for them, of those.
-fn chairs(style: Option<Era>, chair: &[Era], stool: &[Era]) -> Vec<String> {
-    let mut catalog = catalog(&[(0, Count::Fixed(1))], Untidiness::default());
-    catalog.classes[0].eras = chair.to_vec();
-    let groups = vec!["chair".to_owned()];
-    catalog.classes.push(Class {
-        groups,
-        eras: stool.to_vec(),
-        ..class("stool", (0.4, 0.4, 0.5), Vec::new(), 1)
-    });
-    let programme = &mut catalog.room_types.get_mut("office").unwrap().programme;
-    programme[0].classes = vec![0, 5];
-    programme.push(Request { classes: vec![2], count: Count::PerPiece(0, 1.0), ..programme[0].clone() });
-    catalog.styles.get_mut(DEFAULT_STYLE).unwrap().era = style;
-    let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
-    let key = seed::RoomKey::new(1, "b", &level, &level.rooms[0]);
-    let room = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
-    let pieces = programme::pieces(&catalog, room, site(&level, &level.rooms[0]), &key);
-    pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()
-}
-
-#[test]
-fn pieces_are_of_the_era_of_their_style() {
-    let (old, new) = (Era::Historic, Era::Contemporary);
-    assert_eq!(chairs(Some(old), &[], &[old]), ["stool", "lamp"], "made for it, and counted as a chair");
-    assert_eq!(chairs(Some(new), &[], &[old]), ["chair", "lamp"]);
-    assert_eq!(
-        chairs(None, &[], &[old]),
-        ["chair", "lamp"],
-        "a style that names no era takes what is of none"
-    );
-    assert_eq!(chairs(None, &[new], &[new, old])[1], "lamp", "or else anything");
-    assert!(
-        chairs(Some(old), &[new], &[new]).is_empty(),
-        "a line without anything that goes with it asks for nothing"
-    );
-}
-
-/// As many shelves as fit into an office 1.7 m deep, in a style that asks for access or not.
-fn office_with_access(access: Access) -> Furnished {
-    let mut catalog = catalog(&[(4, Count::Fixed(9))], Untidiness::default());
-    catalog.styles.get_mut(DEFAULT_STYLE).unwrap().access = access;
-    // The door and its swing take the west end of the floor.
-    let level = level(&[(0.0, 0.0), (3.4, 0.0), (3.4, 1.7), (0.0, 1.7)]);
-    run(&level, &catalog, 3)
-}
-
-#[test]
-fn room_to_turn_stays_where_a_style_asks_for_it() {
-    let has_room = |furnished: &Furnished, access: Access| {
-        let mut catalog = catalog(&[], Untidiness::default());
-        catalog.styles.get_mut(DEFAULT_STYLE).unwrap().access = access;
-        let level = level(&[(0.0, 0.0), (3.4, 0.0), (3.4, 1.7), (0.0, 1.7)]);
-        let findings = crate::audit::audit_room(&level, 0, furnished, &catalog);
-        !findings.iter().any(|finding| finding.code == crate::audit::Code::NoTurningCircle)
-    };
-    let (usual, wide) = (office_with_access(Access::Walking), office_with_access(Access::Wheelchair));
-    assert!(!has_room(&usual, Access::Wheelchair), "nobody asked");
-    assert!(has_room(&wide, Access::Wheelchair));
-    assert!(!wide.placements.is_empty() && wide.placements.len() < usual.placements.len());
 }

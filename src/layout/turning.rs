@@ -70,3 +70,35 @@ fn keep(environment: &mut Environment<'_>, place: Point) {
     let disc = Convex::disc(place, Point::splat(rules.access.turning / 2.0), Point::X);
     environment.keep_free(Solid::new(disc, 0.0, rules.walking.body_height));
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::audit::{Code, audit_room};
+    use crate::catalog::{Access, Count, DEFAULT_STYLE, Untidiness};
+    use crate::layout::Furnished;
+    use crate::layout::tests::{catalog, level, run};
+
+    /// As many shelves as fit into an office 1.7 m deep, in a style that asks for access or not.
+    fn office_with_access(access: Access) -> Furnished {
+        let mut catalog = catalog(&[(4, Count::Fixed(9))], Untidiness::default());
+        catalog.styles.get_mut(DEFAULT_STYLE).unwrap().access = access;
+        // The door and its swing take the west end of the floor.
+        let level = level(&[(0.0, 0.0), (3.4, 0.0), (3.4, 1.7), (0.0, 1.7)]);
+        run(&level, &catalog, 3)
+    }
+
+    #[test]
+    fn room_to_turn_stays_where_a_style_asks_for_it() {
+        let has_room = |furnished: &Furnished, access: Access| {
+            let mut catalog = catalog(&[], Untidiness::default());
+            catalog.styles.get_mut(DEFAULT_STYLE).unwrap().access = access;
+            let level = level(&[(0.0, 0.0), (3.4, 0.0), (3.4, 1.7), (0.0, 1.7)]);
+            let findings = audit_room(&level, 0, furnished, &catalog);
+            !findings.iter().any(|finding| finding.code == Code::NoTurningCircle)
+        };
+        let (usual, wide) = (office_with_access(Access::Walking), office_with_access(Access::Wheelchair));
+        assert!(!has_room(&usual, Access::Wheelchair), "nobody asked");
+        assert!(has_room(&wide, Access::Wheelchair));
+        assert!(!wide.placements.is_empty() && wide.placements.len() < usual.placements.len());
+    }
+}
