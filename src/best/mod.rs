@@ -14,6 +14,9 @@ use crate::plan::Level;
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: see the README.
 pub const DEFAULT_EFFORT: u32 = 16;
 
+/// How many alternatives in a row may bring nothing better where only pieces are missing that nobody misses.
+const PATIENCE: u32 = 3;
+
 /// How often a room is furnished at most with the places that the audit suggests.
 const SUGGESTED_ALTERNATIVES: u32 = 3;
 
@@ -49,7 +52,8 @@ pub fn furnish_best(
 }
 
 /// The loop of [`furnish_best`], for callers that measure its parts: the first alternative without a finding
-/// and with all that was asked for, else the best of `effort`; of equals the earlier one. Where the best fails for
+/// and with all that was asked for, else the best of `effort`; of equals the earlier one. A room without a finding in
+/// which a piece is missing is not tried so often, for it may have no place. Where the best fails for
 /// want of a piece for which the audit sees a place, a few more follow in which that place is tried first.
 pub fn best_of(
     effort: u32,
@@ -63,11 +67,17 @@ pub fn best_of(
         Judged { furnished, verdict, alternative }
     };
     let mut best = make(Alternative::default());
+    let mut in_vain = 0;
     for number in 1..effort {
-        if best.is_flawless() {
+        if best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE) {
             break;
         }
-        best = best.or_better(make(Alternative::numbered(number)));
+        let next = make(Alternative::numbered(number));
+        if next.is_better_than(&best) {
+            (best, in_vain) = (next, 0);
+        } else {
+            in_vain += 1;
+        }
     }
     for number in effort..effort.saturating_add(SUGGESTED_ALTERNATIVES) {
         if !best.misses_required() {
@@ -86,6 +96,12 @@ impl Judged {
     /// Whether another alternative cannot be better.
     fn is_flawless(&self) -> bool {
         self.flaws() == (0, 0, 0)
+    }
+
+    /// Whether nothing is wrong with it, though something may be missing.
+    fn has_no_findings(&self) -> bool {
+        let (failed, minor, _) = self.flaws();
+        failed + minor == 0
     }
 
     /// Whether it fails for want of a piece.
@@ -123,6 +139,7 @@ mod tests {
     use super::*;
     use crate::catalog::Size;
     use crate::geometry::Point;
+    use crate::layout::{Removal, RemovalReason};
 
     fn empty(_: &Alternative) -> Furnished {
         Furnished {
@@ -154,6 +171,21 @@ mod tests {
     fn the_first_room_without_a_finding_ends_the_search() {
         assert_eq!(judged(8, &[(0, 0)]), (0, 1));
         assert_eq!(judged(8, &[(0, 2), (0, 0)]), (1, 2));
+    }
+
+    #[test]
+    fn a_room_without_findings_that_lacks_a_piece_is_not_tried_for_ever() {
+        let lacking = |alternative: &Alternative| Furnished {
+            removals: vec![Removal { class: 0, reason: RemovalReason::NoPlace, is_required: false }],
+            ..empty(alternative)
+        };
+        let mut judged = 0;
+        let judge = |_: &Furnished| {
+            judged += 1;
+            Verdict::default()
+        };
+        assert_eq!(best_of(16, lacking, judge, |_| Vec::new()).alternative.number, 0);
+        assert_eq!(judged, 1 + PATIENCE);
     }
 
     #[test]
