@@ -374,6 +374,8 @@ pub struct Grid {
     pub is_centered: bool,
     /// Whether two stand back to back at each place: shelves between aisles, seats in a hall.
     pub is_back_to_back: bool,
+    /// Metres that stay free at the walls, as left, front, right, back: aisles, and the floor before a board.
+    pub margin: [f64; 4],
 }
 
 /// How a class looks.

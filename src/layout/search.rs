@@ -1,6 +1,6 @@
 //! Searching a parent and arranging at it (section 3.2, states "search" and "arrange").
 
-use crate::catalog::{ParentName, ParentRule, Side};
+use crate::catalog::{ParentName, ParentRule, RelationKind, Side, Turn};
 use crate::plan::OpeningKind;
 
 use super::agent::{AgentIndex, ParentPart};
@@ -230,7 +230,8 @@ fn parents(
             let has_tag = |tags: &[String]| rule.tag.as_ref().is_none_or(|tag| is_tagged(tag, tags));
             for (index, wall) in room.walls.iter().enumerate() {
                 // Draws without replacement, weighted by length (Efraimidis, Spirakis 2006).
-                let rank = -libm::log(stream.unit().max(1e-12)) / wall.length();
+                let drawn = -libm::log(stream.unit().max(1e-12)) / wall.length();
+                let rank = if holds_what_it_faces(environment, agent, rule, index) { -1.0 } else { drawn };
                 if has_tag(&wall.tags) {
                     options.push(Possibility { parent: ParentPart::Wall(index), side: Side::Front, rank });
                 }
@@ -276,6 +277,27 @@ fn parents(
     options
 }
 
+/// Whether a wall holds what an agent that turns to its wall wants to face: the board behind a teacher's desk. Such
+/// a wall comes first.
+fn holds_what_it_faces(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    rule: &ParentRule,
+    wall: usize,
+) -> bool {
+    let hangs_there = |other: AgentIndex| {
+        environment.agents[other].rest().is_some_and(|rest| rest.parent == ParentPart::Wall(wall))
+    };
+    let mut wishes = environment.class(agent).relations.iter();
+    rule.orientation.turn == Turn::Facing
+        && wishes.any(|wish| match (&wish.target, wish.kind) {
+            (ParentName::Classes(classes), RelationKind::Faces) => {
+                environment.resting_of(classes).any(hangs_there)
+            }
+            _ => false,
+        })
+}
+
 /// Whether the room has anything that a rule names, full or not.
 fn has_parent(environment: &Environment<'_>, rule: &ParentRule) -> bool {
     match &rule.parent {
@@ -300,4 +322,37 @@ fn has_place(environment: &Environment<'_>, agent: AgentIndex, parent: AgentInde
     };
     // A single child may be longer than the side (a lamp beside a narrow shelf).
     holder.taken[side.index()] == 0 || holder.occupied[side.index()] + extent <= space + CONTACT_TOLERANCE
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalog::{
+        Along, Count, ParentName, ParentRule, Relation, RelationKind, Side, Turn, Untidiness,
+    };
+    use crate::layout::tests::{WIDE, catalog, level, rule, run};
+
+    #[test]
+    fn who_turns_to_a_wall_takes_that_of_what_it_faces() {
+        let shares_wall = |wishes: bool, seed: u64| {
+            let mut catalog = catalog(&[(1, Count::Fixed(1)), (4, Count::Fixed(1))], Untidiness::default());
+            catalog.classes[4].priority = 1;
+            let desk = &mut catalog.classes[1];
+            let at_wall = rule(ParentName::Wall, &[Side::Front], Turn::Facing, Along::Random);
+            desk.parents = vec![ParentRule { gap: (1.4, 1.4), ..at_wall }];
+            let faces = Relation {
+                kind: RelationKind::Faces,
+                target: ParentName::Classes(vec![4]),
+                distance: (0.0, 9.0),
+                angle: 1.5,
+                weight: 1.0,
+                is_needed: false,
+            };
+            desk.relations = if wishes { vec![faces] } else { Vec::new() };
+            let placements = run(&level(WIDE), &catalog, seed).placements;
+            assert_eq!(placements.len(), 2);
+            placements[0].parent == placements[1].parent
+        };
+        assert!((0..8).all(|seed| shares_wall(true, seed)));
+        assert!(!(0..8).all(|seed| shares_wall(false, seed)), "else it is chance");
+    }
 }

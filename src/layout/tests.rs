@@ -7,7 +7,7 @@ use crate::catalog::*;
 use crate::geometry::{Point, Polygon, Region, direction};
 use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, RoomOpening, Wall, WallKind};
 
-fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
+pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
     ParentRule {
         parent,
         sides: sides.to_vec(),
@@ -46,6 +46,7 @@ fn classes() -> Vec<Class> {
         aisle: 0.0,
         is_centered: true,
         is_back_to_back: false,
+        margin: [0.0; 4],
     });
     let at_wall = rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Random);
     vec![
@@ -249,7 +250,9 @@ fn shelves_stand_back_to_back_in_rows_with_an_aisle_between() {
     let shelf = &mut catalog.classes[4];
     shelf.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
     let interval = Point::new(1.0, 2.0);
-    shelf.grid = Some(Grid { interval, block: [0, 0], aisle: 0.0, is_centered: true, is_back_to_back: true });
+    let margin = [0.0; 4];
+    shelf.grid =
+        Some(Grid { interval, block: [0, 0], aisle: 0.0, is_centered: true, is_back_to_back: true, margin });
     let placements = run(&level, &catalog, 1).placements;
     assert_eq!(placements.len(), 8);
     for one in &placements {

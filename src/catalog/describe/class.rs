@@ -165,7 +165,7 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "relations": relations,
         "grid": class.grid.map(|grid| json!({
             "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered,
-            "back_to_back": grid.is_back_to_back
+            "back_to_back": grid.is_back_to_back, "margin": grid.margin
         })),
         "priority": class.priority,
         "depth": class.depth,

@@ -250,6 +250,9 @@ pub(crate) struct GridEntry {
     /// Whether two stand back to back at each place, which their depths share; default false.
     #[serde(default)]
     pub(crate) back_to_back: bool,
+    /// Metres that stay free between the outermost pieces and the walls, one number or [left, front, right, back];
+    /// given up along the width or the depth where it would leave nothing; default 0.
+    pub(crate) margin: Option<Edges>,
 }
 
 /// How a class looks.

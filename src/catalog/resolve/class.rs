@@ -120,11 +120,16 @@ fn resolve_grid(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Optio
     let block = [0, 1].map(|axis| check_count("block", block[axis], &block_spot.index(axis), report));
     let aisle = Quantity::metres("aisle", DISTANCE);
     let aisle = found.value.aisle.map_or(0.0, |metres| aisle.check(metres, &found.spot.key("aisle"), report));
+    let metres = Quantity::metres("margin", DISTANCE);
+    let margin = found.value.margin.map_or([0.0; 4], |margin| {
+        margin.all().map(|edge| metres.check(edge, &found.spot.key("margin"), report))
+    });
     Some(Grid {
         interval,
         block,
         aisle,
         is_centered: found.value.centered,
         is_back_to_back: found.value.back_to_back,
+        margin,
     })
 }

@@ -26,7 +26,7 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let angle = angle(view, &mut stream);
     // Rows and aisles go by the side of the pieces, not by the walls: pupils sit beside each other.
     let frame = Pose::new(Point::ZERO, 0.0, angle);
-    let (low, high) = extent(view, &frame);
+    let (low, high) = within_margins(view, grid, extent(view, &frame));
     let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
     let agents = &view.environment.agents;
     let class = agents[view.agent].piece.class;
@@ -154,6 +154,14 @@ impl Axis {
     }
 }
 
+/// What the margins of a grid leave of the room. Along an axis where no piece would fit they are given up.
+fn within_margins(view: &View<'_>, grid: &Grid, (low, high): (Point, Point)) -> (Point, Point) {
+    let [left, front, right, back] = grid.margin;
+    let (inner_low, inner_high) = (low + Point::new(left, front), high - Point::new(right, back));
+    let fits = (inner_high - inner_low).cmpge(2.0 * half_of_place(view, grid));
+    (Point::select(fits, inner_low, low), Point::select(fits, inner_high, high))
+}
+
 /// Lattice points outside the chosen block, for agents whose slot is taken by a column or a door.
 fn add_outside(
     (first, counts): (Point, [usize; 2]),
@@ -209,6 +217,8 @@ fn lattice(wanted: usize, most: [usize; 2], intervals: Point) -> [usize; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalog::{Count, Untidiness};
+    use crate::layout::tests::{catalog, level, run};
 
     #[test]
     fn an_aisle_follows_each_block() {
@@ -232,5 +242,23 @@ mod tests {
     #[test]
     fn thirty_six_in_a_hall_make_a_square() {
         assert_eq!(lattice(36, [8, 7], Point::new(7.5, 6.5)), [6, 6]);
+    }
+
+    #[test]
+    fn a_grid_keeps_its_margins_where_they_leave_something() {
+        let level = level(&[(0.0, 0.0), (9.0, 0.0), (9.0, 8.0), (0.0, 8.0)]);
+        let nearest_to_walls = |margin: [f64; 4]| {
+            let mut catalog = catalog(&[(3, Count::Fill(100))], Untidiness::default());
+            catalog.classes[3].grid.as_mut().expect("lights hang in a grid").margin = margin;
+            let placements = run(&level, &catalog, 1).placements;
+            let x = placements.iter().map(|one| one.position.x.min(9.0 - one.position.x));
+            let y = placements.iter().map(|one| one.position.y.min(8.0 - one.position.y));
+            (x.fold(f64::INFINITY, f64::min), y.fold(f64::INFINITY, f64::min))
+        };
+        let half = 0.3;
+        let (x, y) = nearest_to_walls([1.5, 2.0, 1.5, 2.0]);
+        assert!(x >= 1.5 + half - 1e-9 && y >= 2.0 + half - 1e-9, "{x} {y}");
+        let (x, y) = nearest_to_walls([1.5, 4.0, 1.5, 4.0]);
+        assert!(x >= 1.5 + half - 1e-9 && y < 2.0, "{x} {y}");
     }
 }

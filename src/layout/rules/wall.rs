@@ -66,6 +66,11 @@ pub(super) fn propose_at_opening(
     let bearing = Bearing { parent_angle: angle_of_front(wall.normal()), outward: wall.normal() };
     let angle = turn::angle(&view.rule.orientation, &bearing, stream);
     let right = crate::geometry::direction(angle);
+    let is_window = view.environment.surroundings.level.openings[side.opening].kind == OpeningKind::Window;
+    if !is_window && 2.0 * Agent::half_extent(view.size, right, wall.direction()) > side.to - side.from {
+        // What stands before a door came in through it: a car does not before that for people.
+        return;
+    }
     let reach = Agent::half_extent(view.size, right, wall.normal());
     let gap = stream.between(view.rule.gap.0, view.rule.gap.1);
     let drawn = stream.between(view.rule.elevation.0, view.rule.elevation.1);
@@ -274,6 +279,21 @@ fn snap(at: f64, from: f64, to: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalog::{Count, ParentName, Turn, Untidiness};
+    use crate::layout::tests::{WIDE, catalog, level, rule, run};
+
+    #[test]
+    fn what_stands_before_a_door_fits_through_it() {
+        let placed = |width: f64| {
+            let mut catalog = catalog(&[(4, Count::Fixed(1))], Untidiness::default());
+            let shelf = &mut catalog.classes[4];
+            shelf.sizes[0].width = width;
+            let before_door = rule(ParentName::Door, &[Side::Front], Turn::Facing, Along::Center);
+            shelf.parents = vec![crate::catalog::ParentRule { gap: (1.2, 1.2), ..before_door }];
+            run(&level(WIDE), &catalog, 1).placements.len()
+        };
+        assert_eq!([placed(0.88), placed(0.92)], [1, 0]);
+    }
 
     #[test]
     fn a_slanted_neighbour_takes_only_what_it_covers() {

@@ -11,6 +11,12 @@ use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, lof
 const ROUND: usize = 16;
 /// Metres of a toilet's seat over the floor.
 const TOILET_SEAT: f64 = 0.43;
+/// Width, height and depth in metres of the toilet in a cubicle.
+const CUBICLE_BOWL: DVec3 = DVec3::new(0.38, 0.8, 0.66);
+/// Metres of the panels of a cubicle.
+const CUBICLE_PANEL: f64 = 0.03;
+/// Metres of the floor under the panels of a cubicle that stay open.
+const CUBICLE_FOOT: f64 = 0.12;
 
 /// An egg-shaped outline: narrower to the front.
 fn egg(corners: usize) -> Outline {
@@ -26,6 +32,37 @@ fn egg(corners: usize) -> Outline {
 /// A toilet with bowl, seat, lid and cistern.
 pub(super) fn toilet(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
+    toilet_in(bay, draft.sampler().count(0, 2) == 2, builder);
+}
+
+/// A toilet between partition walls on feet, with a door that is closed.
+pub(super) fn toilet_cubicle(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let color = draft.sampler().pick(&["painted", "painted_accent"]);
+    let bowl = CUBICLE_BOWL.min(bay.extent() * 0.8);
+    let seat = bay.with_x([-bowl.x / 2.0, bowl.x / 2.0]).with_y([bay.low.y, bay.low.y + bowl.y]);
+    toilet_in(seat.slab(Side::Back, bowl.z), false, builder);
+    let panels = bay.without(Side::Below, CUBICLE_FOOT);
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid(color, panels.slab(side, CUBICLE_PANEL));
+        let post = bay.slab(side, CUBICLE_PANEL).inset(CUBICLE_PANEL * 0.2, 0.0, 0.0);
+        let post = post.with_y([bay.low.y, panels.low.y + SINK]).slab(Side::Front, CUBICLE_PANEL);
+        builder.cuboid("metal", post.moved(0.0, 0.0, -SINK));
+    }
+    let front = panels.slab(Side::Front, CUBICLE_PANEL).inset(CUBICLE_PANEL - SINK, SINK, SINK);
+    let beside = (front.width() * 0.16).max(0.01);
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid(color, front.slab(side, beside));
+    }
+    let leaf = front.inset(beside + REVEAL, REVEAL, 0.0).slab(Side::Back, CUBICLE_PANEL * 0.6);
+    builder.cuboid("laminate", leaf);
+    let lock = DVec3::new(leaf.high.x - 0.06, bay.low.y + bay.height() * 0.5, leaf.high.z);
+    let knob = Bay::around(lock, 0.05, 0.05, 0.001);
+    builder.cuboid("chrome", knob.with_z([leaf.high.z - SINK, bay.high.z]));
+}
+
+/// A toilet that fills a bay whose middle is that of the model.
+fn toilet_in(bay: Bay, is_open: bool, builder: &mut Builder) {
     let seat = TOILET_SEAT.min(bay.height() * 0.58);
     let cistern_depth = (bay.depth() * 0.28).min(0.19);
     let bowl = bay.without(Side::Back, cistern_depth * 0.75);
@@ -50,7 +87,6 @@ pub(super) fn toilet(draft: &Draft, builder: &mut Builder) {
         slice(seat - 0.035 - SINK, 0.62, 0.66, -0.02),
     ];
     builder.add("plastic", loft_ring(&egg(ROUND), &ring));
-    let is_open = draft.sampler().count(0, 2) == 2;
     if !is_open {
         let lid = [slice(seat - 0.011, 0.97, 0.98, 0.0), slice(seat, 0.9, 0.92, 0.0)];
         builder.add("plastic", loft(&egg(ROUND), &lid));

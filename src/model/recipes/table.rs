@@ -173,6 +173,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("tennis_table", [2.74, 1.525, 0.91], equipment::tennis_table),
     large("ticket_machine", [0.8, 0.6, 1.85], equipment::ticket_machine),
     large("toilet", [0.38, 0.68, 0.8], bathroom::toilet),
+    large("toilet_cubicle", [0.95, 1.5, 2.0], bathroom::toilet_cubicle),
     small("towel", [0.4, 0.3, 0.08], washroom::towel),
     small("towel_rail", [0.5, 0.1, 0.8], washroom::towel_rail),
     small("toy", [0.25, 0.2, 0.25], belongings::toy),
