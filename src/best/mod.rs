@@ -33,8 +33,9 @@ pub struct Judged {
 
 /// Furnishes one room up to `effort` times (at least once) and keeps the best.
 ///
-/// `room` is an index into `level.rooms`. The answer depends on the arguments only; a greater effort never
-/// gives a worse room, and with an effort of 1 the room is that of [`crate::layout::furnish`].
+/// `room` is an index into `level.rooms`. The answer depends on the arguments only. A greater effort never gives a
+/// worse room, and with an effort of 1 the room is that of [`crate::layout::furnish`], but for rooms in which the audit
+/// has to suggest places: these are furnished a few times more, from seeds that follow the effort.
 #[must_use]
 pub fn furnish_best(
     level: &Level,
@@ -53,8 +54,8 @@ pub fn furnish_best(
 
 /// The loop of [`furnish_best`], for callers that measure its parts: the first alternative without a finding
 /// and with all that was asked for, else the best of `effort`; of equals the earlier one. A room without a finding in
-/// which a piece is missing is not tried so often, for it may have no place. Where the best fails for
-/// want of a piece for which the audit sees a place, a few more follow in which that place is tried first.
+/// which a piece is missing is not tried so often, for it may have no place. Where the best fails for want of a piece
+/// for which the audit sees a place, a few more follow in which that place is tried first.
 pub fn best_of(
     effort: u32,
     mut furnish: impl FnMut(&Alternative) -> Furnished,

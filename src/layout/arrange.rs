@@ -148,9 +148,9 @@ fn sizes_by(environment: &Environment<'_>, agent: AgentIndex, extent: impl Fn(Si
 }
 
 /// "We prioritize agents according to their expected depth in the hierarchy, so that the arrangement of tables
-/// is attempted before chairs search for parents" (section 3.2), but first who has a suggestion. Within a depth: who was missed in earlier
-/// attempts; then by priority, the pieces that only fill last, large before small, then as the programme lists
-/// them.
+/// is attempted before chairs search for parents" (section 3.2), but first who has a suggestion. Within a depth: who
+/// was missed in earlier attempts; then by priority, the pieces that only fill last, large before small, then as the
+/// programme lists them.
 fn service_order(environment: &Environment<'_>) -> Vec<AgentIndex> {
     let mut order: Vec<AgentIndex> = (0..environment.agents.len()).collect();
     let rank = |&agent: &AgentIndex| {

@@ -89,7 +89,8 @@ pub(crate) const ATTEMPTS: u32 = 4;
 /// Alternatives of a room in which tagged walls come first, and [`ATTEMPTS`] in each: where the room does not come out
 /// well that way, room for everybody is worth more than short pipes.
 pub(crate) const ALTERNATIVES_WITH_TAGS: u32 = 4;
-/// Times while there is none of what the room cannot do without or a way is closed: a bathroom of 3 m² has few good arrangements.
+/// Times while there is none of what the room cannot do without or a way is closed: a bathroom of 3 m² has few good
+/// arrangements.
 pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
 /// Share of the requested pieces that may be missing before another attempt.
 pub(crate) const MISSING_SHARE: f64 = 0.1;
