@@ -1,7 +1,7 @@
-//! How long models take to build: all recipes, and the largest.
+//! How long models take to build: all recipes, in each geometry set.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::model::{PLAIN, RecipeInput, TRADITIONAL, build_recipe, recipe_names, recipe_size};
+use roomwright::model::{RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_size};
 use std::hint::black_box;
 
 fn build_all(geometry: &str) -> usize {
@@ -13,10 +13,11 @@ fn build_all(geometry: &str) -> usize {
 }
 
 fn models(criterion: &mut Criterion) {
-    criterion.bench_function("all recipes, plain", |bencher| bencher.iter(|| black_box(build_all(PLAIN))));
-    criterion.bench_function("all recipes, traditional", |bencher| {
-        bencher.iter(|| black_box(build_all(TRADITIONAL)))
-    });
+    for &set in geometry_sets() {
+        criterion.bench_function(&format!("all recipes, {set}"), |bencher| {
+            bencher.iter(|| black_box(build_all(set)))
+        });
+    }
 }
 
 criterion_group!(benches, models);

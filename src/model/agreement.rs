@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use glam::DVec3;
 
-use super::{Model, ModelLibrary, ModelMaterial, PLAIN, Primitive, TRADITIONAL};
+use super::{Model, ModelLibrary, ModelMaterial, Primitive, geometry_sets};
 use crate::catalog::{Catalog, Class, Extent, PrismRule, Shape, Size, load_catalog};
 
 /// Metres by which a part may stand out of the declared shape: room enough for cushions, seams and taps.
@@ -72,8 +72,9 @@ fn built_in_models_stay_in_the_shapes_of_their_classes() {
     let library = ModelLibrary::load(&catalog).unwrap();
     let mut report = String::new();
     for (index, class) in catalog.classes.iter().enumerate() {
-        for (variant, set) in
-            (0..class.variant_count()).flat_map(|variant| [(variant, PLAIN), (variant, TRADITIONAL)])
+        let variants = 0..class.variant_count();
+        for (variant, &set) in
+            variants.flat_map(|variant| geometry_sets().iter().map(move |set| (variant, set)))
         {
             let model = library.model(index, variant, set);
             let (outside, at) = farthest_outside(class, &model, class.size(variant));

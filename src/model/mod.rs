@@ -18,7 +18,7 @@ pub use mesh::{
     Transparency,
 };
 pub use recipes::{
-    PLAIN, RecipeInput, TRADITIONAL, build_recipe, geometry_sets, recipe_names, recipe_parameters,
+    GeometrySet, PLAIN, RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_parameters,
     recipe_size,
 };
 pub(crate) use user::{companion_files, unchecked_document};

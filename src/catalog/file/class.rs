@@ -41,7 +41,7 @@ pub(crate) struct ClassEntry {
     /// Smaller sizes, taken only where none of `sizes` has a place: each [width, depth, height].
     #[serde(default)]
     pub(crate) spare_sizes: Vec<[f64; 3]>,
-    /// How many looks of each size the recipe makes; default 1.
+    /// How many looks of each size the recipe makes; default 4.
     pub(crate) looks: Option<i64>,
     /// The solid parts of its box: `box` (default), `disc`, or a list of parts.
     pub(crate) shape: Option<ShapeEntry>,

@@ -16,7 +16,7 @@ use crate::catalog::{Class, Era, Grid};
 use crate::geometry::Point;
 
 /// Looks of each size where the file says nothing.
-const DEFAULT_LOOKS: i64 = 1;
+const DEFAULT_LOOKS: i64 = 4;
 
 /// A class whose depth is not known yet, and what its parent rules were made of.
 pub(crate) struct ResolvedClass {

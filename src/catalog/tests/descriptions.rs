@@ -18,7 +18,7 @@ fn a_class_tells_everything() {
   label       Table
   groups      surface
   size        1.2 × 0.8 × 0.75 m
-  looks       1 of each size
+  looks       4 of each size
   shape       box
   stands      above of floor; turned quarter, along random
   offers      front 2, above 3

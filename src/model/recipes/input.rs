@@ -1,9 +1,40 @@
 //! What a recipe is asked for.
 
-use super::TRADITIONAL;
 use super::table::Recipe;
 use crate::catalog::Size;
 use crate::model::kit::Sampler;
+
+/// The geometry set of styles that name no other.
+pub const PLAIN: &str = "plain";
+
+/// What furniture of a style is shaped like. Sets differ in shapes and construction; colours come from palettes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GeometrySet {
+    /// Bought cheaply: thin laminated boards, tubular steel, moulded plastic, no ornament.
+    Budget,
+    /// Workshop and loft: steel angles and pipes, thick planks, bolts, wire and lattice.
+    Industrial,
+    /// Plain modern: flush fronts, tapered legs, hidden handles.
+    Plain,
+    /// Turned legs, mouldings, panelled doors, cornices, knobs.
+    Traditional,
+}
+
+impl GeometrySet {
+    /// Names of all sets, sorted, in the order of the variants.
+    pub const NAMES: [&'static str; 4] = ["budget", "industrial", PLAIN, "traditional"];
+
+    /// The set of a name; an unknown one counts as `plain`.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        match name {
+            "budget" => Self::Budget,
+            "industrial" => Self::Industrial,
+            "traditional" => Self::Traditional,
+            _ => Self::Plain,
+        }
+    }
+}
 
 /// What a recipe is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -34,9 +65,14 @@ impl Draft<'_> {
         Sampler::new(self.recipe.name, self.input.look)
     }
 
+    /// The geometry set that is asked for.
+    pub(crate) fn set(&self) -> GeometrySet {
+        GeometrySet::named(self.input.geometry)
+    }
+
     /// Whether the traditional set is asked for.
     pub(crate) fn is_traditional(&self) -> bool {
-        self.input.geometry == TRADITIONAL
+        self.set() == GeometrySet::Traditional
     }
 
     /// Value of a parameter; its default where it is not given or no number.

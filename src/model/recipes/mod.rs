@@ -3,8 +3,8 @@
 //! What callers may rely on: a recipe builds for any positive size, its model touches all six sides of the
 //! box, every part is closed and faces outwards, and the same request gives the same bytes.
 //!
-//! Two geometry sets exist: `plain` and `traditional` (turned legs, mouldings, cornices). A recipe without a
-//! traditional form builds its plain one.
+//! Four geometry sets exist, one for each [`GeometrySet`]. A recipe without a form of its own in a set builds its
+//! plain one.
 
 mod appliances;
 mod bathroom;
@@ -29,18 +29,13 @@ mod tableware;
 mod walls;
 mod washroom;
 
-pub use input::RecipeInput;
+pub use input::{GeometrySet, PLAIN, RecipeInput};
 pub(crate) use table::{RECIPES, Recipe};
 
 use std::sync::LazyLock;
 
 use super::Model;
 use crate::catalog::Size;
-
-/// The geometry set of styles that name no other.
-pub const PLAIN: &str = "plain";
-/// The geometry set with turned legs, mouldings and cornices.
-pub const TRADITIONAL: &str = "traditional";
 
 static NAMES: LazyLock<Vec<&'static str>> =
     LazyLock::new(|| RECIPES.iter().map(|recipe| recipe.name).collect());
@@ -54,7 +49,7 @@ pub fn recipe_names() -> &'static [&'static str] {
 /// Names of the geometry sets, sorted.
 #[must_use]
 pub fn geometry_sets() -> &'static [&'static str] {
-    &[PLAIN, TRADITIONAL]
+    &GeometrySet::NAMES
 }
 
 /// Parameters of a recipe with their defaults, sorted by name; `None` for an unknown recipe. A count of zero

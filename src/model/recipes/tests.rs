@@ -6,8 +6,6 @@ use super::checks::{Welded, number_fault};
 use super::*;
 use crate::model::Primitive;
 
-const SETS: [&str; 2] = [PLAIN, TRADITIONAL];
-
 fn size([width, depth, height]: [f64; 3]) -> Size {
     Size { width, depth, height }
 }
@@ -29,12 +27,14 @@ fn sizes_about([width, depth, height]: [f64; 3]) -> [Size; 3] {
     factors.map(|[wide, deep, high]| size([width * wide, depth * deep, height * high]))
 }
 
-/// Calls `check` with every recipe in its usual size and two that differ, in all sets, with three looks.
+/// Calls `check` with every recipe in its usual size and two that differ, in all sets, with four looks.
 fn for_every_recipe(mut check: impl FnMut(&str, &RecipeInput) -> Option<String>) {
     let mut faults = Vec::new();
     for recipe in RECIPES {
         for parameters in parameter_choices(recipe.name) {
-            for (geometry, look) in SETS.iter().flat_map(|&set| (0..3).map(move |look| (set, look))) {
+            for (geometry, look) in
+                GeometrySet::NAMES.iter().flat_map(|&set| (0..4).map(move |look| (set, look)))
+            {
                 let about = |size| RecipeInput { size, look, geometry, parameters: &parameters };
                 let checked = sizes_about(recipe.usual).map(|size| check(recipe.name, &about(size)));
                 let found = checked.into_iter().flatten();
@@ -122,13 +122,13 @@ proptest! {
         recipe in 0..RECIPES.len(),
         extents in prop::array::uniform3(0.03_f64..4.0),
         look in 0_u32..50,
-        set in 0_usize..2,
+        set in 0_usize..GeometrySet::NAMES.len(),
         value in prop::num::f64::ANY,
     ) {
         let name = RECIPES[recipe].name;
         let parameters: Vec<(String, f64)> =
             recipe_parameters(name).unwrap().iter().map(|(key, _)| ((*key).to_owned(), value)).collect();
-        let input = RecipeInput { size: size(extents), look, geometry: SETS[set], parameters: &parameters };
+        let input = RecipeInput { size: size(extents), look, geometry: GeometrySet::NAMES[set], parameters: &parameters };
         let model = build_recipe(name, &input).unwrap();
         prop_assert!(model.primitives.iter().all(|primitive: &Primitive| !primitive.indices.is_empty()));
         prop_assert_eq!(number_fault(&model, input.size), None, "{} {:?}", name, extents);
