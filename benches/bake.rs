@@ -34,6 +34,8 @@ fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models
         verdicts: &verdicts,
         catalog,
         models: &|class, variant, geometry| models.model(class, variant, geometry),
+        textures: None,
+        has_lights: true,
         seed: SEED,
     });
     write_glb(&scene).expect("a house fits into a file").len()

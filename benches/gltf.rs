@@ -12,7 +12,7 @@ fn gltf(criterion: &mut Criterion) {
     let scene = floor.with_input(build_scene);
     let bytes = write_glb(&scene).expect("a floor is small");
     let shared = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())));
-    let library = SharedLibrary::new(shared);
+    let library = SharedLibrary::new(shared, |_| false);
     let reference = LibraryReference { library: &library, path: "../library.bin" };
     let sharing = write_glb_with_library(&scene, reference).expect("a floor is small");
     eprintln!("{} bytes, {} with a shared library of {}", bytes.len(), sharing.len(), library.bytes().len());

@@ -12,6 +12,7 @@ use roomwright::catalog::{Palette, load_catalog};
 use roomwright::gltf::write_glb;
 use roomwright::model::{Model, ModelMaterial, PLAIN, RecipeInput, build_recipe, recipe_names, recipe_size};
 use roomwright::scene::{Node, Scene, SceneMaterial, SceneMesh};
+use roomwright::texture::{TextureLibrary, TextureLocation, TextureSize};
 
 /// Metres between neighbouring models.
 const GAP: f64 = 0.2;
@@ -58,14 +59,20 @@ fn main() -> Result<(), Box<dyn Error>> {
 struct Sheet<'a> {
     palette: &'a Palette,
     scene: Scene,
+    textures: TextureLibrary,
     slots: BTreeMap<&'static str, usize>,
 }
 
 impl<'a> Sheet<'a> {
     fn new(palette: &'a Palette) -> Self {
-        let scene =
-            Scene { root: node("sheet", None, Vec3::ZERO), meshes: Vec::new(), materials: Vec::new() };
-        Self { palette, scene, slots: BTreeMap::new() }
+        let scene = Scene {
+            root: node("sheet", None, Vec3::ZERO),
+            meshes: Vec::new(),
+            materials: Vec::new(),
+            lights: Vec::new(),
+        };
+        let textures = TextureLibrary::new(TextureSize::Small, TextureLocation::Embedded);
+        Self { palette, scene, textures, slots: BTreeMap::new() }
     }
 
     fn add(&mut self, name: &str, model: Model, at: Vec3) {
@@ -77,10 +84,11 @@ impl<'a> Sheet<'a> {
 
     fn slot(&mut self, material: &ModelMaterial) -> usize {
         let ModelMaterial::Slot(slot) = material else { unreachable!("recipes name slots") };
-        let Self { palette, scene, slots } = self;
+        let Self { palette, scene, textures, slots } = self;
         *slots.entry(*slot).or_insert_with(|| {
             let material = palette.materials[*slot].clone();
-            scene.materials.push(SceneMaterial::Slot { name: (*slot).to_owned(), material });
+            let textures = material.texture.map_or(&[][..], |surface| textures.textures(surface)).to_vec();
+            scene.materials.push(SceneMaterial::Slot { name: (*slot).to_owned(), material, textures });
             scene.materials.len() - 1
         })
     }
@@ -88,5 +96,13 @@ impl<'a> Sheet<'a> {
 
 fn node(name: &str, mesh: Option<usize>, translation: Vec3) -> Node {
     let name = name.to_owned();
-    Node { name, translation, rotation: Quat::IDENTITY, mesh, extras: None, children: Vec::new() }
+    Node {
+        name,
+        translation,
+        rotation: Quat::IDENTITY,
+        mesh,
+        light: None,
+        extras: None,
+        children: Vec::new(),
+    }
 }

@@ -55,6 +55,7 @@ FIELDS = {
              "grade", "findings"},
     "part": {"part", "tags"},
     "furniture": {"class", "id", "parent", "side", "size", "variant"},
+    "light": {"lumens", "kelvin"},
 }
 SIDES = {"front", "back", "left", "right", "above", "below"}
 ROOM_PART = re.compile(r"floor|ceiling|wall\.\d+|column\.\d+|(door|window):.+")
@@ -173,8 +174,13 @@ def check_furniture(_: GltfFile, node: Node) -> Iterator[Note]:
                                         f"under {node.parent.name!r}")
 
 
+def check_light(_: GltfFile, node: Node) -> Iterator[Note]:
+    if node.parent is None or node.parent.kind != "furniture":
+        yield Note("extras", node.name, "a light belongs to a lamp")
+
+
 KIND_CHECKS = {"level": check_level, "opening": check_opening, "room": check_room, "part": check_part,
-               "furniture": check_furniture}
+               "furniture": check_furniture, "light": check_light}
 
 
 @lru_cache(maxsize=1)

@@ -21,4 +21,5 @@ pub mod model;
 pub mod plan;
 pub mod read_back;
 pub mod scene;
+pub mod texture;
 mod walk;

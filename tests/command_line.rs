@@ -12,6 +12,7 @@ mod command_line {
     mod guide;
     mod handbook;
     mod output_folder;
+    mod textures;
     mod user_models;
     mod verdicts;
     mod world;

@@ -46,6 +46,8 @@ impl Floor {
             verdicts: &[],
             catalog: &self.catalog,
             models: &models,
+            textures: None,
+            has_lights: true,
             seed: SEED,
         })
     }

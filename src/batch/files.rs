@@ -12,6 +12,8 @@ use super::record::FileRecord;
 /// The files of a level with their content, the one to open first.
 pub(crate) struct LevelFiles {
     pub(crate) files: Vec<(FileRecord, Vec<u8>)>,
+    /// Paths in the output folder of the shared images that they show, sorted.
+    pub(crate) images: Vec<String>,
 }
 
 /// Encodes a scene in the format of the run.
@@ -33,7 +35,7 @@ pub(crate) fn encode(
             };
             let path = path(Format::Glb.name());
             let bytes = bytes.map_err(|error| too_large(workshop, &path, &error))?;
-            Ok(LevelFiles { files: vec![with_record(path, bytes)] })
+            Ok(LevelFiles { files: vec![with_record(path, bytes)], images: Vec::new() })
         }
         Format::Gltf => {
             let bin = path("bin");
@@ -46,7 +48,7 @@ pub(crate) fn encode(
             if !bytes.is_empty() {
                 files.push(with_record(bin, bytes));
             }
-            Ok(LevelFiles { files })
+            Ok(LevelFiles { files, images: Vec::new() })
         }
     }
 }

@@ -18,6 +18,7 @@ use super::folder::OutputFolder;
 use super::job::{BakeOptions, Job};
 use super::library::GeometryLibrary;
 use super::record::{LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
+use super::textures::Textures;
 
 /// What all levels of a run share.
 pub(crate) struct Workshop<'a> {
@@ -26,6 +27,7 @@ pub(crate) struct Workshop<'a> {
     pub(crate) folder: &'a OutputFolder,
     pub(crate) models: &'a ModelLibrary,
     pub(crate) library: Option<GeometryLibrary>,
+    pub(crate) textures: Option<Textures>,
     pub(crate) watch: Stopwatch,
 }
 
@@ -61,7 +63,11 @@ pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<Baked
     // The tree of nodes, and what it becomes.
     let built = catch_bug(|| {
         let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &furnished, &verdicts));
-        workshop.watch.measure(Stage::Encoding, || encode(workshop, job, &scene))
+        let files = workshop.watch.measure(Stage::Encoding, || encode(workshop, job, &scene))?;
+        let place = |textures: &Textures| textures.put_in_place(&scene, workshop.folder);
+        let images =
+            workshop.watch.measure(Stage::Writing, || workshop.textures.as_ref().map(place).transpose())?;
+        Ok(LevelFiles { images: images.unwrap_or_default(), ..files })
     });
     let files = match built {
         Ok(Ok(files)) => files,
@@ -124,6 +130,8 @@ fn scene(workshop: &Workshop<'_>, job: &Job<'_>, furnished: &[Furnished], verdic
         verdicts,
         catalog,
         models: &|class, variant, geometry| workshop.models.model(class, variant, geometry),
+        has_lights: workshop.options.has_lights,
+        textures: workshop.textures.as_ref().map(|textures| &textures.library),
         seed: workshop.options.seed,
     })
 }
@@ -153,6 +161,7 @@ fn record(
     rooms: &RoomResults<'_>,
 ) -> LevelRecord {
     let site = job.placed.site;
+    let geometry = workshop.library.as_ref().map(|library| &library.file.path).into_iter();
     let mut record = LevelRecord {
         building: job.placed.id.clone(),
         level: job.level.id.clone(),
@@ -161,7 +170,7 @@ fn record(
         seed: workshop.options.seed,
         site: SiteRecord { position: [site.position.x, site.position.y], turn: site.turn },
         files: files.files.iter().map(|(file, _)| file.clone()).collect(),
-        library: workshop.library.iter().map(|library| library.file.path.clone()).collect(),
+        library: geometry.cloned().chain(files.images.iter().cloned()).collect(),
         totals: Totals { rooms: rooms.furnished.len() as u64, ..Totals::default() },
         classes: std::collections::BTreeMap::new(),
         rooms: Vec::new(),

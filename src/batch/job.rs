@@ -5,6 +5,7 @@ use sha2::{Digest, Sha256};
 use crate::best::DEFAULT_EFFORT;
 use crate::catalog::Catalog;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
+use crate::texture::TextureSize;
 
 use super::file_name::distinct_names;
 use super::hash::FieldHash;
@@ -23,6 +24,10 @@ pub struct BakeOptions {
     pub format: Format,
     /// Whether floors refer to one library of furniture instead of carrying their own copies; default no.
     pub has_shared_library: bool,
+    /// The textures of materials; default small ones in a folder that all floors share.
+    pub textures: TextureOptions,
+    /// Whether lamps give light; default yes.
+    pub has_lights: bool,
     /// Threads; more bake faster and hold more floors in memory. Never changes a byte. Default 1.
     pub threads: usize,
     /// The share of the levels to bake; default all.
@@ -37,6 +42,8 @@ impl Default for BakeOptions {
             effort: DEFAULT_EFFORT,
             format: Format::Glb,
             has_shared_library: false,
+            textures: TextureOptions::default(),
+            has_lights: true,
             threads: 1,
             shard: None,
         }
@@ -60,6 +67,21 @@ impl Format {
             Self::Glb => "glb",
             Self::Gltf => "gltf",
         }
+    }
+}
+
+/// Which textures there are, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextureOptions {
+    /// How finely surfaces are painted; none leaves materials plain.
+    pub size: Option<TextureSize>,
+    /// Whether each file holds its own images; else they lie in one folder beside the buildings.
+    pub are_embedded: bool,
+}
+
+impl Default for TextureOptions {
+    fn default() -> Self {
+        Self { size: Some(TextureSize::Small), are_embedded: false }
     }
 }
 
@@ -144,6 +166,9 @@ fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
     hash.update(options.seed.to_le_bytes());
     hash.update(options.effort.to_le_bytes());
     hash.update([u8::from(options.format == Format::Gltf), u8::from(options.has_shared_library)]);
+    let pixels = options.textures.size.map_or(0, |size| size.pixels() as u64);
+    hash.update(pixels.to_le_bytes());
+    hash.update([u8::from(options.textures.are_embedded), u8::from(options.has_lights)]);
     // Last, so that its length needs no mark.
     hash.update(options.style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
     hash.finalize().into()
@@ -224,6 +249,19 @@ pub(crate) mod tests {
             BakeOptions { style: Some("hotel".to_owned()), ..BakeOptions::default() },
             BakeOptions { format: Format::Gltf, ..BakeOptions::default() },
             BakeOptions { has_shared_library: true, ..BakeOptions::default() },
+            BakeOptions { has_lights: false, ..BakeOptions::default() },
+            BakeOptions {
+                textures: TextureOptions { size: None, are_embedded: false },
+                ..BakeOptions::default()
+            },
+            BakeOptions {
+                textures: TextureOptions { size: Some(TextureSize::Large), are_embedded: false },
+                ..BakeOptions::default()
+            },
+            BakeOptions {
+                textures: TextureOptions { size: Some(TextureSize::Small), are_embedded: true },
+                ..BakeOptions::default()
+            },
         ];
         for changed in options {
             assert_ne!(inputs(&plan, &changed), base);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::catalog::{Catalog, ClassIndex};
 use crate::gltf::{LibraryReference, SharedLibrary};
-use crate::model::{Model, ModelLibrary};
+use crate::model::{Model, ModelLibrary, ModelMaterial};
 use crate::scene::ModelKey;
 
 use super::LIBRARY_FOLDER;
@@ -42,9 +42,11 @@ impl GeometryLibrary {
         catalog: &Catalog,
         models: &ModelLibrary,
         folder: &OutputFolder,
+        has_textures: bool,
     ) -> Result<Self, OutputFault> {
         let built = all_models(catalog, models);
-        let shared = SharedLibrary::new(built.iter().map(|(key, model)| (key.clone(), model.as_ref())));
+        let models = built.iter().map(|(key, model)| (key.clone(), model.as_ref()));
+        let shared = SharedLibrary::new(models, |material| is_textured(catalog, material, has_textures));
         let (mut file, bytes) = with_record(String::new(), shared.bytes());
         let name = format!("{LIBRARY_FOLDER}/{}.bin", &file.sha256[..NAME_DIGITS]);
         let relative_path = format!("../{name}");
@@ -53,6 +55,18 @@ impl GeometryLibrary {
         folder.place(&file, &bytes)?;
         folder.record_library_file(&file)?;
         Ok(Self { file, shared, relative_path })
+    }
+}
+
+/// Whether textures lie on a material, in any palette.
+fn is_textured(catalog: &Catalog, material: &ModelMaterial, has_textures: bool) -> bool {
+    let is_painted = |slot| {
+        let mut materials = catalog.palettes.values().filter_map(|palette| palette.materials.get(slot));
+        has_textures && materials.any(|material| material.texture.is_some())
+    };
+    match material {
+        ModelMaterial::Slot(slot) => is_painted(*slot),
+        ModelMaterial::Own(own) => !own.textures.is_empty(),
     }
 }
 

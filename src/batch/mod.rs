@@ -17,6 +17,7 @@ mod manifest;
 mod place;
 mod record;
 mod sources;
+mod textures;
 mod work;
 
 pub(crate) use bug::catch_bug;
@@ -26,7 +27,7 @@ pub use fault::{FaultCode, OutputFault};
 pub(crate) use file_name::distinct_names;
 pub use folder::OutputFolder;
 pub use hash::PROGRAM;
-pub use job::{BakeOptions, Format, Shard};
+pub use job::{BakeOptions, Format, Shard, TextureOptions};
 pub use join::{Joined, MergeReport, merge};
 pub(crate) use place::new_result_file;
 pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
@@ -34,3 +35,5 @@ pub use work::{BakeInput, bake};
 
 /// The folder of geometry that floors share, in the output folder.
 pub(crate) const LIBRARY_FOLDER: &str = "shared-geometry";
+/// The folder of textures that floors share, in the output folder.
+pub(crate) const TEXTURE_FOLDER: &str = "shared-textures";

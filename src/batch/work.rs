@@ -15,6 +15,7 @@ use super::join::is_in_place;
 use super::library::GeometryLibrary;
 use super::record::{FileRecord, Totals};
 use super::sources::{Contents, RecordHead};
+use super::textures::Textures;
 use crate::catalog::Catalog;
 use crate::model::ModelLibrary;
 use crate::plan::Plan;
@@ -56,10 +57,12 @@ pub fn bake(
     // The others are baked.
     let pool = thread_pool(options, folder.root())?;
     let library = match options.has_shared_library && !open.is_empty() {
-        true => Some(GeometryLibrary::create(catalog, models, folder)?),
+        true => Some(GeometryLibrary::create(catalog, models, folder, options.textures.size.is_some())?),
         false => None,
     };
-    let workshop = Workshop { catalog, options, folder, models, library, watch: Stopwatch::default() };
+    let textures = Textures::new(options.textures);
+    let watch = Stopwatch::default();
+    let workshop = Workshop { catalog, options, folder, models, library, textures, watch };
     let tally = work(&pool, &workshop, &open, observer);
 
     // The records become the manifest.

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::light::Light;
 use super::style::Era;
 use crate::geometry::Point;
 
@@ -55,6 +56,8 @@ pub struct Class {
     pub wealth: Option<(u32, u32)>,
     /// How it looks.
     pub model: ModelSource,
+    /// The light that it gives.
+    pub light: Option<Light>,
     /// Expected depth in the hierarchy: 0 for what stands on room parts, else one more than its nearest
     /// possible parent class. Agents are served in this order (section 3.2).
     pub depth: u32,
@@ -81,6 +84,7 @@ impl Class {
             priority: 0,
             eras: Vec::new(),
             wealth: None,
+            light: None,
             model: ModelSource::Recipe { name: recipe.to_owned(), parameters: Vec::new() },
             depth: 0,
         }

@@ -12,6 +12,7 @@ mod class;
 mod describe;
 mod digest;
 mod file;
+mod light;
 mod load;
 mod palette;
 mod read;
@@ -36,8 +37,10 @@ pub use class::{
     PrismRule, Relation, RelationKind, Shape, Side, SideOffer, Size, Turn,
 };
 pub use describe::{Description, describe, style_differences};
+pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub use palette::{MATERIAL_SLOTS, Material, Palette};
+pub(crate) use resolve::srgb_encoded;
 pub use style::{Access, Count, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
 
 use crate::plan::RoomWords;

@@ -11,7 +11,7 @@ pub struct Palette {
     pub materials: BTreeMap<String, Material>,
 }
 
-/// A glTF metallic-roughness material without textures.
+/// A glTF metallic-roughness material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// Linear red, green, blue and opacity, each 0 to 1.
@@ -24,6 +24,10 @@ pub struct Material {
     pub emissive: [f32; 3],
     /// Share of light that passes (`KHR_materials_transmission`); 0 for what is not glass.
     pub transmission: f32,
+    /// The surface whose textures lie on it, one of [`crate::texture::SURFACES`].
+    pub texture: Option<&'static str>,
+    /// Further base colours, linear; an object of the palette has one of all, by seed.
+    pub tints: Vec<[f32; 4]>,
 }
 
 /// Every slot that a recipe or the shell may name.

@@ -108,6 +108,15 @@ pub(crate) struct BakeArguments {
     /// Let floors refer to one library of furniture instead of carrying their own copies.
     #[arg(long)]
     pub(crate) shared_library: bool,
+    /// How finely wood, cloth, tiles and other surfaces are painted: 512 or 1024 pixels a metre, or not at all.
+    #[arg(long, value_enum, default_value = "small")]
+    pub(crate) textures: TextureWord,
+    /// Put the textures into each file; without it, all files share those in OUT/shared-textures.
+    #[arg(long)]
+    pub(crate) embed_textures: bool,
+    /// Leave out the lights of lamps (KHR_lights_punctual).
+    #[arg(long)]
+    pub(crate) no_lights: bool,
     /// Bake share I of N, so that N machines can split the work.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     pub(crate) shard: Option<Shard>,
@@ -232,6 +241,17 @@ pub(crate) struct MergeArguments {
     /// The output folder.
     #[arg(value_name = "DIR", default_value = "out")]
     pub(crate) folder: PathBuf,
+}
+
+/// The words of `--textures`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TextureWord {
+    /// Plain colours.
+    None,
+    /// 512 pixels a metre.
+    Small,
+    /// 1024 pixels a metre.
+    Large,
 }
 
 /// Kinds of files.

@@ -3,14 +3,17 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::arguments::{BakeArguments, FormatWord, ProgressWord};
+use super::arguments::{BakeArguments, FormatWord, ProgressWord, TextureWord};
 use super::exit::Outcome;
 use super::progress::Progress;
 use super::room_styles::check_room_styles;
 use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
 use super::summary::{failure_text, summary_json, summary_text, timing_text, where_to_look};
-use crate::batch::{BakeInput, BakeOptions, BakeReport, Format, OutputFault, OutputFolder, bake};
+use crate::batch::{
+    BakeInput, BakeOptions, BakeReport, Format, OutputFault, OutputFolder, TextureOptions, bake,
+};
+use crate::texture::TextureSize;
 
 /// Most failures that are listed one by one.
 const LISTED_FAILURES: usize = 20;
@@ -69,6 +72,15 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             FormatWord::Gltf => Format::Gltf,
         },
         has_shared_library: arguments.shared_library,
+        textures: TextureOptions {
+            size: match arguments.textures {
+                TextureWord::None => None,
+                TextureWord::Small => Some(TextureSize::Small),
+                TextureWord::Large => Some(TextureSize::Large),
+            },
+            are_embedded: arguments.embed_textures,
+        },
+        has_lights: !arguments.no_lights,
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
     };

@@ -1,7 +1,7 @@
 //! The JSON of a level and the buffer it describes.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use gltf_json::scene::UnitQuaternion;
@@ -10,12 +10,13 @@ use gltf_json::validation::Checked;
 use gltf_json::{Asset, Image, Index, Node, Root, Scene as JsonScene, Texture, image};
 
 use super::library::LibraryReference;
+use super::light::{LIGHTS, add_lights, node_light};
 use super::material::{Images, TRANSMISSION, material};
 use super::mesh::{accessors, mesh};
 use super::pack::{PackedPrimitive, Packer};
-use super::view::Views;
+use super::view::{Views, percent_encoded};
 use crate::model::{Model, TextureSampler};
-use crate::scene::{GENERATOR, Scene};
+use crate::scene::{GENERATOR, Scene, SceneMaterial};
 
 /// A level ready to be written.
 pub(crate) struct Document {
@@ -53,6 +54,7 @@ pub(crate) fn build(scene: &Scene, uri: Option<&str>, library: Option<LibraryRef
         root.meshes.push(mesh(scene_mesh, &accessors[source]));
     }
     add_images(&mut root, &mut views, &images);
+    add_lights(&mut root, &scene.lights);
     let level = add_node(&mut root.nodes, &scene.root);
     let level_scene = JsonScene { extensions: None, extras: None, name: None, nodes: vec![level] };
     root.scene = Some(root.push(level_scene));
@@ -73,12 +75,17 @@ fn pack<'l>(
     let mut sources: Vec<Source<'l>> = Vec::new();
     let mut known: BTreeMap<*const Model, usize> = BTreeMap::new();
     let mut source_of_mesh = Vec::with_capacity(scene.meshes.len());
+    let textured = textured_primitives(scene);
     for mesh in &scene.meshes {
         let source = *known.entry(Arc::as_ptr(&mesh.model)).or_insert_with(|| {
             let shared = mesh.key.as_ref().zip(library).and_then(|(key, to)| to.library.models.get(key));
             sources.push(match shared {
                 Some(primitives) => Source { is_library: true, primitives: Cow::Borrowed(primitives) },
-                None => Source { is_library: false, primitives: Cow::Owned(packer.model(&mesh.model)) },
+                None => {
+                    let is_textured = |index| textured.contains(&(Arc::as_ptr(&mesh.model), index));
+                    let primitives = Cow::Owned(packer.model(&mesh.model, is_textured));
+                    Source { is_library: false, primitives }
+                }
             });
             sources.len() - 1
         });
@@ -87,14 +94,25 @@ fn pack<'l>(
     (sources, source_of_mesh)
 }
 
+/// Models with the index of each primitive that has a textured material in one of their meshes.
+fn textured_primitives(scene: &Scene) -> BTreeSet<(*const Model, usize)> {
+    let is_textured: Vec<bool> = scene.materials.iter().map(SceneMaterial::is_textured).collect();
+    let primitives = scene.meshes.iter().flat_map(|mesh| {
+        let materials = mesh.materials.iter().enumerate();
+        materials.map(move |(index, &material)| (Arc::as_ptr(&mesh.model), index, material))
+    });
+    let textured = primitives.filter(|&(_, _, material)| is_textured[material]);
+    textured.map(|(model, index, _)| (model, index)).collect()
+}
+
 fn add_images(root: &mut Root, views: &mut Views, images: &Images) {
     for (source, packed) in images.all() {
-        let buffer_view = views.image(root, packed);
+        let buffer_view = packed.map(|packed| views.image(root, packed));
         root.images.push(Image {
-            buffer_view: Some(buffer_view),
+            buffer_view,
             mime_type: Some(image::MimeType(source.mime_type.clone())),
             name: None,
-            uri: None,
+            uri: source.uri.as_deref().map(percent_encoded),
             extensions: None,
             extras: None,
         });
@@ -150,6 +168,7 @@ fn add_node(nodes: &mut Vec<Node>, source: &crate::scene::Node) -> Index<Node> {
             translation: is_moved.then(|| source.translation.to_array()),
             rotation: is_turned.then(|| UnitQuaternion(source.rotation.to_array())),
             mesh: source.mesh.map(|mesh| Index::new(mesh as u32)),
+            extensions: source.light.map(node_light),
             extras,
             ..Node::default()
         },
@@ -165,5 +184,7 @@ fn extensions_used(root: &Root) -> Vec<String> {
     let is_used = |material: &gltf_json::Material| {
         material.extensions.as_ref().is_some_and(|extensions| extensions.transmission.is_some())
     };
-    if root.materials.iter().any(is_used) { vec![TRANSMISSION.to_owned()] } else { Vec::new() }
+    let transmission = root.materials.iter().any(is_used).then(|| TRANSMISSION.to_owned());
+    let lights = root.extensions.is_some().then(|| LIGHTS.to_owned());
+    lights.into_iter().chain(transmission).collect()
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::pack::{PackedPrimitive, Packer};
-use crate::model::Model;
+use crate::model::{Model, ModelMaterial};
 use crate::scene::ModelKey;
 
 /// The triangles of all models that a run may use.
@@ -24,8 +24,12 @@ pub struct LibraryReference<'a> {
 
 impl SharedLibrary {
     /// Lays the models out in the order of their keys, whatever the order in which they come; of equal keys
-    /// the first counts. Keys that share one model share its bytes.
-    pub fn new<'m>(models: impl IntoIterator<Item = (ModelKey, &'m Model)>) -> Self {
+    /// the first counts. Keys that share one model share its bytes. Texture coordinates are kept of the primitives whose
+    /// material `is_textured` in any level.
+    pub fn new<'m>(
+        models: impl IntoIterator<Item = (ModelKey, &'m Model)>,
+        is_textured: impl Fn(&ModelMaterial) -> bool,
+    ) -> Self {
         let mut sorted: BTreeMap<ModelKey, &Model> = BTreeMap::new();
         for (key, model) in models {
             sorted.entry(key).or_insert(model);
@@ -34,7 +38,9 @@ impl SharedLibrary {
         let mut known: BTreeMap<*const Model, Vec<PackedPrimitive>> = BTreeMap::new();
         let mut packed = BTreeMap::new();
         for (key, model) in sorted {
-            let primitives = known.entry(std::ptr::from_ref(model)).or_insert_with(|| packer.model(model));
+            let primitives = known.entry(std::ptr::from_ref(model)).or_insert_with(|| {
+                packer.model(model, |index| is_textured(&model.primitives[index].material))
+            });
             packed.insert(key, primitives.clone());
         }
         Self { packer, models: packed }

@@ -17,14 +17,15 @@ pub(crate) const TRANSMISSION: &str = "KHR_materials_transmission";
 /// Images of a document and the textures that lay them on, each once.
 #[derive(Debug, Default)]
 pub(crate) struct Images {
-    known: Vec<(Arc<Image>, Packed)>,
+    /// Those without a file of their own have a place in the buffer.
+    known: Vec<(Arc<Image>, Option<Packed>)>,
     textures: Vec<(usize, TextureSampler)>,
 }
 
 impl Images {
     /// Images in the order of first use, with their places in the buffer.
-    pub(crate) fn all(&self) -> impl ExactSizeIterator<Item = (&Image, &Packed)> {
-        self.known.iter().map(|(image, packed)| (&**image, packed))
+    pub(crate) fn all(&self) -> impl ExactSizeIterator<Item = (&Image, Option<&Packed>)> {
+        self.known.iter().map(|(image, packed)| (&**image, packed.as_ref()))
     }
 
     /// Index of the image and sampler of each texture, in the order of first use.
@@ -45,7 +46,8 @@ impl Images {
     fn image(&mut self, image: &Arc<Image>, packer: &mut Packer) -> usize {
         let known = self.known.iter().position(|(other, _)| Arc::ptr_eq(image, other) || image == other);
         known.unwrap_or_else(|| {
-            self.known.push((Arc::clone(image), packer.image(&image.bytes)));
+            let packed = image.uri.is_none().then(|| packer.image(&image.bytes));
+            self.known.push((Arc::clone(image), packed));
             self.known.len() - 1
         })
     }
@@ -54,7 +56,11 @@ impl Images {
 /// A material of the scene.
 pub(crate) fn material(source: &SceneMaterial, images: &mut Images, packer: &mut Packer) -> json::Material {
     match source {
-        SceneMaterial::Slot { name, material } => plain(name, material),
+        SceneMaterial::Slot { name, material, textures } => {
+            let mut json = plain(name, material);
+            set_textures(&mut json, textures, images, packer);
+            json
+        }
         SceneMaterial::Own(own) => textured(own, images, packer),
     }
 }
@@ -92,10 +98,19 @@ fn textured(own: &OwnMaterial, images: &mut Images, packer: &mut Packer) -> json
         Transparency::Blended => (json::AlphaMode::Blend, None),
     };
     (material.alpha_mode, material.alpha_cutoff) = (Checked::Valid(mode), cutoff);
-    for (purpose, texture) in &own.textures {
-        set_texture(&mut material, *purpose, images.texture(texture, packer));
-    }
+    set_textures(&mut material, &own.textures, images, packer);
     material
+}
+
+fn set_textures(
+    material: &mut json::Material,
+    textures: &[(TextureUse, Texture)],
+    images: &mut Images,
+    packer: &mut Packer,
+) {
+    for (purpose, texture) in textures {
+        set_texture(material, *purpose, images.texture(texture, packer));
+    }
 }
 
 fn set_texture(material: &mut json::Material, purpose: TextureUse, index: Index<texture::Texture>) {

@@ -12,6 +12,7 @@
 mod container;
 mod document;
 mod library;
+mod light;
 mod material;
 mod mesh;
 mod pack;

@@ -1,6 +1,6 @@
 //! Vertices and indices as the bytes of a buffer.
 
-use crate::model::{Model, ModelMaterial, Primitive};
+use crate::model::{Model, Primitive};
 
 /// A part of a buffer with one kind of element; each becomes one buffer view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,18 +58,25 @@ pub(crate) struct Packer {
 }
 
 impl Packer {
-    /// Adds the triangles of a model.
-    pub(crate) fn model(&mut self, model: &Model) -> Vec<PackedPrimitive> {
-        model.primitives.iter().map(|primitive| self.primitive(primitive)).collect()
+    /// Adds the triangles of a model. Texture coordinates are written only for those primitives, by index, that
+    /// `is_textured`.
+    pub(crate) fn model(
+        &mut self,
+        model: &Model,
+        is_textured: impl Fn(usize) -> bool,
+    ) -> Vec<PackedPrimitive> {
+        let primitives = model.primitives.iter().enumerate();
+        primitives.map(|(index, primitive)| self.primitive(primitive, is_textured(index))).collect()
     }
 
-    fn primitive(&mut self, primitive: &Primitive) -> PackedPrimitive {
+    fn primitive(&mut self, primitive: &Primitive, is_textured: bool) -> PackedPrimitive {
+        let has_coordinates = is_textured && primitive.texture_coordinates.len() == primitive.positions.len();
         let mut positions = self.floats(Section::Vectors, primitive.positions.as_flattened(), 3);
         positions.bounds = Some(bounds(&primitive.positions));
         PackedPrimitive {
             positions,
             normals: self.floats(Section::Vectors, primitive.normals.as_flattened(), 3),
-            coordinates: has_textures(primitive)
+            coordinates: has_coordinates
                 .then(|| self.floats(Section::Coordinates, primitive.texture_coordinates.as_flattened(), 2)),
             colors: has_colors(primitive)
                 .then(|| self.floats(Section::Colors, primitive.colors.as_flattened(), 4)),
@@ -130,15 +137,6 @@ impl Packer {
             file.extend_from_slice(&[0; ALIGNMENT][..padding]);
         }
     }
-}
-
-/// Texture coordinates are written only where a texture uses them.
-fn has_textures(primitive: &Primitive) -> bool {
-    let is_textured = match &primitive.material {
-        ModelMaterial::Slot(_) => false,
-        ModelMaterial::Own(own) => !own.textures.is_empty(),
-    };
-    is_textured && primitive.texture_coordinates.len() == primitive.positions.len()
 }
 
 fn has_colors(primitive: &Primitive) -> bool {

@@ -111,7 +111,7 @@ fn stride(section: Section) -> Option<Stride> {
 }
 
 /// A relative path as a URI (RFC 3986): everything but letters, digits, `-._~` and `/` is encoded.
-fn percent_encoded(path: &str) -> String {
+pub(crate) fn percent_encoded(path: &str) -> String {
     use std::fmt::Write;
     let mut uri = String::with_capacity(path.len());
     for byte in path.bytes() {

@@ -111,13 +111,16 @@ pub enum TextureUse {
     Emissive,
 }
 
-/// An encoded image as found in a user's file.
+/// An encoded image.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// `image/png` or `image/jpeg`.
     pub mime_type: String,
     /// The file's bytes.
     pub bytes: Vec<u8>,
+    /// Path of the image's own file, relative to the files that show it, with `/` between folders; none for an image
+    /// that goes into these files.
+    pub uri: Option<String>,
 }
 
 /// Which model to build.

@@ -3,10 +3,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::SceneInput;
+use super::light::{SceneLight, scene_light};
 use super::node::{ModelKey, SceneMaterial, SceneMesh};
 use super::shell::Shape;
-use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, MATERIAL_SLOTS, Material};
-use crate::model::{Model, ModelMaterial, OwnMaterial};
+use super::tint::Tint;
+use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
+use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive};
+use crate::texture::TextureLibrary;
 
 /// How a room's style looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,12 +41,15 @@ pub(crate) struct MeshTable<'a> {
     models: &'a ModelSourceFunction<'a>,
     meshes: Vec<SceneMesh>,
     materials: Vec<SceneMaterial>,
+    lights: Vec<SceneLight>,
     /// Kept here too, so that one model is one allocation in a scene whatever the source does.
     built: BTreeMap<(ClassIndex, u32, &'a str), Arc<Model>>,
-    furniture: BTreeMap<(ClassIndex, u32, Look<'a>), usize>,
+    textures: Option<&'a TextureLibrary>,
+    furniture: BTreeMap<(ClassIndex, u32, Look<'a>), Vec<usize>>,
     shapes: BTreeMap<Shape, (usize, Arc<Model>)>,
     shells: BTreeMap<(usize, &'a str), usize>,
-    slots: BTreeMap<(&'a str, &'static str), usize>,
+    /// By palette, slot and tint.
+    slots: BTreeMap<(&'a str, &'static str, usize), usize>,
 }
 
 /// What is drawn where a palette lacks a slot, which a checked catalogue never does: middle grey.
@@ -52,15 +59,19 @@ const NEUTRAL: Material = Material {
     roughness: 0.8,
     emissive: [0.0; 3],
     transmission: 0.0,
+    texture: None,
+    tints: Vec::new(),
 };
 
 impl<'a> MeshTable<'a> {
-    pub(crate) fn new(catalog: &'a Catalog, models: &'a ModelSourceFunction<'a>) -> Self {
+    pub(crate) fn new(input: &SceneInput<'a>) -> Self {
         Self {
-            catalog,
-            models,
+            catalog: input.catalog,
+            models: input.models,
+            textures: input.textures,
             meshes: Vec::new(),
             materials: Vec::new(),
+            lights: Vec::new(),
             built: BTreeMap::new(),
             furniture: BTreeMap::new(),
             shapes: BTreeMap::new(),
@@ -69,24 +80,38 @@ impl<'a> MeshTable<'a> {
         }
     }
 
-    /// Meshes and materials in the order of first use.
-    pub(crate) fn finish(self) -> (Vec<SceneMesh>, Vec<SceneMaterial>) {
-        (self.meshes, self.materials)
+    /// Meshes, materials and lights in the order of first use.
+    pub(crate) fn finish(self) -> (Vec<SceneMesh>, Vec<SceneMaterial>, Vec<SceneLight>) {
+        (self.meshes, self.materials, self.lights)
     }
 
-    /// The mesh of a variant of a class.
-    pub(crate) fn furniture(&mut self, class: ClassIndex, variant: u32, look: Look<'a>) -> usize {
-        if let Some(&mesh) = self.furniture.get(&(class, variant, look)) {
-            return mesh;
-        }
+    /// The light of a lamp; there are few kinds, and equal ones are found by looking at all.
+    pub(crate) fn light(&mut self, light: &Light) -> usize {
+        let made = scene_light(light);
+        self.lights.iter().position(|known| *known == made).unwrap_or_else(|| {
+            self.lights.push(made);
+            self.lights.len() - 1
+        })
+    }
+
+    /// The mesh of a variant of a class in a tint; tints that come to the same colours share one.
+    pub(crate) fn furniture(&mut self, class: ClassIndex, variant: u32, look: Look<'a>, tint: Tint) -> usize {
         let models = self.models;
         let built = self.built.entry((class, variant, look.geometry));
         let model = Arc::clone(built.or_insert_with(|| models(class, variant, look.geometry)));
+        let materials = self.materials_of(&model, look.palette, tint);
+        let known = self.furniture.get(&(class, variant, look)).map_or(&[][..], Vec::as_slice);
+        if let Some(&mesh) = known.iter().find(|&&mesh| self.meshes[mesh].materials == materials) {
+            return mesh;
+        }
         let id = &self.catalog.classes[class].id;
-        let name = format!("{id}.{variant}@{}/{}", look.geometry, look.palette);
+        // The first keeps the plain name, the others count on.
+        let suffix = if known.is_empty() { String::new() } else { format!("#{}", known.len() + 1) };
+        let name = format!("{id}.{variant}@{}/{}{suffix}", look.geometry, look.palette);
         let key = ModelKey { class: id.clone(), variant, geometry: look.geometry.to_owned() };
-        let mesh = self.push(name, model, look.palette, Some(key));
-        self.furniture.insert((class, variant, look), mesh);
+        self.meshes.push(SceneMesh { name, model, materials, key: Some(key) });
+        let mesh = self.meshes.len() - 1;
+        self.furniture.entry((class, variant, look)).or_default().push(mesh);
         mesh
     }
 
@@ -106,30 +131,37 @@ impl<'a> MeshTable<'a> {
         if let Some(&mesh) = self.shells.get(&(number, palette)) {
             return Some(mesh);
         }
-        let mesh = self.push(node.to_owned(), model, palette, None);
+        let materials = self.materials_of(&model, palette, Tint::default());
+        self.meshes.push(SceneMesh { name: node.to_owned(), model, materials, key: None });
+        let mesh = self.meshes.len() - 1;
         self.shells.insert((number, palette), mesh);
         Some(mesh)
     }
 
-    fn push(&mut self, name: String, model: Arc<Model>, palette: &'a str, key: Option<ModelKey>) -> usize {
-        let materials = model
-            .primitives
-            .iter()
-            .map(|primitive| match &primitive.material {
-                ModelMaterial::Slot(slot) => self.slot(palette, slot),
-                ModelMaterial::Own(own) => self.own(own),
-            })
-            .collect();
-        self.meshes.push(SceneMesh { name, model, materials, key });
-        self.meshes.len() - 1
+    fn materials_of(&mut self, model: &Model, palette: &'a str, tint: Tint) -> Vec<usize> {
+        let primitives = model.primitives.iter();
+        let material = |primitive: &Primitive| match &primitive.material {
+            ModelMaterial::Slot(slot) => self.slot(palette, slot, tint),
+            ModelMaterial::Own(own) => self.own(own),
+        };
+        primitives.map(material).collect()
     }
 
-    fn slot(&mut self, palette: &'a str, slot: &'static str) -> usize {
+    fn slot(&mut self, palette: &'a str, slot: &'static str, tint: Tint) -> usize {
         let (catalog, materials) = (self.catalog, &mut self.materials);
-        *self.slots.entry((palette, slot)).or_insert_with(|| {
-            let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
-            let material = found.cloned().unwrap_or(NEUTRAL);
-            materials.push(SceneMaterial::Slot { name: format!("{palette}.{slot}"), material });
+        let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+        let number = found.map_or(0, |material| tint.pick(material.tints.len()));
+        let textures = self.textures;
+        *self.slots.entry((palette, slot, number)).or_insert_with(|| {
+            let mut material = found.cloned().unwrap_or(NEUTRAL);
+            let mut name = format!("{palette}.{slot}");
+            if number > 0 {
+                material.base_color = material.tints[number - 1];
+                name += &format!(".{number}");
+            }
+            let images = textures.zip(material.texture).map(|(library, surface)| library.textures(surface));
+            let textures = images.unwrap_or_default().to_vec();
+            materials.push(SceneMaterial::Slot { name, material, textures });
             materials.len() - 1
         })
     }

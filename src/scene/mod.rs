@@ -5,12 +5,15 @@
 
 mod axes;
 mod extras;
+mod light;
 mod meshes;
 mod names;
 mod node;
 mod room;
 mod shell;
+mod tint;
 
+pub use light::SceneLight;
 pub use meshes::ModelSourceFunction;
 pub use node::{
     Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneMaterial, SceneMesh, SideExtras, SiteExtras,
@@ -28,6 +31,7 @@ use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::geometry::Point;
 use crate::layout::Furnished;
 use crate::plan::{Level, SitePlacement};
+use crate::texture::TextureLibrary;
 
 /// What a scene is made of.
 #[derive(Clone, Copy)]
@@ -46,6 +50,10 @@ pub struct SceneInput<'a> {
     pub catalog: &'a Catalog,
     /// The model of a class, variant and geometry set; the same one for the same arguments.
     pub models: &'a ModelSourceFunction<'a>,
+    /// What lies on the materials; none for plain colours.
+    pub textures: Option<&'a TextureLibrary>,
+    /// Whether lamps give light.
+    pub has_lights: bool,
     /// Seed of the run.
     pub seed: u64,
 }
@@ -60,14 +68,14 @@ pub struct SceneInput<'a> {
 #[must_use]
 pub fn build_scene(input: &SceneInput<'_>) -> Scene {
     assert_eq!(input.furnished.len(), input.level.rooms.len(), "one furnished room per room");
-    let mut meshes = MeshTable::new(input.catalog, input.models);
+    let mut meshes = MeshTable::new(input);
     let name = names::level(input.building, &input.level.id);
     let origin = Pose::on_floor(Point::ZERO, 0.0);
     let mut root = Node::at(name, &origin, None, extras::level_extras(input));
     root.children.extend(openings(input, &mut meshes));
     root.children.extend((0..input.level.rooms.len()).map(|room| room::room_node(input, room, &mut meshes)));
-    let (meshes, materials) = meshes.finish();
-    Scene { root, meshes, materials }
+    let (meshes, materials, lights) = meshes.finish();
+    Scene { root, meshes, materials, lights }
 }
 
 /// Openings look like the first room they join.

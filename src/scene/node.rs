@@ -6,9 +6,10 @@ use glam::{Quat, Vec3};
 use serde::Serialize;
 
 use super::axes::Pose;
+use super::light::SceneLight;
 use crate::audit::{Finding, Grade};
 use crate::catalog::Material;
-use crate::model::{Model, OwnMaterial};
+use crate::model::{Model, OwnMaterial, Texture, TextureUse};
 
 /// One level as a tree of nodes in the glTF frame: metres, right-handed, Y up.
 #[derive(Clone, Debug)]
@@ -19,6 +20,8 @@ pub struct Scene {
     pub meshes: Vec<SceneMesh>,
     /// Materials that meshes refer to; each once.
     pub materials: Vec<SceneMaterial>,
+    /// Lights that nodes refer to; each once.
+    pub lights: Vec<SceneLight>,
 }
 
 /// A mesh with its materials.
@@ -63,9 +66,28 @@ pub enum SceneMaterial {
         name: String,
         /// Its factors.
         material: Material,
+        /// Its textures by use.
+        textures: Vec<(TextureUse, Texture)>,
     },
     /// From a user's model.
     Own(Arc<OwnMaterial>),
+}
+
+impl SceneMaterial {
+    /// Its textures by use.
+    #[must_use]
+    pub fn textures(&self) -> &[(TextureUse, Texture)] {
+        match self {
+            Self::Slot { textures, .. } => textures,
+            Self::Own(own) => &own.textures,
+        }
+    }
+
+    /// Whether anything is painted on it.
+    #[must_use]
+    pub fn is_textured(&self) -> bool {
+        !self.textures().is_empty()
+    }
 }
 
 /// One node; its place is relative to its parent.
@@ -79,6 +101,8 @@ pub struct Node {
     pub rotation: Quat,
     /// Index into [`Scene::meshes`].
     pub mesh: Option<usize>,
+    /// Index into [`Scene::lights`].
+    pub light: Option<usize>,
     /// What the node is.
     pub extras: Option<Extras>,
     /// Nodes that move with it.
@@ -93,6 +117,7 @@ impl Node {
             translation: pose.translation(),
             rotation: pose.rotation(),
             mesh,
+            light: None,
             extras: Some(extras),
             children: Vec::new(),
         }
@@ -188,6 +213,13 @@ pub enum Extras {
         /// Of a column, metres of its top above the floor.
         #[serde(skip_serializing_if = "Option::is_none")]
         height: Option<f64>,
+    },
+    /// The light of a lamp, a child of the lamp.
+    Light {
+        /// Luminous flux in lumens.
+        lumens: f64,
+        /// Colour temperature in kelvins.
+        kelvin: f64,
     },
     /// An object.
     Furniture {

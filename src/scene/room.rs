@@ -2,9 +2,11 @@
 
 use super::axes::Pose;
 use super::extras::{furniture_extras, room_extras};
+use super::light::light_node;
 use super::meshes::{Look, MeshTable};
-use super::node::Node;
+use super::node::{Extras, Node};
 use super::shell::{RoomFinish, room_parts};
+use super::tint::Tint;
 use super::{SceneInput, names};
 use crate::layout::{Furnished, Parent, Placement};
 
@@ -44,10 +46,13 @@ fn furniture<'a>(
             Parent::Object(parent) => pose(&placements[parent]),
             _ => ROOM_POSE,
         };
-        let mesh = meshes.furniture(placement.class, placement.variant, look);
         let name = names::owned(&id, room);
         let extras = furniture_extras(input, furnished, placement, id);
-        nodes.push(Some(Node::at(name, &pose(placement).relative_to(&parent), Some(mesh), extras)));
+        let tint = tint_of(furnished, &extras);
+        let mesh = meshes.furniture(placement.class, placement.variant, look, tint);
+        let mut node = Node::at(name, &pose(placement).relative_to(&parent), Some(mesh), extras);
+        node.children.extend(light_of(input, placement, room, meshes));
+        nodes.push(Some(node));
     }
     // Parents come before children: from the end, each node is complete when its turn comes.
     for index in (0..placements.len()).rev() {
@@ -61,6 +66,25 @@ fn furniture<'a>(
     let mut roots: Vec<Node> = nodes.into_iter().flatten().collect();
     roots.iter_mut().for_each(order_children);
     roots
+}
+
+/// The node of a lamp's light.
+fn light_of(
+    input: &SceneInput<'_>,
+    placement: &Placement,
+    room: &str,
+    meshes: &mut MeshTable<'_>,
+) -> Option<Node> {
+    let light = input.catalog.classes[placement.class].light.filter(|_| input.has_lights)?;
+    let id = names::object(input.catalog, placement);
+    Some(light_node(&light, placement.size, (&id, room), meshes.light(&light)))
+}
+
+fn tint_of(furnished: &Furnished, extras: &Extras) -> Tint {
+    match extras {
+        Extras::Furniture { class, parent, .. } => Tint::of_set(furnished.seed, class, parent),
+        _ => Tint::default(),
+    }
 }
 
 /// Children were attached last first; the order of placement is the order in the file.

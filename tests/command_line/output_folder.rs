@@ -156,9 +156,9 @@ fn a_full_disk_stops_cleanly_and_the_run_goes_on_later() {
     world.write("a.yaml", plan("alpha", 12));
     fs::create_dir(world.path("small")).unwrap();
     let script = format!(
-        "mount -t tmpfs -o size=400k none small || exit 77; '{}' bake a.yaml --out small/out; code=$?; \
+        "mount -t tmpfs -o size=400k none small || exit 77; '{}' bake a.yaml --textures none --out small/out; code=$?; \
          find small -name '*.glb' | wc -l; find small -type f -name '.tmp*' | wc -l; \
-         mount -o remount,size=64m small; '{0}' bake a.yaml --out small/out --quiet || exit 78; cp -r small/out joined; exit $code",
+         mount -o remount,size=64m small; '{0}' bake a.yaml --textures none --out small/out --quiet || exit 78; cp -r small/out joined; exit $code",
         env!("CARGO_BIN_EXE_roomwright")
     );
     let output = std::process::Command::new("unshare")

@@ -66,6 +66,8 @@ impl Pipeline {
             verdicts: &verdicts,
             catalog: &self.catalog,
             models: &|class, variant, geometry| self.models.model(class, variant, geometry),
+            textures: None,
+            has_lights: true,
             seed: self.seed,
         });
         BakedLevel { building, level, furnished, verdicts, glb: write_glb(&scene).unwrap() }

@@ -105,7 +105,7 @@ fn materials_are_those_of_the_palette() {
     let file = read(&write_glb(&scene).unwrap());
     assert_eq!(file.materials().len(), scene.materials.len());
     for (source, found) in scene.materials.iter().zip(file.materials()) {
-        let SceneMaterial::Slot { name, material } = source else {
+        let SceneMaterial::Slot { name, material, .. } = source else {
             panic!("the fixture has no own materials")
         };
         assert_eq!(found.name(), Some(name.as_str()));
@@ -153,8 +153,8 @@ fn a_shared_library_holds_the_models_and_the_level_the_shell() {
             .filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())))
             .collect::<Vec<_>>()
     };
-    let library = SharedLibrary::new(models());
-    let reversed = SharedLibrary::new(models().into_iter().rev());
+    let library = SharedLibrary::new(models(), |_| false);
+    let reversed = SharedLibrary::new(models().into_iter().rev(), |_| false);
     assert_eq!(library.bytes(), reversed.bytes(), "the order of the models does not matter");
     let reference = LibraryReference { library: &library, path: "../library.bin" };
     let bytes = library.bytes();
@@ -174,7 +174,7 @@ fn a_shared_library_holds_the_models_and_the_level_the_shell() {
 #[test]
 fn a_library_that_lacks_a_model_leaves_it_in_the_level() {
     let scene = furnished_scene();
-    let empty = SharedLibrary::new([]);
+    let empty = SharedLibrary::new([], |_| false);
     let reference = LibraryReference { library: &empty, path: "../library.bin" };
     assert_eq!(write_glb_with_library(&scene, reference).unwrap(), write_glb(&scene).unwrap());
 }
@@ -188,7 +188,7 @@ const DOT: [u8; 67] = [
 
 /// A box with texture coordinates and a material of its own.
 fn textured_model() -> Model {
-    let image = Arc::new(Image { mime_type: "image/png".to_owned(), bytes: DOT.to_vec() });
+    let image = Arc::new(Image { mime_type: "image/png".to_owned(), bytes: DOT.to_vec(), uri: None });
     let texture = Texture { image, sampler: TextureSampler::default() };
     let own = OwnMaterial {
         name: "leather".to_owned(),
@@ -198,6 +198,8 @@ fn textured_model() -> Model {
             roughness: 0.5,
             emissive: [0.0; 3],
             transmission: 0.0,
+            texture: None,
+            tints: Vec::new(),
         },
         is_double_sided: true,
         transparency: Transparency::CutOut(0.4),
@@ -222,6 +224,8 @@ fn textured_scene() -> Scene {
         verdicts: &[],
         catalog: &catalog,
         models: &|_, _, _| Arc::clone(&model),
+        textures: None,
+        has_lights: true,
         seed: 42,
     })
 }
@@ -276,6 +280,8 @@ fn accessors_are_aligned_and_large_meshes_have_long_indices() {
         verdicts: &[],
         catalog: &catalog,
         models: &|_, _, _| Arc::clone(&model),
+        textures: None,
+        has_lights: true,
         seed: 42,
     });
     let file = read(&write_glb(&scene).unwrap());

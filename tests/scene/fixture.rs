@@ -168,6 +168,8 @@ fn material(slot: &str) -> Material {
         roughness: if is_glass { 0.05 } else { 0.8 },
         emissive: [0.0; 3],
         transmission: if is_glass { 0.9 } else { 0.0 },
+        texture: None,
+        tints: Vec::new(),
     }
 }
 
@@ -305,6 +307,8 @@ pub(crate) fn scene(level: &Level, furnished: &[Furnished]) -> Scene {
         verdicts: &[],
         catalog: &catalog,
         models: &models(&catalog),
+        textures: None,
+        has_lights: true,
         seed: 42,
     })
 }

@@ -4,7 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::lines::{Lines, class_names, degrees, parent_names, range, rounded};
 use crate::catalog::{
-    Catalog, Class, ClassIndex, Extent, ModelSource, ParentName, ParentRule, Relation, Shape, Side, Size,
+    Catalog, Class, ClassIndex, Extent, Light, ModelSource, ParentName, ParentRule, Relation, Shape, Side,
+    Size,
 };
 
 /// The label, and the size of the first variant.
@@ -26,6 +27,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     lines.add_all("size", sizes.map(|(index, size)| show_size(size) + spare(index)));
     lines.add("looks", &format!("{} of each size", class.looks));
     lines.add("shape", &show_shape(&class.shape));
+    lines.add_all("light", class.light.iter().map(show_light));
     lines.add_all("stands", class.parents.iter().map(|rule| show_parent(catalog, rule)));
     lines.add("offers", &show_offers(class));
     lines.add_all(
@@ -158,6 +160,11 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "sizes": sizes,
         "spare_sizes": spare_sizes,
         "looks": class.looks,
+        "light": class.light.map(|light| json!({
+            "lumens": rounded(light.lumens),
+            "kelvin": rounded(light.kelvin),
+            "from": light.from.name(),
+        })),
         "shape": value_of_shape(&class.shape),
         "parents": parents,
         "sides": value_of_sides(class),
@@ -256,4 +263,8 @@ fn value_of_model(model: &ModelSource) -> Value {
             json!({"file": path.display().to_string(), "turn": degrees(*turn)})
         }
     }
+}
+
+fn show_light(light: &Light) -> String {
+    format!("{} lm, {} K, {}", rounded(light.lumens), rounded(light.kelvin), light.from.name())
 }

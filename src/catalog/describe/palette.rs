@@ -37,6 +37,10 @@ fn color(material: &Material) -> String {
     srgb_hex([red, green, blue])
 }
 
+fn tints(material: &Material) -> Vec<String> {
+    material.tints.iter().map(|&[red, green, blue, _]| srgb_hex([red, green, blue])).collect()
+}
+
 fn show_material(material: &Material) -> String {
     let mut text = format!("{} roughness {}", color(material), rounded(f64::from(material.roughness)));
     let others = [
@@ -48,6 +52,12 @@ fn show_material(material: &Material) -> String {
         if value != usual {
             text += &format!(", {name} {}", rounded(f64::from(value)));
         }
+    }
+    if let Some(texture) = material.texture {
+        text += &format!(", texture {texture}");
+    }
+    if !material.tints.is_empty() {
+        text += &format!(", or {}", tints(material).join(", "));
     }
     if material.emissive != [0.0; 3] {
         text += &format!(", gives off {}", srgb_hex(material.emissive));
@@ -64,5 +74,7 @@ fn value_of_material(material: &Material) -> Value {
         "opacity": number(material.base_color[3]),
         "emissive": srgb_hex(material.emissive),
         "transmission": number(material.transmission),
+        "texture": material.texture,
+        "tints": tints(material),
     })
 }

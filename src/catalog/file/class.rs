@@ -7,6 +7,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
 use super::{Edges, ExtentText, FormatVersion, OneOrMany, Pair};
+use crate::catalog::LightSide;
 use crate::catalog::table::Extends;
 use crate::catalog::{Along, Era, Side, Turn};
 
@@ -64,6 +65,20 @@ pub(crate) struct ClassEntry {
     pub(crate) wealth: Option<Pair>,
     /// How it looks: a recipe, or a model file.
     pub(crate) model: Option<ModelEntry>,
+    /// The light that it gives; none if absent.
+    pub(crate) light: Option<LightEntry>,
+}
+
+/// The light of a lamp.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LightEntry {
+    /// Luminous flux in lumens, as printed on bulbs: 400 for a table lamp, 4000 for an office panel.
+    pub(crate) lumens: f64,
+    /// Colour temperature: 2700 warm white, 4000 neutral, 6500 daylight; default 2700.
+    pub(crate) kelvin: Option<f64>,
+    /// Where the light comes out of the box; default `below`.
+    pub(crate) from: Option<LightSide>,
 }
 
 impl Extends for ClassEntry {

@@ -54,4 +54,8 @@ pub(crate) struct MaterialEntry {
     pub(crate) emissive: Option<String>,
     /// Share of light that passes, for glass; default 0.
     pub(crate) transmission: Option<f64>,
+    /// The surface that is painted on it: wood, tile, fabric and others; `none`, the default, leaves it even.
+    pub(crate) texture: Option<String>,
+    /// Other colours, sRGB `#rrggbb`, that furniture of this palette may have in its stead, each as often.
+    pub(crate) tints: Option<Vec<String>>,
 }

@@ -12,8 +12,15 @@ use crate::catalog::file::ClassEntry;
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{Class, Era, Grid};
+use crate::catalog::{Class, Era, Grid, Light};
 use crate::geometry::Point;
+
+/// From a glow to a floodlight.
+const LUMENS: Quantity = Quantity { name: "lumens", unit: " lm", range: 1.0..=100_000.0 };
+/// What the colour of a glowing body is known for.
+const KELVINS: Quantity = Quantity { name: "kelvin", unit: " K", range: 1667.0..=25_000.0 };
+/// Colour temperature in kelvins of lamps that say nothing.
+const WARM_WHITE: f64 = 2700.0;
 
 /// Looks of each size where the file says nothing.
 const DEFAULT_LOOKS: i64 = 4;
@@ -57,6 +64,7 @@ fn resolve_class(
     let grid = resolve_grid(chain, report);
     let model = resolve_model(chain, files, report);
     let wealth = resolve_wealth(chain, report);
+    let light = resolve_light(chain, report);
     let index = names.index(&own.id).filter(|_| !sizes.is_empty())?;
     let class = Class {
         id: own.id.clone(),
@@ -75,6 +83,7 @@ fn resolve_class(
         eras: resolve_eras(chain),
         wealth,
         model: model?,
+        light,
         depth: 0,
     };
     Some(ResolvedClass { class, spot: own.spot.clone(), parents })
@@ -97,6 +106,14 @@ fn resolve_wealth(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Opt
         report.error_with_hint(&found.spot, message, "write the lower number first");
     }
     Some((check_wealth(low, &found.spot, report), check_wealth(high, &found.spot, report)))
+}
+
+fn resolve_light(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Option<Light> {
+    let found = chain.find("light", |entry| entry.light.as_ref())?;
+    let lumens = LUMENS.check(found.value.lumens, &found.spot.key("lumens"), report);
+    let kelvin = found.value.kelvin.unwrap_or(WARM_WHITE);
+    let kelvin = KELVINS.check(kelvin, &found.spot.key("kelvin"), report);
+    Some(Light { lumens, kelvin, from: found.value.from.unwrap_or_default() })
 }
 
 fn resolve_looks(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> u32 {

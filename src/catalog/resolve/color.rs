@@ -31,8 +31,8 @@ fn linear(encoded: f64) -> f64 {
     if encoded <= KNEE { encoded / SLOPE } else { libm::pow((encoded + OFFSET) / (1.0 + OFFSET), EXPONENT) }
 }
 
-/// The transfer function the other way.
-fn encoded(linear: f64) -> f64 {
+/// The sRGB transfer function the other way.
+pub(crate) fn srgb_encoded(linear: f64) -> f64 {
     if linear <= KNEE / SLOPE {
         linear * SLOPE
     } else {
@@ -43,7 +43,7 @@ fn encoded(linear: f64) -> f64 {
 /// Linear red, green and blue as `#rrggbb` in sRGB.
 pub(crate) fn srgb_hex(linear: [f32; 3]) -> String {
     let [red, green, blue] = linear.map(|channel| {
-        (encoded(f64::from(channel)) * f64::from(u8::MAX)).round().clamp(0.0, f64::from(u8::MAX)) as u8
+        (srgb_encoded(f64::from(channel)) * f64::from(u8::MAX)).round().clamp(0.0, f64::from(u8::MAX)) as u8
     });
     format!("#{red:02x}{green:02x}{blue:02x}")
 }

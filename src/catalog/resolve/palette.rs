@@ -7,13 +7,16 @@ use super::merged_keys;
 use super::number::{Quantity, SHARE};
 use super::room::check_slot;
 use crate::catalog::file::{MaterialEntry, PaletteEntry};
-use crate::catalog::report::Report;
+use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
 use crate::catalog::{MATERIAL_SLOTS, Material, Palette};
+use crate::texture::SURFACES;
 
 const DEFAULT_ROUGHNESS: f64 = 0.7;
 const DEFAULT_COLOR: &str = "#808080";
 const DEFAULT_EMISSIVE: &str = "#000000";
+/// What takes a texture away that a palette below has.
+const NO_TEXTURE: &str = "none";
 
 /// All palettes that are not broken, sorted by id.
 pub(crate) fn resolve_palettes(chains: &[Chain<'_, PaletteEntry>], report: &mut Report<'_>) -> Vec<Palette> {
@@ -65,11 +68,53 @@ fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Re
     };
     let [red, green, blue] = color("color", |material| material.color, DEFAULT_COLOR);
     let emissive = color("emissive", |material| material.emissive, DEFAULT_EMISSIVE);
+    let texture = resolve_texture(slot, chain, report);
+    let tints = resolve_tints(slot, chain, report);
     Material {
         base_color: [red, green, blue, opacity as f32],
         metallic: metallic as f32,
         roughness: roughness as f32,
         emissive,
         transmission: transmission as f32,
+        texture,
+        tints: tints.into_iter().map(|[red, green, blue]| [red, green, blue, opacity as f32]).collect(),
     }
+}
+
+/// The first value of a key along the chain, with its place.
+fn find_key<T>(
+    (slot, key): (&str, &'static str),
+    chain: &Chain<'_, PaletteEntry>,
+    get: impl Fn(&MaterialEntry) -> Option<T>,
+) -> Option<(Spot, T)> {
+    chain.0.iter().find_map(|definition| {
+        let value = get(definition.entry.materials.as_ref()?.get(slot)?)?;
+        Some((definition.spot.key("materials").key(slot).key(key), value))
+    })
+}
+
+fn resolve_texture(
+    slot: &str,
+    chain: &Chain<'_, PaletteEntry>,
+    report: &mut Report<'_>,
+) -> Option<&'static str> {
+    let (spot, word) = find_key((slot, "texture"), chain, |material| material.texture.clone())?;
+    let known = SURFACES.into_iter().find(|surface| *surface == word);
+    if known.is_none() && word != NO_TEXTURE {
+        report.unknown(&spot, "texture", &word, SURFACES.into_iter().chain([NO_TEXTURE]));
+    }
+    known
+}
+
+/// Other colours of a slot. A palette that changes the colour and names no tints has none: those of the palette
+/// below belong to the colour below.
+fn resolve_tints(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> Vec<[f32; 3]> {
+    let own = |material: &MaterialEntry| match (&material.tints, &material.color) {
+        (Some(tints), _) => Some(tints.clone()),
+        (None, Some(_)) => Some(Vec::new()),
+        (None, None) => None,
+    };
+    let (spot, texts) =
+        find_key((slot, "tints"), chain, own).unwrap_or_else(|| (chain.own().spot.clone(), Vec::new()));
+    texts.iter().enumerate().map(|(index, text)| linear_color(text, &spot.index(index), report)).collect()
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::normals::corner_normals;
+use super::projection::Projection;
 use super::{Bay, Shading, Solid, THINNEST, cuboid, rounded_box};
 use crate::catalog::Size;
 use crate::model::{Model, ModelMaterial, Primitive};
@@ -90,6 +91,7 @@ impl Builder {
         }
         self.fit(Bay::of_size(size));
         let mut primitives: Vec<Primitive> = Vec::new();
+        let mut counts: Vec<usize> = Vec::new();
         for part in &self.parts {
             let material = ModelMaterial::Slot(part.slot);
             let index = primitives.iter().position(|primitive| primitive.material == material);
@@ -97,7 +99,9 @@ impl Builder {
                 primitives.push(Primitive { material, ..Primitive::default() });
                 primitives.len() - 1
             });
-            append(&mut primitives[index], &part.solid);
+            counts.resize(primitives.len(), 0);
+            append(&mut primitives[index], &part.solid, &Projection::of_part(&part.solid, counts[index]));
+            counts[index] += 1;
         }
         Model { primitives }
     }
@@ -131,14 +135,17 @@ impl Builder {
 /// Normals closer than this are one, so that corners can be shared.
 const NORMAL_STEPS: f64 = 1024.0;
 
-/// Adds a solid's triangles; corners with equal position and normal become one.
-fn append(primitive: &mut Primitive, solid: &Solid) {
-    let mut known: BTreeMap<(usize, [i32; 3]), u32> = BTreeMap::new();
+/// Adds a solid's triangles; corners with equal position, normal and projection become one.
+fn append(primitive: &mut Primitive, solid: &Solid, projection: &Projection) {
+    let mut known: BTreeMap<(usize, [i32; 3], usize), u32> = BTreeMap::new();
     for (triangle, normals) in solid.triangles.iter().zip(corner_normals(solid)) {
+        let axis = Projection::axis(normals.iter().sum());
         for (&point, normal) in triangle.iter().zip(normals) {
-            let key = (point, (normal * NORMAL_STEPS).round().as_ivec3().to_array());
+            let key = (point, (normal * NORMAL_STEPS).round().as_ivec3().to_array(), axis);
             let index = *known.entry(key).or_insert_with(|| {
+                let coordinates = projection.coordinates(solid.points[point], axis);
                 primitive.positions.push(solid.points[point].as_vec3().to_array());
+                primitive.texture_coordinates.push(coordinates.as_vec2().to_array());
                 primitive.normals.push(normal.as_vec3().normalize().to_array());
                 u32::try_from(primitive.positions.len() - 1)
                     .expect("recipes stay within thousands of corners")

@@ -12,6 +12,7 @@ mod extrude;
 mod loft;
 mod normals;
 mod outline;
+mod projection;
 mod rounded;
 mod sampler;
 mod solid;

@@ -81,6 +81,8 @@ fn read_material(
         roughness: surface.roughness_factor.0,
         emissive: source.emissive_factor.0,
         transmission: transmission.map_or(0.0, |transmission| transmission.transmission_factor.0),
+        texture: None,
+        tints: Vec::new(),
     };
     check_factors(&name, &material)?;
     let material =
@@ -155,7 +157,7 @@ fn read_images(container: &mut Container) -> Result<Vec<Arc<Image>>, Problem> {
             Problem::new(format!("image {index} is neither PNG nor JPEG"))
                 .with_hint("convert its textures to PNG")
         })?;
-        images.push(Arc::new(Image { mime_type: mime_type.to_owned(), bytes }));
+        images.push(Arc::new(Image { mime_type: mime_type.to_owned(), bytes, uri: None }));
     }
     Ok(images)
 }

@@ -1,6 +1,6 @@
 //! Flat-shaded closed bodies, face by face.
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use super::ticks::Ticks;
 use crate::model::{ModelMaterial, Primitive};
@@ -59,6 +59,8 @@ impl Solid {
         let first = u32::try_from(self.primitive.positions.len()).expect("a shell part has few corners");
         self.primitive.positions.extend(corners.iter().map(|corner| corner.to_array()));
         self.primitive.normals.extend(corners.iter().map(|_| normal.to_array()));
+        let coordinates = corners.iter().map(|&corner| coordinates(corner, normal).to_array());
+        self.primitive.texture_coordinates.extend(coordinates);
         first
     }
 
@@ -78,6 +80,19 @@ impl Solid {
         self.face(&[corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0)]);
         self.face(&[corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0), corner(0, 1, 0)]);
         self.face(&[corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1)]);
+    }
+}
+
+/// Texture coordinates in metres: the image lies upright on walls, with the room's first direction to the right on
+/// floors, and is mirrored nowhere.
+fn coordinates(point: Vec3, normal: Vec3) -> Vec2 {
+    let strength = normal.abs();
+    if strength.y >= strength.x && strength.y >= strength.z {
+        Vec2::new(point.x, point.z * normal.y.signum())
+    } else if strength.z >= strength.x {
+        Vec2::new(point.x * normal.z.signum(), -point.y)
+    } else {
+        Vec2::new(-point.z * normal.x.signum(), -point.y)
     }
 }
 

@@ -1,0 +1,37 @@
+//! Lights of lamps: `KHR_lights_punctual`.
+
+use gltf_json::extensions::root::KhrLightsPunctual as Lights;
+use gltf_json::extensions::scene::khr_lights_punctual::{KhrLightsPunctual as NodeLight, Light, Type};
+use gltf_json::extensions::{root, scene};
+use gltf_json::validation::Checked;
+use gltf_json::{Index, Root};
+
+use crate::scene::SceneLight;
+
+/// The extension.
+pub(crate) const LIGHTS: &str = "KHR_lights_punctual";
+
+/// Lists the lights, if there are any.
+pub(crate) fn add_lights(root: &mut Root, lights: &[SceneLight]) {
+    if lights.is_empty() {
+        return;
+    }
+    let light = |source: &SceneLight| Light {
+        color: source.color,
+        extensions: None,
+        extras: None,
+        intensity: source.intensity,
+        name: Some(source.name.clone()),
+        range: None,
+        spot: None,
+        type_: Checked::Valid(Type::Point),
+    };
+    let lights = Lights { lights: lights.iter().map(light).collect() };
+    root.extensions = Some(root::Root { khr_lights_punctual: Some(lights) });
+}
+
+/// What a node with a light says.
+pub(crate) fn node_light(index: usize) -> scene::Node {
+    let light = Index::new(u32::try_from(index).expect("a level has few kinds of lamps"));
+    scene::Node { khr_lights_punctual: Some(NodeLight { light }) }
+}

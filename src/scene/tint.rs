@@ -1,0 +1,51 @@
+//! Which of the colours of a slot an object has.
+
+use sha2::{Digest, Sha256};
+
+/// A draw that picks one of the colours of every slot of an object.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Tint(u32);
+
+impl Tint {
+    /// The tint of the objects of a class that belong to one parent in a room: the chairs of a table are a set, two
+    /// bookcases at different walls are not.
+    pub(crate) fn of_set(room_seed: u64, class: &str, parent: &str) -> Self {
+        let mut hash = Sha256::new();
+        hash.update(room_seed.to_le_bytes());
+        hash.update(class.as_bytes());
+        hash.update([0]);
+        hash.update(parent.as_bytes());
+        let [a, b, c, d, ..]: [u8; 32] = hash.finalize().into();
+        Self(u32::from_le_bytes([a, b, c, d]))
+    }
+
+    /// 0 for the palette's own colour, or the number of one of `count` others, all as often.
+    pub(crate) fn pick(self, count: usize) -> usize {
+        let choices = u32::try_from(count + 1).expect("a palette lists a handful of tints");
+        (self.0 % choices) as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sets_are_alike_and_neighbours_are_not() {
+        let tint = |class, parent| Tint::of_set(7, class, parent);
+        assert_eq!(tint("chair", "table.1"), tint("chair", "table.1"));
+        assert_ne!(tint("chair", "table.1"), tint("chair", "table.2"));
+        assert_ne!(tint("chair", "table.1"), tint("stool", "table.1"));
+        assert_ne!(tint("chair", "table.1"), Tint::of_set(8, "chair", "table.1"));
+    }
+
+    #[test]
+    fn every_colour_is_drawn_about_as_often() {
+        let mut counts = [0; 3];
+        for seed in 0..300 {
+            counts[Tint::of_set(seed, "sofa", "wall.1").pick(2)] += 1;
+        }
+        assert!(counts.iter().all(|&count| count > 70), "{counts:?}");
+        assert_eq!(Tint::of_set(3, "sofa", "wall.1").pick(0), 0);
+    }
+}

@@ -1,0 +1,160 @@
+//! The images of all surfaces, each painted once.
+
+use std::sync::{Arc, OnceLock};
+
+use sha2::{Digest, Sha256};
+
+use super::encode::png;
+use super::relief::normals;
+use super::surface::{SURFACES, Sample, sample};
+use super::{TEXTURE_USES, TextureSize};
+use crate::catalog::srgb_encoded;
+use crate::model::{Image, Texture, TextureSampler, TextureUse};
+
+/// Where images lie.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TextureLocation {
+    /// Inside each file that shows them.
+    Embedded,
+    /// In a folder that all files share, named by its path from the folder of such a file, without a slash at its
+    /// end.
+    Beside(String),
+}
+
+/// The images of all surfaces in one size, painted when first asked for and then shared.
+#[derive(Debug)]
+pub struct TextureLibrary {
+    size: TextureSize,
+    location: TextureLocation,
+    surfaces: Vec<OnceLock<Vec<(TextureUse, Texture)>>>,
+}
+
+/// Digits of the content's hash in the name of an image's file.
+const NAME_DIGITS: usize = 12;
+
+impl TextureLibrary {
+    /// A library that has painted nothing yet.
+    #[must_use]
+    pub fn new(size: TextureSize, location: TextureLocation) -> Self {
+        Self { size, location, surfaces: SURFACES.iter().map(|_| OnceLock::new()).collect() }
+    }
+
+    /// Base colour, normals and roughness of a surface; none for an unknown name.
+    pub fn textures(&self, surface: &str) -> &[(TextureUse, Texture)] {
+        let Some(index) = SURFACES.iter().position(|&name| name == surface) else { return &[] };
+        self.surfaces[index].get_or_init(|| self.paint(SURFACES[index]))
+    }
+
+    fn paint(&self, surface: &'static str) -> Vec<(TextureUse, Texture)> {
+        let pixels = self.size.pixels();
+        let files = images(surface, pixels);
+        let texture = |(purpose, bytes): (TextureUse, Vec<u8>)| {
+            let uri = match &self.location {
+                TextureLocation::Embedded => None,
+                TextureLocation::Beside(folder) => {
+                    Some(format!("{folder}/{}", file_name(surface, purpose, &bytes)))
+                }
+            };
+            let image = Image { mime_type: "image/png".to_owned(), bytes, uri };
+            (purpose, Texture { image: Arc::new(image), sampler: TextureSampler::default() })
+        };
+        TEXTURE_USES.into_iter().zip(files).map(texture).collect()
+    }
+}
+
+/// A name that tells what is in it, and its content, so that runs of other sizes and versions do not disturb each
+/// other.
+fn file_name(surface: &str, purpose: TextureUse, bytes: &[u8]) -> String {
+    let what = match purpose {
+        TextureUse::BaseColor => "base_color",
+        TextureUse::Normal => "normal",
+        _ => "roughness",
+    };
+    let hash: String = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("{surface}.{what}.{}.png", &hash[..NAME_DIGITS])
+}
+
+/// The files of a surface, in the order of [`TEXTURE_USES`].
+fn images(surface: &str, pixels: usize) -> [Vec<u8>; 3] {
+    let samples = samples(surface, pixels);
+    let shades: Vec<u8> =
+        samples.iter().map(|sample| stepped(srgb_encoded(sample.shade), SHADE_STEP)).collect();
+    // Occlusion, roughness and metalness share an image: red is none, blue leaves metalness to the palette.
+    let rough = |sample: &Sample| [255, stepped(sample.roughness, ROUGHNESS_STEP), 255];
+    let roughness: Vec<u8> = samples.iter().flat_map(rough).collect();
+    let heights: Vec<f64> = samples.iter().map(|sample| sample.height).collect();
+    [png(&shades, pixels, 1), png(&normals(&heights, pixels), pixels, 3), png(&roughness, pixels, 3)]
+}
+
+/// Every pixel's middle, row by row from the top of the image, which is the far end of `v`: the image's rows go down
+/// as glTF's texture coordinates do.
+fn samples(surface: &str, pixels: usize) -> Vec<Sample> {
+    let middle = |index: usize| (index as f64 + 0.5) / pixels as f64;
+    let points = (0..pixels).flat_map(|row| (0..pixels).map(move |column| [middle(column), middle(row)]));
+    points.map(|point| sample(surface, point)).collect()
+}
+
+/// Steps of grey, of 255: fewer of them compress better.
+const SHADE_STEP: f64 = 2.0;
+/// Steps of roughness, of 255.
+const ROUGHNESS_STEP: f64 = 16.0;
+
+fn stepped(value: f64, step: f64) -> u8 {
+    (255.0 - ((1.0 - value.clamp(0.0, 1.0)) * 255.0 / step).round() * step).clamp(0.0, 255.0) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bytes of the three images of a surface that a floor with a dozen surfaces can afford.
+    const MOST_BYTES: usize = 420_000;
+
+    fn library(size: TextureSize) -> TextureLibrary {
+        TextureLibrary::new(size, TextureLocation::Beside("../textures".to_owned()))
+    }
+
+    #[test]
+    fn every_surface_has_its_three_images_and_they_are_small() {
+        let library = library(TextureSize::Small);
+        let mut total = 0;
+        for surface in SURFACES {
+            let textures = library.textures(surface);
+            let bytes: usize = textures.iter().map(|(_, texture)| texture.image.bytes.len()).sum();
+            assert_eq!(textures.len(), 3, "{surface}");
+            assert!(bytes < MOST_BYTES, "{surface} takes {bytes} bytes");
+            total += bytes;
+        }
+        assert!(total < SURFACES.len() * MOST_BYTES / 2, "{total} bytes");
+    }
+
+    #[test]
+    fn paths_are_relative_and_tell_content() {
+        let library = library(TextureSize::Small);
+        let (_, texture) = &library.textures("tile")[0];
+        let uri = texture.image.uri.as_deref().unwrap();
+        assert!(uri.starts_with("../textures/tile.base_color.") && uri.ends_with(".png"), "{uri}");
+        let embedded = TextureLibrary::new(TextureSize::Small, TextureLocation::Embedded);
+        assert_eq!(embedded.textures("tile")[0].1.image.uri, None);
+        assert_eq!(embedded.textures("tile")[0].1.image.bytes, texture.image.bytes);
+    }
+
+    #[test]
+    fn equal_requests_share_one_image_and_unknown_surfaces_have_none() {
+        let library = library(TextureSize::Small);
+        let image = |index: usize| Arc::clone(&library.textures("tile")[index].1.image);
+        assert!(Arc::ptr_eq(&image(0), &image(0)));
+        assert!(library.textures("marzipan").is_empty());
+    }
+
+    #[test]
+    fn the_pixels_are_the_same_on_every_machine() {
+        let painted = SURFACES.iter().flat_map(|surface| {
+            let samples = samples(surface, 32);
+            samples.into_iter().flat_map(|s| [s.shade, s.roughness, s.height]).flat_map(f64::to_le_bytes)
+        });
+        let hash = Sha256::digest(painted.collect::<Vec<u8>>());
+        let hash: String = hash.iter().take(8).map(|byte| format!("{byte:02x}")).collect();
+        assert_eq!(hash, "8352ef1a5889003c");
+    }
+}

@@ -1,0 +1,41 @@
+//! Surfaces to images: tileable textures of wood, cloth, tiles and the like, painted by the project itself.
+//!
+//! What later stages may rely on: every surface of [`SURFACES`] covers one square metre and repeats without a seam;
+//! its colour is a shade of grey up to white that multiplies the palette's colour; the bytes of its images depend on
+//! surface and size alone, on no machine.
+
+mod encode;
+mod library;
+mod noise;
+mod relief;
+mod surface;
+
+pub use library::{TextureLibrary, TextureLocation};
+pub use surface::SURFACES;
+
+use crate::model::TextureUse;
+
+/// How finely surfaces are painted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TextureSize {
+    /// 512 pixels a metre: threads and pores of 2 mm.
+    #[default]
+    Small,
+    /// 1024 pixels a metre.
+    Large,
+}
+
+impl TextureSize {
+    /// Pixels along a metre, and so along an image.
+    #[must_use]
+    pub fn pixels(self) -> usize {
+        match self {
+            Self::Small => 512,
+            Self::Large => 1024,
+        }
+    }
+}
+
+/// The images of a surface, in the order of [`TextureLibrary::textures`].
+pub const TEXTURE_USES: [TextureUse; 3] =
+    [TextureUse::BaseColor, TextureUse::Normal, TextureUse::MetallicRoughness];
