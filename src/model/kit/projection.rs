@@ -47,7 +47,7 @@ impl Projection {
     pub(super) fn coordinates(&self, point: DVec3, axis: usize) -> DVec2 {
         let grain = if self.by_length[0] == axis / 2 { self.by_length[1] } else { self.by_length[0] };
         let across = DVec3::AXES[grain];
-        let facing = DVec3::AXES[axis / 2] * if axis % 2 == 0 { 1.0 } else { -1.0 };
+        let facing = DVec3::AXES[axis / 2] * if axis.is_multiple_of(2) { 1.0 } else { -1.0 };
         // Rows of an image go down, so the way up is towards lower `v` (glTF 2.0, 3.8.3).
         DVec2::new(point.dot(across), -point.dot(facing.cross(across))) + self.offset
     }
@@ -82,7 +82,7 @@ mod tests {
             let rows = [gradient(DVec3::X), gradient(DVec3::Y), gradient(DVec3::Z)];
             let direction =
                 |component: usize| DVec3::new(rows[0][component], rows[1][component], rows[2][component]);
-            let facing = DVec3::AXES[axis / 2] * if axis % 2 == 0 { 1.0 } else { -1.0 };
+            let facing = DVec3::AXES[axis / 2] * if axis.is_multiple_of(2) { 1.0 } else { -1.0 };
             assert!(direction(0).cross(-direction(1)).distance(facing) < 1e-12, "axis {axis}");
         }
     }
