@@ -15,6 +15,8 @@ mod outline;
 mod projection;
 mod rounded;
 mod sampler;
+mod skin;
+mod soft;
 mod solid;
 mod sweep;
 
@@ -26,8 +28,10 @@ pub(crate) use loft::{cylinder, lathe, loft, loft_ring};
 pub(crate) use outline::{Outline, Slice};
 pub(crate) use rounded::{cuboid, rounded_box};
 pub(crate) use sampler::Sampler;
+pub(crate) use skin::{Station, sheet, skin};
+pub(crate) use soft::{crowned, pillow};
 pub(crate) use solid::{Shading, Solid};
-pub(crate) use sweep::sweep;
+pub(crate) use sweep::{pipe, sweep};
 
 /// How far touching parts sink into each other, in metres: faces that lie back to back in one plane flicker
 /// and render black, so no two parts share a plane.

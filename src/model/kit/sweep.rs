@@ -44,6 +44,29 @@ pub(crate) fn sweep(path: &[DVec3], radius: f64, sides: usize) -> Solid {
     Solid::new(points, triangles, shading)
 }
 
+/// Points of a path whose bends are rounded off, `reach` metres before and after each of them at most, in `steps`.
+pub(crate) fn rounded_path(path: &[DVec3], reach: f64, steps: usize) -> Vec<DVec3> {
+    let last = path.len() - 1;
+    let mut points = vec![path[0]];
+    for index in 1..last {
+        let (corner, to, from) = (path[index], path[index - 1] - path[index], path[index + 1] - path[index]);
+        // Two bends share the piece between them.
+        let near = |arm: DVec3| arm.normalize_or(DVec3::Y) * reach.min(arm.length() * 0.45);
+        let (start, end) = (corner + near(to), corner + near(from));
+        points.extend((0..=steps).map(|step| {
+            let share = step as f64 / steps as f64;
+            start.lerp(corner, share).lerp(corner.lerp(end, share), share)
+        }));
+    }
+    points.push(path[last]);
+    points
+}
+
+/// A pipe of six sides along a path with round bends.
+pub(crate) fn pipe(path: &[DVec3], radius: f64, bend: f64) -> Solid {
+    sweep(&rounded_path(path, bend, 3), radius, 6)
+}
+
 fn first_ring(middle: DVec3, direction: DVec3, radius: f64, sides: usize) -> Vec<DVec3> {
     let reference = if direction.y.abs() > 0.9 { DVec3::Z } else { DVec3::Y };
     let across = direction.cross(reference).normalize();
@@ -70,6 +93,15 @@ mod tests {
         let length: f64 = path.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
         let section = 8.0 / 2.0 * 0.02 * 0.02 * libm::sin(TAU / 8.0);
         assert!((pipe.volume() / (length * section) - 1.0).abs() < 0.02);
+    }
+
+    #[test]
+    fn round_bends_stay_between_the_ends() {
+        let path = [DVec3::ZERO, DVec3::Y, DVec3::Y + DVec3::X, DVec3::X];
+        let points = rounded_path(&path, 0.8, 3);
+        assert_eq!((points[0], points[points.len() - 1], points.len()), (path[0], path[3], 10));
+        assert!(points.iter().all(|point| point.y <= 1.0 && point.x <= 1.0));
+        assert_sound(&pipe(&path, 0.02, 0.1));
     }
 
     #[test]

@@ -31,7 +31,7 @@ pub(crate) struct Recipe {
 /// thickness still find room.
 const LEAST_SHARE: f64 = 0.6;
 /// The most triangles of furniture.
-const LARGE: usize = 1500;
+const LARGE: usize = 2500;
 /// The most triangles of what stands on furniture, hangs on walls or gives light.
 const SMALL: usize = 300;
 
@@ -86,6 +86,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("barber_chair", [0.65, 0.95, 1.05], equipment::barber_chair),
     small("basket", [0.35, 0.35, 0.3], tableware::basket),
     large("bathtub", [1.7, 0.75, 0.7], bathroom::bathtub),
+    large("beam_seats", [2.0, 0.62, 0.82], seating::beam_seats).with(&[("seats", 0.0)]),
     large("bed", [1.6, 2.1, 1.0], beds::bed).with(&[("double", 0.0)]),
     large("bench", [1.2, 0.4, 0.45], seating::bench),
     small("bin", [0.3, 0.3, 0.4], washroom::bin).round(),
@@ -106,7 +107,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("coffee_machine", [0.3, 0.4, 0.38], appliances::coffee_machine),
     large("coffee_table", [1.1, 0.6, 0.42], tables::coffee_table),
     small("computer", [0.55, 0.2, 0.45], electronics::computer),
-    large("console_table", [1.1, 0.35, 0.8], tables::console_table),
+    large("console_table", [1.1, 0.35, 0.8], tables::console_table).with(&[("knees", 0.0)]),
     large("cooker", [0.6, 0.6, 0.9], appliances::cooker),
     large("counter", [2.4, 0.7, 1.1], kitchen::counter),
     large("crib", [0.7, 1.3, 1.0], beds::crib),
@@ -125,6 +126,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("floor_lamp", [0.4, 0.4, 1.6], lights::floor_lamp).round(),
     large("fridge", [0.6, 0.65, 1.9], kitchen::fridge),
     small("glass", [0.07, 0.07, 0.12], tableware::glass),
+    large("gondola", [1.0, 0.45, 1.4], shelving::gondola),
     large("hood", [0.6, 0.5, 0.7], appliances::hood),
     large("hospital_bed", [0.99, 2.15, 1.0], equipment::hospital_bed),
     small("kettle", [0.22, 0.16, 0.24], appliances::kettle),
@@ -133,6 +135,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("laptop", [0.34, 0.28, 0.24], electronics::laptop),
     large("lectern", [0.6, 0.5, 1.15], tables::lectern),
     large("locker", [0.9, 0.5, 1.9], storage::locker).with(&[("doors", 0.0)]),
+    large("lounger", [1.9, 0.66, 0.4], seating::lounger),
     large("luggage_belt", [6.0, 1.2, 0.45], equipment::luggage_belt),
     large("luggage_rack", [0.7, 0.45, 0.5], walls::luggage_rack),
     large("magazine_rack", [0.8, 0.35, 1.4], shelving::magazine_rack),

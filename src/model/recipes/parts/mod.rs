@@ -3,6 +3,7 @@
 mod books;
 mod carcass;
 mod foliage;
+mod fronts;
 mod handles;
 mod legs;
 mod tap;
@@ -11,7 +12,8 @@ mod tops;
 pub(super) use books::fill_with_books;
 pub(super) use carcass::{Fittings, REVEAL, cornice};
 pub(super) use foliage::{Foliage, grow, pot};
+pub(super) use fronts::Fronts;
 pub(super) use handles::{HandleKind, handle};
-pub(super) use legs::{LegKind, leg, legs_at_corners};
+pub(super) use legs::{CONE, LegKind, SPINDLE, bowed_board, leg, legs_at_corners, slanted_leg};
 pub(super) use tap::tap;
-pub(super) use tops::{slab_top, turned_forward};
+pub(super) use tops::{raised_panel, slab_top, turned_forward};

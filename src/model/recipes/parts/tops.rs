@@ -24,6 +24,15 @@ pub(in super::super) fn slab_top(builder: &mut Builder, slot: &'static str, bay:
     builder.add(slot, loft(&Outline::Square, &slices).moved(center.x, 0.0, center.z));
 }
 
+/// A raised field with sloping borders on a panel, its front at the front of `bay`.
+pub(in super::super) fn raised_panel(builder: &mut Builder, slot: &'static str, bay: Bay) {
+    let (center, half) = (bay.center(), bay.extent() / 2.0);
+    let slope = 0.02_f64.min(half.x * 0.5).min(half.y * 0.5);
+    let slices =
+        [Slice::new(bay.low.z, half.x, half.y), Slice::new(bay.high.z, half.x - slope, half.y - slope)];
+    builder.add(slot, turned_forward(loft(&Outline::Square, &slices)).moved(center.x, center.y, 0.0));
+}
+
 /// A body built upwards around the y axis, laid down so that its top looks to the front.
 pub(in super::super) fn turned_forward(solid: Solid) -> Solid {
     solid.turned_x(FRAC_PI_2)

@@ -1,96 +1,25 @@
 //! Chairs and stools.
 
-use glam::{DVec2, DVec3};
+mod chair;
+mod rows;
+
+use glam::DVec3;
+
+pub(super) use chair::chair;
+pub(super) use rows::{beam_seats, lounger};
 
 use super::input::Draft;
-use super::parts::{LegKind, leg, legs_at_corners};
+use super::parts::{LegKind, legs_at_corners};
 use crate::catalog::Side;
-use crate::model::kit::{Axis, Bay, Builder, SINK, Solid, cylinder, extrude, lathe, sweep};
+use crate::model::kit::{Bay, Builder, SINK, cylinder, lathe, sweep};
 
 /// Metres of a comfortable seat over the floor.
 pub(super) const SEAT_HEIGHT: f64 = 0.45;
 /// Share of the height at most taken by the seat, where the chair is low.
 const SEAT_SHARE: f64 = 0.55;
-/// Metres of a chair's legs.
-const LEG: f64 = 0.036;
-/// Metres of depth in which a chair's back leans.
-const BACK_DEPTH: f64 = 0.08;
-/// Half the thickness of a rail in a chair's back, and of the slats between rails, in metres.
-const RAIL: f64 = 0.009;
-const SLAT: f64 = 0.006;
-
 /// Height of a seat in a box of this height.
 pub(super) fn seat_height(height: f64) -> f64 {
     SEAT_HEIGHT.min(height * SEAT_SHARE)
-}
-
-/// A chair with four legs, a seat and a leaning back of slats, rails or one panel.
-pub(super) fn chair(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let seat_top = seat_height(bay.height());
-    let is_soft = sampler.chance(0.5);
-    let thickness = if is_soft { 0.06 } else { 0.03 };
-    let seat = bay.with_y([seat_top - thickness, seat_top]).without(Side::Back, BACK_DEPTH * 0.35);
-    if is_soft {
-        builder.cushion("fabric", seat, 0.02);
-    } else {
-        builder.block("wood", seat, 0.008);
-    }
-    let kind = if draft.is_traditional() { LegKind::Turned } else { LegKind::Tapered };
-    let under = bay.with_y([0.0, seat.low.y + SINK]).inset(0.012, 0.0, 0.012).slab(Side::Front, LEG);
-    for end in [Side::Left, Side::Right] {
-        leg(builder, "wood", under.slab(end, LEG), kind);
-    }
-    let rail = under.slab(Side::Above, 0.04).inset(LEG - SINK, 0.0, 0.006).moved(0.0, -SINK * 2.0, 0.0);
-    builder.cuboid("wood", rail);
-    let posts = back_post(bay, seat.low.y, LEG);
-    builder.add_pair("wood", posts.moved(bay.high.x - 0.012 - LEG, 0.0, 0.0));
-    let filling = bay.inset(0.012 + LEG - SINK, 0.0, 0.0).with_y([seat_top + 0.06, bay.high.y]);
-    chair_back(draft, builder, sampler.count(0, 2), filling);
-}
-
-/// A hind leg that goes on as the post of the back: from x = 0 to `width`.
-fn back_post(bay: Bay, knee: f64, width: f64) -> Solid {
-    let corner = |z: f64, y: f64| DVec2::new(bay.low.z + z * BACK_DEPTH, y);
-    let profile = [
-        corner(0.05, 0.0),
-        corner(0.4, 0.0),
-        corner(0.95, knee),
-        corner(0.4, bay.high.y),
-        corner(0.0, bay.high.y),
-        corner(0.45, knee),
-    ];
-    extrude(&profile, Axis::X, [0.0, width])
-}
-
-/// What fills the back between the posts, leaning as they do.
-fn chair_back(draft: &Draft, builder: &mut Builder, form: u32, bay: Bay) {
-    let lean = |low: f64, high: f64, half: f64| {
-        let z = |y: f64| bay.low.z + BACK_DEPTH * (0.7 - 0.5 * (y - bay.low.y) / bay.height().max(0.01));
-        let corners =
-            [(z(low) - half, low), (z(low) + half, low), (z(high) + half, high), (z(high) - half, high)];
-        corners.map(DVec2::from)
-    };
-    let (low, high) = (bay.low.y, bay.high.y - 0.006);
-    let rail = (bay.height() * 0.2).min(0.07);
-    let form = if draft.is_traditional() { 1 } else { form };
-    match form {
-        0 => builder.add("wood", extrude(&lean(low + rail, high, RAIL), Axis::X, bay.x())),
-        1 => {
-            builder.add("wood", extrude(&lean(low, low + rail * 0.7, RAIL), Axis::X, bay.x()));
-            builder.add("wood", extrude(&lean(high - rail, high, RAIL), Axis::X, bay.x()));
-            let slat = lean(low + rail * 0.7 - SINK, high - rail + SINK, SLAT);
-            for column in bay.inset(0.02, 0.0, 0.0).columns(4, bay.width() * 0.12) {
-                builder.add("wood", extrude(&slat, Axis::X, column.x()));
-            }
-        }
-        _ => {
-            for row in bay.with_y([low, high]).rows(3, rail * 0.8) {
-                builder.add("wood", extrude(&lean(row.low.y, row.high.y, RAIL), Axis::X, row.x()));
-            }
-        }
-    }
 }
 
 /// A backless seat: round for square boxes, on four legs with a ring where it is as high as a bar's.

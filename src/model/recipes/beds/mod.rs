@@ -1,11 +1,17 @@
-//! Beds.
+//! Beds. Mattresses are 0.9 to 1.8 m wide and 2 m long, lying is 0.45 to 0.55 m high (EN 1334, typical).
+
+mod bedding;
+mod budget;
+mod industrial;
+mod plain;
+mod traditional;
 
 use glam::DVec3;
 
-use super::input::Draft;
+use super::input::{Draft, GeometrySet};
 use super::parts::{LegKind, legs_at_corners, turned_forward};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, Outline, SINK, Sampler, Slice, cylinder, loft, rounded_box};
+use crate::model::kit::{Bay, Builder, SINK, crowned, cylinder, pillow, rounded_box};
 
 /// Metres of a bed's headboard; the shapes in the catalogue are cut for it.
 const HEADBOARD: f64 = 0.06;
@@ -16,85 +22,50 @@ const LYING_SHARE: f64 = 0.6;
 /// Width in metres from which a bed has two pillows.
 const DOUBLE_FROM: f64 = 1.3;
 
-/// A bed with headboard, mattress, blanket and pillows; `double` asks for two pillows.
+/// A bed: frame and headboard of the set, mattress, blanket and pillows; `double` asks for two pillows.
 pub(super) fn bed(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let mut sampler = draft.sampler();
+    let form = draft.input.look % 4;
     let lying = LYING_HEIGHT.min(bay.height() * LYING_SHARE);
-    let body = bay.with_y([0.0, lying]).without(Side::Back, HEADBOARD - SINK);
-    headboard(draft, builder, bay.slab(Side::Back, HEADBOARD));
-    let foot = (lying * 0.22).min(0.12);
-    let frame_top = lying * 0.52;
-    let kind = if draft.is_traditional() { LegKind::Turned } else { LegKind::Tapered };
-    legs_at_corners(builder, "wood", body.with_y([0.0, foot + SINK]).inset(0.03, 0.0, 0.03), 0.06, kind);
-    builder.block(
-        "wood",
-        body.with_y([foot, frame_top]).inset(0.004, 0.0, 0.0).without(Side::Front, 0.002),
-        0.008,
-    );
-    let bedding = body.with_y([frame_top - SINK, lying]);
-    builder.cushion("mattress", bedding.inset(0.012, 0.0, 0.012).without(Side::Above, 0.02), 0.03);
-    let blanket =
-        bedding.without(Side::Back, body.depth() * sampler.between(0.26, 0.34)).without(Side::Below, 0.03);
-    builder.cushion(sampler.pick(&["fabric", "fabric_accent", "linen"]), blanket, 0.035);
-    let fold = blanket.slab(Side::Back, 0.28).with_y([lying - 0.04, lying + 0.006]).moved(0.0, 0.0, -0.02);
-    builder.cushion("linen", fold.inset(0.003, 0.0, 0.0), 0.02);
+    let bed = Bed { bay, head: bay.slab(Side::Back, HEADBOARD), lying, frame: lying * 0.55, form };
+    match draft.set() {
+        GeometrySet::Plain => plain::frame(&bed, builder),
+        GeometrySet::Traditional => traditional::frame(&bed, builder),
+        GeometrySet::Industrial => industrial::frame(&bed, builder),
+        GeometrySet::Budget => budget::frame(&bed, builder),
+    }
     let is_double = draft.is_set("double") || bay.width() >= DOUBLE_FROM;
-    pillows(builder, &mut sampler, bedding, if is_double { 2 } else { 1 });
+    bedding::make(&bed, builder, &mut draft.sampler(), if is_double { 2 } else { 1 });
 }
 
-/// Pillows at the head of a mattress, leaning a little on the headboard.
-fn pillows(builder: &mut Builder, sampler: &mut Sampler, bedding: Bay, count: u32) {
-    let depth = (bedding.depth() * 0.22).min(0.42);
-    let top = bedding.high.y;
-    let row = bedding.slab(Side::Back, depth).inset(0.06, 0.0, 0.0).moved(0.0, 0.0, 0.03);
-    for column in row.columns(count, 0.06) {
-        let width = column.width().min(0.75);
-        let height = (depth * 0.35).min(0.13);
-        let middle = column.center();
-        let flat = Bay::around(DVec3::ZERO, width, height, depth);
-        let pillow = rounded_box(flat, DVec3::new(depth * 0.25, height, depth * 0.25), 2);
-        let tilt = 0.12 + sampler.between(0.0, 0.08);
-        builder.add("linen", pillow.turned_x(tilt).moved(middle.x, top + height * 0.36, middle.z));
+/// The measures that all beds share.
+struct Bed {
+    bay: Bay,
+    /// Where the headboard stands.
+    head: Bay,
+    /// Metres of the top of the bedding over the floor.
+    lying: f64,
+    /// Metres of the top of the frame.
+    frame: f64,
+    form: u32,
+}
+
+impl Bed {
+    /// The space before the headboard.
+    fn body(&self) -> Bay {
+        self.bay.without(Side::Back, HEADBOARD - SINK)
     }
-}
 
-fn headboard(draft: &Draft, builder: &mut Builder, bay: Bay) {
-    let mut sampler = draft.sampler();
-    if draft.is_traditional() {
-        let post = 0.06_f64.min(bay.width() * 0.1);
+    /// Four rails around the slats, of a height and a thickness, under the top of the frame.
+    fn rails(&self, builder: &mut Builder, slot: &'static str, height: f64, thickness: f64) {
+        let ring = self.body().with_y([self.frame - height, self.frame]).inset(0.014, 0.0, 0.0);
+        let ring = ring.without(Side::Front, 0.016);
         for side in [Side::Left, Side::Right] {
-            builder.cuboid("wood", bay.slab(side, post).without(Side::Above, 0.05));
+            builder.block(slot, ring.slab(side, thickness).without(Side::Front, thickness - SINK), 0.004);
         }
-        let board = bay.inset(post - SINK, 0.0, 0.012).without(Side::Above, 0.07).without(Side::Below, 0.2);
-        builder.block("wood", board, 0.006);
-        let middle = bay.center();
-        let half = bay.extent() / 2.0;
-        let cap = [(0.0, -0.006), (0.4, -0.004), (1.0, 0.0)].map(|(share, back)| {
-            Slice::new(bay.high.y - 0.075 * (1.0 - share), half.x + back, half.z + back)
-        });
-        builder.add("wood", loft(&Outline::Square, &cap).moved(middle.x, 0.0, middle.z));
-        return;
-    }
-    match sampler.count(0, 2) {
-        0 => builder.block("wood", bay, 0.01),
-        1 => {
-            builder.cuboid("wood", bay.slab(Side::Back, 0.02).without(Side::Above, 0.03));
-            let pads = bay.without(Side::Back, 0.02 - SINK).without(Side::Below, 0.15);
-            for column in pads.columns((bay.width() / 0.4).round().clamp(2.0, 6.0) as u32, 0.004) {
-                builder.block("fabric", column, 0.014);
-            }
-        }
-        _ => {
-            for side in [Side::Left, Side::Right] {
-                builder.cuboid("wood", bay.slab(side, 0.05));
-            }
-            let boards =
-                bay.inset(0.05 - SINK, 0.0, 0.016).without(Side::Below, 0.2).without(Side::Above, 0.01);
-            for row in boards.rows(3, 0.03) {
-                builder.cuboid("wood", row);
-            }
-        }
+        builder.block(slot, ring.slab(Side::Front, thickness).inset(0.001, 0.0005, 0.0), 0.004);
+        let slats = ring.inset(thickness - SINK, 0.0, 0.0).without(Side::Front, thickness - 3.0 * SINK);
+        builder.cuboid(slot, slats.slab(Side::Above, 0.03).moved(0.0, -0.01, 0.0));
     }
 }
 
@@ -147,14 +118,10 @@ pub(super) fn bunk_bed(draft: &Draft, builder: &mut Builder) {
         let mattress = bay.inset(0.04, 0.0, 0.04).with_y([base + 0.03, base + 0.2]);
         builder.cushion("mattress", mattress, 0.03);
         let blanket = mattress.without(Side::Back, mattress.depth() * 0.32).inset(-0.002, 0.0, -0.002);
-        builder.cushion(
-            sampler.pick(&["fabric", "fabric_accent"]),
-            blanket.with_y([base + 0.13, base + 0.22]),
-            0.03,
-        );
-        let pillow =
-            mattress.slab(Side::Back, 0.34).inset(0.08, 0.0, 0.03).with_y([base + 0.195, base + 0.3]);
-        builder.cushion("linen", pillow, 0.045);
+        let slot = sampler.pick(&["fabric", "fabric_accent"]);
+        builder.add(slot, crowned(blanket.with_y([base + 0.09, base + 0.225]), 0.03, 0.015));
+        let soft = pillow((mattress.width() - 0.16).min(0.7), 0.13, 0.36).turned_x(0.1);
+        builder.add("linen", soft.moved(0.0, base + 0.25, mattress.low.z + 0.22));
         if is_upper {
             let guard = bay.inset(0.012, 0.0, 0.012).with_y([bay.high.y - 0.12, bay.high.y - 0.03]);
             builder.cuboid("wood", guard.slab(Side::Left, rail_depth).inset(0.0, 0.0, post - 0.012 - SINK));

@@ -1,0 +1,273 @@
+//! Tables and desks: 0.72 to 0.75 m high (EN 527, DIN 68890), tops 18 to 40 mm thick.
+
+mod desk;
+mod low;
+mod pedestal;
+
+use glam::{DVec2, DVec3};
+
+pub(super) use desk::desk;
+pub(super) use low::{coffee_table, console_table};
+pub(super) use pedestal::round_table;
+
+use super::input::{Draft, GeometrySet};
+use super::parts::{Fittings, LegKind, leg, legs_at_corners, slab_top, slanted_leg};
+use super::seating::depth_slats;
+use crate::catalog::Side;
+use crate::model::kit::{Axis, Bay, Builder, SINK, cylinder, extrude};
+
+/// Metres of a table top.
+const TOP: f64 = 0.035;
+/// Metres of a table leg; the shapes in the catalogue are cut for it.
+const LEG: f64 = 0.05;
+/// Metres by which a top stands over what carries it, so that they share no plane.
+const OVERHANG: f64 = 0.004;
+
+/// Thickness of a top in a box of this height.
+fn top_of(bay: Bay) -> f64 {
+    TOP.min(bay.height() * 0.25)
+}
+
+/// A top: a chamfered board, a moulded one, planks, or a thin board whose core shows at its edge.
+fn top_board(draft: &Draft, builder: &mut Builder, bay: Bay) {
+    match draft.set() {
+        GeometrySet::Plain => slab_top(builder, "wood", bay, false),
+        GeometrySet::Traditional => slab_top(builder, "wood", bay, true),
+        GeometrySet::Industrial => {
+            let count = (bay.depth() / 0.2).round().clamp(2.0, 7.0) as u32;
+            for (index, plank) in depth_slats(bay, count, 0.002).into_iter().enumerate() {
+                builder.block("wood", plank.inset([0.0, 0.0015][index % 2], 0.0, 0.0), 0.004);
+            }
+        }
+        GeometrySet::Budget => {
+            let face = (bay.height() * 0.2).min(0.004);
+            builder.cuboid("wood_light", bay.inset(0.001, 0.0, 0.001).without(Side::Above, face - SINK));
+            builder.cuboid("laminate", bay.slab(Side::Above, face));
+        }
+    }
+}
+
+/// Four legs at the corners under a top.
+pub(super) fn table(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let form = draft.input.look as usize % 4;
+    let top = match (draft.set(), form) {
+        (GeometrySet::Budget, 0 | 2) => 0.022,
+        (GeometrySet::Plain, 2) => 0.026,
+        (GeometrySet::Industrial, 2) => 0.045,
+        _ => TOP,
+    };
+    let top = top.min(top_of(bay) * 1.3);
+    top_board(draft, builder, bay.slab(Side::Above, top));
+    let overhang = if draft.is_traditional() { 0.014 } else { OVERHANG };
+    let under = bay.without(Side::Above, top - SINK).inset(overhang, 0.0, overhang);
+    let tall = (bay.height() * 0.12).min(0.08);
+    match (draft.set(), form) {
+        (GeometrySet::Plain, 2) => slanted_legs(builder, under),
+        (GeometrySet::Industrial, 3) => gussets(builder, under),
+        (GeometrySet::Industrial, 1 | 2) => {
+            corner_plates(builder, under, [LegKind::Pipe, LegKind::Hairpin][form - 1])
+        }
+        (set, form) => {
+            let (slot, kind) = legs_of(set, form);
+            legs_at_corners(builder, slot, under, LEG, kind);
+            let height = if set == GeometrySet::Budget { tall * 0.55 } else { tall };
+            if set == GeometrySet::Traditional && form % 2 == 1 {
+                shaped_apron(builder, under, tall);
+            } else {
+                apron(builder, slot, under, LEG, height);
+            }
+        }
+    }
+}
+
+/// Material and kind of legs that stand under an apron.
+fn legs_of(set: GeometrySet, form: usize) -> (&'static str, LegKind) {
+    match set {
+        GeometrySet::Plain => [
+            ("wood", LegKind::Tapered),
+            ("wood", LegKind::Square),
+            ("wood", LegKind::Round),
+            ("painted", LegKind::Tapered),
+        ][form],
+        GeometrySet::Traditional => {
+            ("wood", [LegKind::Turned, LegKind::Baluster, LegKind::Spade, LegKind::Turned][form])
+        }
+        GeometrySet::Industrial => ("metal_dark", LegKind::Angle),
+        GeometrySet::Budget => [
+            ("chrome", LegKind::Pipe),
+            ("laminate", LegKind::Square),
+            ("metal_dark", LegKind::Square),
+            ("plastic", LegKind::Tapered),
+        ][form],
+    }
+}
+
+/// Round legs that lean outwards within the corners.
+fn slanted_legs(builder: &mut Builder, under: Bay) {
+    for (z, inwards) in [(under.low.z, 1.0), (under.high.z, -1.0)] {
+        let at = |y: f64, off: f64| DVec3::new(under.high.x - off, y, z + inwards * off);
+        let ends = [at(0.0, 0.02), at(under.high.y, 0.062)];
+        builder.add_pair("wood", slanted_leg(ends, 0.026, &[(0.6, 0.0), (1.0, 0.85), (0.95, 1.0)], 10));
+    }
+    let rail = under.slab(Side::Above, 0.03).without(Side::Above, SINK * 3.0).inset(0.06, 0.0, 0.06);
+    for side in [Side::Front, Side::Back] {
+        builder.cuboid("wood", rail.slab(side, 0.02).inset(0.012, 0.0, 0.0));
+    }
+}
+
+/// Steel tube with gussets under the top.
+fn gussets(builder: &mut Builder, under: Bay) {
+    legs_at_corners(builder, "metal_dark", under, LEG, LegKind::Square);
+    let band = under.slab(Side::Above, 0.04).without(Side::Above, 2.0 * SINK).inset(0.003, 0.0, 0.003);
+    for side in [Side::Front, Side::Back] {
+        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(LEG - 0.004, 0.0, 0.0));
+    }
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(0.0, 0.0, LEG - 0.004));
+    }
+    let (x, y) = (under.high.x - LEG + SINK, band.low.y + SINK);
+    let reach = 0.035;
+    let plate = [(x, y), (x - reach, y), (x, y - reach * 1.6)].map(DVec2::from);
+    for z in [under.low.z + 0.012, under.high.z - 0.016] {
+        builder.add_pair("metal", extrude(&plate, Axis::Z, [z, z + 0.004]));
+    }
+}
+
+/// Legs under plates with bolts, no apron.
+fn corner_plates(builder: &mut Builder, under: Bay, kind: LegKind) {
+    let plate = (under.high.y * 0.1).min(0.006);
+    legs_at_corners(builder, "metal_dark", under.without(Side::Above, plate), 0.07, kind);
+    let top = under.slab(Side::Above, plate + SINK);
+    for x in [Side::Left, Side::Right] {
+        for z in [Side::Front, Side::Back] {
+            builder.cuboid("metal_dark", top.inset(0.002, 0.0, 0.002).slab(x, 0.085).slab(z, 0.085));
+        }
+    }
+}
+
+/// Aprons whose lower edge swings up between the legs.
+fn shaped_apron(builder: &mut Builder, under: Bay, height: f64) {
+    let profile = |half: f64| {
+        let high = under.high.y - 2.0 * SINK;
+        // Deep beside the legs only: knees need the rest.
+        let low = height * 0.42;
+        let swing = [
+            (half, height),
+            (half - 0.026, height * 0.9),
+            (half * 0.66, low),
+            (half * 0.3, low * 0.8),
+            (half * 0.1, low * 0.95),
+        ];
+        let right = swing.iter().map(|&(x, y)| DVec2::new(x, high - y));
+        let left = swing.iter().rev().map(|&(x, y)| DVec2::new(-x, high - y));
+        let mut points = vec![DVec2::new(half, high)];
+        points.extend(right.chain(left));
+        points.push(DVec2::new(-half, high));
+        points
+    };
+    let (half_x, half_z) = (under.width() / 2.0 - LEG + 0.002, under.depth() / 2.0 - LEG + 0.002);
+    let inset = LEG * 0.25;
+    for (from, to) in [
+        (under.low.z + inset, under.low.z + inset + 0.018),
+        (under.high.z - inset - 0.018, under.high.z - inset),
+    ] {
+        builder.add("wood", extrude(&profile(half_x), Axis::Z, [from, to]));
+    }
+    builder.add_pair(
+        "wood",
+        extrude(&profile(half_z), Axis::X, [under.high.x - inset - 0.018, under.high.x - inset]),
+    );
+}
+
+/// Four boards under a top, between legs of a thickness.
+fn apron(builder: &mut Builder, slot: &'static str, under: Bay, leg: f64, height: f64) {
+    let board = 0.018;
+    let band =
+        under.without(Side::Above, SINK * 2.0).slab(Side::Above, height).inset(leg * 0.25, 0.0, leg * 0.25);
+    let reach = leg * 0.75 - SINK;
+    for side in [Side::Front, Side::Back] {
+        builder.cuboid(slot, band.slab(side, board).inset(reach, 0.0, 0.0));
+    }
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid(slot, band.slab(side, board).inset(0.0, 0.0, reach));
+    }
+}
+
+/// A laboratory bench: stone top on a steel frame, with a shelf for reagents where the box is high enough.
+pub(super) fn lab_bench(_draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let has_shelf = bay.height() > 1.1;
+    let work = if has_shelf { 0.9 } else { bay.height() };
+    builder.block("stone", bay.with_y([work - 0.03, work]), 0.004);
+    let under = bay.with_y([0.0, work - 0.03 + SINK]).inset(OVERHANG, 0.0, OVERHANG);
+    for side in [Side::Left, Side::Right] {
+        for end in [Side::Front, Side::Back] {
+            leg(builder, "metal", under.slab(side, LEG).slab(end, LEG), LegKind::Square);
+        }
+    }
+    let fittings = Fittings { front: "laminate", handle: "metal", reach: 0.02, is_traditional: false };
+    let columns = under.inset(LEG + 0.01, 0.0, 0.0).without(Side::Front, 0.03).without(Side::Back, 0.05);
+    let columns =
+        columns.with_y([0.1, work - 0.05]).columns((bay.width() / 0.6).round().clamp(2.0, 5.0) as u32, 0.12);
+    for (index, column) in columns.into_iter().enumerate().step_by(2) {
+        fittings.carcass(builder, "laminate", column);
+        let rows = column.inset(0.004, 0.004, 0.0).rows(if index == 0 { 3 } else { 1 }, 0.004);
+        for row in rows {
+            fittings.drawer(builder, row);
+        }
+    }
+    builder.cuboid(
+        "metal",
+        under
+            .with_y([work - 0.09, work - 0.05])
+            .inset(LEG - SINK, 0.0, 0.0)
+            .slab(Side::Back, 0.03)
+            .moved(0.0, 0.0, 0.01),
+    );
+    if has_shelf {
+        reagent_shelf(builder, bay.with_y([work - SINK, bay.high.y]));
+    }
+}
+
+fn reagent_shelf(builder: &mut Builder, bay: Bay) {
+    let rack = bay.slab(Side::Back, bay.depth() * 0.3).inset(0.03, 0.0, 0.01);
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid("metal", rack.slab(side, 0.03));
+    }
+    for y in [bay.low.y + bay.height() * 0.5, bay.high.y - 0.02] {
+        builder.cuboid("glass", rack.with_y([y, y + 0.018]).inset(0.03 - SINK, 0.0, 0.004));
+    }
+    for (index, column) in rack.inset(0.08, 0.0, 0.0).columns(5, 0.08).into_iter().enumerate() {
+        let middle = column.center();
+        let y = bay.low.y + bay.height() * 0.5 + 0.018 - SINK;
+        let tall = bay.height() * (0.2 + 0.04 * (index % 3) as f64);
+        let flask = cylinder(column.width().min(0.07) * 0.5, [y, y + tall], 8);
+        builder.add(if index % 2 == 0 { "glass" } else { "plastic" }, flask.moved(middle.x, 0.0, middle.z));
+    }
+}
+
+/// A speaker's desk with a sloping top.
+pub(super) fn lectern(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let is_traditional = draft.is_traditional();
+    let (low, high) = (bay.low.z, bay.high.z);
+    let rise = (bay.height() * 0.16).min(bay.depth() * 0.5);
+    let front = bay.high.y - rise;
+    // The reader stands before the front and looks down at the slope.
+    let top =
+        [(high, front - 0.03), (high, front), (low, bay.high.y), (low, bay.high.y - 0.03)].map(DVec2::from);
+    builder.add("wood", extrude(&top, Axis::X, bay.x()));
+    builder.block("wood", bay.with_y([0.0, 0.05]).inset(0.02, 0.0, 0.02), 0.006);
+    let column = bay.inset(bay.width() * 0.2, 0.0, bay.depth() * 0.22).with_y([0.05 - SINK, front - 0.005]);
+    if is_traditional {
+        builder.cuboid("wood", column.inset(0.012, 0.0, 0.012).without(Side::Below, 0.002));
+        for (y, tall) in [(0.05, 0.05), (front - 0.1, 0.05)] {
+            builder.block("wood", column.with_y([y - SINK, y + tall]), 0.01);
+        }
+    } else {
+        builder.cuboid("wood", column);
+    }
+    let ledge = Bay::new(bay.x(), [front - 0.002, front + 0.02], [high - 0.012, high - 0.001]);
+    builder.cuboid("wood_dark", ledge.inset(0.02, 0.0, 0.0));
+}
