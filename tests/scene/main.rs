@@ -1,8 +1,9 @@
 //! Scenes and glTF files of levels built in code.
-#![allow(clippy::unwrap_used, reason = "a test may stop at the first surprise")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at the first surprise")]
 
 mod file;
 mod fixture;
+mod leaks;
 mod levels;
 mod shell;
 mod tree;

@@ -26,6 +26,8 @@ const RAILING: f64 = 0.05;
 const MITRE_LIMIT: f64 = 2.5;
 /// Sine below which two walls run straight on.
 const STRAIGHT: f64 = 0.02;
+/// Cosine between the directions of two walls from which a mitre between unlike thicknesses would run far along them.
+const NEARLY_STRAIGHT: f64 = 0.95;
 /// Cosine between the directions of two walls up to which they stand back to back.
 const BACK_TO_BACK: f64 = -0.5;
 /// Metres that two walls must share along their direction to stand back to back.
@@ -146,7 +148,10 @@ fn reach_round_corner(before: Point, after: Point, [thickness, other]: [f64; 2])
         return 0.0;
     }
     let reach = (other - thickness * cosine) / sine;
-    reach.min(MITRE_LIMIT * thickness.max(other))
+    // Where walls of unlike thickness run nearly straight on, both stop at the line on which the thicker one is cut:
+    // a thinner one that stopped farther off would leave a gap.
+    let least = if cosine > NEARLY_STRAIGHT { -MITRE_LIMIT * thickness } else { f64::NEG_INFINITY };
+    reach.clamp(least, MITRE_LIMIT * thickness.max(other))
 }
 
 #[cfg(test)]
@@ -209,6 +214,15 @@ mod tests {
     fn a_sharp_corner_is_cut() {
         let prints = walls(&[(0.0, 0.0), (10.0, 0.0), (10.0, 1.0)], &[0.2]);
         assert!(prints[0].outer_from >= -MITRE_LIMIT * 0.2 - 1e-12);
+    }
+
+    #[test]
+    fn unlike_walls_that_run_nearly_straight_on_stop_at_one_line() {
+        let corners = [(0.0, 0.0), (2.0, 0.0), (4.0, -0.06), (4.0, 3.0), (0.0, 3.0)];
+        let prints = walls(&corners, &[0.35, 0.07, 0.07, 0.07, 0.07]);
+        let slope = |along: f64, depth: f64| along / depth;
+        let (thick, thin) = (slope(prints[0].outer_to - 2.0, 0.35), slope(prints[1].outer_from, 0.07));
+        assert!((thick - thin).abs() < 1e-9 && thick > 0.0, "{thick} {thin}");
     }
 
     #[test]

@@ -29,6 +29,10 @@ use crate::model::Model;
 /// far up as the ceiling's top, so that no light passes the edge between them.
 const SLAB: Ticks = Ticks(2_000);
 
+/// How much less than floors and ceilings walls and thresholds reach past the room, so that their ends lie inside the
+/// slabs of overlapping rooms and not in one plane with them.
+const INSET: Ticks = Ticks(100);
+
 /// Slots of frames, door leaves, handles, glass and sills.
 const FRAME_SLOT: &str = "painted";
 const LEAF_SLOT: &str = "wood_light";

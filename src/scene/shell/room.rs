@@ -5,7 +5,7 @@ use super::railing::RailingShape;
 use super::slab::SlabShape;
 use super::ticks::Ticks;
 use super::wall::{Hole, WallShape};
-use super::{FACADE_SLOT, RAILING_SLOT, SLAB, Shape};
+use super::{FACADE_SLOT, INSET, RAILING_SLOT, SLAB, Shape};
 use crate::catalog::Catalog;
 use crate::geometry::Region;
 use crate::plan::{Level, Opening, Room, Wall, WallKind};
@@ -91,7 +91,9 @@ impl Parts<'_, '_, '_> {
                 slot: RAILING_SLOT,
             }),
             WallKind::Railing(height) => wall_shape(wall, footprint, Ticks::of(height), holes, slot),
-            WallKind::Solid => wall_shape(wall, footprint, Ticks::of(self.room.height) + SLAB, holes, slot),
+            WallKind::Solid => {
+                wall_shape(wall, footprint, Ticks::of(self.room.height) + SLAB - INSET, holes, slot)
+            }
         };
         let tags = wall.tags.clone();
         let node = self.part(("wall", names::numbered("wall", index)), pose, shape);
@@ -148,7 +150,7 @@ fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, slot:
         outer_from: Ticks::of(print.outer_from),
         outer_to: Ticks::of(print.outer_to),
         thickness: Ticks::of(print.thickness),
-        bottom: -SLAB,
+        bottom: INSET - SLAB,
         top,
         holes,
         slot,
