@@ -289,7 +289,9 @@ pub(crate) fn box_model(size: Size, slot: &'static str) -> Model {
 /// One box per class and variant.
 pub(crate) fn models(catalog: &Catalog) -> impl Fn(ClassIndex, u32, &str) -> Arc<Model> + Sync {
     let of_class = |class: &Class| {
-        let box_of = |variant| Arc::new(box_model(class.size(variant), MATERIAL_SLOTS[variant as usize]));
+        let box_of = |variant| {
+            Arc::new(box_model(class.size(variant), MATERIAL_SLOTS[variant as usize % MATERIAL_SLOTS.len()]))
+        };
         (0..class.variant_count()).map(box_of).collect::<Vec<_>>()
     };
     let models: Vec<Vec<Arc<Model>>> = catalog.classes.iter().map(of_class).collect();
@@ -298,7 +300,10 @@ pub(crate) fn models(catalog: &Catalog) -> impl Fn(ClassIndex, u32, &str) -> Arc
 
 /// The scene of a level with the small catalogue.
 pub(crate) fn scene(level: &Level, furnished: &[Furnished]) -> Scene {
-    let catalog = catalog();
+    scene_by(catalog(), level, furnished)
+}
+
+fn scene_by(catalog: Catalog, level: &Level, furnished: &[Furnished]) -> Scene {
     build_scene(&SceneInput {
         level,
         building: "tower",
@@ -323,4 +328,10 @@ pub(crate) fn bare_scene(level: &Level) -> Scene {
 pub(crate) fn column(center: Point, half: f64, height: f64) -> Obstacle {
     let low = center - Point::splat(half);
     Obstacle { outline: Polygon::rectangle(low, Point::splat(2.0 * half)), height }
+}
+
+/// The scene of a level without furniture, by another catalogue.
+pub(crate) fn scene_of(level: &Level, catalog: &Catalog) -> Scene {
+    let empty: Vec<Furnished> = (0..level.rooms.len()).map(|room| furnished(room, Vec::new())).collect();
+    scene_by(catalog.clone(), level, &empty)
 }

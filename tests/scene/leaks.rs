@@ -9,10 +9,10 @@ use std::path::{Path, PathBuf};
 use glam::{DVec2, DVec3};
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::geometry::Point;
-use roomwright::plan::{Level, OpeningKind, PlanOptions, Room, SitePlacement, WallKind, read_plans};
-use roomwright::scene::{Scene, SceneInput, build_scene};
+use roomwright::plan::{Level, OpeningKind, PlanOptions, Room, WallKind, read_plans};
+use roomwright::scene::Scene;
 
-use crate::fixture::furnished;
+use crate::fixture::scene_of;
 use crate::levels;
 use crate::triangles::{Body, bodies, directions, nearest};
 
@@ -72,17 +72,7 @@ fn each_scene(files: &[PathBuf], visit: impl Fn(&str, &Level, &Scene)) {
     let read = read_levels(&catalog, files);
     assert!(read.len() > 8, "{} levels", read.len());
     for (name, level) in synthetic.chain(read) {
-        let empty: Vec<_> = (0..level.rooms.len()).map(|room| furnished(room, Vec::new())).collect();
-        let scene = build_scene(&SceneInput {
-            level: &level,
-            building: "tower",
-            site: SitePlacement::default(),
-            furnished: &empty,
-            verdicts: &[],
-            catalog: &catalog,
-            models: &|_, _, _| unreachable!("there is no furniture"),
-            seed: 1,
-        });
+        let scene = scene_of(&level, &catalog);
         visit(&name, &level, &scene);
     }
 }
@@ -258,9 +248,11 @@ fn by_plane(bodies: &[Body]) -> BTreeMap<[i64; 4], Vec<Flat<'_>>> {
     for body in bodies {
         for [a, b, c] in &body.triangles {
             let normal = (*b - *a).cross(*c - *a).normalize();
-            let (across, up) = normal.any_orthonormal_pair();
             let key = [normal.x * 1e4, normal.y * 1e4, normal.z * 1e4, a.dot(normal) / PLANE / 4.0]
                 .map(|value| value.round() as i64);
+            // From the rounded normal, so that all faces of a plane have one frame.
+            let rounded = DVec3::new(key[0] as f64, key[1] as f64, key[2] as f64).normalize();
+            let (across, up) = rounded.any_orthonormal_pair();
             let corners = [a, b, c].map(|corner| DVec2::new(corner.dot(across), corner.dot(up)));
             planes.entry(key).or_default().push(Flat { owner: &body.name, corners });
         }

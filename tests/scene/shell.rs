@@ -218,3 +218,20 @@ fn equal_rooms_share_their_shell() {
     let one = bare_scene(&level(rooms[..1].to_vec())).meshes.len();
     assert_eq!(bare_scene(&level(rooms)).meshes.len(), one);
 }
+
+#[test]
+fn skirting_runs_along_plaster_and_stops_at_doors() {
+    let level = two_rooms();
+    let bodies = bodies(&bare_scene(&level));
+    let boards = &bodies.iter().find(|body| body.name == "skirting@101").unwrap().triangles;
+    let meets = |x: f64| {
+        let (origin, south) = (DVec3::new(x, 0.03, -0.5), DVec3::new(0.0, 0.0, 1.0));
+        nearest(boards.iter(), origin, south).map(|(distance, is_front)| (is_front, (distance * 1e4).round()))
+    };
+    assert_eq!(meets(1.4), Some((true, 4880.0)), "1.2 cm before the wall");
+    assert_eq!(meets(2.0), None, "the entrance is from 1.5 to 2.5");
+    let mut tiled = catalog();
+    tiled.room_types.get_mut("office").unwrap().finish.wall = "tile_wall".to_owned();
+    let scene = scene_of(&level, &tiled);
+    assert!(!crate::triangles::bodies(&scene).iter().any(|body| body.part == Some("skirting")));
+}

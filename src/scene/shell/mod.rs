@@ -8,6 +8,7 @@ mod frame;
 mod opening;
 mod railing;
 mod room;
+mod skirting;
 mod slab;
 mod solid;
 mod ticks;
@@ -18,6 +19,7 @@ pub(crate) use room::{RoomFinish, room_parts};
 
 use frame::{LeafShape, Reveal};
 use railing::RailingShape;
+use skirting::SkirtingShape;
 use slab::SlabShape;
 use solid::Solid;
 use ticks::Ticks;
@@ -38,6 +40,7 @@ const FRAME_SLOT: &str = "painted";
 const LEAF_SLOT: &str = "wood_light";
 const HANDLE_SLOT: &str = "metal";
 const GLASS_SLOT: &str = "glass";
+const SKIRTING_SLOT: &str = "painted";
 const RAILING_SLOT: &str = "metal_dark";
 /// Slot of walls seen from the open air, whatever the room behind them is lined with.
 const FACADE_SLOT: &str = "plaster";
@@ -51,6 +54,8 @@ pub(crate) enum Shape {
     Wall(WallShape),
     /// A railing.
     Railing(RailingShape),
+    /// The skirting boards of a room.
+    Skirting(SkirtingShape),
     /// The floor of a doorway, with its slot.
     Threshold(Reveal, &'static str),
     /// Jambs and head.
@@ -74,6 +79,7 @@ impl Shape {
             Self::Slab(slab) => vec![slab.build()],
             Self::Wall(wall) => wall.build().into(),
             Self::Railing(railing) => vec![railing.build(-SLAB)],
+            Self::Skirting(skirting) => vec![skirting.build()],
             Self::Threshold(reveal, slot) => vec![reveal.threshold(-SLAB, slot)],
             Self::DoorFrame(reveal) => vec![reveal.door_frame(FRAME_SLOT)],
             Self::WindowFrame(reveal) => vec![reveal.window_frame(FRAME_SLOT)],

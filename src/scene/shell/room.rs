@@ -2,10 +2,11 @@
 
 use super::corner::{Footprint, footprints};
 use super::railing::RailingShape;
+use super::skirting::{self, SkirtingShape};
 use super::slab::SlabShape;
 use super::ticks::Ticks;
 use super::wall::{Hole, WallShape};
-use super::{FACADE_SLOT, INSET, RAILING_SLOT, SLAB, Shape};
+use super::{FACADE_SLOT, INSET, RAILING_SLOT, SKIRTING_SLOT, SLAB, Shape};
 use crate::catalog::Catalog;
 use crate::geometry::Region;
 use crate::plan::{Level, Opening, Room, Wall, WallKind};
@@ -43,7 +44,7 @@ impl RoomFinish {
 /// Railings at least this thick (metres) are parapets: low walls.
 const PARAPET_FROM: f64 = 0.08;
 
-/// The nodes of a room's shell, in the order floor, ceiling, walls, columns.
+/// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns.
 pub(crate) fn room_parts<'a>(
     level: &Level,
     room: &Room,
@@ -56,6 +57,7 @@ pub(crate) fn room_parts<'a>(
     for (index, footprint) in footprints(room).into_iter().enumerate() {
         parts.wall(level, index, footprint, finish.wall);
     }
+    parts.skirting(level, finish.wall);
     parts.columns(finish.wall);
     parts.nodes
 }
@@ -112,6 +114,24 @@ impl Parts<'_, '_, '_> {
             Hole { from: Ticks::of(place.from), to: Ticks::of(place.to), low, high: high.min(ceiling) }
         });
         hole.filter(|hole| hole.from < hole.to && hole.low < hole.high).collect()
+    }
+
+    /// Boards along plastered walls indoors: tiles, metal and concrete reach down to the floor.
+    fn skirting(&mut self, level: &Level, wall_slot: &'static str) {
+        let is_outdoors = self.room.walls.iter().any(|wall| wall.kind != WallKind::Solid);
+        if is_outdoors || wall_slot != RoomFinish::PLAIN.wall {
+            return;
+        }
+        let gaps = |wall: usize| {
+            let holes = self.holes(level, wall).into_iter().filter(|hole| hole.low < skirting::HEIGHT);
+            holes.map(|hole| (hole.from.metres(), hole.to.metres())).collect()
+        };
+        let anchor = self.room.region.outline.corners()[0];
+        let shape = SkirtingShape::along(&self.room.walls, gaps, anchor, SKIRTING_SLOT);
+        if !shape.boards.is_empty() {
+            let pose = Pose::on_floor(anchor, 0.0);
+            self.part(("skirting", "skirting".to_owned()), pose, Shape::Skirting(shape));
+        }
     }
 
     fn columns(&mut self, slot: &'static str) {
