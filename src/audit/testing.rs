@@ -193,7 +193,12 @@ fn catalog() -> Catalog {
         excludes: Vec::new(),
         area: (0.0, 1e6),
         density: (0.0, 1.0),
-        finish: Finish { floor: "parquet".into(), wall: "plaster".into(), ceiling: "ceiling".into() },
+        finish: Finish {
+            floor: "parquet".into(),
+            wall: "plaster".into(),
+            ceiling: "ceiling".into(),
+            dado: None,
+        },
     };
     let style = Style {
         id: "default".into(),

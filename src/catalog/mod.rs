@@ -41,7 +41,7 @@ pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub use palette::{MATERIAL_SLOTS, Material, Palette};
 pub(crate) use resolve::srgb_encoded;
-pub use style::{Access, Count, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
+pub use style::{Access, Count, Dado, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
 
 use crate::plan::RoomWords;
 

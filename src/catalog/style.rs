@@ -35,8 +35,19 @@ pub struct Finish {
     pub floor: String,
     /// Material slot of the walls.
     pub wall: String,
+    /// Another material on the lower part of the walls.
+    pub dado: Option<Dado>,
     /// Material slot of the ceiling.
     pub ceiling: String,
+}
+
+/// The lower part of walls.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dado {
+    /// Material slot.
+    pub slot: String,
+    /// Metres above the floor up to which it reaches, above zero.
+    pub height: f64,
 }
 
 /// One line of a programme.

@@ -29,6 +29,7 @@ fn catalog() -> Catalog {
             floor: "wood".into(),
             wall: "plaster".into(),
             ceiling: "ceiling".into(),
+            dado: None,
         },
     };
     let room_types = [("office".to_owned(), office)].into();

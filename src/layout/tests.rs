@@ -67,7 +67,8 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         chance: 1.0,
         needs_window: false,
     };
-    let finish = Finish { floor: "carpet".into(), wall: "plaster".into(), ceiling: "ceiling".into() };
+    let finish =
+        Finish { floor: "carpet".into(), wall: "plaster".into(), ceiling: "ceiling".into(), dado: None };
     let room_type = RoomType {
         id: "office".into(),
         label: "Office".into(),

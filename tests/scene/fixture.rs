@@ -179,7 +179,8 @@ pub(crate) fn catalog() -> Catalog {
         id: id.to_owned(),
         materials: MATERIAL_SLOTS.iter().map(|slot| ((*slot).to_owned(), material(slot))).collect(),
     };
-    let finish = Finish { floor: "carpet".into(), wall: "plaster".into(), ceiling: "ceiling".into() };
+    let finish =
+        Finish { floor: "carpet".into(), wall: "plaster".into(), ceiling: "ceiling".into(), dado: None };
     let office = RoomType {
         id: "office".into(),
         label: "Office".into(),

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
+use roomwright::catalog::Dado;
 use roomwright::geometry::Point;
-use roomwright::model::{Model, Primitive};
+use roomwright::model::{Model, ModelMaterial, Primitive};
 use roomwright::plan::{Level, OpeningKind, Room, WallKind};
 use roomwright::scene::Scene;
 
@@ -234,4 +235,25 @@ fn skirting_runs_along_plaster_and_stops_at_doors() {
     tiled.room_types.get_mut("office").unwrap().finish.wall = "tile_wall".to_owned();
     let scene = scene_of(&level, &tiled);
     assert!(!crate::triangles::bodies(&scene).iter().any(|body| body.part == Some("skirting")));
+}
+
+#[test]
+fn a_dado_ends_at_its_height_and_closes_the_wall() {
+    let mut tiled = catalog();
+    let finish = &mut tiled.room_types.get_mut("office").unwrap().finish;
+    finish.dado = Some(Dado { slot: "tile_wall".to_owned(), height: 1.2 });
+    let scene = scene_of(&two_rooms(), &tiled);
+    assert!(
+        !bodies(&scene).iter().any(|body| body.part == Some("skirting")),
+        "tiles reach down to the floor"
+    );
+    let walls = scene.meshes.iter().filter(|mesh| mesh.name.starts_with("wall."));
+    for mesh in walls {
+        assert_eq!(open_edges(&mesh.model), 0, "{}", mesh.name);
+        let is_tile = |primitive: &&Primitive| primitive.material == ModelMaterial::Slot("tile_wall");
+        let tiles = mesh.model.primitives.iter().find(is_tile).unwrap();
+        let heights = || tiles.positions.iter().map(|[_, y, _]| *y);
+        assert!((heights().fold(f32::MIN, f32::max) - 1.2).abs() < 1e-6, "{}", mesh.name);
+        assert!(tiles.normals.iter().all(|normal| *normal == [0.0, 0.0, 1.0]), "the inner face only");
+    }
 }

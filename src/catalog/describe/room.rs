@@ -32,7 +32,12 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
     lines.add("usually", &format!("{} m²", range(room_type.area)));
     lines.add("density", &range(room_type.density));
     lines.add("excludes", &room_type.excludes.join(", "));
-    lines.add("finish", &format!("floor {}, wall {}, ceiling {}", finish.floor, finish.wall, finish.ceiling));
+    let dado = finish.dado.as_ref().map(|dado| format!(", dado {} up to {} m", dado.slot, dado.height));
+    let dado = dado.unwrap_or_default();
+    lines.add(
+        "finish",
+        &format!("floor {}, wall {}{dado}, ceiling {}", finish.floor, finish.wall, finish.ceiling),
+    );
     lines.add_all("holds", room_type.programme.iter().map(|request| show_request(catalog, request)));
     lines.add("styles", &styles.join(", "));
     let value = json!({
@@ -41,7 +46,12 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
         "area": [room_type.area.0, room_type.area.1],
         "density": [room_type.density.0, room_type.density.1],
         "excludes": room_type.excludes,
-        "finish": {"floor": finish.floor, "wall": finish.wall, "ceiling": finish.ceiling},
+        "finish": {
+            "floor": finish.floor,
+            "wall": finish.wall,
+            "ceiling": finish.ceiling,
+            "dado": finish.dado.as_ref().map(|dado| json!({"slot": dado.slot, "height": dado.height})),
+        },
         "programme": value_of_programme(catalog, &room_type.programme),
         "styles": styles,
     });

@@ -62,8 +62,21 @@ pub(crate) struct FinishEntry {
     pub(crate) floor: Option<String>,
     /// Default `plaster`.
     pub(crate) wall: Option<String>,
+    /// Another material on the lower part of the walls; default none.
+    pub(crate) dado: Option<DadoEntry>,
     /// Default `ceiling`.
     pub(crate) ceiling: Option<String>,
+}
+
+/// The lower part of the walls.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DadoEntry {
+    /// Its material slot.
+    pub(crate) slot: String,
+    /// Metres above the floor up to which it reaches, at most up to the ceiling; 0 for none where the room type it
+    /// extends has one.
+    pub(crate) height: f64,
 }
 
 /// One line of a programme.

@@ -1,13 +1,13 @@
 //! Room types.
 
 use super::names::{NamedClasses, Names};
-use super::number::{AREA, Quantity, SHARE};
+use super::number::{AREA, DISTANCE, Quantity, SHARE};
 use super::request::{ResolvedProgramme, resolve_programme};
 use super::resolve_label;
 use crate::catalog::file::RoomTypeEntry;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{Finish, MATERIAL_SLOTS, RoomType};
+use crate::catalog::{Dado, Finish, MATERIAL_SLOTS, RoomType};
 
 /// A room type and the words that it was made of.
 pub(crate) struct ResolvedRoomType {
@@ -78,6 +78,7 @@ fn resolve_excludes(
 }
 
 fn resolve_finish(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Finish {
+    let dado = resolve_dado(chain, report);
     let mut slot = |key: &str, get: fn(&RoomTypeEntry) -> Option<&String>, default: &str| {
         let Some(found) = chain.find("finish", get) else { return default.to_owned() };
         check_slot(found.value, &found.spot.key(key), report);
@@ -87,7 +88,17 @@ fn resolve_finish(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> 
         floor: slot("floor", |entry| entry.finish.as_ref()?.floor.as_ref(), "parquet"),
         wall: slot("wall", |entry| entry.finish.as_ref()?.wall.as_ref(), "plaster"),
         ceiling: slot("ceiling", |entry| entry.finish.as_ref()?.ceiling.as_ref(), "ceiling"),
+        dado,
     }
+}
+
+/// The lower part of the walls; a height of zero takes an inherited one away.
+fn resolve_dado(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Option<Dado> {
+    let found = chain.find("finish", |entry| entry.finish.as_ref()?.dado.as_ref())?;
+    let spot = found.spot.key("dado");
+    check_slot(&found.value.slot, &spot.key("slot"), report);
+    let height = Quantity::metres("dado", DISTANCE).check(found.value.height, &spot.key("height"), report);
+    (height > 0.0).then(|| Dado { slot: found.value.slot.clone(), height })
 }
 
 /// Reports a material slot that does not exist.

@@ -9,7 +9,8 @@ use super::cases::load_above_base;
 use crate::catalog::load::load_files;
 use crate::catalog::read::Files;
 use crate::catalog::{
-    Along, Catalog, Class, Count, Extent, ModelSource, ParentName, RelationKind, Request, Shape, Side, Turn,
+    Along, Catalog, Class, Count, Dado, Extent, ModelSource, ParentName, RelationKind, Request, Shape, Side,
+    Turn,
 };
 use crate::document::Faults;
 
@@ -173,7 +174,7 @@ fn shapes_clearances_relations_and_grids_are_read() {
 fn programmes_finishes_and_counts_are_read() {
     let rooms = "version: 1
 room_types:
-  base: {abstract: true, finish: {floor: tile, wall: tile_wall}, density: [0.2, 0.4], furnish: false, excludes: seat}
+  base: {abstract: true, finish: {floor: tile, wall: tile_wall, dado: {slot: stone, height: 1.2}}, density: [0.2, 0.4], furnish: false, excludes: seat}
   bath:
     extends: base
     finish: {floor: stone}
@@ -190,6 +191,7 @@ room_types:
     assert_eq!((bath.label.as_str(), bath.is_furnished, bath.density), ("Bath", false, (0.2, 0.4)));
     let finish = [&bath.finish.floor, &bath.finish.wall, &bath.finish.ceiling];
     assert_eq!(finish, ["stone", "tile_wall", "ceiling"]);
+    assert_eq!(bath.finish.dado, Some(Dado { slot: "stone".to_owned(), height: 1.2 }));
     assert_eq!(bath.excludes, ["seat"]);
     let second = Request {
         classes: vec![index("bed"), index("table")],

@@ -25,11 +25,13 @@ pub(crate) struct RoomFinish {
     pub wall: &'static str,
     /// Of the ceiling.
     pub ceiling: &'static str,
+    /// Of the lower part of walls, and up to which height.
+    pub dado: Option<(Ticks, &'static str)>,
 }
 
 impl RoomFinish {
     /// Where no room type says otherwise.
-    pub(crate) const PLAIN: Self = Self { floor: "parquet", wall: "plaster", ceiling: "ceiling" };
+    pub(crate) const PLAIN: Self = Self { floor: "parquet", wall: "plaster", ceiling: "ceiling", dado: None };
 
     /// The finish of a room's type.
     pub(crate) fn of(catalog: &Catalog, room: &Room) -> Self {
@@ -37,6 +39,9 @@ impl RoomFinish {
             floor: slot_named(&kind.finish.floor, Self::PLAIN.floor),
             wall: slot_named(&kind.finish.wall, Self::PLAIN.wall),
             ceiling: slot_named(&kind.finish.ceiling, Self::PLAIN.ceiling),
+            dado: kind.finish.dado.as_ref().map(|dado| {
+                (Ticks::of(dado.height.min(room.height)), slot_named(&dado.slot, Self::PLAIN.wall))
+            }),
         })
     }
 }
@@ -55,9 +60,9 @@ pub(crate) fn room_parts<'a>(
     let mut parts = Parts { room, palette: look.palette, meshes, nodes: Vec::new() };
     parts.slabs(finish);
     for (index, footprint) in footprints(room).into_iter().enumerate() {
-        parts.wall(level, index, footprint, finish.wall);
+        parts.wall(level, index, footprint, finish);
     }
-    parts.skirting(level, finish.wall);
+    parts.skirting(level, finish);
     parts.columns(finish.wall);
     parts.nodes
 }
@@ -80,7 +85,7 @@ impl Parts<'_, '_, '_> {
         self.part(("ceiling", "ceiling".to_owned()), pose, Shape::Slab(ceiling));
     }
 
-    fn wall(&mut self, level: &Level, index: usize, footprint: Footprint, slot: &'static str) {
+    fn wall(&mut self, level: &Level, index: usize, footprint: Footprint, finish: RoomFinish) {
         let wall = &self.room.walls[index];
         let pose = Pose::on_floor((wall.start + wall.end) / 2.0, angle_facing(wall.normal()));
         let holes = self.holes(level, index);
@@ -92,9 +97,9 @@ impl Parts<'_, '_, '_> {
                 gaps: holes.iter().map(|hole| (hole.from, hole.to)).collect(),
                 slot: RAILING_SLOT,
             }),
-            WallKind::Railing(height) => wall_shape(wall, footprint, Ticks::of(height), holes, slot),
+            WallKind::Railing(height) => wall_shape(wall, footprint, Ticks::of(height), holes, finish),
             WallKind::Solid => {
-                wall_shape(wall, footprint, Ticks::of(self.room.height) + SLAB - INSET, holes, slot)
+                wall_shape(wall, footprint, Ticks::of(self.room.height) + SLAB - INSET, holes, finish)
             }
         };
         let tags = wall.tags.clone();
@@ -117,9 +122,9 @@ impl Parts<'_, '_, '_> {
     }
 
     /// Boards along plastered walls indoors: tiles, metal and concrete reach down to the floor.
-    fn skirting(&mut self, level: &Level, wall_slot: &'static str) {
+    fn skirting(&mut self, level: &Level, finish: RoomFinish) {
         let is_outdoors = self.room.walls.iter().any(|wall| wall.kind != WallKind::Solid);
-        if is_outdoors || wall_slot != RoomFinish::PLAIN.wall {
+        if is_outdoors || finish.dado.is_some() || finish.wall != RoomFinish::PLAIN.wall {
             return;
         }
         let gaps = |wall: usize| {
@@ -164,7 +169,7 @@ impl Parts<'_, '_, '_> {
     }
 }
 
-fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, slot: &'static str) -> Shape {
+fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finish: RoomFinish) -> Shape {
     Shape::Wall(WallShape {
         length: Ticks::of(wall.length()),
         outer_from: Ticks::of(print.outer_from),
@@ -173,8 +178,9 @@ fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, slot:
         bottom: INSET - SLAB,
         top,
         holes,
-        slot,
-        outer_slot: if wall.is_exterior { FACADE_SLOT } else { slot },
+        slot: finish.wall,
+        outer_slot: if wall.is_exterior { FACADE_SLOT } else { finish.wall },
+        dado: finish.dado,
     })
 }
 

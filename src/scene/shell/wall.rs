@@ -35,6 +35,8 @@ pub(crate) struct WallShape {
     pub slot: &'static str,
     /// Material of the outer face.
     pub outer_slot: &'static str,
+    /// Height up to which the inner face has another material, and that one.
+    pub dado: Option<(Ticks, &'static str)>,
 }
 
 /// A rectangular hole through a wall.
@@ -59,9 +61,9 @@ struct Cut {
 
 impl WallShape {
     /// The wall as a grid of cells between cuts and heights; faces stand where a filled cell meets none, so
-    /// that the body is closed and no face touches another one's middle. The second part is the outer face,
-    /// where its material is another one.
-    pub(crate) fn build(&self) -> [Solid; 2] {
+    /// that the body is closed and no face touches another one's middle. The second part is the outer face, the
+    /// third the lower inner face, where their material is another one.
+    pub(crate) fn build(&self) -> [Solid; 3] {
         let (cuts, heights) = (self.cuts(), self.heights());
         let (columns, rows) = (cuts.len() - 1, heights.len() - 1);
         let is_filled = |column: Option<usize>, row: Option<usize>| match (column, row) {
@@ -70,7 +72,8 @@ impl WallShape {
             }
             _ => false,
         };
-        let mut solids = [Solid::new(self.slot), Solid::new(self.outer_slot)];
+        let dado_slot = self.dado.map_or(self.slot, |(_, slot)| slot);
+        let mut solids = [self.slot, self.outer_slot, dado_slot].map(Solid::new);
         for column in 0..columns {
             for row in (0..rows).filter(|&row| is_filled(Some(column), Some(row))) {
                 let cell = Cell {
@@ -110,6 +113,7 @@ impl WallShape {
     fn heights(&self) -> Vec<Ticks> {
         let mut heights: Vec<Ticks> = self.holes.iter().flat_map(|hole| [hole.low, hole.high]).collect();
         heights.extend([self.bottom, self.top]);
+        heights.extend(self.dado.map(|(height, _)| height));
         heights.retain(|height| (self.bottom..=self.top).contains(height));
         heights.sort_unstable();
         heights.dedup();
@@ -147,7 +151,7 @@ struct Bare {
 }
 
 impl Cell<'_> {
-    fn faces(&self, bare: &Bare, [solid, outer]: &mut [Solid; 2]) {
+    fn faces(&self, bare: &Bare, [solid, outer, dado]: &mut [Solid; 3]) {
         let middle = self.shape.length.metres() / 2.0;
         let back = (-self.shape.thickness).narrow();
         let x = |u: Ticks| (middle - u.metres()) as f32;
@@ -155,7 +159,9 @@ impl Cell<'_> {
         let front = |cut: Cut, y: f32| Vec3::new(x(cut.inner), y, 0.0);
         let behind = |cut: Cut, y: f32| Vec3::new(x(cut.outer), y, back);
         let (start, end) = (self.start, self.end);
-        solid.face(&[front(end, low), front(start, low), front(start, high), front(end, high)]);
+        let is_dado = self.shape.dado.is_some_and(|(height, _)| self.high <= height);
+        let inner = if is_dado { dado } else { &mut *solid };
+        inner.face(&[front(end, low), front(start, low), front(start, high), front(end, high)]);
         let is_plain = self.shape.slot == self.shape.outer_slot;
         let outer = if is_plain { &mut *solid } else { outer };
         outer.face(&[behind(start, low), behind(end, low), behind(end, high), behind(start, high)]);
