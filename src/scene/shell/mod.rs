@@ -5,6 +5,7 @@
 
 mod corner;
 mod frame;
+mod leaf;
 mod opening;
 mod railing;
 mod room;
@@ -13,11 +14,13 @@ mod slab;
 mod solid;
 mod ticks;
 mod wall;
+mod window;
 
 pub(crate) use opening::opening_node;
 pub(crate) use room::{RoomFinish, room_parts};
 
-use frame::{LeafShape, Reveal};
+use frame::Reveal;
+use leaf::LeafShape;
 use railing::RailingShape;
 use skirting::SkirtingShape;
 use slab::SlabShape;
@@ -35,9 +38,8 @@ const SLAB: Ticks = Ticks(2_000);
 /// slabs of overlapping rooms and not in one plane with them.
 const INSET: Ticks = Ticks(100);
 
-/// Slots of frames, door leaves, handles, glass and sills.
+/// Slots of frames and sills, handles of windows, glass, and what else leaves no choice.
 const FRAME_SLOT: &str = "painted";
-const LEAF_SLOT: &str = "wood_light";
 const HANDLE_SLOT: &str = "metal";
 const GLASS_SLOT: &str = "glass";
 const SKIRTING_SLOT: &str = "painted";
@@ -58,18 +60,18 @@ pub(crate) enum Shape {
     Skirting(SkirtingShape),
     /// The floor of a doorway, with its slot.
     Threshold(Reveal, &'static str),
-    /// Jambs and head.
-    DoorFrame(Reveal),
+    /// Jambs and head, with boards of a width around them.
+    DoorFrame(Reveal, Ticks),
     /// Bars of a window.
     WindowFrame(Reveal),
     /// Panes of a window.
     WindowGlass(Reveal),
-    /// Board of a window.
-    SillBoard(Reveal),
+    /// Sill of a window; `true` for one to the open air.
+    Sill(Reveal, bool),
     /// A leaf on hinges.
     Leaf(LeafShape),
-    /// One of two sliding panels; `true` for the second.
-    SlidingPanel(Reveal, bool),
+    /// One of two sliding panels; `true` for the second. Its stiles have the slot.
+    SlidingPanel(Reveal, bool, &'static str),
 }
 
 impl Shape {
@@ -81,13 +83,13 @@ impl Shape {
             Self::Railing(railing) => vec![railing.build(-SLAB)],
             Self::Skirting(skirting) => vec![skirting.build()],
             Self::Threshold(reveal, slot) => vec![reveal.threshold(-SLAB, slot)],
-            Self::DoorFrame(reveal) => vec![reveal.door_frame(FRAME_SLOT)],
-            Self::WindowFrame(reveal) => vec![reveal.window_frame(FRAME_SLOT)],
-            Self::WindowGlass(reveal) => vec![reveal.window_glass(GLASS_SLOT)],
-            Self::SillBoard(reveal) => vec![reveal.sill_board(FRAME_SLOT)],
-            Self::Leaf(leaf) => leaf.build([LEAF_SLOT, HANDLE_SLOT]).into(),
-            Self::SlidingPanel(reveal, second) => {
-                reveal.sliding_panel(*second, [FRAME_SLOT, GLASS_SLOT]).into()
+            Self::DoorFrame(reveal, casing) => vec![reveal.door_frame(*casing, FRAME_SLOT)],
+            Self::WindowFrame(reveal) => reveal.window_frame().into(),
+            Self::WindowGlass(reveal) => vec![reveal.window_glass()],
+            Self::Sill(reveal, is_exterior) => reveal.sills(*is_exterior).into(),
+            Self::Leaf(leaf) => leaf.build().into(),
+            Self::SlidingPanel(reveal, second, slot) => {
+                reveal.sliding_panel(*second, [slot, GLASS_SLOT]).into()
             }
         };
         let filled = solids.into_iter().filter(|solid| !solid.is_empty());

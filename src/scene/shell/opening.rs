@@ -1,12 +1,13 @@
 //! Doors, windows, passages and open boundaries.
 
 use super::corner::built_thickness;
-use super::frame::{LeafShape, Reveal};
+use super::frame::Reveal;
+use super::leaf::{LeafDesign, LeafShape};
 use super::room::{RoomFinish, opening_heights};
 use super::ticks::Ticks;
-use super::{SLAB, Shape};
+use super::{FRAME_SLOT, RAILING_SLOT, SLAB, Shape};
 use crate::geometry::Point;
-use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide};
+use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_along, angle_facing, axes_at};
 use crate::scene::extras::opening_extras;
 use crate::scene::meshes::{Look, MeshTable};
@@ -30,13 +31,21 @@ pub(crate) fn opening_node<'a>(
     let pose = Pose::on_floor(opening.center, angle_facing(facing));
     let reveal = reveal(level, opening, &pose);
     let name = names::opening(opening);
-    let mut pieces = Pieces { owner: &name, origin: pose, palette: look.palette, meshes, nodes: Vec::new() };
+    let mut pieces = Pieces {
+        owner: &name,
+        origin: pose,
+        palette: look.palette,
+        design: leaf_design(level, opening, look),
+        casing: casing(level, opening),
+        meshes,
+        nodes: Vec::new(),
+    };
     match opening.kind {
         OpeningKind::Door => pieces.door(opening, reveal, finish.floor),
         OpeningKind::SlidingDoor => pieces.sliding_door(reveal, finish.floor),
         OpeningKind::Passage => pieces.doorway(reveal, finish.floor),
         OpeningKind::OpenBoundary => pieces.threshold(reveal, finish.floor),
-        OpeningKind::Window => pieces.window(reveal),
+        OpeningKind::Window => pieces.window(reveal, opening.sides.len() == 1),
     }
     let children = pieces.nodes;
     let mut node = Node::at(name, &pose, None, opening_extras(level, opening));
@@ -46,6 +55,40 @@ pub(crate) fn opening_node<'a>(
 
 fn wall_of<'l>(level: &'l Level, side: &OpeningSide) -> &'l crate::plan::Wall {
     &level.rooms[side.room].walls[side.wall]
+}
+
+/// Leaves to balconies and the like are glazed, others as the style has them.
+fn leaf_design(level: &Level, opening: &Opening, look: Look<'_>) -> LeafDesign {
+    let is_railing = |wall: &Wall| wall.kind != WallKind::Solid;
+    let is_outdoors = opening.sides.iter().any(|side| level.rooms[side.room].walls.iter().any(is_railing));
+    if is_outdoors { LeafDesign::Glazed } else { LeafDesign::of_set(look.geometry) }
+}
+
+/// Width of the boards around a doorway: less where a corner, another opening or the ceiling is near, zero where
+/// there is next to no room for them.
+pub(super) fn casing(level: &Level, opening: &Opening) -> Ticks {
+    let is_framed =
+        matches!(opening.kind, OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage);
+    if !is_framed || opening.sides.is_empty() {
+        return Ticks(0);
+    }
+    let clear = opening.sides.iter().map(|side| clear_beside(level, opening, side)).fold(CASING, f64::min);
+    if clear < LEAST_CASING { Ticks(0) } else { Ticks::of(clear) }
+}
+
+/// Metres of wall beside and above an opening in one room; half of them to the next opening.
+fn clear_beside(level: &Level, opening: &Opening, side: &OpeningSide) -> f64 {
+    let room = &level.rooms[side.room];
+    let wall = &room.walls[side.wall];
+    if wall.kind != WallKind::Solid {
+        return 0.0;
+    }
+    let places = room.openings.iter().filter(|place| place.wall == side.wall);
+    let others = places.filter(|place| (place.from, place.to) != (side.from, side.to));
+    let beside = others.map(|other| (other.from - side.to).max(side.from - other.to) / 2.0);
+    // The casing of a door in the next wall stands out as far as this one does.
+    let to_ends = side.from.min(wall.length() - side.to) - CORNER;
+    beside.fold(to_ends.min(room.height - opening.top), f64::min)
 }
 
 /// The hole through all walls of the opening, in the frame of its node.
@@ -83,11 +126,19 @@ fn reveal(level: &Level, opening: &Opening, pose: &Pose) -> Reveal {
     }
 }
 
+/// Metres of the boards around a doorway, and the narrowest ones.
+const CASING: f64 = 0.06;
+const LEAST_CASING: f64 = 0.02;
+/// Metres that the boards keep from the corners of a room.
+const CORNER: f64 = 0.015;
+
 /// Children of an opening's node.
 struct Pieces<'a, 'm, 'n> {
     owner: &'n str,
     origin: Pose,
     palette: &'a str,
+    design: LeafDesign,
+    casing: Ticks,
     meshes: &'m mut MeshTable<'a>,
     nodes: Vec<Node>,
 }
@@ -111,22 +162,24 @@ impl Pieces<'_, '_, '_> {
         }
         // The body lies behind the hinge line, on the side it does not open to.
         let body_on_front = shut.perp_dot(open) > 0.0;
-        let shape = LeafShape { length: Ticks::of(length), top, body_on_front, meets_jamb };
+        let shape =
+            LeafShape { length: Ticks::of(length), top, body_on_front, meets_jamb, design: self.design };
         let pose = Pose::on_floor(leaf.hinge, angle_along(open));
         self.piece(("leaf", id), &pose, Shape::Leaf(shape));
     }
 
     fn sliding_door(&mut self, reveal: Reveal, floor: &'static str) {
         self.doorway(reveal, floor);
+        let slot = if self.design == LeafDesign::Steel { RAILING_SLOT } else { FRAME_SLOT };
         for second in [false, true] {
             let id = names::numbered("leaf", if second { 2 } else { 1 });
-            self.piece_here(("leaf", id), Shape::SlidingPanel(reveal, second));
+            self.piece_here(("leaf", id), Shape::SlidingPanel(reveal, second, slot));
         }
     }
 
     fn doorway(&mut self, reveal: Reveal, floor: &'static str) {
         self.threshold(reveal, floor);
-        self.piece_here(("frame", "frame".to_owned()), Shape::DoorFrame(reveal));
+        self.piece_here(("frame", "frame".to_owned()), Shape::DoorFrame(reveal, self.casing));
     }
 
     fn threshold(&mut self, reveal: Reveal, floor: &'static str) {
@@ -136,11 +189,11 @@ impl Pieces<'_, '_, '_> {
         }
     }
 
-    fn window(&mut self, reveal: Reveal) {
+    fn window(&mut self, reveal: Reveal, is_exterior: bool) {
         self.piece_here(("frame", "frame".to_owned()), Shape::WindowFrame(reveal));
         self.piece_here(("glass", "glass".to_owned()), Shape::WindowGlass(reveal));
         if reveal.bottom > Ticks(0) {
-            self.piece_here(("sill", "sill".to_owned()), Shape::SillBoard(reveal));
+            self.piece_here(("sill", "sill".to_owned()), Shape::Sill(reveal, is_exterior));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Floor, ceiling, walls and columns of a room.
 
 use super::corner::{Footprint, footprints};
+use super::opening::casing;
 use super::railing::RailingShape;
 use super::skirting::{self, SkirtingShape};
 use super::slab::SlabShape;
@@ -128,8 +129,13 @@ impl Parts<'_, '_, '_> {
             return;
         }
         let gaps = |wall: usize| {
-            let holes = self.holes(level, wall).into_iter().filter(|hole| hole.low < skirting::HEIGHT);
-            holes.map(|hole| (hole.from.metres(), hole.to.metres())).collect()
+            let places = self.room.openings.iter().filter(|place| place.wall == wall).map(|place| {
+                let opening = &level.openings[place.opening];
+                let casing = casing(level, opening).metres();
+                let (low, _) = opening_heights(level, opening);
+                (low, (place.from - casing, place.to + casing))
+            });
+            places.filter(|(low, _)| *low < skirting::HEIGHT).map(|(_, gap)| gap).collect()
         };
         let anchor = self.room.region.outline.corners()[0];
         let shape = SkirtingShape::along(&self.room.walls, gaps, anchor, SKIRTING_SLOT);
