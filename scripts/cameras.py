@@ -168,8 +168,11 @@ def _wall_points(rooms: list[Room], cuts: dict[tuple[str, int], float]) -> np.nd
     for room in rooms:
         for edge, ends in enumerate(room.wall_edges()):
             top_of_wall = cuts.get((room.name, edge), room.height)
-            outward = room.outward(edge) * WALLS / 2
-            points += [(*(end + outward), height) for end in ends for height in (0.0, top_of_wall)]
+            # The outer corners: past the wall itself and the one before or after it.
+            outward = room.outward(edge) * WALLS
+            beside = (room.outward(edge - 1) * WALLS, room.outward((edge + 1) % len(room.outline)) * WALLS)
+            points += [(*(end + outward + side), height) for end, side in zip(ends, beside)
+                       for height in (-0.1, top_of_wall + 0.2)]
     return np.array(points)
 
 

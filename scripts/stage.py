@@ -20,7 +20,7 @@ from cameras import Camera, hidden_furniture, opening_cuts
 from floor_view import Level, Room
 
 ENGINES = {"cycles": "CYCLES", "eevee": "BLENDER_EEVEE", "workbench": "BLENDER_WORKBENCH"}
-CUT_COLOR = (0.02, 0.021, 0.024, 1.0)
+CUT_COLORS = {"top": (0.02, 0.021, 0.024, 1.0), "dollhouse": (0.12, 0.123, 0.13, 1.0)}
 SKY_COLOR, SUN_COLOR = (0.80, 0.90, 1.0), (1.0, 0.93, 0.82)
 # Watts per square metre of the sun, strength of the sky, by view.
 SUNLIGHT = {"top": 2.2, "dollhouse": 3.0, "eye": 5.0}
@@ -53,15 +53,16 @@ class Stage:
         self.scene = bpy.context.scene
         self.objects = list(self.scene.objects)
         self.data = {thing: thing.data for thing in self.objects}
-        self.cap = _plain_material("cut", CUT_COLOR)
+        self.caps = {view: _plain_material(f"cut {view}", color) for view, color in CUT_COLORS.items()}
         self.extra_lights: list = []
         _let_light_through(self.objects)
+        thin_glass()
         self.camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
         self.sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
         for thing in (self.camera, self.sun):
             self.scene.collection.objects.link(thing)
         self.scene.camera = self.camera
-        self.sky = _add_sky(self.scene)
+        self.sky = add_sky(self.scene)
 
     def take(self, camera: Camera, room: Room | None, quality: Quality, path: Path) -> None:
         """Renders one picture to a PNG file."""
@@ -90,7 +91,7 @@ class Stage:
             if self._is_elsewhere(chain, room) or _is_ceiling(thing) or any(one.name in hidden for one in chain):
                 thing.hide_render = True
             elif (height := self._cut_of(thing, chain, camera, cuts)) is not None:
-                self._cut(thing, height)
+                self._cut(thing, height, self.caps[camera.view])
 
     def _is_elsewhere(self, chain: list, room: Room | None) -> bool:
         """Whether it belongs to another room than the one that is shown."""
@@ -117,7 +118,7 @@ class Stage:
         # Columns and the like end where the walls do, where all walls end.
         return max(camera.cuts.values(), default=None) if camera.view == "top" else None
 
-    def _cut(self, thing, height: float) -> None:
+    def _cut(self, thing, height: float, cap) -> None:
         """Takes away what is above a height and closes the cut."""
         levels = [(thing.matrix_world @ Vector(corner)).z for corner in thing.bound_box]
         if min(levels) >= height - 1e-4:
@@ -126,7 +127,7 @@ class Stage:
         if max(levels) <= height + 1e-4:
             return
         thing.data = thing.data.copy()
-        thing.data.materials.append(self.cap)
+        thing.data.materials.append(cap)
         _bisect(thing.data, thing.matrix_world, height, len(thing.data.materials) - 1)
 
     def _place(self, camera: Camera) -> None:
@@ -147,7 +148,7 @@ class Stage:
         self.sky.inputs["Strength"].default_value = SKYLIGHT[camera.view]
         self.sun.data.energy, self.sun.data.color = SUNLIGHT[camera.view], SUN_COLOR
         self.sun.data.angle = math.radians(6.0 if camera.view == "eye" else 12.0)
-        _aim(self.sun, _sun_direction(self.level, room, camera))
+        aim(self.sun, _sun_direction(self.level, room, camera))
         if camera.view == "eye":
             for one in self.level.rooms:
                 self._add_fill(one)
@@ -172,7 +173,7 @@ class Stage:
         render.image_settings.file_format = "PNG"
         render.image_settings.color_mode = "RGBA"
         if quality.engine == "cycles":
-            _set_cycles(self.scene.cycles, quality.samples)
+            set_cycles(self.scene.cycles, quality.samples)
         elif quality.engine == "eevee":
             self.scene.eevee.taa_render_samples = quality.samples
         else:
@@ -228,9 +229,22 @@ def _let_light_through(objects: list) -> None:
             thing.visible_shadow = thing.visible_diffuse = False
 
 
+def thin_glass() -> None:
+    """Clear materials become thin panes: refraction needs many more samples than a small picture has."""
+    for material in bpy.data.materials:
+        tree = material.node_tree
+        for shader in (one for one in (tree.nodes if tree else []) if one.type == "BSDF_PRINCIPLED"):
+            inputs = shader.inputs
+            if inputs["Transmission Weight"].default_value > 0.5 and not inputs["Alpha"].is_linked:
+                inputs["Transmission Weight"].default_value = 0.0
+                inputs["Alpha"].default_value = min(inputs["Alpha"].default_value, 0.2)
+                inputs["Roughness"].default_value = 0.1
+
+
 def _plain_material(name: str, color: tuple) -> object:
     material = bpy.data.materials.new(name)
-    material.use_nodes = True
+    if material.node_tree is None:
+        material.use_nodes = True
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     shader.inputs["Base Color"].default_value = color
     shader.inputs["Roughness"].default_value = 1.0
@@ -238,14 +252,15 @@ def _plain_material(name: str, color: tuple) -> object:
     return material
 
 
-def _add_sky(scene):
+def add_sky(scene):
     scene.world = bpy.data.worlds.new("sky")
-    scene.world.use_nodes = True
+    if scene.world.node_tree is None:
+        scene.world.use_nodes = True
     nodes = scene.world.node_tree.nodes
     return next(node for node in nodes if node.type == "BACKGROUND")
 
 
-def _aim(thing, direction: Vector) -> None:
+def aim(thing, direction: Vector) -> None:
     thing.rotation_mode = "QUATERNION"
     thing.rotation_quaternion = direction.to_track_quat("-Z", "Y")
 
@@ -286,7 +301,7 @@ def _bisect(mesh, world: Matrix, height: float, cap: int) -> None:
     shape.free()
 
 
-def _set_cycles(cycles, samples: int) -> None:
+def set_cycles(cycles, samples: int) -> None:
     cycles.device, cycles.seed, cycles.samples = "CPU", 0, samples
     cycles.use_adaptive_sampling = False
     cycles.use_denoising, cycles.denoiser = True, "OPENIMAGEDENOISE"
