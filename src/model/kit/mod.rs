@@ -23,7 +23,7 @@ mod sweep;
 pub(crate) use bay::Bay;
 pub(crate) use blade::{Blade, blade};
 pub(crate) use builder::Builder;
-pub(crate) use extrude::{Axis, extrude};
+pub(crate) use extrude::{Axis, Level, extrude, stacked};
 pub(crate) use loft::{cylinder, lathe, loft, loft_ring};
 pub(crate) use outline::{Outline, Slice};
 pub(crate) use rounded::{cuboid, rounded_box};

@@ -1,7 +1,5 @@
 //! Small things that people leave about.
 
-use std::f64::consts::TAU;
-
 use glam::{DVec2, DVec3};
 
 use super::input::Draft;
@@ -57,50 +55,6 @@ pub(super) fn pillow(draft: &Draft, builder: &mut Builder) {
     let thin = extent.min_element();
     let radii = DVec3::splat(extent.max_element() * 0.22).min(extent * 0.45).max(DVec3::splat(thin * 0.45));
     builder.add(slot, rounded_box(bay, radii, 3));
-}
-
-/// A wall clock, or a clock that stands, by its depth.
-pub(super) fn clock(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let slot = if draft.is_traditional() {
-        "wood_dark"
-    } else {
-        draft.sampler().pick(&["metal_dark", "painted_accent", "wood"])
-    };
-    let (half, middle) = (bay.extent() / 2.0, bay.center());
-    let depth = bay.depth();
-    let slice =
-        |share: f64, shrink: f64| Slice::new(bay.low.z + share * depth, half.x * shrink, half.y * shrink);
-    let rim = [
-        slice(0.0, 0.92),
-        slice(0.2, 1.0),
-        slice(0.85, 1.0),
-        slice(1.0, 0.95),
-        slice(1.0, 0.88),
-        slice(0.6, 0.86),
-        slice(0.0, 0.86),
-    ];
-    let up = |solid: crate::model::kit::Solid| turned_forward(solid).moved(0.0, middle.y, 0.0);
-    builder.add(slot, up(loft_ring(&Outline::Round(12), &rim)));
-    builder.add("paper", up(loft(&Outline::Round(12), &[slice(0.1, 0.865), slice(0.55, 0.865)])));
-    let face = bay.low.z + depth * 0.55;
-    let hand = |length: f64, width: f64, lift: f64, turn: f64| {
-        let bar = Bay::new([-width, width], [-length * 0.15, length], [face - SINK, face + lift]);
-        cuboid(bar).turned_z(turn).moved(0.0, middle.y, 0.0)
-    };
-    let radius = half.x.min(half.y);
-    // Ten past ten, as in every shop window.
-    builder.add("metal_dark", hand(radius * 0.45, radius * 0.035, depth * 0.08, TAU / 6.0));
-    builder.add("metal_dark", hand(radius * 0.7, radius * 0.025, depth * 0.16, -TAU / 6.0));
-    for hour in 0..4 {
-        let tick = Bay::new(
-            [-radius * 0.02, radius * 0.02],
-            [radius * 0.68, radius * 0.8],
-            [face - SINK, face + depth * 0.04],
-        );
-        let turned = cuboid(tick).turned_z(TAU / 4.0 * f64::from(hour));
-        builder.add("metal_dark", turned.moved(0.0, middle.y, 0.0));
-    }
 }
 
 /// A toy: building bricks, a car, or rings on a stick.

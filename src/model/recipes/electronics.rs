@@ -7,78 +7,6 @@ use super::parts::turned_forward;
 use crate::catalog::Side;
 use crate::model::kit::{Axis, Bay, Builder, SINK, cuboid, cylinder, extrude, lathe, rounded_box};
 
-/// Metres of depth from which a television stands on a foot; a flatter one hangs on the wall.
-const STANDING_FROM: f64 = 0.13;
-/// Metres of a screen's border.
-const BEZEL: f64 = 0.012;
-
-/// A flat display: a dark body with a lit area in front, `bay` deep.
-fn display(builder: &mut Builder, bay: Bay) {
-    let glass = 0.004_f64.min(bay.depth() * 0.2);
-    builder.block("plastic_dark", bay.without(Side::Front, glass), bay.depth().min(0.02) * 0.2);
-    let bezel = BEZEL.min(bay.width() * 0.05);
-    builder.cuboid("screen", bay.slab(Side::Front, glass + SINK).inset(bezel, bezel, 0.0));
-}
-
-/// A television, on a foot or on a wall bracket by its depth.
-pub(super) fn tv(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    if bay.depth() < STANDING_FROM {
-        let body = (bay.depth() * 0.55).min(0.045);
-        display(builder, bay.slab(Side::Front, body));
-        let bracket = bay.without(Side::Front, body - SINK).inset(bay.width() * 0.3, bay.height() * 0.3, 0.0);
-        builder.cuboid("metal_dark", bracket);
-        return;
-    }
-    let lift = bay.height() * 0.1;
-    let middle = bay.center().z;
-    display(builder, bay.without(Side::Below, lift).with_z([middle - 0.02, middle + 0.025]));
-    if draft.sampler().chance(0.5) {
-        builder.block(
-            "plastic_dark",
-            Bay::new([-bay.width() * 0.2, bay.width() * 0.2], [0.0, 0.012], bay.z()),
-            0.004,
-        );
-        let neck = Bay::new(
-            [-bay.width() * 0.05, bay.width() * 0.05],
-            [0.012 - SINK, lift + 0.05],
-            [middle - 0.018, middle],
-        );
-        builder.cuboid("plastic_dark", neck);
-    } else {
-        for x in [-0.36, 0.36] {
-            let (x, peak) = (x * bay.width(), lift + 0.01);
-            let foot = [
-                (bay.high.z, 0.0),
-                (bay.high.z, 0.012),
-                (middle + 0.01, peak),
-                (middle - 0.01, peak),
-                (bay.low.z, 0.012),
-                (bay.low.z, 0.0),
-            ];
-            builder.add("metal_dark", extrude(&foot.map(DVec2::from), Axis::X, [x - 0.012, x + 0.012]));
-        }
-    }
-}
-
-/// A monitor on a stand.
-pub(super) fn computer(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let lift = bay.height() * draft.sampler().between(0.24, 0.32);
-    let body = (bay.depth() * 0.2).min(0.035);
-    let z = bay.center().z;
-    display(builder, bay.without(Side::Below, lift).with_z([z, z + body]));
-    let foot = bay.width() * 0.22;
-    builder.block("metal", Bay::new([-foot, foot], [0.0, 0.01], bay.z()), 0.003);
-    let neck = [
-        (z - 0.03, 0.0095),
-        (z - 0.012, 0.0095),
-        (z + 0.0005, lift + bay.height() * 0.25),
-        (z - 0.018, lift + bay.height() * 0.3),
-    ];
-    builder.add("metal", extrude(&neck.map(DVec2::from), Axis::X, [-foot * 0.25, foot * 0.25]));
-}
-
 /// A keyboard with rows of keys, and a mouse where the box is wide.
 pub(super) fn keyboard(_draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
@@ -243,5 +171,5 @@ pub(super) fn cash_register(_draft: &Draft, builder: &mut Builder) {
         Bay::new([-0.02, 0.02], [top - 0.06, bay.high.y - 0.03], [low + 0.01, low + 0.035]),
     );
     let panel = Bay::new([-x * 0.6, x * 0.6], [bay.height() * 0.74, bay.high.y], [low, low + 0.045]);
-    display(builder, panel);
+    super::screens::display(builder, panel, ("plastic_dark", 0.012));
 }

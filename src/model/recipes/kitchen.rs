@@ -2,132 +2,297 @@
 
 use glam::DVec3;
 
-use super::input::Draft;
-use super::parts::{Fittings, REVEAL, slab_top, tap, turned_forward};
+use super::input::{Draft, GeometrySet};
+use super::ovens::{hob, hob_height, oven_front};
+use super::parts::{Fittings, LegKind, REVEAL, Tap, legs_at_corners, slab_top, tap};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, loft, loft_ring};
+use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft, loft_ring};
 
-/// Metres of a worktop.
+/// Metres of a worktop (usual ones: 0.02-0.04).
 const TOP: f64 = 0.04;
-/// Metres of a toe kick's height and depth.
+/// Metres of a toe kick's height and depth (EN 1116: 0.10-0.15 high, 0.05 deep).
 const TOE: [f64; 2] = [0.1, 0.05];
 /// Metres of a working surface over the floor, where a box is higher for a tap's sake.
 const WORKING_HEIGHT: f64 = 0.9;
-/// Metres by which a hob or the rim of a basin stands over the top.
-const ON_TOP: f64 = 0.004;
+/// Metres by which the rim of a basin stands over the top.
+const RIM: f64 = 0.004;
 /// Boxes over this height, in metres, have their working surface below the top.
 const HIGH_FROM: f64 = 1.0;
+/// Metres from the top down to where a carcass with a basin in it begins.
+const BASIN_ROOM: f64 = 0.21;
+/// Metres of the groove over fronts without handles.
+const GROOVE: f64 = 0.025;
+
+/// Fronts, worktop and handles of a kitchen of a set and look.
+struct Kitchen {
+    fittings: Fittings,
+    top: &'static str,
+    carcass: &'static str,
+    thickness: f64,
+}
+
+fn kitchen(draft: &Draft) -> Kitchen {
+    let look = draft.input.look as usize % 4;
+    let fittings = |front, handle, reach, is_traditional| Fittings { front, handle, reach, is_traditional };
+    match draft.set() {
+        GeometrySet::Plain => Kitchen {
+            fittings: fittings(["laminate", "painted", "wood", "painted"][look], "metal_dark", 0.0, false),
+            top: ["stone", "wood", "stone", "concrete"][look],
+            carcass: "laminate",
+            thickness: [0.03, 0.04, 0.02, 0.04][look],
+        },
+        GeometrySet::Traditional => Kitchen {
+            fittings: fittings(
+                ["painted", "wood", "painted_accent", "wood_dark"][look],
+                "brass",
+                0.024,
+                true,
+            ),
+            top: ["wood", "stone", "wood_dark", "stone"][look],
+            carcass: ["painted", "wood", "painted_accent", "wood_dark"][look],
+            thickness: 0.04,
+        },
+        GeometrySet::Industrial => Kitchen {
+            fittings: fittings(["wood", "metal", "wood_dark", "metal_dark"][look], "metal_dark", 0.03, false),
+            top: ["wood", "metal", "wood_dark", "concrete"][look],
+            carcass: "metal_dark",
+            thickness: [0.05, 0.03, 0.06, 0.05][look],
+        },
+        GeometrySet::Budget => Kitchen {
+            fittings: fittings(
+                ["laminate", "plastic", "wood_light", "laminate"][look],
+                "metal",
+                0.022,
+                false,
+            ),
+            top: ["laminate", "wood_light", "laminate", "stone"][look],
+            carcass: "laminate",
+            thickness: 0.028,
+        },
+    }
+}
 
 /// A base unit of a kitchen: carcass, toe kick, front and top; with a `sink`, a `hob`, an `oven` or `drawers`.
+/// Handleless, with framed fronts, an open frame of steel, or of thin board with an edge strip.
 pub(super) fn worktop(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
+    let kitchen = kitchen(draft);
     let work = if bay.height() > HIGH_FROM { WORKING_HEIGHT } else { bay.height() };
     // What lies on the top is part of the box.
-    let work = if draft.is_set("hob") || draft.is_set("sink") { work - ON_TOP } else { work };
-    let top = bay.with_y([work - TOP.min(work * 0.2), work]);
-    let is_traditional = draft.is_traditional();
-    let fittings = Fittings { front: "laminate", handle: "metal", reach: 0.022, is_traditional };
-    if draft.is_set("sink") {
-        sink(builder, top, bay);
+    let work = if draft.is_set("hob") {
+        work - hob_height(draft.set())
+    } else if draft.is_set("sink") {
+        work - RIM
     } else {
-        slab_top(builder, "stone", top, is_traditional);
+        work
+    };
+    let top = bay.with_y([work - kitchen.thickness.min(TOP.max(kitchen.thickness)).min(work * 0.2), work]);
+    if draft.is_set("sink") {
+        sink(draft, builder, kitchen.top, top, bay);
+    } else {
+        board(draft, builder, kitchen.top, top);
     }
     if draft.is_set("hob") {
-        hob(builder, top);
+        hob(draft, builder, top);
+    }
+    if draft.set() == GeometrySet::Industrial && !draft.is_set("oven") {
+        open_unit(draft, builder, &kitchen, bay.with_y([0.0, top.low.y + SINK]));
+        return;
     }
     let toe = TOE[0].min(work * 0.2);
     let body = bay.with_y([toe, top.low.y + SINK]).inset(0.001, 0.0, 0.001);
-    let kick = body.with_y([0.0, toe + SINK]).without(Side::Front, TOE[1]).inset(0.002, 0.0, 0.002);
-    builder.cuboid("plastic_dark", kick);
+    foot(draft, builder, &kitchen, body, toe);
     // The basin hangs in the carcass, which is lower there.
-    let carcass =
-        if draft.is_set("sink") { body.without(Side::Above, 0.2_f64.min(work * 0.3)) } else { body };
-    fittings.carcass(builder, "laminate", carcass);
+    let room = BASIN_ROOM.min(work * 0.3);
     if draft.is_set("sink") {
-        let apron = body
-            .inset(0.0004, 0.0, 0.0)
-            .without(Side::Back, 0.0004)
-            .slab(Side::Above, 0.21_f64.min(work * 0.3))
-            .without(Side::Front, fittings.depth() - SINK);
-        builder.cuboid("laminate", apron.slab(Side::Front, 0.02).inset(SINK, 0.0, 0.0));
-        for side in [Side::Left, Side::Right, Side::Back] {
-            let inset = if side == Side::Back { 0.0155 } else { 0.0 };
-            builder.cuboid(
-                "laminate",
-                apron
-                    .without(Side::Front, 0.02 - SINK)
-                    .slab(side, 0.016)
-                    .without(Side::Back, if side == Side::Back { 0.0 } else { 0.0003 })
-                    .inset(inset, SINK / 2.0, 0.0),
-            );
+        kitchen.fittings.carcass(builder, kitchen.carcass, body.without(Side::Above, room - 0.01));
+        apron(builder, &kitchen, body, room);
+    } else {
+        kitchen.fittings.carcass(builder, kitchen.carcass, body);
+    }
+    unit_fronts(draft, builder, &kitchen.fittings, body);
+}
+
+/// The worktop: chamfered, moulded, or with an edge strip.
+fn board(draft: &Draft, builder: &mut Builder, slot: &'static str, top: Bay) {
+    if draft.set() == GeometrySet::Budget {
+        builder.cuboid(slot, top.without(Side::Front, 0.003 - SINK).inset(0.0, 0.0, 0.0));
+        builder.block("plastic_dark", top.slab(Side::Front, 0.003).inset(0.0, 0.0004, 0.0), 0.0008);
+        return;
+    }
+    slab_top(builder, slot, top, draft.is_traditional());
+}
+
+/// The toe kick, or a plinth with blocks at its ends.
+fn foot(draft: &Draft, builder: &mut Builder, kitchen: &Kitchen, body: Bay, toe: f64) {
+    let kick = body.with_y([0.0, toe + SINK]).without(Side::Front, TOE[1]).inset(0.002, 0.0, 0.002);
+    let slot = if draft.set() == GeometrySet::Budget { "laminate" } else { "plastic_dark" };
+    builder.cuboid(if draft.is_traditional() { kitchen.carcass } else { slot }, kick);
+    if draft.is_traditional() {
+        let front = body.with_y([0.001, toe + SINK]).without(Side::Front, 0.03).slab(Side::Front, 0.05);
+        for side in [Side::Left, Side::Right] {
+            builder.block(kitchen.carcass, front.slab(side, 0.05).inset(0.001, 0.0, 0.0), 0.006);
         }
     }
-    unit_fronts(draft, builder, &fittings, body);
+}
+
+/// The parts of a carcass around a basin: a rail in front, sides and a back.
+fn apron(builder: &mut Builder, kitchen: &Kitchen, body: Bay, room: f64) {
+    let slot = kitchen.carcass;
+    let apron = body
+        .inset(0.0004, 0.0, 0.0)
+        .without(Side::Back, 0.0004)
+        .slab(Side::Above, room)
+        .without(Side::Front, kitchen.fittings.depth() - SINK);
+    builder.cuboid(slot, apron.slab(Side::Front, 0.02).inset(SINK, 0.0, 0.0));
+    for side in [Side::Left, Side::Right, Side::Back] {
+        let (inset, behind) = if side == Side::Back { (0.0155, 0.0) } else { (0.0, 0.0003) };
+        let piece = apron.without(Side::Front, 0.02 - SINK).slab(side, 0.016).without(Side::Back, behind);
+        builder.cuboid(slot, piece.inset(inset, SINK / 2.0, 0.0));
+    }
 }
 
 fn unit_fronts(draft: &Draft, builder: &mut Builder, fittings: &Fittings, body: Bay) {
     let face = body.inset(REVEAL / 2.0, REVEAL / 2.0, 0.0).without(Side::Above, REVEAL);
     if draft.is_set("oven") {
-        oven_front(builder, fittings, face);
+        oven_front(draft, builder, face);
         return;
+    }
+    let is_handleless = draft.set() == GeometrySet::Plain;
+    let face = if is_handleless { face.without(Side::Above, GROOVE) } else { face };
+    if is_handleless {
+        groove(builder, fittings, face.with_y([face.high.y, face.high.y + GROOVE]));
     }
     if draft.is_set("drawers") {
-        face.rows(draft.count("drawers", 3), REVEAL)
-            .into_iter()
-            .for_each(|row| fittings.drawer(builder, row));
+        drawers(draft, builder, fittings, face);
         return;
     }
-    let count = (body.width() / 0.55).round().clamp(1.0, 6.0) as u32;
-    let has_drawer = !draft.is_set("sink") && draft.sampler().chance(0.6);
+    let count = (body.width() / 0.5).round().clamp(1.0, 6.0) as u32;
+    let has_drawer = !draft.is_set("sink") && draft.input.look.is_multiple_of(2);
     let doors = if has_drawer { face.without(Side::Above, 0.15) } else { face };
     for (index, column) in doors.columns(count, REVEAL).into_iter().enumerate() {
         let hinge = if index % 2 == 0 { Side::Left } else { Side::Right };
-        fittings.door(builder, column, hinge, 0.82);
+        fittings.door(builder, column, hinge, 0.85);
         if has_drawer {
-            let drawer = column.with_y([doors.high.y + REVEAL, face.high.y]);
+            let drawer =
+                column.with_y([doors.high.y + if is_handleless { GROOVE } else { REVEAL }, face.high.y]);
             fittings.drawer(builder, drawer);
+        }
+    }
+    if has_drawer && is_handleless {
+        groove(builder, fittings, face.with_y([doors.high.y, doors.high.y + GROOVE]));
+    }
+}
+
+/// A dark hollow to reach into behind the upper edge of fronts.
+fn groove(builder: &mut Builder, fittings: &Fittings, bay: Bay) {
+    let back = bay.without(Side::Front, fittings.depth() - 0.004).slab(Side::Front, 0.008);
+    builder.cuboid("metal_dark", back.inset(0.001, -0.001, 0.0));
+}
+
+/// Drawers: the lower ones deeper.
+fn drawers(draft: &Draft, builder: &mut Builder, fittings: &Fittings, face: Bay) {
+    let count = draft.count("drawers", 3);
+    let gap = if draft.set() == GeometrySet::Plain { GROOVE } else { REVEAL };
+    let wide = face.width() > 1.2;
+    for column in face.columns(if wide { 2 } else { 1 }, REVEAL) {
+        let rows = column.rows(count, gap);
+        for (index, row) in rows.iter().enumerate() {
+            // Half of the top row's share goes to the lowest one.
+            let give = if count == 3 { row.height() * 0.3 } else { 0.0 };
+            let row = match (index, count) {
+                (0, 3) => row.with_y([row.low.y, row.high.y + give]),
+                (1, 3) => row.moved(0.0, give, 0.0),
+                (2, 3) => row.with_y([row.low.y + give, row.high.y]),
+                _ => *row,
+            };
+            fittings.drawer(builder, row);
+            if gap > REVEAL && index > 0 {
+                groove(builder, fittings, row.with_y([row.low.y - GROOVE, row.low.y]));
+            }
         }
     }
 }
 
-/// An oven door with a window, a long handle and a strip of knobs.
-pub(super) fn oven_front(builder: &mut Builder, fittings: &Fittings, face: Bay) {
-    let strip = face.slab(Side::Above, 0.11_f64.min(face.height() * 0.2));
-    let door = face.without(Side::Above, strip.height() + REVEAL);
-    let metal = Fittings { front: "appliance", handle: "metal", is_traditional: false, ..*fittings };
-    metal.panel(builder, strip);
-    metal.panel(builder, door);
-    let surface = face.high.z - fittings.reach;
-    let glass =
-        door.inset(door.width() * 0.13, door.height() * 0.18, 0.0).with_z([surface - SINK, surface + 0.003]);
-    builder.cuboid("screen", glass.moved(0.0, -door.height() * 0.04, 0.0));
-    let bar = DVec3::new(0.0, door.high.y - 0.05_f64.min(door.height() * 0.1), surface);
-    super::parts::handle(
-        builder,
-        "metal",
-        (super::parts::HandleKind::Level, door.width() * 0.8),
-        bar,
-        fittings.reach,
-    );
-    let knob = turned_forward(cylinder(0.018, [-SINK, fittings.reach * 0.8], 8));
-    for column in strip.inset(strip.width() * 0.08, 0.0, 0.0).columns(4, 0.02) {
-        let middle = column.center();
-        builder.add("metal_dark", knob.clone().moved(middle.x, middle.y, surface));
+/// A frame of square steel with a shelf of slats, boxes or pots on it, and a drawer under the top.
+fn open_unit(draft: &Draft, builder: &mut Builder, kitchen: &Kitchen, bay: Bay) {
+    let thick = 0.04_f64.min(bay.width() * 0.1);
+    let look = draft.input.look as usize % 4;
+    let frame = bay.inset(0.008, 0.0, 0.012);
+    legs_at_corners(builder, kitchen.carcass, frame, thick, LegKind::Square);
+    let shelves: &[f64] = if look.is_multiple_of(2) { &[0.16] } else { &[0.16, 0.48] };
+    for &rise in shelves {
+        let y = bay.high.y * rise;
+        for side in [Side::Front, Side::Back] {
+            let rail = frame.slab(side, thick * 0.8).inset(0.002, 0.0, 0.001);
+            builder.cuboid(kitchen.carcass, rail.with_y([y - thick * 0.8, y]));
+        }
+        let shelf = frame.inset(thick * 0.3, 0.0, 0.003).with_y([y - SINK, y + 0.016]);
+        let slats = (shelf.width() / 0.12).round().clamp(2.0, 14.0) as u32;
+        for slat in shelf.columns(slats, 0.014) {
+            builder.cuboid(if look == 1 { "metal" } else { "wood" }, slat);
+        }
+        pots(
+            builder,
+            shelf.with_y([shelf.high.y, bay.high.y * (rise + 0.26)]).inset(thick, 0.0, thick),
+            look,
+        );
     }
+    if draft.is_set("sink") {
+        return;
+    }
+    let drawer =
+        frame.slab(Side::Above, 0.15).inset(thick - 0.004, 0.0, 0.0).without(Side::Back, thick + 0.01);
+    builder.cuboid(
+        kitchen.carcass,
+        drawer
+            .without(Side::Front, kitchen.fittings.depth() - SINK)
+            .without(Side::Above, 0.004)
+            .without(Side::Below, 0.004),
+    );
+    let count = (drawer.width() / 0.6).round().clamp(1.0, 4.0) as u32;
+    let face = drawer.inset(0.006, 0.0, 0.0).without(Side::Above, 0.006);
+    face.columns(count, 0.006).into_iter().for_each(|column| kitchen.fittings.drawer(builder, column));
 }
 
-/// A worktop with a basin let into it, and a tap where the box reaches over the top.
-fn sink(builder: &mut Builder, top: Bay, bay: Bay) {
+/// Pots and a crate on a shelf.
+fn pots(builder: &mut Builder, room: Bay, look: usize) {
+    let radius = (room.width() * 0.16).min(room.depth() * 0.36).min(0.12);
+    let tall = room.height().min(radius * 1.3);
+    for (index, share) in [-0.3, 0.08].into_iter().enumerate() {
+        let size = if index == 0 { 1.0 } else { 0.78 };
+        let (radius, tall, y) = (radius * size, tall * size, room.low.y - SINK);
+        let pot = [
+            (radius * 0.94, y),
+            (radius, y + tall * 0.06),
+            (radius, y + tall),
+            (radius * 0.94, y + tall),
+            (radius * 0.9, y + tall * 0.1),
+        ];
+        let x = share * room.width();
+        builder.add(["metal", "ceramic"][(look / 2 + index) % 2], lathe(&pot, 12).moved(x, 0.0, 0.0));
+        let grip = Bay::around(DVec3::new(x, y + tall * 0.8, 0.0), radius * 2.4, 0.012, radius * 0.4);
+        builder.cuboid("metal_dark", grip);
+    }
+    let crate_bay =
+        Bay::around(DVec3::new(room.width() * 0.36, 0.0, 0.0), room.width() * 0.2, 1.0, room.depth() * 0.8);
+    builder.block("wood_light", crate_bay.with_y([room.low.y - SINK * 0.6, room.low.y + tall * 0.8]), 0.004);
+}
+
+/// A worktop with a basin and a drainer let into it, and a tap where the box reaches over the top.
+fn sink(draft: &Draft, builder: &mut Builder, slot: &'static str, top: Bay, bay: Bay) {
     let half = top.extent() / 2.0;
-    let hole = [(half.x - 0.06).min(0.3).max(half.x * 0.4), (half.z - 0.09).max(half.z * 0.4)];
-    let forward = 0.02;
-    let inner = |y: f64| Slice::new(y, hole[0], hole[1]).at(0.0, forward);
+    let hole = [half.x * 0.5, (half.z - 0.09).max(half.z * 0.4)];
+    let side = if draft.input.look.is_multiple_of(2) { -1.0 } else { 1.0 };
+    let (across, forward) = (side * half.x * 0.3, 0.02);
+    let inner = |y: f64| Slice::new(y, hole[0], hole[1]).at(across, forward);
     let outer = |y: f64| Slice::new(y, half.x, half.z);
     let slices = [outer(top.low.y), outer(top.high.y), inner(top.high.y), inner(top.low.y)];
-    builder.add("stone", loft_ring(&Outline::Square, &slices));
+    builder.add(slot, loft_ring(&Outline::Square, &slices));
     let depth = 0.16_f64.min(bay.height() * 0.18);
-    let rim = |y: f64, x: f64| Slice::new(y, hole[0] + x, hole[1] + x).at(0.0, forward).softened(0.03);
-    let high = top.high.y + ON_TOP;
+    let rim = |y: f64, x: f64| Slice::new(y, hole[0] + x, hole[1] + x).at(across, forward).softened(0.03);
+    let high = top.high.y + RIM;
+    let low = high - depth + 0.004;
     // Down the outside, over the rim onto the top, and down the inside.
     let basin = [
         rim(high - depth, -0.012),
@@ -135,88 +300,89 @@ fn sink(builder: &mut Builder, top: Bay, bay: Bay) {
         rim(top.high.y - SINK, 0.012),
         rim(high, 0.012),
         rim(high, -0.004),
-        rim(high - depth + 0.004, -0.02),
+        rim(low + 0.02, -0.016),
+        rim(low, -0.035),
     ];
-    builder.add("chrome", loft(&Outline::Soft(2), &basin));
+    let metal = if draft.is_traditional() { "ceramic" } else { "metal" };
+    builder.add(metal, loft(&Outline::Soft(2), &basin));
+    let strainer = [(0.04, low - SINK), (0.04, low + 0.002), (0.02, low + 0.004)];
+    builder.add("chrome", lathe(&strainer, 10).moved(across, 0.0, forward));
+    drainer(builder, metal, top, [across + side * hole[0], side, hole[1]], forward);
     if bay.high.y - top.high.y > 0.08 {
         let foot = DVec3::new(0.0, top.high.y, forward - hole[1] - 0.035);
-        tap(builder, foot, bay.high.y - top.high.y, bay.depth() * 0.2);
+        let height = bay.high.y - top.high.y;
+        tap(builder, draft.set(), Tap { foot, height, reach: bay.depth() * 0.2 });
     }
 }
 
-/// Four cooking zones on black glass.
-pub(super) fn hob(builder: &mut Builder, top: Bay) {
-    let width = (top.width() - 0.06).min(0.58);
-    let depth = (top.depth() - 0.08).min(0.51);
-    let (surface, radius) = (top.high.y, width.min(depth) * 0.19);
-    let glass =
-        Bay::around(top.center(), width, 0.004, depth).with_y([surface - SINK, surface + ON_TOP * 0.8]);
-    builder.cuboid("screen", glass);
-    for x in [-1.0, 1.0] {
-        for z in [-1.0, 1.0] {
-            let size = if x * z > 0.0 { radius } else { radius * 0.8 };
-            let zone = cylinder(size, [surface + ON_TOP * 0.6, surface + ON_TOP], 12);
-            builder.add("metal_dark", zone.moved(x * width * 0.25, 0.0, z * depth * 0.25));
-        }
+/// Grooves beside a basin; `edge` is where the basin ends, which way the drainer lies, and half its depth.
+fn drainer(builder: &mut Builder, slot: &'static str, top: Bay, [_, side, deep]: [f64; 3], forward: f64) {
+    let (inner, outer) = (top.width() * 0.5 * 0.24, top.width() * 0.5 - 0.02);
+    let x = if side < 0.0 { [inner, outer] } else { [-outer, -inner] };
+    let y = top.high.y;
+    let plate = Bay::new(x, [y - SINK, y + RIM * 0.4], [forward - deep, forward + deep]);
+    builder.cuboid(slot, plate);
+    for rib in plate.inset(0.015, 0.0, 0.02).columns(5, plate.width() * 0.09) {
+        builder.cuboid(slot, rib.with_y([y, y + RIM * 0.85]));
     }
 }
 
-/// A solid counter for a reception, a bar or a shop: panelled front for guests at the back side, worktop inside.
+/// A solid counter for a reception, a bar or a shop: fronts for guests and staff, worktop, foot rail by set.
 pub(super) fn counter(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let is_traditional = draft.is_traditional();
+    let set = draft.set();
+    let look = draft.input.look as usize % 4;
     let top = TOP.min(bay.height() * 0.2);
-    slab_top(
-        builder,
-        draft.sampler().pick(&["stone", "wood_dark"]),
-        bay.slab(Side::Above, top),
-        is_traditional,
-    );
-    let overhang = if is_traditional { 0.016 } else { 0.01 };
+    let [slot, wood] = match set {
+        GeometrySet::Plain => {
+            [["stone", "wood"], ["wood_dark", "painted"], ["stone", "painted_accent"], ["wood", "laminate"]]
+        }
+        GeometrySet::Traditional => {
+            [["wood_dark", "wood_dark"], ["stone", "wood"], ["wood", "painted"], ["stone", "wood_dark"]]
+        }
+        GeometrySet::Industrial => {
+            [["wood", "metal_dark"], ["metal", "wood"], ["concrete", "wood_dark"], ["wood_dark", "metal"]]
+        }
+        GeometrySet::Budget => [
+            ["laminate", "laminate"],
+            ["wood_light", "painted"],
+            ["laminate", "painted_accent"],
+            ["plastic", "laminate"],
+        ],
+    }[look];
+    slab_top(builder, slot, bay.slab(Side::Above, top), draft.is_traditional());
+    let overhang = if draft.is_traditional() { 0.016 } else { 0.01 };
     let body = bay.without(Side::Above, top - SINK).inset(overhang, 0.0, overhang);
     let kick = 0.09_f64.min(bay.height() * 0.15);
     builder.cuboid("metal_dark", body.slab(Side::Below, kick + SINK).inset(0.03, 0.0, 0.03));
-    let carcass = body.without(Side::Below, kick).inset(0.0, 0.0, 0.016);
-    builder.cuboid("wood", carcass);
-    let count = (bay.width() / 0.6).round().clamp(1.0, 12.0) as u32;
-    for (side, slot) in [(Side::Front, "wood"), (Side::Back, "wood")] {
-        let face = body.without(Side::Below, kick).slab(side, 0.016 + SINK).inset(0.004, 0.004, 0.0);
-        for column in face.columns(count, 0.008) {
-            builder.cuboid(slot, column);
+    let upper = body.without(Side::Below, kick);
+    builder.cuboid(wood, upper.inset(0.0, 0.0, 0.016));
+    let count = match set {
+        GeometrySet::Industrial => (bay.width() / 0.14).round().clamp(2.0, 22.0),
+        GeometrySet::Plain if look % 2 == 1 => (bay.width() / 0.07).round().clamp(2.0, 40.0),
+        _ => (bay.width() / 0.6).round().clamp(1.0, 12.0),
+    } as u32;
+    let gap = if count > 12 { 0.016 } else { 0.008 };
+    for side in [Side::Front, Side::Back] {
+        let face = upper.slab(side, 0.016 + SINK).inset(0.004, 0.004, 0.0);
+        for column in face.columns(count, gap) {
+            builder.cuboid(wood, column);
+            if draft.is_traditional() {
+                let field = column.inset(column.width() * 0.16, column.height() * 0.14, 0.0);
+                let out = if side == Side::Front { 0.007 } else { -0.007 };
+                builder.block(wood, field.moved(0.0, 0.0, out), 0.004);
+            }
         }
     }
-}
-
-/// A tall refrigerator with a freezer door below or above.
-pub(super) fn fridge(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let fittings = Fittings { front: "appliance", handle: "metal", reach: 0.03, is_traditional: false };
-    let foot = 0.04_f64.min(bay.height() * 0.1);
-    builder.cuboid(
-        "plastic_dark",
-        bay.slab(Side::Below, foot + SINK).inset(0.01, 0.0, 0.01).without(Side::Front, 0.06),
-    );
-    let body = bay.without(Side::Below, foot);
-    builder.block("appliance", body.without(Side::Front, fittings.depth() + 0.02 - SINK), 0.006);
-    let share = sampler.between(0.3, 0.38);
-    let freezer_low = sampler.chance(0.6);
-    let cut = body.low.y + body.height() * if freezer_low { share } else { 1.0 - share };
-    let doors = [body.with_y([body.low.y, cut - 0.003]), body.with_y([cut + 0.003, body.high.y])];
-    for (index, door) in doors.into_iter().enumerate() {
-        builder.block("appliance", door.without(Side::Front, fittings.reach).slab(Side::Front, 0.038), 0.008);
-        if door.height() < 0.1 {
-            continue;
+    if set == GeometrySet::Industrial || set == GeometrySet::Traditional {
+        let rail = cylinder(0.015, [body.low.x + 0.02, body.high.x - 0.02], 8)
+            .turned_z(-std::f64::consts::FRAC_PI_2);
+        let metal = if draft.is_traditional() { "brass" } else { "metal" };
+        builder.add(metal, rail.moved(0.0, kick * 0.8, bay.low.z + 0.0152));
+        for x in [-0.4, 0.0, 0.4] {
+            let stay =
+                Bay::around(DVec3::new(x * bay.width(), kick * 0.8, bay.low.z + 0.03), 0.012, 0.012, 0.05);
+            builder.cuboid(metal, stay);
         }
-        let length = (door.height() * 0.4).min(0.45);
-        let y = if index == 0 { door.high.y - length * 0.65 } else { door.low.y + length * 0.65 };
-        let at = DVec3::new(door.low.x + 0.05, y, door.high.z - fittings.reach);
-        super::parts::handle(
-            builder,
-            "metal",
-            (super::parts::HandleKind::Upright, length),
-            at,
-            fittings.reach,
-        );
     }
 }

@@ -1,16 +1,32 @@
-//! Lamps.
+//! Lamps that hang, and the parts of all lamps.
 
-use glam::DVec3;
+use std::f64::consts::TAU;
 
-use super::input::Draft;
-use super::parts::turned_forward;
+use glam::{DVec2, DVec3};
+
+use super::input::{Draft, GeometrySet};
 use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, Solid, cylinder, lathe, loft, loft_ring, sweep};
 
 /// Corners of shades and feet.
-const SIDES: usize = 12;
+pub(super) const SIDES: usize = 12;
+/// Metres of a flex.
+const FLEX: f64 = 0.004;
 
 /// A lamp shade, open above and below, by radii and heights.
-fn shade(radii: [f64; 2], y: [f64; 2]) -> Solid {
+pub(super) fn shade(radii: [f64; 2], y: [f64; 2]) -> Solid {
+    tube(&Outline::Round(SIDES), radii, y)
+}
+
+/// A shade of cloth in pleats: its outline is a star of an even number of corners.
+pub(super) fn pleated(radii: [f64; 2], y: [f64; 2], corners: usize) -> Solid {
+    let corner = |step: usize| {
+        let (sine, cosine) = libm::sincos(TAU * step as f64 / corners as f64);
+        DVec2::new(cosine, -sine) * if step.is_multiple_of(2) { 1.0 } else { 0.93 }
+    };
+    tube(&Outline::Points((0..corners).map(corner).collect()), radii, y).smooth(20.0)
+}
+
+fn tube(outline: &Outline, radii: [f64; 2], y: [f64; 2]) -> Solid {
     let wall = 0.004_f64.min(radii[0].min(radii[1]) * 0.1);
     let slices = [
         Slice::round(y[0], radii[0]),
@@ -18,11 +34,21 @@ fn shade(radii: [f64; 2], y: [f64; 2]) -> Solid {
         Slice::round(y[1], radii[1] - wall),
         Slice::round(y[0], radii[0] - wall),
     ];
-    loft_ring(&Outline::Round(SIDES), &slices)
+    loft_ring(outline, &slices)
+}
+
+/// A ball by its middle, cut off below and above at shares of its radius.
+pub(super) fn globe(middle: f64, radius: f64, ends: [f64; 2], sides: usize) -> Solid {
+    let steps = 5;
+    let slice = |step: usize| {
+        let rise = ends[0] + (ends[1] - ends[0]) * step as f64 / f64::from(steps);
+        (radius * libm::sqrt((1.0 - rise * rise).max(0.0)).max(0.08), middle + radius * rise)
+    };
+    lathe(&(0..=steps as usize).map(slice).collect::<Vec<_>>(), sides)
 }
 
 /// A bulb with its socket above (+1) or below (−1) it.
-fn bulb(builder: &mut Builder, middle: DVec3, radius: f64, socket: f64) {
+pub(super) fn bulb(builder: &mut Builder, middle: DVec3, radius: f64, socket: f64) {
     let half = [(0.0, -1.0), (0.8, -0.55), (0.95, 0.1), (0.5, 0.85), (0.32, 1.2)];
     let profile = half.map(|(share, rise)| (share * radius, rise * radius * socket));
     builder.add("lamp", lathe(&profile, 6).moved(middle.x, middle.y, middle.z));
@@ -31,167 +57,320 @@ fn bulb(builder: &mut Builder, middle: DVec3, radius: f64, socket: f64) {
     builder.add("metal_dark", cylinder(radius * 0.45, ends, 6).moved(middle.x, middle.y, middle.z));
 }
 
-/// A lamp flat under the ceiling: a glass bowl on a metal rim.
+/// A cage of wires around a bulb: `ribs` meridians and a ring, hanging from its top.
+pub(super) fn cage(builder: &mut Builder, slot: &'static str, radius: f64, y: [f64; 2], ribs: u32) {
+    let (low, high) = (y[0], y[1]);
+    let tall = high - low;
+    let wire = (radius * 0.04).clamp(0.0015, 0.003);
+    for rib in 0..ribs {
+        let (sine, cosine) = libm::sincos(TAU * f64::from(rib) / f64::from(ribs));
+        let at = |share: f64, y: f64| {
+            DVec3::new(cosine * (radius - wire) * share, y, sine * (radius - wire) * share)
+        };
+        let path =
+            [at(0.12, low + wire), at(1.0, low + tall * 0.3), at(1.0, low + tall * 0.55), at(0.3, high)];
+        builder.add(slot, sweep(&path, wire, 3));
+    }
+    let ring = |y: f64| tube(&Outline::Round(8), [radius, radius], [y, y + wire * 2.5]);
+    builder.add(slot, ring(low + tall * 0.42));
+}
+
+/// A lamp flat under the ceiling: a bowl of glass, a drum, a bulkhead with a guard, or a plastic dish.
 pub(super) fn ceiling_lamp(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let (half, height) = (bay.extent() / 2.0, bay.height());
+    let (half, height, look) = (bay.extent() / 2.0, bay.height(), draft.input.look % 4);
     let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
-    let slot = if draft.is_traditional() { "brass" } else { draft.sampler().pick(&["metal", "painted"]) };
-    let rim = [slice(0.72, 1.0), slice(0.82, 1.0), slice(1.0, 0.9)];
-    builder.add(slot, loft(&Outline::Round(SIDES), &rim));
-    let bowl = [
-        slice(if draft.is_traditional() { 0.06 } else { 0.0 }, 0.45),
-        slice(0.16, 0.72),
-        slice(0.42, 0.9),
-        slice(0.76, 0.94),
-    ];
-    builder.add("lamp", loft(&Outline::Round(SIDES), &bowl));
-    if draft.is_traditional() {
-        let finial = lathe(&[(0.004, 0.0), (0.014, height * 0.03), (0.006, height * 0.08)], 8);
-        builder.add("brass", finial);
+    let sides = if draft.is_traditional() { 12 } else { 16 };
+    let round = |slices: &[Slice]| loft(&Outline::Round(sides), slices);
+    match draft.set() {
+        GeometrySet::Plain => {
+            let slot = ["metal", "painted", "metal_dark", "wood_light"][look as usize];
+            let low = if look % 2 == 0 { 0.08 } else { 0.0 };
+            builder.add(slot, round(&[slice(low, 0.99), slice(low + 0.04, 1.0), slice(1.0, 1.0)]));
+            let bowl = [slice(0.0, 0.86), slice(0.1, 0.92), slice(0.3, 0.94)];
+            let flat = [slice(0.0, 0.72), slice(0.06, 0.74)];
+            builder.add("lamp", if low > 0.0 { round(&bowl) } else { round(&flat).moved(0.0, -0.0004, 0.0) });
+        }
+        GeometrySet::Traditional => {
+            let slot = ["brass", "brass", "wood_dark", "metal_dark"][look as usize];
+            builder.add(
+                slot,
+                round(&[
+                    slice(0.72, 0.96),
+                    slice(0.76, 1.0),
+                    slice(0.86, 1.0),
+                    slice(0.9, 0.8),
+                    slice(1.0, 0.74),
+                ]),
+            );
+            builder.add(
+                "lamp",
+                round(&[slice(0.08, 0.3), slice(0.16, 0.62), slice(0.42, 0.88), slice(0.78, 0.93)]),
+            );
+            builder.add(slot, lathe(&[(0.004, 0.0), (0.014, height * 0.05), (0.006, height * 0.12)], 8));
+        }
+        GeometrySet::Industrial => bulkhead(builder, look),
+        GeometrySet::Budget => {
+            builder.add("plastic", round(&[slice(0.8, 0.8), slice(1.0, 0.8)]));
+            let swell = [0.72, 0.9, 0.6, 0.85][look as usize];
+            builder.add(
+                "lamp",
+                round(&[slice(0.0, swell * 0.6), slice(0.14, swell), slice(0.5, 1.0), slice(0.86, 0.97)]),
+            );
+            for turn in 0..3 {
+                let (sine, cosine) = libm::sincos(TAU * f64::from(turn) / 3.0 + 0.4);
+                let at = DVec3::new(cosine * half.x * 0.92, height * 0.72, sine * half.z * 0.92);
+                builder.cuboid("metal", Bay::around(at, half.x * 0.1, height * 0.2, half.x * 0.1));
+            }
+        }
     }
 }
 
-/// A flat square light in an office ceiling.
-pub(super) fn ceiling_panel(_draft: &Draft, builder: &mut Builder) {
+/// A ring of metal around glass with bars before it.
+fn bulkhead(builder: &mut Builder, look: u32) {
+    let bay = builder.bay();
+    let (half, height) = (bay.extent() / 2.0, bay.height());
+    let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
+    let slot = ["metal_dark", "metal", "painted_accent", "metal_dark"][look as usize];
+    builder.add(
+        slot,
+        loft(&Outline::Round(16), &[slice(0.5, 1.0), slice(0.6, 1.0), slice(0.65, 0.94), slice(1.0, 0.94)]),
+    );
+    builder.add("lamp", loft(&Outline::Round(12), &[slice(0.1, 0.4), slice(0.22, 0.68), slice(0.52, 0.8)]));
+    let wire = (height * 0.035).min(0.005);
+    let bars = 2 + look % 2;
+    for bar in 0..bars {
+        let turn = std::f64::consts::PI * f64::from(bar) / f64::from(bars);
+        let (sine, cosine) = libm::sincos(turn);
+        let lift = wire * 0.3 * f64::from(bar);
+        let at = |share: f64, y: f64| DVec3::new(cosine * half.x * share, y + lift, sine * half.z * share);
+        let path = [at(-0.86, height * 0.52), at(-0.6, wire), at(0.6, wire), at(0.86, height * 0.52)];
+        builder.add(slot, sweep(&path, wire, 4));
+    }
+}
+
+/// A flat light in an office ceiling: a diffuser, louvres, or bare tubes.
+pub(super) fn ceiling_panel(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let half = bay.extent() / 2.0;
-    let border = half.x.min(half.z) * 0.06;
+    let border = half.x.min(half.z) * if draft.set() == GeometrySet::Plain { 0.05 } else { 0.08 };
     let slice = |share: f64, back: f64| Slice::new(share * bay.height(), half.x - back, half.z - back);
     let frame = [slice(0.0, 0.0), slice(1.0, 0.0), slice(1.0, border), slice(0.0, border)];
-    builder.add("painted", loft_ring(&Outline::Square, &frame));
-    builder.cuboid("lamp", bay.inset(border - SINK, bay.height() * 0.2, border - SINK));
+    let slot = if draft.set() == GeometrySet::Industrial { "metal" } else { "painted" };
+    builder.add(slot, loft_ring(&Outline::Square, &frame));
+    let inner = bay.inset(border - SINK, 0.0, border - SINK);
+    let is_long_in_x = bay.width() >= bay.depth();
+    let split = |bay: Bay, count: u32, gap: f64| {
+        if is_long_in_x { depth_rows(bay, count, gap) } else { bay.columns(count, gap) }
+    };
+    let short = bay.width().min(bay.depth());
+    match (draft.set(), draft.input.look % 2) {
+        (GeometrySet::Plain, 0) => builder.cuboid("lamp", inner.inset(0.0, bay.height() * 0.2, 0.0)),
+        (GeometrySet::Plain, _) => {
+            builder.cuboid("painted", inner.with_y([bay.height() * 0.3, bay.height() * 0.9]));
+            for strip in split(inner.inset(border, 0.0, border), 3, short * 0.14) {
+                builder.cuboid("lamp", strip.with_y([bay.height() * 0.15, bay.height() * 0.4]));
+            }
+        }
+        (set, look) => {
+            builder.cuboid("metal", inner.with_y([bay.height() * 0.75, bay.height() * 0.95]));
+            let tubes = if set == GeometrySet::Budget { 4 } else { 2 + look };
+            for strip in split(inner.inset(border * 0.6, 0.0, border * 0.6), tubes, short * 0.08) {
+                builder.cuboid("lamp", strip.with_y([bay.height() * 0.35, bay.height() * 0.62]));
+            }
+            if set != GeometrySet::Budget || look == 0 {
+                let across = |bay: Bay| {
+                    if is_long_in_x {
+                        bay.columns(6, bay.width() * 0.15)
+                    } else {
+                        depth_rows(bay, 6, bay.depth() * 0.15)
+                    }
+                };
+                for louvre in across(inner) {
+                    let thin = louvre.center();
+                    let plate = Bay::around(thin, louvre.width(), 0.0, louvre.depth());
+                    let plate = if is_long_in_x {
+                        plate.with_x([thin.x - 0.002, thin.x + 0.002])
+                    } else {
+                        plate.with_z([thin.z - 0.002, thin.z + 0.002])
+                    };
+                    builder.cuboid("metal", plate.with_y([bay.height() * 0.06, bay.height() * 0.3]));
+                }
+            }
+        }
+    }
+}
+
+fn depth_rows(bay: Bay, count: u32, gap: f64) -> Vec<Bay> {
+    let depth = (bay.depth() - gap * f64::from(count - 1)) / f64::from(count);
+    let row = |index: u32| {
+        let low = bay.low.z + f64::from(index) * (depth + gap);
+        bay.with_z([low, low + depth])
+    };
+    (0..count).map(row).collect()
+}
+
+/// What hangs on a flex.
+#[derive(Clone, Copy)]
+enum Hanging {
+    Drum,
+    Globe,
+    Bell,
+    Dome,
+    Cone,
+    Pleats,
+    Arms,
+    Cage,
 }
 
 /// A shade on a cord.
 pub(super) fn pendant(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let mut sampler = draft.sampler();
+    let look = draft.input.look as usize % 4;
     let radius = bay.width().min(bay.depth()) / 2.0;
-    let shade_height = (radius * sampler.between(0.8, 1.3)).min(bay.height() * 0.5);
-    let narrow = sampler.between(0.25, 0.7);
-    let slot = if draft.is_traditional() {
-        "shade"
-    } else {
-        sampler.pick(&["shade", "metal_dark", "painted_accent"])
+    let (form, slot) = match draft.set() {
+        GeometrySet::Plain => [
+            (Hanging::Drum, "shade"),
+            (Hanging::Globe, "lamp"),
+            (Hanging::Bell, "painted_accent"),
+            (Hanging::Cone, "wood_light"),
+        ][look],
+        GeometrySet::Traditional => [
+            (Hanging::Pleats, "shade"),
+            (Hanging::Arms, "brass"),
+            (Hanging::Bell, "brass"),
+            (Hanging::Globe, "glass"),
+        ][look],
+        GeometrySet::Industrial => [
+            (Hanging::Dome, "metal_dark"),
+            (Hanging::Cage, "metal_dark"),
+            (Hanging::Cone, "metal"),
+            (Hanging::Dome, "painted_accent"),
+        ][look],
+        GeometrySet::Budget => [
+            (Hanging::Globe, "shade"),
+            (Hanging::Cone, "plastic"),
+            (Hanging::Drum, "shade"),
+            (Hanging::Dome, "plastic"),
+        ][look],
     };
-    builder.add(slot, shade([radius, radius * narrow], [0.0, shade_height]));
-    let spider = shade_height * 0.9;
-    let across = radius * (1.0 - (1.0 - narrow) * 0.9) - 0.001;
-    builder
-        .cuboid("metal_dark", Bay::new([-across, across], [spider - 0.003, spider + 0.003], [-0.003, 0.003]));
-    let bulb_radius = (radius * 0.28).min(0.035);
-    bulb(builder, DVec3::new(0.0, spider - bulb_radius * 2.0, 0.0), bulb_radius, 1.0);
-    builder.add("metal_dark", cylinder(0.004, [spider, bay.high.y - 0.01], 6));
-    let canopy = [(radius * 0.35, bay.high.y), (radius * 0.3, bay.high.y - 0.02), (0.008, bay.high.y - 0.03)];
-    builder.add("metal_dark", lathe(&canopy.map(|(radius, y)| (radius.min(0.06), y)), 12));
+    let tall = (bay.height() * 0.55).min(radius * 1.5);
+    let metal = if draft.is_traditional() { "brass" } else { "metal_dark" };
+    let top = hang(builder, form, slot, radius, tall);
+    builder.add(metal, cylinder(FLEX, [top, bay.high.y - 0.01], 6));
+    let canopy =
+        [(radius * 0.35, bay.high.y), (radius * 0.32, bay.high.y - 0.022), (0.008, bay.high.y - 0.032)];
+    builder.add(metal, lathe(&canopy.map(|(radius, y)| (radius.min(0.06), y)), 10));
 }
 
-/// A lamp that stands on the floor.
-pub(super) fn floor_lamp(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let radius = bay.width().min(bay.depth()) / 2.0;
-    let shade_height = (radius * 1.3).min(bay.height() * 0.3);
-    let top = bay.high.y;
-    let slot = if draft.is_traditional() { "brass" } else { sampler.pick(&["metal_dark", "brass", "wood"]) };
-    builder.add("shade", shade([radius, radius * sampler.between(0.65, 0.9)], [top - shade_height, top]));
-    let foot = radius * 0.75;
-    builder.add(slot, lathe(&[(foot, 0.0), (foot, 0.012), (foot * 0.3, 0.026), (0.012, 0.05)], 10));
-    let bulb_at = top - shade_height * 0.5;
-    builder.add(slot, cylinder(0.011, [0.04, bulb_at - 0.06], 6));
-    if draft.is_traditional() {
-        let y = bulb_at * 0.5;
-        builder.add(slot, lathe(&[(0.012, y), (0.028, y + 0.03), (0.012, y + 0.06)], 6));
+/// Builds the shade with its bulb upwards from 0; gives where the flex starts.
+#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
+fn hang(builder: &mut Builder, form: Hanging, slot: &'static str, radius: f64, tall: f64) -> f64 {
+    let small = (radius * 0.3).min(0.035);
+    let hollow = |outer: &[(f64, f64)]| {
+        let wall = (radius * 0.03).min(0.004);
+        let inner = outer.iter().rev().map(|&(share, y)| (radius * share - wall, y - wall * 0.5));
+        let outer: Vec<(f64, f64)> = outer.iter().map(|&(share, y)| (radius * share, y)).collect();
+        let slices: Vec<Slice> =
+            outer.iter().copied().chain(inner).map(|(radius, y)| Slice::round(y.max(0.0), radius)).collect();
+        loft_ring(&Outline::Round(SIDES), &slices)
+    };
+    match form {
+        Hanging::Drum | Hanging::Pleats | Hanging::Cone => {
+            let narrow = match form {
+                Hanging::Drum => 0.96,
+                Hanging::Pleats => 0.5,
+                _ => 0.16,
+            };
+            let tall = tall * if matches!(form, Hanging::Drum) { 0.62 } else { 0.8 };
+            let body = if matches!(form, Hanging::Pleats) {
+                pleated([radius, radius * narrow], [0.0, tall], 24)
+            } else {
+                shade([radius, radius * narrow], [0.0, tall])
+            };
+            builder.add(slot, body);
+            let y = tall * 0.94;
+            let across = radius * (1.0 - (1.0 - narrow) * 0.94) * 0.985;
+            builder
+                .cuboid("metal_dark", Bay::new([-across, across], [y - 0.003, y + 0.003], [-0.003, 0.003]));
+            bulb(builder, DVec3::new(0.0, y - small * 2.0, 0.0), small, 1.0);
+            y
+        }
+        Hanging::Globe => {
+            builder.add(slot, globe(radius, radius, [-1.0, 0.93], SIDES));
+            if slot == "glass" {
+                bulb(builder, DVec3::new(0.0, radius, 0.0), small, 1.0);
+            }
+            let neck = radius * 1.9;
+            builder.add(
+                "brass",
+                lathe(&[(radius * 0.4, neck), (radius * 0.38, neck + 0.015), (0.012, neck + 0.04)], 8),
+            );
+            neck + 0.03
+        }
+        Hanging::Bell | Hanging::Dome => {
+            let is_bell = matches!(form, Hanging::Bell);
+            let top = tall * if is_bell { 0.85 } else { 0.6 };
+            let profile = if is_bell {
+                [(1.0, 0.0), (0.72, top * 0.16), (0.55, top * 0.5), (0.42, top * 0.8), (0.16, top)]
+            } else {
+                [(1.0, 0.0), (0.97, top * 0.2), (0.8, top * 0.6), (0.5, top * 0.85), (0.16, top)]
+            };
+            builder.add(slot, hollow(&profile));
+            bulb(builder, DVec3::new(0.0, top * 0.42, 0.0), small, 1.0);
+            let cap = [(radius * 0.17, top - 0.004), (radius * 0.17, top + 0.03), (0.01, top + 0.05)];
+            builder.add("metal_dark", lathe(&cap, 8));
+            builder.add("metal_dark", cylinder(0.008, [top * 0.42 + small * 2.0, top], 6));
+            top + 0.04
+        }
+        Hanging::Cage => {
+            cage(builder, slot, radius, [0.0, tall * 0.9], 4);
+            bulb(builder, DVec3::new(0.0, tall * 0.45, 0.0), small * 1.3, 1.0);
+            let y = tall * 0.45 + small * 2.7;
+            let cap = [(radius * 0.34, tall * 0.88), (radius * 0.32, tall * 0.94), (0.012, tall)];
+            builder.add(slot, cylinder(0.01, [y, tall * 0.9], 6));
+            builder.add(slot, lathe(&cap, 8));
+            tall * 0.97
+        }
+        Hanging::Arms => {
+            let hub = tall * 0.3;
+            builder.add(
+                slot,
+                lathe(
+                    &[
+                        (0.006, 0.0),
+                        (0.022, hub * 0.3),
+                        (0.03, hub * 0.8),
+                        (0.012, hub * 1.3),
+                        (0.02, hub * 1.8),
+                        (0.006, tall),
+                    ],
+                    6,
+                ),
+            );
+            for arm in 0..4 {
+                let (sine, cosine) = libm::sincos(TAU * f64::from(arm) / 4.0);
+                let cup = (radius * 0.16).min(0.035);
+                let at = |out: f64, y: f64| DVec3::new(cosine * out, y, sine * out);
+                let out = radius - cup;
+                builder.add(
+                    slot,
+                    sweep(
+                        &[at(0.01, hub), at(out * 0.6, hub * 0.4), at(out, hub * 0.8), at(out, hub * 1.1)],
+                        0.005,
+                        4,
+                    ),
+                );
+                let end = at(out, 0.0);
+                let candle = [
+                    (cup, hub * 1.1 - SINK),
+                    (cup * 0.4, hub * 1.2),
+                    (cup * 0.35, hub * 2.0),
+                    (0.0, hub * 2.8),
+                ];
+                builder.add("lamp", lathe(&candle, 4).moved(end.x, 0.0, end.z));
+            }
+            tall * 0.98
+        }
     }
-    bulb(builder, DVec3::new(0.0, bulb_at, 0.0), 0.03, -1.0);
-}
-
-/// A lamp for a desk or bedside table: jointed arms, or a shade on a foot.
-pub(super) fn desk_lamp(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let is_jointed =
-        !draft.is_traditional() && bay.height() > bay.width() && draft.sampler().count(0, 1) == 0;
-    if is_jointed { jointed_lamp(draft, builder, bay) } else { table_lamp(draft, builder, bay) }
-}
-
-fn jointed_lamp(draft: &Draft, builder: &mut Builder, bay: Bay) {
-    let slot = draft.sampler().pick(&["metal_dark", "painted_accent", "metal"]);
-    let (width, height, depth) = (bay.width(), bay.height(), bay.depth());
-    let foot = width.min(depth) / 2.0;
-    let base = bay.low.z + foot;
-    builder.add(
-        slot,
-        lathe(&[(foot, 0.0), (foot, height * 0.03), (foot * 0.85, height * 0.05)], SIDES)
-            .moved(0.0, 0.0, base),
-    );
-    let head = bay.high.z - foot * 0.34;
-    let elbow = DVec3::new(0.0, height * 0.55, bay.low.z + 0.02);
-    let neck = DVec3::new(0.0, height - foot * 0.2, head - foot * 0.3);
-    builder.add(slot, sweep(&[DVec3::new(0.0, height * 0.04, base), elbow, neck], 0.008, 6));
-    let cone = [(foot * 0.8, -foot * 0.9), (foot * 0.3, 0.0), (foot * 0.2, foot * 0.35), (0.0, foot * 0.4)];
-    let inside = [(foot * 0.25, -foot * 0.15), (foot * 0.76, -foot * 0.9)];
-    let profile: Vec<(f64, f64)> = inside.iter().chain(&cone).copied().collect();
-    let tilted = |solid: Solid| solid.turned_x(0.35).moved(0.0, neck.y - foot * 0.2, head - foot * 0.1);
-    builder.add(slot, tilted(lathe(&profile, 12)));
-    builder
-        .add("lamp", tilted(lathe(&[(0.0, -foot * 0.75), (foot * 0.3, -foot * 0.5), (0.0, -foot * 0.2)], 8)));
-}
-
-fn table_lamp(draft: &Draft, builder: &mut Builder, bay: Bay) {
-    let mut sampler = draft.sampler();
-    let (radius, height) = (bay.width() / 2.0, bay.height());
-    // Drawn round and stretched where the box is not square.
-    let stretch = DVec3::new(1.0, 1.0, bay.depth() / bay.width());
-    let mut round = builder.empty();
-    let slot = if draft.is_traditional() { "brass" } else { sampler.pick(&["ceramic", "wood", "brass"]) };
-    round.add("shade", shade([radius, radius * 0.68], [height * 0.55, height]));
-    let body = radius * sampler.between(0.4, 0.62);
-    let profile = [
-        (body * 0.9, 0.0),
-        (body * 0.9, height * 0.03),
-        (body * 0.5, height * 0.06),
-        (body, height * 0.22),
-        (body * 0.8, height * 0.38),
-        (body * 0.2, height * 0.5),
-        (body * 0.2, height * 0.62),
-    ];
-    round.add(slot, lathe(&profile, 10));
-    bulb(&mut round, DVec3::new(0.0, height * 0.76, 0.0), radius * 0.2, -1.0);
-    round.into_parts().for_each(|(slot, solid)| builder.add(slot, solid.stretched(stretch)));
-}
-
-/// A lamp on a wall: a shade on an arm.
-pub(super) fn wall_lamp(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let slot = if draft.is_traditional() {
-        "brass"
-    } else {
-        draft.sampler().pick(&["metal", "metal_dark", "brass"])
-    };
-    let (half_width, height) = (bay.width() / 2.0, bay.height());
-    let radius = half_width.min(bay.depth() * 0.42);
-    let z = bay.high.z - radius;
-    let plate = (height * 0.18).min(half_width * 0.9);
-    let disc = turned_forward(cylinder(plate, [0.0, 0.015_f64.min(bay.depth() * 0.1)], 12));
-    builder.add(slot, disc.moved(0.0, height * 0.35, bay.low.z));
-    let arm = [
-        DVec3::new(0.0, height * 0.35, bay.low.z + 0.005),
-        DVec3::new(0.0, height * 0.18, (bay.low.z + z) / 2.0),
-        DVec3::new(0.0, height * 0.18, z),
-        DVec3::new(0.0, height * 0.45, z),
-    ];
-    builder.add(slot, sweep(&arm, radius * 0.07, 6));
-    builder.add(
-        "shade",
-        shade([radius, radius * 0.6], [height * 0.4, height])
-            .stretched(DVec3::new(half_width / radius, 1.0, 1.0))
-            .moved(0.0, 0.0, z),
-    );
-    bulb(builder, DVec3::new(0.0, height * 0.66, z), radius * 0.26, -1.0);
-    builder.add(
-        slot,
-        lathe(&[(radius * 0.2, 0.0), (radius * 0.12, height * 0.14), (radius * 0.2, height * 0.2)], 8)
-            .moved(0.0, 0.0, z),
-    );
 }

@@ -6,28 +6,46 @@
 //! Four geometry sets exist, one for each [`GeometrySet`]. A recipe without a form of its own in a set builds its
 //! plain one.
 
+mod apparatus;
 mod appliances;
-mod bathroom;
+mod basins;
+mod bathing;
 mod beds;
 mod belongings;
+mod carts;
 #[cfg(test)]
 mod checks;
+mod copier;
+mod countertop;
+mod desk_lamps;
 mod electronics;
 mod equipment;
+mod football_table;
+mod fridges;
+mod hangings;
 mod input;
 mod kitchen;
+mod lamps;
+mod laundry;
 mod lights;
 mod lounge;
+mod ovens;
 mod parts;
 mod plants;
+mod radiators;
+mod screens;
 mod seating;
 mod shelving;
 mod storage;
 mod table;
 mod tables;
 mod tableware;
+mod toilets;
+mod utility_sink;
+mod wall_lamps;
 mod walls;
 mod washroom;
+mod windows;
 
 pub use input::{GeometrySet, PLAIN, RecipeInput};
 pub(crate) use table::{RECIPES, Recipe};

@@ -2,15 +2,12 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::input::Draft;
 use super::parts::{LegKind, leg, turned_forward};
 use crate::catalog::Side;
-use crate::model::kit::{
-    Axis, Bay, Builder, Outline, SINK, Sampler, Slice, Solid, cylinder, extrude, lathe, loft, loft_ring,
-    sweep,
-};
+use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, Solid, cylinder, lathe, loft, loft_ring, sweep};
 
 /// A frame around a bay that hangs on a wall, `border` wide; deeper than what it holds.
 fn frame(bay: Bay, border: f64) -> Solid {
@@ -25,73 +22,6 @@ fn frame(bay: Bay, border: f64) -> Solid {
 fn inside(bay: Bay, border: f64, [low, high]: [f64; 2]) -> Bay {
     let z = |share: f64| bay.low.z + share * bay.depth();
     bay.inset(border - SINK, border - SINK, 0.0).with_z([z(low), z(high)])
-}
-
-/// A painting or print: fields of colour in a frame, some behind a passe-partout.
-pub(super) fn picture(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let short = bay.width().min(bay.height());
-    let border = if draft.is_traditional() { (short * 0.12).min(0.07) } else { (short * 0.05).min(0.025) };
-    let slot =
-        if draft.is_traditional() { "brass" } else { sampler.pick(&["wood", "metal_dark", "painted"]) };
-    builder.add(slot, frame(bay, border));
-    builder.cuboid("paper", inside(bay, border, [0.1, 0.5]));
-    let margin = if sampler.chance(0.5) { short * 0.12 } else { 0.004 };
-    let sheet = inside(bay, border + margin, [0.45, 0.6]);
-    composition(builder, &mut sampler, sheet);
-}
-
-/// Fields of colour, as in a landscape or an abstract print.
-fn composition(builder: &mut Builder, sampler: &mut Sampler, sheet: Bay) {
-    const FIELDS: [&str; 5] = ["painted_accent", "fabric_accent", "leaf", "terracotta", "fabric_light"];
-    let horizon = sampler.between(0.3, 0.6) * sheet.height();
-    let ground = sampler.count(0, 2) as usize;
-    builder.cuboid(FIELDS[ground + 1], sheet.slab(Side::Below, horizon));
-    builder.cuboid(FIELDS[0], sheet.without(Side::Below, horizon + 0.001));
-    let radius = sheet.width().min(sheet.height()) * sampler.between(0.1, 0.2);
-    let x = sampler.between(-0.3, 0.3) * sheet.width();
-    let disc = turned_forward(cylinder(radius, [0.0, sheet.depth() * 1.6], 16));
-    builder.add(FIELDS[4], disc.moved(x, sheet.low.y + horizon + radius * 0.3, sheet.low.z));
-}
-
-/// Two curtains on a rod, drawn aside.
-pub(super) fn curtain(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let radius = (bay.depth() * 0.1).min(0.014);
-    let rod = bay.high.y - radius * 1.6;
-    let slot = if draft.is_traditional() { "brass" } else { "metal_dark" };
-    builder.add(
-        slot,
-        sweep(&[DVec3::new(bay.low.x + 0.01, rod, 0.0), DVec3::new(bay.high.x - 0.01, rod, 0.0)], radius, 6),
-    );
-    let end = lathe(&[(radius, 0.0), (radius * 1.6, 0.01), (radius * 1.6, 0.02), (radius * 0.5, 0.03)], 8)
-        .turned_z(-std::f64::consts::FRAC_PI_2);
-    builder.add_pair(slot, end.moved(bay.high.x - 0.03, rod, 0.0));
-    let width = bay.width() * sampler.between(0.15, 0.2);
-    let cloth = bay.with_x([bay.high.x - width, bay.high.x - 0.03]).with_y([0.0, rod + radius * 0.4]);
-    let slot = sampler.pick(&["fabric", "fabric_light", "fabric_accent"]);
-    builder.add_pair(slot, folds(cloth, (width / 0.13).round().clamp(2.0, 8.0) as u32));
-}
-
-/// Cloth in folds that fills a bay.
-fn folds(bay: Bay, count: u32) -> Solid {
-    let thickness = (bay.depth() * 0.08).min(0.006);
-    let swing = (bay.depth() - thickness) / 2.0;
-    let middle = bay.center().z;
-    let wave = bay.width() / f64::from(count);
-    // Flat crests and troughs, so that no three corners lie in line.
-    let mut near: Vec<DVec2> = Vec::new();
-    for fold in 0..count {
-        for (share, side) in [(0.1, 1.0), (0.4, 1.0), (0.6, -1.0), (0.9, -1.0)] {
-            near.push(DVec2::new(bay.low.x + wave * (f64::from(fold) + share), middle + swing * side));
-        }
-    }
-    let half = DVec2::new(0.0, thickness / 2.0);
-    let mut profile: Vec<DVec2> = near.iter().map(|&point| point - half).collect();
-    profile.extend(near.iter().rev().map(|&point| point + half));
-    extrude(&profile, Axis::Y, bay.y()).smooth(75.0)
 }
 
 /// A board to write on, with a tray and pens.
@@ -139,41 +69,6 @@ pub(super) fn notice_board(draft: &Draft, builder: &mut Builder) {
             }
         }
     }
-}
-
-/// A radiator of ribs with pipes and a valve.
-pub(super) fn radiator(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let lift = (bay.height() * 0.12).min(0.1);
-    let body = bay.without(Side::Below, lift).without(Side::Right, 0.05);
-    let count = (body.width() / 0.07).round().clamp(3.0, 24.0) as u32;
-    let is_panel = !draft.is_traditional() && draft.sampler().chance(0.5);
-    if is_panel {
-        let plate = body.slab(Side::Front, bay.depth() * 0.3);
-        builder.block("painted", plate.without(Side::Front, 0.004), 0.004);
-        for rib in plate.inset(0.02, 0.03, 0.0).columns(count, 0.025) {
-            builder.cuboid("painted", rib.with_z([plate.high.z - 0.005, plate.high.z]));
-        }
-        builder.block("painted", body.slab(Side::Back, bay.depth() * 0.3), 0.004);
-        builder.cuboid(
-            "painted",
-            body.slab(Side::Above, 0.012).inset(0.002, 0.0, 0.002).moved(0.0, -0.002, 0.0),
-        );
-    } else {
-        for rib in body.columns(count, 0.022) {
-            builder.block("painted", rib, 0.01);
-        }
-        for y in [body.low.y + body.height() * 0.08, body.high.y - body.height() * 0.1] {
-            let pipe = body.with_y([y, y + 0.03]).inset(0.006, 0.0, bay.depth() * 0.3);
-            builder.cuboid("painted", pipe);
-        }
-    }
-    let x = bay.high.x - 0.025;
-    let y = body.low.y + body.height() * 0.08 + 0.015;
-    let pipe = [DVec3::new(body.high.x - 0.02, y, 0.0), DVec3::new(x, y, 0.0), DVec3::new(x, 0.0, 0.0)];
-    builder.add("metal", sweep(&pipe, 0.009, 6));
-    builder.add("plastic", cylinder(0.022, [y + 0.004, y + 0.06], 8).moved(x, 0.0, 0.0));
-    builder.cuboid("plastic", Bay::new([x, bay.high.x], [y + 0.02, y + 0.04], [-0.008, 0.008]));
 }
 
 /// A screen between desks: fabric in a frame on two feet.

@@ -3,9 +3,8 @@
 use glam::DVec3;
 
 use super::input::Draft;
-use super::parts::turned_forward;
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, loft, loft_ring, sweep};
+use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, loft, sweep};
 
 /// A urinal on a wall.
 pub(super) fn urinal(_draft: &Draft, builder: &mut Builder) {
@@ -50,33 +49,6 @@ pub(super) fn urinal(_draft: &Draft, builder: &mut Builder) {
     ];
     builder.add("chrome", sweep(&pipe, 0.014, 6));
     builder.add("chrome", cylinder(0.022, [bay.high.y - 0.04, bay.high.y], 8).moved(0.0, 0.0, back + 0.04));
-}
-
-/// A mirror in a frame, round for square boxes in some looks.
-pub(super) fn mirror(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let (half, middle) = (bay.extent() / 2.0, bay.center());
-    let is_round = !draft.is_traditional() && sampler.chance(0.35) && (half.x - half.y).abs() < 0.1;
-    let outline = if is_round { Outline::Round(24) } else { Outline::Square };
-    let slot = if draft.is_traditional() { "brass" } else { sampler.pick(&["wood", "metal_dark", "metal"]) };
-    let border = (half.x.min(half.y) * 0.2).min(if draft.is_traditional() { 0.07 } else { 0.025 });
-    let slice = |z: f64, back: f64| Slice::new(z, half.x - back, half.y - back);
-    let front = bay.high.z;
-    let ring = [
-        slice(bay.low.z, 0.0),
-        slice(front - bay.depth() * 0.3, 0.0),
-        slice(front, border * 0.35),
-        slice(front, border * 0.6),
-        slice(front - bay.depth() * 0.3, border),
-        slice(bay.low.z, border),
-    ];
-    builder.add(slot, turned_forward(loft_ring(&outline, &ring)).moved(0.0, middle.y, 0.0));
-    let glass = [
-        slice(bay.low.z + bay.depth() * 0.15, border - SINK),
-        slice(bay.low.z + bay.depth() * 0.55, border - SINK),
-    ];
-    builder.add("mirror", turned_forward(loft(&outline, &glass)).moved(0.0, middle.y, 0.0));
 }
 
 /// A rail on a wall with a towel over it; a ladder of rails where it is high.

@@ -6,14 +6,16 @@ mod foliage;
 mod fronts;
 mod handles;
 mod legs;
+mod panel;
 mod tap;
 mod tops;
 
 pub(super) use books::fill_with_books;
 pub(super) use carcass::{Fittings, REVEAL, cornice};
-pub(super) use foliage::{Foliage, grow, pot};
+pub(super) use foliage::{Foliage, Species, grow, pot};
 pub(super) use fronts::Fronts;
 pub(super) use handles::{HandleKind, handle};
 pub(super) use legs::{CONE, LegKind, SPINDLE, bowed_board, leg, legs_at_corners, slanted_leg};
-pub(super) use tap::tap;
+pub(super) use panel::wall_panel;
+pub(super) use tap::{Tap, tap, wall_mixer};
 pub(super) use tops::{raised_panel, slab_top, turned_forward};

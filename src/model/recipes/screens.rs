@@ -1,0 +1,187 @@
+//! Televisions and computer screens.
+
+use glam::{DVec2, DVec3};
+
+use super::input::{Draft, GeometrySet};
+use crate::catalog::Side;
+use crate::model::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, lathe, sweep};
+
+/// Metres of depth from which a television stands on a foot; a flatter one hangs on the wall.
+const STANDING_FROM: f64 = 0.13;
+
+/// A flat display: a dark body with a lit area in front, `bay` deep, and a border.
+pub(super) fn display(builder: &mut Builder, bay: Bay, (slot, border): (&'static str, f64)) {
+    let glass = 0.004_f64.min(bay.depth() * 0.2);
+    builder.block(slot, bay.without(Side::Front, glass), bay.depth().min(0.02) * 0.2);
+    let border = border.min(bay.width() * 0.08).min(bay.height() * 0.1);
+    builder.cuboid("screen", bay.slab(Side::Front, glass + SINK).inset(border, border, 0.0));
+}
+
+/// Body and border of a screen, in metres (thin modern bezels: 0.008; older ones 0.03).
+fn body(draft: &Draft) -> (&'static str, f64) {
+    let look = draft.input.look as usize % 4;
+    match draft.set() {
+        GeometrySet::Plain => (["plastic_dark", "metal_dark", "metal", "plastic_dark"][look], 0.007),
+        GeometrySet::Traditional => (["wood_dark", "plastic_dark", "wood", "wood_dark"][look], 0.03),
+        GeometrySet::Industrial => (["metal_dark", "metal", "metal_dark", "plastic_dark"][look], 0.014),
+        GeometrySet::Budget => (["plastic_dark", "plastic_dark", "plastic", "plastic_dark"][look], 0.024),
+    }
+}
+
+/// A television, on a foot or on a wall bracket by its depth.
+pub(super) fn tv(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let shell = body(draft);
+    if bay.depth() < STANDING_FROM {
+        let thick = (bay.depth() * 0.55).min(0.045);
+        display(builder, bay.slab(Side::Front, thick), shell);
+        let bracket =
+            bay.without(Side::Front, thick - SINK).inset(bay.width() * 0.3, bay.height() * 0.3, 0.0);
+        builder.cuboid("metal_dark", bracket);
+        let bulge = bay.without(Side::Front, thick - SINK * 2.0).slab(Side::Front, bay.depth() * 0.2);
+        builder.block(
+            "plastic_dark",
+            bulge.inset(bay.width() * 0.12, 0.0, 0.0).with_y([bay.height() * 0.08, bay.height() * 0.4]),
+            0.004,
+        );
+        return;
+    }
+    let lift = bay.height() * 0.1;
+    let middle = bay.center().z;
+    display(builder, bay.without(Side::Below, lift).with_z([middle - 0.02, middle + 0.025]), shell);
+    let bulge = Bay::new(
+        [-bay.width() * 0.36, bay.width() * 0.36],
+        [lift + bay.height() * 0.06, bay.height() * 0.5],
+        [middle - 0.045, middle - 0.02 + SINK],
+    );
+    builder.block("plastic_dark", bulge, 0.006);
+    let sensor = Bay::around(DVec3::new(bay.width() * 0.42, lift + 0.004, middle + 0.02), 0.02, 0.005, 0.006);
+    builder.cuboid("lamp", sensor);
+    match (draft.set(), draft.input.look % 2) {
+        (GeometrySet::Plain, 0) | (GeometrySet::Budget, _) => plate_foot(builder, lift, middle),
+        (GeometrySet::Industrial, _) => tube_foot(builder, lift, middle),
+        _ => splayed_feet(builder, shell.0, lift, middle),
+    }
+    let cable = [
+        DVec3::new(0.03, lift + bay.height() * 0.1, middle - 0.04),
+        DVec3::new(0.04, lift * 0.5, bay.low.z * 0.7),
+        DVec3::new(0.1, 0.005, bay.low.z * 0.85),
+    ];
+    builder.add("plastic_dark", sweep(&cable, 0.004, 4));
+}
+
+fn plate_foot(builder: &mut Builder, lift: f64, middle: f64) {
+    let bay = builder.bay();
+    builder.block(
+        "plastic_dark",
+        Bay::new([-bay.width() * 0.2, bay.width() * 0.2], [0.0, 0.012], bay.z()),
+        0.004,
+    );
+    let neck = Bay::new(
+        [-bay.width() * 0.05, bay.width() * 0.05],
+        [0.012 - SINK, lift + 0.05],
+        [middle - 0.018, middle],
+    );
+    builder.cuboid("plastic_dark", neck);
+}
+
+fn tube_foot(builder: &mut Builder, lift: f64, middle: f64) {
+    let bay = builder.bay();
+    let radius = (lift * 0.14).min(0.011);
+    for side in [-1.0, 1.0] {
+        let x = side * bay.width() * 0.3;
+        let at = |y: f64, z: f64| DVec3::new(x, y, z);
+        let path = [at(radius, bay.low.z), at(radius, bay.high.z)];
+        builder.add("metal_dark", sweep(&path, radius * 1.05, 6));
+        builder.add("metal_dark", cylinder(radius, [radius, lift + 0.02], 6).moved(x, 0.0, middle));
+    }
+    let bar = [DVec3::new(-bay.width() * 0.3, radius, middle), DVec3::new(bay.width() * 0.3, radius, middle)];
+    builder.add("metal_dark", sweep(&bar, radius * 0.9, 6));
+}
+
+fn splayed_feet(builder: &mut Builder, slot: &'static str, lift: f64, middle: f64) {
+    let bay = builder.bay();
+    for x in [-0.36, 0.36] {
+        let (x, peak) = (x * bay.width(), lift + 0.01);
+        let foot = [
+            (bay.high.z, 0.0),
+            (bay.high.z, 0.012),
+            (middle + 0.01, peak),
+            (middle - 0.01, peak),
+            (bay.low.z, 0.012),
+            (bay.low.z, 0.0),
+        ];
+        builder.add(slot, extrude(&foot.map(DVec2::from), Axis::X, [x - 0.012, x + 0.012]));
+    }
+}
+
+/// A monitor on a stand: a plate, a disc, a forked foot, or a computer with everything behind its screen.
+#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
+pub(super) fn computer(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let look = draft.input.look as usize % 4;
+    let lift = bay.height() * [0.26, 0.3, 0.22, 0.28][look];
+    let thick = (bay.depth() * 0.2).min(0.035);
+    let z = bay.center().z;
+    let (slot, border) = match draft.set() {
+        GeometrySet::Traditional => ("plastic_dark", 0.016),
+        _ => body(draft),
+    };
+    let panel = bay.without(Side::Below, lift).with_z([z, z + thick]);
+    display(builder, panel, (slot, border));
+    let metal = if slot == "metal" || look % 2 == 1 { "metal" } else { "plastic_dark" };
+    if look == 2 {
+        // A chin under the screen, with a badge.
+        let chin = panel
+            .slab(Side::Below, panel.height() * 0.14)
+            .slab(Side::Front, 0.004 + SINK)
+            .moved(0.0, 0.0, 0.0008);
+        builder.cuboid("metal", chin.inset(0.001, 0.001, 0.0));
+    }
+    builder.block(
+        "plastic_dark",
+        panel.inset(panel.width() * 0.34, panel.height() * 0.3, 0.0).with_z([z - 0.016, z + SINK]),
+        0.004,
+    );
+    let foot = bay.width() * 0.22;
+    match look {
+        1 => {
+            let radius = bay.depth() / 2.0;
+            let disc = lathe(&[(radius, 0.0), (radius, 0.008), (radius * 0.85, 0.012)], 12);
+            builder.add(metal, disc);
+        }
+        3 => {
+            for side in [-1.0, 1.0] {
+                let y = 0.008 + 0.0002 * side;
+                let path = [DVec3::new(0.0, y, z - 0.02), DVec3::new(side * foot, y, bay.high.z - 0.004)];
+                builder.add(metal, sweep(&path, 0.0098, 4));
+            }
+            builder.cuboid(metal, Bay::new([-0.02, 0.02], [0.0, 0.012], [bay.low.z, z + 0.01]));
+            builder.cuboid(metal, Bay::around(DVec3::new(0.0, 0.006, bay.high.z - 0.01), 0.012, 0.011, 0.02));
+        }
+        _ => builder.block(metal, Bay::new([-foot, foot], [0.0, 0.01], bay.z()), 0.003),
+    }
+    let neck = [
+        (z - 0.034, 0.006),
+        (z - 0.014, 0.006),
+        (z - 0.006, lift + bay.height() * 0.25),
+        (z - 0.022, lift + bay.height() * 0.3),
+    ];
+    let half = foot * if look == 1 { 0.12 } else { 0.25 };
+    builder.add(metal, extrude(&neck.map(DVec2::from), Axis::X, [-half, half]));
+    let cable = [
+        DVec3::new(0.03, lift + 0.06, z - 0.012),
+        DVec3::new(0.05, lift * 0.4, bay.low.z + 0.012),
+        DVec3::new(0.12, 0.004, bay.low.z + 0.004),
+    ];
+    builder.add("plastic_dark", sweep(&cable, 0.0035, 4));
+    builder.cuboid(
+        "lamp",
+        Bay::around(
+            DVec3::new(panel.high.x - 0.03, panel.low.y + 0.004, panel.high.z - 0.004),
+            0.01,
+            0.004,
+            0.003,
+        ),
+    );
+}
