@@ -4,7 +4,9 @@
 mod floor;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use roomwright::gltf::{LibraryReference, SharedLibrary, write_glb, write_glb_with_library, write_gltf};
+use roomwright::gltf::{
+    LibraryReference, Painting, SharedLibrary, write_glb, write_glb_with_library, write_gltf,
+};
 use roomwright::scene::build_scene;
 
 fn gltf(criterion: &mut Criterion) {
@@ -12,7 +14,7 @@ fn gltf(criterion: &mut Criterion) {
     let scene = floor.with_input(build_scene);
     let bytes = write_glb(&scene).expect("a floor is small");
     let shared = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())));
-    let library = SharedLibrary::new(shared, |_| false);
+    let library = SharedLibrary::new(shared, |_| Painting::default());
     let reference = LibraryReference { library: &library, path: "../library.bin" };
     let sharing = write_glb_with_library(&scene, reference).expect("a floor is small");
     eprintln!("{} bytes, {} with a shared library of {}", bytes.len(), sharing.len(), library.bytes().len());

@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::catalog::{Catalog, ClassIndex};
-use crate::gltf::{LibraryReference, SharedLibrary};
-use crate::model::{Model, ModelLibrary, ModelMaterial};
+use crate::gltf::{LibraryReference, Painting, SharedLibrary};
+use crate::model::{Model, ModelLibrary, ModelMaterial, TextureUse};
 use crate::scene::ModelKey;
+use crate::texture::has_relief;
 
 use super::LIBRARY_FOLDER;
 use super::fault::OutputFault;
@@ -46,7 +47,7 @@ impl GeometryLibrary {
     ) -> Result<Self, OutputFault> {
         let built = all_models(catalog, models);
         let models = built.iter().map(|(key, model)| (key.clone(), model.as_ref()));
-        let shared = SharedLibrary::new(models, |material| is_textured(catalog, material, has_textures));
+        let shared = SharedLibrary::new(models, |material| painting(catalog, material, has_textures));
         let (mut file, bytes) = with_record(String::new(), shared.bytes());
         let name = format!("{LIBRARY_FOLDER}/{}.bin", &file.sha256[..NAME_DIGITS]);
         let relative_path = format!("../{name}");
@@ -58,15 +59,21 @@ impl GeometryLibrary {
     }
 }
 
-/// Whether textures lie on a material, in any palette.
-fn is_textured(catalog: &Catalog, material: &ModelMaterial, has_textures: bool) -> bool {
-    let is_painted = |slot| {
-        let mut materials = catalog.palettes.values().filter_map(|palette| palette.materials.get(slot));
-        has_textures && materials.any(|material| material.texture.is_some())
-    };
+/// What is painted on a material, in any palette.
+fn painting(catalog: &Catalog, material: &ModelMaterial, has_textures: bool) -> Painting {
     match material {
-        ModelMaterial::Slot(slot) => is_painted(*slot),
-        ModelMaterial::Own(own) => !own.textures.is_empty(),
+        ModelMaterial::Slot(slot) => {
+            let materials = catalog.palettes.values().filter_map(|palette| palette.materials.get(*slot));
+            let surfaces: Vec<&str> = materials.filter_map(|material| material.texture).collect();
+            Painting {
+                has_coordinates: has_textures && !surfaces.is_empty(),
+                has_tangents: has_textures && surfaces.into_iter().any(has_relief),
+            }
+        }
+        ModelMaterial::Own(own) => Painting {
+            has_coordinates: !own.textures.is_empty(),
+            has_tangents: own.textures.iter().any(|(purpose, _)| *purpose == TextureUse::Normal),
+        },
     }
 }
 

@@ -1,7 +1,7 @@
 //! The JSON of a level and the buffer it describes.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use gltf_json::scene::UnitQuaternion;
@@ -13,10 +13,10 @@ use super::library::LibraryReference;
 use super::light::{LIGHTS, add_lights, node_light};
 use super::material::{Images, TRANSMISSION, material};
 use super::mesh::{accessors, mesh};
-use super::pack::{PackedPrimitive, Packer};
+use super::pack::{PackedPrimitive, Packer, Painting};
 use super::view::{Views, percent_encoded};
-use crate::model::{Model, TextureSampler};
-use crate::scene::{GENERATOR, Scene, SceneMaterial};
+use crate::model::{Model, TextureSampler, TextureUse};
+use crate::scene::{GENERATOR, Scene};
 
 /// A level ready to be written.
 pub(crate) struct Document {
@@ -75,15 +75,15 @@ fn pack<'l>(
     let mut sources: Vec<Source<'l>> = Vec::new();
     let mut known: BTreeMap<*const Model, usize> = BTreeMap::new();
     let mut source_of_mesh = Vec::with_capacity(scene.meshes.len());
-    let textured = textured_primitives(scene);
+    let paintings = paintings(scene);
     for mesh in &scene.meshes {
         let source = *known.entry(Arc::as_ptr(&mesh.model)).or_insert_with(|| {
             let shared = mesh.key.as_ref().zip(library).and_then(|(key, to)| to.library.models.get(key));
             sources.push(match shared {
                 Some(primitives) => Source { is_library: true, primitives: Cow::Borrowed(primitives) },
                 None => {
-                    let is_textured = |index| textured.contains(&(Arc::as_ptr(&mesh.model), index));
-                    let primitives = Cow::Owned(packer.model(&mesh.model, is_textured));
+                    let painting = |index| paintings[&(Arc::as_ptr(&mesh.model), index)];
+                    let primitives = Cow::Owned(packer.model(&mesh.model, painting));
                     Source { is_library: false, primitives }
                 }
             });
@@ -94,15 +94,18 @@ fn pack<'l>(
     (sources, source_of_mesh)
 }
 
-/// Models with the index of each primitive that has a textured material in one of their meshes.
-fn textured_primitives(scene: &Scene) -> BTreeSet<(*const Model, usize)> {
-    let is_textured: Vec<bool> = scene.materials.iter().map(SceneMaterial::is_textured).collect();
-    let primitives = scene.meshes.iter().flat_map(|mesh| {
-        let materials = mesh.materials.iter().enumerate();
-        materials.map(move |(index, &material)| (Arc::as_ptr(&mesh.model), index, material))
-    });
-    let textured = primitives.filter(|&(_, _, material)| is_textured[material]);
-    textured.map(|(model, index, _)| (model, index)).collect()
+/// What is painted on each primitive of a model, by index, in any of its meshes.
+fn paintings(scene: &Scene) -> BTreeMap<(*const Model, usize), Painting> {
+    let mut paintings: BTreeMap<(*const Model, usize), Painting> = BTreeMap::new();
+    for mesh in &scene.meshes {
+        for (index, &material) in mesh.materials.iter().enumerate() {
+            let textures = scene.materials[material].textures();
+            let painting = paintings.entry((Arc::as_ptr(&mesh.model), index)).or_default();
+            painting.has_coordinates |= !textures.is_empty();
+            painting.has_tangents |= textures.iter().any(|(purpose, _)| *purpose == TextureUse::Normal);
+        }
+    }
+    paintings
 }
 
 fn add_images(root: &mut Root, views: &mut Views, images: &Images) {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::pack::{PackedPrimitive, Packer};
+use super::pack::{PackedPrimitive, Packer, Painting};
 use crate::model::{Model, ModelMaterial};
 use crate::scene::ModelKey;
 
@@ -24,11 +24,11 @@ pub struct LibraryReference<'a> {
 
 impl SharedLibrary {
     /// Lays the models out in the order of their keys, whatever the order in which they come; of equal keys
-    /// the first counts. Keys that share one model share its bytes. Texture coordinates are kept of the primitives whose
-    /// material `is_textured` in any level.
+    /// the first counts. Keys that share one model share its bytes. Of each primitive it holds
+    /// what the painting of its material asks for in any level.
     pub fn new<'m>(
         models: impl IntoIterator<Item = (ModelKey, &'m Model)>,
-        is_textured: impl Fn(&ModelMaterial) -> bool,
+        painting: impl Fn(&ModelMaterial) -> Painting,
     ) -> Self {
         let mut sorted: BTreeMap<ModelKey, &Model> = BTreeMap::new();
         for (key, model) in models {
@@ -38,9 +38,9 @@ impl SharedLibrary {
         let mut known: BTreeMap<*const Model, Vec<PackedPrimitive>> = BTreeMap::new();
         let mut packed = BTreeMap::new();
         for (key, model) in sorted {
-            let primitives = known.entry(std::ptr::from_ref(model)).or_insert_with(|| {
-                packer.model(model, |index| is_textured(&model.primitives[index].material))
-            });
+            let primitives = known
+                .entry(std::ptr::from_ref(model))
+                .or_insert_with(|| packer.model(model, |index| painting(&model.primitives[index].material)));
             packed.insert(key, primitives.clone());
         }
         Self { packer, models: packed }

@@ -33,6 +33,9 @@ pub(crate) fn accessors(
             (Checked::Valid(Semantic::Positions), add(&primitive.positions)),
             (Checked::Valid(Semantic::Normals), add(&primitive.normals)),
         ]);
+        if let Some(tangents) = &primitive.tangents {
+            attributes.insert(Checked::Valid(Semantic::Tangents), add(tangents));
+        }
         if let Some(coordinates) = &primitive.coordinates {
             attributes.insert(Checked::Valid(Semantic::TexCoords(0)), add(coordinates));
         }
@@ -68,7 +71,7 @@ fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
     let (component, kind) = match packed.section {
         Section::Vectors => (ComponentType::F32, Type::Vec3),
         Section::Coordinates => (ComponentType::F32, Type::Vec2),
-        Section::Colors => (ComponentType::F32, Type::Vec4),
+        Section::Colors | Section::Tangents => (ComponentType::F32, Type::Vec4),
         Section::ShortIndices => (ComponentType::U16, Type::Scalar),
         Section::LongIndices | Section::Images => (ComponentType::U32, Type::Scalar),
     };

@@ -6,7 +6,7 @@
 //!   that all levels of a run refer to by relative path. Its bytes are fixed before the first level is
 //!   written, from the models alone, so that levels can be written in any order and in parallel.
 //!
-//! A buffer is laid out in sections, one buffer view each: vectors (positions and normals), texture
+//! A buffer is laid out in sections, one buffer view each: vectors (positions and normals), tangents, texture
 //! coordinates, short indices, long indices; then images.
 
 mod container;
@@ -16,11 +16,13 @@ mod light;
 mod material;
 mod mesh;
 mod pack;
+mod tangent;
 mod view;
 
 use std::fmt;
 
 pub use library::{LibraryReference, SharedLibrary};
+pub use pack::Painting;
 
 use crate::scene::Scene;
 

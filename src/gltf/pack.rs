@@ -1,5 +1,6 @@
 //! Vertices and indices as the bytes of a buffer.
 
+use super::tangent::tangents;
 use crate::model::{Model, Primitive};
 
 /// A part of a buffer with one kind of element; each becomes one buffer view.
@@ -7,6 +8,8 @@ use crate::model::{Model, Primitive};
 pub(crate) enum Section {
     /// Three floats: positions and normals.
     Vectors,
+    /// Four floats: tangents.
+    Tangents,
     /// Two floats: texture coordinates.
     Coordinates,
     /// Four floats: colours.
@@ -21,8 +24,15 @@ pub(crate) enum Section {
 
 impl Section {
     /// All sections in the order of the buffer.
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Vectors, Self::Coordinates, Self::Colors, Self::ShortIndices, Self::LongIndices, Self::Images];
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Vectors,
+        Self::Tangents,
+        Self::Coordinates,
+        Self::Colors,
+        Self::ShortIndices,
+        Self::LongIndices,
+        Self::Images,
+    ];
 }
 
 /// Sections and images begin at multiples of this.
@@ -46,9 +56,19 @@ pub(crate) struct Packed {
 pub(crate) struct PackedPrimitive {
     pub positions: Packed,
     pub normals: Packed,
+    pub tangents: Option<Packed>,
     pub coordinates: Option<Packed>,
     pub colors: Option<Packed>,
     pub indices: Packed,
+}
+
+/// What textures ask of a primitive beyond positions and normals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Painting {
+    /// Texture coordinates: something is painted on it.
+    pub has_coordinates: bool,
+    /// Tangents: normals are.
+    pub has_tangents: bool,
 }
 
 /// A buffer under construction.
@@ -58,24 +78,27 @@ pub(crate) struct Packer {
 }
 
 impl Packer {
-    /// Adds the triangles of a model. Texture coordinates are written only for those primitives, by index, that
-    /// `is_textured`.
+    /// Adds the triangles of a model, with what the painting of each primitive, by index, asks for.
     pub(crate) fn model(
         &mut self,
         model: &Model,
-        is_textured: impl Fn(usize) -> bool,
+        painting: impl Fn(usize) -> Painting,
     ) -> Vec<PackedPrimitive> {
         let primitives = model.primitives.iter().enumerate();
-        primitives.map(|(index, primitive)| self.primitive(primitive, is_textured(index))).collect()
+        primitives.map(|(index, primitive)| self.primitive(primitive, painting(index))).collect()
     }
 
-    fn primitive(&mut self, primitive: &Primitive, is_textured: bool) -> PackedPrimitive {
-        let has_coordinates = is_textured && primitive.texture_coordinates.len() == primitive.positions.len();
+    fn primitive(&mut self, primitive: &Primitive, painting: Painting) -> PackedPrimitive {
+        let is_mapped = primitive.texture_coordinates.len() == primitive.positions.len();
+        let has_coordinates = painting.has_coordinates && is_mapped;
+        let has_tangents = painting.has_tangents && is_mapped;
         let mut positions = self.floats(Section::Vectors, primitive.positions.as_flattened(), 3);
         positions.bounds = Some(bounds(&primitive.positions));
         PackedPrimitive {
             positions,
             normals: self.floats(Section::Vectors, primitive.normals.as_flattened(), 3),
+            tangents: has_tangents
+                .then(|| self.floats(Section::Tangents, tangents(primitive).as_flattened(), 4)),
             coordinates: has_coordinates
                 .then(|| self.floats(Section::Coordinates, primitive.texture_coordinates.as_flattened(), 2)),
             colors: has_colors(primitive)

@@ -105,7 +105,7 @@ fn stride(section: Section) -> Option<Stride> {
     match section {
         Section::Vectors => Some(Stride(size_of::<[f32; 3]>())),
         Section::Coordinates => Some(Stride(size_of::<[f32; 2]>())),
-        Section::Colors => Some(Stride(size_of::<[f32; 4]>())),
+        Section::Colors | Section::Tangents => Some(Stride(size_of::<[f32; 4]>())),
         _ => None,
     }
 }

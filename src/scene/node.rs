@@ -82,12 +82,6 @@ impl SceneMaterial {
             Self::Own(own) => &own.textures,
         }
     }
-
-    /// Whether anything is painted on it.
-    #[must_use]
-    pub fn is_textured(&self) -> bool {
-        !self.textures().is_empty()
-    }
 }
 
 /// One node; its place is relative to its parent.

@@ -4,10 +4,10 @@ use std::sync::{Arc, OnceLock};
 
 use sha2::{Digest, Sha256};
 
+use super::TextureSize;
 use super::encode::png;
 use super::relief::normals;
-use super::surface::{SURFACES, Sample, sample};
-use super::{TEXTURE_USES, TextureSize};
+use super::surface::{SURFACES, Sample, has_relief, sample};
 use crate::catalog::srgb_encoded;
 use crate::model::{Image, Texture, TextureSampler, TextureUse};
 
@@ -39,7 +39,7 @@ impl TextureLibrary {
         Self { size, location, surfaces: SURFACES.iter().map(|_| OnceLock::new()).collect() }
     }
 
-    /// Base colour, normals and roughness of a surface; none for an unknown name.
+    /// Base colour, normals where it has relief, and roughness of a surface; none for an unknown name.
     pub fn textures(&self, surface: &str) -> &[(TextureUse, Texture)] {
         let Some(index) = SURFACES.iter().position(|&name| name == surface) else { return &[] };
         self.surfaces[index].get_or_init(|| self.paint(SURFACES[index]))
@@ -58,7 +58,7 @@ impl TextureLibrary {
             let image = Image { mime_type: "image/png".to_owned(), bytes, uri };
             (purpose, Texture { image: Arc::new(image), sampler: TextureSampler::default() })
         };
-        TEXTURE_USES.into_iter().zip(files).map(texture).collect()
+        files.into_iter().map(texture).collect()
     }
 }
 
@@ -74,16 +74,21 @@ fn file_name(surface: &str, purpose: TextureUse, bytes: &[u8]) -> String {
     format!("{surface}.{what}.{}.png", &hash[..NAME_DIGITS])
 }
 
-/// The files of a surface, in the order of [`TEXTURE_USES`].
-fn images(surface: &str, pixels: usize) -> [Vec<u8>; 3] {
+/// The files of a surface by use; normals only where it has relief.
+fn images(surface: &str, pixels: usize) -> Vec<(TextureUse, Vec<u8>)> {
     let samples = samples(surface, pixels);
     let shades: Vec<u8> =
         samples.iter().map(|sample| stepped(srgb_encoded(sample.shade), SHADE_STEP)).collect();
     // Occlusion, roughness and metalness share an image: red is none, blue leaves metalness to the palette.
     let rough = |sample: &Sample| [255, stepped(sample.roughness, ROUGHNESS_STEP), 255];
     let roughness: Vec<u8> = samples.iter().flat_map(rough).collect();
-    let heights: Vec<f64> = samples.iter().map(|sample| sample.height).collect();
-    [png(&shades, pixels, 1), png(&normals(&heights, pixels), pixels, 3), png(&roughness, pixels, 3)]
+    let mut images = vec![(TextureUse::BaseColor, png(&shades, pixels, 1))];
+    if has_relief(surface) {
+        let heights: Vec<f64> = samples.iter().map(|sample| sample.height).collect();
+        images.push((TextureUse::Normal, png(&normals(&heights, pixels), pixels, 3)));
+    }
+    images.push((TextureUse::MetallicRoughness, png(&roughness, pixels, 3)));
+    images
 }
 
 /// Every pixel's middle, row by row from the top of the image, which is the far end of `v`: the image's rows go down
@@ -107,7 +112,7 @@ fn stepped(value: f64, step: f64) -> u8 {
 mod tests {
     use super::*;
 
-    /// Bytes of the three images of a surface that a floor with a dozen surfaces can afford.
+    /// Bytes of the images of a surface that a floor with a dozen surfaces can afford.
     const MOST_BYTES: usize = 420_000;
 
     fn library(size: TextureSize) -> TextureLibrary {
@@ -115,13 +120,13 @@ mod tests {
     }
 
     #[test]
-    fn every_surface_has_its_three_images_and_they_are_small() {
+    fn every_surface_has_its_images_and_they_are_small() {
         let library = library(TextureSize::Small);
         let mut total = 0;
         for surface in SURFACES {
             let textures = library.textures(surface);
             let bytes: usize = textures.iter().map(|(_, texture)| texture.image.bytes.len()).sum();
-            assert_eq!(textures.len(), 3, "{surface}");
+            assert_eq!(textures.len(), if has_relief(surface) { 3 } else { 2 }, "{surface}");
             assert!(bytes < MOST_BYTES, "{surface} takes {bytes} bytes");
             total += bytes;
         }

@@ -11,9 +11,7 @@ mod relief;
 mod surface;
 
 pub use library::{TextureLibrary, TextureLocation};
-pub use surface::SURFACES;
-
-use crate::model::TextureUse;
+pub use surface::{SURFACES, has_relief};
 
 /// How finely surfaces are painted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,7 +33,3 @@ impl TextureSize {
         }
     }
 }
-
-/// The images of a surface, in the order of [`TextureLibrary::textures`].
-pub const TEXTURE_USES: [TextureUse; 3] =
-    [TextureUse::BaseColor, TextureUse::Normal, TextureUse::MetallicRoughness];

@@ -23,6 +23,13 @@ pub const SURFACES: [&str; 13] = [
     "wood",
 ];
 
+/// Whether a surface is more than a flat pattern, so that normals are painted for it. Lacquered wood, polished stone and
+/// the like are level to the eye.
+#[must_use]
+pub fn has_relief(surface: &str) -> bool {
+    SURFACES.contains(&surface) && !matches!(surface, "brushed" | "linoleum" | "stone" | "wood")
+}
+
 /// What a surface is like at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sample {
@@ -66,7 +73,7 @@ fn wood([x, y]: [f64; 2], seed: u32) -> Sample {
     Sample {
         shade: 1.0 - 0.16 * late - 0.09 * fibre - 0.07 * cloud,
         roughness: 0.86 + 0.14 * fibre,
-        height: 0.000_12 * fibre,
+        height: 0.0,
     }
 }
 
@@ -174,11 +181,7 @@ fn stone(point: [f64; 2]) -> Sample {
 /// Marbled flecks.
 fn linoleum(point: [f64; 2]) -> Sample {
     let fleck = layered(point, [20, 48], 3, 111);
-    Sample {
-        shade: 0.86 + 0.14 * step(0.35, 0.65, fleck),
-        roughness: 0.9 + 0.1 * fleck,
-        height: 0.000_06 * fleck,
-    }
+    Sample { shade: 0.86 + 0.14 * step(0.35, 0.65, fleck), roughness: 0.9 + 0.1 * fleck, height: 0.0 }
 }
 
 /// Strokes along `x`.
@@ -198,6 +201,17 @@ mod tests {
         let differs =
             |surface: &&&str| (0..40).any(|index| sample(surface, [0.013 * f64::from(index), 0.37]) != plain);
         assert_eq!(SURFACES.iter().filter(differs).count(), SURFACES.len());
+    }
+
+    #[test]
+    fn surfaces_with_relief_are_uneven_and_others_are_not() {
+        for surface in SURFACES {
+            let heights =
+                (0..400).map(|index| sample(surface, [grain(index, 1, 1), grain(index, 2, 2)]).height);
+            let highest = heights.fold(0.0, f64::max);
+            assert_eq!(highest > 0.0, has_relief(surface), "{surface}");
+        }
+        assert!(!has_relief("marzipan"));
     }
 
     #[test]

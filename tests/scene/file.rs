@@ -5,7 +5,7 @@ use std::sync::Arc;
 use gltf::mesh::Semantic;
 use roomwright::catalog::{Material, Size};
 use roomwright::gltf::{
-    GltfError, LibraryReference, SharedLibrary, write_glb, write_glb_with_library, write_gltf,
+    GltfError, LibraryReference, Painting, SharedLibrary, write_glb, write_glb_with_library, write_gltf,
     write_gltf_with_library,
 };
 use roomwright::model::{
@@ -153,8 +153,8 @@ fn a_shared_library_holds_the_models_and_the_level_the_shell() {
             .filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())))
             .collect::<Vec<_>>()
     };
-    let library = SharedLibrary::new(models(), |_| false);
-    let reversed = SharedLibrary::new(models().into_iter().rev(), |_| false);
+    let library = SharedLibrary::new(models(), |_| Painting::default());
+    let reversed = SharedLibrary::new(models().into_iter().rev(), |_| Painting::default());
     assert_eq!(library.bytes(), reversed.bytes(), "the order of the models does not matter");
     let reference = LibraryReference { library: &library, path: "../library.bin" };
     let bytes = library.bytes();
@@ -174,7 +174,7 @@ fn a_shared_library_holds_the_models_and_the_level_the_shell() {
 #[test]
 fn a_library_that_lacks_a_model_leaves_it_in_the_level() {
     let scene = furnished_scene();
-    let empty = SharedLibrary::new([], |_| false);
+    let empty = SharedLibrary::new([], |_| Painting::default());
     let reference = LibraryReference { library: &empty, path: "../library.bin" };
     assert_eq!(write_glb_with_library(&scene, reference).unwrap(), write_glb(&scene).unwrap());
 }
