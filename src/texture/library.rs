@@ -160,6 +160,6 @@ mod tests {
         });
         let hash = Sha256::digest(painted.collect::<Vec<u8>>());
         let hash: String = hash.iter().take(8).map(|byte| format!("{byte:02x}")).collect();
-        assert_eq!(hash, "8352ef1a5889003c");
+        assert_eq!(hash, "90cc4358fc1ec3a7");
     }
 }
