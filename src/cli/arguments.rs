@@ -205,6 +205,9 @@ pub(crate) struct DrawArguments {
     /// Show the clearances that furniture and doors need.
     #[arg(long)]
     pub(crate) clearances: bool,
+    /// Draw all levels of a building on one sheet, from below to above.
+    #[arg(long)]
+    pub(crate) sheet: bool,
     /// Mark what the audit finds in the plan, numbered and coloured by severity, and list it below.
     #[arg(long)]
     pub(crate) findings: bool,

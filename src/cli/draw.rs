@@ -10,15 +10,20 @@ use super::exit::Outcome;
 use super::files::write_text;
 use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
+use crate::audit::Finding;
 use crate::batch::distinct_names;
 use crate::best::{Judged, furnish_best};
+use crate::catalog::Catalog;
 use crate::document::{Fault, Faults, did_you_mean};
-use crate::draw::{Drawing, draw_level};
-use crate::layout::FurnishOptions;
+use crate::draw::{Drawing, draw_level, draw_levels};
+use crate::layout::{FurnishOptions, Furnished};
 use crate::plan::{Level, PlacedBuilding};
 
 /// A level to draw.
 type Subject<'a> = (&'a PlacedBuilding, &'a Level);
+
+/// The levels of one file; several are of one building.
+type Page<'a> = Vec<Subject<'a>>;
 
 /// Runs the command.
 pub(crate) fn run(arguments: &DrawArguments, screen: Screen) -> Outcome {
@@ -35,21 +40,24 @@ pub(crate) fn run(arguments: &DrawArguments, screen: Screen) -> Outcome {
         Ok(subjects) => subjects,
         Err(faults) => return refuse(screen, &faults),
     };
-    let draw = |subject: Subject<'_>| draw_one(arguments, &sources, style.as_deref(), subject);
+    let pages = pages(subjects, arguments.sheet);
+    let draw = |page: &Page<'_>| draw_page(arguments, &sources, style.as_deref(), page);
     let has_faults = sources.faults.has_errors();
-    match (&arguments.out, subjects.as_slice()) {
-        (None, &[subject]) => {
-            screen.result(draw(subject).trim_end());
+    match (&arguments.out, pages.as_slice()) {
+        (None, [page]) => {
+            screen.result(draw(page).trim_end());
             Outcome::of_failures(has_faults)
         }
         (None, _) => {
-            let fault =
-                Fault::of_file(Path::new("--out"), format!("{} levels need a folder", subjects.len()));
+            let fault = Fault::of_file(
+                Path::new("--out"),
+                format!("{} {} need a folder", pages.len(), arguments.pages_word()),
+            );
             let hint = "name a folder with --out, or one level with --building and --level";
             refuse(screen, &fault.with_hint(hint).into())
         }
         (Some(out), _) => {
-            let written = write_all(&subjects, out, arguments.force, draw);
+            let written = write_all(&pages, out, arguments, draw);
             for one in &written {
                 match one {
                     Ok(path) => screen.note(&path.display().to_string()),
@@ -98,52 +106,105 @@ fn unknown(what: &str, id: &str, known: Vec<String>) -> Faults {
     }
 }
 
-/// Furnishes a level as `bake` does and draws it.
-fn draw_one(
-    arguments: &DrawArguments,
-    sources: &Sources,
-    style: Option<&str>,
-    subject: Subject<'_>,
-) -> String {
-    let (placed, level) = subject;
-    let catalog = &sources.catalog;
+/// The furnished rooms of a level and the findings in each.
+type Judgement = (Vec<Furnished>, Vec<Vec<Finding>>);
+
+/// One file for each level, or for each building.
+fn pages(subjects: Vec<Subject<'_>>, is_sheet: bool) -> Vec<Page<'_>> {
+    if !is_sheet {
+        return subjects.into_iter().map(|subject| vec![subject]).collect();
+    }
+    let mut pages: Vec<Page<'_>> = Vec::new();
+    for subject in subjects {
+        match pages.last_mut() {
+            Some(page) if page[0].0.id == subject.0.id => page.push(subject),
+            _ => pages.push(vec![subject]),
+        }
+    }
+    for page in &mut pages {
+        page.sort_by(|a, b| a.1.elevation.total_cmp(&b.1.elevation));
+    }
+    pages
+}
+
+/// Furnishes levels as `bake` does and draws them.
+fn draw_page(arguments: &DrawArguments, sources: &Sources, style: Option<&str>, page: &Page<'_>) -> String {
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
-    let options = FurnishOptions { seed, building: &placed.id, style };
-    let rooms = || (0..level.rooms.len()).into_par_iter();
-    let best = |room| furnish_best(level, room, catalog, &options, arguments.furnish.effort);
-    let judged = |judged: Judged| (judged.furnished, judged.verdict.findings);
-    let (furnished, findings): (Vec<_>, Vec<_>) = rooms().map(best).map(judged).unzip();
-    draw_level(&Drawing {
+    let furnish = |&subject: &Subject<'_>| furnish_level(arguments, sources, (seed, style), subject);
+    let judged: Vec<Judgement> = page.iter().map(furnish).collect();
+    let drawings: Vec<Drawing<'_>> = page
+        .iter()
+        .zip(&judged)
+        .map(|(subject, judgement)| drawing(arguments, &sources.catalog, seed, (*subject, judgement)))
+        .collect();
+    match drawings.as_slice() {
+        [one] => draw_level(one),
+        several => draw_levels(several),
+    }
+}
+
+fn drawing<'a>(
+    arguments: &DrawArguments,
+    catalog: &'a Catalog,
+    seed: u64,
+    ((placed, level), (furnished, findings)): (Subject<'a>, &'a Judgement),
+) -> Drawing<'a> {
+    Drawing {
         building: &placed.id,
         site: placed.site,
         level,
-        furnished: &furnished,
-        findings: &findings,
+        furnished,
+        findings,
         catalog,
         seed,
         has_clearances: arguments.clearances,
         has_findings: arguments.findings,
-    })
+    }
+}
+
+fn furnish_level(
+    arguments: &DrawArguments,
+    sources: &Sources,
+    (seed, style): (u64, Option<&str>),
+    (placed, level): Subject<'_>,
+) -> Judgement {
+    let options = FurnishOptions { seed, building: &placed.id, style };
+    let rooms = (0..level.rooms.len()).into_par_iter();
+    let best = |room| furnish_best(level, room, &sources.catalog, &options, arguments.furnish.effort);
+    let judged = |judged: Judged| (judged.furnished, judged.verdict.findings);
+    rooms.map(best).map(judged).unzip()
 }
 
 fn write_all(
-    subjects: &[Subject<'_>],
+    pages: &[Page<'_>],
     out: &Path,
-    is_forced: bool,
-    draw: impl Fn(Subject<'_>) -> String,
+    arguments: &DrawArguments,
+    draw: impl Fn(&Page<'_>) -> String,
 ) -> Vec<Result<PathBuf, Faults>> {
     let is_file = out.extension().is_some_and(|extension| extension == "svg");
-    if is_file && subjects.len() > 1 {
-        let fault = Fault::of_file(out, format!("is one file, but {} levels are drawn", subjects.len()));
+    if is_file && pages.len() > 1 {
+        let word = arguments.pages_word();
+        let fault = Fault::of_file(out, format!("is one file, but {} {word} are drawn", pages.len()));
         let hint = "name a folder, or choose one level with --building and --level";
         return vec![Err(fault.with_hint(hint).into())];
     }
-    let buildings: Vec<&str> = subjects.iter().map(|(placed, _)| placed.id.as_str()).collect();
-    let levels: Vec<&str> = subjects.iter().map(|(_, level)| level.id.as_str()).collect();
+    let buildings: Vec<&str> = pages.iter().map(|page| page[0].0.id.as_str()).collect();
+    let levels: Vec<&str> = pages.iter().map(|page| page[0].1.id.as_str()).collect();
     let names = distinct_names(&buildings).into_iter().zip(distinct_names(&levels));
-    let write = |(&subject, (building, level)): (&Subject<'_>, (String, String))| {
-        let path = if is_file { out.to_owned() } else { out.join(building).join(level + ".svg") };
-        write_text(&path, &draw(subject), is_forced).map(|()| path)
+    let write = |(page, (building, level)): (&Page<'_>, (String, String))| {
+        let path = match (is_file, arguments.sheet) {
+            (true, _) => out.to_owned(),
+            (false, true) => out.join(building + ".svg"),
+            (false, false) => out.join(building).join(level + ".svg"),
+        };
+        write_text(&path, &draw(page), arguments.force).map(|()| path)
     };
-    subjects.iter().zip(names).map(write).collect()
+    pages.iter().zip(names).map(write).collect()
+}
+
+impl DrawArguments {
+    /// What each file shows.
+    fn pages_word(&self) -> &'static str {
+        if self.sheet { "buildings" } else { "levels" }
+    }
 }

@@ -201,11 +201,22 @@ impl Canvas {
         self.text_at(Point::new(x, self.pen), text, style);
     }
 
+    /// Pixels of the whole sheet.
+    pub(crate) fn extent(&self) -> Point {
+        Point::new(self.width().ceil(), (self.pen + LINE_HEIGHT).ceil())
+    }
+
     /// The file.
     pub(crate) fn finish(self) -> String {
-        let (width, height) = (self.width().ceil(), (self.pen + LINE_HEIGHT).ceil());
+        self.finish_at(Point::ZERO)
+    }
+
+    /// The sheet as a part of a larger one: a pixel that its upper left corner is at.
+    pub(crate) fn finish_at(self, at: Point) -> String {
+        let Point { x: width, y: height } = self.extent();
+        let place = if at == Point::ZERO { String::new() } else { format!("x=\"{}\" y=\"{}\" ", at.x, at.y) };
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" {place}width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, sans-serif\">\n\
              <defs><pattern id=\"hatch\" width=\"8\" height=\"8\" patternUnits=\"userSpaceOnUse\" \
              patternTransform=\"rotate(45)\"><rect width=\"8\" height=\"8\" fill=\"#eee\"/>\

@@ -6,14 +6,20 @@ use crate::layout::{Parent, Placement, clearance_solids, solids};
 
 use super::Drawing;
 use super::canvas::{Canvas, LETTER_WIDTH, TextStyle};
-use super::color::class_colors;
+use super::color::class_fill;
+use super::symbols::symbol_strokes;
 
 const MINIMUM_CLEARANCE: &str =
     "fill=\"#d9480f\" fill-opacity=\"0.08\" stroke=\"#d9480f\" stroke-width=\"0.8\" stroke-dasharray=\"3 2\"";
 const GOOD_CLEARANCE: &str = "fill=\"none\" stroke=\"#d9480f\" stroke-width=\"0.5\" stroke-dasharray=\"1 2\"";
 
-/// Metres of an object's shorter side from which its front is marked.
+/// Metres of an object's shorter side from which its front or its symbol is drawn.
 const MARKED_SIDE: f64 = 0.25;
+
+/// Outlines of furniture, what hangs above it, and lines inside outlines: thinner than walls.
+const OUTLINE: &str = "stroke=\"#333\" stroke-width=\"0.9\" stroke-linejoin=\"round\"";
+const OVERHEAD: &str = "fill=\"none\" stroke=\"#777\" stroke-width=\"0.6\" stroke-dasharray=\"4 2.5\"";
+const DETAIL: &str = "fill=\"none\" stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
 
 /// Metres of an underside above the floor from which an object counts as hanging.
 const HANGING: f64 = 1.0;
@@ -57,28 +63,34 @@ pub(crate) fn draw_names(canvas: &mut Canvas, drawing: &Drawing<'_>) {
 }
 
 fn draw_object(canvas: &mut Canvas, class: &Class, placement: &Placement) {
-    let (fill, edge) = class_colors(&class.id);
-    if placement.parent == Parent::Ceiling {
-        let attributes =
-            format!("fill=\"none\" stroke=\"{edge}\" stroke-width=\"0.8\" stroke-dasharray=\"3 2\"");
-        return draw_outline(canvas, class, placement, &attributes);
+    // What hangs lets see what stands below.
+    if placement.parent == Parent::Ceiling || placement.elevation > HANGING {
+        return draw_outline(canvas, class, placement, OVERHEAD);
     }
-    // What hangs on a wall lets see what stands below.
-    let opacity = if placement.elevation > HANGING { 0.3 } else { 0.85 };
-    let attributes =
-        format!("fill=\"{fill}\" fill-opacity=\"{opacity}\" stroke=\"{edge}\" stroke-width=\"1\"");
-    match class.shape {
-        Shape::Box | Shape::Disc => draw_outline(canvas, class, placement, &attributes),
-        Shape::Prisms(_) => {
-            let faint =
-                format!("fill=\"{fill}\" fill-opacity=\"0.5\" stroke=\"{edge}\" stroke-width=\"0.7\"");
-            for solid in solids(class, placement) {
-                canvas.polygon(solid.base.corners(), &faint);
-            }
+    let fill = class_fill(&class.id);
+    let opacity = if matches!(class.shape, Shape::Prisms(_)) { 0.6 } else { 0.92 };
+    let attributes = format!("fill=\"{fill}\" fill-opacity=\"{opacity}\" {OUTLINE}");
+    draw_outline(canvas, class, placement, &attributes);
+    if placement.size.width.min(placement.size.depth) >= MARKED_SIDE {
+        draw_inside(canvas, class, placement);
+    }
+}
+
+/// The lines of an object's symbol; a mark at the front of those that have none.
+fn draw_inside(canvas: &mut Canvas, class: &Class, placement: &Placement) {
+    let right = direction(placement.angle);
+    let front = -right.perp();
+    let strokes = symbol_strokes(class, placement.size);
+    for stroke in &strokes {
+        let place = |point: &Point| placement.position + right * point.x + front * point.y;
+        let points: Vec<Point> = stroke.points.iter().map(place).collect();
+        match (stroke.is_closed, points.as_slice()) {
+            (true, corners) => canvas.polygon(corners, DETAIL),
+            (false, ends) => ends.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], DETAIL)),
         }
     }
-    if placement.size.width.min(placement.size.depth) >= MARKED_SIDE {
-        draw_front(canvas, placement, &edge);
+    if strokes.is_empty() {
+        draw_front(canvas, placement);
     }
 }
 
@@ -89,16 +101,16 @@ fn draw_outline(canvas: &mut Canvas, class: &Class, placement: &Placement, attri
 }
 
 /// A small arrowhead inside the middle of the front edge.
-fn draw_front(canvas: &mut Canvas, placement: &Placement, color: &str) {
-    const LARGEST: f64 = 0.12;
-    const SHARE: f64 = 0.2;
+fn draw_front(canvas: &mut Canvas, placement: &Placement) {
+    const LARGEST: f64 = 0.07;
+    const SHARE: f64 = 0.15;
     const INSET: f64 = 0.02;
     let right = direction(placement.angle);
     let front = -right.perp();
     let length = LARGEST.min(SHARE * placement.size.depth);
     let tip = placement.position + front * (placement.size.depth / 2.0 - INSET);
     let base = tip - front * length;
-    canvas.polygon(&[tip, base - right * length, base + right * length], &format!("fill=\"{color}\""));
+    canvas.polygon(&[tip, base - right * length, base + right * length], "fill=\"#777\"");
 }
 
 /// What stands on the floor and is large enough; a rug under a table would be named over it.

@@ -9,6 +9,7 @@ mod furniture;
 mod labels;
 mod sheet;
 mod shell;
+mod symbols;
 
 use crate::audit::Finding;
 use crate::catalog::Catalog;
@@ -50,6 +51,31 @@ const MARGIN: f64 = 0.6;
 /// If `furnished` has not one entry per room, or an index in it points nowhere.
 #[must_use]
 pub fn draw_level(drawing: &Drawing<'_>) -> String {
+    paint(drawing).finish()
+}
+
+/// Draws several levels on one sheet, in the order given, side by side and in rows that make it about square.
+///
+/// # Panics
+/// As [`draw_level`].
+#[must_use]
+pub fn draw_levels(drawings: &[Drawing<'_>]) -> String {
+    let sheets: Vec<Canvas> = drawings.iter().map(paint).collect();
+    let columns = (sheets.len() as f64).sqrt().ceil().max(1.0) as usize;
+    let cell = sheets.iter().fold(Point::ZERO, |most, sheet| most.max(sheet.extent()));
+    let rows = sheets.len().div_ceil(columns);
+    let size = cell * Point::new(columns.min(sheets.len()) as f64, rows as f64);
+    let place = |index: usize| cell * Point::new((index % columns) as f64, (index / columns) as f64);
+    let parts: String =
+        sheets.into_iter().enumerate().map(|(index, sheet)| sheet.finish_at(place(index))).collect();
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n\
+         <rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{parts}</svg>\n",
+        size.x, size.y
+    )
+}
+
+fn paint(drawing: &Drawing<'_>) -> Canvas {
     assert_eq!(drawing.furnished.len(), drawing.level.rooms.len(), "one furnished room per room");
     let mut canvas = Canvas::new(bounds(drawing.level));
     // From the ground up: walls, floors, openings, then what stands on the floors.
@@ -71,7 +97,7 @@ pub fn draw_level(drawing: &Drawing<'_>) -> String {
     if drawing.has_findings {
         findings::draw_legend(&mut canvas, drawing, &noted);
     }
-    canvas.finish()
+    canvas
 }
 
 /// Lowest and highest point of the sheet in plan metres.

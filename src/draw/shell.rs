@@ -6,18 +6,25 @@ use crate::plan::{Level, Opening, OpeningKind, Room, Wall, WallKind};
 use super::Drawing;
 use super::canvas::Canvas;
 
-const WALL: &str = "fill=\"#555\" stroke=\"#555\" stroke-width=\"0.7\"";
-const THIN_WALL: &str = "stroke=\"#555\" stroke-width=\"2\" stroke-linecap=\"square\"";
-const RAILING: &str = "stroke=\"#555\" stroke-width=\"1.2\" stroke-dasharray=\"2 2\"";
-const FLOOR: &str = "fill=\"#fdfbf6\" stroke=\"#555\" stroke-width=\"0.5\"";
+const WALL: &str = "fill=\"#1c1c1c\" stroke=\"#1c1c1c\" stroke-width=\"1.2\"";
+const THIN_WALL: &str = "stroke=\"#1c1c1c\" stroke-width=\"2\" stroke-linecap=\"square\"";
+const RAILING: &str = "stroke=\"#1c1c1c\" stroke-width=\"1.2\" stroke-dasharray=\"2 2\"";
+const FLOOR: &str = "fill=\"#fefdfb\" stroke=\"#1c1c1c\" stroke-width=\"0.5\"";
 const UNFURNISHED: &str = "fill=\"url(#hatch)\" stroke=\"#555\" stroke-width=\"0.5\"";
-const OBSTACLE: &str = "fill=\"#777\" stroke=\"#444\" stroke-width=\"1\"";
-const GAP: &str = "fill=\"#fdfbf6\" stroke=\"#fdfbf6\" stroke-width=\"0.7\"";
-const GLASS: &str = "fill=\"#e4f1fa\" stroke=\"#3f7fb0\" stroke-width=\"1\"";
-const GLASS_LINE: &str = "stroke=\"#3f7fb0\" stroke-width=\"1\"";
-const LEAF: &str = "stroke=\"#9a6a2f\" stroke-width=\"2\"";
-const SWING: &str = "fill=\"#f5e6cf\" fill-opacity=\"0.45\" stroke=\"#c79a5e\" stroke-width=\"0.8\"";
+const OBSTACLE: &str = "fill=\"#1c1c1c\" stroke=\"#1c1c1c\" stroke-width=\"1\"";
+const GAP: &str = "fill=\"#fefdfb\" stroke=\"#fefdfb\" stroke-width=\"0.7\"";
+const GLASS: &str = "fill=\"#f4f9fc\" stroke=\"#1c1c1c\" stroke-width=\"0.7\"";
+const GLASS_LINE: &str = "stroke=\"#1c1c1c\" stroke-width=\"0.6\"";
+const LEAF: &str = "stroke=\"#1c1c1c\" stroke-width=\"1.8\"";
+const SWING: &str =
+    "fill=\"#f7f3ea\" fill-opacity=\"0.5\" stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
 const DASHES: &str = "stroke=\"#999\" stroke-width=\"1\" stroke-dasharray=\"4 3\"";
+
+const TREAD_LINE: &str = "stroke=\"#777\" stroke-width=\"0.5\"";
+
+/// The room type of staircases, and metres of a tread.
+const STAIRS: &str = "stairs";
+const TREAD: f64 = 0.28;
 
 /// Metres that a gap reaches beyond the faces of its wall, so that no sliver of wall remains.
 const GAP_OVERLAP: f64 = 0.01;
@@ -49,8 +56,33 @@ pub(crate) fn draw_floors(canvas: &mut Canvas, drawing: &Drawing<'_>) {
         let outline = room.region.outline.corners();
         let holes = room.region.holes.iter().map(crate::geometry::Polygon::corners);
         let rings: Vec<&[Point]> = std::iter::once(outline).chain(holes).collect();
-        canvas.polygons(&rings, if is_furnished(drawing, room) { FLOOR } else { UNFURNISHED });
+        canvas.polygons(
+            &rings,
+            if is_furnished(drawing, room) || is_stairs(room) { FLOOR } else { UNFURNISHED },
+        );
+        if is_stairs(room) {
+            draw_treads(canvas, room);
+        }
     }
+}
+
+/// Whether people climb in it: a rectangle of that type.
+fn is_stairs(room: &Room) -> bool {
+    room.room_type == STAIRS && room.region.outline.corners().len() == 4
+}
+
+/// Steps across the longer side of a room, in two flights.
+fn draw_treads(canvas: &mut Canvas, room: &Room) {
+    let corners = room.region.outline.corners();
+    let (a, b) = (corners[1] - corners[0], corners[3] - corners[0]);
+    let (along, across) = if a.length() >= b.length() { (a, b) } else { (b, a) };
+    let count = (along.length() / TREAD).floor().max(1.0) as u32;
+    for step in 1..count {
+        let from = corners[0] + along * (f64::from(step) / f64::from(count));
+        canvas.line(from, from + across, TREAD_LINE);
+    }
+    let middle = corners[0] + across / 2.0;
+    canvas.line(middle, middle + along, TREAD_LINE);
 }
 
 /// Whether the catalogue furnishes rooms of this type.
@@ -78,9 +110,14 @@ pub(crate) fn draw_openings(canvas: &mut Canvas, level: &Level) {
 }
 
 fn draw_window(canvas: &mut Canvas, level: &Level, opening: &Opening) {
-    canvas.polygon(&gap(level, opening, 0.0), GLASS);
+    let corners = gap(level, opening, 0.0);
+    canvas.polygon(&corners, GLASS);
     let half = opening.along * (opening.width / 2.0);
-    canvas.line(opening.center - half, opening.center + half, GLASS_LINE);
+    // Both faces of the pane, a tenth of the wall apart.
+    let apart = (corners[3] - corners[0]) / 20.0;
+    for pane in [opening.center - apart, opening.center + apart] {
+        canvas.line(pane - half, pane + half, GLASS_LINE);
+    }
 }
 
 fn draw_door(canvas: &mut Canvas, level: &Level, opening: &Opening) {

@@ -103,6 +103,20 @@ fn found(findings: Vec<Finding>) -> String {
     draw(&[findings, Vec::new()], (false, true))
 }
 
+fn draw_rooms(level: &Level) -> String {
+    draw_level(&Drawing {
+        building: "b",
+        site: SitePlacement::default(),
+        level,
+        furnished: &[furnished(0), furnished(1)],
+        findings: &[],
+        catalog: &catalog(),
+        seed: 1,
+        has_clearances: false,
+        has_findings: false,
+    })
+}
+
 fn draw(findings: &[Vec<Finding>], (has_clearances, has_findings): (bool, bool)) -> String {
     let (level, catalog) = (level(), catalog());
     draw_level(&Drawing {
@@ -140,8 +154,44 @@ fn the_sheet_names_rooms_and_what_is_missing() {
 #[test]
 fn a_door_has_an_arc_and_a_window_glass() {
     let svg = drawn(false);
-    assert_eq!(svg.lines().filter(|line| line.contains('A') && line.contains("#f5e6cf")).count(), 1);
-    assert_eq!(svg.matches("#e4f1fa").count(), 1);
+    assert_eq!(svg.lines().filter(|line| line.contains('A') && line.contains("#f7f3ea")).count(), 1);
+    assert_eq!(svg.matches("#f4f9fc").count(), 1);
+}
+
+#[test]
+fn levels_on_one_sheet_stand_beside_each_other() {
+    let (level, catalog) = (level(), catalog());
+    let rooms = [furnished(0), furnished(1)];
+    let drawing = Drawing {
+        building: "b",
+        site: SitePlacement::default(),
+        level: &level,
+        furnished: &rooms,
+        findings: &[],
+        catalog: &catalog,
+        seed: 1,
+        has_clearances: false,
+        has_findings: false,
+    };
+    let svg = draw_levels(&[drawing; 3]);
+    let places: Vec<&str> = svg.lines().filter(|line| line.starts_with("<svg")).collect();
+    assert_eq!(places.len(), 4);
+    let (width, height) = (paint(&drawing).extent().x, paint(&drawing).extent().y);
+    assert!(places[0].contains(&format!("width=\"{}\" height=\"{}\"", 2.0 * width, 2.0 * height)));
+    assert!(places[2].contains(&format!("x=\"{width}\" y=\"0\"")));
+    assert!(places[3].contains(&format!("x=\"0\" y=\"{height}\"")));
+}
+
+#[test]
+fn stairs_have_treads_and_a_shaft_has_none() {
+    let mut level = level();
+    let treads = |level: &Level| {
+        let svg = draw_rooms(level);
+        svg.matches("stroke=\"#777\" stroke-width=\"0.5\"").count()
+    };
+    assert_eq!(treads(&level), 0);
+    level.rooms[1].room_type = "stairs".to_owned();
+    assert_eq!(treads(&level), 14, "4 m in treads of 0.28 m, and the line between two flights");
 }
 
 #[test]

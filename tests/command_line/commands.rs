@@ -110,6 +110,17 @@ fn draw_asks_which_level_and_suggests() {
 }
 
 #[test]
+fn draw_puts_all_levels_of_a_building_on_one_sheet() {
+    let world = World::new();
+    world.write("a.yaml", plan("alpha", 2));
+    world.must(&["draw", "a.yaml", "--sheet", "--out", "drawings"]);
+    assert_eq!(world.names("drawings"), ["alpha.svg"]);
+    let svg = world.must(&["draw", "a.yaml", "--sheet"]).stdout;
+    assert_eq!(world.read("drawings/alpha.svg"), svg.as_bytes());
+    assert_eq!(svg.matches("<svg").count(), 3, "the sheet and its two levels");
+}
+
+#[test]
 fn an_imported_plan_bakes_to_the_same_rooms() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
