@@ -21,6 +21,8 @@ from floor_view import Level, Room
 
 ENGINES = {"cycles": "CYCLES", "eevee": "BLENDER_EEVEE", "workbench": "BLENDER_WORKBENCH"}
 CUT_COLORS = {"top": (0.02, 0.021, 0.024, 1.0), "dollhouse": (0.12, 0.123, 0.13, 1.0)}
+# Panes of windows, seen from outside and above: what lies behind them is the paper.
+PANE_COLOR = (0.62, 0.72, 0.78, 1.0)
 SKY_COLOR, SUN_COLOR = (0.80, 0.90, 1.0), (1.0, 0.93, 0.82)
 # Watts per square metre of the sun, strength of the sky, by view.
 SUNLIGHT = {"top": 2.2, "dollhouse": 3.0, "eye": 5.0}
@@ -56,6 +58,8 @@ class Stage:
         self.caps = {view: _plain_material(f"cut {view}", color) for view, color in CUT_COLORS.items()}
         self.extra_lights: list = []
         _let_light_through(self.objects)
+        self.panes = _panes(self.objects)
+        self.pane = _plain_material("pane", PANE_COLOR)
         thin_glass()
         self.camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
         self.sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
@@ -81,6 +85,8 @@ class Stage:
             if thing.data is not self.data[thing]:
                 cut_mesh, thing.data = thing.data, self.data[thing]
                 bpy.data.meshes.remove(cut_mesh)
+        for thing, index, glass in self.panes:
+            thing.material_slots[index].material = glass if camera.view == "eye" else self.pane
         if camera.view == "eye":
             return
         bpy.context.view_layer.update()
@@ -229,13 +235,34 @@ def _let_light_through(objects: list) -> None:
             thing.visible_shadow = thing.visible_diffuse = False
 
 
+def _panes(objects: list) -> list[tuple]:
+    """Glass of the shell: object, slot, material. The slots become the objects' own, for meshes are shared."""
+    found = []
+    for thing in objects:
+        for index, slot in enumerate(thing.material_slots if thing.get("kind") == "part" else []):
+            if slot.material is not None and any(_is_clear(one) for one in _shaders(slot.material)):
+                glass, slot.link = slot.material, "OBJECT"
+                slot.material = glass
+                found.append((thing, index, glass))
+    return found
+
+
+def _shaders(material) -> list:
+    tree = material.node_tree
+    return [one for one in (tree.nodes if tree else []) if one.type == "BSDF_PRINCIPLED"]
+
+
+def _is_clear(shader) -> bool:
+    inputs = shader.inputs
+    return inputs["Transmission Weight"].default_value > 0.5 and not inputs["Alpha"].is_linked
+
+
 def thin_glass() -> None:
     """Clear materials become thin panes: refraction needs many more samples than a small picture has."""
     for material in bpy.data.materials:
-        tree = material.node_tree
-        for shader in (one for one in (tree.nodes if tree else []) if one.type == "BSDF_PRINCIPLED"):
+        for shader in _shaders(material):
             inputs = shader.inputs
-            if inputs["Transmission Weight"].default_value > 0.5 and not inputs["Alpha"].is_linked:
+            if _is_clear(shader):
                 inputs["Transmission Weight"].default_value = 0.0
                 inputs["Alpha"].default_value = min(inputs["Alpha"].default_value, 0.2)
                 inputs["Roughness"].default_value = 0.1
