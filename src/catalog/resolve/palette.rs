@@ -46,28 +46,21 @@ fn resolve_palette(chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> 
 
 /// A material, merged key by key along the chain.
 fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> Material {
-    let entry = |palette: &'_ PaletteEntry| palette.materials.as_ref().and_then(|all| all.get(slot)).cloned();
     let mut share = |key: &'static str, get: fn(&MaterialEntry) -> Option<f64>, default: f64| {
-        let found = chain.0.iter().find_map(|one| Some((one, get(&entry(&one.entry)?)?)));
-        found.map_or(default, |(definition, value)| {
-            let spot = definition.spot.key("materials").key(slot).key(key);
-            Quantity::plain(key, SHARE).check(value, &spot, report)
-        })
+        let found = find_key((slot, key), chain, get);
+        found.map_or(default, |(spot, value)| Quantity::plain(key, SHARE).check(value, &spot, report))
     };
     let roughness = share("roughness", |material| material.roughness, DEFAULT_ROUGHNESS);
     let metallic = share("metallic", |material| material.metallic, 0.0);
     let opacity = share("opacity", |material| material.opacity, 1.0);
     let transmission = share("transmission", |material| material.transmission, 0.0);
-    let mut color = |key: &str, get: fn(MaterialEntry) -> Option<String>, default: &str| {
-        let found = chain.0.iter().find_map(|one| Some((one, get(entry(&one.entry)?)?)));
-        let (spot, text) = found.map_or_else(
-            || (chain.own().spot.clone(), default.to_owned()),
-            |(definition, text)| (definition.spot.key("materials").key(slot).key(key), text),
-        );
+    let mut color = |key: &'static str, get: fn(&MaterialEntry) -> Option<String>, default: &str| {
+        let unnamed = || (chain.own().spot.clone(), default.to_owned());
+        let (spot, text) = find_key((slot, key), chain, get).unwrap_or_else(unnamed);
         linear_color(&text, &spot, report)
     };
-    let [red, green, blue] = color("color", |material| material.color, DEFAULT_COLOR);
-    let emissive = color("emissive", |material| material.emissive, DEFAULT_EMISSIVE);
+    let [red, green, blue] = color("color", |material| material.color.clone(), DEFAULT_COLOR);
+    let emissive = color("emissive", |material| material.emissive.clone(), DEFAULT_EMISSIVE);
     let texture = resolve_texture(slot, chain, report);
     let tints = resolve_tints(slot, chain, report);
     Material {
