@@ -1,57 +1,17 @@
 """What convert.py writes, read back through the composed stage and compared with the glTF."""
 
+import shutil
+
 import numpy as np
 import pytest
-from pxr import Gf, Kind, Usd, UsdGeom, UsdShade, UsdValidation
+from pxr import Kind, Sdf, Usd, UsdGeom, UsdSemantics
+from usd_reading import assert_same_meshes, assert_same_places, assert_same_tree, assert_valid, converted, node_prims
 
 import convert
 from gltf_file import GltfFile
+from progress import Progress
 
-# Metres.
-PLACE_TOLERANCE = 1e-4
-
-
-def converted(source, target, up_axis="Y") -> Usd.Stage:
-    assert convert.convert_file(source, target, up_axis) == ""
-    return Usd.Stage.Open(str(target))
-
-
-def node_prims(stage) -> list[Usd.Prim]:
-    """The prims that stand for nodes, parents before children, in the file's order."""
-    return [prim for prim in stage.Traverse() if "name" in prim.GetCustomData()]
-
-
-def world_of(prim) -> np.ndarray:
-    return np.array(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())).T
-
-
-def assert_same_tree(stage, gltf, turn=np.identity(4)):
-    prims = node_prims(stage)
-    assert [prim.GetCustomDataByKey("name") for prim in prims] == [node.name for node in gltf.nodes]
-    for prim, node in zip(prims, gltf.nodes):
-        assert prim.GetDisplayName() == node.name
-        np.testing.assert_allclose(world_of(prim), turn @ node.world, atol=PLACE_TOLERANCE)
-        parent = prim.GetParent().GetCustomDataByKey("name")
-        assert parent == (node.parent.name if node.parent else None)
-
-
-def assert_same_bounds(stage, gltf):
-    """The box of every mesh, through instances, against the corners in the file."""
-    cache = UsdGeom.BBoxCache(Usd.TimeCode.Default(), [UsdGeom.Tokens.default_])
-    for prim, node in zip(node_prims(stage), gltf.nodes):
-        if node.mesh is None:
-            continue
-        corners = np.concatenate([part["positions"] for part in gltf.primitives(node.mesh)])
-        box = cache.ComputeUntransformedBound(prim.GetChild(convert.GEOMETRY)).ComputeAlignedRange()
-        np.testing.assert_allclose([box.GetMin(), box.GetMax()], [corners.min(axis=0), corners.max(axis=0)],
-                                   atol=PLACE_TOLERANCE)
-
-
-def assert_valid(stage):
-    """No validator that comes with USD has anything to say."""
-    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
-    issues = UsdValidation.ValidationContext(validators).Validate(stage)
-    assert [f"{issue.GetIdentifier()}: {issue.GetMessage()}" for issue in issues] == []
+Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], float)
 
 
 @pytest.fixture
@@ -59,11 +19,13 @@ def source(floor, tmp_path):
     return floor.write(tmp_path / "ground.glb")
 
 
-@pytest.mark.parametrize("ending", ["usdc", "usda"])
-def test_the_tree_is_the_same(source, tmp_path, ending):
-    stage, gltf = converted(source, tmp_path / f"ground.{ending}"), GltfFile(source)
+@pytest.mark.parametrize("is_self_contained", [False, True])
+@pytest.mark.parametrize("ending", ["usdc", "usda", "usdz"])
+def test_the_tree_is_the_same(source, tmp_path, ending, is_self_contained):
+    stage = converted(source, tmp_path / f"ground.{ending}", is_self_contained=is_self_contained)
+    gltf = GltfFile(source)
     assert_same_tree(stage, gltf)
-    assert_same_bounds(stage, gltf)
+    assert_same_meshes(stage, gltf)
     assert stage.GetDefaultPrim().GetPath() == "/house_ground"
     assert UsdGeom.GetStageMetersPerUnit(stage) == 1.0
     assert UsdGeom.GetStageUpAxis(stage) == "Y"
@@ -71,10 +33,19 @@ def test_the_tree_is_the_same(source, tmp_path, ending):
 
 
 def test_z_up_turns_the_whole_tree(source, tmp_path):
-    stage = converted(source, tmp_path / "ground.usdc", "Z")
-    up = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], float)
+    stage = converted(source, tmp_path / "ground.usdc", up_axis="Z")
     assert UsdGeom.GetStageUpAxis(stage) == "Z"
-    assert_same_tree(stage, GltfFile(source), up)
+    assert_same_tree(stage, GltfFile(source), Z_UP)
+    assert_same_meshes(stage, GltfFile(source), Z_UP)
+
+
+def test_a_tenth_of_a_millimetre_too_much_is_seen(source, floor, tmp_path):
+    stage = converted(source, tmp_path / "ground.usdc")
+    floor.find("lamp.1@101")["translation"][0] += 0.0002
+    moved = GltfFile(floor.write(tmp_path / "moved.glb"))
+    for compare in (assert_same_places, assert_same_meshes):
+        with pytest.raises(AssertionError):
+            compare(stage, moved)
 
 
 def test_extras_are_custom_data(source, tmp_path):
@@ -87,14 +58,20 @@ def test_extras_are_custom_data(source, tmp_path):
     assert (room["seed"], stage.GetDefaultPrim().GetCustomData()["seed"]) == ("7", "18446744073709551615")
 
 
-def test_shared_meshes_are_instances_of_one_prototype(source, tmp_path):
-    stage = converted(source, tmp_path / "ground.usdc")
-    desks = [stage.GetPrimAtPath(f"/house_ground/room_101/desk_{n}_101/geometry") for n in (1, 2)]
-    assert all(desk.IsInstance() for desk in desks)
-    assert desks[0].GetPrototype() == desks[1].GetPrototype()
-    lamp = stage.GetPrimAtPath("/house_ground/room_101/desk_2_101/lamp_1_101/geometry")
-    assert lamp and not lamp.IsInstance(), "the only one of its kind needs no prototype"
-    assert stage.GetPrimAtPath("/house_ground/Prototypes").IsAbstract(), "the prototypes are not drawn"
+def test_labels_say_what_a_pixel_shows(source, tmp_path):
+    stage = converted(source, tmp_path / "ground.usda")
+
+    def labels(path, taxonomy):
+        query = UsdSemantics.LabelsQuery(taxonomy, Usd.TimeCode.Default())
+        return list(query.ComputeUniqueInheritedLabels(stage.GetPrimAtPath(path)))
+
+    room = "/house_ground/room_101"
+    assert labels(f"{room}/desk_1_101/geometry", "class") == ["desk"]
+    assert labels(f"{room}/desk_2_101/lamp_1_101", "room") == ["office"]
+    assert labels(f"{room}/floor_101", "class") == ["floor"]
+    assert labels(f"{room}/floor_101", "building") == ["house"]
+    own = UsdSemantics.LabelsAPI(stage.GetPrimAtPath(f"{room}/desk_2_101/lamp_1_101"), "class")
+    assert list(own.GetLabelsAttr().Get()) == ["lamp"]
 
 
 def test_kinds_form_a_model_hierarchy(source, tmp_path):
@@ -106,45 +83,8 @@ def test_kinds_form_a_model_hierarchy(source, tmp_path):
         "desk_2_101": Kind.Tokens.component, "lamp_1_101": Kind.Tokens.subcomponent,
     }
     assert all(prim.IsModel() for prim in node_prims(stage) if prim.GetName() != "lamp_1_101")
-
-
-def test_materials_reach_the_meshes_of_instances(source, tmp_path):
-    stage = converted(source, tmp_path / "ground.usdc")
     geometry = stage.GetPrimAtPath("/house_ground/room_101/desk_1_101/geometry")
-    colors, opacities = [], []
-    for mesh in Usd.PrimRange(geometry, Usd.TraverseInstanceProxies()):
-        if mesh.IsA(UsdGeom.Mesh):
-            material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
-            surface, _, _ = material.ComputeSurfaceSource()
-            assert surface.GetIdAttr().Get() == "UsdPreviewSurface"
-            colors.append(surface.GetInput("diffuseColor").Get())
-            opacities.append(round(surface.GetInput("opacity").Get(), 6))
-    assert colors == [Gf.Vec3f(0.5, 0.3, 0.1), Gf.Vec3f(1, 1, 1)]
-    assert opacities == [1.0, 0.4]
-
-
-def test_a_level_can_be_referenced_with_its_materials(source, tmp_path):
-    converted(source, tmp_path / "ground.usdc")
-    stage = Usd.Stage.CreateInMemory()
-    stage.DefinePrim("/City/Ground").GetReferences().AddReference(str(tmp_path / "ground.usdc"))
-    for path in ("room_101/desk_1_101/geometry/part0", "room_101/floor_101/geometry/part0"):
-        mesh = stage.GetPrimAtPath(f"/City/Ground/{path}")
-        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
-        assert material, path
-
-
-def test_textures_are_written_beside_the_file(floor, tmp_path):
-    png = b"\x89PNG\r\n\x1a\n and the rest"
-    (tmp_path / "wood.png").write_bytes(png)
-    floor.document["images"] = [{"uri": "wood.png"}]
-    floor.document["textures"] = [{"source": 0}]
-    floor.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
-    stage = converted(floor.write(tmp_path / "ground.glb"), tmp_path / "usd" / "ground.usda")
-    shader = UsdShade.Shader(stage.GetPrimAtPath("/house_ground/Materials/modern_wood/surface"))
-    source, output, _ = shader.GetInput("diffuseColor").GetConnectedSource()
-    assert (source.GetPrim().GetName(), output) == ("diffuseColorTexture", "rgb")
-    assert source.GetPrim().GetAttribute("inputs:file").Get().path == "./ground.textures/image0.png"
-    assert (tmp_path / "usd" / "ground.textures" / "image0.png").read_bytes() == png
+    assert Usd.ModelAPI(geometry).GetKind() == Kind.Tokens.subcomponent, "an asset in a component is a part of it"
 
 
 def test_names_that_become_equal_are_told_apart(floor, tmp_path):
@@ -154,12 +94,14 @@ def test_names_that_become_equal_are_told_apart(floor, tmp_path):
     assert "desk_2_101" in names and "desk_2_101_2" in names
 
 
-@pytest.mark.parametrize("ending", ["usdc", "usda"])
+@pytest.mark.parametrize("ending", ["usdc", "usda", "usdz"])
 def test_equal_inputs_give_equal_bytes(source, tmp_path, ending):
     for folder in ("a", "b"):
         converted(source, tmp_path / folder / f"ground.{ending}")
-    first, second = ((tmp_path / folder / f"ground.{ending}").read_bytes() for folder in ("a", "b"))
+    first, second = ({file.relative_to(tmp_path / folder): file.read_bytes()
+                      for file in (tmp_path / folder).rglob("*.usd*")} for folder in ("a", "b"))
     assert first == second
+    assert len(first) == (1 if ending == "usdz" else 3), "the floor, a desk and a lamp"
 
 
 def test_a_folder_keeps_its_tree_and_a_broken_file_fails_alone(floor, tmp_path, capsys):
@@ -167,9 +109,12 @@ def test_a_folder_keeps_its_tree_and_a_broken_file_fails_alone(floor, tmp_path, 
     floor.write(tmp_path / "in" / "house" / "ground.glb")
     (tmp_path / "in" / "broken.glb").write_bytes(b"no glTF")
     assert convert.main([str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--jobs", "2"]) == 1
-    written = [path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*.*")]
-    assert written == ["house/ground.usdc"]
-    assert "broken.glb" in capsys.readouterr().err
+    written = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*.usd*")}
+    assert {name for name in written if not name.startswith("shared-models/")} == {
+        "house/ground.usdc", "house/building.usda"}
+    assert not [path for path in (tmp_path / "out").rglob(".*")], "nothing is left half written"
+    error = capsys.readouterr().err
+    assert "broken.glb: not a glTF file" in error and "convert: 2 of 2 files, 1 faults" in error
 
 
 def test_nothing_to_convert_cannot_start(tmp_path):
@@ -177,11 +122,55 @@ def test_nothing_to_convert_cannot_start(tmp_path):
     assert convert.main([str(tmp_path / "absent.glb")]) == 2
 
 
-def test_a_floor_that_the_program_baked(baked, tmp_path):
-    sources = sorted(baked.rglob("*.glb"))
-    assert sources, f"no floor in {baked}"
-    for source in sources[:3]:
-        stage, gltf = converted(source, tmp_path / source.with_suffix(".usdc").name), GltfFile(source)
+def test_two_sources_of_one_target_cannot_start(floor, tmp_path, capsys):
+    for ending in ("glb", "gltf"):
+        floor.write(tmp_path / f"ground.{ending}")
+    assert convert.main([str(tmp_path)]) == 2
+    assert "would both become" in capsys.readouterr().err
+
+
+def test_a_bar_is_for_terminals_only(capsys):
+    class Terminal(list):
+        def isatty(self):
+            return True
+
+        def write(self, text):
+            self.append(text)
+
+        def flush(self):
+            pass
+
+    terminal = Terminal()
+    progress = Progress("convert", 2, terminal)
+    progress.step()
+    progress.step(1)
+    assert terminal[0].startswith("\r[###############...............] convert: 1 of 2 files, 0 faults")
+    assert terminal[1].endswith("convert: 2 of 2 files, 1 faults, 0 s\n")
+
+
+@pytest.mark.parametrize("settings", [{}, {"is_self_contained": True}, {"has_physics": True}])
+def test_a_floor_that_the_program_baked(baked, tmp_path, settings):
+    by_size = sorted(baked.rglob("*.glb"), key=lambda file: file.stat().st_size)
+    for source in by_size[:1] if settings else [by_size[0], by_size[-1]]:
+        stage, gltf = converted(source, tmp_path / source.with_suffix(".usdc").name, **settings), GltfFile(source)
         assert_valid(stage)
-        assert_same_tree(stage, gltf)
-        assert_same_bounds(stage, gltf)
+        (assert_same_places if settings.get("has_physics") else assert_same_tree)(stage, gltf)
+        assert_same_meshes(stage, gltf)
+
+
+def test_a_baked_city(baked, tmp_path):
+    """Stages of its buildings, a second run that writes the same, and no absolute path."""
+    buildings = [folder for folder in ("house", "office") if (baked / folder).is_dir()]
+    for folder in [*buildings, "shared-textures"]:
+        shutil.copytree(baked / folder, tmp_path / "in" / folder)
+    for out in ("a", "b"):
+        assert convert.main([str(tmp_path / "in"), "--out", str(tmp_path / out)]) == 0
+    stage = Usd.Stage.Open(str(tmp_path / "a" / "city.usda"))
+    floors = [prim for prim in stage.Traverse() if prim.GetCustomDataByKey("kind") == "level"]
+    assert len(floors) == len(list((tmp_path / "in").rglob("*.glb"))) > 1
+    files = {out: {file.relative_to(tmp_path / out): file.read_bytes()
+                   for file in (tmp_path / out).rglob("*") if file.is_file()} for out in ("a", "b")}
+    assert files["a"] == files["b"]
+    for file in (tmp_path / "a").rglob("*.usd*"):
+        for path in Sdf.Layer.FindOrOpen(str(file)).GetCompositionAssetDependencies():
+            assert path.startswith(("./", "../")), f"{file} refers to {path}"

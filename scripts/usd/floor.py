@@ -1,0 +1,175 @@
+"""One floor: a glTF file's tree of nodes as prims of a layer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from pxr import Sdf
+
+from gltf_file import GltfError, GltfFile, Node
+
+from . import physics
+from .describing import describe
+from .geometry import PROTOTYPES, Geometry
+from .instancer import INSTANCER, room_of, small_nodes, write_instancer
+from .lights import LIGHT, add_light, light_of, type_of, write_light
+from .materials import MATERIALS
+from .naming import Names, valid_name
+from .placing import place, place_leaf, swing_of, turn_up
+from .settings import Settings
+from .specs import new_prim
+from .variants import GEOMETRY, LOD_SET, coarser_nodes, write_details
+from .writing import write_layer, write_package
+
+
+@dataclass(frozen=True)
+class Written:
+    """What a building needs to know of a floor's file."""
+
+    file: Path
+    extras: dict  # of the level's node
+    bounds: tuple[tuple[float, ...], tuple[float, ...]] | None  # lowest and highest corner in metres, Y up
+
+
+def convert_floor(source: Path, target: Path, settings: Settings) -> Written:
+    """Converts one file; raises what readers and writers raise."""
+    gltf = GltfFile(source)
+    if target.suffix == ".usdz":
+        with TemporaryDirectory() as folder:
+            unpacked = Path(folder) / f"{target.stem}.usdc"
+            write_floor(gltf, unpacked, settings.packed(Path(folder)))
+            write_package(unpacked, target)
+    else:
+        write_floor(gltf, target, settings)
+    return Written(target, gltf.nodes[0].extras, bounds_of(gltf))
+
+
+def write_floor(gltf: GltfFile, target: Path, settings: Settings) -> None:
+    layer = Sdf.Layer.CreateAnonymous(target.suffix)
+    # One change block: without it USD recomposes after each of some ten thousand edits.
+    with Sdf.ChangeBlock():
+        Floor(gltf, layer, target, settings).write()
+    write_layer(layer, target)
+
+
+class Floor:
+    """Writes one file's prims into a layer."""
+
+    def __init__(self, gltf: GltfFile, layer: Sdf.Layer, target: Path, settings: Settings):
+        roots = [node for node in gltf.nodes if node.parent is None]
+        if len(roots) != 1:
+            raise GltfError(f"the scene has {len(roots)} roots, a floor has one")
+        self.gltf = gltf
+        self.layer = layer
+        self.settings = settings
+        self.root = roots[0]
+        self.prim = new_prim(layer.pseudoRoot, valid_name(self.root.name), "Xform")
+        self.geometry = Geometry(gltf, self.prim, settings, target)
+        below = settings.instanced_below
+        self.small = {} if below is None else small_nodes(gltf, below)
+        self.prims: dict[int, Sdf.PrimSpec] = {}
+        self.names: dict[int, Names] = {}
+
+    def write(self) -> None:
+        self.layer.defaultPrim = self.prim.name
+        self.layer.pseudoRoot.SetInfo("metersPerUnit", 1.0)
+        self.layer.pseudoRoot.SetInfo("upAxis", self.settings.up_axis)
+        instanced = {node.index for nodes in self.small.values() for node in nodes}
+        for node in self.gltf.nodes:
+            if node.index not in instanced:
+                self.write_node(node)
+            if node.index in self.small:
+                write_instancer(self.prims[node.index], node, self.small[node.index], self.geometry)
+        self.geometry.variants.choose_for_floor(self.prim, self.geometry.uses)
+        if self.settings.has_physics:
+            physics.write_scene(self.layer, self.settings.up_axis)
+            self.write_hinges()
+
+    def write_node(self, node: Node) -> None:
+        parent = self.parent_of(node)
+        light = light_of(self.gltf, node)
+        is_light = light is not None and node.mesh is None
+        prim = self.prim if node is self.root else new_prim(
+            self.prims[parent.index], self.names[parent.index].take(node.name), type_of(light) if is_light else "Xform")
+        self.prims[node.index] = prim
+        self.names[node.index] = Names(self.reserved(node))
+        describe(prim, node)
+        self.place(prim, node, parent)
+        self.write_content(prim, node)
+        if is_light:
+            write_light(prim, light, node.extras)
+        elif light is not None:
+            add_light(prim, light, node.extras)
+        if self.settings.has_physics:
+            self.write_body(prim, node)
+
+    def reserved(self, node: Node) -> set[str]:
+        """The names of children that are no nodes."""
+        if node is self.root:
+            return {MATERIALS, PROTOTYPES}
+        levels = range(1, len(coarser_nodes(self.gltf, node)) + 1)
+        return {GEOMETRY, LIGHT, INSTANCER, *(f"{GEOMETRY}_{LOD_SET}{level}" for level in levels)}
+
+    def parent_of(self, node: Node) -> Node | None:
+        """The node below whose prim a node's prim stands: with physics, furniture stands in its room."""
+        if self.settings.has_physics and node.kind == "furniture":
+            return room_of(node) or node.parent
+        return node.parent
+
+    def place(self, prim: Sdf.PrimSpec, node: Node, parent: Node | None) -> None:
+        swing = swing_of(node)
+        if swing is not None:
+            place_leaf(prim, node.local, swing)
+            return
+        local = node.local if parent is node.parent else np.linalg.inv(parent.world) @ node.world
+        before = (turn_up(prim),) if node is self.root and self.settings.up_axis == "Z" else ()
+        place(prim, local, before)
+
+    def write_content(self, prim: Sdf.PrimSpec, node: Node) -> None:
+        if coarser_nodes(self.gltf, node):
+            write_details(prim, self.gltf, node, self.geometry.write)
+        elif node.mesh is not None:
+            self.geometry.write(prim, node.mesh, np.identity(4))
+
+    # --- physics ---
+
+    def write_body(self, prim: Sdf.PrimSpec, node: Node) -> None:
+        if node.kind == "furniture" and not physics.is_fixed(node):
+            physics.write_body(prim, physics.furniture_mass(node))
+        elif node.mesh is not None and swing_of(node) is not None:
+            physics.write_body(prim, physics.leaf_mass(self.gltf, node.mesh))
+
+    def write_hinges(self) -> None:
+        """A joint for every leaf, beside it in its opening."""
+        frames = {node.parent.index: node for node in self.gltf.nodes if node.extras.get("part") == "frame"}
+        for node in self.gltf.nodes:
+            swing = swing_of(node)
+            if swing is None or node.mesh is None:
+                continue
+            opening, frame = self.prims[node.parent.index], frames.get(node.parent.index)
+            held_by = (opening, np.identity(4)) if frame is None else (self.prims[frame.index], frame.local)
+            name = self.names[node.parent.index].take(f"{physics.JOINT}_{self.prims[node.index].name}")
+            physics.write_hinge(opening, name, held_by, (self.prims[node.index], node.local), swing)
+
+
+def bounds_of(gltf: GltfFile) -> tuple[tuple[float, ...], tuple[float, ...]] | None:
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    boxes: dict[int, np.ndarray] = {}
+    for node in gltf.nodes:
+        if node.mesh is None:
+            continue
+        if node.mesh not in boxes:
+            boxes[node.mesh] = corners_of(gltf, node.mesh)
+        corners = boxes[node.mesh] @ node.world[:3, :3].T + node.world[:3, 3]
+        low, high = np.minimum(low, corners.min(axis=0)), np.maximum(high, corners.max(axis=0))
+    return None if not np.isfinite(low).all() else (tuple(low.tolist()), tuple(high.tolist()))
+
+
+def corners_of(gltf: GltfFile, mesh: int) -> np.ndarray:
+    """The eight corners of a mesh's box."""
+    positions = np.concatenate([primitive["positions"] for primitive in gltf.primitives(mesh)]).astype(float)
+    box = np.stack([positions.min(axis=0), positions.max(axis=0)])
+    return np.stack(np.meshgrid(box[:, 0], box[:, 1], box[:, 2]), axis=-1).reshape(-1, 3)

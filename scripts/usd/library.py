@@ -1,0 +1,92 @@
+"""Assets that all floors of a run share: each model once, named by its content.
+
+The name of an asset's file ends in a hash of everything that is in it, so that equal models of different floors are
+one file, and models that differ by a tint are two. Processes that come upon the same model write the same bytes.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+from pxr import Kind, Sdf
+
+from gltf_file import GltfFile
+
+from .materials import READERS, Materials
+from .meshes import write_parts
+from .naming import valid_name
+from .physics import add_colliders
+from .settings import MODEL_FOLDER, Settings
+from .specs import new_prim
+from .textures import HASH_LENGTH, Textures
+from .variants import MaterialVariants
+from .writing import is_of_this_run, write_layer
+
+
+class Library:
+    """The models of one glTF file in the folder of the run."""
+
+    def __init__(self, gltf: GltfFile, settings: Settings, textures: Textures, variants: MaterialVariants):
+        self.gltf = gltf
+        self.settings = settings
+        self.textures = textures
+        self.variants = variants
+        self.folder = settings.root / MODEL_FOLDER
+
+    def asset(self, mesh: int, collider: str) -> Path:
+        """The file of a mesh; `collider` is the shape that a simulator sees, if any."""
+        name = valid_name(self.gltf.document["meshes"][mesh].get("name") or "model")
+        file = self.folder / f"{name}.{self.content_hash(mesh, name, collider)}.usdc"
+        if not is_of_this_run(file, self.settings.started):
+            layer = Sdf.Layer.CreateAnonymous(file.suffix)
+            with Sdf.ChangeBlock():
+                self.write_model(layer, name, mesh, collider)
+            write_layer(layer, file)
+        return file
+
+    def write_model(self, layer: Sdf.Layer, name: str, mesh: int, collider: str) -> None:
+        model = new_prim(layer.pseudoRoot, name, "Xform")
+        layer.defaultPrim = name
+        # Models lie on their side of the crossing of axes: Y up, whatever the stage that refers to them says.
+        layer.pseudoRoot.SetInfo("metersPerUnit", 1.0)
+        layer.pseudoRoot.SetInfo("upAxis", "Y")
+        model.kind = Kind.Tokens.component
+        model.assetInfo["name"] = self.gltf.document["meshes"][mesh].get("name", name)
+        materials = Materials(model, self.gltf, self.textures, self.folder)
+        parts = write_parts(model, self.gltf, mesh, materials)
+        self.variants.bind(model, parts, mesh, materials)
+        add_colliders(parts, collider)
+
+    def content_hash(self, mesh: int, name: str, collider: str) -> str:
+        summary = hashlib.sha256()
+        own = []
+        for number, primitive in enumerate(self.gltf.primitives(mesh)):
+            for key in ("positions", "normals", "coordinates", "triangles"):
+                summary.update(b"none" if primitive[key] is None else primitive[key].tobytes())
+                summary.update(key.encode())
+            others = sorted(self.variants.of_primitive(mesh, number).items())
+            variants = [[self.variants.names[variant], self.described(material)] for variant, material in others]
+            own.append([self.described(primitive["material"]), variants])
+        summary.update(json.dumps([name, collider, own], sort_keys=True).encode())
+        return summary.hexdigest()[:HASH_LENGTH]
+
+    def described(self, number: int | None) -> dict | None:
+        """A material with the files of its textures instead of their numbers in this glTF file."""
+        if number is None:
+            return None
+        material = self.gltf.document["materials"][number]
+        files = {}
+        for reader in READERS.values():
+            used = (material.get(reader.group, {}) if reader.group else material).get(reader.key)
+            if used is not None:
+                files[reader.key] = self.textures.path(used["index"], self.folder)
+        return {**without_numbers(material), "files": files}
+
+
+def without_numbers(value):
+    """A material's values without the numbers of textures, which differ from file to file."""
+    if isinstance(value, dict):
+        return {key: without_numbers(part) for key, part in value.items() if key != "index"}
+    return value

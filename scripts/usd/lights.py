@@ -1,0 +1,79 @@
+"""Lamps: KHR_lights_punctual to UsdLux.
+
+A point light of I candela in every direction becomes a sphere of radius r with the same luminous flux 4 pi I. UsdLux
+gives the luminance of a light in nits (openusd.org, UsdLux, "Quantities and Units"): L = intensity * 2^exposure *
+color, divided by the light's area where `normalize` is set. A sphere of luminance L has the luminous intensity
+L pi r^2 from every side, and the area 4 pi r^2, so that with `normalize`
+
+    I = intensity / (4 pi r^2) * pi r^2 = intensity / 4        intensity = 4 I = lumens / pi
+
+whatever the radius. `colorTemperature` keeps the luminance (UsdLux normalises its colours to luminance 1), which a
+glTF colour does not: lamps that say their lumens and kelvins in their extras have these, all others the glTF's
+intensity and colour. A spot light is such a sphere in a cone: the glTF intensity is that of the cone's axis, as
+here. A directional light of E lux is a DistantLight with `normalize`, whose intensity is in lux.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pxr import Gf, Sdf
+
+from gltf_file import GltfFile, Node
+
+from .specs import Types, apply_schemas, attribute, new_prim
+
+EXTENSION = "KHR_lights_punctual"
+LIGHT = "light"
+# Metres: less than the 2 cm that lights keep from their lamps' boxes, so that no lamp shades its own light.
+RADIUS = 0.015
+# Degrees of the sun's disc. A point has sharp shadows in glTF, and so has this nearly.
+SUN_ANGLE = 0.53
+TYPE_NAMES = {"point": "SphereLight", "spot": "SphereLight", "directional": "DistantLight"}
+
+
+def light_of(gltf: GltfFile, node: Node) -> dict | None:
+    """The light of a node, as the file lists it."""
+    used = gltf.document["nodes"][node.index].get("extensions", {}).get(EXTENSION)
+    if used is None:
+        return None
+    return gltf.document["extensions"][EXTENSION]["lights"][used["light"]]
+
+
+def type_of(light: dict) -> str:
+    return TYPE_NAMES[light["type"]]
+
+
+def write_light(prim: Sdf.PrimSpec, light: dict, extras: dict) -> None:
+    """The inputs of a light whose prim has the type already."""
+    is_sun = light["type"] == "directional"
+    intensity = light.get("intensity", 1.0) * (1.0 if is_sun else 4.0)
+    if {"lumens", "kelvin"} <= extras.keys() and light["type"] == "point":
+        intensity = extras["lumens"] / math.pi
+        attribute(prim, "inputs:enableColorTemperature", Types.Bool, True)
+        attribute(prim, "inputs:colorTemperature", Types.Float, float(extras["kelvin"]))
+    else:
+        attribute(prim, "inputs:color", Types.Color3f, Gf.Vec3f(*light.get("color", (1.0, 1.0, 1.0))))
+    attribute(prim, "inputs:intensity", Types.Float, float(intensity))
+    attribute(prim, "inputs:exposure", Types.Float, 0.0)
+    attribute(prim, "inputs:normalize", Types.Bool, True)
+    if is_sun:
+        attribute(prim, "inputs:angle", Types.Float, SUN_ANGLE)
+    else:
+        attribute(prim, "inputs:radius", Types.Float, RADIUS)
+        attribute(prim, "extent", Types.Float3Array, [Gf.Vec3f(-RADIUS), Gf.Vec3f(RADIUS)])
+    if light["type"] == "spot":
+        write_cone(prim, light.get("spot", {}))
+
+
+def write_cone(prim: Sdf.PrimSpec, spot: dict) -> None:
+    """Both formats shine along -Z. The edge is soft from the inner angle on."""
+    outer, inner = spot.get("outerConeAngle", math.pi / 4), spot.get("innerConeAngle", 0.0)
+    apply_schemas(prim, "ShapingAPI")
+    attribute(prim, "inputs:shaping:cone:angle", Types.Float, math.degrees(outer))
+    attribute(prim, "inputs:shaping:cone:softness", Types.Float, 1.0 - inner / outer)
+
+
+def add_light(prim: Sdf.PrimSpec, light: dict, extras: dict) -> None:
+    """A light as a child of a prim that is something else already."""
+    write_light(new_prim(prim, LIGHT, type_of(light)), light, extras)

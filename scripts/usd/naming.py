@@ -1,0 +1,24 @@
+"""Valid and unique names of prims and files."""
+
+from __future__ import annotations
+
+from pxr import Tf
+
+
+class Names:
+    """Valid names, unique among the children of one prim."""
+
+    def __init__(self, taken: set[str] | None = None):
+        self.taken = set(taken or ())
+
+    def take(self, original: str) -> str:
+        base = valid_name(original)
+        name, number = base, 2
+        while name in self.taken:
+            name, number = f"{base}_{number}", number + 1
+        self.taken.add(name)
+        return name
+
+
+def valid_name(original: str) -> str:
+    return Tf.MakeValidIdentifier(original) if original else "unnamed"

@@ -1,0 +1,30 @@
+"""What a run was asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+# The folders that all floors of a run share, as the program's own `shared-textures`.
+TEXTURE_FOLDER = "shared-textures"
+MODEL_FOLDER = "shared-models"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The options of a run; the same for all of its files."""
+
+    root: Path  # the folder that the shared folders stand in
+    ending: str = ".usdc"  # .usdc, .usda or .usdz
+    up_axis: str = "Y"
+    copies_images: bool = True  # no: images with files of their own are referred to where they are
+    is_self_contained: bool = False
+    has_physics: bool = False
+    # Metres: what is smaller in every direction goes into a PointInstancer; none without.
+    instanced_below: float | None = None
+    # Seconds since the epoch: shared files older than this are of an earlier run and written anew.
+    started: float = 0.0
+
+    def packed(self, folder: Path) -> Settings:
+        """The settings for a floor that shares nothing, written into a folder of its own."""
+        return replace(self, root=folder, ending=".usdc", copies_images=True, is_self_contained=True)

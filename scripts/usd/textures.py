@@ -1,0 +1,58 @@
+"""Images of textures: copied once a run into the folder that all floors share."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from pathlib import Path
+from urllib.parse import unquote
+
+from gltf_file import GltfFile
+
+from .settings import TEXTURE_FOLDER, Settings
+from .writing import is_of_this_run, relative_path, write_bytes
+
+# What the program's own names of textures end in. It stands for the pixels; the file's content decides here.
+PROGRAM_HASH = re.compile(r"\.[0-9a-f]{12}$")
+HASH_LENGTH = 12
+
+
+class Textures:
+    """The images of one glTF file as the layers of a folder name them."""
+
+    def __init__(self, gltf: GltfFile, settings: Settings, target: Path):
+        self.gltf = gltf
+        self.settings = settings
+        shared = settings.root / TEXTURE_FOLDER
+        self.folder = target.with_suffix(".textures") if settings.is_self_contained else shared
+        self.files: dict[int, Path] = {}
+
+    def path(self, texture: int, layer_folder: Path) -> str:
+        """The path of a texture's image, relative to a layer in a folder."""
+        image = self.gltf.document["textures"][texture]["source"]
+        if image not in self.files:
+            self.files[image] = self.own_file(image) or self.copy(image)
+        return relative_path(self.files[image], layer_folder)
+
+    def own_file(self, image: int) -> Path | None:
+        """The image's file, where it can stay."""
+        uri = self.gltf.document["images"][image].get("uri", "data:")
+        if self.settings.copies_images or uri.startswith("data:"):
+            return None
+        file = self.gltf.path.parent / unquote(uri)
+        return file if file.is_file() else None
+
+    def copy(self, image: int) -> Path:
+        """Equal content has one file, whatever it was called."""
+        data, ending = self.gltf.image(image)
+        name = f"{self.stem(image)}.{hashlib.sha256(data).hexdigest()[:HASH_LENGTH]}{ending}"
+        file = self.folder / name
+        if not is_of_this_run(file, self.settings.started):
+            write_bytes(data, file)
+        return file
+
+    def stem(self, image: int) -> str:
+        entry = self.gltf.document["images"][image]
+        uri = entry.get("uri", "data:")
+        original = entry.get("name", "") if uri.startswith("data:") else Path(unquote(uri)).stem
+        return re.sub(r"[^A-Za-z0-9._-]+", "_", PROGRAM_HASH.sub("", original)) or "image"

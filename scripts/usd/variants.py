@@ -1,0 +1,126 @@
+"""Variants: other materials (KHR_materials_variants) and coarser meshes (MSFT_lod).
+
+Materials: each model has a set `material` with the variant `default` and those of the file that change it. The
+floor has a set `material` too, whose variants choose among those of its models: one choice recolours a floor, and
+instances of a model with the same choice still are one.
+
+Levels of detail: a node with others has a set `lod`: `lod0` is its own mesh, `lod1` the next coarser one. Nothing
+chooses by distance in USD; a renderer or a user does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from pxr import Sdf, Vt
+
+from gltf_file import GltfFile, Node, local_matrix
+
+from .materials import Materials
+from .meshes import bind
+from .naming import Names
+from .specs import add_variants, new_prim
+
+MATERIAL_SET = "material"
+DEFAULT = "default"
+LOD_SET = "lod"
+MATERIALS_EXTENSION = "KHR_materials_variants"
+LOD_EXTENSION = "MSFT_lod"
+# The child of a node's prim that holds its mesh: a prim with children of its own cannot be an instance.
+GEOMETRY = "geometry"
+
+
+class MaterialVariants:
+    """The material variants of a glTF file."""
+
+    def __init__(self, gltf: GltfFile):
+        self.gltf = gltf
+        listed = gltf.document.get("extensions", {}).get(MATERIALS_EXTENSION, {}).get("variants", [])
+        names = Names({DEFAULT})
+        self.names = [names.take(variant.get("name", "")) for variant in listed]
+        self.changing: dict[int, list[int]] = {}
+
+    def of_primitive(self, mesh: int, number: int) -> dict[int, int]:
+        """The other materials of a primitive, by variant."""
+        raw = self.gltf.document["meshes"][mesh]["primitives"][number]
+        mappings = raw.get("extensions", {}).get(MATERIALS_EXTENSION, {}).get("mappings", [])
+        return {variant: mapping["material"] for mapping in mappings for variant in mapping["variants"]}
+
+    def of_mesh(self, mesh: int) -> list[int]:
+        """The variants that change a mesh."""
+        if mesh not in self.changing:
+            count = len(self.gltf.document["meshes"][mesh]["primitives"])
+            variants = {variant for number in range(count) for variant in self.of_primitive(mesh, number)}
+            self.changing[mesh] = sorted(variants)
+        return self.changing[mesh]
+
+    def bind(self, model: Sdf.PrimSpec, parts: list[Sdf.PrimSpec], mesh: int, materials: Materials) -> None:
+        """Binds the parts of a mesh; those that change, in a set of variants of the model."""
+        changing = self.of_mesh(mesh)
+        own = [primitive["material"] for primitive in self.gltf.primitives(mesh)]
+        fixed = [number for number in range(len(parts)) if not self.of_primitive(mesh, number)]
+        for number in fixed:
+            if own[number] is not None:
+                bind(parts[number], materials.path(own[number]))
+        if not changing:
+            return
+        # An opinion outside of the set would be stronger than those in it.
+        names = [DEFAULT, *(self.names[variant] for variant in changing)]
+        variants = add_variants(model, MATERIAL_SET, names, DEFAULT)
+        for variant, name in zip([None, *changing], names):
+            for number in sorted(set(range(len(parts))) - set(fixed)):
+                material = self.of_primitive(mesh, number).get(variant, own[number])
+                if material is not None:
+                    part = new_prim(variants[name], parts[number].name, "", Sdf.SpecifierOver)
+                    bind(part, materials.path(material))
+
+    def choose_for_floor(self, root: Sdf.PrimSpec, uses: list[tuple[Sdf.Path, int]]) -> None:
+        """The floor's own set; `uses` are the prims that refer to models, with their meshes."""
+        if not self.names:
+            return
+        variants = add_variants(root, MATERIAL_SET, [DEFAULT, *self.names], DEFAULT)
+        for number, name in enumerate(self.names):
+            for path, mesh in uses:
+                if number in self.of_mesh(mesh):
+                    over(variants[name], path.MakeRelativePath(root.path)).variantSelections[MATERIAL_SET] = name
+
+
+def over(owner: Sdf.PrimSpec, path: Sdf.Path) -> Sdf.PrimSpec:
+    """Opinions about a prim below, inside a variant."""
+    for element in path.GetPrefixes():
+        children = owner.nameChildren
+        owner = children[element.name] if element.name in children else new_prim(
+            owner, element.name, "", Sdf.SpecifierOver)
+    return owner
+
+
+def coarser_nodes(gltf: GltfFile, node: Node) -> list[dict]:
+    """The nodes that stand for a node at lower levels of detail, finest first."""
+    listed = gltf.document["nodes"]
+    return [listed[index] for index in listed[node.index].get("extensions", {}).get(LOD_EXTENSION, {}).get("ids", [])]
+
+
+def write_details(prim: Sdf.PrimSpec, gltf: GltfFile, node: Node, write: Callable) -> None:
+    """The set `lod` of a node; `write` puts a mesh into a prim at a place in the node's frame.
+
+    The meshes stand beside each other and the variants make one of them active: were they inside the variants, what a
+    model says by itself would be stronger than what the floor's variants of materials say about it.
+    """
+    coarser = coarser_nodes(gltf, node)
+    geometries = [GEOMETRY, *(f"{GEOMETRY}_{LOD_SET}{level}" for level in range(1, len(coarser) + 1))]
+    to_node = np.linalg.inv(node.local)
+    places = [(node.mesh, np.identity(4)), *((other.get("mesh"), to_node @ local_matrix(other)) for other in coarser)]
+    for name, (mesh, local) in zip(geometries, places):
+        if mesh is not None:
+            write(prim, mesh, local, name)
+    names = [f"{LOD_SET}{level}" for level in range(len(geometries))]
+    variants = add_variants(prim, LOD_SET, names, names[0])
+    for level, name in enumerate(names):
+        for other, (geometry, (mesh, _)) in enumerate(zip(geometries, places)):
+            if mesh is not None and other != level:
+                new_prim(variants[name], geometry, "", Sdf.SpecifierOver).active = False
+    coverage = gltf.document["nodes"][node.index].get("extras", {}).get("MSFT_screencoverage")
+    if coverage:
+        shares = Vt.DoubleArray([float(share) for share in coverage])
+        prim.SetInfo("customData", {**dict(prim.customData), "MSFT_screencoverage": shares})

@@ -1,0 +1,218 @@
+"""Models: assets that floors share, prototypes, instancers; and their materials and textures."""
+
+import time
+
+import numpy as np
+import pytest
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade
+from usd_reading import assert_same_meshes, assert_valid, converted, mesh_prims
+
+import convert
+from gltf_file import GltfFile
+
+PNG = b"\x89PNG\r\n\x1a\n and the rest"
+ROOM = "/house_ground/room_101"
+
+
+@pytest.fixture
+def source(floor, tmp_path):
+    return floor.write(tmp_path / "ground.glb")
+
+
+def models_in(folder) -> list[str]:
+    return sorted(file.name.split(".")[0] for file in (folder / "shared-models").glob("*.usdc"))
+
+
+def geometry(stage, piece):
+    return stage.GetPrimAtPath(f"{ROOM}/{piece}/geometry")
+
+
+def test_shared_meshes_are_instances_of_one_asset(source, tmp_path):
+    stage = converted(source, tmp_path / "usd" / "ground.usdc")
+    desks = [geometry(stage, f"desk_{number}_101") for number in (1, 2)]
+    assert all(desk.IsInstance() for desk in desks)
+    assert desks[0].GetPrototype() == desks[1].GetPrototype()
+    assert models_in(tmp_path / "usd") == ["desk_0", "lamp_0"]
+    assert not geometry(stage, "floor_101").IsInstance(), "no other floor has this slab"
+
+
+def test_an_asset_stands_by_itself(source, tmp_path):
+    converted(source, tmp_path / "usd" / "ground.usdc")
+    for file in (tmp_path / "usd" / "shared-models").glob("*.usdc"):
+        stage = Usd.Stage.Open(str(file))
+        assert_valid(stage)
+        assert UsdGeom.GetStageUpAxis(stage) == "Y" and Usd.ModelAPI(stage.GetDefaultPrim()).GetKind() == "component"
+        assert all(UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()[0]
+                   for mesh in mesh_prims(stage.GetDefaultPrim()))
+
+
+def test_equal_models_of_two_floors_are_one_file_and_a_tint_is_another(floor, tmp_path):
+    (tmp_path / "in").mkdir()
+    floor.write(tmp_path / "in" / "ground.glb")
+    floor.document["materials"].reverse()
+    for mesh in floor.document["meshes"]:
+        for primitive in mesh["primitives"]:
+            primitive["material"] = 1 - primitive["material"]
+    floor.write(tmp_path / "in" / "numbered-otherwise.glb")
+    assert convert.main([str(tmp_path / "in"), "--out", str(tmp_path / "usd")]) == 0
+    assert models_in(tmp_path / "usd") == ["desk_0", "lamp_0"]
+    floor.document["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"] = [0.2, 0.2, 0.2, 1.0]
+    floor.write(tmp_path / "in" / "tinted.glb")
+    assert convert.main([str(tmp_path / "in"), "--out", str(tmp_path / "usd")]) == 0
+    assert models_in(tmp_path / "usd") == ["desk_0", "desk_0", "lamp_0", "lamp_0"]
+
+
+def test_a_model_of_an_earlier_run_is_written_anew(source, tmp_path):
+    converted(source, tmp_path / "usd" / "ground.usdc")
+    files = list((tmp_path / "usd" / "shared-models").glob("*.usdc"))
+    good = [file.read_bytes() for file in files]
+    for file in files:
+        file.write_bytes(b"cut")
+    converted(source, tmp_path / "usd" / "ground.usdc", started=time.time() + 1.0)
+    assert [file.read_bytes() for file in files] == good
+
+
+def test_a_self_contained_floor_has_prototypes(source, tmp_path):
+    stage = converted(source, tmp_path / "usd" / "ground.usdc", is_self_contained=True)
+    desks = [geometry(stage, f"desk_{number}_101") for number in (1, 2)]
+    assert all(desk.IsInstance() for desk in desks)
+    assert desks[0].GetPrototype() == desks[1].GetPrototype()
+    lamp = geometry(stage, "desk_2_101/lamp_1_101")
+    assert lamp and not lamp.IsInstance(), "the only one of its kind needs no prototype"
+    assert stage.GetPrimAtPath("/house_ground/Prototypes").IsAbstract(), "the prototypes are not drawn"
+    assert [file.name for file in (tmp_path / "usd").iterdir()] == ["ground.usdc"]
+
+
+@pytest.mark.parametrize("is_self_contained", [False, True])
+def test_materials_reach_the_meshes_of_instances(source, tmp_path, is_self_contained):
+    stage = converted(source, tmp_path / "ground.usdc", is_self_contained=is_self_contained)
+    colors, opacities = [], []
+    for mesh in mesh_prims(geometry(stage, "desk_1_101")):
+        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
+        surface, _, _ = material.ComputeSurfaceSource()
+        assert surface.GetIdAttr().Get() == "UsdPreviewSurface"
+        colors.append(surface.GetInput("diffuseColor").Get())
+        opacities.append(round(surface.GetInput("opacity").Get(), 6))
+    assert colors == [Gf.Vec3f(0.5, 0.3, 0.1), Gf.Vec3f(1, 1, 1)]
+    assert opacities == [1.0, 0.4]
+
+
+def test_a_level_can_be_referenced_with_its_materials(source, tmp_path):
+    converted(source, tmp_path / "ground.usdc", is_self_contained=True)
+    stage = Usd.Stage.CreateInMemory()
+    stage.DefinePrim("/City/Ground").GetReferences().AddReference(str(tmp_path / "ground.usdc"))
+    for path in ("room_101/desk_1_101/geometry/part0", "room_101/floor_101/geometry/part0"):
+        mesh = stage.GetPrimAtPath(f"/City/Ground/{path}")
+        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
+        assert material, path
+
+
+class TestTextures:
+    """Images, their readers, and where they are."""
+
+    @pytest.fixture
+    def textured(self, floor, tmp_path):
+        (tmp_path / "in" / "house").mkdir(parents=True)
+        (tmp_path / "in" / "shared").mkdir()
+        (tmp_path / "in" / "shared" / "wood.base_color.0123456789ab.png").write_bytes(PNG)
+        floor.document["images"] = [{"uri": "../shared/wood.base_color.0123456789ab.png"}]
+        floor.document["textures"] = [{"source": 0}]
+        floor.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+        floor.write(tmp_path / "in" / "house" / "ground.glb")
+        floor.write(tmp_path / "in" / "house" / "upper.glb")
+        return tmp_path / "in"
+
+    def texture(self, stage, owner="/house_ground"):
+        return UsdShade.Shader(stage.GetPrimAtPath(f"{owner}/Materials/modern_wood/diffuseColorTexture"))
+
+    def file(self, texture):
+        return texture.GetInput("file").Get()
+
+    def test_all_floors_and_models_share_one_copy(self, textured, tmp_path):
+        assert convert.main([str(textured), "--out", str(tmp_path / "usd")]) == 0
+        copies = [path for path in (tmp_path / "usd").rglob("*.png")]
+        assert [path.read_bytes() for path in copies] == [PNG]
+        assert copies[0].name.startswith("wood.base_color.") and copies[0].parent.name == "shared-textures"
+        stage = Usd.Stage.Open(str(tmp_path / "usd" / "house" / "upper.usdc"))
+        for owner in ("/house_ground", f"{ROOM}/desk_1_101/geometry"):
+            asset = self.file(self.texture(stage, owner))
+            assert asset.path.startswith("../shared-textures/wood") and asset.resolvedPath == str(copies[0])
+
+    def test_beside_the_source_images_stay_where_they_are(self, textured):
+        assert convert.main([str(textured)]) == 0
+        assert len(list(textured.rglob("*.png"))) == 1
+        stage = Usd.Stage.Open(str(textured / "house" / "ground.usdc"))
+        assert self.file(self.texture(stage)).path == "../shared/wood.base_color.0123456789ab.png"
+
+    def test_a_package_has_them_inside(self, textured, tmp_path):
+        stage = converted(textured / "house" / "ground.glb", tmp_path / "usd" / "ground.usdz")
+        assert "ground.usdz[" in self.file(self.texture(stage)).resolvedPath
+        assert [file.name for file in (tmp_path / "usd").iterdir()] == ["ground.usdz"]
+
+    def test_the_surface_reads_them_times_the_factor(self, textured, tmp_path):
+        stage = converted(textured / "house" / "ground.glb", tmp_path / "usd" / "ground.usda")
+        shader = UsdShade.Shader(stage.GetPrimAtPath("/house_ground/Materials/modern_wood/surface"))
+        source, output, _ = shader.GetInput("diffuseColor").GetConnectedSource()
+        assert (source.GetPrim(), output) == (self.texture(stage).GetPrim(), "rgb")
+        np.testing.assert_allclose(self.texture(stage).GetInput("scale").Get(), (0.5, 0.3, 0.1, 1.0), rtol=1e-6)
+        assert not shader.GetInput("opacity").HasConnectedSource(), "an opaque material has no holes"
+
+    def test_holes_are_in_the_alpha(self, floor, textured, tmp_path):
+        floor.document["materials"][0] |= {"alphaMode": "MASK", "alphaCutoff": 0.3}
+        floor.write(textured / "house" / "ground.glb")
+        stage = converted(textured / "house" / "ground.glb", tmp_path / "usd" / "ground.usda")
+        shader = UsdShade.Shader(stage.GetPrimAtPath("/house_ground/Materials/modern_wood/surface"))
+        _, output, _ = shader.GetInput("opacity").GetConnectedSource()
+        assert output == "a" and shader.GetInput("opacityThreshold").Get() == pytest.approx(0.3)
+
+    def test_a_missing_image_is_a_fault_of_its_floor(self, textured, tmp_path, capsys):
+        next(textured.rglob("*.png")).unlink()
+        assert convert.main([str(textured), "--out", str(tmp_path / "usd")]) == 1
+        assert "ground.glb: cannot read ../shared/wood" in capsys.readouterr().err
+
+
+class TestPointInstancer:
+    """Small objects as entries of one prim."""
+
+    def test_entries_stand_where_the_nodes_stand(self, source, tmp_path):
+        stage, gltf = converted(source, tmp_path / "ground.usdc", instanced_below=0.5), GltfFile(source)
+        assert_valid(stage)
+        instancer = UsdGeom.PointInstancer(stage.GetPrimAtPath(f"{ROOM}/small_objects"))
+        lamp = next(node for node in gltf.nodes if node.name == "lamp.1@101")
+        places = instancer.ComputeInstanceTransformsAtTime(Usd.TimeCode.Default(), Usd.TimeCode.Default())
+        room = UsdGeom.Xformable(instancer.GetPrim()).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
+        assert len(places) == 1
+        np.testing.assert_allclose(np.array(places[0] * room).T, lamp.world, atol=1e-4)
+        assert list(instancer.GetPrim().GetCustomDataByKey("names")) == ["lamp.1@101"]
+        assert '"class": "lamp"' in instancer.GetPrim().GetCustomDataByKey("extras")[0]
+        assert not stage.GetPrimAtPath(f"{ROOM}/desk_2_101/lamp_1_101"), "it is there once"
+
+    def test_its_extent_holds_the_corners(self, source, tmp_path):
+        stage, gltf = converted(source, tmp_path / "ground.usdc", instanced_below=0.5), GltfFile(source)
+        extent = np.array(UsdGeom.PointInstancer(stage.GetPrimAtPath(f"{ROOM}/small_objects")).GetExtentAttr().Get())
+        lamp = next(node for node in gltf.nodes if node.name == "lamp.1@101")
+        corners = gltf.primitives(lamp.mesh)[0]["positions"] @ lamp.world[:3, :3].T + lamp.world[:3, 3]
+        np.testing.assert_allclose(extent, [corners.min(axis=0), corners.max(axis=0)], atol=1e-5)
+
+    @pytest.mark.parametrize("below", [0.3, 0.2])
+    def test_what_is_as_large_as_the_threshold_stays(self, source, tmp_path, below):
+        stage = converted(source, tmp_path / "ground.usdc", instanced_below=below)
+        assert not stage.GetPrimAtPath(f"{ROOM}/small_objects")
+        assert_same_meshes(stage, GltfFile(source))
+
+    def test_what_carries_something_stays(self, source, tmp_path):
+        stage = converted(source, tmp_path / "ground.usdc", instanced_below=9.0)
+        names = stage.GetPrimAtPath(f"{ROOM}/small_objects").GetCustomDataByKey("names")
+        assert list(names) == ["desk.1@101", "lamp.1@101"]
+
+    def test_bodies_are_no_entries(self, source):
+        with pytest.raises(SystemExit) as stopped:
+            convert.main([str(source), "--physics", "--point-instancer"])
+        assert stopped.value.code == 2
+
+
+def test_layers_name_nothing_absolute(source, tmp_path):
+    converted(source, tmp_path / "usd" / "ground.usda")
+    layer = Sdf.Layer.FindOrOpen(str(tmp_path / "usd" / "ground.usda"))
+    assert layer.GetCompositionAssetDependencies()
+    assert all(path.startswith("./shared-models/") for path in layer.GetCompositionAssetDependencies())
