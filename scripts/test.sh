@@ -105,5 +105,6 @@ step "cargo build" cargo build --locked
 step "The demo, twice" checked bake_twice
 step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"
 step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --out "$work/usd"
+step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd"
 step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" .venv/bin/python -m pytest -q tests/scripts
 step_name=

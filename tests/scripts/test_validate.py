@@ -7,6 +7,7 @@ import pytest
 from conftest import FACES, ROOT, furniture, write_manifest
 
 import validate
+from checks.contract import FIELDS
 
 KHRONOS_IS_THERE = shutil.which("node") and (ROOT / "scripts/node_modules/gltf-validator").is_dir()
 
@@ -55,8 +56,8 @@ def stand_open_box(floor):
     (set_extra("door:d1", rooms=["102"]), "extras door:d1: it names the room '102'"),
     (rename("house/ground", "house"), "extras house: the name of the level is not 'house/ground'"),
     (set_extra("desk.1@101", size=[1.6, 0.8, 0.75]), "geometry desk.1@101: the mesh measures"),
-    (move("desk.1@101", 0.78, 0.0, -0.4), "geometry desk.1@101: 2 corners lie outside room:101"),
-    (move("desk.1@101", 1.0, 1.8, -0.4), "geometry desk.1@101: it reaches from 1.800 to 2.540"),
+    (move("desk.1@101", 0.78, 0.0, -0.4), "containment desk.1@101: 2 parts of it reach out of room:101"),
+    (move("desk.1@101", 1.0, 1.8, -0.4), "containment desk.1@101: it reaches from 1.800 to 2.540"),
     (stand_open_box, "geometry lamp.1@101: the mesh is not closed: 4 edges have a side missing"),
 ])
 def test_each_fault_is_found_and_named(floor, tmp_path, damage, expected):
@@ -105,6 +106,18 @@ def test_a_missing_or_cut_buffer_is_a_fault(floor, tmp_path):
     assert any("shorter" in fault for fault in faults_of(path))
     buffer.unlink()
     assert any("cannot read floor.bin" in fault for fault in faults_of(path))
+
+
+def test_every_missing_image_is_a_fault_and_the_rest_is_judged(floor, tmp_path):
+    (tmp_path / "here.png").write_bytes(b"\x89PNG\r\n\x1a\n and the rest")
+    (tmp_path / "text.png").write_bytes(b"no image")
+    floor.document["images"] = [{"uri": name} for name in ("here.png", "gone.png", "lost.png", "text.png")]
+    floor.find("desk.1@101")["extras"]["side"] = "top"
+    faults = faults_of(floor.write(tmp_path / "floor.glb"))
+    assert faults == ["texture : images[1]: cannot read gone.png: No such file or directory",
+                      "texture : images[2]: cannot read lost.png: No such file or directory",
+                      "texture : images[3] is neither PNG nor JPEG nor WebP",
+                      "extras desk.1@101: 'top' is no side"]
 
 
 @pytest.mark.parametrize("content", [b"", b"glTF", b"no glTF at all", b"{}", b"[1, 2]"])
@@ -169,7 +182,7 @@ class TestKhronos:
         floor.write(tmp_path / "ground.glb")
         write_manifest(tmp_path)
         assert validate.main([str(tmp_path), "--jobs", "2"]) == 0
-        assert "1 files, 1 manifests, 7 nodes, 1 rooms, 3 furniture: 0 faults" in capsys.readouterr().out
+        assert "1 files, 1 manifests, 1 floors, 7 nodes, 1 rooms, 3 furniture: 0 faults" in capsys.readouterr().out
         set_extra("desk.1@101", side="top")(floor)
         floor.write(tmp_path / "ground.glb")
         assert validate.main([str(tmp_path), "--json"]) == 1
@@ -183,4 +196,4 @@ def test_nothing_to_validate_cannot_start(tmp_path):
 
 
 def test_the_fixture_says_what_the_program_says():
-    assert furniture("desk", 1, "floor", "above", (1, 1, 1)).keys() >= validate.FIELDS["furniture"]
+    assert furniture("desk", 1, "floor", "above", (1, 1, 1)).keys() >= FIELDS["furniture"]

@@ -1,0 +1,114 @@
+"""Solid parts of meshes, each a closed surface that hangs together.
+
+Models are built of beams, boards and turned pieces. Most parts are convex, and for those overlap is measured exactly;
+a bowl or a bath is not, and is asked at points inside of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+# Metres: corners closer than this are one corner.
+WELD = 1e-5
+# Metres: a part is convex if none of its corners lies farther than this before one of its faces.
+FLAT = 1e-4
+
+
+@dataclass(frozen=True)
+class Part:
+    """A closed surface in some frame."""
+
+    corners: np.ndarray  # n x 3
+    triangles: np.ndarray  # m x 3, counter-clockwise from outside
+    is_convex: bool
+    directions: np.ndarray  # of edges, one of each
+    normals: np.ndarray  # of faces, one of each
+
+    @cached_property
+    def low(self) -> np.ndarray:
+        return self.corners.min(axis=0)
+
+    @cached_property
+    def high(self) -> np.ndarray:
+        return self.corners.max(axis=0)
+
+    def placed(self, matrix: np.ndarray) -> Part:
+        """The part in another frame, by a matrix without shear."""
+        turn = matrix[:3, :3]
+        corners = self.corners @ turn.T + matrix[:3, 3]
+        return Part(corners, self.triangles, self.is_convex, unit(self.directions @ turn.T),
+                    unit(self.normals @ np.linalg.inv(turn)))
+
+
+def parts_of(primitives: list[dict]) -> list[Part]:
+    """The parts of a mesh; those of different materials are parts of their own."""
+    return [part for primitive in primitives for part in split(*weld(primitive))]
+
+
+def weld(primitive: dict) -> tuple[np.ndarray, np.ndarray]:
+    """Corners and triangles with corners at the same place joined, and no triangle without area."""
+    corners = primitive["positions"].astype(float)
+    _, first, joined = np.unique(np.round(corners / WELD).astype(np.int64), axis=0, return_index=True,
+                                 return_inverse=True)
+    triangles = joined.reshape(-1)[primitive["triangles"]]
+    proper = (triangles != np.roll(triangles, 1, axis=1)).all(axis=1)
+    return corners[first], triangles[proper]
+
+
+def split(corners: np.ndarray, triangles: np.ndarray) -> list[Part]:
+    """The surfaces that hang together."""
+    if len(triangles) == 0:
+        return []
+    labels = connected(len(corners), triangles)[triangles[:, 0]]
+    order = np.argsort(labels, kind="stable")
+    starts = np.flatnonzero(np.diff(labels[order])) + 1
+    return [part_of(corners, triangles[chosen]) for chosen in np.split(order, starts)]
+
+
+def connected(count: int, triangles: np.ndarray) -> np.ndarray:
+    """The least corner that each corner hangs together with."""
+    labels = np.arange(count)
+    while True:
+        least = labels[triangles].min(axis=1)
+        before = labels.copy()
+        for column in range(3):
+            np.minimum.at(labels, triangles[:, column], least)
+        labels = labels[labels]
+        if np.array_equal(labels, before):
+            return labels
+
+
+def part_of(corners: np.ndarray, triangles: np.ndarray) -> Part:
+    used, renumbered = np.unique(triangles, return_inverse=True)
+    corners, triangles = corners[used], renumbered.reshape(-1, 3)
+    ring = corners[triangles]
+    normals = np.cross(ring[:, 1] - ring[:, 0], ring[:, 2] - ring[:, 0])
+    flat = np.linalg.norm(normals, axis=1) > 1e-12
+    normals = unit(normals[flat])
+    edges = unit((np.roll(ring, -1, axis=1) - ring).reshape(-1, 3))
+    # Heights of all corners over all faces: the first corner of a face is at height 0.
+    faces, offsets = distinct_faces(normals, np.einsum("ij,ij->i", normals, ring[flat][:, 0]))
+    is_convex = len(faces) > 0 and bool((corners @ faces.T - offsets).max() < FLAT)
+    return Part(corners, triangles, is_convex, distinct(edges), distinct(normals))
+
+
+def distinct_faces(normals: np.ndarray, offsets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Planes, one of each."""
+    planes = np.column_stack([normals, offsets])
+    _, first = np.unique(np.round(planes, 5), axis=0, return_index=True)
+    return normals[first], offsets[first]
+
+
+def distinct(directions: np.ndarray) -> np.ndarray:
+    """Directions, of opposite ones one."""
+    rounded = np.round(directions, 4) + 0.0
+    leading = rounded[np.arange(len(rounded)), (rounded != 0).argmax(axis=1)]
+    _, first = np.unique(rounded * np.where(leading < 0, -1, 1)[:, None] + 0.0, axis=0, return_index=True)
+    return directions[first]
+
+
+def unit(vectors: np.ndarray) -> np.ndarray:
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-30)

@@ -1,0 +1,152 @@
+"""The contract of the output: paths, names, and what every node says about itself."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from functools import lru_cache
+from typing import Iterator
+
+import shapely
+
+from gltf_file import GltfError, GltfFile, Node
+
+from .report import Note
+
+FIELDS = {
+    "level": {"building", "level", "elevation", "height", "seed", "generator"},
+    "opening": {"opening", "closure", "id", "rooms", "sides", "width", "height", "sill"},
+    "room": {"room", "type", "style", "seed", "outline", "holes", "height", "requested", "placed", "removed",
+             "grade", "findings"},
+    "part": {"part", "tags"},
+    "furniture": {"class", "id", "parent", "side", "size", "variant"},
+    "light": {"lumens", "kelvin"},
+}
+# What files of images begin with.
+IMAGE_STARTS = (b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff", b"RIFF")
+SIDES = {"front", "back", "left", "right", "above", "below"}
+ROOM_PART = re.compile(r"floor|ceiling|wall\.\d+|column\.\d+|(door|window):.+")
+
+
+def check_paths(gltf: GltfFile) -> Iterator[Note]:
+    """Buffers and images are there and named by relative paths."""
+    for kind in ("buffers", "images"):
+        for number, entry in enumerate(gltf.document.get(kind, [])):
+            uri = entry.get("uri", "data:")
+            if not uri.startswith("data:") and is_absolute(uri):
+                yield Note("file", "", f"{kind}[{number}] has the absolute path {uri!r}")
+            elif kind == "images":
+                yield from check_image(gltf, number)
+            elif not uri.startswith("data:"):
+                gltf.buffer(number)
+
+
+def is_absolute(uri: str) -> bool:
+    return uri.startswith(("/", "\\")) or re.match(r"[A-Za-z][A-Za-z0-9+.-]*:", uri) is not None
+
+
+def check_image(gltf: GltfFile, number: int) -> Iterator[Note]:
+    """A missing image is a fault by itself: everything else of the floor is judged without it."""
+    try:
+        data, _ = gltf.image(number)
+    except GltfError as error:
+        yield Note("texture", "", f"images[{number}]: {error}")
+        return
+    if not data.startswith(IMAGE_STARTS):
+        yield Note("texture", "", f"images[{number}] is neither PNG nor JPEG nor WebP")
+
+
+def check_names(gltf: GltfFile) -> Iterator[Note]:
+    for name, count in Counter(node.name for node in gltf.nodes).items():
+        if not name:
+            yield Note("names", "", f"{count} nodes have no name")
+        elif count > 1:
+            yield Note("names", name, f"{count} nodes have this name")
+
+
+def check_extras(gltf: GltfFile) -> Iterator[Note]:
+    for node in gltf.nodes:
+        if node.kind not in FIELDS:
+            yield Note("extras", node.name, f"its kind is {node.extras.get('kind')!r}")
+            continue
+        for field in sorted(FIELDS[node.kind] - node.extras.keys()):
+            yield Note("extras", node.name, f"the field {field!r} is missing")
+        if FIELDS[node.kind] <= node.extras.keys():
+            yield from KIND_CHECKS[node.kind](gltf, node)
+
+
+def check_level(gltf: GltfFile, node: Node) -> Iterator[Note]:
+    expected = f"{node.extras['building']}/{node.extras['level']}"
+    if node.parent is not None or sum(other.parent is None for other in gltf.nodes) > 1:
+        yield Note("extras", node.name, "a level is the only root of its scene")
+    if node.name != expected:
+        yield Note("extras", node.name, f"the name of the level is not {expected!r}")
+
+
+def check_opening(gltf: GltfFile, node: Node) -> Iterator[Note]:
+    rooms = piece_counts(gltf)
+    if not node.name.startswith(f"{node.extras['opening']}:"):
+        yield Note("extras", node.name, f"the name of a {node.extras['opening']} does not begin with its kind")
+    for room in node.extras["rooms"]:
+        if room not in rooms:
+            yield Note("extras", node.name, f"it names the room {room!r}, which is not on this level")
+
+
+def check_room(gltf: GltfFile, node: Node) -> Iterator[Note]:
+    extras = node.extras
+    if node.name != f"room:{extras['room']}":
+        yield Note("extras", node.name, f"the name of the room is not 'room:{extras['room']}'")
+    pieces = piece_counts(gltf)[extras["room"]]
+    if pieces != extras["placed"]:
+        yield Note("extras", node.name, f"{extras['placed']} pieces are said to be placed, {pieces} are there")
+    outline = shapely.Polygon(extras["outline"], extras["holes"])
+    if not outline.is_valid or outline.area <= 0.0:
+        yield Note("extras", node.name, f"its outline is no area: {shapely.is_valid_reason(outline)}")
+
+
+def check_part(_: GltfFile, node: Node) -> Iterator[Note]:
+    if node.parent is None or node.parent.kind not in ("room", "opening"):
+        yield Note("extras", node.name, "a part belongs to a room or an opening")
+
+
+def check_furniture(_: GltfFile, node: Node) -> Iterator[Note]:
+    extras, room = node.extras, room_of(node)
+    if room is None:
+        yield Note("extras", node.name, "a piece of furniture belongs to a room")
+        return
+    if node.name != f"{extras['id']}@{room.extras.get('room')}":
+        yield Note("extras", node.name, f"the name is not that of {extras['id']!r} in its room")
+    if not re.fullmatch(re.escape(extras["class"]) + r"\.\d+", extras["id"]):
+        yield Note("extras", node.name, f"the id {extras['id']!r} is no number of {extras['class']!r}")
+    if extras["side"] not in SIDES:
+        yield Note("extras", node.name, f"{extras['side']!r} is no side")
+    above = node.parent.extras.get("id") if node.parent.kind == "furniture" else None
+    stands_on_part = above is None and ROOM_PART.fullmatch(extras["parent"])
+    if not stands_on_part and extras["parent"] != above:
+        yield Note("extras", node.name, f"its parent is said to be {extras['parent']!r}, but it hangs "
+                                        f"under {node.parent.name!r}")
+
+
+def check_light(_: GltfFile, node: Node) -> Iterator[Note]:
+    if node.parent is None or node.parent.kind != "furniture":
+        yield Note("extras", node.name, "a light belongs to a lamp")
+
+
+KIND_CHECKS = {"level": check_level, "opening": check_opening, "room": check_room, "part": check_part,
+               "furniture": check_furniture, "light": check_light}
+
+
+@lru_cache(maxsize=1)
+def piece_counts(gltf: GltfFile) -> Counter:
+    """How many pieces each room of a file holds; rooms without any are there too."""
+    counts = Counter({node.extras.get("room"): 0 for node in gltf.nodes if node.kind == "room"})
+    rooms = (room_of(node) for node in gltf.nodes if node.kind == "furniture")
+    counts.update(room.extras.get("room") for room in rooms if room is not None)
+    return counts
+
+
+def room_of(node: Node) -> Node | None:
+    """The room that a node belongs to."""
+    while node is not None and node.kind != "room":
+        node = node.parent
+    return node

@@ -1,0 +1,75 @@
+"""The pieces of a floor and their rooms, for everything that is measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from gltf_file import GltfFile, Node
+
+from .bodies import Part, parts_of
+from .contract import FIELDS, room_of
+
+
+@dataclass
+class Meshes:
+    """The meshes of a file: their corners, and their parts where somebody asks for them."""
+
+    gltf: GltfFile
+
+    def __post_init__(self):
+        self.known: dict[int, np.ndarray] = {}
+        self.split: dict[int, list[Part]] = {}
+
+    def corners(self, mesh: int) -> np.ndarray:
+        if mesh not in self.known:
+            primitives = self.gltf.primitives(mesh)
+            self.known[mesh] = np.concatenate([primitive["positions"] for primitive in primitives]).astype(float)
+        return self.known[mesh]
+
+    def parts(self, mesh: int) -> list[Part]:
+        if mesh not in self.split:
+            self.split[mesh] = parts_of(self.gltf.primitives(mesh))
+        return self.split[mesh]
+
+
+@dataclass(eq=False)
+class Piece:
+    """A piece of furniture where it stands, in the scene's frame: x east, y up, z south."""
+
+    node: Node
+    room: Node
+    meshes: Meshes
+
+    @cached_property
+    def corners(self) -> np.ndarray:
+        return self.meshes.corners(self.node.mesh) @ self.node.world[:3, :3].T + self.node.world[:3, 3]
+
+    @cached_property
+    def low(self) -> np.ndarray:
+        return self.corners.min(axis=0)
+
+    @cached_property
+    def high(self) -> np.ndarray:
+        return self.corners.max(axis=0)
+
+    @cached_property
+    def parts(self) -> list[Part]:
+        return [part.placed(self.node.world) for part in self.meshes.parts(self.node.mesh)]
+
+    def stands_on(self, other: Piece) -> bool:
+        """Whether it belongs to another piece, directly or over others."""
+        above = self.node.parent
+        while above is not None and above is not other.node:
+            above = above.parent
+        return above is not None
+
+
+def pieces_of(gltf: GltfFile) -> list[Piece]:
+    """Every piece with a mesh that belongs to a room."""
+    meshes = Meshes(gltf)
+    rooms = ((node, room_of(node)) for node in gltf.nodes if node.kind == "furniture" and node.mesh is not None)
+    return [Piece(node, room, meshes) for node, room in rooms
+            if room is not None and FIELDS["furniture"] <= node.extras.keys()]
