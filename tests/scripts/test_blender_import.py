@@ -1,0 +1,340 @@
+"""Import into Blender: which files, and, where Blender's module is installed, what becomes of them."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+
+import numpy as np
+import pytest
+
+import blender_import
+from blender_import import BakeError, Options, find_floors, import_bake
+from conftest import build_floor, glass, write_manifest
+
+HAS_BLENDER = importlib.util.find_spec("bpy") is not None
+if HAS_BLENDER:
+    import bpy
+
+KINDS = blender_import.KINDS
+
+
+def storey(level: str, elevation: float, site: dict | None = None):
+    """The small floor with a ceiling and a light, as a level of the house."""
+    floor = build_floor()
+    node = floor.find("house/ground")
+    node["name"] = f"house/{level}"
+    node["extras"] |= {"level": level, "elevation": elevation} | ({"site": site} if site else {})
+    number = {node["name"]: index for index, node in enumerate(floor.document["nodes"])}
+    slab = floor.box_mesh("ceiling@101", 4.0, 3.0, 0.1, parts=2)
+    floor.node("ceiling@101", {"kind": "part", "part": "ceiling", "tags": []}, number["room:101"], slab,
+               at=(2.0, 2.5, -1.5))
+    frame = floor.box_mesh("frame@door:d1", 0.9, 0.1, 2.0)
+    floor.node("frame@door:d1", {"kind": "part", "part": "frame", "tags": []}, number["door:d1"], frame)
+    floor.document["extensionsUsed"] = ["KHR_lights_punctual"]
+    floor.document["extensions"] = {"KHR_lights_punctual": {"lights": [
+        {"type": "point", "name": "800 lm", "intensity": 63.7, "color": [1.0, 0.5, 0.1]}]}}
+    light = floor.node("light.lamp.1@101", {"kind": "light", "lumens": 800.0, "kelvin": 2700.0}, number["lamp.1@101"],
+                       at=(0.0, 0.32, 0.0))
+    floor.document["nodes"][light]["extensions"] = {"KHR_lights_punctual": {"light": 0}}
+    return floor
+
+
+@pytest.fixture
+def bake(tmp_path):
+    """A bake of two levels, the upper turned and moved with its building."""
+    folder = tmp_path / "out" / "house"
+    folder.mkdir(parents=True)
+    storey("upper", 3.0, {"position": [10.0, 20.0], "turn": 0.5}).write(folder / "a.glb")
+    storey("ground", 0.0).write(folder / "b.glb")
+    return folder.parent
+
+
+class TestFiles:
+    """What is to be imported."""
+
+    def test_floors_of_a_folder_come_from_the_lowest_up(self, bake):
+        assert [floor.name for floor in find_floors(bake)] == ["house/ground", "house/upper"]
+        assert [floor.name for floor in find_floors([bake / "house" / "a.glb"])] == ["house/upper"]
+
+    def test_a_manifest_tells_which_files_are_floors_and_others_stay_closed(self, bake):
+        path = write_manifest(bake)
+        manifest = json.loads(path.read_text())
+        for record, level in zip(manifest["levels"], ("upper", "ground")):
+            record |= {"building": "house", "level": level}
+        path.write_text(json.dumps(manifest))
+        (bake / "other.glb").write_text("not glTF")
+        (bake / "house" / "a.glb").write_text("not glTF")
+        assert [floor.level for floor in find_floors(bake, ["ground"])] == ["ground"]
+        assert [floor.level for floor in find_floors(path, ["house/gr*"])] == ["ground"]
+        with pytest.raises(BakeError, match="a.glb: is no glTF file"):
+            find_floors(bake)
+
+    def test_what_lies_in_hidden_folders_is_no_floor(self, bake):
+        (bake / ".roomwright").mkdir()
+        (bake / ".roomwright" / "part.glb").write_text("half")
+        assert len(find_floors(bake)) == 2
+
+    def test_a_pattern_that_matches_nothing_is_answered_with_what_is_there(self, bake):
+        with pytest.raises(BakeError, match="no level matches attic; there are house/upper, house/ground"):
+            find_floors(bake, ["attic"])
+
+    @pytest.mark.parametrize("content, message", [
+        (None, "no such file or folder"), ("{}", "is no glTF file"), ("glTF", "is cut off"), ("text", "is no glTF file"),
+        ('{"asset": {"version": "2.0"}, "nodes": [{"name": "cube"}]}', "is no file of roomwright"),
+        ('{"asset": {}, "nodes": [{"extras": {"kind": "level", "level": "1"}}]}', "extras that cannot be read"),
+    ])
+    def test_a_file_that_is_none_of_ours_is_named_with_the_reason(self, tmp_path, content, message):
+        path = tmp_path / "floor.gltf"
+        if content is not None:
+            path.write_text(content)
+        with pytest.raises(BakeError, match=f"floor.gltf: .*{message}"):
+            find_floors(path)
+
+    def test_an_empty_folder_and_a_broken_manifest_are_named(self, tmp_path):
+        with pytest.raises(BakeError, match="neither a manifest.json nor"):
+            find_floors(tmp_path)
+        (tmp_path / "manifest.json").write_text('{"levels": [{}]}')
+        with pytest.raises(BakeError, match="is no manifest that roomwright wrote"):
+            find_floors(tmp_path)
+
+    def test_nodes_are_sorted_by_their_room_and_part(self):
+        nodes = storey("ground", 0.0).document["nodes"]
+        nodes[2]["children"].append(len(nodes))
+        nodes.append({"name": "added by hand"})
+        spots = {node["name"]: spot for node, spot in zip(nodes, blender_import.sort_nodes(nodes))}
+        assert spots == {
+            "house/ground": (None, "level"), "door:d1": (None, "doors and windows"),
+            "frame@door:d1": (None, "doors and windows"), "room:101": ("101", "room"), "floor@101": ("101", "shell"),
+            "ceiling@101": ("101", "ceiling"), "desk.1@101": ("101", "furniture"), "desk.2@101": ("101", "furniture"),
+            "lamp.1@101": ("101", "furniture"), "light.lamp.1@101": ("101", "lights"),
+            "added by hand": ("101", "furniture")}
+
+    def test_a_class_has_the_same_catalogue_everywhere(self):
+        assert blender_import.catalog_id("desk") == blender_import.catalog_id("desk")
+        assert blender_import.catalog_id("desk") != blender_import.catalog_id("chair")
+
+
+class TestCommand:
+    """What is refused before Blender is asked for anything."""
+
+    @pytest.mark.parametrize("arguments, message", [
+        (["house.glb"], "--save"), (["house.glb", "--save", "house.glb"], "must end in .blend")])
+    def test_what_cannot_be_meant_starts_nothing(self, arguments, message, capsys):
+        with pytest.raises(SystemExit) as stop:
+            blender_import.main(arguments)
+        assert stop.value.code == 2 and message in capsys.readouterr().err
+
+    def test_a_file_that_is_there_is_replaced_only_by_force(self, tmp_path, capsys):
+        path = tmp_path / "house.blend"
+        path.write_text("mine")
+        with pytest.raises(SystemExit) as stop:
+            blender_import.main(["house.glb", "--save", str(path)])
+        assert stop.value.code == 2 and "--force" in capsys.readouterr().err and path.read_text() == "mine"
+
+    @pytest.mark.skipif(HAS_BLENDER, reason="bpy is installed")
+    def test_without_blender_it_says_how_to_install_it(self, bake, tmp_path, capsys):
+        assert blender_import.main([str(bake), "--save", str(tmp_path / "house.blend")]) == 2
+        assert "requirements-render.txt" in capsys.readouterr().err
+
+
+def world_matrices() -> dict:
+    bpy.context.view_layer.update()
+    return {thing.name: np.array(thing.matrix_world) for thing in bpy.data.objects}
+
+
+def properties(thing) -> dict:
+    return {name: plain(value) for name, value in thing.items()}
+
+
+def plain(value):
+    """A custom property as Python's own lists and dictionaries."""
+    value = getattr(value, "to_list", getattr(value, "to_dict", lambda: value))()
+    if isinstance(value, dict):
+        return {name: plain(one) for name, one in value.items()}
+    return [plain(one) for one in value] if isinstance(value, list) else value
+
+
+def shape_of(thing) -> tuple:
+    corners = np.empty(len(thing.data.vertices) * 3, "f")
+    thing.data.vertices.foreach_get("co", corners)
+    return corners.tolist(), len(thing.data.polygons), [one.name for one in thing.data.materials]
+
+
+def census() -> dict:
+    return {kind: sorted(one.name for one in getattr(bpy.data, kind)) for kind in KINDS}
+
+
+def part_of(name: str, part: str):
+    return bpy.data.collections[f"{name} {part}"]
+
+
+@pytest.mark.skipif(not HAS_BLENDER, reason="bpy is not installed (scripts/requirements-render.txt)")
+class TestBlender:
+    """The import itself."""
+
+    @pytest.fixture(autouse=True)
+    def empty(self):
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+
+    def test_collections_are_building_level_room_and_part(self, bake):
+        done = import_bake(bake)
+        building = bpy.context.scene.collection.children["house"]
+        assert [level.name for level in building.children] == ["house/ground", "house/upper"]
+        level = building.children["house/ground"]
+        assert {one.name for one in level.children} == {"house/ground/101", "house/ground doors and windows"}
+        room = level.children["house/ground/101"]
+        assert {one.name: sorted(thing.name for thing in one.objects) for one in room.children} == {
+            "house/ground/101 shell": ["floor@101"], "house/ground/101 ceiling": ["ceiling@101"],
+            "house/ground/101 furniture": ["desk.1@101", "desk.2@101", "lamp.1@101"],
+            "house/ground/101 lights": ["light.lamp.1@101"]}
+        assert [thing.name for thing in room.objects] == ["room:101"]
+        assert bpy.data.objects["lamp.1@101"].parent.name == "desk.2@101"
+        assert done.object_count == len(bpy.data.objects) == 20
+        assert all(len(thing.users_collection) == 1 for thing in bpy.data.objects)
+        assert [scene.name for scene in bpy.data.scenes] == [bpy.context.scene.name]
+
+    def test_it_looks_as_blenders_own_import_does(self, bake):
+        def everything():
+            return ({thing.name: properties(thing) for thing in bpy.data.objects},
+                    {thing.name: shape_of(thing) for thing in bpy.data.objects if thing.type == "MESH"},
+                    {thing.name: thing.parent and thing.parent.name for thing in bpy.data.objects},
+                    [light.energy for light in bpy.data.lights])
+
+        import_bake(bake / "house" / "b.glb")
+        ours, places = everything(), world_matrices()
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.ops.import_scene.gltf(filepath=str(bake / "house" / "b.glb"), loglevel=50)
+        assert ours == everything()
+        for name, matrix in world_matrices().items():
+            assert places[name] == pytest.approx(matrix, abs=1e-6), name
+
+    def test_equal_meshes_materials_and_lights_are_one_in_all_floors(self, bake):
+        import_bake(bake)
+        assert len(bpy.data.meshes) == 5 and len(bpy.data.materials) == 2 and len(bpy.data.lights) == 1
+        assert bpy.data.objects["desk.1@101"].data == bpy.data.objects["desk.2@101.001"].data
+        assert not any(name.startswith("roomwright") for kind in ("objects", "materials", "meshes")
+                       for one in getattr(bpy.data, kind) for name in one.keys())
+
+    def test_what_differs_is_not_shared(self, tmp_path):
+        first, second = storey("ground", 0.0), storey("upper", 3.0)
+        second.document["materials"][1] = glass() | {"alphaMode": "OPAQUE"}
+        lights = second.document["extensions"]["KHR_lights_punctual"]["lights"]
+        lights[0] = lights[0] | {"intensity": 10.0}
+        first.write(tmp_path / "1.glb"), second.write(tmp_path / "2.glb")
+        import_bake(tmp_path)
+        # The desk and the ceiling have glass in them, the other three meshes have not.
+        assert len(bpy.data.meshes) == 7 and len(bpy.data.materials) == 3 and len(bpy.data.lights) == 2
+        assert bpy.data.objects["lamp.1@101"].data == bpy.data.objects["lamp.1@101.001"].data
+        assert bpy.data.objects["desk.1@101"].data != bpy.data.objects["desk.1@101.001"].data
+
+    def test_levels_stand_at_their_elevation_and_buildings_at_their_place(self, bake):
+        import_bake(bake)
+        placed = world_matrices()
+        cosine, sine = np.cos(0.5), np.sin(0.5)
+        # desk.1 stands at 1.0, 0.4 of its level.
+        assert placed["desk.1@101"][:3, 3] == pytest.approx([1.0, 0.4, 0.0], abs=1e-5)
+        assert placed["desk.1@101.001"][:3, 3] == pytest.approx(
+            [10.0 + cosine - 0.4 * sine, 20.0 + sine + 0.4 * cosine, 3.0], abs=1e-5)
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        import_bake(bake, Options(place=False))
+        assert world_matrices()["desk.1@101.001"][:3, 3] == pytest.approx([1.0, 0.4, 0.0], abs=1e-5)
+
+    def test_ceilings_are_hidden_and_shown_again(self, bake):
+        import_bake(bake, Options(ceilings=False))
+        for level in ("ground", "upper"):
+            ceiling = part_of(f"house/{level}/101", "ceiling")
+            assert ceiling.hide_viewport and ceiling.hide_render
+            assert not part_of(f"house/{level}/101", "shell").hide_viewport
+        assert not bpy.data.objects["ceiling@101"].visible_get() and bpy.data.objects["floor@101"].visible_get()
+        assert blender_import.show_part("ceiling", True) == 2
+        assert bpy.data.objects["ceiling@101"].visible_get()
+
+    @pytest.mark.parametrize("fault", ["cut off", "texture", "mesh"])
+    def test_a_failure_leaves_the_file_as_it_was(self, bake, fault):
+        bpy.data.objects.new("desk.1@101", bpy.data.meshes.new("mine"))
+        before, scene = census(), bpy.context.scene
+        path = bake / "house" / "a.glb"  # the upper level, which comes second
+        if fault == "cut off":
+            path.write_bytes(path.read_bytes()[:-4000])
+        else:
+            floor = storey("upper", 3.0)
+            if fault == "texture":
+                floor.document |= {"images": [{"uri": "absent.png"}], "textures": [{"source": 0}]}
+                floor.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+            else:
+                floor.document["nodes"][-1]["mesh"] = 99
+                del floor.document["nodes"][-1]["extensions"]
+            floor.write(path)
+        with pytest.raises(BakeError, match="a.glb: .*" + {"cut off": "cut off", "texture": "absent.png is missing",
+                                                           "mesh": "cannot be read"}[fault]):
+            import_bake(bake)
+        assert census() == before and bpy.context.scene == scene
+        (bake / "house" / "a.glb").unlink()
+        import_bake(bake)
+        assert "house/ground" in bpy.data.collections
+
+    def test_another_level_joins_its_building(self, bake):
+        import_bake(bake, Options(levels=("ground",)))
+        import_bake(bake, Options(levels=("upper",)))
+        assert [one.name for one in bpy.context.scene.collection.children] == ["house"]
+        assert len(bpy.data.collections["house"].children) == 2
+
+    def test_furniture_becomes_assets_by_class(self, bake, tmp_path):
+        import_bake(bake, Options(assets=True))
+        models = {thing["class"]: thing for thing in bpy.data.objects if thing.asset_data}
+        assert set(models) == {"desk", "lamp"} and models["desk"].data == bpy.data.objects["desk.1@101"].data
+        assert models["desk"].parent is None and not models["desk"].users_collection and "id" not in models["desk"]
+        assert models["desk"].asset_data.catalog_id == blender_import.catalog_id("desk")
+        other = "6b2d6e4e-0000-4000-8000-000000000000:Mine:Mine"
+        (tmp_path / blender_import.CATALOG_FILE).write_text(f"VERSION 1\n\n{other}\n")
+        for _ in range(2):
+            lines = blender_import.write_catalog(tmp_path).read_text().splitlines()
+        assert lines == ["VERSION 1", "", other, f"{blender_import.catalog_id('desk')}:Roomwright/desk:desk",
+                         f"{blender_import.catalog_id('lamp')}:Roomwright/lamp:lamp"]
+
+    def test_saved_without_a_window_it_opens_again(self, bake, tmp_path, capsys):
+        path = tmp_path / "saved" / "house.blend"
+        arguments = [str(bake), "--save", str(path), "--no-ceilings", "--asset-catalog"]
+        assert blender_import.main(arguments) == 0
+        assert "2/2 house/upper" in capsys.readouterr().err
+        assert sorted(one.name for one in path.parent.iterdir()) == [blender_import.CATALOG_FILE, "house.blend"]
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.ops.wm.open_mainfile(filepath=str(path))
+        assert len(bpy.context.scene.objects) == 20 and len(bpy.data.meshes) == 5
+        assert list(bpy.data.objects["room:101"]["outline"][2]) == [4.0, 3.0]
+        assert part_of("house/ground/101", "ceiling").hide_viewport
+        assert sum(thing.asset_data is not None for thing in bpy.data.objects) == 2
+
+    def test_what_fails_saves_nothing(self, bake, tmp_path, capsys):
+        save = ["--save", str(tmp_path / "house.blend")]
+        assert blender_import.main([str(tmp_path / "absent"), *save]) == 2
+        path = bake / "house" / "a.glb"
+        path.write_bytes(path.read_bytes()[:-4000])
+        assert blender_import.main([str(bake), *save]) == 1
+        assert "a.glb: is cut off" in capsys.readouterr().err and not (tmp_path / "house.blend").exists()
+
+    def test_from_the_menu(self, bake):
+        blender_import.register()
+        try:
+            folder = str(bake / "house") + "/"
+            done = bpy.ops.import_scene.roomwright(directory=folder, files=[{"name": "b.glb"}], ceilings=False)
+            assert done == {"FINISHED"} and "house/ground" in bpy.data.collections
+            assert bpy.ops.roomwright.show_part(part="ceiling") == {"FINISHED"}
+            assert not part_of("house/ground/101", "ceiling").hide_viewport
+            assert bpy.ops.import_scene.roomwright(directory=folder, levels="upper nothing") == {"FINISHED"}
+            with pytest.raises(RuntimeError, match="no level matches attic"):
+                bpy.ops.import_scene.roomwright(directory=folder, levels="attic")
+        finally:
+            blender_import.unregister()
+        assert not hasattr(bpy.types, "IMPORT_SCENE_OT_roomwright")
+
+    def test_a_real_bake_with_textures(self, baked):
+        import_bake(baked / "house", Options(ceilings=False))
+        assert {"house/ground", "house/upper"} <= set(bpy.data.collections.keys())
+        plain = len(bpy.data.meshes), len(bpy.data.images), len(bpy.data.materials)
+        files = {image.filepath for image in bpy.data.images}
+        assert len(files) == plain[1], "an image is there twice"
+        assert len({(one.name.partition("@")[0], tuple(m.name for m in one.materials), len(one.vertices))
+                    for one in bpy.data.meshes}) > 100
+        assert all(image.packed_file for image in bpy.data.images)
