@@ -14,6 +14,7 @@ import shapely
 
 from gltf_file import GltfFile, Node
 
+from .bodies import Part
 from .health import complaints
 from .overlap import overlap
 from .pieces import Piece, pieces_of
@@ -47,8 +48,9 @@ def check_box(node: Node, corners: np.ndarray) -> Iterator[Note]:
     low, high = corners.min(axis=0), corners.max(axis=0)
     size, found = np.array([width, height, depth]), high - low
     if np.abs(found - size).max() > SIZE_TOLERANCE:
-        yield Note("geometry", node.name,
-                   f"the mesh measures {triple(found[[0, 2, 1]])}, its size is said to be {triple((width, depth, height))}")
+        said = triple((width, depth, height))
+        measured = triple(found[[0, 2, 1]])
+        yield Note("geometry", node.name, f"the mesh measures {measured}, its size is said to be {said}")
     middle = (low + high) / 2 - (0.0, height / 2, 0.0)
     if np.abs(middle).max() > SIZE_TOLERANCE:
         yield Note("geometry", node.name, f"the origin is off the middle of the underside by {triple(middle)}")
@@ -72,7 +74,8 @@ def check_containment(gltf: GltfFile) -> Iterator[Note]:
 def check_inside(piece: Piece, allowed: shapely.Polygon) -> Iterator[Note]:
     """The mesh against outline, holes and height of its room, in the plan's frame."""
     room = piece.room
-    if not allowed.covers(footprint(piece.corners)):
+    # Nearly every box lies inside; only where one does not are the triangles asked.
+    if not allowed.covers(footprint(piece.box)) and not allowed.covers(footprint(piece.corners)):
         outside = [footprint(part.corners).difference(allowed) for part in piece.parts]
         places = [shapely.get_coordinates(area)[0] for area in outside if not area.is_empty]
         if places:
@@ -141,9 +144,13 @@ def touching(pieces: list[Piece]) -> Iterator[tuple[Piece, Piece]]:
 def deepest(one: Piece, other: Piece, tolerance: float) -> float:
     """Metres of the deepest overlap of their parts."""
     low, high = np.maximum(one.low, other.low), np.minimum(one.high, other.high)
-    near = [[part for part in piece.parts if (np.minimum(part.high, high) - np.maximum(part.low, low)).min() > tolerance]
-            for piece in (one, other)]
-    return max((overlap(first, second, tolerance) for first in near[0] for second in near[1]), default=0.0)
+    near, others = ([part for part in piece.parts if least_side(part, low, high) > tolerance] for piece in (one, other))
+    return max((overlap(first, second, tolerance) for first in near for second in others), default=0.0)
+
+
+def least_side(part: Part, low: np.ndarray, high: np.ndarray) -> float:
+    """Of what a part's box and another box share."""
+    return float((np.minimum(part.high, high) - np.maximum(part.low, low)).min())
 
 
 def triple(values) -> str:

@@ -16,7 +16,7 @@ from .bodies import Part, unit
 
 # Cross products of edges at once; parts with many edges are round, and their normals say nearly all.
 MOST_CROSSES = 4000
-# Where triangles are asked, as shares of their corners: their middle, near their corners, near the middle of their edges.
+# Where triangles are asked, as shares of their corners: in the middle, near corners, near the middle of edges.
 SAMPLES = np.array([[1, 1, 1], [28, 1, 1], [1, 28, 1], [1, 1, 28], [5, 5, 1], [5, 1, 5], [1, 5, 5]], float)
 SAMPLES /= SAMPLES.sum(axis=1, keepdims=True)
 # Metres under the surface at which points are asked; thinner sheets are asked by the other part's points.

@@ -48,6 +48,14 @@ class Piece:
         return self.meshes.corners(self.node.mesh) @ self.node.world[:3, :3].T + self.node.world[:3, 3]
 
     @cached_property
+    def box(self) -> np.ndarray:
+        """The corners of the mesh's own box."""
+        own = self.meshes.corners(self.node.mesh)
+        sides = np.stack([own.min(axis=0), own.max(axis=0)])
+        corners = np.stack(np.meshgrid(*sides.T), axis=-1).reshape(-1, 3)
+        return corners @ self.node.world[:3, :3].T + self.node.world[:3, 3]
+
+    @cached_property
     def low(self) -> np.ndarray:
         return self.corners.min(axis=0)
 

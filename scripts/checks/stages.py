@@ -74,21 +74,24 @@ def check_validators(stage: Usd.Stage) -> Iterator[Note]:
 
 
 def check_textures(stage: Usd.Stage) -> Iterator[Note]:
-    """Images that materials read, through instances."""
-    for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
-        if prim.GetTypeName() != "Shader":
+    """Images that materials read; instances are asked once, by the name of their first."""
+    owners = [(stage.GetPseudoRoot(), Sdf.Path.absoluteRootPath)]
+    owners += [(prototype, prototype.GetInstances()[0].GetPath()) for prototype in stage.GetPrototypes()]
+    for owner, shown in owners:
+        for prim in Usd.PrimRange(owner):
+            if prim.GetTypeName() == "Shader":
+                yield from check_shader(prim, str(prim.GetPath().ReplacePrefix(owner.GetPath(), shown)))
+
+
+def check_shader(prim: Usd.Prim, shown: str) -> Iterator[Note]:
+    for shader_input in UsdShade.Shader(prim).GetInputs():
+        value = shader_input.Get()
+        if not isinstance(value, Sdf.AssetPath) or not value.path:
             continue
-        for shader_input in UsdShade.Shader(prim).GetInputs():
-            value = shader_input.Get()
-            if isinstance(value, Sdf.AssetPath) and value.path:
-                yield from check_texture(prim, value)
-
-
-def check_texture(prim: Usd.Prim, value: Sdf.AssetPath) -> Iterator[Note]:
-    if ABSOLUTE.match(value.path):
-        yield Note("texture", str(prim.GetPath()), f"it reads the absolute path {value.path!r}")
-    elif not value.resolvedPath:
-        yield Note("texture", str(prim.GetPath()), f"it reads {value.path!r}, which is not there")
+        if ABSOLUTE.match(value.path):
+            yield Note("texture", shown, f"it reads the absolute path {value.path!r}")
+        elif not value.resolvedPath:
+            yield Note("texture", shown, f"it reads {value.path!r}, which is not there")
 
 
 def check_compliance(file: Path) -> Iterator[Note]:

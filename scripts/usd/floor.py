@@ -18,7 +18,7 @@ from .instancer import INSTANCER, room_of, small_nodes, write_instancer
 from .lights import LIGHT, add_light, light_of, type_of, write_light
 from .materials import MATERIALS
 from .naming import Names, valid_name
-from .placing import place, place_leaf, swing_of, turn_up
+from .placing import UNMOVED, place, place_leaf, swing_of, turn_up
 from .settings import Settings
 from .specs import new_prim
 from .variants import GEOMETRY, LOD_SET, coarser_nodes, write_details
@@ -132,7 +132,7 @@ class Floor:
         if coarser_nodes(self.gltf, node):
             write_details(prim, self.gltf, node, self.geometry.write)
         elif node.mesh is not None:
-            self.geometry.write(prim, node.mesh, np.identity(4))
+            self.geometry.write(prim, node.mesh, UNMOVED)
 
     # --- physics ---
 
@@ -150,7 +150,7 @@ class Floor:
             if swing is None or node.mesh is None:
                 continue
             opening, frame = self.prims[node.parent.index], frames.get(node.parent.index)
-            held_by = (opening, np.identity(4)) if frame is None else (self.prims[frame.index], frame.local)
+            held_by = (opening, UNMOVED) if frame is None else (self.prims[frame.index], frame.local)
             name = self.names[node.parent.index].take(f"{physics.JOINT}_{self.prims[node.index].name}")
             physics.write_hinge(opening, name, held_by, (self.prims[node.index], node.local), swing)
 

@@ -18,6 +18,8 @@ from gltf_file import Node
 
 from .specs import Types, attribute, transform_order
 
+# The place of what stands where its parent stands.
+UNMOVED = np.identity(4)
 HINGE = "xformOp:translate:hinge"
 SHUT = "xformOp:rotateY:shut"
 SWING = "xformOp:rotateY:swing"
@@ -42,9 +44,9 @@ class Swing:
 
 def place(prim: Sdf.PrimSpec, local: np.ndarray, before: tuple[str, ...] = ()) -> None:
     """The transform of a prim, after the operations that it has."""
-    matrix = Gf.Matrix4d(*local.T.reshape(-1).tolist())
     order = list(before)
-    if matrix != Gf.Matrix4d(1.0):
+    if local is not UNMOVED and not np.array_equal(local, UNMOVED):
+        matrix = Gf.Matrix4d(*local.T.reshape(-1).tolist())
         attribute(prim, "xformOp:transform", Types.Matrix4d, matrix)
         order.append("xformOp:transform")
     transform_order(prim, order)

@@ -20,6 +20,7 @@ from gltf_file import GltfFile, Node, local_matrix
 from .materials import Materials
 from .meshes import bind
 from .naming import Names
+from .placing import UNMOVED
 from .specs import add_variants, new_prim
 
 MATERIAL_SET = "material"
@@ -98,7 +99,8 @@ def over(owner: Sdf.PrimSpec, path: Sdf.Path) -> Sdf.PrimSpec:
 def coarser_nodes(gltf: GltfFile, node: Node) -> list[dict]:
     """The nodes that stand for a node at lower levels of detail, finest first."""
     listed = gltf.document["nodes"]
-    return [listed[index] for index in listed[node.index].get("extensions", {}).get(LOD_EXTENSION, {}).get("ids", [])]
+    extensions = listed[node.index].get("extensions", {})
+    return [listed[index] for index in extensions.get(LOD_EXTENSION, {}).get("ids", [])]
 
 
 def write_details(prim: Sdf.PrimSpec, gltf: GltfFile, node: Node, write: Callable) -> None:
@@ -110,7 +112,7 @@ def write_details(prim: Sdf.PrimSpec, gltf: GltfFile, node: Node, write: Callabl
     coarser = coarser_nodes(gltf, node)
     geometries = [GEOMETRY, *(f"{GEOMETRY}_{LOD_SET}{level}" for level in range(1, len(coarser) + 1))]
     to_node = np.linalg.inv(node.local)
-    places = [(node.mesh, np.identity(4)), *((other.get("mesh"), to_node @ local_matrix(other)) for other in coarser)]
+    places = [(node.mesh, UNMOVED), *((other.get("mesh"), to_node @ local_matrix(other)) for other in coarser)]
     for name, (mesh, local) in zip(geometries, places):
         if mesh is not None:
             write(prim, mesh, local, name)
