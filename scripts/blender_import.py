@@ -562,8 +562,6 @@ class Import:
             found[ROLE] = role
         if above is not None:
             above.children.link(found)
-        if role == "ceiling" and not self.options.ceilings:
-            found.hide_viewport = found.hide_render = True
         self.collections[key] = found
         return found
 
@@ -572,6 +570,9 @@ class Import:
         for key, building in self.collections.items():
             if len(key) == 1 and building.name not in self.scene.collection.children:
                 self.scene.collection.children.link(building)
+        if not self.options.ceilings:
+            ours = set(self.collections.values())
+            _show([one for one in shelves("ceiling") if one.collection in ours], False)
         if self.options.assets:
             for mesh, model in self.models.items():
                 _make_asset(mesh, model)
@@ -643,12 +644,28 @@ def _import_gltf(path: Path, source: Path) -> None:
         logging.disable(silenced)
 
 
+def shelves(part: str) -> list:
+    """The collections of one of PARTS as the active view layer has them."""
+    found, waiting = [], [bpy.context.view_layer.layer_collection]
+    while waiting:
+        one = waiting.pop()
+        waiting += one.children
+        if one.collection.get(ROLE) == part:
+            found.append(one)
+    return found
+
+
 def show_part(part: str, is_shown: bool) -> int:
     """Shows or hides one of PARTS in all levels, in the viewport and in renderings; how many collections that are."""
-    found = [one for one in bpy.data.collections if one.get(ROLE) == part]
-    for collection in found:
-        collection.hide_viewport = collection.hide_render = not is_shown
+    found = shelves(part)
+    _show(found, is_shown)
     return len(found)
+
+
+def _show(found: list, is_shown: bool) -> None:
+    # By the eye: what is disabled or excluded Blender does not place, and exports it from a wrong place.
+    for one in found:
+        one.hide_viewport = one.collection.hide_render = not is_shown
 
 
 # ---------------------------------------------------------------------------------------------------- assets
@@ -745,18 +762,15 @@ if bpy is not None:
         part: bpy.props.EnumProperty(items=[(part, part.capitalize(), "") for part in PARTS])
 
         def execute(self, _context):
-            found = [one for one in bpy.data.collections if one.get(ROLE) == self.part]
-            show_part(self.part, all(one.hide_viewport for one in found))
+            show_part(self.part, all(one.hide_viewport for one in shelves(self.part)))
             return {"FINISHED"}
 
     class ROOMWRIGHT_PT_parts(bpy.types.Panel):
         bl_label, bl_category, bl_space_type, bl_region_type = "Parts", "Roomwright", "VIEW_3D", "UI"
 
         def draw(self, _context):
-            shown = {one.get(ROLE) for one in bpy.data.collections if not one.hide_viewport}
             for part in PARTS:
-                icon = "HIDE_OFF" if part in shown else "HIDE_ON"
-                self.layout.operator("roomwright.show_part", text=part.capitalize(), icon=icon).part = part
+                self.layout.operator("roomwright.show_part", text=part.capitalize(), icon="HIDE_OFF").part = part
 
     CLASSES = (IMPORT_SCENE_OT_roomwright, ROOMWRIGHT_OT_show_part, ROOMWRIGHT_PT_parts)
 
