@@ -15,6 +15,7 @@ mod belongings;
 mod carts;
 #[cfg(test)]
 mod checks;
+mod coat_stand;
 mod copier;
 mod countertop;
 mod desk_lamps;
@@ -23,6 +24,7 @@ mod equipment;
 mod football_table;
 mod fridges;
 mod hangings;
+mod hook_board;
 mod input;
 mod kitchen;
 mod lamps;

@@ -2,10 +2,10 @@
 
 use super::input::{Draft, RecipeInput};
 use super::{
-    apparatus, appliances, basins, bathing, beds, belongings, carts, copier, countertop, desk_lamps,
-    electronics, equipment, football_table, fridges, hangings, kitchen, lamps, laundry, lights, lounge,
-    ovens, plants, radiators, screens, seating, shelving, storage, tables, tableware, toilets, utility_sink,
-    wall_lamps, walls, washroom, windows,
+    apparatus, appliances, basins, bathing, beds, belongings, carts, coat_stand, copier, countertop,
+    desk_lamps, electronics, equipment, football_table, fridges, hangings, hook_board, kitchen, lamps,
+    laundry, lights, lounge, ovens, plants, radiators, screens, seating, shelving, storage, tables,
+    tableware, toilets, utility_sink, wall_lamps, walls, washroom, windows,
 };
 use crate::catalog::Size;
 use crate::model::Model;
@@ -107,7 +107,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("chest_freezer", [1.85, 0.9, 0.88], equipment::chest_freezer),
     large("chilled_shelf", [1.25, 0.85, 2.0], apparatus::chilled_shelf),
     small("clock", [0.3, 0.05, 0.3], hangings::clock),
-    large("coat_rack", [0.5, 0.5, 1.8], shelving::coat_rack),
+    large("coat_rack", [0.5, 0.5, 1.8], coat_stand::coat_rack),
     large("coffee_machine", [0.3, 0.4, 0.38], countertop::coffee_machine),
     large("coffee_table", [1.1, 0.6, 0.42], tables::coffee_table),
     small("computer", [0.55, 0.2, 0.45], screens::computer),
@@ -136,6 +136,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("glass", [0.07, 0.07, 0.12], tableware::glass),
     large("gondola", [1.0, 0.45, 1.4], shelving::gondola),
     large("hood", [0.6, 0.5, 0.7], ovens::hood),
+    large("hook_board", [0.9, 0.14, 0.3], hook_board::hook_board),
     large("hospital_bed", [0.99, 2.15, 1.0], equipment::hospital_bed),
     small("kettle", [0.22, 0.16, 0.24], countertop::kettle),
     small("keyboard", [0.45, 0.15, 0.03], electronics::keyboard),

@@ -66,7 +66,7 @@ fn shell(builder: &mut Builder, slot: &'static str, cell: Bay, (seat, is_padded)
         station(top - 0.05, lean + 0.004, 0.96),
         station(top, lean, 0.84),
     ];
-    builder.add(slot, sheet(&path, DVec3::X, thickness, 4));
+    builder.add(slot, sheet(&path, DVec3::NEG_X, thickness, 4));
     let bracket = Bay::around(DVec3::new(x, seat - 0.08, cell.center().z), half, 0.05, 0.1);
     builder.cuboid("metal_dark", bracket);
 }

@@ -1,20 +1,24 @@
 //! Tables and desks: 0.72 to 0.75 m high (EN 527, DIN 68890), tops 18 to 40 mm thick.
 
 mod desk;
+mod lab_bench;
+mod lectern;
 mod low;
 mod pedestal;
 
 use glam::{DVec2, DVec3};
 
 pub(super) use desk::desk;
+pub(super) use lab_bench::lab_bench;
+pub(super) use lectern::lectern;
 pub(super) use low::{coffee_table, console_table};
 pub(super) use pedestal::round_table;
 
 use super::input::{Draft, GeometrySet};
-use super::parts::{Fittings, LegKind, leg, legs_at_corners, slab_top, slanted_leg};
+use super::parts::{LegKind, legs_at_corners, slab_top, slanted_leg};
 use super::seating::depth_slats;
 use crate::catalog::Side;
-use crate::model::kit::{Axis, Bay, Builder, SINK, cylinder, extrude};
+use crate::model::kit::{Axis, Bay, Builder, SINK, extrude};
 
 /// Metres of a table top.
 const TOP: f64 = 0.035;
@@ -192,82 +196,4 @@ fn apron(builder: &mut Builder, slot: &'static str, under: Bay, leg: f64, height
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, band.slab(side, board).inset(0.0, 0.0, reach));
     }
-}
-
-/// A laboratory bench: stone top on a steel frame, with a shelf for reagents where the box is high enough.
-pub(super) fn lab_bench(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let has_shelf = bay.height() > 1.1;
-    let work = if has_shelf { 0.9 } else { bay.height() };
-    builder.block("stone", bay.with_y([work - 0.03, work]), 0.004);
-    let under = bay.with_y([0.0, work - 0.03 + SINK]).inset(OVERHANG, 0.0, OVERHANG);
-    for side in [Side::Left, Side::Right] {
-        for end in [Side::Front, Side::Back] {
-            leg(builder, "metal", under.slab(side, LEG).slab(end, LEG), LegKind::Square);
-        }
-    }
-    let fittings = Fittings { front: "laminate", handle: "metal", reach: 0.02, is_traditional: false };
-    let columns = under.inset(LEG + 0.01, 0.0, 0.0).without(Side::Front, 0.03).without(Side::Back, 0.05);
-    let columns =
-        columns.with_y([0.1, work - 0.05]).columns((bay.width() / 0.6).round().clamp(2.0, 5.0) as u32, 0.12);
-    for (index, column) in columns.into_iter().enumerate().step_by(2) {
-        fittings.carcass(builder, "laminate", column);
-        let rows = column.inset(0.004, 0.004, 0.0).rows(if index == 0 { 3 } else { 1 }, 0.004);
-        for row in rows {
-            fittings.drawer(builder, row);
-        }
-    }
-    builder.cuboid(
-        "metal",
-        under
-            .with_y([work - 0.09, work - 0.05])
-            .inset(LEG - SINK, 0.0, 0.0)
-            .slab(Side::Back, 0.03)
-            .moved(0.0, 0.0, 0.01),
-    );
-    if has_shelf {
-        reagent_shelf(builder, bay.with_y([work - SINK, bay.high.y]));
-    }
-}
-
-fn reagent_shelf(builder: &mut Builder, bay: Bay) {
-    let rack = bay.slab(Side::Back, bay.depth() * 0.3).inset(0.03, 0.0, 0.01);
-    for side in [Side::Left, Side::Right] {
-        builder.cuboid("metal", rack.slab(side, 0.03));
-    }
-    for y in [bay.low.y + bay.height() * 0.5, bay.high.y - 0.02] {
-        builder.cuboid("glass", rack.with_y([y, y + 0.018]).inset(0.03 - SINK, 0.0, 0.004));
-    }
-    for (index, column) in rack.inset(0.08, 0.0, 0.0).columns(5, 0.08).into_iter().enumerate() {
-        let middle = column.center();
-        let y = bay.low.y + bay.height() * 0.5 + 0.018 - SINK;
-        let tall = bay.height() * (0.2 + 0.04 * (index % 3) as f64);
-        let flask = cylinder(column.width().min(0.07) * 0.5, [y, y + tall], 8);
-        builder.add(if index % 2 == 0 { "glass" } else { "plastic" }, flask.moved(middle.x, 0.0, middle.z));
-    }
-}
-
-/// A speaker's desk with a sloping top.
-pub(super) fn lectern(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let is_traditional = draft.is_traditional();
-    let (low, high) = (bay.low.z, bay.high.z);
-    let rise = (bay.height() * 0.16).min(bay.depth() * 0.5);
-    let front = bay.high.y - rise;
-    // The reader stands before the front and looks down at the slope.
-    let top =
-        [(high, front - 0.03), (high, front), (low, bay.high.y), (low, bay.high.y - 0.03)].map(DVec2::from);
-    builder.add("wood", extrude(&top, Axis::X, bay.x()));
-    builder.block("wood", bay.with_y([0.0, 0.05]).inset(0.02, 0.0, 0.02), 0.006);
-    let column = bay.inset(bay.width() * 0.2, 0.0, bay.depth() * 0.22).with_y([0.05 - SINK, front - 0.005]);
-    if is_traditional {
-        builder.cuboid("wood", column.inset(0.012, 0.0, 0.012).without(Side::Below, 0.002));
-        for (y, tall) in [(0.05, 0.05), (front - 0.1, 0.05)] {
-            builder.block("wood", column.with_y([y - SINK, y + tall]), 0.01);
-        }
-    } else {
-        builder.cuboid("wood", column);
-    }
-    let ledge = Bay::new(bay.x(), [front - 0.002, front + 0.02], [high - 0.012, high - 0.001]);
-    builder.cuboid("wood_dark", ledge.inset(0.02, 0.0, 0.0));
 }

@@ -69,7 +69,7 @@ pub(super) fn stacking(chair: &Chair, builder: &mut Builder) {
     };
     let back = [(0.42, 0.84), (0.48, 0.92), (0.9, 0.94), (0.995, 0.8)];
     let back: Vec<Station> = back.iter().map(|&(rise, wide)| station(rise, wide)).collect();
-    builder.add("painted_accent", sheet(&back, DVec3::X, 0.01, 4));
+    builder.add("painted_accent", sheet(&back, DVec3::NEG_X, 0.01, 4));
 }
 
 /// A garden-like chair moulded in one piece, its back of staves.
@@ -139,5 +139,5 @@ pub(super) fn folding(chair: &Chair, builder: &mut Builder) {
             sag: 0.01,
         })
         .collect();
-    builder.add("plastic_dark", sheet(&back, DVec3::X, 0.016, 3));
+    builder.add("plastic_dark", sheet(&back, DVec3::NEG_X, 0.016, 3));
 }

@@ -91,13 +91,13 @@ impl Chair {
             station(front - 0.1, seat - sag * 0.5, 1.0, sag),
             station(back + 0.14, seat - sag, 0.98, sag),
             station(back + 0.045, seat - sag * 0.6, 0.9, sag),
-            station(back - 0.015 - thickness * 0.5, seat + 0.035, waist, sag),
-            station(z(low), low, waist, sag * 0.8),
-            station(z(middle), middle, 0.92, sag * 0.6),
+            station(back - 0.015 - thickness * 0.5, seat + 0.035, waist, sag * 0.8),
+            station(z(low), low, waist, sag * 0.5),
+            station(z(middle), middle, 0.92, sag * 0.5),
             station(z(high - 0.05), high - 0.05, 0.9, sag * 0.5),
             station(z(high - 0.004), high - 0.004, 0.7, sag * 0.4),
         ];
-        sheet(&stations, DVec3::X, thickness, 4)
+        sheet(&stations, DVec3::NEG_X, thickness, 4)
     }
 }
 

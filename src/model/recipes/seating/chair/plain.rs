@@ -26,7 +26,7 @@ pub(super) fn upholstered(chair: &Chair, builder: &mut Builder) {
     };
     let back = [(0.0, 0.8), (0.1, 0.88), (0.5, 0.93), (0.88, 0.86), (0.97, 0.78), (0.995, 0.62)];
     let back: Vec<Station> = back.iter().map(|&(share, wide)| station(share, wide)).collect();
-    builder.add("fabric", sheet(&back, DVec3::X, 0.036, 4));
+    builder.add("fabric", sheet(&back, DVec3::NEG_X, 0.036, 4));
     let path = [
         chair.at(0.6, chair.seat - 0.05, 0.14),
         chair.at(0.6, chair.rise(0.12), 0.14),
