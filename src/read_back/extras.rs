@@ -24,6 +24,13 @@ pub(super) struct LevelExtras {
     pub(super) level: String,
     pub(super) elevation: f64,
     pub(super) height: f64,
+    /// Left out by nobody; only comparisons ask.
+    #[serde(default)]
+    pub(super) seed: Value,
+    #[serde(default)]
+    pub(super) generator: Value,
+    #[serde(default)]
+    pub(super) site: Value,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -46,6 +53,23 @@ pub(super) enum Closure {
     Passage,
     Open,
     Window,
+}
+
+impl Closure {
+    /// The word in the file.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Door => "door",
+            Self::Sliding => "sliding",
+            Self::Passage => "passage",
+            Self::Open => "open",
+            Self::Window => "window",
+        }
+    }
+
+    pub(super) fn is_window(self) -> bool {
+        matches!(self, Self::Window)
+    }
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -75,6 +99,9 @@ pub(super) struct RoomExtras {
     pub(super) height: f64,
     pub(super) requested: u32,
     pub(super) removed: Vec<RemovedExtras>,
+    /// What the bake found; a verdict of today does not ask.
+    #[serde(default)]
+    pub(super) findings: Value,
 }
 
 #[derive(Clone, Debug, Deserialize)]

@@ -41,7 +41,7 @@ pub(super) fn read(
     let mut pieces: Vec<Vec<Piece<'_>>> = Vec::new();
     pieces.resize_with(empty.level.rooms.len(), Vec::new);
     let mut is_broken = empty.is_broken.clone();
-    let spots = spots(nodes, empty);
+    let spots = spots(nodes, |node| empty.room_of(node));
     for (index, node) in nodes.iter().enumerate() {
         match (&node.extras, &spots[index]) {
             (Some(Extras::Furniture(extras)), &Some(Spot { room, place, above })) => {
@@ -75,21 +75,21 @@ pub(super) fn read(
 
 /// Where a node is.
 #[derive(Clone, Copy)]
-struct Spot {
+pub(super) struct Spot {
     /// The room that it belongs to.
-    room: usize,
+    pub(super) room: usize,
     /// Its place in the frame of the room.
-    place: DMat4,
+    pub(super) place: DMat4,
     /// The nearest object that it hangs below.
-    above: Option<usize>,
+    pub(super) above: Option<usize>,
 }
 
-/// The spot of each node that hangs below a room.
-fn spots(nodes: &[Node], empty: &EmptyLevel) -> Vec<Option<Spot>> {
+/// The spot of each node that hangs below a room; `room_of` says which room a node is.
+pub(super) fn spots(nodes: &[Node], room_of: impl Fn(usize) -> Option<usize>) -> Vec<Option<Spot>> {
     let mut spots: Vec<Option<Spot>> = Vec::with_capacity(nodes.len());
     for node in nodes {
         // Parents come before children.
-        let spot = node.parent.and_then(|parent| match empty.room_of(parent) {
+        let spot = node.parent.and_then(|parent| match room_of(parent) {
             Some(room) => Some(Spot { room, place: node.local, above: None }),
             None => spots[parent].map(|spot| {
                 let is_object = matches!(nodes[parent].extras, Some(Extras::Furniture(_)));

@@ -32,7 +32,7 @@ impl EmptyLevel {
 /// # Errors
 /// If there is none.
 pub(super) fn read(nodes: &[Node], problems: &mut Vec<Problem>) -> Result<EmptyLevel, Problem> {
-    let LevelExtras { building, level: id, elevation, height } = level_extras(nodes)?;
+    let LevelExtras { building, level: id, elevation, height, .. } = level_extras(nodes)?;
     let mut empty = EmptyLevel {
         building,
         level: Level {
@@ -73,7 +73,7 @@ pub(super) fn read(nodes: &[Node], problems: &mut Vec<Problem>) -> Result<EmptyL
     Ok(empty)
 }
 
-fn level_extras(nodes: &[Node]) -> Result<LevelExtras, Problem> {
+pub(super) fn level_extras(nodes: &[Node]) -> Result<LevelExtras, Problem> {
     let mut levels = nodes.iter().filter_map(|node| match &node.extras {
         Some(Extras::Level(level)) => Some((level, &node.name)),
         _ => None,

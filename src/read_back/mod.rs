@@ -7,7 +7,9 @@
 
 mod extras;
 mod furniture;
+mod inventory;
 mod level;
+mod looks;
 mod openings;
 mod outline;
 mod parents;
@@ -22,6 +24,9 @@ use crate::catalog::Catalog;
 use crate::document::{Fault, Faults};
 use crate::layout::Furnished;
 use crate::plan::Level;
+
+pub use inventory::{FoundEntry, Inventory, ObjectEntry, OpeningEntry, RoomContents};
+pub use looks::{Described, Looks};
 
 /// A level as its file has it.
 #[derive(Clone, Debug)]
@@ -44,6 +49,11 @@ const LARGEST_FILE: u64 = 1 << 30;
 /// # Errors
 /// If it cannot be read, is no glTF, or has no level in it. Faults of single rooms are in the answer.
 pub fn read_level(path: &Path, catalog: &Catalog) -> Result<ReadLevel, Fault> {
+    parse_level(path, &read_bytes(path)?, catalog)
+}
+
+/// The bytes of a file that is not too large.
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Fault> {
     let unreadable = |error: std::io::Error| Fault::of_file(path, format!("cannot be read: {error}"));
     let length = std::fs::metadata(path).map_err(unreadable)?.len();
     if length > LARGEST_FILE {
@@ -52,7 +62,7 @@ pub fn read_level(path: &Path, catalog: &Catalog) -> Result<ReadLevel, Fault> {
             format!("has {length} bytes, {LARGEST_FILE} are the most that is read"),
         ));
     }
-    parse_level(path, &std::fs::read(path).map_err(unreadable)?, catalog)
+    std::fs::read(path).map_err(unreadable)
 }
 
 /// As [`read_level`], for bytes in memory; `file` is the name for messages.
@@ -68,4 +78,15 @@ pub fn parse_level(file: &Path, bytes: &[u8], catalog: &Catalog) -> Result<ReadL
     let furnished = furniture::read(&nodes, &read, catalog, &mut problems);
     let faults = problems.into_iter().map(|problem| problem.in_file(file)).collect();
     Ok(ReadLevel { building: read.building, level: read.level, furnished, faults: Faults(faults) })
+}
+
+/// What a file holds as it says so itself, with the faults of what cannot be read; no catalogue is needed.
+///
+/// # Errors
+/// If it is no glTF or has no level in it.
+pub fn parse_inventory(file: &Path, bytes: &[u8]) -> Result<(Inventory, Faults), Fault> {
+    let document = crate::model::unchecked_document(file, bytes)?;
+    let (nodes, mut problems) = tree::nodes(&document);
+    let read = inventory::read(&document, &nodes, &mut problems).map_err(|problem| problem.in_file(file))?;
+    Ok((read, Faults(problems.into_iter().map(|problem| problem.in_file(file)).collect())))
 }

@@ -16,6 +16,8 @@ pub(super) struct Node {
     pub(super) parent: Option<usize>,
     /// Its place in its parent.
     pub(super) local: DMat4,
+    /// Index of its mesh in the document.
+    pub(super) mesh: Option<usize>,
 }
 
 /// All nodes that hang below the roots of the document, each once.
@@ -66,7 +68,7 @@ fn read_node(document: &Root, index: usize, parent: Option<usize>, problems: &mu
             Some(Extras::Broken)
         }
     });
-    Node { name, extras, parent, local: local(node) }
+    Node { name, extras, parent, local: local(node), mesh: node.mesh.map(|mesh| mesh.value()) }
 }
 
 /// The node's place in its parent. A transform that is no number shows in the answer.
