@@ -7,6 +7,7 @@ mod color;
 mod findings;
 mod furniture;
 mod labels;
+mod room;
 mod sheet;
 mod shell;
 mod symbols;
@@ -18,6 +19,8 @@ use crate::layout::Furnished;
 use crate::plan::{Level, SitePlacement};
 
 use canvas::Canvas;
+
+pub use room::{MarkKind, RoomDrawing, RoomMark, draw_room, room_frame};
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug)]
