@@ -11,6 +11,7 @@ pub mod batch;
 pub mod best;
 pub mod catalog;
 pub mod cli;
+pub mod diff;
 pub mod document;
 pub mod draw;
 pub mod geometry;

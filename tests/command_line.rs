@@ -5,9 +5,11 @@
 mod command_line {
     mod audit;
     mod cache;
+    mod ci_example;
     mod commands;
     mod demo;
     mod determinism;
+    mod diff;
     mod faults;
     mod guide;
     mod handbook;

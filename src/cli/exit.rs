@@ -25,6 +25,13 @@ Exit codes:
   1  some rooms fail, or could not be judged
   2  nothing could be judged: bad arguments, bad configuration, no readable file";
 
+/// For the help page of `diff`.
+pub(crate) const DIFF_EXIT_CODES: &str = "\
+Exit codes:
+  0  no difference of the kinds asked for with --fail-on
+  1  differences of these kinds
+  2  something could not be compared: no manifest, an unreadable file; the rest is";
+
 impl Outcome {
     /// The worse of two.
     #[must_use]
@@ -60,7 +67,7 @@ mod tests {
     fn the_help_page_lists_every_code() {
         for code in [Outcome::Done, Outcome::SomeFailed, Outcome::NotStarted] {
             let number = (code as u8).to_string();
-            for page in [EXIT_CODES, AUDIT_EXIT_CODES] {
+            for page in [EXIT_CODES, AUDIT_EXIT_CODES, DIFF_EXIT_CODES] {
                 assert!(page.lines().any(|line| line.trim().starts_with(&number)));
             }
         }

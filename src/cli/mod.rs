@@ -5,6 +5,7 @@ mod audit;
 mod bake;
 mod catalog;
 mod check;
+mod diff;
 mod draw;
 mod exit;
 mod explain;
@@ -34,6 +35,7 @@ pub fn run() -> Outcome {
         Command::Check(arguments) => check::run(&arguments, screen),
         Command::Catalog(arguments) => catalog::run(&arguments, screen),
         Command::Audit(arguments) => audit::run(&arguments, screen),
+        Command::Diff(arguments) => diff::run(&arguments, screen),
         Command::Draw(arguments) => draw::run(&arguments, screen),
         Command::Explain(arguments) => explain::run(&arguments, screen),
         Command::Import(arguments) => import::run(arguments, screen),

@@ -1,0 +1,150 @@
+//! The kinds of differences; their words are part of the output and of `--fail-on`.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What kind of difference a change is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// A level that came or went, or stands elsewhere or at another height.
+    Levels,
+    /// A room that came or went.
+    Rooms,
+    /// A room with another outline, hole, column or height.
+    Outline,
+    /// A room of another type.
+    Type,
+    /// A room in another style.
+    Style,
+    /// A room furnished from another seed.
+    Seed,
+    /// A door, window or passage that came, went, moved or is another one.
+    Openings,
+    /// An object that came.
+    Added,
+    /// An object that went.
+    Removed,
+    /// An object that stands elsewhere.
+    Moved,
+    /// An object that is turned.
+    Turned,
+    /// An object of another size.
+    Resized,
+    /// An object of another class where one of another class stood.
+    Class,
+    /// An object in another variant of its class.
+    Variant,
+    /// An object with other materials.
+    Material,
+    /// An object that stands on, or belongs to, something else.
+    Parent,
+    /// A piece that was asked for and is missing now.
+    Missing,
+    /// A piece that was missing and is no longer.
+    MissingGone,
+    /// A finding of the audit that came.
+    Findings,
+    /// A finding of the audit that went.
+    FindingsGone,
+    /// A room that fails and did not.
+    FailedRooms,
+    /// Parts of rooms or openings that look different.
+    Shell,
+    /// Models of furniture that look different.
+    Models,
+    /// Materials, textures or lights that are defined differently.
+    Looks,
+    /// Objects that only have another number.
+    Renumbered,
+    /// The program or the seed of the run.
+    Settings,
+    /// Other bytes, and nothing of the above.
+    Bytes,
+}
+
+impl Kind {
+    /// All kinds, in the order of their declaration.
+    pub const ALL: [Self; 27] = [
+        Self::Levels,
+        Self::Rooms,
+        Self::Outline,
+        Self::Type,
+        Self::Style,
+        Self::Seed,
+        Self::Openings,
+        Self::Added,
+        Self::Removed,
+        Self::Moved,
+        Self::Turned,
+        Self::Resized,
+        Self::Class,
+        Self::Variant,
+        Self::Material,
+        Self::Parent,
+        Self::Missing,
+        Self::MissingGone,
+        Self::Findings,
+        Self::FindingsGone,
+        Self::FailedRooms,
+        Self::Shell,
+        Self::Models,
+        Self::Looks,
+        Self::Renumbered,
+        Self::Settings,
+        Self::Bytes,
+    ];
+
+    /// The word in the output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Levels => "levels",
+            Self::Rooms => "rooms",
+            Self::Outline => "outline",
+            Self::Type => "type",
+            Self::Style => "style",
+            Self::Seed => "seed",
+            Self::Openings => "openings",
+            Self::Added => "added",
+            Self::Removed => "removed",
+            Self::Moved => "moved",
+            Self::Turned => "turned",
+            Self::Resized => "resized",
+            Self::Class => "class",
+            Self::Variant => "variant",
+            Self::Material => "material",
+            Self::Parent => "parent",
+            Self::Missing => "missing",
+            Self::MissingGone => "missing-gone",
+            Self::Findings => "findings",
+            Self::FindingsGone => "findings-gone",
+            Self::FailedRooms => "failed-rooms",
+            Self::Shell => "shell",
+            Self::Models => "models",
+            Self::Looks => "looks",
+            Self::Renumbered => "renumbered",
+            Self::Settings => "settings",
+            Self::Bytes => "bytes",
+        }
+    }
+
+    /// Whether it is about what people see or use, and not about how the file came to be.
+    #[must_use]
+    pub fn is_visible(self) -> bool {
+        !matches!(self, Self::Seed | Self::Renumbered | Self::Settings | Self::Bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_the_serialized_words_and_all_lists_each_once_in_order() {
+        for kind in Kind::ALL {
+            assert_eq!(serde_json::to_value(kind).unwrap(), kind.name());
+        }
+        assert!(Kind::ALL.is_sorted() && Kind::ALL.last() == Some(&Kind::Bytes));
+    }
+}

@@ -1,0 +1,202 @@
+//! Which thing of one side is which of the other.
+//!
+//! Ids count the things of a class, so that the one after a thing that went takes its number. Hence, in this order:
+//! 1. the same id, class and place;
+//! 2. the same class and place: only the number is another one;
+//! 3. the same id: it moved, or is of another class;
+//! 4. the same class, the nearest pairs first, of any distance: it moved and has another number;
+//! 5. another class at nearly the same place, on or at the same kind of thing: it was swapped for another one.
+//!
+//! What is left came or went. After a room was furnished anew, pairs by 3 and 4 say how much furniture moved, not
+//! which chair it was.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+
+/// What is known about a thing.
+#[derive(Clone, Debug)]
+pub(super) struct Item<'a> {
+    pub(super) id: &'a str,
+    pub(super) class: &'a str,
+    pub(super) place: DVec3,
+    /// What kind of thing it stands on or belongs to.
+    pub(super) on: &'a str,
+    /// Metres around its place within which another class may take it; zero for never.
+    pub(super) reach: f64,
+}
+
+/// How far the rules go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rules {
+    /// All of them.
+    All,
+    /// Up to the third: what does not move, as doors.
+    Fixed,
+}
+
+/// Pairs that are compared with all others, at most; beyond, things of a class are paired in order of their ids.
+const MOST_PAIRS: usize = 4_000_000;
+
+/// The matched pairs, each side by index.
+pub(super) struct Matches {
+    /// By old thing: the new one.
+    pub(super) new_of: Vec<Option<usize>>,
+    /// By new thing: the old one.
+    pub(super) old_of: Vec<Option<usize>>,
+}
+
+/// Pairs things; ids are unique on each side.
+pub(super) fn match_up(old: &[Item<'_>], new: &[Item<'_>], same_place: f64, rules: Rules) -> Matches {
+    let mut matches = Matches { new_of: vec![None; old.len()], old_of: vec![None; new.len()] };
+    let by_id: BTreeMap<&str, usize> = new.iter().enumerate().map(|(index, item)| (item.id, index)).collect();
+    let twin = |item: &Item<'_>| by_id.get(item.id).copied();
+    for (index, item) in old.iter().enumerate() {
+        let found = twin(item).filter(|&other| {
+            new[other].class == item.class && new[other].place.distance(item.place) <= same_place
+        });
+        matches.join(index, found);
+    }
+    let is_class = |a: &Item<'_>, b: &Item<'_>| a.class == b.class;
+    matches.join_nearest(old, new, |a, b| is_class(a, b).then_some(same_place));
+    for (index, item) in old.iter().enumerate() {
+        matches.join(index, twin(item));
+    }
+    if rules == Rules::All {
+        matches.join_nearest(old, new, |a, b| is_class(a, b).then_some(f64::INFINITY));
+        let is_swap = |a: &Item<'_>, b: &Item<'_>| !is_class(a, b) && a.on == b.on;
+        matches.join_nearest(old, new, |a, b| is_swap(a, b).then(|| a.reach.min(b.reach)));
+    }
+    matches
+}
+
+impl Matches {
+    fn join(&mut self, old: usize, new: Option<usize>) {
+        let Some(new) = new else { return };
+        if self.new_of[old].is_none() && self.old_of[new].is_none() {
+            self.new_of[old] = Some(new);
+            self.old_of[new] = Some(old);
+        }
+    }
+
+    /// Joins what is left, the nearest pairs first, equally near ones in the order of their places in the lists.
+    /// `limit` is the distance up to which two may be a pair.
+    fn join_nearest(
+        &mut self,
+        old: &[Item<'_>],
+        new: &[Item<'_>],
+        limit: impl Fn(&Item<'_>, &Item<'_>) -> Option<f64>,
+    ) {
+        let left = |taken: &[Option<usize>]| -> Vec<usize> {
+            taken.iter().enumerate().filter(|(_, pair)| pair.is_none()).map(|(index, _)| index).collect()
+        };
+        let (left_old, left_new) = (left(&self.new_of), left(&self.old_of));
+        if left_old.len().saturating_mul(left_new.len()) > MOST_PAIRS {
+            return self.join_in_order(old, new, (left_old, left_new), limit);
+        }
+        let pairs = left_old.iter().flat_map(|&a| left_new.iter().map(move |&b| (a, b)));
+        let near = pairs.filter_map(|(a, b)| {
+            let distance = old[a].place.distance(new[b].place);
+            (distance <= limit(&old[a], &new[b])?).then_some((distance, a, b))
+        });
+        let mut near: Vec<(f64, usize, usize)> = near.collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        near.into_iter().for_each(|(_, a, b)| self.join(a, Some(b)));
+    }
+
+    /// Joins each with the first that may be its pair.
+    fn join_in_order(
+        &mut self,
+        old: &[Item<'_>],
+        new: &[Item<'_>],
+        (left_old, mut left_new): (Vec<usize>, Vec<usize>),
+        limit: impl Fn(&Item<'_>, &Item<'_>) -> Option<f64>,
+    ) {
+        for a in left_old {
+            let found = left_new.iter().position(|&b| {
+                limit(&old[a], &new[b]).is_some_and(|most| old[a].place.distance(new[b].place) <= most)
+            });
+            if let Some(found) = found {
+                self.join(a, Some(left_new.remove(found)));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn item<'a>(id: &'a str, x: f64) -> Item<'a> {
+        let class = id.split('.').next().unwrap();
+        Item { id, class, place: DVec3::new(x, 0.0, 0.0), on: "floor", reach: 0.25 }
+    }
+
+    /// Pairs as `old=new`, then what went and came.
+    fn shown(old: &[Item<'_>], new: &[Item<'_>], rules: Rules) -> String {
+        let matches = match_up(old, new, 1e-4, rules);
+        let mut words: Vec<String> = old
+            .iter()
+            .zip(&matches.new_of)
+            .map(|(item, pair)| match pair {
+                Some(pair) => format!("{}={}", item.id, new[*pair].id),
+                None => format!("-{}", item.id),
+            })
+            .collect();
+        let came = new.iter().zip(&matches.old_of).filter(|(_, pair)| pair.is_none());
+        words.extend(came.map(|(item, _)| format!("+{}", item.id)));
+        words.join(" ")
+    }
+
+    #[test]
+    fn one_that_went_does_not_make_the_next_ones_move() {
+        let old = [item("chair.1", 1.0), item("chair.2", 2.0), item("chair.3", 3.0), item("chair.4", 4.0)];
+        let new = [item("chair.1", 1.0), item("chair.2", 3.0), item("chair.3", 4.0)];
+        assert_eq!(shown(&old, &new, Rules::All), "chair.1=chair.1 -chair.2 chair.3=chair.2 chair.4=chair.3");
+        assert_eq!(shown(&new, &old, Rules::All), "chair.1=chair.1 chair.2=chair.3 chair.3=chair.4 +chair.2");
+    }
+
+    #[test]
+    fn one_that_moved_keeps_its_id() {
+        let old = [item("chair.1", 1.0), item("chair.2", 2.0)];
+        let new = [item("chair.1", 2.5), item("chair.2", 2.0)];
+        assert_eq!(shown(&old, &new, Rules::All), "chair.1=chair.1 chair.2=chair.2");
+    }
+
+    #[test]
+    fn the_rest_of_a_class_is_paired_with_the_nearest() {
+        let old = [item("chair.1", 1.0), item("chair.2", 8.0)];
+        let new = [item("chair.3", 8.5), item("chair.4", 2.0), item("lamp.1", 1.0)];
+        // The lamp is not asked: both chairs have found another.
+        assert_eq!(shown(&old, &new, Rules::All), "chair.1=chair.4 chair.2=chair.3 +lamp.1");
+        assert_eq!(shown(&old, &new, Rules::Fixed), "-chair.1 -chair.2 +chair.3 +chair.4 +lamp.1");
+    }
+
+    #[test]
+    fn another_class_takes_the_same_place_only() {
+        let old = [item("chair.1", 1.0), item("desk.1", 5.0)];
+        let new = [item("armchair.1", 1.1), item("table.1", 5.6)];
+        assert_eq!(shown(&old, &new, Rules::All), "chair.1=armchair.1 -desk.1 +table.1");
+        let new = [Item { on: "wall", ..item("armchair.1", 1.1) }];
+        assert_eq!(shown(&old, &new, Rules::All), "-chair.1 -desk.1 +armchair.1");
+    }
+
+    #[test]
+    fn an_edited_class_under_the_same_id_is_the_same_object() {
+        let old = [item("chair.1", 1.0)];
+        let new = [Item { class: "armchair", ..item("chair.1", 1.0) }];
+        assert_eq!(shown(&old, &new, Rules::All), "chair.1=chair.1");
+    }
+
+    #[test]
+    fn more_than_can_be_compared_are_paired_all_the_same() {
+        let name = |index: usize| format!("chair.{index}");
+        let count = 2001;
+        let names: Vec<String> = (0..2 * count).map(name).collect();
+        let at = |index: usize| item(&names[index], index as f64);
+        let (old, new): (Vec<_>, Vec<_>) =
+            ((0..count).map(at).collect(), (count..2 * count).map(at).collect());
+        let matches = match_up(&old, &new, 1e-4, Rules::All);
+        assert!(matches.new_of.iter().all(Option::is_some));
+    }
+}
