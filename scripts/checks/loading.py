@@ -7,6 +7,7 @@ from typing import Iterator
 
 import numpy as np
 import trimesh
+from trimesh.resolvers import FilePathResolver
 
 from gltf_file import GltfFile
 
@@ -18,7 +19,9 @@ BOUNDS_TOLERANCE = 1e-3
 
 def check_trimesh(gltf: GltfFile) -> Iterator[Note]:
     """What trimesh sees against what the file says."""
-    scene = trimesh.load_scene(gltf.path, process=False)
+    # Floors share geometry and images that lie beside their folders.
+    resolver = FilePathResolver(str(gltf.path), allow_anywhere=True)
+    scene = trimesh.load_scene(gltf.path, process=False, resolver=resolver)
     expected = sum(len(gltf.primitives(node.mesh)) for node in gltf.nodes if node.mesh is not None)
     found = len(scene.graph.nodes_geometry)
     if found != expected:

@@ -120,6 +120,30 @@ def test_every_missing_image_is_a_fault_and_the_rest_is_judged(floor, tmp_path):
                       "extras desk.1@101: 'top' is no side"]
 
 
+def test_geometry_that_floors_share_may_lie_beside_their_folder(floor, tmp_path):
+    (tmp_path / "house").mkdir()
+    path = floor.write(tmp_path / "house" / "floor.gltf")
+    document = json.loads(path.read_text())
+    document["buffers"][0]["uri"] = "../shared.bin"
+    path.write_text(json.dumps(document))
+    (tmp_path / "house" / "floor.bin").rename(tmp_path / "shared.bin")
+    assert faults_of(path) == []
+
+
+def test_levels_of_detail_and_material_variants_are_no_faults(floor, tmp_path):
+    """Nodes that stand for others are not in the scene; the meshes of both are judged by the Khronos validator."""
+    floor.document["nodes"].append({"name": "desk.1@101.lod1", "mesh": floor.box_mesh("coarse", 1.6, 0.8, 0.74)})
+    floor.find("desk.1@101")["extensions"] = {"MSFT_lod": {"ids": [len(floor.document["nodes"]) - 1]}}
+    floor.document["extensionsUsed"] = ["MSFT_lod", "KHR_materials_variants"]
+    floor.document["extensions"] = {"KHR_materials_variants": {"variants": [{"name": "clear"}]}}
+    primitive = floor.document["meshes"][floor.find("desk.1@101")["mesh"]]["primitives"][0]
+    primitive["extensions"] = {"KHR_materials_variants": {"mappings": [{"material": 1, "variants": [0]}]}}
+    path = floor.write(tmp_path / "floor.glb")
+    assert faults_of(path) == []
+    if KHRONOS_IS_THERE:
+        assert validate.check_khronos([path]) == []
+
+
 @pytest.mark.parametrize("content", [b"", b"glTF", b"no glTF at all", b"{}", b"[1, 2]"])
 @pytest.mark.parametrize("ending", [".glb", ".gltf"])
 def test_what_is_no_gltf_is_one_fault(tmp_path, content, ending):
