@@ -256,6 +256,7 @@ class Document:
                 words.append(self._accessor_digest(primitive["indices"]))
             if "material" in primitive:
                 words.append(self.material_keys[primitive["material"]])
+            words.append(json.dumps(primitive.get("extensions"), sort_keys=True).encode())
         return _digest(*words)
 
     def _material_key(self, material: dict) -> bytes:
@@ -386,6 +387,19 @@ def write_glb(path: Path, document: dict, binary: bytes) -> None:
     path.write_bytes(head + text + chunk)
 
 
+def shown_nodes(document: dict) -> list[int]:
+    """The nodes of the document's scene, each once; others stand by, as coarser shapes do."""
+    nodes, scenes = document.get("nodes", []), document.get("scenes", [])
+    waiting = list(scenes[document.get("scene", 0)].get("nodes", [])) if scenes else list(range(len(nodes)))
+    shown = dict.fromkeys(waiting)
+    for one in waiting:  # grows as it goes
+        for child in nodes[one].get("children", []):
+            if child not in shown:
+                shown[child] = None
+                waiting.append(child)
+    return sorted(shown)
+
+
 def sort_nodes(nodes: list[dict]) -> list[tuple[str | None, str]]:
     """Of each node, the id of its room, if it is in one, and the part: one of PARTS, or level or room."""
     parents = {child: number for number, node in enumerate(nodes) for child in node.get("children", [])}
@@ -489,9 +503,12 @@ class Import:
 
         In the order of their names, in which Blender keeps them: it looks for the place of a new one from the end.
         """
-        names = [(node.get("name") or "node", number, index) for number, document in enumerate(documents)
-                 for index, node in enumerate(document.json.get("nodes", []))]
-        objects = [[None] * len(document.json.get("nodes", [])) for document in documents]
+        names, objects = [], []
+        for number, document in enumerate(documents):
+            nodes = document.json.get("nodes", [])
+            with _faults_of(document.path):
+                names += [(nodes[index].get("name") or "node", number, index) for index in shown_nodes(document.json)]
+            objects.append([None] * len(nodes))
         for name, number, index in sorted(names, key=lambda one: (one[0].casefold(), *one)):
             document = documents[number]
             with _faults_of(document.path):
@@ -504,6 +521,8 @@ class Import:
         """Makes a floor's objects what their nodes are, in its collections."""
         nodes = document.json.get("nodes", [])
         for node, thing, (room, part) in zip(nodes, objects, sort_nodes(nodes)):
+            if thing is None:
+                continue
             if thing.data is None:
                 thing.empty_display_size = 0.1
             _set_extras(thing, node.get("extras") or {})
@@ -512,10 +531,10 @@ class Import:
             if part == "furniture" and thing.type == "MESH" and "class" in thing:
                 self.models.setdefault(thing.data, thing)
         for node, thing in zip(nodes, objects):
-            for child in node.get("children", []):
+            for child in node.get("children", []) if thing else []:
                 objects[child].parent = thing
         if self.options.place:
-            self._place(floor, [thing for thing in objects if thing.parent is None])
+            self._place(floor, [thing for thing in objects if thing and thing.parent is None])
 
     def _data(self, document: Document, node: dict):
         light = node.get("extensions", {}).get("KHR_lights_punctual", {}).get("light")
@@ -589,11 +608,12 @@ def _set_extras(thing, extras: dict) -> None:
 
 
 def import_bake(paths, options: Options = Options(), progress=None) -> Import:
-    """Imports floors into the active scene. `paths`: a path or several; `progress`: called with count, total, floor.
+    """Imports floors into the active scene. `paths`: a path or several; `progress`: called with step, steps, what.
 
     Raises BakeError, and leaves everything as it was, if a file is missing, damaged or not roomwright's.
     """
     floors = find_floors(paths, options.levels)
+    tell = progress or (lambda *_: None)
     before = {kind: {one.as_pointer() for one in getattr(bpy.data, kind)} for kind in KINDS}
     window, scene = bpy.context.window, bpy.context.scene
     try:
@@ -601,16 +621,17 @@ def import_bake(paths, options: Options = Options(), progress=None) -> Import:
         # The importer works in a scene of its own, else Blender goes through all objects for each floor.
         window.scene = work.known.scene
         documents = []
-        for count, floor in enumerate(floors, 1):
+        for step, floor in enumerate(floors, 1):
             with _faults_of(floor.path):
                 documents.append(Document(floor.path, work.known.buffers))
                 work.known.read(documents[-1])
                 documents[-1].forget()
-            if progress:
-                progress(count, len(floors), floor)
-        for floor, document, objects in zip(floors, documents, work.create(documents)):
+            tell(step, 2 * len(floors), f"read {floor.name}")
+        created = work.create(documents)
+        for step, (floor, document, objects) in enumerate(zip(floors, documents, created), 1 + len(floors)):
             with _faults_of(floor.path):
                 work.build(floor, document, objects)
+            tell(step, 2 * len(floors), f"built {floor.name}")
         window.scene = scene
         work.finish()
     except BaseException:
@@ -739,7 +760,7 @@ if bpy is not None:
             manager = context.window_manager
             manager.progress_begin(0, 100)
             try:
-                done = import_bake(paths, options, lambda count, total, _: manager.progress_update(100 * count // total))
+                done = import_bake(paths, options, lambda step, steps, _: manager.progress_update(100 * step // steps))
                 self._catalogue()
             except (BakeError, OSError) as error:
                 self.report({"ERROR"}, str(error))
@@ -828,26 +849,30 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         with _quiet():
             bpy.ops.wm.read_factory_settings(use_empty=True)
+            times = [time.monotonic()]
             done = import_bake(options.bakes, chosen, None if options.quiet else _teller())
+            times.append(time.monotonic())
             with _whole(options.save.absolute()) as partial:
                 bpy.ops.wm.save_as_mainfile(filepath=str(partial), compress=True, copy=True)
+            times.append(time.monotonic())
             if options.asset_catalog:
                 write_catalog(options.save.absolute().parent)
     except (BakeError, RuntimeError, OSError) as error:
         print(error, file=sys.stderr)
         return 1
-    print(f"{options.save}: {done.object_count} objects, {len(done.known.meshes)} meshes, {len(done.known.materials)} materials")
+    print(f"{options.save}: {done.object_count} objects, {len(done.known.meshes)} meshes, {len(done.known.materials)} "
+          f"materials; imported in {times[1] - times[0]:.1f} s, saved in {times[2] - times[1]:.1f} s")
     return 0
 
 
 def _teller():
-    """Tells of each floor how long it took."""
+    """Tells of each step how long it took."""
     last = time.monotonic()
 
-    def tell(count, total, floor):
+    def tell(step, steps, what):
         nonlocal last
         now = time.monotonic()
-        print(f"{count}/{total} {floor.name} ({now - last:.1f} s)", file=sys.stderr)
+        print(f"{step}/{steps} {what} ({now - last:.1f} s)", file=sys.stderr)
         last = now
     return tell
 

@@ -228,6 +228,14 @@ class TestBlender:
         assert bpy.data.objects["lamp.1@101"].data == bpy.data.objects["lamp.1@101.001"].data
         assert bpy.data.objects["desk.1@101"].data != bpy.data.objects["desk.1@101.001"].data
 
+    def test_what_is_in_no_scene_stays_out(self, tmp_path):
+        floor = storey("ground", 0.0)
+        coarse = floor.node("coarse desk", {"kind": "furniture"}, None, 1)
+        floor.node("below it", {}, coarse, 1)
+        floor.write(tmp_path / "1.glb")
+        import_bake(tmp_path)
+        assert len(bpy.data.objects) == 10
+
     def test_levels_stand_at_their_elevation_and_buildings_at_their_place(self, bake):
         import_bake(bake)
         placed = world_matrices()
@@ -297,7 +305,8 @@ class TestBlender:
         path = tmp_path / "saved" / "house.blend"
         arguments = [str(bake), "--save", str(path), "--no-ceilings", "--asset-catalog"]
         assert blender_import.main(arguments) == 0
-        assert "2/2 house/upper" in capsys.readouterr().err
+        told = capsys.readouterr().err
+        assert "2/4 read house/upper" in told and "4/4 built house/upper" in told
         assert sorted(one.name for one in path.parent.iterdir()) == [blender_import.CATALOG_FILE, "house.blend"]
         bpy.ops.wm.read_factory_settings(use_empty=True)
         bpy.ops.wm.open_mainfile(filepath=str(path))
