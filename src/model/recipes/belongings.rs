@@ -6,46 +6,8 @@ use super::input::Draft;
 use super::parts::turned_forward;
 use crate::catalog::Side;
 use crate::model::kit::{
-    Axis, Bay, Builder, Outline, SINK, Slice, cuboid, cylinder, extrude, lathe, loft, loft_ring, rounded_box,
+    Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, lathe, loft, loft_ring, rounded_box,
 };
-
-/// A stack of books with their pages, each turned a little.
-pub(super) fn books(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let count = (bay.height() / 0.035).round().clamp(1.0, 5.0) as u32;
-    for (index, row) in bay.rows(count, -SINK).into_iter().enumerate() {
-        let (shrink, turn) =
-            if index == 0 { (0.0, 0.0) } else { (sampler.between(0.06, 0.16), sampler.between(-0.12, 0.12)) };
-        let book = row.inset(bay.width() * shrink, 0.0, bay.depth() * shrink);
-        let slot = sampler.pick(&["book", "painted_accent", "leather"]);
-        let cover = (book.height() * 0.12).min(0.004);
-        for side in [Side::Below, Side::Above] {
-            builder.add(slot, cuboid(book.slab(side, cover)).turned_y(turn));
-        }
-        let inner = book.inset(0.0, cover - SINK / 2.0, 0.0);
-        builder.add(slot, cuboid(inner.slab(Side::Left, cover).inset(0.0002, 0.0, 0.0002)).turned_y(turn));
-        let pages = inner.without(Side::Left, cover - SINK).without(Side::Right, cover * 0.6).inset(
-            0.0,
-            0.0,
-            cover * 0.6,
-        );
-        builder.add("paper", cuboid(pages).turned_y(turn));
-    }
-}
-
-/// A few sheets, not quite in line.
-pub(super) fn papers(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let count = 3;
-    for (index, row) in bay.rows(count, -SINK).into_iter().enumerate() {
-        let shrink = if index == 0 { 0.0 } else { 0.1 };
-        let sheet = row.inset(bay.width() * shrink, 0.0, bay.depth() * shrink);
-        let turn = if index == 0 { 0.0 } else { sampler.between(-0.15, 0.15) };
-        builder.add("paper", cuboid(sheet).turned_y(turn));
-    }
-}
 
 /// A pillow, thick in the middle.
 pub(super) fn pillow(draft: &Draft, builder: &mut Builder) {

@@ -2,10 +2,10 @@
 
 use super::input::{Draft, RecipeInput};
 use super::{
-    apparatus, appliances, basins, bathing, beds, belongings, carts, coat_stand, copier, countertop,
+    apparatus, appliances, basins, bathing, beds, belongings, books, carts, coat_stand, copier, countertop,
     desk_lamps, electronics, equipment, football_table, fridges, hangings, hook_board, kitchen, lamps,
-    laundry, lights, lounge, ovens, plants, radiators, screens, seating, shelving, storage, tables,
-    tableware, toilets, utility_sink, wall_lamps, walls, washroom, windows,
+    laundry, lights, lounge, ovens, papers, plants, radiators, screens, seating, shelving, soap, storage,
+    tables, tableware, toilets, utility_sink, wall_lamps, walls, washroom, windows,
 };
 use crate::catalog::Size;
 use crate::model::Model;
@@ -92,7 +92,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("bed", [1.6, 2.1, 1.0], beds::bed).with(&[("double", 0.0)]),
     large("bench", [1.2, 0.4, 0.45], seating::bench),
     small("bin", [0.3, 0.3, 0.4], washroom::bin).round(),
-    small("books", [0.2, 0.25, 0.12], belongings::books),
+    small("books", [0.2, 0.25, 0.12], books::books),
     large("bookshelf", [0.9, 0.3, 2.0], shelving::bookshelf).with(&[("shelves", 0.0)]),
     small("bottle", [0.08, 0.08, 0.3], tableware::bottle),
     small("bowl", [0.22, 0.22, 0.09], tableware::bowl),
@@ -156,7 +156,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("nightstand", [0.45, 0.4, 0.5], storage::nightstand),
     small("notice_board", [1.2, 0.04, 0.9], walls::notice_board),
     large("office_chair", [0.62, 0.62, 1.05], seating::office_chair).round(),
-    small("papers", [0.22, 0.3, 0.02], belongings::papers),
+    small("papers", [0.22, 0.3, 0.02], papers::papers),
     large("partition", [1.6, 0.05, 1.6], walls::partition),
     large("pendant", [0.4, 0.4, 0.9], lights::pendant).round(),
     small("phone", [0.2, 0.22, 0.1], electronics::phone),
@@ -180,7 +180,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("sideboard", [1.6, 0.42, 0.8], storage::sideboard),
     small("signage", [0.6, 0.03, 0.2], walls::signage),
     small("small_plant", [0.2, 0.2, 0.3], plants::small_plant).round(),
-    small("soap", [0.12, 0.08, 0.04], washroom::soap),
+    small("soap", [0.12, 0.08, 0.04], soap::soap),
     large("sofa", [2.2, 0.9, 0.82], lounge::sofa).with(&[("seats", 0.0)]),
     large("stool", [0.36, 0.36, 0.65], seating::stool).round(),
     large("table", [1.4, 0.8, 0.74], tables::table),

@@ -149,18 +149,6 @@ pub(super) fn bin(draft: &Draft, builder: &mut Builder) {
     }
 }
 
-/// A cake of soap in a dish.
-pub(super) fn soap(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let half = bay.extent() / 2.0;
-    let height = bay.height();
-    let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
-    let dish = [slice(0.0, 0.7), slice(0.5, 1.0), slice(0.6, 0.98), slice(0.25, 0.7)];
-    builder.add("ceramic", loft(&Outline::Round(12), &dish));
-    let cake = bay.inset(half.x * 0.35, 0.0, half.z * 0.35).with_y([height * 0.24, height]);
-    builder.rounded("paper", cake, cake.extent() * 0.3, 2);
-}
-
 /// A folded towel.
 pub(super) fn towel(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();

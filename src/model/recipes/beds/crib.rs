@@ -43,7 +43,8 @@ impl Cot {
         let mattress = inner.with_y([self.bed, self.bed + MATTRESS]);
         builder.add("mattress", rounded_box(mattress, DVec3::splat(0.025), 1));
         let blanket = mattress.slab(Side::Front, mattress.depth() * 0.6).inset(-0.003, 0.0, 0.0);
-        let blanket = blanket.without(Side::Front, 0.002).with_y([mattress.high.y - 0.03, mattress.high.y + 0.02]);
+        let blanket =
+            blanket.without(Side::Front, 0.002).with_y([mattress.high.y - 0.03, mattress.high.y + 0.02]);
         builder.add(slot, rounded_box(blanket, DVec3::new(0.02, 0.018, 0.02), 2));
         let pillow = Bay::around(
             DVec3::new(0.0, mattress.high.y + 0.016, mattress.low.z + 0.14),
@@ -88,7 +89,8 @@ impl Cot {
 /// A child's bed behind bars, or behind net.
 pub(in super::super) fn crib(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let cot = Cot { bay, post: 0.04, bed: bay.height() * LYING - MATTRESS, form: draft.input.look as usize % 4 };
+    let cot =
+        Cot { bay, post: 0.04, bed: bay.height() * LYING - MATTRESS, form: draft.input.look as usize % 4 };
     match draft.set() {
         GeometrySet::Plain => plain(&cot, builder),
         GeometrySet::Traditional => traditional(&cot, builder),
@@ -101,7 +103,13 @@ pub(in super::super) fn crib(draft: &Draft, builder: &mut Builder) {
 fn plain(cot: &Cot, builder: &mut Builder) {
     let slot = ["wood_light", "painted", "wood", "painted"][cot.form];
     let posts = if cot.form == 1 { "wood_light" } else { slot };
-    legs_at_corners(builder, posts, cot.bay, cot.post, if cot.form == 2 { LegKind::Round } else { LegKind::Tapered });
+    legs_at_corners(
+        builder,
+        posts,
+        cot.bay,
+        cot.post,
+        if cot.form == 2 { LegKind::Round } else { LegKind::Tapered },
+    );
     let top = cot.bay.high.y - 0.02;
     for side in [Side::Left, Side::Right] {
         cot.fence(builder, slot, (side, top), 0.014);
@@ -127,7 +135,8 @@ fn traditional(cot: &Cot, builder: &mut Builder) {
     for x in [bay.low.x + cot.post / 2.0, bay.high.x - cot.post / 2.0] {
         for z in [bay.low.z + cot.post / 2.0, bay.high.z - cot.post / 2.0] {
             let y = posts.high.y;
-            let ball = [(0.01, y - SINK), (0.012, y + knob * 0.2), (0.021, y + knob * 0.6), (0.008, y + knob)];
+            let ball =
+                [(0.01, y - SINK), (0.012, y + knob * 0.2), (0.021, y + knob * 0.6), (0.008, y + knob)];
             builder.add(slot, lathe(&ball, 8).moved(x, 0.0, z));
         }
     }
@@ -239,9 +248,14 @@ fn boards(cot: &Cot, builder: &mut Builder) {
         let end = cot.bay.slab(side, 0.018);
         builder.block(slot, end.without(Side::Below, 0.05), 0.006);
         for foot in [Side::Left, Side::Right] {
-            builder.cuboid("plastic_dark", end.slab(foot, 0.06).slab(Side::Below, 0.052).inset(0.006, 0.0, 0.001));
+            builder.cuboid(
+                "plastic_dark",
+                end.slab(foot, 0.06).slab(Side::Below, 0.052).inset(0.006, 0.0, 0.001),
+            );
         }
-        let cut = end.inset(cot.bay.width() * 0.3, 0.0, -0.0008).with_y([cot.bay.high.y - 0.12, cot.bay.high.y - 0.07]);
+        let cut = end
+            .inset(cot.bay.width() * 0.3, 0.0, -0.0008)
+            .with_y([cot.bay.high.y - 0.12, cot.bay.high.y - 0.07]);
         builder.cuboid("painted_accent", cut);
     }
     let slim = Cot { bay: cot.bay, post: 0.018, bed: cot.bed, form: cot.form };

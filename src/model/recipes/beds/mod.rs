@@ -2,16 +2,19 @@
 
 mod bedding;
 mod budget;
+mod crib;
 mod industrial;
 mod plain;
 mod traditional;
+mod treatment;
 
-use glam::DVec3;
+pub(super) use crib::crib;
+pub(super) use treatment::treatment_bed;
 
 use super::input::{Draft, GeometrySet};
-use super::parts::{LegKind, legs_at_corners, turned_forward};
+use super::parts::{LegKind, legs_at_corners};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, SINK, crowned, cylinder, pillow, rounded_box};
+use crate::model::kit::{Bay, Builder, SINK, crowned, pillow};
 
 /// Metres of a bed's headboard; the shapes in the catalogue are cut for it.
 const HEADBOARD: f64 = 0.06;
@@ -69,37 +72,6 @@ impl Bed {
     }
 }
 
-/// A child's bed behind bars.
-pub(super) fn crib(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let post = 0.04;
-    let kind = if draft.is_traditional() { LegKind::Turned } else { LegKind::Square };
-    legs_at_corners(builder, "wood_light", bay, post, kind);
-    let inner = bay.inset(post * 0.3, 0.0, post * 0.3).without(Side::Above, 0.004);
-    let bed = bay.height() * 0.4;
-    for side in [Side::Left, Side::Right] {
-        let end = inner.slab(side, post * 0.4).inset(0.0, 0.0, post * 0.7 - SINK);
-        builder.cuboid("wood_light", end.with_y([bed - 0.1, bay.high.y - 0.02]));
-    }
-    for side in [Side::Front, Side::Back] {
-        let fence = inner.slab(side, post * 0.4).inset(post * 0.7 - SINK, 0.0, 0.0);
-        builder.cuboid("wood_light", fence.slab(Side::Above, 0.03));
-        builder.cuboid("wood_light", fence.with_y([bed - 0.12, bed - 0.08]));
-        let bars = fence.with_y([bed - 0.08 - SINK, fence.high.y - 0.03 + SINK]).inset(0.05, 0.0, 0.002);
-        for bar in bars.columns((bay.width() / 0.11).round().clamp(4.0, 12.0) as u32, 0.09) {
-            builder.cuboid("wood_light", Bay::around(bar.center(), 0.012, bar.height(), 0.012));
-        }
-    }
-    let mattress = bay.inset(post + 0.003, 0.0, post + 0.003).with_y([bed - 0.09, bed + 0.02]);
-    builder.cushion("mattress", mattress, 0.03);
-    let blanket = mattress
-        .slab(Side::Left, mattress.width() * 0.6)
-        .inset(-0.002, 0.0, -0.002)
-        .with_y([bed - 0.01, bed + 0.035]);
-    builder.cushion(sampler.pick(&["fabric_light", "fabric_accent"]), blanket, 0.02);
-}
-
 /// Two beds over each other with a ladder.
 pub(super) fn bunk_bed(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
@@ -139,26 +111,4 @@ pub(super) fn bunk_bed(draft: &Draft, builder: &mut Builder) {
     for rung in ladder.inset(0.002, 0.1, 0.034).rows(5, 0.22) {
         builder.cuboid("wood", Bay::around(rung.center(), rung.width(), 0.03, rung.depth()));
     }
-}
-
-/// An examination couch on steel legs, its head end raised, with a roll of paper.
-pub(super) fn treatment_bed(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let slot = draft.sampler().pick(&["leather", "plastic"]);
-    let lying = bay.height() * 0.82;
-    let pad = (bay.height() * 0.12).min(0.1);
-    let head = bay.depth() * 0.3;
-    let couch = bay.with_y([lying - pad, lying]);
-    builder.cushion(slot, couch.without(Side::Back, head), 0.03);
-    let slope = libm::asin(((bay.height() - lying) / head).clamp(0.0, 0.9));
-    let rest = rounded_box(Bay::new(bay.x(), [-pad, 0.0], [-head, -0.012]), DVec3::splat(0.03), 2);
-    builder.add(slot, rest.turned_x(slope).moved(0.0, lying, bay.low.z + head));
-    let frame = bay.with_y([lying - pad - 0.04, lying - pad + SINK]).inset(0.05, 0.0, 0.06);
-    builder.cuboid("metal", frame);
-    let legs = frame.with_y([0.0, frame.low.y + SINK]).inset(0.002, 0.0, 0.002);
-    legs_at_corners(builder, "chrome", legs, 0.04, LegKind::Round);
-    let roll =
-        turned_forward(cylinder(0.04, [0.0, bay.width() * 0.7], 10)).turned_y(std::f64::consts::FRAC_PI_2);
-    let z = bay.low.z + 0.045;
-    builder.add("paper", roll.moved(-bay.width() * 0.35, frame.low.y - 0.035, z));
 }

@@ -62,7 +62,8 @@ impl Couch {
         let at = DVec3::new(-width / 2.0, self.under() - radius - 0.004, self.bay.low.z + radius + 0.002);
         builder.add("paper", roll.moved(at.x, at.y, at.z));
         for side in [-1.0, 1.0] {
-            let holder = Bay::around(at + DVec3::X * (width * (0.5 + 0.5 * side) + side * 0.004), 0.008, 0.05, 0.05);
+            let holder =
+                Bay::around(at + DVec3::X * (width * (0.5 + 0.5 * side) + side * 0.003), 0.008, 0.05, 0.05);
             builder.cuboid("metal_dark", holder.without(Side::Above, -0.06));
         }
     }
@@ -133,7 +134,8 @@ fn chest(builder: &mut Builder, frame: Bay) {
         let rows = if index == 1 { column.rows(1, 0.0) } else { column.rows(3, 0.008) };
         for front in rows {
             builder.cuboid("laminate", front.slab(Side::Right, 0.012));
-            let grip = Bay::around(front.center().with_x(front.high.x + 0.008), 0.016, 0.012, front.depth() * 0.4);
+            let grip =
+                Bay::around(front.center().with_x(front.high.x + 0.007), 0.016, 0.012, front.depth() * 0.4);
             builder.cuboid("metal", grip);
         }
     }
@@ -174,13 +176,13 @@ fn industrial(couch: &Couch, builder: &mut Builder) {
     let frame = couch.frame(builder, "metal_dark", 0.02);
     let radius = 0.016;
     let (x, high) = (frame.high.x - radius, frame.low.y - 0.002);
-    let wheel = if couch.form.is_multiple_of(2) { 0.06 } else { 0.0 };
+    let wheel: f64 = if couch.form.is_multiple_of(2) { 0.06 } else { 0.0 };
     for z in [frame.low.z + 0.14, frame.high.z - 0.14] {
         let bow = [
-            DVec3::new(-x, wheel, z),
+            DVec3::new(-x, wheel.max(0.01), z),
             DVec3::new(-x, high, z),
             DVec3::new(x, high, z),
-            DVec3::new(x, wheel, z),
+            DVec3::new(x, wheel.max(0.01), z),
         ];
         builder.add(tube, sweep(&bow, radius, 6));
         for x in [-x, x] {
@@ -214,13 +216,21 @@ fn budget(couch: &Couch, builder: &mut Builder) {
     let wood = ["wood_light", "metal", "wood_light", "metal"][couch.form];
     couch.pads(builder, slot, 0.014);
     let frame = couch.frame(builder, wood, 0.05);
-    let seam = Bay::around(DVec3::new(0.0, couch.lying - couch.pad * 0.5, frame.center().z), couch.bay.width() - 0.004, couch.pad * 1.002, 0.008);
+    let seam = Bay::around(
+        DVec3::new(0.0, couch.lying - couch.pad * 0.5, frame.center().z),
+        couch.bay.width() - 0.004,
+        couch.pad + 0.002,
+        0.008,
+    );
     builder.cuboid("rubber", seam);
     let (x, high) = (frame.high.x - 0.03, frame.low.y + 0.02);
     let reach = frame.depth() / 2.0 - 0.05;
     for end in [-1.0, 1.0] {
         let middle = frame.center().z;
-        let leg = [DVec3::new(x, 0.0, middle + end * reach), DVec3::new(x * 0.94, high, middle + end * reach * 0.84)];
+        let leg = [
+            DVec3::new(x, 0.0, middle + end * reach),
+            DVec3::new(x * 0.94, high, middle + end * reach * 0.84),
+        ];
         builder.add_pair(wood, sweep(&leg, 0.02, 4));
         let stay = [
             DVec3::new(x * 0.95, high, middle + end * reach * 0.24),
@@ -233,5 +243,11 @@ fn budget(couch: &Couch, builder: &mut Builder) {
         let cable = [DVec3::new(x * 0.9, y, middle + end * reach * 0.92), DVec3::new(x * 0.9, high, middle)];
         builder.add_pair("metal_dark", sweep(&cable, 0.003, 4));
     }
-    handle(builder, "plastic_dark", (HandleKind::Level, 0.14), DVec3::new(0.0, frame.center().y, frame.high.z), 0.03);
+    handle(
+        builder,
+        "plastic_dark",
+        (HandleKind::Level, 0.14),
+        DVec3::new(0.0, frame.center().y, frame.high.z),
+        0.03,
+    );
 }
