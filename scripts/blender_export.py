@@ -20,6 +20,7 @@ Beyond Blender's own export with custom properties and lights:
 import argparse
 import importlib.util
 import json
+import logging
 import os
 import re
 import struct
@@ -217,12 +218,16 @@ def export_level(path, level: str | None = None) -> list[str]:
     with _whole(path) as partial:
         strays, notes = _strays(root)
         with _as_alone(root, strays):
+            silenced = logging.root.manager.disable
+            logging.disable(logging.WARNING)  # it has a line for each texture
             try:
                 bpy.ops.export_scene.gltf(
                     filepath=str(partial), export_format="GLB", export_extras=True, export_lights=True,
                     export_yup=True, export_animations=False, use_active_scene=True)
             except RuntimeError as error:
                 raise ExportError(f"Blender cannot export: {error}") from error
+            finally:
+                logging.disable(silenced)
         notes += put_in_order(partial)
     return notes
 

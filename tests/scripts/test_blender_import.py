@@ -17,6 +17,9 @@ if HAS_BLENDER:
     import bpy
 
 KINDS = blender_import.KINDS
+# One red pixel.
+PNG = bytes.fromhex("89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000c49444154789c63f8"
+                    "cfc0000003010100c9fe92ef0000000049454e44ae426082")
 
 
 def storey(level: str, elevation: float, site: dict | None = None):
@@ -215,6 +218,23 @@ class TestBlender:
         assert bpy.data.objects["desk.1@101"].data == bpy.data.objects["desk.2@101.001"].data
         assert not any(name.startswith("roomwright") for kind in ("objects", "materials", "meshes")
                        for one in getattr(bpy.data, kind) for name in one.keys())
+
+    def test_images_inside_files_are_one_in_all_floors(self, tmp_path):
+        for level, name in (("1", "modern.wood"), ("2", "modern.metal")):
+            floor = storey(level, 0.0)
+            floor.document["bufferViews"].append(
+                {"buffer": 0, "byteOffset": len(floor.binary), "byteLength": len(PNG)})
+            floor.binary += PNG + b"\0" * (-len(PNG) % 4)
+            floor.document |= {"images": [{"mimeType": "image/png", "name": "grain",
+                                           "bufferView": len(floor.document["bufferViews"]) - 1}],
+                               "textures": [{"source": 0}]}
+            wood = floor.document["materials"][0]
+            wood["name"], wood["pbrMetallicRoughness"]["baseColorTexture"] = name, {"index": 0}
+            floor.write(tmp_path / f"{level}.glb")
+        import_bake(tmp_path)
+        assert sorted(one.name for one in bpy.data.materials) == ["modern.glass", "modern.metal", "modern.wood"]
+        assert [one.name for one in bpy.data.images] == ["grain"] and bpy.data.images[0].packed_file
+        assert tuple(bpy.data.images[0].size) == (1, 1)
 
     def test_what_differs_is_not_shared(self, tmp_path):
         first, second = storey("ground", 0.0), storey("upper", 3.0)
