@@ -156,16 +156,20 @@ class Floor:
 
 
 def bounds_of(gltf: GltfFile) -> tuple[tuple[float, ...], tuple[float, ...]] | None:
-    low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    boxes: dict[int, np.ndarray] = {}
+    """The box around the boxes of all meshes."""
+    places: dict[int, list[np.ndarray]] = {}
     for node in gltf.nodes:
-        if node.mesh is None:
-            continue
-        if node.mesh not in boxes:
-            boxes[node.mesh] = corners_of(gltf, node.mesh)
-        corners = boxes[node.mesh] @ node.world[:3, :3].T + node.world[:3, 3]
-        low, high = np.minimum(low, corners.min(axis=0)), np.maximum(high, corners.max(axis=0))
-    return None if not np.isfinite(low).all() else (tuple(low.tolist()), tuple(high.tolist()))
+        if node.mesh is not None:
+            places.setdefault(node.mesh, []).append(node.world)
+    if not places:
+        return None
+    boxes = []
+    for mesh, worlds in places.items():
+        matrices = np.stack(worlds)
+        corners = corners_of(gltf, mesh) @ matrices[:, :3, :3].transpose(0, 2, 1) + matrices[:, None, :3, 3]
+        boxes.append(corners.reshape(-1, 3))
+    everything = np.concatenate(boxes)
+    return tuple(everything.min(axis=0).tolist()), tuple(everything.max(axis=0).tolist())
 
 
 def corners_of(gltf: GltfFile, mesh: int) -> np.ndarray:

@@ -26,13 +26,16 @@ class Textures:
         shared = settings.root / TEXTURE_FOLDER
         self.folder = target.with_suffix(".textures") if settings.is_self_contained else shared
         self.files: dict[int, Path] = {}
+        self.paths: dict[tuple[int, Path], str] = {}
 
     def path(self, texture: int, layer_folder: Path) -> str:
         """The path of a texture's image, relative to a layer in a folder."""
         image = self.gltf.document["textures"][texture]["source"]
         if image not in self.files:
             self.files[image] = self.own_file(image) or self.copy(image)
-        return relative_path(self.files[image], layer_folder)
+        if (image, layer_folder) not in self.paths:
+            self.paths[image, layer_folder] = relative_path(self.files[image], layer_folder)
+        return self.paths[image, layer_folder]
 
     def own_file(self, image: int) -> Path | None:
         """The image's file, where it can stay."""
