@@ -43,7 +43,6 @@ from usd.writing import WriteError
 SCENE_ENDINGS = {".glb", ".gltf"}
 # Metres: cups, books and lamps are smaller, seats are not.
 SMALL = 0.5
-FAULTS = (GltfError, WriteError, OSError, KeyError, IndexError, TypeError, ValueError, Tf.ErrorException)
 
 
 class Job(NamedTuple):
@@ -58,9 +57,10 @@ def convert_file(job: Job) -> Written | str:
     """What was written, or what went wrong."""
     try:
         return convert_floor(*job)
-    except FAULTS as error:
-        reason = str(error) if isinstance(error, (GltfError, WriteError)) else f"{type(error).__name__}: {error}"
-        return f"{job.source}: {reason}"
+    except (GltfError, WriteError) as error:
+        return f"{job.source}: {error}"
+    except Exception as error:  # a broken file can raise anything, and may not stop the others
+        return f"{job.source}: {type(error).__name__}: {error}"
 
 
 def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job]:
@@ -113,7 +113,7 @@ def assemble(jobs: list[Job], written: list[Written]) -> int:
         try:
             for file in write_assemblies(floors, settings):
                 print(file)
-        except FAULTS as error:
+        except (WriteError, OSError, KeyError, TypeError, ValueError, Tf.ErrorException) as error:
             failed += 1
             print(f"convert: {settings.root}: {type(error).__name__}: {error}", file=sys.stderr)
     return failed

@@ -26,8 +26,8 @@ SIZE_TOLERANCE = 0.0015
 ROOM_TOLERANCE = 0.0065
 # Two bodies may be in each other by 1 mm (the audit's `collision_depth`), plus the above for each of them.
 OVERLAP_TOLERANCE = 0.004
-# Models may stand out of the shapes that their classes declare by 40 mm (cushions, seams, taps: src/model/agreement.rs),
-# and shapes fit into each other where pieces belong together: a chair under its table, a cup on its basin.
+# Models may stand out of the shapes of their classes by 40 mm (cushions, seams, taps: src/model/agreement.rs), and
+# shapes fit into each other where pieces belong together: a chair under its table, a cup on its basin.
 GROUP_TOLERANCE = 0.04
 
 

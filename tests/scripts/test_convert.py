@@ -4,6 +4,7 @@ import shutil
 
 import numpy as np
 import pytest
+from conftest import build_floor
 from pxr import Kind, Sdf, Usd, UsdGeom, UsdSemantics
 from usd_reading import assert_same_meshes, assert_same_places, assert_same_tree, assert_valid, converted, node_prims
 
@@ -115,6 +116,18 @@ def test_a_folder_keeps_its_tree_and_a_broken_file_fails_alone(floor, tmp_path, 
     assert not [path for path in (tmp_path / "out").rglob(".*")], "nothing is left half written"
     error = capsys.readouterr().err
     assert "broken.glb: not a glTF file" in error and "convert: 2 of 2 files, 1 faults" in error
+
+
+def test_a_file_that_is_glTF_and_says_nonsense_fails_alone(floor, tmp_path, capsys):
+    floor.write(tmp_path / "good.glb")
+    for number, nonsense in enumerate(({"extras": ["desk"]}, {"mesh": 99}, {"translation": "left"}, {"children": [0]})):
+        odd = build_floor()
+        odd.find("desk.1@101").update(nonsense)
+        odd.write(tmp_path / f"odd{number}.glb")
+    assert convert.main([str(tmp_path), "--out", str(tmp_path / "usd")]) == 1
+    assert [file.name for file in (tmp_path / "usd").glob("*.usdc")] == ["good.usdc"]
+    error = capsys.readouterr().err
+    assert all(f"odd{number}.glb: " in error for number in range(4)) and "Traceback" not in error
 
 
 def test_nothing_to_convert_cannot_start(tmp_path):
