@@ -173,3 +173,74 @@ fn names_from_plans_mean_nothing_in_markdown_and_html() {
     let page = html(&report, &std::collections::BTreeMap::new(), HtmlLimits::default());
     assert!(page.contains("&lt;script&gt;") && !page.contains("<script>"));
 }
+
+/// Pictures of the only room of two files.
+fn pictures(old: &str, new: &str) -> RoomPictures {
+    let root = tempfile::tempdir().unwrap();
+    let (before, after) = (root.path().join("old.gltf"), root.path().join("new.gltf"));
+    fs::write(&before, old).unwrap();
+    fs::write(&after, new).unwrap();
+    let report = compared(&before, &after);
+    let level = &report.levels[0];
+    let rooms: Vec<&RoomDiff> = level.rooms.iter().collect();
+    draw_rooms(level, &rooms, (&before, &after), &catalog()).remove(0)
+}
+
+#[test]
+fn pictures_mark_what_differs_and_have_one_frame() {
+    use crate::draw::MarkKind::{Added, Changed, Removed};
+    let marks = |svg: &Option<String>| {
+        let svg = svg.as_ref().unwrap();
+        [Added, Removed, Changed]
+            .map(|kind| svg.matches(&format!("fill=\"{}\" fill-opacity", kind.color())).count())
+    };
+    let size = |svg: &Option<String>| {
+        svg.as_ref().unwrap().split("viewBox").nth(1).map(|rest| rest[..20].to_owned())
+    };
+    let moved = pictures(&level(0, 1.0), &level(0, 2.0));
+    assert_eq!((marks(&moved.old), marks(&moved.new)), ([0, 0, 1], [0, 0, 1]));
+    assert_eq!(size(&moved.old), size(&moved.new));
+    // An arrow from where it was, in the picture after only.
+    let arrows = |svg: &Option<String>| svg.as_ref().unwrap().matches("stroke-width=\"1.6\"").count();
+    assert_eq!((arrows(&moved.old), arrows(&moved.new)), (0, 1));
+    // Another class, too far away to be a swap, that no catalogue knows: drawn as a box.
+    let other =
+        level(0, 3.0).replace("\"class\":\"chair\"", "\"class\":\"throne\"").replace("chair.1", "throne.1");
+    let swapped = pictures(&level(0, 1.0), &other);
+    assert_eq!((marks(&swapped.old), marks(&swapped.new)), ([0, 1, 0], [1, 0, 0]));
+    assert!(
+        swapped.new.unwrap().contains("stroke-dasharray=\"3 2\"") && !swapped.old.unwrap().contains("3 2")
+    );
+}
+
+#[test]
+fn a_room_on_one_side_has_one_picture() {
+    let other = level(0, 1.0).replace("\"room\":\"a\"", "\"room\":\"b\"");
+    let root = tempfile::tempdir().unwrap();
+    let (before, after) = (root.path().join("old.gltf"), root.path().join("new.gltf"));
+    fs::write(&before, level(0, 1.0)).unwrap();
+    fs::write(&after, other).unwrap();
+    let report = compared(&before, &after);
+    let rooms: Vec<&RoomDiff> = report.levels[0].rooms.iter().collect();
+    let drawn = draw_rooms(&report.levels[0], &rooms, (&before, &after), &catalog());
+    let sides: Vec<(bool, bool)> =
+        drawn.iter().map(|pair| (pair.old.is_some(), pair.new.is_some())).collect();
+    assert_eq!(sides, [(true, false), (false, true)]);
+}
+
+#[test]
+fn text_and_page_count_what_they_leave_out() {
+    let root = tempfile::tempdir().unwrap();
+    let (old, new) = (root.path().join("old"), root.path().join("new"));
+    bake(&old, 50, 0);
+    bake(&new, 50, 1);
+    let report = compared(&old, &new);
+    let lines =
+        |is_short: bool| text(&report, is_short).lines().filter(|line| line.starts_with("~ ")).count();
+    assert_eq!((lines(true), lines(false)), (40, 50));
+    assert!(text(&report, true).contains("… and 10 more levels; --all shows them"));
+    let limits = HtmlLimits { rooms: 7, levels: 9 };
+    let page = html(&report, &std::collections::BTreeMap::new(), limits);
+    assert_eq!((page.matches("<h2").count(), page.matches("<tr><td").count()), (7, 9 + 1));
+    assert!(page.contains("43 more rooms left out") && page.contains("41 more levels left out"));
+}

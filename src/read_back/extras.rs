@@ -93,6 +93,7 @@ pub(super) struct RoomExtras {
     #[serde(rename = "type")]
     pub(super) room_type: String,
     pub(super) style: String,
+    #[serde(deserialize_with = "seed")]
     pub(super) seed: u64,
     pub(super) outline: Vec<Corner>,
     pub(super) holes: Vec<Vec<Corner>>,
@@ -131,6 +132,20 @@ pub(super) struct FurnitureExtras {
     pub(super) side: String,
     pub(super) size: [f64; 3],
     pub(super) variant: u32,
+}
+
+/// A seed. Blender's properties hold 32 bits: larger numbers become text on their way through it.
+fn seed<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged, expecting = "a seed is a whole number from 0 on")]
+    enum Written {
+        Number(u64),
+        Text(String),
+    }
+    match Written::deserialize(deserializer)? {
+        Written::Number(number) => Ok(number),
+        Written::Text(text) => text.parse().map_err(serde::de::Error::custom),
+    }
 }
 
 impl Extras {

@@ -124,7 +124,12 @@ pub(super) fn read(
     problems: &mut Vec<Problem>,
 ) -> Result<Inventory, Problem> {
     let level = super::level::level_extras(nodes)?;
-    let settings = [("generator", level.generator), ("seed", level.seed)];
+    // As text: large numbers come back as such from Blender.
+    let text = |value: Value| match value {
+        Value::Number(number) => Value::String(number.to_string()),
+        other => other,
+    };
+    let settings = [("generator", level.generator), ("seed", text(level.seed))];
     let mut inventory = Inventory {
         building: level.building,
         level: level.level,

@@ -6,7 +6,10 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use gltf::json::{Index, Root, accessor::Accessor};
+use gltf::json::accessor::Accessor;
+use gltf::json::mesh::Primitive;
+use gltf::json::validation::Checked;
+use gltf::json::{Index, Root};
 
 use super::extras::Extras;
 use super::tree::Node;
@@ -83,21 +86,21 @@ pub(super) fn material_names(document: &Root, mesh: Option<usize>) -> Vec<String
     names
 }
 
-/// Counts and bounds of a mesh's corners, to a tenth of a millimetre.
+/// Triangles and bounds of a mesh's primitives, to a tenth of a millimetre. Not how many corners they share: editors split
+/// and join those, and order primitives as they like.
 fn shape(document: &Root, mesh: usize) -> String {
-    let mut text = String::new();
     let accessor = |index: Index<Accessor>| document.accessors.get(index.value());
-    for primitive in document.meshes.get(mesh).iter().flat_map(|mesh| &mesh.primitives) {
+    let primitives = document.meshes.get(mesh).map_or(&[][..], |mesh| &mesh.primitives);
+    let describe = |primitive: &Primitive| {
         let corners = primitive.indices.and_then(accessor).map_or(0, |found| found.count.0);
-        let positions = gltf::json::validation::Checked::Valid(gltf::Semantic::Positions);
-        let positions = primitive.attributes.get(&positions).and_then(|&index| accessor(index));
-        let _ = write!(text, "{corners}/");
-        if let Some(found) = positions {
-            let bounds = [&found.min, &found.max].map(|bound| bounds(bound.as_ref()));
-            let _ = write!(text, "{} {bounds:?} ", found.count.0);
-        }
-    }
-    text
+        let positions = primitive.attributes.get(&Checked::Valid(gltf::Semantic::Positions));
+        let positions = positions.and_then(|&index| accessor(index));
+        let bounds = positions.map(|found| [&found.min, &found.max].map(|bound| bounds(bound.as_ref())));
+        format!("{corners} {bounds:?}")
+    };
+    let mut described: Vec<String> = primitives.iter().map(describe).collect();
+    described.sort();
+    described.join(" ")
 }
 
 fn bounds(value: Option<&serde_json::Value>) -> Vec<i64> {
@@ -140,8 +143,14 @@ fn lights(document: &Root) -> Described {
     let lights = document.extensions.as_ref().and_then(|extensions| extensions.khr_lights_punctual.as_ref());
     let lights = lights.map_or(&[][..], |found| &found.lights);
     let entries = lights.iter().enumerate().map(|(number, light)| {
-        let name = light.name.clone().unwrap_or_else(|| number.to_string());
-        (name, format!("{:?} {}", light.color, light.intensity))
+        let name = light.name.as_deref().map_or_else(|| number.to_string(), |name| own_name(name).to_owned());
+        (name, format!("{:.4?} {:.2}", light.color, light.intensity))
     });
     entries.collect()
+}
+
+/// A name without the number that Blender gives to the second thing of a name: `.001`.
+fn own_name(name: &str) -> &str {
+    let is_number = |end: &&str| end.len() == 3 && end.bytes().all(|byte| byte.is_ascii_digit());
+    name.rsplit_once('.').filter(|(_, end)| is_number(end)).map_or(name, |(own, _)| own)
 }

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use glam::DVec3;
 use serde_json::{Value, json};
 
-use super::{ReadLevel, parse_level};
+use super::{Inventory, ReadLevel, parse_inventory, parse_level};
 use crate::catalog::{Catalog, Size};
 use crate::geometry::Point;
 use crate::layout::Parent;
@@ -186,4 +187,86 @@ fn files_without_a_level_and_files_cut_off_are_refused() {
     for length in (0..60).chain([glb.len() / 2, glb.len() - 1]) {
         assert!(!refused(&glb[..length]).is_empty());
     }
+}
+
+/// What a file says itself.
+fn inventory(file: &Value) -> (Inventory, String) {
+    let (read, faults) = parse_inventory(Path::new("a.gltf"), file.to_string().as_bytes()).unwrap();
+    (read, faults.to_string())
+}
+
+#[test]
+fn an_inventory_needs_no_catalogue_and_tells_where_things_are() {
+    let mut file = file();
+    file["nodes"][4]["extras"]["class"] = "throne".into();
+    let half = core::f64::consts::FRAC_1_SQRT_2;
+    file["nodes"][4]["rotation"] = json!([0.0, half, 0.0, half]);
+    let (read, faults) = inventory(&file);
+    assert!(faults.is_empty(), "{faults}");
+    let room = &read.rooms["a"];
+    let [desk, laptop] = &room.objects[..] else { panic!("{room:?}") };
+    assert_eq!(
+        (desk.class.as_str(), desk.parent.as_str(), laptop.parent.as_str()),
+        ("throne", "wall.2", "desk.1")
+    );
+    // A quarter turn counter-clockwise from above: east becomes north.
+    let east = desk.rotation * DVec3::X;
+    assert!(east.distance(DVec3::Y) < 1e-6, "{east}");
+    // Half a metre to the desk's right and a tenth to its front, 0.74 m up.
+    assert!(laptop.position.distance(DVec3::new(2.1, 2.5, 0.74)) < 1e-6, "{}", laptop.position);
+    assert_eq!(room.missing, [("chair".to_owned(), "no place".to_owned())]);
+    // An outline, and in the other room a column.
+    assert_eq!((room.rings.len(), read.rooms["b"].rings.len()), (1, 2));
+    assert_eq!(read.openings[0].id, "door:d");
+}
+
+#[test]
+fn what_hangs_below_an_object_belongs_to_it_whatever_it_says() {
+    let mut file = file();
+    file["nodes"][5]["extras"]["parent"] = "floor".into();
+    assert_eq!(inventory(&file).0.rooms["a"].objects[1].parent, "desk.1");
+}
+
+#[test]
+fn a_broken_piece_or_room_is_named_and_left_out() {
+    for node in [2, 5] {
+        let mut file = file();
+        file["nodes"][node]["extras"]["style"] = json!([]);
+        file["nodes"][node]["extras"]["variant"] = json!("red");
+        let (read, faults) = inventory(&file);
+        assert!(read.rooms.keys().eq(["b"]) && read.broken_rooms.contains("a"), "{read:?}");
+        assert!(faults.contains("extras that cannot be read"), "{faults}");
+    }
+}
+
+#[test]
+fn seeds_may_be_text_as_blender_writes_them() {
+    let mut file = file();
+    file["nodes"][2]["extras"]["seed"] = "18446744073709551615".into();
+    assert_eq!(inventory(&file).0.rooms["a"].seed, u64::MAX);
+    assert_eq!(judged(&file).0, [true, true]);
+    for wrong in [json!("many"), json!(-1), json!("18446744073709551616")] {
+        file["nodes"][2]["extras"]["seed"] = wrong;
+        assert_eq!(judged(&file).0, [true], "the room is left out");
+    }
+}
+
+#[test]
+fn a_model_is_its_triangles_and_bounds_not_its_corners() {
+    let with = |corners: u64, indices: u64, top: f64| {
+        let mut file = file();
+        file["accessors"] = json!([
+            {"componentType": 5126, "type": "VEC3", "count": corners, "min": [0, 0, 0], "max": [1.6, top, 0.8]},
+            {"componentType": 5125, "type": "SCALAR", "count": indices}]);
+        file["meshes"] = json!([{"name": "desk.0", "primitives": [
+            {"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}]);
+        file["materials"] = json!([{"name": "plain.wood"}]);
+        file["nodes"][4]["mesh"] = 0.into();
+        inventory(&file).0
+    };
+    let read = with(24, 36, 0.74);
+    assert_eq!(read.rooms["a"].objects[0].materials, ["plain.wood"]);
+    assert_eq!(read.looks.models, with(30, 36, 0.74).looks.models);
+    assert_ne!(read.looks.models, with(24, 39, 0.74).looks.models);
+    assert_ne!(read.looks.models, with(24, 36, 0.75).looks.models);
 }
