@@ -67,7 +67,6 @@ pub(super) fn glass(draft: &Draft, builder: &mut Builder) {
     if bay.height() > bay.width() * 2.2 || (draft.is_traditional() && bay.height() > bay.width() * 1.6) {
         let stem = [
             (0.0, 0.8),
-            (0.02, 0.75),
             (0.05, 0.12),
             (0.42, 0.12),
             (0.54, 0.6),
@@ -78,6 +77,8 @@ pub(super) fn glass(draft: &Draft, builder: &mut Builder) {
             (0.58, 0.5),
         ];
         builder.add("glass", turned(bay, &stem));
+        let wine = [(0.585, 0.48), (0.7, 0.84), (0.71, 0.3)];
+        builder.add(["book", "brass", "book", "fabric_accent"][look], turned(bay, &wine));
         return;
     }
     let profile: &[(f64, f64)] = match look {
@@ -87,10 +88,8 @@ pub(super) fn glass(draft: &Draft, builder: &mut Builder) {
         _ => &[(0.0, 0.7), (0.3, 0.92), (0.6, 1.0), (1.0, 0.9), (1.0, 0.83), (0.12, 0.64)],
     };
     builder.add("glass", turned(bay, profile));
-    let drink = [(0.2, 0.6), (0.5, 0.68), (0.52, 0.3)];
-    if look % 2 == 1 {
-        builder.add(if look == 1 { "fabric_accent" } else { "linen" }, turned(bay, &drink));
-    }
+    let drink = [(0.215, 0.6), (0.5, 0.68), (0.52, 0.3)];
+    builder.add(["leather", "fabric_accent", "brass", "leaf"][look], turned(bay, &drink));
 }
 
 /// A bottle with a label and a cap: for wine, for beer or sauce, a flask with a broad shoulder, a carafe with a cork.

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::input::Draft;
+use super::input::{Draft, GeometrySet};
+use super::parts::turned_forward;
 use crate::catalog::Side;
 use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, loft, sweep};
 
@@ -93,7 +94,11 @@ pub(super) fn towel_rail(draft: &Draft, builder: &mut Builder) {
     let x = draft.sampler().between(-0.3, 0.3) * (bay.width() - width) * 0.5;
     let towel =
         Bay::new([x - width / 2.0, x + width / 2.0], [y - drop, y], [z - bay.depth() * 0.2, bay.high.z]);
-    builder.cushion("linen", towel, bay.depth() * 0.2);
+    let [slot, border] = towel_slots(draft);
+    builder.cushion(slot, towel, bay.depth() * 0.2);
+    let low = y - drop + (drop * 0.1).min(0.06);
+    let strip = towel.inset(-0.0006, 0.0, -0.0006).with_y([low, low + (drop * 0.06).min(0.03)]);
+    builder.cuboid(border, strip);
 }
 
 /// A paper or soap dispenser on a wall.
@@ -149,13 +154,75 @@ pub(super) fn bin(draft: &Draft, builder: &mut Builder) {
     }
 }
 
-/// A folded towel.
+/// Materials of a towel and of its border, which differ so that both show on white.
+fn towel_slots(draft: &Draft) -> [&'static str; 2] {
+    let form = draft.input.look as usize % 4;
+    match draft.set() {
+        GeometrySet::Plain => {
+            [["fabric_accent", "linen"], ["fabric", "linen"], ["linen", "fabric_accent"], ["leaf", "linen"]]
+                [form]
+        }
+        GeometrySet::Traditional => {
+            [["linen", "fabric_accent"], ["book", "brass"], ["fabric_light", "leather"], ["fabric", "linen"]]
+                [form]
+        }
+        GeometrySet::Industrial => [
+            ["fabric", "metal_dark"],
+            ["leather", "linen"],
+            ["concrete", "leather"],
+            ["fabric_accent", "linen"],
+        ][form],
+        GeometrySet::Budget => {
+            [["fabric_accent", "plastic"], ["leaf", "paper"], ["book", "paper"], ["paper", "fabric_accent"]]
+                [form]
+        }
+    }
+}
+
+/// Metres of a towel's border and of its distance from the hem.
+const BORDER: [f64; 2] = [0.02, 0.03];
+
+/// A towel: folded in layers, with a border across, rolled, or folded thin.
 pub(super) fn towel(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let slot = draft.sampler().pick(&["linen", "fabric_light", "fabric_accent"]);
-    let count = (bay.height() / 0.03).round().clamp(1.0, 4.0) as u32;
+    let [slot, border] = towel_slots(draft);
+    if draft.set() == GeometrySet::Industrial {
+        rolls(builder, bay, [slot, border]);
+        return;
+    }
+    let most = if draft.set() == GeometrySet::Budget { 2 } else { 3 };
+    let count = ((bay.height() / 0.03).round() as u32).clamp(1, most);
     for (index, layer) in bay.rows(count, -0.001).into_iter().enumerate() {
         let back = if index % 2 == 0 { 0.0 } else { bay.width() * 0.015 };
-        builder.cushion(slot, layer.inset(back, 0.0, back), layer.height() * 0.4);
+        let slot = if draft.set() == GeometrySet::Plain && index == 1 { border } else { slot };
+        let radius = layer.height() * 0.4;
+        if index == 0 {
+            builder.block(slot, layer.inset(back, 0.0, back), radius);
+        } else {
+            builder.cushion(slot, layer.inset(back, 0.0, back), radius);
+        }
+    }
+    if draft.set() != GeometrySet::Plain {
+        let strip = bay.slab(Side::Above, 0.004).moved(0.0, 0.0006, 0.0).inset(bay.height() * 0.06, 0.0, 0.0);
+        let [wide, from] = BORDER;
+        let front = bay.high.z - from.min(bay.depth() * 0.3);
+        builder.cuboid(border, strip.with_z([front - wide.min(bay.depth() * 0.2), front]));
+    }
+}
+
+/// Towels rolled up side by side, the end of the roll showing.
+fn rolls(builder: &mut Builder, bay: Bay, [slot, border]: [&'static str; 2]) {
+    let count = (bay.width() / bay.height()).round().clamp(1.0, 4.0) as u32;
+    for cell in bay.columns(count, 0.002) {
+        let half = cell.extent() / 2.0;
+        for (slot, share, reach) in [(slot, 1.0, half.z - 0.0012), (border, 0.4, half.z)] {
+            let roll = turned_forward(cylinder(1.0, [-reach, reach], 10)).stretched(DVec3::new(
+                half.x * share,
+                half.y * share,
+                1.0,
+            ));
+            let middle = cell.center();
+            builder.add(slot, roll.moved(middle.x, middle.y, middle.z));
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Chairs, stools, benches and rows of seats.
 
 mod auditorium;
+mod bar_stool;
 mod bench;
 mod chair;
 mod office;
@@ -9,7 +10,7 @@ mod stool;
 
 pub(super) use auditorium::auditorium_seat;
 pub(super) use bench::bench;
-pub(super) use chair::chair;
+pub(super) use chair::{chair, garden_chair, school_chair};
 pub(super) use office::office_chair;
 pub(super) use rows::{beam_seats, lounger};
 pub(super) use stool::stool;

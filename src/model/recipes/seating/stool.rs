@@ -2,13 +2,21 @@
 
 use glam::DVec3;
 
+use super::bar_stool::bar_stool;
 use crate::model::kit::{Bay, Builder, SINK, lathe, sweep};
 use crate::model::recipes::input::{Draft, GeometrySet};
 use crate::model::recipes::parts::{CONE, SPINDLE, slanted_leg};
 
-/// A backless seat: round for square boxes, on legs of the set, with a foot ring where it is as high as a bar's.
+/// Metres from which a stool is one for a bar.
+const BAR_FROM: f64 = 0.63;
+
+/// A backless seat: round for square boxes, on legs of the set; one for a bar where it is high.
 pub(in super::super) fn stool(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
+    if bay.height() > BAR_FROM {
+        bar_stool(draft.set(), draft.input.look, builder);
+        return;
+    }
     let form = draft.input.look as usize % 4;
     let radius = bay.width().min(bay.depth()) / 2.0;
     let thickness = [0.05_f64, 0.035, 0.06, 0.03][form].min(bay.height() * 0.2);

@@ -2,9 +2,14 @@
 //! 0.11 m of the rear, as the shape in the catalogue has it, which leans it by the usual 10 to 15 degrees.
 
 mod budget;
+mod garden;
 mod industrial;
 mod plain;
+mod school;
 mod traditional;
+
+pub(in super::super) use garden::garden_chair;
+pub(in super::super) use school::school_chair;
 
 use glam::DVec3;
 
