@@ -10,6 +10,7 @@ from gltf_file import Node
 
 from .specs import Types, apply_schemas, attribute
 
+SIMPLE = {bool, str, int, float}
 # Which of a node's extras name it for who trains on pictures: taxonomy and field, by kind.
 LABELS = {
     "level": ("building", "building"),
@@ -61,7 +62,7 @@ def prim_kind(node: Node) -> str | None:
 
 def usd_value(value):
     """A value that a USD dictionary can hold; what it cannot hold becomes JSON text."""
-    if isinstance(value, (bool, str, int, float)):
+    if type(value) in SIMPLE:
         return value
     if isinstance(value, list) and value and all(isinstance(item, str) for item in value):
         return Vt.StringArray(value)

@@ -34,6 +34,10 @@ class Library:
         self.textures = textures
         self.variants = variants
         self.folder = settings.root / MODEL_FOLDER
+        # The materials of all models, in a layer that nobody writes.
+        self.pattern = Sdf.Layer.CreateAnonymous(".usda")
+        owner = new_prim(self.pattern.pseudoRoot, "Models", "Scope")
+        self.materials = Materials(owner, gltf, textures, self.folder)
 
     def asset(self, mesh: int, collider: str) -> Path:
         """The file of a mesh; `collider` is the shape that a simulator sees, if any."""
@@ -54,7 +58,7 @@ class Library:
         layer.pseudoRoot.SetInfo("upAxis", "Y")
         model.kind = Kind.Tokens.component
         model.assetInfo["name"] = self.gltf.document["meshes"][mesh].get("name", name)
-        materials = Materials(model, self.gltf, self.textures, self.folder)
+        materials = Materials(model, self.gltf, self.textures, self.folder, self.materials)
         parts = write_parts(model, self.gltf, mesh, materials)
         self.variants.bind(model, parts, mesh, materials)
         add_colliders(parts, collider)

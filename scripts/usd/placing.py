@@ -45,7 +45,7 @@ class Swing:
 def place(prim: Sdf.PrimSpec, local: np.ndarray, before: tuple[str, ...] = ()) -> None:
     """The transform of a prim, after the operations that it has."""
     order = list(before)
-    if local is not UNMOVED and not np.array_equal(local, UNMOVED):
+    if local is not UNMOVED and (local != UNMOVED).any():
         matrix = Gf.Matrix4d(*local.T.reshape(-1).tolist())
         attribute(prim, "xformOp:transform", Types.Matrix4d, matrix)
         order.append("xformOp:transform")
