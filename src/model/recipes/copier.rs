@@ -1,12 +1,13 @@
-//! The copier.
+//! Copiers: 0.6 m wide without the tray, 0.65 deep, 1.0 to 1.2 high with the feeder.
+
+use glam::DVec2;
 
 use super::input::Draft;
 use super::parts::{LegKind, legs_at_corners};
 use crate::catalog::Side;
-use crate::model::kit::{Axis, Builder, SINK, extrude};
+use crate::model::kit::{Axis, Bay, Builder, SINK, extrude};
 
 /// A copier on castors: paper drawers, a slot with sheets, a tilted panel, a feeder on top, a tray at its side.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
 pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let look = draft.input.look as usize % 4;
@@ -27,9 +28,32 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
         0.05,
         LegKind::Square,
     );
-    let drawers = body.with_y([foot, height * 0.5]).without(Side::Front, 0.012);
+    cassettes(builder, (shell, dark), body.with_y([foot, height * 0.5]), 3 + draft.input.look % 2);
+    engine(builder, (shell, dark), body);
+    scanner(builder, (shell, dark), body);
+    feeder(builder, (shell, dark), body);
+    // The tray for finished sheets rises outwards.
+    let out = [
+        (body.high.x - 0.005, height * 0.56),
+        (bay.high.x, height * 0.64),
+        (bay.high.x, height * 0.65),
+        (body.high.x - 0.005, height * 0.575),
+    ]
+    .map(DVec2::from);
+    builder.add(dark, extrude(&out, Axis::Z, [body.low.z + 0.08, body.high.z - 0.14]));
+    builder.cuboid(
+        shell,
+        body.slab(Side::Right, 0.02)
+            .inset(0.0, 0.0, 0.106)
+            .moved(0.006, 0.0, -0.02)
+            .with_y([height * 0.497, height * 0.7]),
+    );
+}
+
+/// Drawers for paper, each with a grip and a label.
+fn cassettes(builder: &mut Builder, (shell, dark): (&'static str, &'static str), bay: Bay, count: u32) {
+    let drawers = bay.without(Side::Front, 0.012);
     builder.block(shell, drawers, 0.006);
-    let count = 3 + draft.input.look % 2;
     for row in drawers.inset(0.012, 0.012, 0.0).rows(count, 0.01) {
         let front = row.with_z([drawers.high.z - SINK, drawers.high.z + 0.008]);
         builder.block(shell, front, 0.003);
@@ -43,6 +67,11 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
                 .with_z([front.high.z - SINK, front.high.z + 0.001]),
         );
     }
+}
+
+/// The engine, with the slot in which sheets come out.
+fn engine(builder: &mut Builder, (shell, dark): (&'static str, &'static str), body: Bay) {
+    let height = body.height();
     let neck =
         body.with_y([height * 0.5 - SINK, height * 0.72]).without(Side::Front, 0.03).inset(0.004, 0.0, 0.004);
     builder.cuboid(shell, neck.slab(Side::Back, neck.depth() * 0.4));
@@ -57,6 +86,11 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
         .without(Side::Left, body.width() * 0.22 - SINK * 3.0);
     builder.cuboid(dark, hollow.with_y([neck.low.y + 0.0024, neck.low.y + 0.03]).inset(0.0, 0.0, 0.001));
     builder.cuboid("paper", hollow.with_y([neck.low.y + 0.029, neck.low.y + 0.042]).inset(0.05, 0.0, 0.04));
+}
+
+/// The scanner, and the tilted panel before it.
+fn scanner(builder: &mut Builder, (shell, dark): (&'static str, &'static str), body: Bay) {
+    let (bay, height) = (builder.bay(), body.height());
     let scanner = body.with_y([height * 0.72 - SINK, height * 0.82]);
     builder.block(shell, scanner.without(Side::Front, 0.02), 0.008);
     let panel = [
@@ -65,7 +99,7 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
         (bay.high.z - 0.03, height * 0.84),
         (bay.high.z - 0.09, height * 0.83),
     ]
-    .map(glam::DVec2::from);
+    .map(DVec2::from);
     let width = body.width() * 0.42;
     let right = body.high.x - 0.02;
     builder.add(dark, extrude(&panel, Axis::X, [right - width, right]));
@@ -75,9 +109,13 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
         (bay.high.z - 0.0262, height * 0.836),
         (bay.high.z - 0.028, height * 0.835),
     ]
-    .map(glam::DVec2::from);
+    .map(DVec2::from);
     builder.add("screen", extrude(&glow, Axis::X, [right - width * 0.9, right - width * 0.3]));
-    // The feeder: a low box with a slope for originals.
+}
+
+/// The feeder: a low box with a slope for originals.
+fn feeder(builder: &mut Builder, (shell, dark): (&'static str, &'static str), body: Bay) {
+    let height = body.height();
     let lid =
         body.inset(0.01, 0.0, 0.02).with_y([height * 0.82 - SINK, height * 0.88]).without(Side::Front, 0.08);
     builder.block(shell, lid, 0.01);
@@ -89,24 +127,8 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
         (lid.high.x - 0.02, height * 0.96),
         (feeder.high.x - 0.01, height * 0.915),
     ]
-    .map(glam::DVec2::from);
+    .map(DVec2::from);
     builder.add(dark, extrude(&slope, Axis::Z, [lid.low.z + 0.06, lid.high.z - 0.06]));
-    let sheet = slope.map(|point| point + glam::DVec2::new(0.004, 0.008));
+    let sheet = slope.map(|point| point + DVec2::new(0.004, 0.008));
     builder.add("paper", extrude(&sheet, Axis::Z, [lid.low.z + 0.1, lid.high.z - 0.1]));
-    // The tray for finished sheets rises outwards.
-    let out = [
-        (body.high.x - 0.005, height * 0.56),
-        (bay.high.x, height * 0.64),
-        (bay.high.x, height * 0.65),
-        (body.high.x - 0.005, height * 0.575),
-    ]
-    .map(glam::DVec2::from);
-    builder.add(dark, extrude(&out, Axis::Z, [body.low.z + 0.08, body.high.z - 0.14]));
-    builder.cuboid(
-        shell,
-        body.slab(Side::Right, 0.02)
-            .inset(0.0, 0.0, 0.106)
-            .moved(0.006, 0.0, -0.02)
-            .with_y([height * 0.497, height * 0.7]),
-    );
 }

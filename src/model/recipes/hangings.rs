@@ -117,76 +117,106 @@ fn poster(builder: &mut Builder, bay: Bay) -> Bay {
 
 const FIELDS: [&str; 6] = ["painted_accent", "fabric_accent", "leaf", "terracotta", "fabric_light", "book"];
 
+/// A sheet to be painted, and the colour that a picture begins with.
+struct Canvas {
+    sheet: Bay,
+    first: usize,
+}
+
+impl Canvas {
+    /// From the back of the sheet to a layer over it.
+    fn front(&self, layer: f64) -> [f64; 2] {
+        [self.sheet.low.z, self.sheet.high.z + LAYER * layer]
+    }
+}
+
 /// Paints a sheet: a landscape, fields of colour, mountains, or circles.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
 fn compose(builder: &mut Builder, sampler: &mut Sampler, sheet: Bay, kind: usize) {
-    let first = sampler.count(0, 2) as usize;
-    let front = |layer: f64| [sheet.low.z, sheet.high.z + LAYER * layer];
+    let canvas = Canvas { sheet, first: sampler.count(0, 2) as usize };
     match kind {
-        0 => {
-            let horizon = sampler.between(0.3, 0.5) * sheet.height();
-            builder.cuboid(FIELDS[first + 1], sheet.with_y([sheet.low.y, sheet.low.y + horizon]));
-            builder.cuboid(FIELDS[4], sheet.with_y([sheet.low.y + horizon + 0.001, sheet.high.y]));
-            let radius = sheet.width().min(sheet.height()) * sampler.between(0.1, 0.18);
-            let x = sampler.between(-0.25, 0.25) * sheet.width();
-            disc(
-                builder,
-                FIELDS[(first + 3) % 6],
-                DVec2::new(x, sheet.low.y + horizon + radius * 0.6),
-                radius,
-                front(2.0),
-            );
-        }
-        1 => {
-            let (x, y) =
-                (sampler.between(0.3, 0.6) * sheet.width(), sampler.between(0.35, 0.65) * sheet.height());
-            let cut = [sheet.low.x + x, sheet.low.y + y];
-            let gap = sheet.width() * 0.02;
-            for (index, (x, y)) in [
-                ([sheet.low.x, cut[0]], [sheet.low.y, cut[1]]),
-                ([cut[0] + gap, sheet.high.x], [sheet.low.y, cut[1] - gap * 3.0]),
-                ([sheet.low.x, cut[0]], [cut[1] + gap, sheet.high.y]),
-                ([cut[0] + gap, sheet.high.x], [cut[1] - gap * 2.0, sheet.high.y]),
-            ]
-            .into_iter()
-            .enumerate()
-            {
-                builder.cuboid(FIELDS[(first + index * 2 + index / 2) % 6], sheet.with_x(x).with_y(y));
-            }
-        }
-        2 => {
-            builder.cuboid(FIELDS[4], sheet);
-            for (index, (left, peak, right, rise)) in
-                [(0.0, 0.32, 0.72, 0.75), (0.3, 0.7, 1.0, 0.6), (0.0, 0.12, 0.5, 0.36)]
-                    .into_iter()
-                    .enumerate()
-            {
-                let at = |share: f64, rise: f64| {
-                    DVec2::new(sheet.low.x + share * sheet.width(), sheet.low.y + rise * sheet.height())
-                };
-                let mountain = [at(left, 0.0), at(right, 0.0), at(peak, rise)];
-                builder.add(
-                    FIELDS[(first + index) % 4],
-                    extrude(&mountain, Axis::Z, front(2.0 + index as f64 * 2.0)),
-                );
-            }
-        }
-        _ => {
-            builder.cuboid(FIELDS[4], sheet);
-            let short = sheet.width().min(sheet.height());
-            for (index, (x, y, size)) in
-                [(-0.12, 0.42, 0.3), (0.2, 0.62, 0.2), (0.08, 0.26, 0.13)].into_iter().enumerate()
-            {
-                let at = DVec2::new(x * short, sheet.low.y + y * sheet.height());
-                disc(
-                    builder,
-                    FIELDS[(first + index) % 4],
-                    at,
-                    size * short * 0.9,
-                    front(2.0 + index as f64 * 2.0),
-                );
-            }
-        }
+        0 => landscape(builder, sampler, &canvas),
+        1 => fields(builder, sampler, &canvas),
+        2 => mountains(builder, &canvas),
+        _ => circles(builder, &canvas),
+    }
+}
+
+/// Two fields that meet at a horizon, and a disc over it.
+fn landscape(builder: &mut Builder, sampler: &mut Sampler, canvas: &Canvas) {
+    let horizon = sampler.between(0.3, 0.5) * canvas.sheet.height();
+    builder.cuboid(
+        FIELDS[canvas.first + 1],
+        canvas.sheet.with_y([canvas.sheet.low.y, canvas.sheet.low.y + horizon]),
+    );
+    builder
+        .cuboid(FIELDS[4], canvas.sheet.with_y([canvas.sheet.low.y + horizon + 0.001, canvas.sheet.high.y]));
+    let radius = canvas.sheet.width().min(canvas.sheet.height()) * sampler.between(0.1, 0.18);
+    let x = sampler.between(-0.25, 0.25) * canvas.sheet.width();
+    disc(
+        builder,
+        FIELDS[(canvas.first + 3) % 6],
+        DVec2::new(x, canvas.sheet.low.y + horizon + radius * 0.6),
+        radius,
+        canvas.front(2.0),
+    );
+}
+
+/// Four fields around a cut that is off the middle.
+fn fields(builder: &mut Builder, sampler: &mut Sampler, canvas: &Canvas) {
+    let (x, y) = (
+        sampler.between(0.3, 0.6) * canvas.sheet.width(),
+        sampler.between(0.35, 0.65) * canvas.sheet.height(),
+    );
+    let cut = [canvas.sheet.low.x + x, canvas.sheet.low.y + y];
+    let gap = canvas.sheet.width() * 0.02;
+    for (index, (x, y)) in [
+        ([canvas.sheet.low.x, cut[0]], [canvas.sheet.low.y, cut[1]]),
+        ([cut[0] + gap, canvas.sheet.high.x], [canvas.sheet.low.y, cut[1] - gap * 3.0]),
+        ([canvas.sheet.low.x, cut[0]], [cut[1] + gap, canvas.sheet.high.y]),
+        ([cut[0] + gap, canvas.sheet.high.x], [cut[1] - gap * 2.0, canvas.sheet.high.y]),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        builder.cuboid(FIELDS[(canvas.first + index * 2 + index / 2) % 6], canvas.sheet.with_x(x).with_y(y));
+    }
+}
+
+/// Three triangles behind each other.
+fn mountains(builder: &mut Builder, canvas: &Canvas) {
+    builder.cuboid(FIELDS[4], canvas.sheet);
+    for (index, (left, peak, right, rise)) in
+        [(0.0, 0.32, 0.72, 0.75), (0.3, 0.7, 1.0, 0.6), (0.0, 0.12, 0.5, 0.36)].into_iter().enumerate()
+    {
+        let at = |share: f64, rise: f64| {
+            DVec2::new(
+                canvas.sheet.low.x + share * canvas.sheet.width(),
+                canvas.sheet.low.y + rise * canvas.sheet.height(),
+            )
+        };
+        let mountain = [at(left, 0.0), at(right, 0.0), at(peak, rise)];
+        builder.add(
+            FIELDS[(canvas.first + index) % 4],
+            extrude(&mountain, Axis::Z, canvas.front(2.0 + index as f64 * 2.0)),
+        );
+    }
+}
+
+/// Three discs, the smaller over the larger.
+fn circles(builder: &mut Builder, canvas: &Canvas) {
+    builder.cuboid(FIELDS[4], canvas.sheet);
+    let short = canvas.sheet.width().min(canvas.sheet.height());
+    for (index, (x, y, size)) in
+        [(-0.12, 0.42, 0.3), (0.2, 0.62, 0.2), (0.08, 0.26, 0.13)].into_iter().enumerate()
+    {
+        let at = DVec2::new(x * short, canvas.sheet.low.y + y * canvas.sheet.height());
+        disc(
+            builder,
+            FIELDS[(canvas.first + index) % 4],
+            at,
+            size * short * 0.9,
+            canvas.front(2.0 + index as f64 * 2.0),
+        );
     }
 }
 

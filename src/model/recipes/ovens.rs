@@ -1,12 +1,12 @@
 //! Cooking: hobs, ovens, cookers, hoods.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::input::{Draft, GeometrySet};
 use super::parts::{Fittings, HandleKind, LegKind, handle, legs_at_corners, turned_forward};
 use crate::catalog::Side;
 use crate::model::kit::{
-    Bay, Builder, Outline, SINK, Slice, cuboid, cylinder, lathe, loft, loft_ring, sweep,
+    Axis, Bay, Builder, Outline, SINK, Slice, cuboid, cylinder, extrude, lathe, loft, loft_ring, sweep,
 };
 
 /// Metres by which handles and knobs stand out.
@@ -204,94 +204,107 @@ pub(super) fn cooker(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A cooker hood: a skirt under a chimney, a mantel, a canopy with a duct, or a flat box.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
 pub(super) fn hood(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let half = bay.extent() / 2.0;
     let look = draft.input.look as usize % 4;
     match draft.set() {
-        GeometrySet::Plain => {
-            let slot = ["metal", "metal_dark", "painted", "metal"][look];
-            let lip = bay.height() * 0.1;
-            builder.block(slot, bay.with_y([0.0, lip]), 0.004);
-            if look % 2 == 1 {
-                // A pane that leans back.
-                let pane = [
-                    Slice::new(lip - SINK, half.x * 0.98, half.z * 0.9).at(0.0, half.z * 0.06),
-                    Slice::new(bay.height() * 0.5, half.x * 0.98, half.z * 0.5).at(0.0, -half.z * 0.49),
-                ];
-                builder.add("screen", loft(&Outline::Square, &pane));
-            }
-            chimney(builder, slot, [lip, half.x * 0.36, half.z * 0.46]);
-            lights(builder);
-        }
-        GeometrySet::Traditional => {
-            let slot = ["wood", "painted", "wood_dark", "plaster"][look];
-            let at = |share: f64, x: f64, z: f64| {
-                Slice::new(bay.height() * share, half.x * x, half.z * z).at(0.0, -half.z * (1.0 - z))
-            };
-            let mantel = [
-                at(0.0, 0.96, 0.96),
-                at(0.05, 0.96, 0.96),
-                at(0.07, 1.0, 1.0),
-                at(0.2, 1.0, 1.0),
-                at(0.22, 0.94, 0.94),
-                at(0.5, 0.7, 0.72),
-                at(0.86, 0.56, 0.62),
-                at(0.88, 0.64, 0.7),
-                at(1.0, 0.64, 0.7),
-            ];
-            builder.add(slot, loft(&Outline::Square, &mantel));
-        }
-        GeometrySet::Industrial => {
-            let slot = ["metal", "metal_dark", "metal", "metal"][look];
-            let at = |share: f64, x: f64, z: f64, back: f64| {
-                Slice::new(bay.height() * share, half.x * x, half.z * z).at(0.0, -half.z * back)
-            };
-            builder.add(
-                slot,
-                loft(
-                    &Outline::Square,
-                    &[at(0.0, 1.0, 1.0, 0.0), at(0.16, 1.0, 1.0, 0.0), at(0.5, 0.42, 0.5, 0.5)],
-                ),
-            );
-            let radius = half.x.min(half.z) * 0.4;
-            let (low, high) = (bay.height() * 0.5, bay.height());
-            let mut duct = vec![(radius, low - 0.01)];
-            for ring in 0..4 {
-                let y = low + (high - low) * (0.15 + 0.22 * f64::from(ring));
-                duct.extend([(radius, y), (radius * 1.06, y + 0.006), (radius, y + 0.012)]);
-            }
-            duct.push((radius, high));
-            builder.add("metal", lathe(&duct, 14).moved(0.0, 0.0, -half.z * 0.5));
-            let rail = [
-                DVec3::new(-half.x * 0.9, bay.height() * 0.08, half.z - 0.012),
-                DVec3::new(half.x * 0.9, bay.height() * 0.08, half.z - 0.012),
-            ];
-            builder.add("metal_dark", sweep(&rail.map(|point| point - DVec3::Z * 0.001), 0.012, 6));
-        }
-        GeometrySet::Budget => {
-            let slot = ["painted", "metal", "appliance", "plastic"][look];
-            let lip = bay.height() * 0.28;
-            let slant = [
-                (half.z - SINK, 0.0),
-                (half.z - SINK, lip * 0.35),
-                (half.z * 0.6, lip),
-                (-half.z, lip),
-                (-half.z, 0.0),
-            ]
-            .map(glam::DVec2::from);
-            builder.add(slot, crate::model::kit::extrude(&slant, crate::model::kit::Axis::X, bay.x()));
-            let visor = bay.with_y([lip * 0.06, lip * 0.3]).slab(Side::Front, 0.006).inset(0.02, 0.0, 0.0);
-            builder.cuboid("glass", visor);
-            let radius = half.x.min(half.z) * 0.3;
-            builder
-                .add("metal", cylinder(radius, [lip - SINK, bay.high.y], 12).moved(0.0, 0.0, -half.z * 0.4));
-            for (index, x) in [-0.5, -0.42, -0.34].into_iter().enumerate() {
-                let key = Bay::around(DVec3::new(x * half.x, lip * 0.5, half.z * 0.9), 0.012, 0.012, 0.02);
-                builder.cuboid(if index == 0 { "lamp" } else { "plastic_dark" }, key);
-            }
-        }
+        GeometrySet::Plain => skirt(builder, look),
+        GeometrySet::Traditional => mantel(builder, look),
+        GeometrySet::Industrial => canopy(builder, look),
+        GeometrySet::Budget => flat_box(builder, look),
+    }
+}
+
+/// A skirt under a chimney, a pane that leans back over some.
+fn skirt(builder: &mut Builder, look: usize) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let slot = ["metal", "metal_dark", "painted", "metal"][look];
+    let lip = bay.height() * 0.1;
+    builder.block(slot, bay.with_y([0.0, lip]), 0.004);
+    if look % 2 == 1 {
+        // A pane that leans back.
+        let pane = [
+            Slice::new(lip - SINK, half.x * 0.98, half.z * 0.9).at(0.0, half.z * 0.06),
+            Slice::new(bay.height() * 0.5, half.x * 0.98, half.z * 0.5).at(0.0, -half.z * 0.49),
+        ];
+        builder.add("screen", loft(&Outline::Square, &pane));
+    }
+    chimney(builder, slot, [lip, half.x * 0.36, half.z * 0.46]);
+    lights(builder);
+}
+
+/// A mantel of mouldings that narrows upwards.
+fn mantel(builder: &mut Builder, look: usize) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let slot = ["wood", "painted", "wood_dark", "plaster"][look];
+    let at = |share: f64, x: f64, z: f64| {
+        Slice::new(bay.height() * share, half.x * x, half.z * z).at(0.0, -half.z * (1.0 - z))
+    };
+    let mantel = [
+        at(0.0, 0.96, 0.96),
+        at(0.05, 0.96, 0.96),
+        at(0.07, 1.0, 1.0),
+        at(0.2, 1.0, 1.0),
+        at(0.22, 0.94, 0.94),
+        at(0.5, 0.7, 0.72),
+        at(0.86, 0.56, 0.62),
+        at(0.88, 0.64, 0.7),
+        at(1.0, 0.64, 0.7),
+    ];
+    builder.add(slot, loft(&Outline::Square, &mantel));
+}
+
+/// A canopy of sheet under a duct with rings, a rail along its front.
+fn canopy(builder: &mut Builder, look: usize) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let slot = ["metal", "metal_dark", "metal", "metal"][look];
+    let at = |share: f64, x: f64, z: f64, back: f64| {
+        Slice::new(bay.height() * share, half.x * x, half.z * z).at(0.0, -half.z * back)
+    };
+    builder.add(
+        slot,
+        loft(&Outline::Square, &[at(0.0, 1.0, 1.0, 0.0), at(0.16, 1.0, 1.0, 0.0), at(0.5, 0.42, 0.5, 0.5)]),
+    );
+    let radius = half.x.min(half.z) * 0.4;
+    let (low, high) = (bay.height() * 0.5, bay.height());
+    let mut duct = vec![(radius, low - 0.01)];
+    for ring in 0..4 {
+        let y = low + (high - low) * (0.15 + 0.22 * f64::from(ring));
+        duct.extend([(radius, y), (radius * 1.06, y + 0.006), (radius, y + 0.012)]);
+    }
+    duct.push((radius, high));
+    builder.add("metal", lathe(&duct, 14).moved(0.0, 0.0, -half.z * 0.5));
+    let rail = [
+        DVec3::new(-half.x * 0.9, bay.height() * 0.08, half.z - 0.012),
+        DVec3::new(half.x * 0.9, bay.height() * 0.08, half.z - 0.012),
+    ];
+    builder.add("metal_dark", sweep(&rail.map(|point| point - DVec3::Z * 0.001), 0.012, 6));
+}
+
+/// A flat box with a slanted front, a visor and keys under a round duct.
+fn flat_box(builder: &mut Builder, look: usize) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let slot = ["painted", "metal", "appliance", "plastic"][look];
+    let lip = bay.height() * 0.28;
+    let slant = [
+        (half.z - SINK, 0.0),
+        (half.z - SINK, lip * 0.35),
+        (half.z * 0.6, lip),
+        (-half.z, lip),
+        (-half.z, 0.0),
+    ]
+    .map(DVec2::from);
+    builder.add(slot, extrude(&slant, Axis::X, bay.x()));
+    let visor = bay.with_y([lip * 0.06, lip * 0.3]).slab(Side::Front, 0.006).inset(0.02, 0.0, 0.0);
+    builder.cuboid("glass", visor);
+    let radius = half.x.min(half.z) * 0.3;
+    builder.add("metal", cylinder(radius, [lip - SINK, bay.high.y], 12).moved(0.0, 0.0, -half.z * 0.4));
+    for (index, x) in [-0.5, -0.42, -0.34].into_iter().enumerate() {
+        let key = Bay::around(DVec3::new(x * half.x, lip * 0.5, half.z * 0.9), 0.012, 0.012, 0.02);
+        builder.cuboid(if index == 0 { "lamp" } else { "plastic_dark" }, key);
     }
 }
 

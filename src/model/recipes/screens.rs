@@ -116,7 +116,6 @@ fn splayed_feet(builder: &mut Builder, slot: &'static str, lift: f64, middle: f6
 }
 
 /// A monitor on a stand: a plate, a disc, a forked foot, or a computer with everything behind its screen.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
 pub(super) fn computer(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let look = draft.input.look as usize % 4;
@@ -144,6 +143,28 @@ pub(super) fn computer(draft: &Draft, builder: &mut Builder) {
         0.004,
     );
     let foot = bay.width() * 0.22;
+    monitor_foot(builder, metal, (look, z, foot));
+    let neck = [
+        (z - 0.034, 0.006),
+        (z - 0.014, 0.006),
+        (z - 0.006, lift + bay.height() * 0.25),
+        (z - 0.022, lift + bay.height() * 0.3),
+    ];
+    let half = foot * if look == 1 { 0.12 } else { 0.25 };
+    builder.add(metal, extrude(&neck.map(DVec2::from), Axis::X, [-half, half]));
+    let cable = [
+        DVec3::new(0.03, lift + 0.06, z - 0.012),
+        DVec3::new(0.05, lift * 0.4, bay.low.z + 0.012),
+        DVec3::new(0.12, 0.004, bay.low.z + 0.004),
+    ];
+    builder.add("plastic_dark", sweep(&cable, 0.0035, 4));
+    let light = DVec3::new(panel.high.x - 0.03, panel.low.y + 0.004, panel.high.z - 0.004);
+    builder.cuboid("lamp", Bay::around(light, 0.01, 0.004, 0.003));
+}
+
+/// What a monitor stands on: a plate, a disc, or two bars; its screen is at `z`, its foot `foot` metres to either side.
+fn monitor_foot(builder: &mut Builder, metal: &'static str, (look, z, foot): (usize, f64, f64)) {
+    let bay = builder.bay();
     match look {
         1 => {
             let radius = bay.depth() / 2.0;
@@ -161,27 +182,4 @@ pub(super) fn computer(draft: &Draft, builder: &mut Builder) {
         }
         _ => builder.block(metal, Bay::new([-foot, foot], [0.0, 0.01], bay.z()), 0.003),
     }
-    let neck = [
-        (z - 0.034, 0.006),
-        (z - 0.014, 0.006),
-        (z - 0.006, lift + bay.height() * 0.25),
-        (z - 0.022, lift + bay.height() * 0.3),
-    ];
-    let half = foot * if look == 1 { 0.12 } else { 0.25 };
-    builder.add(metal, extrude(&neck.map(DVec2::from), Axis::X, [-half, half]));
-    let cable = [
-        DVec3::new(0.03, lift + 0.06, z - 0.012),
-        DVec3::new(0.05, lift * 0.4, bay.low.z + 0.012),
-        DVec3::new(0.12, 0.004, bay.low.z + 0.004),
-    ];
-    builder.add("plastic_dark", sweep(&cable, 0.0035, 4));
-    builder.cuboid(
-        "lamp",
-        Bay::around(
-            DVec3::new(panel.high.x - 0.03, panel.low.y + 0.004, panel.high.z - 0.004),
-            0.01,
-            0.004,
-            0.003,
-        ),
-    );
 }

@@ -8,7 +8,6 @@ use crate::catalog::Side;
 use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft, sweep};
 
 /// A deep basin for laundry on legs or a cabinet, with a rub board and a high tap.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
 pub(super) fn utility_sink(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let look = draft.input.look as usize % 4;
@@ -48,42 +47,53 @@ pub(super) fn utility_sink(draft: &Draft, builder: &mut Builder) {
             Bay::around(DVec3::new(0.0, y, half.z - 0.062 - 0.006 * f64::from(rib)), half.x, 0.01, 0.024);
         builder.cuboid(slot, bar);
     }
-    let low = rim - deep + 0.02;
     let is_cabinet = draft.set() == GeometrySet::Plain || (draft.is_traditional() && look < 2);
     if is_cabinet {
-        let fittings =
-            Fittings { front: under, handle: "metal", reach: 0.022, is_traditional: draft.is_traditional() };
-        let body = bay.inset(0.055, 0.0, 0.052).with_y([0.08, rim - deep + 0.002]);
-        builder.cuboid(
-            "plastic_dark",
-            body.with_y([0.0, 0.08 + SINK]).inset(0.006, 0.0, 0.006).without(Side::Front, 0.05),
-        );
-        fittings.carcass(builder, under, body);
-        for (column, hinge) in
-            body.inset(0.002, 0.003, 0.0).columns(2, 0.004).into_iter().zip([Side::Left, Side::Right])
-        {
-            fittings.door(builder, column, hinge, 0.85);
-        }
+        cupboard(draft, builder, under, rim - deep);
     } else {
-        let legs = bay.inset(0.05, 0.0, 0.05).with_y([0.0, low + 0.02]);
-        legs_at_corners(
-            builder,
-            under,
-            legs,
-            0.035,
-            if draft.is_traditional() { LegKind::Turned } else { LegKind::Square },
-        );
-        let y = low * 0.3;
-        builder.cuboid(under, legs.inset(0.01, 0.0, 0.01).with_y([y, y + 0.02]));
-        let waste = [
-            DVec3::new(0.0, low, 0.03),
-            DVec3::new(0.0, low * 0.62, 0.03),
-            DVec3::new(0.0, low * 0.56, -0.03),
-            DVec3::new(0.0, low * 0.62, bay.low.z + 0.02),
-            DVec3::new(0.0, low * 0.62, bay.low.z + 0.001),
-        ];
-        builder.add("plastic", sweep(&waste, 0.02, 8));
+        frame(draft, builder, under, rim - deep + 0.02);
     }
     let foot = DVec3::new(0.0, rim, bay.low.z + 0.035);
     tap(builder, draft.set(), Tap { foot, height: bay.high.y - rim, reach: bay.depth() * 0.3 });
+}
+
+/// A cupboard with two doors under a basin whose underside is at a height.
+fn cupboard(draft: &Draft, builder: &mut Builder, under: &'static str, high: f64) {
+    let bay = builder.bay();
+    let fittings =
+        Fittings { front: under, handle: "metal", reach: 0.022, is_traditional: draft.is_traditional() };
+    let body = bay.inset(0.055, 0.0, 0.052).with_y([0.08, high + 0.002]);
+    builder.cuboid(
+        "plastic_dark",
+        body.with_y([0.0, 0.08 + SINK]).inset(0.006, 0.0, 0.006).without(Side::Front, 0.05),
+    );
+    fittings.carcass(builder, under, body);
+    for (column, hinge) in
+        body.inset(0.002, 0.003, 0.0).columns(2, 0.004).into_iter().zip([Side::Left, Side::Right])
+    {
+        fittings.door(builder, column, hinge, 0.85);
+    }
+}
+
+/// Four legs with a shelf, and the waste pipe behind it; the hollow of the basin ends at a height.
+fn frame(draft: &Draft, builder: &mut Builder, under: &'static str, low: f64) {
+    let bay = builder.bay();
+    let legs = bay.inset(0.05, 0.0, 0.05).with_y([0.0, low + 0.02]);
+    legs_at_corners(
+        builder,
+        under,
+        legs,
+        0.035,
+        if draft.is_traditional() { LegKind::Turned } else { LegKind::Square },
+    );
+    let y = low * 0.3;
+    builder.cuboid(under, legs.inset(0.01, 0.0, 0.01).with_y([y, y + 0.02]));
+    let waste = [
+        DVec3::new(0.0, low, 0.03),
+        DVec3::new(0.0, low * 0.62, 0.03),
+        DVec3::new(0.0, low * 0.56, -0.03),
+        DVec3::new(0.0, low * 0.62, bay.low.z + 0.02),
+        DVec3::new(0.0, low * 0.62, bay.low.z + 0.001),
+    ];
+    builder.add("plastic", sweep(&waste, 0.02, 8));
 }
