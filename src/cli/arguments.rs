@@ -175,6 +175,9 @@ pub(crate) struct DiffArguments {
     /// Degrees up to which a thing has not turned.
     #[arg(long, value_name = "DEGREES", default_value_t = Tolerance::default().degrees, value_parser = parse_tolerance)]
     pub(crate) turn_tolerance: f64,
+    /// Read every file: do not take one of the recorded length that is older than its manifest for what was recorded.
+    #[arg(long)]
+    pub(crate) verify: bool,
     /// Print Markdown, for a comment on a pull request.
     #[arg(long, conflicts_with = "json")]
     pub(crate) markdown: bool,

@@ -14,7 +14,7 @@ use crate::batch::distinct_names;
 use crate::catalog::{Catalog, load_catalog};
 use crate::diff::{
     DiffOptions, HtmlLimits, Kind, LevelDiff, Report, RoomDiff, RoomPictures, Tolerance, compare, draw_rooms,
-    html, markdown, text,
+    html, markdown, shown_rooms, text,
 };
 use crate::document::{Fault, Faults, Warned};
 
@@ -85,8 +85,8 @@ fn compare_sides(
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     };
-    let compared =
-        compare(&arguments.old, &arguments.new, &DiffOptions { tolerance, catalog, observer: &observer });
+    let options = DiffOptions { tolerance, catalog, is_thorough: arguments.verify, observer: &observer };
+    let compared = compare(&arguments.old, &arguments.new, &options);
     bar.finish_and_clear();
     compared
 }
@@ -116,12 +116,9 @@ fn show(arguments: &DiffArguments, screen: Screen, report: &Report) {
 fn write_page(arguments: &DiffArguments, report: &Report, catalog: &Catalog) -> Result<(), Faults> {
     let Some(path) = &arguments.html else { return Ok(()) };
     let limits = HtmlLimits { rooms: arguments.html_rooms, ..HtmlLimits::default() };
-    let mut left = limits.rooms;
-    let mut chosen: Vec<(&LevelDiff, Vec<&RoomDiff>)> = Vec::new();
-    for level in &report.levels {
-        chosen.push((level, level.rooms.iter().take(left).collect()));
-        left = left.saturating_sub(level.rooms.len().max(1));
-    }
+    let chosen = report.levels.iter().zip(shown_rooms(report, limits.rooms));
+    let chosen: Vec<(&LevelDiff, Vec<&RoomDiff>)> =
+        chosen.map(|(level, shown)| (level, level.rooms.iter().take(shown).collect())).collect();
     let drawn = chosen.par_iter().map(|(level, rooms)| {
         let pictures = draw(arguments, level, rooms, catalog);
         let key = |room: &str| (level.building.clone(), level.level.clone(), room.to_owned());

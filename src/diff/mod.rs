@@ -35,7 +35,7 @@ pub use change::{Change, FindingWorth, Worth};
 pub use kind::Kind;
 pub use picture::{RoomPictures, draw_rooms};
 pub use report::{LevelCounts, LevelDiff, Presence, REPORT_VERSION, Report, RoomDiff, Summary, Trouble};
-pub use show::{HtmlLimits, html, markdown, text};
+pub use show::{HtmlLimits, html, markdown, shown_rooms, text};
 pub use tolerance::Tolerance;
 
 /// How to compare.
@@ -45,6 +45,8 @@ pub struct DiffOptions<'a> {
     pub tolerance: Tolerance,
     /// Classes and thresholds for verdicts on edited files.
     pub catalog: &'a Catalog,
+    /// Whether every file is read, also those that length and time say are as the manifest has them.
+    pub is_thorough: bool,
     /// Told how many of how many levels are compared; called from many threads.
     pub observer: &'a (dyn Fn(usize, usize) + Sync),
 }
@@ -60,7 +62,7 @@ pub fn report_schema() -> serde_json::Value {
 /// # Errors
 /// If a side cannot be opened, or one is a folder and the other a file.
 pub fn compare(old: &Path, new: &Path, options: &DiffOptions<'_>) -> Result<(Report, Faults), Faults> {
-    let (before, after) = match (read::open(old), read::open(new)) {
+    let (before, after) = match (read::open(old, options.is_thorough), read::open(new, options.is_thorough)) {
         (Ok(before), Ok(after)) => (before, after),
         (before, after) => {
             return Err(Faults([before.err(), after.err()].into_iter().flatten().collect()));

@@ -30,7 +30,8 @@ pub(super) struct Folder {
     pub(super) levels: Vec<Entry>,
     /// Textures and geometry that levels share.
     pub(super) shared: Vec<FileRecord>,
-    /// When the manifest was written: after the files that it lists.
+    /// When the manifest was written: after the files that it lists. `None` where no file is trusted to be what was
+    /// recorded.
     written: Option<SystemTime>,
 }
 
@@ -53,20 +54,20 @@ pub(super) struct Reading {
     pub(super) faults: Vec<Fault>,
 }
 
-/// Opens a side.
+/// Opens a side. A thorough comparison reads every file, whatever its length and time.
 ///
 /// # Errors
 /// If there is neither a file nor a folder with a manifest.
-pub(super) fn open(path: &Path) -> Result<Side, Fault> {
+pub(super) fn open(path: &Path, is_thorough: bool) -> Result<Side, Fault> {
     match fs::metadata(path) {
-        Ok(found) if found.is_dir() => open_folder(path).map(Side::Folder),
+        Ok(found) if found.is_dir() => open_folder(path, is_thorough).map(Side::Folder),
         Ok(_) => Ok(Side::File(path.to_owned())),
         Err(error) => Err(Fault::of_file(path, format!("cannot be read: {error}"))
             .with_hint("name a folder that `roomwright bake` wrote, or a .glb or .gltf file")),
     }
 }
 
-fn open_folder(root: &Path) -> Result<Folder, Fault> {
+fn open_folder(root: &Path, is_thorough: bool) -> Result<Folder, Fault> {
     let path = root.join(MANIFEST_NAME);
     let hint =
         "`roomwright bake` writes it when it is done; `roomwright merge` joins what several machines baked";
@@ -76,7 +77,8 @@ fn open_folder(root: &Path) -> Result<Folder, Fault> {
     let levels = manifest.levels.iter().map(|level| serde_json::from_str::<Entry>(level.get()));
     let levels = levels.collect::<Result<Vec<_>, _>>();
     let levels = levels.map_err(|error| fault(format!("holds a level that cannot be read: {error}")))?;
-    let written = fs::metadata(&path).and_then(|found| found.modified()).ok();
+    let written = || fs::metadata(&path).and_then(|found| found.modified()).ok();
+    let written = if is_thorough { None } else { written() };
     Ok(Folder { root: root.to_owned(), levels, shared: manifest.library, written })
 }
 
@@ -239,10 +241,10 @@ mod tests {
     #[test]
     fn a_folder_without_a_manifest_is_no_side() {
         let root = tempfile::tempdir().unwrap();
-        let fault = open(root.path()).unwrap_err();
+        let fault = open(root.path(), false).unwrap_err();
         assert!(fault.file.ends_with("manifest.json") && fault.hint.unwrap().contains("merge"));
         fs::write(root.path().join("manifest.json"), "{\"name\": \"web app\"}").unwrap();
-        assert!(open(root.path()).unwrap_err().message.contains("is no manifest"));
-        assert!(open(&root.path().join("nowhere")).unwrap_err().hint.is_some());
+        assert!(open(root.path(), false).unwrap_err().message.contains("is no manifest"));
+        assert!(open(&root.path().join("nowhere"), false).unwrap_err().hint.is_some());
     }
 }

@@ -13,7 +13,12 @@ fn catalog() -> Catalog {
 
 fn compared(old: &Path, new: &Path) -> Report {
     let catalog = catalog();
-    let options = DiffOptions { tolerance: Tolerance::default(), catalog: &catalog, observer: &|_, _| () };
+    let options = DiffOptions {
+        tolerance: Tolerance::default(),
+        catalog: &catalog,
+        is_thorough: false,
+        observer: &|_, _| (),
+    };
     compare(old, new, &options).unwrap().0
 }
 
@@ -103,6 +108,17 @@ fn equal_files_are_not_opened() {
     assert!(report.troubles.is_empty(), "{:?}", report.troubles);
     let names: Vec<&str> = report.levels.iter().map(|level| level.level.as_str()).collect();
     assert_eq!(names, ["0", "2"]);
+    // Both are the same rubbish; with one of them in order, a thorough comparison notices the other.
+    fs::write(old.join("b0/1.gltf"), level(1, 1.0)).unwrap();
+    let catalog = catalog();
+    let options = DiffOptions {
+        tolerance: Tolerance::default(),
+        catalog: &catalog,
+        is_thorough: true,
+        observer: &|_, _| (),
+    };
+    let (report, _) = compare(&old, &new, &options).unwrap();
+    assert!(report.levels[1].state == Presence::Unreadable && report.troubles.len() == 1, "{report:?}");
 }
 
 #[test]
@@ -137,7 +153,12 @@ fn a_folder_and_a_file_are_no_pair() {
     let root = tempfile::tempdir().unwrap();
     bake(root.path(), 1, 0);
     let catalog = catalog();
-    let options = DiffOptions { tolerance: Tolerance::default(), catalog: &catalog, observer: &|_, _| () };
+    let options = DiffOptions {
+        tolerance: Tolerance::default(),
+        catalog: &catalog,
+        is_thorough: false,
+        observer: &|_, _| (),
+    };
     let faults = compare(root.path(), &root.path().join("b0/0.gltf"), &options).unwrap_err();
     assert!(faults.to_string().contains("two folders, or two files"), "{faults}");
     // Both sides are told, not the first one only.
@@ -242,5 +263,6 @@ fn text_and_page_count_what_they_leave_out() {
     let limits = HtmlLimits { rooms: 7, levels: 9 };
     let page = html(&report, &std::collections::BTreeMap::new(), limits);
     assert_eq!((page.matches("<h2").count(), page.matches("<tr><td").count()), (7, 9 + 1));
+    assert_eq!((page.matches("href=\"#level-").count(), page.matches("id=\"level-").count()), (7, 7));
     assert!(page.contains("43 more rooms left out") && page.contains("41 more levels left out"));
 }

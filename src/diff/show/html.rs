@@ -54,7 +54,7 @@ pub fn html(
     );
     push_counts(&mut page, report);
     push_troubles(&mut page, report);
-    push_levels(&mut page, report, limits.levels);
+    push_levels(&mut page, report, limits);
     push_legend(&mut page);
     push_rooms(&mut page, report, pictures, limits.rooms);
     let _ = write!(
@@ -93,25 +93,27 @@ fn push_troubles(page: &mut String, report: &Report) {
 }
 
 /// A table of all levels, with links to their rooms below.
-fn push_levels(page: &mut String, report: &Report, most: usize) {
+fn push_levels(page: &mut String, report: &Report, limits: HtmlLimits) {
     if report.levels.is_empty() {
         return;
     }
     page.push_str("<table>\n<tr><th></th><th>level</th><th>rooms</th><th>changes</th></tr>\n");
-    for (index, level) in report.levels.iter().take(most).enumerate() {
+    let below = shown_rooms(report, limits.rooms).len();
+    for (index, level) in report.levels.iter().take(limits.levels).enumerate() {
+        let title = html_escaped(&name(level));
+        let title = if index < below { format!("<a href=\"#level-{index}\">{title}</a>") } else { title };
         let changes = level.all_changes().count();
         let _ = writeln!(
             page,
-            "<tr><td class=\"{}\">{}</td><td><a href=\"#level-{index}\">{}</a></td><td class=\"count\">{}</td>\
+            "<tr><td class=\"{}\">{}</td><td>{title}</td><td class=\"count\">{}</td>\
              <td class=\"count\">{changes}</td></tr>",
             class_of(sign(level.state)),
             sign(level.state),
-            html_escaped(&name(level)),
             level.rooms.len()
         );
     }
     page.push_str("</table>\n");
-    push_left_out(page, report.levels.len(), most, "level");
+    push_left_out(page, report.levels.len(), limits.levels, "level");
 }
 
 fn push_legend(page: &mut String) {
@@ -135,24 +137,32 @@ fn push_rooms(
     pictures: &BTreeMap<(String, String, String), RoomPictures>,
     most: usize,
 ) {
-    let mut left = most;
-    for (index, level) in report.levels.iter().enumerate() {
-        if left == 0 {
-            break;
-        }
+    for (index, (level, shown)) in report.levels.iter().zip(shown_rooms(report, most)).enumerate() {
         let _ = writeln!(page, "<h2 id=\"level-{index}\">{}</h2>", html_escaped(&name(level)));
         if level.state == Presence::Unreadable {
             page.push_str("<p class=\"bad\">Cannot be compared.</p>\n");
         }
         push_lines(page, &lines(&level.changes));
-        for room in level.rooms.iter().take(left) {
+        for room in level.rooms.iter().take(shown) {
             let key = (level.building.clone(), level.level.clone(), room.room.clone());
             push_room(page, room, pictures.get(&key));
         }
-        // A level without rooms takes the place of one.
-        left = left.saturating_sub(level.rooms.len().max(1));
     }
     push_left_out(page, rooms_of(report), most, "room");
+}
+
+/// How many rooms a page shows of each level, for as many levels as it shows. A level without rooms takes the place of
+/// one.
+#[must_use]
+pub fn shown_rooms(report: &Report, most: usize) -> Vec<usize> {
+    let mut left = most;
+    let shown = report.levels.iter().map_while(|level| {
+        let shown = level.rooms.len().min(left);
+        let has_place = left > 0;
+        left = left.saturating_sub(level.rooms.len().max(1));
+        has_place.then_some(shown)
+    });
+    shown.collect()
 }
 
 /// Rooms of all levels; a level without any counts as one.

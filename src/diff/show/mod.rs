@@ -5,7 +5,7 @@ mod lines;
 mod markdown;
 mod text;
 
-pub use html::{HtmlLimits, html};
+pub use html::{HtmlLimits, html, shown_rooms};
 pub use markdown::markdown;
 pub use text::text;
 
