@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use super::event::{BakeReport, Event, LevelFailure, Observer, Stopwatch};
+use super::event::{BakeReport, Event, LevelFailure, Observer, Stage, Stopwatch};
 use super::fault::{FaultCode, OutputFault};
 use super::floor::{BakedLevel, Workshop, bake_floor};
 use super::folder::OutputFolder;
@@ -60,8 +60,11 @@ pub fn bake(
         true => Some(GeometryLibrary::create(catalog, models, folder, options.textures.size.is_some())?),
         false => None,
     };
-    let textures = Textures::new(options.textures);
+    let textures = Textures::new(options.textures).filter(|_| !open.is_empty());
     let watch = Stopwatch::default();
+    if let Some(textures) = &textures {
+        watch.measure(Stage::Scene, || pool.install(|| textures.library.paint_all()));
+    }
     let workshop = Workshop { catalog, options, folder, models, library, textures, watch };
     let tally = work(&pool, &workshop, &open, observer);
 

@@ -67,6 +67,12 @@ pub(crate) fn mesh(source: &SceneMesh, accessors: &[PrimitiveAccessors]) -> Mesh
     }
 }
 
+/// The number whose shortest spelling names a single one: JSON would spell the same number as a double with nine more
+/// digits, which say nothing and are a tenth of a level's text.
+fn short(value: f32) -> f64 {
+    value.to_string().parse().expect("numbers are spelled as they are read")
+}
+
 fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
     let (component, kind) = match packed.section {
         Section::Vectors => (ComponentType::F32, Type::Vec3),
@@ -75,7 +81,7 @@ fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
         Section::ShortIndices => (ComponentType::U16, Type::Scalar),
         Section::LongIndices | Section::Images => (ComponentType::U32, Type::Scalar),
     };
-    let value = |[x, y, z]: [f32; 3]| Value::from(vec![x, y, z]);
+    let value = |vector: [f32; 3]| Value::from(vector.map(short).to_vec());
     Accessor {
         buffer_view: Some(view),
         byte_offset: (packed.offset > 0).then(|| USize64::from(packed.offset)),

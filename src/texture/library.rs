@@ -2,13 +2,14 @@
 
 use std::sync::{Arc, OnceLock};
 
+use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use super::TextureSize;
 use super::encode::png;
 use super::relief::normals;
 use super::surface::{SURFACES, Sample, has_relief, sample};
-use crate::catalog::srgb_encoded;
+use crate::catalog::srgb_linear;
 use crate::model::{Image, Texture, TextureSampler, TextureUse};
 
 /// Where images lie.
@@ -45,6 +46,14 @@ impl TextureLibrary {
         self.surfaces[index].get_or_init(|| self.paint(SURFACES[index]))
     }
 
+    /// Paints all surfaces at once, on as many threads as there are: painted on demand, the first level would wait for one
+    /// after the other, and all other levels for it.
+    pub fn paint_all(&self) {
+        SURFACES.par_iter().for_each(|surface| {
+            let _ = self.textures(surface);
+        });
+    }
+
     fn paint(&self, surface: &'static str) -> Vec<(TextureUse, Texture)> {
         let pixels = self.size.pixels();
         let files = images(surface, pixels);
@@ -77,10 +86,10 @@ fn file_name(surface: &str, purpose: TextureUse, bytes: &[u8]) -> String {
 /// The files of a surface by use; normals only where it has relief.
 fn images(surface: &str, pixels: usize) -> Vec<(TextureUse, Vec<u8>)> {
     let samples = samples(surface, pixels);
-    let shades: Vec<u8> =
-        samples.iter().map(|sample| stepped(srgb_encoded(sample.shade), SHADE_STEP)).collect();
+    let steps = ShadeSteps::new();
+    let shades: Vec<u8> = samples.iter().map(|sample| steps.encoded(sample.shade)).collect();
     // Occlusion, roughness and metalness share an image: red is none, blue leaves metalness to the palette.
-    let rough = |sample: &Sample| [255, stepped(sample.roughness, ROUGHNESS_STEP), 255];
+    let rough = |sample: &Sample| [255, stepped_roughness(sample.roughness), 255];
     let roughness: Vec<u8> = samples.iter().flat_map(rough).collect();
     let mut images = vec![(TextureUse::BaseColor, png(&shades, pixels, 1))];
     if has_relief(surface) {
@@ -100,12 +109,29 @@ fn samples(surface: &str, pixels: usize) -> Vec<Sample> {
 }
 
 /// Steps of grey, of 255: fewer of them compress better.
-const SHADE_STEP: f64 = 2.0;
+const SHADE_STEP: u8 = 2;
 /// Steps of roughness, of 255.
 const ROUGHNESS_STEP: f64 = 16.0;
 
-fn stepped(value: f64, step: f64) -> u8 {
-    (255.0 - ((1.0 - value.clamp(0.0, 1.0)) * 255.0 / step).round() * step).clamp(0.0, 255.0) as u8
+/// Linear shades between the steps of encoded ones, from light to dark: looked up, because the transfer function for each
+/// pixel takes longer than the surface.
+struct ShadeSteps(Vec<f64>);
+
+impl ShadeSteps {
+    fn new() -> Self {
+        let middle = |index: u8| 1.0 - (f64::from(index) + 0.5) * f64::from(SHADE_STEP) / f64::from(u8::MAX);
+        Self((0..u8::MAX / SHADE_STEP).map(|index| srgb_linear(middle(index))).collect())
+    }
+
+    /// The nearest step of a linear shade in sRGB.
+    fn encoded(&self, shade: f64) -> u8 {
+        u8::MAX - SHADE_STEP * self.0.partition_point(|&middle| shade <= middle) as u8
+    }
+}
+
+fn stepped_roughness(value: f64) -> u8 {
+    let steps = ((1.0 - value.clamp(0.0, 1.0)) * 255.0 / ROUGHNESS_STEP).round();
+    (255.0 - steps * ROUGHNESS_STEP).clamp(0.0, 255.0) as u8
 }
 
 #[cfg(test)]
@@ -131,6 +157,17 @@ mod tests {
             total += bytes;
         }
         assert!(total < SURFACES.len() * MOST_BYTES / 2, "{total} bytes");
+    }
+
+    #[test]
+    fn shades_are_encoded_to_the_nearest_step() {
+        let steps = ShadeSteps::new();
+        assert_eq!([steps.encoded(1.0), steps.encoded(0.0)], [255, 1]);
+        for code in (1..=255).step_by(SHADE_STEP.into()) {
+            let exact = srgb_linear(f64::from(code) / 255.0);
+            let [darker, lighter] = [-0.9, 0.9].map(|by| srgb_linear((f64::from(code) + by) / 255.0));
+            assert_eq!([exact, darker, lighter].map(|shade| steps.encoded(shade.clamp(0.0, 1.0))), [code; 3]);
+        }
     }
 
     #[test]
@@ -160,6 +197,6 @@ mod tests {
         });
         let hash = Sha256::digest(painted.collect::<Vec<u8>>());
         let hash: String = hash.iter().take(8).map(|byte| format!("{byte:02x}")).collect();
-        assert_eq!(hash, "90cc4358fc1ec3a7");
+        assert_eq!(hash, "58af5cb6fcf88107");
     }
 }

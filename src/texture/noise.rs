@@ -16,14 +16,27 @@ pub(super) fn grain(x: i64, y: i64, seed: u32) -> f64 {
 /// Value noise from 0 to 1 of a grid with so many cells along a metre in each direction; `x` and `y` in metres.
 pub(super) fn noise([x, y]: [f64; 2], cells: [i64; 2], seed: u32) -> f64 {
     let (u, v) = (x * cells[0] as f64, y * cells[1] as f64);
-    let (column, row) = (u.floor(), v.floor());
-    let (right, up) = (ease(u - column), ease(v - row));
-    let at = |dx: i64, dy: i64| {
-        grain((column as i64 + dx).rem_euclid(cells[0]), (row as i64 + dy).rem_euclid(cells[1]), seed)
-    };
-    let low = at(0, 0) + (at(1, 0) - at(0, 0)) * right;
-    let high = at(0, 1) + (at(1, 1) - at(0, 1)) * right;
+    let (column, row) = (whole(u), whole(v));
+    let (right, up) = (ease(u - column as f64), ease(v - row as f64));
+    let columns = [column, column + 1].map(|column| wrapped(column, cells[0]));
+    let [low, high] = [row, row + 1].map(|row| {
+        let row = wrapped(row, cells[1]);
+        let [left, next] = columns.map(|column| grain(column, row, seed));
+        left + (next - left) * right
+    });
     low + (high - low) * up
+}
+
+/// The whole number below; `f64::floor` is a call on processors without SSE 4.1, and this is asked for each pixel.
+pub(super) fn whole(value: f64) -> i64 {
+    let towards_zero = value as i64;
+    towards_zero - i64::from(value < towards_zero as f64)
+}
+
+/// A cell's number within its metre. Nearly all points lie in the first metre, and a division takes longer than the rest
+/// of the noise.
+fn wrapped(cell: i64, cells: i64) -> i64 {
+    if (0..cells).contains(&cell) { cell } else { cell.rem_euclid(cells) }
 }
 
 /// Sums noise of finer and finer cells, each half as strong: from 0 to 1.
@@ -42,22 +55,22 @@ pub(super) fn layered(point: [f64; 2], cells: [i64; 2], layers: u32, seed: u32) 
 /// Texture Basis Function", 1996).
 pub(super) fn nearest_two([x, y]: [f64; 2], cells: i64, seed: u32) -> [f64; 2] {
     let (u, v) = (x * cells as f64, y * cells as f64);
-    let (column, row) = (u.floor() as i64, v.floor() as i64);
+    let (column, row) = (whole(u), whole(v));
     let mut nearest = [f64::MAX; 2];
     for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
-        let (i, j) = ((column + dx).rem_euclid(cells), (row + dy).rem_euclid(cells));
+        let (i, j) = (wrapped(column + dx, cells), wrapped(row + dy, cells));
         let offset = [
             (column + dx) as f64 + grain(i, j, seed) - u,
             (row + dy) as f64 + grain(i, j, seed ^ 0x5bd1) - v,
         ];
-        let distance = (offset[0] * offset[0] + offset[1] * offset[1]).sqrt();
+        let distance = offset[0] * offset[0] + offset[1] * offset[1];
         if distance < nearest[0] {
             nearest = [distance, nearest[0]];
         } else if distance < nearest[1] {
             nearest[1] = distance;
         }
     }
-    nearest
+    nearest.map(f64::sqrt)
 }
 
 /// From 0 to 1 with level ends (Perlin's quintic, 2002).

@@ -4,7 +4,7 @@
 //! parquet 1000 × 125 mm, floor tiles 250 mm, wall tiles 200 × 100 mm, joints of 3 to 4 mm (EN 14411), the yarns of
 //! upholstery 5 to 8 mm, pebbles of leather about 10 mm, coarser than real ones so that 2 mm pixels show them.
 
-use super::noise::{grain, layered, nearest_two, noise, step};
+use super::noise::{grain, layered, nearest_two, noise, step, whole};
 
 /// Names of all surfaces, sorted: the words of `texture:` in palettes.
 pub const SURFACES: [&str; 13] = [
@@ -23,11 +23,11 @@ pub const SURFACES: [&str; 13] = [
     "wood",
 ];
 
-/// Whether a surface is more than a flat pattern, so that normals are painted for it. Lacquered wood, polished stone and
-/// the like are level to the eye.
+/// Whether a surface is more than a flat pattern, so that normals are painted for it. Lacquered wood, polished stone,
+/// painted plaster and the like are level to the eye.
 #[must_use]
 pub fn has_relief(surface: &str) -> bool {
-    SURFACES.contains(&surface) && !matches!(surface, "brushed" | "linoleum" | "stone" | "wood")
+    SURFACES.contains(&surface) && !matches!(surface, "brushed" | "linoleum" | "plaster" | "stone" | "wood")
 }
 
 /// What a surface is like at a point.
@@ -66,7 +66,7 @@ fn wood([x, y]: [f64; 2], seed: u32) -> Sample {
     let bend = noise([x, y], [2, 5], seed + 11);
     let rings = 14.0 * y + 3.0 * bend;
     // Early wood is light and wide, late wood a dark line: a saw tooth with a soft fall.
-    let phase = rings - rings.floor();
+    let phase = rings - whole(rings) as f64;
     let late = step(0.55, 0.92, phase) * (1.0 - step(0.94, 1.0, phase));
     let fibre = noise([x, y], [6, 256], seed + 12);
     let cloud = noise([x, y], [3, 6], seed + 13);
@@ -81,15 +81,16 @@ fn wood([x, y]: [f64; 2], seed: u32) -> Sample {
 fn parquet([x, y]: [f64; 2]) -> Sample {
     const ROWS: f64 = 8.0;
     const BEVEL: f64 = 0.002;
-    let row = (y * ROWS).floor();
-    let number = (row as i64).rem_euclid(ROWS as i64);
+    let row = whole(y * ROWS);
+    let number = row.rem_euclid(ROWS as i64);
     let along = x + grain(number, 0, 21);
-    let across = y * ROWS - row;
+    let across = y * ROWS - row as f64;
     let to_side = across.min(1.0 - across) / ROWS;
-    let piece = (along * 2.0).floor();
-    let to_end = (along * 2.0 - piece).min(1.0 - (along * 2.0 - piece)) / 2.0;
+    let piece = whole(along * 2.0);
+    let within = along * 2.0 - piece as f64;
+    let to_end = within.min(1.0 - within) / 2.0;
     let joint = 1.0 - step(0.0, BEVEL, to_side.min(to_end));
-    let own = grain(number, (piece as i64).rem_euclid(2), 22);
+    let own = grain(number, piece.rem_euclid(2), 22);
     let board = wood([x, y], 30 + (own * 64.0) as u32);
     Sample {
         shade: (board.shade - 0.13 * own) * (1.0 - 0.55 * joint),
@@ -100,14 +101,14 @@ fn parquet([x, y]: [f64; 2]) -> Sample {
 
 /// Tiles in a grid with sunk, rough joints; each tile a little lighter or darker.
 fn tiles([x, y]: [f64; 2], count: [f64; 2], joint: f64) -> Sample {
-    let (column, row) = ((x * count[0]).floor(), (y * count[1]).floor());
-    let to_edge = |value: f64, whole: f64, count: f64| {
-        (value * count - whole).min(1.0 - (value * count - whole)) / count
+    let (column, row) = (whole(x * count[0]), whole(y * count[1]));
+    let to_edge = |value: f64, tile: i64, count: f64| {
+        let within = value * count - tile as f64;
+        within.min(1.0 - within) / count
     };
     let distance = to_edge(x, column, count[0]).min(to_edge(y, row, count[1]));
     let body = step(joint * 0.5, joint * 0.5 + 0.002_5, distance);
-    let own =
-        grain((column as i64).rem_euclid(count[0] as i64), (row as i64).rem_euclid(count[1] as i64), 41);
+    let own = grain(column.rem_euclid(count[0] as i64), row.rem_euclid(count[1] as i64), 41);
     let cloud = layered([x, y], [6, 6], 3, 42);
     Sample {
         shade: (1.0 - 0.05 * own - 0.05 * cloud) * (0.62 + 0.38 * body),
@@ -119,10 +120,11 @@ fn tiles([x, y]: [f64; 2], count: [f64; 2], joint: f64) -> Sample {
 /// Plain weave: warp and weft go over and under each other.
 fn weave([x, y]: [f64; 2], yarns: f64, depth: f64) -> Sample {
     let (u, v) = (x * yarns, y * yarns);
-    let (column, row) = (u.floor() as i64, v.floor() as i64);
-    let arch = |value: f64| 4.0 * (value - value.floor()) * (1.0 - (value - value.floor()));
-    let is_warp_up = (column + row).rem_euclid(2) == 0;
-    let (over, under) = if is_warp_up { (arch(u), arch(v)) } else { (arch(v), arch(u)) };
+    let (column, row) = (whole(u), whole(v));
+    let arch = |along: f64| 4.0 * along * (1.0 - along);
+    let arches = [arch(u - column as f64), arch(v - row as f64)];
+    let is_warp_up = (column + row) % 2 == 0;
+    let [over, under] = if is_warp_up { arches } else { [arches[1], arches[0]] };
     let height = over * (0.45 + 0.55 * under);
     let mottle = layered([x, y], [24, 24], 3, 51);
     Sample { shade: 0.80 + 0.13 * height + 0.07 * mottle, roughness: 1.0, height: depth * height }
@@ -147,9 +149,9 @@ fn leather(point: [f64; 2]) -> Sample {
     }
 }
 
-/// Roller-painted plaster: even in colour, since clouds would repeat along every wall, with a skin of orange peel.
+/// Roller-painted plaster: even in colour, since clouds would repeat along every wall, with a skin that shines unevenly.
 fn plaster(point: [f64; 2]) -> Sample {
-    Sample { shade: 1.0, roughness: 1.0, height: 0.000_6 * layered(point, [40, 40], 2, 81) }
+    Sample { shade: 1.0, roughness: 0.88 + 0.12 * layered(point, [40, 40], 2, 81), height: 0.0 }
 }
 
 /// Cast concrete: clouds and a few pores.

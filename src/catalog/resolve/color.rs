@@ -23,16 +23,16 @@ pub(super) fn linear_color(text: &str, spot: &Spot, report: &mut Report<'_>) -> 
         );
         return [0.0; 3];
     };
-    channels.map(|channel| linear(f64::from(channel) / f64::from(u8::MAX)) as f32)
+    channels.map(|channel| srgb_linear(f64::from(channel) / f64::from(u8::MAX)) as f32)
 }
 
 /// The sRGB transfer function (IEC 61966-2-1), from encoded to linear, both 0 to 1.
-fn linear(encoded: f64) -> f64 {
+pub(crate) fn srgb_linear(encoded: f64) -> f64 {
     if encoded <= KNEE { encoded / SLOPE } else { libm::pow((encoded + OFFSET) / (1.0 + OFFSET), EXPONENT) }
 }
 
 /// The sRGB transfer function the other way.
-pub(crate) fn srgb_encoded(linear: f64) -> f64 {
+fn srgb_encoded(linear: f64) -> f64 {
     if linear <= KNEE / SLOPE {
         linear * SLOPE
     } else {
@@ -55,16 +55,16 @@ mod tests {
     #[test]
     fn colours_survive_the_way_there_and_back() {
         for channel in 0..=u8::MAX {
-            let light = linear(f64::from(channel) / f64::from(u8::MAX)) as f32;
+            let light = srgb_linear(f64::from(channel) / f64::from(u8::MAX)) as f32;
             assert_eq!(srgb_hex([light; 3]), format!("#{channel:02x}{channel:02x}{channel:02x}"));
         }
     }
 
     #[test]
     fn the_transfer_function_meets_its_known_values() {
-        assert!(linear(0.0).abs() < 1e-12);
-        assert!((linear(1.0) - 1.0).abs() < 1e-12);
-        assert!((linear(0.5) - 0.214_041).abs() < 1e-6);
-        assert!((linear(0.04) - 0.04 / 12.92).abs() < 1e-12);
+        assert!(srgb_linear(0.0).abs() < 1e-12);
+        assert!((srgb_linear(1.0) - 1.0).abs() < 1e-12);
+        assert!((srgb_linear(0.5) - 0.214_041).abs() < 1e-6);
+        assert!((srgb_linear(0.04) - 0.04 / 12.92).abs() < 1e-12);
     }
 }

@@ -1,5 +1,7 @@
 //! Flat-shaded closed bodies, face by face.
 
+use std::collections::BTreeMap;
+
 use glam::{DVec3, Vec2, Vec3};
 
 use super::ticks::Ticks;
@@ -9,6 +11,8 @@ use crate::model::{ModelMaterial, Primitive};
 #[derive(Clone, Debug)]
 pub(crate) struct Solid {
     primitive: Primitive,
+    /// Corners by position and normal: faces that go on in one plane share them.
+    known: BTreeMap<[u32; 6], u32>,
 }
 
 /// Faces with less area (square metres) than this are dropped: they close nothing.
@@ -17,7 +21,8 @@ const LEAST_FACE: f64 = 1e-12;
 impl Solid {
     /// Nothing yet.
     pub(crate) fn new(slot: &'static str) -> Self {
-        Self { primitive: Primitive { material: ModelMaterial::Slot(slot), ..Primitive::default() } }
+        let primitive = Primitive { material: ModelMaterial::Slot(slot), ..Primitive::default() };
+        Self { primitive, known: BTreeMap::new() }
     }
 
     /// Whether there is any face.
@@ -43,25 +48,34 @@ impl Solid {
             kept.pop();
         }
         let Some(normal) = unit_normal(&kept) else { return };
-        let first = self.push_corners(&kept, normal);
-        for index in 1..kept.len() as u32 - 1 {
-            self.primitive.indices.extend([first, first + index, first + index + 1]);
+        let indices = self.corners(&kept, normal);
+        for next in indices[1..].windows(2) {
+            self.primitive.indices.extend([indices[0], next[0], next[1]]);
         }
     }
 
     /// Triangles of a flat face by index into `corners`.
     pub(crate) fn triangles(&mut self, corners: &[Vec3], normal: Vec3, indices: impl Iterator<Item = u32>) {
-        let first = self.push_corners(corners, normal);
-        self.primitive.indices.extend(indices.map(|index| first + index));
+        let known = self.corners(corners, normal);
+        self.primitive.indices.extend(indices.map(|index| known[index as usize]));
     }
 
-    fn push_corners(&mut self, corners: &[Vec3], normal: Vec3) -> u32 {
-        let first = u32::try_from(self.primitive.positions.len()).expect("a shell part has few corners");
-        self.primitive.positions.extend(corners.iter().map(|corner| corner.to_array()));
-        self.primitive.normals.extend(corners.iter().map(|_| normal.to_array()));
-        let coordinates = corners.iter().map(|&corner| coordinates(corner, normal).to_array());
-        self.primitive.texture_coordinates.extend(coordinates);
-        first
+    /// The index of each corner of a flat face.
+    fn corners(&mut self, corners: &[Vec3], normal: Vec3) -> Vec<u32> {
+        corners.iter().map(|&corner| self.corner(corner, normal)).collect()
+    }
+
+    fn corner(&mut self, corner: Vec3, normal: Vec3) -> u32 {
+        // Adding zero makes minus zero plain zero, so that equal numbers have equal bits.
+        let bits = |vector: Vec3| (vector + Vec3::ZERO).to_array().map(f32::to_bits);
+        let ([x, y, z], [a, b, c]) = (bits(corner), bits(normal));
+        let primitive = &mut self.primitive;
+        *self.known.entry([x, y, z, a, b, c]).or_insert_with(|| {
+            primitive.positions.push(corner.to_array());
+            primitive.normals.push(normal.to_array());
+            primitive.texture_coordinates.push(coordinates(corner, normal).to_array());
+            u32::try_from(primitive.positions.len() - 1).expect("a shell part has few corners")
+        })
     }
 
     /// An axis-parallel box; nothing where it has no volume.

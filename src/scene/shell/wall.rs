@@ -95,11 +95,10 @@ impl WallShape {
         solids
     }
 
-    /// Start, both ends of each hole, end. A hole that begins at a corner leaves the mitre behind it: then
-    /// two cuts meet on the inner face.
+    /// Start, both ends of each hole, end. A hole that begins or ends at a corner leaves the mitre behind it: then two
+    /// cuts meet on the inner face.
     fn cuts(&self) -> Vec<Cut> {
         let mut inner: Vec<Ticks> = self.holes.iter().flat_map(|hole| [hole.from, hole.to]).collect();
-        inner.extend([Ticks(0), self.length]);
         inner.retain(|u| (Ticks(0)..=self.length).contains(u));
         inner.sort_unstable();
         inner.dedup();
