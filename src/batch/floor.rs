@@ -129,7 +129,9 @@ fn scene(workshop: &Workshop<'_>, job: &Job<'_>, furnished: &[Furnished], verdic
         furnished,
         verdicts,
         catalog,
-        models: &|class, variant, geometry| workshop.models.model(class, variant, geometry),
+        models: &|class, variant, geometry| {
+            workshop.models.model_in_detail(class, variant, geometry, workshop.options.detail)
+        },
         has_lights: workshop.options.has_lights,
         textures: workshop.textures.as_ref().map(|textures| &textures.library),
         seed: workshop.options.seed,

@@ -4,6 +4,7 @@ use sha2::{Digest, Sha256};
 
 use crate::best::DEFAULT_EFFORT;
 use crate::catalog::Catalog;
+use crate::model::Detail;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
 use crate::texture::TextureSize;
 
@@ -26,6 +27,8 @@ pub struct BakeOptions {
     pub has_shared_library: bool,
     /// The textures of materials; default small ones in a folder that all floors share.
     pub textures: TextureOptions,
+    /// How finely furniture is modelled; default as the recipes draw it.
+    pub detail: Detail,
     /// Whether lamps give light; default yes.
     pub has_lights: bool,
     /// Threads; more bake faster and hold more floors in memory. Never changes a byte. Default 1.
@@ -43,6 +46,7 @@ impl Default for BakeOptions {
             format: Format::Glb,
             has_shared_library: false,
             textures: TextureOptions::default(),
+            detail: Detail::Full,
             has_lights: true,
             threads: 1,
             shard: None,
@@ -168,7 +172,11 @@ fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
     hash.update([u8::from(options.format == Format::Gltf), u8::from(options.has_shared_library)]);
     let pixels = options.textures.size.map_or(0, |size| size.pixels() as u64);
     hash.update(pixels.to_le_bytes());
-    hash.update([u8::from(options.textures.are_embedded), u8::from(options.has_lights)]);
+    hash.update([
+        u8::from(options.textures.are_embedded),
+        u8::from(options.has_lights),
+        options.detail as u8,
+    ]);
     // Last, so that its length needs no mark.
     hash.update(options.style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
     hash.finalize().into()
@@ -250,6 +258,7 @@ pub(crate) mod tests {
             BakeOptions { format: Format::Gltf, ..BakeOptions::default() },
             BakeOptions { has_shared_library: true, ..BakeOptions::default() },
             BakeOptions { has_lights: false, ..BakeOptions::default() },
+            BakeOptions { detail: Detail::Boxes, ..BakeOptions::default() },
             BakeOptions {
                 textures: TextureOptions { size: None, are_embedded: false },
                 ..BakeOptions::default()

@@ -3,9 +3,11 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use crate::catalog::{Catalog, ClassIndex};
 use crate::gltf::{LibraryReference, Painting, SharedLibrary};
-use crate::model::{Model, ModelLibrary, ModelMaterial, TextureUse};
+use crate::model::{Detail, Model, ModelLibrary, ModelMaterial, TextureUse};
 use crate::scene::ModelKey;
 use crate::texture::has_relief;
 
@@ -13,6 +15,7 @@ use super::LIBRARY_FOLDER;
 use super::fault::OutputFault;
 use super::files::with_record;
 use super::folder::OutputFolder;
+use super::job::BakeOptions;
 use super::record::FileRecord;
 
 /// Digits of the content's hash in the library's name.
@@ -43,9 +46,10 @@ impl GeometryLibrary {
         catalog: &Catalog,
         models: &ModelLibrary,
         folder: &OutputFolder,
-        has_textures: bool,
+        options: &BakeOptions,
     ) -> Result<Self, OutputFault> {
-        let built = all_models(catalog, models);
+        let has_textures = options.textures.size.is_some();
+        let built = all_models(catalog, models, options.detail);
         let models = built.iter().map(|(key, model)| (key.clone(), model.as_ref()));
         let shared = SharedLibrary::new(models, |material| painting(catalog, material, has_textures));
         let (mut file, bytes) = with_record(String::new(), shared.bytes());
@@ -77,7 +81,8 @@ fn painting(catalog: &Catalog, material: &ModelMaterial, has_textures: bool) -> 
     }
 }
 
-fn all_models(catalog: &Catalog, models: &ModelLibrary) -> Vec<(ModelKey, Arc<Model>)> {
+/// All models in a level of detail, built on as many threads as there are.
+fn all_models(catalog: &Catalog, models: &ModelLibrary, detail: Detail) -> Vec<(ModelKey, Arc<Model>)> {
     let geometries: BTreeSet<&str> = catalog.styles.values().map(|style| style.geometry.as_str()).collect();
     let of_class = |class: ClassIndex| {
         let geometries = geometries.clone();
@@ -89,7 +94,8 @@ fn all_models(catalog: &Catalog, models: &ModelLibrary) -> Vec<(ModelKey, Arc<Mo
     let build = |(class, variant, geometry): (ClassIndex, u32, &str)| {
         let id = catalog.classes[class].id.clone();
         let key = ModelKey { class: id, variant, geometry: geometry.to_owned() };
-        (key, models.model(class, variant, geometry))
+        (key, models.model_in_detail(class, variant, geometry, detail))
     };
-    (0..catalog.classes.len()).flat_map(of_class).map(build).collect()
+    let wanted: Vec<(ClassIndex, u32, &str)> = (0..catalog.classes.len()).flat_map(of_class).collect();
+    wanted.into_par_iter().map(build).collect()
 }

@@ -57,7 +57,7 @@ pub fn bake(
     // The others are baked.
     let pool = thread_pool(options, folder.root())?;
     let library = match options.has_shared_library && !open.is_empty() {
-        true => Some(GeometryLibrary::create(catalog, models, folder, options.textures.size.is_some())?),
+        true => Some(pool.install(|| GeometryLibrary::create(catalog, models, folder, options))?),
         false => None,
     };
     let textures = Textures::new(options.textures).filter(|_| !open.is_empty());

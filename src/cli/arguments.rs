@@ -119,6 +119,9 @@ pub(crate) struct BakeArguments {
     /// Put the textures into each file; without it, all files share those in OUT/shared-textures.
     #[arg(long)]
     pub(crate) embed_textures: bool,
+    /// How finely furniture is modelled: as it is drawn, with about 30 % of the triangles, or as the boxes of its shape.
+    #[arg(long, value_enum, default_value = "full")]
+    pub(crate) detail: DetailWord,
     /// Leave out the lights of lamps (KHR_lights_punctual).
     #[arg(long)]
     pub(crate) no_lights: bool,
@@ -307,6 +310,17 @@ pub(crate) enum TextureWord {
     Small,
     /// 1024 pixels a metre.
     Large,
+}
+
+/// The words of `--detail`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DetailWord {
+    /// Everything that is drawn.
+    Full,
+    /// About 30 % of the triangles, for rooms seen from afar.
+    Reduced,
+    /// Boxes and cylinders, for rooms seen through windows.
+    Boxes,
 }
 
 /// Kinds of files.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::arguments::{BakeArguments, FormatWord, ProgressWord, TextureWord};
+use super::arguments::{BakeArguments, DetailWord, FormatWord, ProgressWord, TextureWord};
 use super::exit::Outcome;
 use super::progress::Progress;
 use super::room_styles::check_room_styles;
@@ -13,6 +13,7 @@ use super::summary::{failure_text, summary_json, summary_text, timing_text, wher
 use crate::batch::{
     BakeInput, BakeOptions, BakeReport, Format, OutputFault, OutputFolder, TextureOptions, bake,
 };
+use crate::model::Detail;
 use crate::texture::TextureSize;
 
 /// Most failures that are listed one by one.
@@ -79,6 +80,11 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
                 TextureWord::Large => Some(TextureSize::Large),
             },
             are_embedded: arguments.embed_textures,
+        },
+        detail: match arguments.detail {
+            DetailWord::Full => Detail::Full,
+            DetailWord::Reduced => Detail::Reduced,
+            DetailWord::Boxes => Detail::Boxes,
         },
         has_lights: !arguments.no_lights,
         threads: arguments.threads.map_or_else(cores, usize::from),

@@ -3,10 +3,11 @@
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use super::Model;
-use super::recipes::{PLAIN, RecipeInput, build_recipe, geometry_sets, recipe_names};
+use super::recipes::{PLAIN, RecipeInput, build_recipe, build_reduced_recipe, geometry_sets, recipe_names};
+use super::stand_in::stand_in;
 use super::user::UserModel;
-use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Size};
+use super::{Detail, Model};
+use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Shape, Size};
 use crate::document::{Fault, Faults, did_you_mean};
 
 /// The models of all classes, variants and geometry sets; built when first asked for and then shared.
@@ -23,19 +24,24 @@ struct Entry {
     id: String,
     sizes: Vec<Size>,
     looks: u32,
+    shape: Shape,
     source: Source,
 }
 
 #[derive(Debug)]
 enum Source {
-    Recipe {
-        name: String,
-        parameters: Vec<(String, f64)>,
-        /// By geometry set, then variant.
-        models: Vec<Vec<OnceLock<Arc<Model>>>>,
-    },
-    /// By size.
-    File(Vec<Arc<Model>>),
+    Recipe { name: String, parameters: Vec<(String, f64)>, models: Models },
+    File(Vec<FittedFile>),
+}
+
+/// By level of detail, then geometry set, then variant.
+type Models = [Vec<Vec<OnceLock<Arc<Model>>>>; Detail::ALL.len()];
+
+/// A user's model in one size.
+#[derive(Debug)]
+struct FittedFile {
+    model: Arc<Model>,
+    stand_in: OnceLock<Arc<Model>>,
 }
 
 impl ModelLibrary {
@@ -52,6 +58,7 @@ impl ModelLibrary {
                     id: class.id.clone(),
                     sizes: class.sizes.clone(),
                     looks: class.looks,
+                    shape: class.shape.clone(),
                     source,
                 }),
                 Err(found) => faults.merge(found),
@@ -66,14 +73,28 @@ impl ModelLibrary {
     /// If the class or the variant is none of the catalogue that was loaded.
     #[must_use]
     pub fn model(&self, class: ClassIndex, variant: u32, geometry: &str) -> Arc<Model> {
+        self.model_in_detail(class, variant, geometry, Detail::Full)
+    }
+
+    /// [`ModelLibrary::model`] in a level of detail.
+    ///
+    /// # Panics
+    /// As above.
+    #[must_use]
+    pub fn model_in_detail(
+        &self,
+        class: ClassIndex,
+        variant: u32,
+        geometry: &str,
+        detail: Detail,
+    ) -> Arc<Model> {
         let entry = &self.classes[class];
-        let size_index = (variant / entry.looks) as usize;
         match &entry.source {
-            Source::File(models) => Arc::clone(&models[size_index]),
+            Source::File(files) => entry.file(&files[(variant / entry.looks) as usize], variant, detail),
             Source::Recipe { models, .. } => {
                 let set = geometry_sets().iter().position(|&name| name == geometry).unwrap_or(plain_set());
-                let build = || entry.build(variant, set);
-                Arc::clone(models[set][variant as usize].get_or_init(build))
+                let build = || entry.build(variant, set, detail);
+                Arc::clone(models[detail as usize][set][variant as usize].get_or_init(build))
             }
         }
     }
@@ -85,19 +106,40 @@ fn plain_set() -> usize {
 }
 
 impl Entry {
-    fn build(&self, variant: u32, set: usize) -> Arc<Model> {
+    fn size(&self, variant: u32) -> Size {
+        self.sizes[(variant / self.looks) as usize]
+    }
+
+    /// A user's model has no parts that could be left out: reduced, it is whole.
+    fn file(&self, file: &FittedFile, variant: u32, detail: Detail) -> Arc<Model> {
+        if detail != Detail::Boxes {
+            return Arc::clone(&file.model);
+        }
+        let build = || Arc::new(stand_in(&file.model, &self.shape, self.size(variant)));
+        Arc::clone(file.stand_in.get_or_init(build))
+    }
+
+    fn build(&self, variant: u32, set: usize, detail: Detail) -> Arc<Model> {
         let Source::Recipe { name, parameters, models } = &self.source else {
             unreachable!("files are read when the library is loaded")
         };
-        let size = self.sizes[(variant / self.looks) as usize];
-        let look = variant % self.looks;
+        let (size, look) = (self.size(variant), variant % self.looks);
+        let known = |set: usize, detail: Detail| {
+            let cell = &models[detail as usize][set][variant as usize];
+            Arc::clone(cell.get_or_init(|| self.build(variant, set, detail)))
+        };
         let input = RecipeInput { size, look, geometry: geometry_sets()[set], parameters };
-        let model = build_recipe(name, &input).unwrap_or_else(|| panic!("class {} lost its recipe", self.id));
+        let model = match detail {
+            Detail::Full => build_recipe(name, &input),
+            Detail::Reduced => build_reduced_recipe(name, &input),
+            Detail::Boxes => Some(stand_in(&known(set, Detail::Full), &self.shape, size)),
+        };
+        let model = model.unwrap_or_else(|| panic!("class {} lost its recipe", self.id));
         if set == plain_set() {
             return Arc::new(model);
         }
-        let plain = models[plain_set()][variant as usize].get_or_init(|| self.build(variant, plain_set()));
-        if **plain == model { Arc::clone(plain) } else { Arc::new(model) }
+        let plain = known(plain_set(), detail);
+        if *plain == model { plain } else { Arc::new(model) }
     }
 }
 
@@ -108,7 +150,7 @@ fn source_of(class: &Class) -> Result<Source, Faults> {
                 return Err(unknown_recipe(class, name).into());
             }
             let slots = || (0..class.variant_count()).map(|_| OnceLock::new()).collect();
-            let models = geometry_sets().iter().map(|_| slots()).collect();
+            let models = Detail::ALL.map(|_| geometry_sets().iter().map(|_| slots()).collect());
             Ok(Source::Recipe { name: name.clone(), parameters: parameters.clone(), models })
         }
         ModelSource::File { path, turn } => {
@@ -117,7 +159,9 @@ fn source_of(class: &Class) -> Result<Source, Faults> {
             let mut models = Vec::new();
             for &size in &class.sizes {
                 match read.fitted(size) {
-                    Ok(model) => models.push(Arc::new(model)),
+                    Ok(model) => {
+                        models.push(FittedFile { model: Arc::new(model), stand_in: OnceLock::new() });
+                    }
                     Err(found) => faults.merge(found),
                 }
             }
@@ -173,6 +217,22 @@ mod tests {
         let both = library("chair");
         assert!(!Arc::ptr_eq(&both.model(0, 0, "traditional"), &both.model(0, 0, PLAIN)));
         assert!(Arc::ptr_eq(&both.model(0, 0, "unknown"), &both.model(0, 0, PLAIN)));
+    }
+
+    #[test]
+    fn levels_of_detail_are_coarser_and_coarser_in_the_same_box() {
+        let library = library("bookshelf");
+        let measure = |detail| {
+            let model = library.model_in_detail(0, 1, "traditional", detail);
+            let triangles: usize = model.primitives.iter().map(|part| part.indices.len() / 3).sum();
+            let points = model.primitives.iter().flat_map(|part| &part.positions);
+            let farthest = points.map(|p| f64::from(p[0].abs())).fold(0.0, f64::max);
+            assert!((farthest - 0.25).abs() < 0.001, "{detail:?} is {farthest} wide");
+            triangles as f64
+        };
+        let [full, reduced, boxes] = Detail::ALL.map(measure);
+        assert!(reduced <= full * Detail::REDUCED_SHARE && reduced > 12.0, "{reduced} of {full}");
+        assert_eq!(boxes, 12.0);
     }
 
     #[test]

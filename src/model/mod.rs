@@ -6,12 +6,15 @@
 
 #[cfg(test)]
 mod agreement;
+mod detail;
 mod kit;
 mod library;
 mod mesh;
 mod recipes;
+mod stand_in;
 mod user;
 
+pub use detail::Detail;
 pub use library::ModelLibrary;
 pub use mesh::{
     Image, Model, ModelMaterial, ModelRequest, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse,

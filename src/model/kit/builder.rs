@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::normals::corner_normals;
 use super::projection::Projection;
+use super::reduce::reduced;
 use super::{Bay, Shading, Solid, THINNEST, cuboid, rounded_box};
 use crate::catalog::Size;
 use crate::model::{Model, ModelMaterial, Primitive};
@@ -85,11 +86,38 @@ impl Builder {
 
     /// The model: fitted to a box of this size, one primitive for each slot in the order of first use.
     pub(crate) fn finish(mut self, size: Size) -> Model {
+        self.settle(size);
+        self.assemble()
+    }
+
+    /// The model with at most this share of its triangles, as far as its parts allow.
+    pub(crate) fn finish_reduced(mut self, size: Size, share: f64) -> Model {
+        self.settle(size);
+        let slots: Vec<&'static str> = self.parts.iter().map(|part| part.slot).collect();
+        let solids: Vec<Solid> = self.parts.into_iter().map(|part| part.solid).collect();
+        let count: usize = solids.iter().map(|solid| solid.triangles.len()).sum();
+        let target = (count as f64 * share) as usize;
+        let solids = reduced(solids, Bay::of_size(size).extent().length(), target).into_iter().zip(slots);
+        let parts = solids.filter_map(|(solid, slot)| Some(Part { slot, solid: solid? })).collect();
+        Self { bay: self.bay, parts }.assemble()
+    }
+
+    /// The model of a single solid where it is, in the plain slot.
+    pub(crate) fn unfitted(solid: Solid) -> Model {
+        let (low, high) = solid.bounds();
+        Self { bay: Bay { low, high }, parts: vec![Part { slot: PLAIN_SLOT, solid }] }.assemble()
+    }
+
+    /// Drops what is empty, sees to it that something is there, and fits it to the box.
+    fn settle(&mut self, size: Size) {
         self.parts.retain(|part| !part.solid.triangles.is_empty());
         if self.parts.is_empty() {
             self.add(PLAIN_SLOT, cuboid(self.bay));
         }
         self.fit(Bay::of_size(size));
+    }
+
+    fn assemble(self) -> Model {
         let mut primitives: Vec<Primitive> = Vec::new();
         let mut counts: Vec<usize> = Vec::new();
         for part in &self.parts {

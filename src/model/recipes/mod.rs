@@ -97,6 +97,12 @@ pub fn build_recipe(name: &str, input: &RecipeInput) -> Option<Model> {
     find(name).map(|recipe| recipe.build(input))
 }
 
+/// Builds a model with fewer triangles, [`super::Detail::Reduced`]; `None` for an unknown recipe.
+#[must_use]
+pub(crate) fn build_reduced_recipe(name: &str, input: &RecipeInput) -> Option<Model> {
+    find(name).map(|recipe| recipe.build_reduced(input))
+}
+
 fn find(name: &str) -> Option<&'static Recipe> {
     RECIPES.binary_search_by(|recipe| recipe.name.cmp(name)).ok().map(|index| &RECIPES[index])
 }

@@ -8,8 +8,8 @@ use super::{
     tables, tableware, toilets, utility_sink, wall_lamps, walls, washroom, windows,
 };
 use crate::catalog::Size;
-use crate::model::Model;
 use crate::model::kit::Builder;
+use crate::model::{Detail, Model};
 
 /// One recipe.
 #[derive(Debug)]
@@ -41,6 +41,11 @@ impl Recipe {
     /// The finished model.
     pub(crate) fn build(&'static self, input: &RecipeInput) -> Model {
         self.parts(input).finish(input.size)
+    }
+
+    /// The model with fewer triangles; see [`Detail::Reduced`].
+    pub(crate) fn build_reduced(&'static self, input: &RecipeInput) -> Model {
+        self.parts(input).finish_reduced(input.size, Detail::REDUCED_SHARE)
     }
 
     /// The parts before they are fitted to the box.
