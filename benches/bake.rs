@@ -10,7 +10,7 @@ use roomwright::gltf::write_glb;
 use roomwright::layout::{FurnishOptions, furnish};
 use roomwright::model::ModelLibrary;
 use roomwright::plan::{Level, PlacedBuilding, Plan, PlanOptions, read_plans};
-use roomwright::scene::{SceneInput, build_scene};
+use roomwright::scene::{SceneInput, SceneOptions, build_scene};
 
 /// Seed of all rooms.
 const SEED: u64 = 1;
@@ -35,7 +35,7 @@ fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models
         catalog,
         models: &|class, variant, geometry| models.model(class, variant, geometry),
         textures: None,
-        has_lights: true,
+        options: SceneOptions::default(),
         seed: SEED,
     });
     write_glb(&scene).expect("a house fits into a file").len()

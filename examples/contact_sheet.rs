@@ -70,6 +70,7 @@ impl<'a> Sheet<'a> {
             meshes: Vec::new(),
             materials: Vec::new(),
             lights: Vec::new(),
+            variants: Vec::new(),
         };
         let textures = TextureLibrary::new(TextureSize::Small, TextureLocation::Embedded);
         Self { palette, scene, textures, slots: BTreeMap::new() }

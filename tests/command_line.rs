@@ -13,8 +13,8 @@ mod command_line {
     mod faults;
     mod guide;
     mod handbook;
+    mod looks;
     mod output_folder;
-    mod textures;
     mod user_models;
     mod verdicts;
     mod world;

@@ -6,7 +6,7 @@ use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::layout::{FurnishOptions, Furnished, furnish};
 use roomwright::model::ModelLibrary;
 use roomwright::plan::{Level, PlanOptions, SitePlacement, read_plans};
-use roomwright::scene::SceneInput;
+use roomwright::scene::{SceneInput, SceneOptions};
 
 /// A level with what its scene needs.
 pub(crate) struct Floor {
@@ -47,7 +47,7 @@ impl Floor {
             catalog: &self.catalog,
             models: &models,
             textures: None,
-            has_lights: true,
+            options: SceneOptions::default(),
             seed: SEED,
         })
     }

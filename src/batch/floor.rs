@@ -132,7 +132,7 @@ fn scene(workshop: &Workshop<'_>, job: &Job<'_>, furnished: &[Furnished], verdic
         models: &|class, variant, geometry| {
             workshop.models.model_in_detail(class, variant, geometry, workshop.options.detail)
         },
-        has_lights: workshop.options.has_lights,
+        options: workshop.options.scene,
         textures: workshop.textures.as_ref().map(|textures| &textures.library),
         seed: workshop.options.seed,
     })

@@ -6,6 +6,7 @@ use crate::best::DEFAULT_EFFORT;
 use crate::catalog::Catalog;
 use crate::model::Detail;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
+use crate::scene::SceneOptions;
 use crate::texture::TextureSize;
 
 use super::file_name::distinct_names;
@@ -29,8 +30,8 @@ pub struct BakeOptions {
     pub textures: TextureOptions,
     /// How finely furniture is modelled; default as the recipes draw it.
     pub detail: Detail,
-    /// Whether lamps give light; default yes.
-    pub has_lights: bool,
+    /// What levels show beyond rooms and furniture.
+    pub scene: SceneOptions,
     /// Threads; more bake faster and hold more floors in memory. Never changes a byte. Default 1.
     pub threads: usize,
     /// The share of the levels to bake; default all.
@@ -47,7 +48,7 @@ impl Default for BakeOptions {
             has_shared_library: false,
             textures: TextureOptions::default(),
             detail: Detail::Full,
-            has_lights: true,
+            scene: SceneOptions::default(),
             threads: 1,
             shard: None,
         }
@@ -174,9 +175,12 @@ fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
     hash.update(pixels.to_le_bytes());
     hash.update([
         u8::from(options.textures.are_embedded),
-        u8::from(options.has_lights),
+        u8::from(options.scene.has_lights),
+        u8::from(options.scene.has_variants),
         options.detail as u8,
     ]);
+    // As far as the plan lets them is no number of degrees.
+    hash.update(options.scene.door_angle.unwrap_or(u16::MAX).to_le_bytes());
     // Last, so that its length needs no mark.
     hash.update(options.style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
     hash.finalize().into()
@@ -251,13 +255,16 @@ pub(crate) mod tests {
             list_jobs(plan, &Catalog::default(), options)[0].inputs.clone()
         };
         let base = inputs(&plan, &BakeOptions::default());
+        let showing = |scene| BakeOptions { scene, ..BakeOptions::default() };
         let options = [
             BakeOptions { seed: 2, ..BakeOptions::default() },
             BakeOptions { effort: 1, ..BakeOptions::default() },
             BakeOptions { style: Some("hotel".to_owned()), ..BakeOptions::default() },
             BakeOptions { format: Format::Gltf, ..BakeOptions::default() },
             BakeOptions { has_shared_library: true, ..BakeOptions::default() },
-            BakeOptions { has_lights: false, ..BakeOptions::default() },
+            showing(SceneOptions { has_lights: false, ..SceneOptions::default() }),
+            showing(SceneOptions { door_angle: Some(0), ..SceneOptions::default() }),
+            showing(SceneOptions { has_variants: true, ..SceneOptions::default() }),
             BakeOptions { detail: Detail::Boxes, ..BakeOptions::default() },
             BakeOptions {
                 textures: TextureOptions { size: None, are_embedded: false },

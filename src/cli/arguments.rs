@@ -125,6 +125,12 @@ pub(crate) struct BakeArguments {
     /// Leave out the lights of lamps (KHR_lights_punctual).
     #[arg(long)]
     pub(crate) no_lights: bool,
+    /// How far doors on hinges stand open: 0 is shut [default: as far as the plan lets them].
+    #[arg(long, value_name = "DEGREES", value_parser = clap::value_parser!(u16).range(0..=180))]
+    pub(crate) door_angle: Option<u16>,
+    /// Let viewers choose among all palettes (KHR_materials_variants).
+    #[arg(long)]
+    pub(crate) variants: bool,
     /// Bake share I of N, so that N machines can split the work.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     pub(crate) shard: Option<Shard>,

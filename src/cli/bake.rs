@@ -14,6 +14,7 @@ use crate::batch::{
     BakeInput, BakeOptions, BakeReport, Format, OutputFault, OutputFolder, TextureOptions, bake,
 };
 use crate::model::Detail;
+use crate::scene::SceneOptions;
 use crate::texture::TextureSize;
 
 /// Most failures that are listed one by one.
@@ -86,7 +87,11 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             DetailWord::Reduced => Detail::Reduced,
             DetailWord::Boxes => Detail::Boxes,
         },
-        has_lights: !arguments.no_lights,
+        scene: SceneOptions {
+            has_lights: !arguments.no_lights,
+            door_angle: arguments.door_angle,
+            has_variants: arguments.variants,
+        },
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
     };

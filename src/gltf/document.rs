@@ -14,6 +14,7 @@ use super::light::{LIGHTS, add_lights, node_light};
 use super::material::{Images, TRANSMISSION, material};
 use super::mesh::{accessors, mesh};
 use super::pack::{PackedPrimitive, Packer, Painting};
+use super::variant::{VARIANTS, add_variants};
 use super::view::{Views, percent_encoded};
 use crate::model::{Model, TextureSampler, TextureUse};
 use crate::scene::{GENERATOR, Scene};
@@ -51,10 +52,11 @@ pub(crate) fn build(scene: &Scene, uri: Option<&str>, library: Option<LibraryRef
         .map(|source| accessors(&mut root, &mut views, source.is_library, &source.primitives))
         .collect();
     for (scene_mesh, &source) in scene.meshes.iter().zip(&source_of_mesh) {
-        root.meshes.push(mesh(scene_mesh, &accessors[source]));
+        root.meshes.push(mesh(scene_mesh, &accessors[source], &scene.variants));
     }
     add_images(&mut root, &mut views, &images);
     add_lights(&mut root, &scene.lights);
+    add_variants(&mut root, &scene.variants);
     let level = add_node(&mut root.nodes, &scene.root);
     let level_scene = JsonScene { extensions: None, extras: None, name: None, nodes: vec![level] };
     root.scene = Some(root.push(level_scene));
@@ -94,15 +96,18 @@ fn pack<'l>(
     (sources, source_of_mesh)
 }
 
-/// What is painted on each primitive of a model, by index, in any of its meshes.
+/// What is painted on each primitive of a model, by index, in any of its meshes and variants.
 fn paintings(scene: &Scene) -> BTreeMap<(*const Model, usize), Painting> {
     let mut paintings: BTreeMap<(*const Model, usize), Painting> = BTreeMap::new();
     for mesh in &scene.meshes {
         for (index, &material) in mesh.materials.iter().enumerate() {
-            let textures = scene.materials[material].textures();
             let painting = paintings.entry((Arc::as_ptr(&mesh.model), index)).or_default();
-            painting.has_coordinates |= !textures.is_empty();
-            painting.has_tangents |= textures.iter().any(|(purpose, _)| *purpose == TextureUse::Normal);
+            let others = scene.variants.iter().filter_map(|variant| variant.materials.get(&material));
+            for &shown in others.chain([&material]) {
+                let textures = scene.materials[shown].textures();
+                painting.has_coordinates |= !textures.is_empty();
+                painting.has_tangents |= textures.iter().any(|(purpose, _)| *purpose == TextureUse::Normal);
+            }
         }
     }
     paintings
@@ -188,6 +193,9 @@ fn extensions_used(root: &Root) -> Vec<String> {
         material.extensions.as_ref().is_some_and(|extensions| extensions.transmission.is_some())
     };
     let transmission = root.materials.iter().any(is_used).then(|| TRANSMISSION.to_owned());
-    let lights = root.extensions.is_some().then(|| LIGHTS.to_owned());
-    lights.into_iter().chain(transmission).collect()
+    let extensions = root.extensions.as_ref();
+    let has = |is_there: fn(&gltf_json::extensions::Root) -> bool| extensions.is_some_and(is_there);
+    let lights = has(|root| root.khr_lights_punctual.is_some()).then(|| LIGHTS.to_owned());
+    let variants = has(|root| root.khr_materials_variants.is_some()).then(|| VARIANTS.to_owned());
+    lights.into_iter().chain(transmission).chain(variants).collect()
 }

@@ -1,8 +1,8 @@
 //! Lights of lamps: `KHR_lights_punctual`.
 
 use gltf_json::extensions::root::KhrLightsPunctual as Lights;
+use gltf_json::extensions::scene;
 use gltf_json::extensions::scene::khr_lights_punctual::{KhrLightsPunctual as NodeLight, Light, Type};
-use gltf_json::extensions::{root, scene};
 use gltf_json::validation::Checked;
 use gltf_json::{Index, Root};
 
@@ -27,7 +27,7 @@ pub(crate) fn add_lights(root: &mut Root, lights: &[SceneLight]) {
         type_: Checked::Valid(Type::Point),
     };
     let lights = Lights { lights: lights.iter().map(light).collect() };
-    root.extensions = Some(root::Root { khr_lights_punctual: Some(lights) });
+    root.extensions.get_or_insert_default().khr_lights_punctual = Some(lights);
 }
 
 /// What a node with a light says.

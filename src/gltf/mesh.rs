@@ -8,8 +8,9 @@ use gltf_json::validation::{Checked, USize64};
 use gltf_json::{Index, Root, Value};
 
 use super::pack::{Packed, PackedPrimitive, Section};
+use super::variant::mappings;
 use super::view::Views;
-use crate::scene::SceneMesh;
+use crate::scene::{SceneMesh, SceneVariant};
 
 /// The accessors of a primitive.
 pub(crate) struct PrimitiveAccessors {
@@ -48,14 +49,14 @@ pub(crate) fn accessors(
 }
 
 /// A mesh over accessors that other meshes may use too.
-pub(crate) fn mesh(source: &SceneMesh, accessors: &[PrimitiveAccessors]) -> Mesh {
+pub(crate) fn mesh(source: &SceneMesh, accessors: &[PrimitiveAccessors], variants: &[SceneVariant]) -> Mesh {
     let primitive = |(accessors, &material): (&PrimitiveAccessors, &usize)| Primitive {
         attributes: accessors.attributes.clone(),
         indices: Some(accessors.indices),
         material: Some(Index::new(u32::try_from(material).expect("a level has few materials"))),
         mode: Checked::Valid(Mode::Triangles),
         targets: None,
-        extensions: None,
+        extensions: mappings(material, variants),
         extras: None,
     };
     Mesh {

@@ -17,6 +17,7 @@ mod material;
 mod mesh;
 mod pack;
 mod tangent;
+mod variant;
 mod view;
 
 use std::fmt;

@@ -50,12 +50,13 @@ mod tests {
     }
 
     #[test]
-    fn every_class_is_coarser_in_every_set_and_stays_in_its_box() {
+    fn every_class_is_coarser_and_stays_in_its_box() {
         let catalog = load_catalog(&[]).expect("the built-in configuration is sound").value;
         let library = ModelLibrary::load(&catalog).unwrap();
         let mut sums = [0; Detail::ALL.len()];
         for (index, class) in catalog.classes.iter().enumerate() {
-            for &set in geometry_sets() {
+            // The sets take turns: all of them for each class would take a minute without optimization.
+            for &set in geometry_sets().iter().skip(index % 4).step_by(4) {
                 let name = format!("{} ({set})", class.id);
                 let models = Detail::ALL.map(|detail| library.model_in_detail(index, 0, set, detail));
                 let counts = models.each_ref().map(|model| triangle_count(model));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::SceneInput;
 use super::light::{SceneLight, scene_light};
-use super::node::{ModelKey, SceneMaterial, SceneMesh};
+use super::node::{ModelKey, Node, Scene, SceneMaterial, SceneMesh, SceneVariant};
 use super::shell::Shape;
 use super::tint::Tint;
 use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
@@ -45,6 +45,7 @@ pub(crate) struct MeshTable<'a> {
     /// Kept here too, so that one model is one allocation in a scene whatever the source does.
     built: BTreeMap<(ClassIndex, u32, &'a str), Arc<Model>>,
     textures: Option<&'a TextureLibrary>,
+    has_variants: bool,
     furniture: BTreeMap<(ClassIndex, u32, Look<'a>), Vec<usize>>,
     shapes: BTreeMap<Shape, (usize, Arc<Model>)>,
     shells: BTreeMap<(usize, &'a str), usize>,
@@ -69,6 +70,7 @@ impl<'a> MeshTable<'a> {
             catalog: input.catalog,
             models: input.models,
             textures: input.textures,
+            has_variants: input.options.has_variants,
             meshes: Vec::new(),
             materials: Vec::new(),
             lights: Vec::new(),
@@ -80,9 +82,23 @@ impl<'a> MeshTable<'a> {
         }
     }
 
-    /// Meshes, materials and lights in the order of first use.
-    pub(crate) fn finish(self) -> (Vec<SceneMesh>, Vec<SceneMaterial>, Vec<SceneLight>) {
-        (self.meshes, self.materials, self.lights)
+    /// The scene of a tree, its meshes, materials and lights in the order of first use.
+    pub(crate) fn finish(mut self, root: Node) -> Scene {
+        let variants = if self.has_variants { self.variants() } else { Vec::new() };
+        let Self { meshes, materials, lights, .. } = self;
+        Scene { root, meshes, materials, lights, variants }
+    }
+
+    /// What every slot in use looks like in each palette: a tint goes to the tint of the same number, as far as there
+    /// are as many.
+    fn variants(&mut self) -> Vec<SceneVariant> {
+        let (catalog, in_use) = (self.catalog, self.slots.clone());
+        let variant = |palette: &'a str| {
+            let replacement =
+                |(&(_, slot, number), &material)| (material, self.slot_of_number(palette, slot, number));
+            SceneVariant { name: palette.to_owned(), materials: in_use.iter().map(replacement).collect() }
+        };
+        catalog.palettes.keys().map(String::as_str).map(variant).collect()
     }
 
     /// The light of a lamp; there are few kinds, and equal ones are found by looking at all.
@@ -148,9 +164,14 @@ impl<'a> MeshTable<'a> {
     }
 
     fn slot(&mut self, palette: &'a str, slot: &'static str, tint: Tint) -> usize {
+        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+        self.slot_of_number(palette, slot, found.map_or(0, |material| tint.pick(material.tints.len())))
+    }
+
+    fn slot_of_number(&mut self, palette: &'a str, slot: &'static str, number: usize) -> usize {
         let (catalog, materials) = (self.catalog, &mut self.materials);
         let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
-        let number = found.map_or(0, |material| tint.pick(material.tints.len()));
+        let number = number.min(found.map_or(0, |material| material.tints.len()));
         let textures = self.textures;
         *self.slots.entry((palette, slot, number)).or_insert_with(|| {
             let mut material = found.cloned().unwrap_or(NEUTRAL);

@@ -9,6 +9,7 @@ mod light;
 mod meshes;
 mod names;
 mod node;
+mod options;
 mod room;
 mod shell;
 mod tint;
@@ -16,15 +17,18 @@ mod tint;
 pub use light::SceneLight;
 pub use meshes::ModelSourceFunction;
 pub use node::{
-    Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneMaterial, SceneMesh, SideExtras, SiteExtras,
+    Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneMaterial, SceneMesh, SceneVariant, SideExtras,
+    SiteExtras,
 };
+
+pub use options::SceneOptions;
 
 pub(crate) use extras::GENERATOR;
 pub(crate) use names::{opening as opening_id, parent as parent_id};
 
 use axes::Pose;
 use meshes::{Look, MeshTable};
-use shell::{RoomFinish, opening_node};
+use shell::{OpeningLook, RoomFinish, opening_node};
 
 use crate::audit::Verdict;
 use crate::catalog::{Catalog, DEFAULT_STYLE};
@@ -52,8 +56,8 @@ pub struct SceneInput<'a> {
     pub models: &'a ModelSourceFunction<'a>,
     /// What lies on the materials; none for plain colours.
     pub textures: Option<&'a TextureLibrary>,
-    /// Whether lamps give light.
-    pub has_lights: bool,
+    /// What is shown beyond rooms and furniture.
+    pub options: SceneOptions,
     /// Seed of the run.
     pub seed: u64,
 }
@@ -74,8 +78,7 @@ pub fn build_scene(input: &SceneInput<'_>) -> Scene {
     let mut root = Node::at(name, &origin, None, extras::level_extras(input));
     root.children.extend(openings(input, &mut meshes));
     root.children.extend((0..input.level.rooms.len()).map(|room| room::room_node(input, room, &mut meshes)));
-    let (meshes, materials, lights) = meshes.finish();
-    Scene { root, meshes, materials, lights }
+    meshes.finish(root)
 }
 
 /// Openings look like the first room they join.
@@ -86,7 +89,8 @@ fn openings<'a>(input: &SceneInput<'a>, meshes: &mut MeshTable<'a>) -> Vec<Node>
         let look = Look::of_style(input.catalog, style);
         let finish =
             room.map_or(RoomFinish::PLAIN, |room| RoomFinish::of(input.catalog, &input.level.rooms[room]));
-        opening_node(input.level, opening, finish, look, meshes)
+        let door_angle = input.options.door_angle;
+        opening_node(input.level, opening, &OpeningLook { finish, look, door_angle }, meshes)
     };
     input.level.openings.iter().map(node).collect()
 }

@@ -1,5 +1,6 @@
 //! The tree of nodes that becomes a glTF file.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::{Quat, Vec3};
@@ -22,6 +23,17 @@ pub struct Scene {
     pub materials: Vec<SceneMaterial>,
     /// Lights that nodes refer to; each once.
     pub lights: Vec<SceneLight>,
+    /// Other looks of the whole level, if any are asked for.
+    pub variants: Vec<SceneVariant>,
+}
+
+/// Another look of a level.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SceneVariant {
+    /// The palette.
+    pub name: String,
+    /// What takes the place of a material, both as index into [`Scene::materials`]; materials of users' models stay.
+    pub materials: BTreeMap<usize, usize>,
 }
 
 /// A mesh with its materials.

@@ -75,7 +75,7 @@ fn light_of(
     room: &str,
     meshes: &mut MeshTable<'_>,
 ) -> Option<Node> {
-    let light = input.catalog.classes[placement.class].light.filter(|_| input.has_lights)?;
+    let light = input.catalog.classes[placement.class].light.filter(|_| input.options.has_lights)?;
     let id = names::object(input.catalog, placement);
     Some(light_node(&light, placement.size, (&id, room), meshes.light(&light)))
 }

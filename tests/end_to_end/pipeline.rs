@@ -9,7 +9,7 @@ use roomwright::gltf::write_glb;
 use roomwright::layout::{FurnishOptions, Furnished};
 use roomwright::model::ModelLibrary;
 use roomwright::plan::{Level, Plan, PlanOptions, PlanReading, SitePlacement, read_plans};
-use roomwright::scene::{SceneInput, build_scene};
+use roomwright::scene::{SceneInput, SceneOptions, build_scene};
 
 /// Layouts per room at most: less than a bake's, for tests run without optimisation.
 const EFFORT: u32 = 2;
@@ -67,7 +67,7 @@ impl Pipeline {
             catalog: &self.catalog,
             models: &|class, variant, geometry| self.models.model(class, variant, geometry),
             textures: None,
-            has_lights: true,
+            options: SceneOptions::default(),
             seed: self.seed,
         });
         BakedLevel { building, level, furnished, verdicts, glb: write_glb(&scene).unwrap() }

@@ -12,7 +12,7 @@ use roomwright::model::{
     Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
 };
 use roomwright::plan::SitePlacement;
-use roomwright::scene::{Node, Scene, SceneInput, SceneMaterial, build_scene};
+use roomwright::scene::{Node, Scene, SceneInput, SceneMaterial, SceneOptions, build_scene};
 
 use crate::fixture::*;
 
@@ -225,7 +225,7 @@ fn textured_scene() -> Scene {
         catalog: &catalog,
         models: &|_, _, _| Arc::clone(&model),
         textures: None,
-        has_lights: true,
+        options: SceneOptions::default(),
         seed: 42,
     })
 }
@@ -281,7 +281,7 @@ fn accessors_are_aligned_and_large_meshes_have_long_indices() {
         catalog: &catalog,
         models: &|_, _, _| Arc::clone(&model),
         textures: None,
-        has_lights: true,
+        options: SceneOptions::default(),
         seed: 42,
     });
     let file = read(&write_glb(&scene).unwrap());

@@ -16,7 +16,7 @@ mod ticks;
 mod wall;
 mod window;
 
-pub(crate) use opening::opening_node;
+pub(crate) use opening::{OpeningLook, opening_node};
 pub(crate) use room::{RoomFinish, room_parts};
 
 use frame::Reveal;

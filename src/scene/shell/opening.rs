@@ -19,12 +19,22 @@ const FREE_STANDING: f64 = 0.1;
 /// Narrowest common span of both sides' holes that is taken for the opening's own width.
 const LEAST_SPAN: f64 = 0.05;
 
+/// How openings look.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OpeningLook<'a> {
+    /// Of the first room.
+    pub finish: RoomFinish,
+    /// Of that room's style.
+    pub look: Look<'a>,
+    /// Degrees by which leaves stand open; as far as they go where nothing is said.
+    pub door_angle: Option<u16>,
+}
+
 /// The node of an opening with its pieces. It faces the first room it joins.
 pub(crate) fn opening_node<'a>(
     level: &Level,
     opening: &Opening,
-    finish: RoomFinish,
-    look: Look<'a>,
+    &OpeningLook { finish, look, door_angle }: &OpeningLook<'a>,
     meshes: &mut MeshTable<'a>,
 ) -> Node {
     let facing = opening.sides.first().map_or(opening.along.perp(), |side| wall_of(level, side).normal());
@@ -37,6 +47,7 @@ pub(crate) fn opening_node<'a>(
         palette: look.palette,
         design: leaf_design(level, opening, look),
         casing: casing(level, opening),
+        door_angle,
         meshes,
         nodes: Vec::new(),
     };
@@ -126,6 +137,12 @@ fn reveal(level: &Level, opening: &Opening, pose: &Pose) -> Reveal {
     }
 }
 
+/// The direction of a leaf that is opened by an angle in radians from `shut` towards `open`, at most so far.
+fn opened(shut: Point, open: Point, angle: f64) -> Point {
+    let swing = shut.angle_to(open);
+    Point::from_angle(swing.clamp(-angle, angle)).rotate(shut)
+}
+
 /// Metres of the boards around a doorway, and the narrowest ones.
 const CASING: f64 = 0.06;
 const LEAST_CASING: f64 = 0.02;
@@ -139,6 +156,7 @@ struct Pieces<'a, 'm, 'n> {
     palette: &'a str,
     design: LeafDesign,
     casing: Ticks,
+    door_angle: Option<u16>,
     meshes: &'m mut MeshTable<'a>,
     nodes: Vec<Node>,
 }
@@ -153,7 +171,7 @@ impl Pieces<'_, '_, '_> {
         }
     }
 
-    /// The leaf stands as far open as the plan lets it.
+    /// The leaf stands as far open as is asked for, and no further than the plan lets it.
     fn leaf(&mut self, id: String, leaf: &Leaf, top: Ticks, meets_jamb: bool) {
         let (shut, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
         let length = shut.length();
@@ -164,7 +182,8 @@ impl Pieces<'_, '_, '_> {
         let body_on_front = shut.perp_dot(open) > 0.0;
         let shape =
             LeafShape { length: Ticks::of(length), top, body_on_front, meets_jamb, design: self.design };
-        let pose = Pose::on_floor(leaf.hinge, angle_along(open));
+        let tip = self.door_angle.map_or(open, |degrees| opened(shut, open, f64::from(degrees).to_radians()));
+        let pose = Pose::on_floor(leaf.hinge, angle_along(tip));
         self.piece(("leaf", id), &pose, Shape::Leaf(shape));
     }
 

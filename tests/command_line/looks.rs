@@ -1,0 +1,144 @@
+//! What the same rooms look like: textures, lights, levels of detail, doors, variants.
+
+use super::world::{World, plan};
+
+/// A folder with two furnished rooms, baked with these options.
+fn baked(options: &[&str]) -> World {
+    let world = World::new();
+    world.write("house.yaml", plan("house", 1));
+    bake(&world, options);
+    world
+}
+
+fn bake(world: &World, options: &[&str]) -> String {
+    world.must(&[&["bake", "house.yaml", "--effort", "1"], options].concat()).stdout
+}
+
+fn textures(world: &World) -> Vec<String> {
+    world.names("out").into_iter().filter(|name| name.starts_with("shared-textures/")).collect()
+}
+
+fn level(world: &World) -> gltf::Gltf {
+    gltf::Gltf::from_slice_without_validation(&world.contents("out")["house/1.glb"]).unwrap()
+}
+
+/// The images of the level's file: path, or nothing for one inside.
+fn images(world: &World) -> Vec<Option<String>> {
+    let source = |image: gltf::Image| match image.source() {
+        gltf::image::Source::Uri { uri, .. } => Some(uri.to_owned()),
+        gltf::image::Source::View { .. } => None,
+    };
+    level(world).images().map(source).collect()
+}
+
+#[test]
+fn levels_refer_to_shared_textures_by_relative_paths_that_exist() {
+    let world = baked(&["--textures", "small"]);
+    let (files, images) = (textures(&world), images(&world));
+    assert!(!images.is_empty());
+    for image in images {
+        let path = image.expect("shared images have files of their own");
+        assert!(files.contains(&path.strip_prefix("../").unwrap().to_owned()), "{path}");
+    }
+    let manifest = String::from_utf8(world.contents("out").remove("manifest.json").unwrap()).unwrap();
+    assert!(files.iter().all(|file| manifest.contains(file)), "the manifest lists them");
+}
+
+#[test]
+fn a_second_bake_keeps_levels_unless_a_texture_is_gone() {
+    let world = baked(&["--textures", "small"]);
+    let before = world.files("out");
+    assert!(bake(&world, &["--textures", "small"]).contains("Kept 1 level"));
+    let first = textures(&world).remove(0);
+    std::fs::remove_file(world.path("out").join(&first)).unwrap();
+    bake(&world, &["--textures", "small"]);
+    assert_eq!(world.files("out"), before);
+}
+
+#[test]
+fn embedded_textures_leave_one_file() {
+    let world = baked(&["--textures", "small", "--embed-textures"]);
+    assert!(textures(&world).is_empty());
+    let images = images(&world);
+    assert!(!images.is_empty() && images.iter().all(Option::is_none));
+}
+
+#[test]
+fn without_textures_there_are_no_images_and_the_file_is_smaller() {
+    let size = |world: &World| world.contents("out")["house/1.glb"].len();
+    let plain = baked(&["--textures", "none"]);
+    assert!(images(&plain).is_empty() && textures(&plain).is_empty());
+    assert!(size(&plain) < size(&baked(&["--textures", "small"])));
+}
+
+#[test]
+fn lamps_give_light_unless_told_otherwise() {
+    let lights = |world: &World| level(world).nodes().filter(|node| node.light().is_some()).count();
+    assert!(lights(&baked(&[])) > 0);
+    assert_eq!(lights(&baked(&["--no-lights"])), 0);
+}
+
+#[test]
+fn levels_of_detail_have_the_same_nodes_and_fewer_triangles() {
+    let look = |detail| {
+        let gltf = level(&baked(&["--detail", detail]));
+        let names: Vec<String> = gltf.nodes().map(|node| node.name().unwrap().to_owned()).collect();
+        let count = |primitive: gltf::Primitive| primitive.indices().unwrap().count() / 3;
+        (names, gltf.meshes().flat_map(|mesh| mesh.primitives()).map(count).sum::<usize>())
+    };
+    let [full, reduced, boxes] = ["full", "reduced", "boxes"].map(look);
+    assert_eq!(full.0, reduced.0);
+    assert_eq!(full.0, boxes.0);
+    assert!(full.1 > reduced.1 && reduced.1 > boxes.1, "{} {} {}", full.1, reduced.1, boxes.1);
+}
+
+/// Sines of the angles between leaves and their walls, each as a positive number.
+fn leaf_sines(options: &[&str]) -> Vec<f32> {
+    let gltf = level(&baked(options));
+    let leaves = gltf.nodes().filter(|node| node.name().is_some_and(|name| name.starts_with("leaf@")));
+    let sine = |node: gltf::Node| {
+        let (_, [_, y, _, w], _) = node.transform().decomposed();
+        (2.0 * y * w).abs()
+    };
+    leaves.map(sine).collect()
+}
+
+#[test]
+fn doors_stand_open_as_far_as_asked_for() {
+    let near = |sine: &f32, expected: f32| (sine - expected).abs() < 1e-3;
+    let wide = leaf_sines(&[]);
+    assert!(!wide.is_empty() && wide.iter().all(|sine| near(sine, 1.0)), "{wide:?}");
+    assert!(leaf_sines(&["--door-angle", "30"]).iter().all(|sine| near(sine, 0.5)));
+    assert!(leaf_sines(&["--door-angle", "0"]).iter().all(|sine| near(sine, 0.0)));
+    // No further than the plan lets them.
+    assert_eq!(leaf_sines(&["--door-angle", "170"]), wide);
+}
+
+#[test]
+fn every_palette_is_a_variant_on_request_with_materials_that_exist() {
+    let json = |options: &[&str]| {
+        let gltf = level(&baked(options)).document.into_json();
+        (serde_json::to_value(&gltf).unwrap(), gltf.extensions_used)
+    };
+    assert!(!json(&[]).1.iter().any(|name| name == "KHR_materials_variants"));
+    let (document, used) = json(&["--variants"]);
+    assert!(used.iter().any(|name| name == "KHR_materials_variants"));
+    let variants = document["extensions"]["KHR_materials_variants"]["variants"].as_array().unwrap();
+    let materials = document["materials"].as_array().unwrap();
+    let primitives =
+        document["meshes"].as_array().unwrap().iter().flat_map(|mesh| mesh["primitives"].as_array().unwrap());
+    for primitive in primitives {
+        let mappings = primitive["extensions"]["KHR_materials_variants"]["mappings"].as_array().unwrap();
+        let mut named = 0;
+        for mapping in mappings {
+            let material =
+                materials[mapping["material"].as_u64().unwrap() as usize]["name"].as_str().unwrap();
+            for variant in mapping["variants"].as_array().unwrap() {
+                let palette = variants[variant.as_u64().unwrap() as usize]["name"].as_str().unwrap();
+                assert_eq!(material.split('.').next(), Some(palette));
+                named += 1;
+            }
+        }
+        assert_eq!(named, variants.len(), "every variant has its own material");
+    }
+}
