@@ -20,14 +20,16 @@ pub(super) fn books(draft: &Draft, builder: &mut Builder) {
     let mut sampler = draft.sampler();
     let bay = builder.bay();
     let set = draft.set();
-    let thick = match set {
-        GeometrySet::Traditional => THICKNESS * 1.2,
-        GeometrySet::Industrial => THICKNESS * 1.6,
-        GeometrySet::Plain => THICKNESS,
-        GeometrySet::Budget => THICKNESS * 0.7,
+    let has_glasses = set == GeometrySet::Plain && form == 3;
+    // As many as the triangles of a small thing allow.
+    let (thick, most) = match set {
+        GeometrySet::Traditional => (THICKNESS * 1.2, 3),
+        GeometrySet::Industrial => (THICKNESS * 1.6, 3),
+        GeometrySet::Plain => (THICKNESS, if has_glasses { 2 } else { 5 }),
+        GeometrySet::Budget => (THICKNESS * 0.7, 5),
     };
-    let count = (bay.height() / thick).round().clamp(1.0, 5.0) as u32;
-    let top = if set == GeometrySet::Plain && form == 3 { 0.08 } else { 0.0 } * bay.height();
+    let count = ((bay.height() / thick).round() as u32).clamp(1, most);
+    let top = if has_glasses { 0.08 } else { 0.0 } * bay.height();
     for (index, row) in bay.without(Side::Above, top).rows(count, -SINK).into_iter().enumerate() {
         let is_lowest = index == 0;
         let shrink = if is_lowest { 0.0 } else { sampler.between(0.04, 0.16) };
@@ -84,29 +86,18 @@ fn bound(stack: &mut Stack, sampler: &mut Sampler, book: Bay) {
     stack.add(if slot == "linen" { "metal_dark" } else { "paper" }, label.moved(-0.0004, 0.0, 0.0));
 }
 
-/// Leather with raised bands across its back and gilt on its edge.
+/// Leather with raised bands across its back and a gilt title.
 fn banded(stack: &mut Stack, sampler: &mut Sampler, book: Bay) {
     let slot = sampler.pick(&["leather", "book", "wood_dark"]);
     let cover = stack.case(slot, book.without(Side::Left, 0.003), 0.004);
     let back = book.slab(Side::Left, 0.0045).inset(0.0, cover * 0.5, 0.0);
-    for share in [-0.36, -0.12, 0.12, 0.36] {
+    for share in [-0.3, 0.3] {
         let at = back.center() + DVec3::Z * share * book.depth();
         stack.add(slot, Bay::around(at, 0.0045, back.height(), 0.007));
     }
     let title =
         Bay::around(back.center() + DVec3::X * 0.0014, 0.003, back.height() * 0.7, book.depth() * 0.14);
     stack.add("brass", title);
-    let corner = book.slab(Side::Above, cover).moved(0.0, 0.0004, 0.0).slab(Side::Right, book.width() * 0.1);
-    for end in [Side::Front, Side::Back] {
-        stack.add(
-            "brass",
-            corner.slab(end, book.width() * 0.1).moved(
-                -0.0006,
-                0.0,
-                if end == Side::Front { -0.0006 } else { 0.0006 },
-            ),
-        );
-    }
 }
 
 /// A ring binder of board, its finger hole and label on the back.

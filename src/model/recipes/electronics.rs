@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::input::Draft;
 use super::parts::turned_forward;
 use crate::catalog::Side;
-use crate::model::kit::{Axis, Bay, Builder, SINK, cuboid, cylinder, extrude, lathe, rounded_box};
+use crate::model::kit::{Axis, Bay, Builder, SINK, cuboid, cylinder, extrude, lathe};
 
 /// A keyboard with rows of keys, and a mouse where the box is wide.
 pub(super) fn keyboard(_draft: &Draft, builder: &mut Builder) {
@@ -105,38 +105,6 @@ pub(super) fn projection_screen(_draft: &Draft, builder: &mut Builder) {
         sheet.inset(bay.width() * 0.02, 0.0, 0.0).without(Side::Below, 0.05).without(Side::Above, 0.05);
     builder.cuboid("paper", picture.with_z([z + 0.001, z + 0.004]));
     builder.cuboid("metal", sheet.with_y([0.0, 0.025]).inset(-0.01, 0.0, 0.0).with_z([z - 0.012, z + 0.012]));
-}
-
-/// A desk telephone with its receiver.
-pub(super) fn phone(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let (low, high) = (bay.low.z, bay.high.z);
-    let rise = bay.height() * 0.76;
-    let wedge = [(high, 0.0), (high, bay.height() * 0.18), (low, rise), (low, 0.0)].map(DVec2::from);
-    builder.add("plastic_dark", extrude(&wedge, Axis::X, bay.x()));
-    let slope = libm::atan2(rise - bay.height() * 0.18, bay.depth());
-    let on_slope = |x: [f64; 2], z: [f64; 2], thickness: f64| {
-        // Built flat with the top edge of the slope at the origin, then tilted with it.
-        let flat = Bay::new(x, [-SINK * 2.0, thickness], z);
-        cuboid(flat).turned_x(slope).moved(0.0, rise, low)
-    };
-    let length = bay.depth() / libm::cos(slope);
-    let (left, right) = (-bay.width() * 0.08, bay.high.x - bay.width() * 0.08);
-    builder.add("screen", on_slope([left, right], [length * 0.1, length * 0.35], 0.002));
-    for row in 0..4 {
-        let z = length * (0.45 + 0.12 * f64::from(row));
-        for column in 0..3 {
-            let x = left + (right - left) * (0.36 * f64::from(column));
-            builder.add("plastic", on_slope([x, x + (right - left) * 0.28], [z, z + length * 0.08], 0.004));
-        }
-    }
-    let receiver = Bay::new(
-        [bay.low.x + bay.width() * 0.07, bay.low.x + bay.width() * 0.31],
-        [-0.002, bay.height() * 0.27],
-        [length * 0.05, length * 0.95],
-    );
-    let body = rounded_box(receiver, DVec3::splat(bay.height() * 0.08), 1);
-    builder.add("plastic_dark", body.turned_x(slope).moved(0.0, rise, low));
 }
 
 /// A till: drawer, keys and a display for each side.

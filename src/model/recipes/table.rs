@@ -4,8 +4,8 @@ use super::input::{Draft, RecipeInput};
 use super::{
     apparatus, appliances, basins, bathing, beds, belongings, books, carts, coat_stand, copier, countertop,
     desk_lamps, electronics, equipment, football_table, fridges, hangings, hook_board, kitchen, lamps,
-    laundry, lights, lounge, ovens, papers, plants, radiators, screens, seating, shelving, soap, storage,
-    tables, tableware, toilets, utility_sink, wall_lamps, walls, washroom, windows,
+    laundry, lights, lounge, ovens, papers, phone, plants, radiators, screens, seating, shelving, soap,
+    storage, tables, tableware, toilets, toys, utility_sink, wall_lamps, walls, washroom, windows,
 };
 use crate::catalog::Size;
 use crate::model::kit::Builder;
@@ -165,7 +165,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("papers", [0.22, 0.3, 0.02], papers::papers),
     large("partition", [1.6, 0.05, 1.6], walls::partition),
     large("pendant", [0.4, 0.4, 0.9], lights::pendant).round(),
-    small("phone", [0.2, 0.22, 0.1], electronics::phone),
+    small("phone", [0.2, 0.22, 0.1], phone::phone),
     small("picture", [0.7, 0.03, 0.5], hangings::picture),
     small("picture_frame", [0.15, 0.08, 0.2], belongings::picture_frame),
     small("pillow", [0.5, 0.4, 0.14], belongings::pillow),
@@ -199,7 +199,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("tool_trolley", [0.7, 0.46, 0.95], carts::tool_trolley),
     small("towel", [0.4, 0.3, 0.08], washroom::towel),
     small("towel_rail", [0.5, 0.1, 0.8], washroom::towel_rail),
-    small("toy", [0.25, 0.2, 0.25], belongings::toy),
+    small("toy", [0.25, 0.2, 0.25], toys::toy),
     small("tray", [0.4, 0.3, 0.04], tableware::tray),
     large("treadmill", [0.85, 1.95, 1.45], equipment::treadmill),
     large("treatment_bed", [0.7, 1.95, 0.85], beds::treatment_bed),
