@@ -11,6 +11,7 @@ use super::constants::{PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS};
 use super::environment::{Environment, Place};
 use super::movement::lift;
 use super::rules::{meets_needs, score};
+use super::suggestion::follows_suggestion;
 
 /// Pushes every group with a tight member to the best place within reach.
 pub(crate) fn push_apart(environment: &mut Environment<'_>) {
@@ -46,9 +47,11 @@ fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {
     agent
 }
 
-/// Whether an agent may move at all: what is built in, in rows or hung stays.
+/// Whether an agent may move at all: what is built in, in rows, hung, or where it was suggested stays.
 fn can_slide(environment: &Environment<'_>, agent: AgentIndex) -> bool {
-    let is_free = environment.class(agent).grid.is_none() && !environment.is_built_in(agent);
+    let is_free = environment.class(agent).grid.is_none()
+        && !environment.is_built_in(agent)
+        && !follows_suggestion(environment, agent);
     let rest = environment.agents[agent].rest();
     is_free
         && rest.is_some_and(|rest| {

@@ -8,6 +8,7 @@ use super::body::{Pose, outward};
 use super::environment::Environment;
 use super::movement::move_agent;
 use super::seed::{Purpose, RoomKey, Stream};
+use super::suggestion::follows_suggestion;
 
 /// Moves every movable agent a little; where there is no room for that it stays. Returns whether any moved.
 pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) -> bool {
@@ -19,8 +20,8 @@ pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidi
         let class = environment.class(agent);
         let piece = environment.agents[agent].piece;
         let mut stream = key.stream(Purpose::Untidiness, &class.id, piece.number);
-        if let (false, Some(rest)) =
-            (environment.is_built_in(agent), environment.agents[agent].rest().copied())
+        let is_fixed = environment.is_built_in(agent) || follows_suggestion(environment, agent);
+        if let (false, Some(rest)) = (is_fixed, environment.agents[agent].rest().copied())
             && let Some(pose) = offset(environment, agent, &rest, (untidiness, &mut stream))
         {
             has_moved |= move_agent(environment, agent, pose);

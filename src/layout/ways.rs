@@ -25,7 +25,7 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
         if in_the_way.is_empty() {
             return ways.len();
         }
-        for way in &ways {
+        for ClosedWay { way, .. } in &ways {
             let half = Point::splat(way.width / 2.0);
             let height = environment.catalog.audit.walking.body_height;
             for &place in &way.narrows {
@@ -40,8 +40,15 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
     all_closed_ways(environment).len()
 }
 
+/// A way that resting agents close.
+struct ClosedWay {
+    way: Way,
+    /// Whose side it leads to; nobody's if it leads to a door.
+    owner: Option<AgentIndex>,
+}
+
 /// The closed ways of people who walk, and of wheelchairs where the style asks for these.
-fn all_closed_ways(environment: &Environment<'_>) -> Vec<Way> {
+fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
     let rules = &environment.catalog.audit;
     let place = (environment.surroundings.level, environment.surroundings.room);
     let floor = Floor::new(place, &rules.walking, environment.solids());
@@ -66,21 +73,25 @@ fn closed_ways(
     rules: &WalkingRules,
     floor: Option<Floor>,
     empty: impl FnOnce() -> Option<Floor>,
-) -> Vec<Way> {
+) -> Vec<ClosedWay> {
     let Some(floor) = floor else { return Vec::new() };
     let walking = &environment.catalog.audit.walking;
     let areas = environment.used_areas(walking.narrow_person, walking.body_height);
-    let goals: Vec<Goal<'_>> =
-        floor.doors().map(Goal::Door).chain(areas.map(|solid| Goal::Area(solid.footprint()))).collect();
+    let areas = areas.map(|(owner, solid)| (Some(owner), Goal::Area(solid.footprint())));
+    let doors = floor.doors().map(|door| (None, Goal::Door(door)));
+    let (owners, goals): (Vec<Option<AgentIndex>>, Vec<Goal<'_>>) = doors.chain(areas).unzip();
     let empty = || empty().expect("a door of the furnished room is one of the empty room");
-    blocked_ways(&floor, empty, rules, &goals)
+    let ways = blocked_ways(&floor, empty, rules, &goals);
+    ways.into_iter().map(|way| ClosedWay { owner: owners[way.goal], way }).collect()
 }
 
 /// Whom the ways ask to go: at each narrow place the agent that reaches farthest into it, unless one that goes
-/// already was in its way.
-fn who_goes(environment: &Environment<'_>, ways: &[Way]) -> Vec<AgentIndex> {
+/// already was in its way. Where only pieces at suggested places are in the way to somebody's side, that one goes: they
+/// leave all ways open that the room cannot do without.
+fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
     let mut going: BTreeSet<AgentIndex> = BTreeSet::new();
-    for (way, &place) in ways.iter().flat_map(|way| way.narrows.iter().map(move |place| (way, place))) {
+    let places = ways.iter().flat_map(|closed| closed.way.narrows.iter().map(move |&place| (closed, place)));
+    for (ClosedWay { way, owner }, place) in places {
         let mut near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
         if way.width > environment.catalog.audit.walking.person {
             // A wide way is a wish: nobody goes for it whom the room cannot do without.
@@ -100,7 +111,12 @@ fn who_goes(environment: &Environment<'_>, ways: &[Way]) -> Vec<AgentIndex> {
                 Reverse(agent),
             )
         };
-        going.extend(near.iter().min_by_key(rank).map(|(&agent, _)| agent));
+        let first = near.iter().min_by_key(rank).map(|(&agent, _)| agent);
+        let owner = owner.filter(|&owner| !has_required(environment, owner));
+        going.extend(first.map(|agent| match owner {
+            Some(owner) if follows_suggestion(environment, agent) => owner,
+            _ => agent,
+        }));
     }
     going.into_iter().collect()
 }

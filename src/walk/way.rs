@@ -11,6 +11,8 @@ use super::raster::least_distance;
 
 /// A way that is too narrow in some places.
 pub(crate) struct Way {
+    /// Where it leads to, as index into the goals that were asked for.
+    pub(crate) goal: usize,
     /// Metres that it needs everywhere.
     pub(crate) width: f64,
     /// Where it is narrower, cell by cell.
@@ -28,17 +30,17 @@ pub(crate) fn blocked_ways(
 ) -> Vec<Way> {
     let walk = floor.walk(rules.person);
     let home = walk.main_door();
-    let is_missed = |goal: &Goal<'_>| !walk.reaches(home, *goal);
-    let missed: Vec<Goal<'_>> = goals.iter().copied().filter(is_missed).collect();
+    let is_missed = |&(_, goal): &(usize, Goal<'_>)| !walk.reaches(home, goal);
+    let missed: Vec<(usize, Goal<'_>)> = goals.iter().copied().enumerate().filter(is_missed).collect();
     if missed.is_empty() {
         return Vec::new();
     }
     let empty = empty();
     let narrow = Ways::new((empty.walk(rules.narrow_person), floor.walk(rules.narrow_person)), home);
     let wide = Ways::new((empty.walk(rules.person), walk), home);
-    let way = |&goal: &Goal<'_>| {
+    let way = |&(index, goal): &(usize, Goal<'_>)| {
         let ways = [&wide, &narrow].into_iter().find(|ways| ways.empty.reaches(home, goal))?;
-        (!ways.walk.reaches(home, goal)).then(|| ways.way_to(goal))
+        (!ways.walk.reaches(home, goal)).then(|| ways.way_to(index, goal))
     };
     missed.iter().filter_map(way).collect()
 }
@@ -106,8 +108,8 @@ impl<'f> Ways<'f> {
         self.empty.floor.distances[cell] >= self.least
     }
 
-    /// The cheapest way to a goal.
-    fn way_to(&self, goal: Goal<'_>) -> Way {
+    /// The cheapest way to a goal of an index.
+    fn way_to(&self, index: usize, goal: Goal<'_>) -> Way {
         let ends: Vec<usize> = match goal {
             Goal::Door(door) => self.walk.threshold(door).collect(),
             Goal::Area(area) => self.empty.touching(area),
@@ -118,7 +120,7 @@ impl<'f> Ways<'f> {
         let cells = core::iter::successors(Some(end).filter(|&end| end != NOWHERE), before);
         let narrow = cells.filter(|&cell| self.cost(cell) > 0);
         let narrows = narrow.map(|cell| self.walk.floor.raster.middle(cell)).collect();
-        Way { width: self.walk.diameter, narrows }
+        Way { goal: index, width: self.walk.diameter, narrows }
     }
 }
 

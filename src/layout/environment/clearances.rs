@@ -39,8 +39,8 @@ impl Environment<'_> {
         self.surroundings.kept_free.push(solid);
     }
 
-    /// Clearances of resting agents at least so deep, so low that people stand in them.
-    pub(crate) fn used_areas(&self, depth: f64, most: f64) -> impl Iterator<Item = &Solid> {
+    /// Clearances of resting agents at least so deep, so low that people stand in them, each with its agent.
+    pub(crate) fn used_areas(&self, depth: f64, most: f64) -> impl Iterator<Item = (AgentIndex, &Solid)> {
         let resting = (0..self.agents.len()).filter(|&agent| self.agents[agent].rest().is_some());
         resting.flat_map(move |agent| {
             let clearances = self.class(agent).clearances.iter();
@@ -48,7 +48,9 @@ impl Environment<'_> {
             let is_used =
                 move |clearance: &Clearance, region: &Solid| clearance.minimum >= depth && region.low < most;
             let pairs = clearances.zip(regions).map(|(clearance, region)| (clearance, &region.solid));
-            pairs.filter(move |(clearance, solid)| is_used(clearance, solid)).map(|(_, solid)| solid)
+            pairs
+                .filter(move |(clearance, solid)| is_used(clearance, solid))
+                .map(move |(_, solid)| (agent, solid))
         })
     }
 
