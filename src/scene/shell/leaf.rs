@@ -1,6 +1,6 @@
 //! Leaves on hinges, with handles.
 
-use super::solid::Solid;
+use super::solid::{Grain, Solid};
 use super::ticks::Ticks;
 use super::{FRAME_SLOT, GLASS_SLOT};
 use crate::model::GeometrySet;
@@ -97,7 +97,8 @@ impl LeafShape {
         let end = if self.meets_jamb { self.length - clear } else { self.length - LEAF_GAP };
         let top = self.top - clear;
         let [leaf_slot, metal_slot] = self.design.slots();
-        let mut solids = [leaf_slot, metal_slot, GLASS_SLOT].map(Solid::new);
+        let mut solids =
+            [leaf_slot, metal_slot, GLASS_SLOT].map(|slot| Solid::new(slot).with_grain(Grain::Upright));
         let [leaf, metal, glass] = &mut solids;
         self.body([clear, end], [LEAF_GAP, top], leaf, glass);
         if top > HANDLE_FROM && !leaf.is_empty() {
@@ -201,6 +202,23 @@ mod tests {
         assert_eq!(leaf(90_000, LeafDesign::Panelled), [84, 96, 0]);
         assert_eq!(leaf(90_000, LeafDesign::Steel), [48, 96, 12]);
         assert_eq!(leaf(90_000, LeafDesign::Glazed), [48, 96, 12]);
+    }
+
+    #[test]
+    fn the_grain_of_a_leaf_runs_up() {
+        let shape = LeafShape {
+            length: Ticks(90_000),
+            top: Ticks(210_000),
+            body_on_front: true,
+            meets_jamb: true,
+            design: LeafDesign::Flush,
+        };
+        let [leaf, ..] = shape.build().map(Solid::finish);
+        let extent = |axis: usize| {
+            let values = || leaf.texture_coordinates.iter().map(|pair| pair[axis]);
+            values().fold(f32::MIN, f32::max) - values().fold(f32::MAX, f32::min)
+        };
+        assert!(extent(0) > 2.0 && extent(1) < 2.0, "{} m along the grain", extent(0));
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::ticks::Ticks;
 use super::wall::{Hole, WallShape};
 use super::{FACADE_SLOT, INSET, RAILING_SLOT, SKIRTING_SLOT, SLAB, Shape};
 use crate::catalog::Catalog;
-use crate::geometry::Region;
+use crate::geometry::{Point, Region};
 use crate::plan::{Level, Opening, Room, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
@@ -49,6 +49,9 @@ impl RoomFinish {
 
 /// Railings at least this thick (metres) are parapets: low walls.
 const PARAPET_FROM: f64 = 0.08;
+/// Sine of the angle below which walls run the same way, and metres below which they are equally long.
+const PARALLEL: f64 = 0.02;
+const ROUNDING: f64 = 1e-6;
 
 /// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns.
 pub(crate) fn room_parts<'a>(
@@ -80,6 +83,7 @@ impl Parts<'_, '_, '_> {
         let region = &self.room.region;
         let anchor = region.outline.corners()[0];
         let floor = SlabShape::of_region(region, anchor, [-SLAB, Ticks(0)], finish.floor);
+        let floor = floor.laid_along(main_direction(&self.room.walls));
         self.part(("floor", "floor".to_owned()), Pose::on_floor(anchor, 0.0), Shape::Slab(floor));
         let ceiling = SlabShape::of_region(region, anchor, [Ticks(0), SLAB], finish.ceiling);
         let pose = Pose { position: anchor, elevation: self.room.height, angle: 0.0 };
@@ -175,6 +179,23 @@ impl Parts<'_, '_, '_> {
     }
 }
 
+/// The direction along which most metres of wall run, as a unit vector towards the east, or due north: floors are laid
+/// along it.
+fn main_direction(walls: &[Wall]) -> Point {
+    let is_parallel = |one: Point, two: Point| one.perp_dot(two).abs() < PARALLEL;
+    let mut longest = (0.0, Point::X);
+    for direction in walls.iter().map(Wall::direction) {
+        let alike = walls.iter().filter(|wall| is_parallel(wall.direction(), direction));
+        let length: f64 = alike.map(Wall::length).sum();
+        // Of equal lengths the first counts, however they are rounded.
+        if length > longest.0 + ROUNDING {
+            longest = (length, direction);
+        }
+    }
+    let [x, y] = [Ticks::of(longest.1.x), Ticks::of(longest.1.y)];
+    if x < Ticks(0) || (x == Ticks(0) && y < Ticks(0)) { -longest.1 } else { longest.1 }
+}
+
 fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finish: RoomFinish) -> Shape {
     Shape::Wall(WallShape {
         length: Ticks::of(wall.length()),
@@ -202,4 +223,36 @@ pub(super) fn opening_heights(level: &Level, opening: &Opening) -> (Ticks, Ticks
         _ => Ticks::of(opening.top).min(lowest),
     };
     (low, high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn direction(corners: &[(f64, f64)]) -> Point {
+        let point = |index: usize| Point::new(corners[index].0, corners[index].1);
+        let wall = |index: usize| Wall {
+            start: point(index),
+            end: point((index + 1) % corners.len()),
+            thickness: 0.1,
+            is_exterior: false,
+            kind: WallKind::Solid,
+            tags: Vec::new(),
+        };
+        main_direction(&(0..corners.len()).map(wall).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn floors_are_laid_along_the_longest_walls() {
+        assert_eq!(direction(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]), Point::X);
+        assert_eq!(direction(&[(0.0, 0.0), (3.0, 0.0), (3.0, 4.0), (0.0, 4.0)]), Point::Y);
+        let turned = direction(&[(0.0, 0.0), (3.2, 2.4), (1.4, 4.8), (-1.8, 2.4)]);
+        assert!(turned.distance(Point::new(0.8, 0.6)) < 1e-12, "{turned}");
+    }
+
+    #[test]
+    fn a_wall_in_pieces_counts_as_a_whole() {
+        let pieces = [(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (3.0, 4.0), (0.0, 4.0), (0.0, 2.0)];
+        assert_eq!(direction(&pieces), Point::Y);
+    }
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::solid::Solid;
+use super::solid::{Grain, Solid};
 use super::ticks::{Ticks, point_in_ticks};
 use crate::geometry::{Point, Polygon, Region};
 
@@ -19,6 +19,8 @@ pub(crate) struct SlabShape {
     pub top: Ticks,
     /// Material.
     pub slot: &'static str,
+    /// Which way it runs.
+    pub grain: Grain,
 }
 
 impl SlabShape {
@@ -31,7 +33,13 @@ impl SlabShape {
             bottom: heights[0],
             top: heights[1],
             slot,
+            grain: Grain::Level,
         }
+    }
+
+    /// With the grain along a direction of the plan: a unit vector.
+    pub(crate) fn laid_along(self, direction: Point) -> Self {
+        Self { grain: Grain::Along([Ticks::of(direction.x), Ticks::of(-direction.y)]), ..self }
     }
 
     /// The closed body.
@@ -41,7 +49,7 @@ impl SlabShape {
         let triangles = self.triangulate(&corners);
         let at =
             |height: Ticks| corners.iter().map(|&corner| scene_corner(corner, height)).collect::<Vec<Vec3>>();
-        let mut solid = Solid::new(self.slot);
+        let mut solid = Solid::new(self.slot).with_grain(self.grain);
         solid.triangles(&at(self.top), Vec3::Y, triangles.iter().flatten().copied());
         let reversed = triangles.iter().flat_map(|&[a, b, c]| [a, c, b]);
         solid.triangles(&at(self.bottom), Vec3::NEG_Y, reversed);

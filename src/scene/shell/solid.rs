@@ -11,8 +11,21 @@ use crate::model::{ModelMaterial, Primitive};
 #[derive(Clone, Debug)]
 pub(crate) struct Solid {
     primitive: Primitive,
+    grain: Grain,
     /// Corners by position and normal: faces that go on in one plane share them.
     known: BTreeMap<[u32; 6], u32>,
+}
+
+/// Which way the grain of a body's material runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Grain {
+    /// Level on upright faces, along the frame's x on others.
+    #[default]
+    Level,
+    /// Up on upright faces, as doors are made.
+    Upright,
+    /// Level on upright faces, on others along a horizontal unit vector: x and z.
+    Along([Ticks; 2]),
 }
 
 /// Faces with less area (square metres) than this are dropped: they close nothing.
@@ -22,7 +35,12 @@ impl Solid {
     /// Nothing yet.
     pub(crate) fn new(slot: &'static str) -> Self {
         let primitive = Primitive { material: ModelMaterial::Slot(slot), ..Primitive::default() };
-        Self { primitive, known: BTreeMap::new() }
+        Self { primitive, grain: Grain::Level, known: BTreeMap::new() }
+    }
+
+    /// With another grain, before the first face.
+    pub(crate) fn with_grain(self, grain: Grain) -> Self {
+        Self { grain, ..self }
     }
 
     /// Whether there is any face.
@@ -69,11 +87,11 @@ impl Solid {
         // Adding zero makes minus zero plain zero, so that equal numbers have equal bits.
         let bits = |vector: Vec3| (vector + Vec3::ZERO).to_array().map(f32::to_bits);
         let ([x, y, z], [a, b, c]) = (bits(corner), bits(normal));
-        let primitive = &mut self.primitive;
+        let (primitive, grain) = (&mut self.primitive, self.grain);
         *self.known.entry([x, y, z, a, b, c]).or_insert_with(|| {
             primitive.positions.push(corner.to_array());
             primitive.normals.push(normal.to_array());
-            primitive.texture_coordinates.push(coordinates(corner, normal).to_array());
+            primitive.texture_coordinates.push(grain.coordinates(corner, normal).to_array());
             u32::try_from(primitive.positions.len() - 1).expect("a shell part has few corners")
         })
     }
@@ -97,16 +115,27 @@ impl Solid {
     }
 }
 
-/// Texture coordinates in metres: the image lies upright on walls, with the room's first direction to the right on
-/// floors, and is mirrored nowhere.
-fn coordinates(point: Vec3, normal: Vec3) -> Vec2 {
-    let strength = normal.abs();
-    if strength.y >= strength.x && strength.y >= strength.z {
-        Vec2::new(point.x, point.z * normal.y.signum())
-    } else if strength.z >= strength.x {
-        Vec2::new(point.x * normal.z.signum(), -point.y)
-    } else {
-        Vec2::new(-point.z * normal.x.signum(), -point.y)
+impl Grain {
+    /// Texture coordinates in metres, the grain along `u`. The image is mirrored nowhere; on walls it lies upright unless
+    /// the grain does.
+    fn coordinates(self, point: Vec3, normal: Vec3) -> Vec2 {
+        let strength = normal.abs();
+        let is_upright = strength.y < strength.x || strength.y < strength.z;
+        let level = if !is_upright {
+            Vec2::new(point.x, point.z * normal.y.signum())
+        } else if strength.z >= strength.x {
+            Vec2::new(point.x * normal.z.signum(), -point.y)
+        } else {
+            Vec2::new(-point.z * normal.x.signum(), -point.y)
+        };
+        match self {
+            Self::Upright if is_upright => Vec2::new(-level.y, level.x),
+            Self::Along([x, z]) if !is_upright => {
+                let along = Vec2::new(x.narrow(), z.narrow() * normal.y.signum());
+                Vec2::new(along.dot(level), along.perp_dot(level))
+            }
+            _ => level,
+        }
     }
 }
 
@@ -120,4 +149,45 @@ fn unit_normal(corners: &[Vec3]) -> Option<Vec3> {
         .sum();
     let length = doubled.length();
     (length > 2.0 * LEAST_FACE).then(|| (doubled / length).as_vec3())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How far the image moves along a step on a face that looks along `normal`.
+    fn step(grain: Grain, normal: Vec3, by: Vec3) -> Vec2 {
+        grain.coordinates(by, normal) - grain.coordinates(Vec3::ZERO, normal)
+    }
+
+    #[test]
+    fn the_grain_of_upright_boards_runs_up() {
+        for normal in [Vec3::Z, Vec3::NEG_Z, Vec3::X, Vec3::NEG_X] {
+            assert_eq!(step(Grain::Upright, normal, Vec3::Y), Vec2::X, "{normal}");
+            assert_eq!(step(Grain::Level, normal, Vec3::Y), Vec2::NEG_Y, "{normal}");
+        }
+        assert_eq!(step(Grain::Upright, Vec3::Y, Vec3::X), Vec2::X, "the head of a board stays as it was");
+    }
+
+    #[test]
+    fn the_grain_of_floors_follows_a_direction() {
+        let slope = Grain::Along([Ticks(60_000), Ticks(80_000)]);
+        for normal in [Vec3::Y, Vec3::NEG_Y] {
+            assert!(step(slope, normal, Vec3::new(0.6, 0.0, 0.8)).distance(Vec2::X) < 1e-6, "{normal}");
+        }
+        assert_eq!(step(slope, Vec3::Z, Vec3::X), Vec2::X, "upright faces stay as they were");
+    }
+
+    #[test]
+    fn no_grain_mirrors_the_image() {
+        let slope = Grain::Along([Ticks(60_000), Ticks(-80_000)]);
+        for grain in [Grain::Level, Grain::Upright, slope] {
+            for normal in [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z] {
+                let right = Vec3::AXES.map(|axis| step(grain, normal, axis).x);
+                let down = Vec3::AXES.map(|axis| step(grain, normal, axis).y);
+                let facing = Vec3::from_array(right).cross(-Vec3::from_array(down));
+                assert!(facing.distance(normal) < 1e-6, "{grain:?} {normal}: {facing}");
+            }
+        }
+    }
 }
