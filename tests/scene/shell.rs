@@ -81,9 +81,9 @@ fn a_wall_holds_its_volume_less_its_openings() {
     let level = two_rooms();
     let bodies = bodies(&bare_scene(&level));
     let volume_of = |name: &str| volume(&bodies.iter().find(|body| body.name == name).unwrap().triangles);
-    // 2.6 m high, with 1.9 cm below the floor and above the ceiling. Wall 0 of 101: 4 m long, 0.3 m thick,
+    // As high as the storey, from 1.9 cm below the floor on. Wall 0 of 101: 4 m long, 0.3 m thick,
     // its outer face reaching round one corner by 0.3 m and round the other by half the inner wall.
-    let height = 2.6 + 2.0 * 0.019;
+    let height = level.height;
     let footprint = 0.3 * (4.0 + (4.0 + 0.3 + INNER)) / 2.0;
     let door = 1.0 * 0.3 * (2.1 + 0.019);
     assert!((volume_of("wall.0@101") - (footprint * height - door)).abs() < 1e-4);
@@ -198,6 +198,28 @@ fn the_floor_faces_up_at_zero_and_the_ceiling_down_at_the_rooms_height() {
             _ => {}
         }
     }
+}
+
+/// Lowest and highest corner of the bodies of a part.
+fn reach(level: &Level, part: &str) -> (f64, f64) {
+    let bodies = bodies(&bare_scene(level));
+    let corners =
+        bodies.iter().filter(|body| body.part == Some(part)).flat_map(|body| body.triangles.iter().flatten());
+    corners.fold((f64::MAX, f64::MIN), |(low, high), corner| (low.min(corner.y), high.max(corner.y)))
+}
+
+#[test]
+fn storeys_stand_on_each_other_without_a_gap() {
+    let mut level = two_rooms();
+    let (floor, ceiling, wall) = (reach(&level, "floor"), reach(&level, "ceiling"), reach(&level, "wall"));
+    let is_near = |one: f64, two: f64| (one - two).abs() < 1e-6;
+    assert!(level.height > 2.8, "there is a slab between the ceilings and the next floor");
+    assert!(is_near(wall.1, level.height + wall.0), "walls end where those above begin: {wall:?}");
+    assert!(is_near(ceiling.1, level.height + floor.0 - 0.001), "ceilings end below the floor: {ceiling:?}");
+    // Rooms as high as their storey keep a ceiling, and walls that reach into it.
+    level.height = 2.6;
+    let (ceiling, wall) = (reach(&level, "ceiling"), reach(&level, "wall"));
+    assert!(is_near(ceiling.1, 2.62) && is_near(wall.1, 2.619), "{ceiling:?} {wall:?}");
 }
 
 #[test]

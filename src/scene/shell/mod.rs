@@ -30,8 +30,7 @@ use wall::WallShape;
 
 use crate::model::Model;
 
-/// Thickness of floors, downward from zero, and of ceilings, upward from the room's height. Walls reach as
-/// far up as the ceiling's top, so that no light passes the edge between them.
+/// Thickness of floors, downward from zero, and least thickness of ceilings, upward from the room's height.
 const SLAB: Ticks = Ticks(2_000);
 
 /// How much less than floors and ceilings walls and thresholds reach past the room, so that their ends lie inside the

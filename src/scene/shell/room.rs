@@ -49,6 +49,8 @@ impl RoomFinish {
 
 /// Railings at least this thick (metres) are parapets: low walls.
 const PARAPET_FROM: f64 = 0.08;
+/// Where walls begin.
+const WALL_FOOT: Ticks = Ticks(INSET.0 - SLAB.0);
 /// Sine of the angle below which walls run the same way, and metres below which they are equally long.
 const PARALLEL: f64 = 0.02;
 const ROUNDING: f64 = 1e-6;
@@ -62,7 +64,7 @@ pub(crate) fn room_parts<'a>(
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
     let mut parts = Parts { room, palette: look.palette, meshes, nodes: Vec::new() };
-    parts.slabs(finish);
+    parts.slabs(level, finish);
     for (index, footprint) in footprints(room).into_iter().enumerate() {
         parts.wall(level, index, footprint, finish);
     }
@@ -79,13 +81,14 @@ struct Parts<'a, 'm, 'r> {
 }
 
 impl Parts<'_, '_, '_> {
-    fn slabs(&mut self, finish: RoomFinish) {
+    fn slabs(&mut self, level: &Level, finish: RoomFinish) {
         let region = &self.room.region;
         let anchor = region.outline.corners()[0];
         let floor = SlabShape::of_region(region, anchor, [-SLAB, Ticks(0)], finish.floor);
         let floor = floor.laid_along(main_direction(&self.room.walls));
         self.part(("floor", "floor".to_owned()), Pose::on_floor(anchor, 0.0), Shape::Slab(floor));
-        let ceiling = SlabShape::of_region(region, anchor, [Ticks(0), SLAB], finish.ceiling);
+        let thickness = storey_end(level, self.room).ceiling - Ticks::of(self.room.height);
+        let ceiling = SlabShape::of_region(region, anchor, [Ticks(0), thickness], finish.ceiling);
         let pose = Pose { position: anchor, elevation: self.room.height, angle: 0.0 };
         self.part(("ceiling", "ceiling".to_owned()), pose, Shape::Slab(ceiling));
     }
@@ -103,9 +106,7 @@ impl Parts<'_, '_, '_> {
                 slot: RAILING_SLOT,
             }),
             WallKind::Railing(height) => wall_shape(wall, footprint, Ticks::of(height), holes, finish),
-            WallKind::Solid => {
-                wall_shape(wall, footprint, Ticks::of(self.room.height) + SLAB - INSET, holes, finish)
-            }
+            WallKind::Solid => wall_shape(wall, footprint, storey_end(level, self.room).walls, holes, finish),
         };
         let tags = wall.tags.clone();
         let node = self.part(("wall", names::numbered("wall", index)), pose, shape);
@@ -179,6 +180,24 @@ impl Parts<'_, '_, '_> {
     }
 }
 
+/// Where a room's shell ends at the top.
+struct StoreyEnd {
+    ceiling: Ticks,
+    walls: Ticks,
+}
+
+/// Ceilings are as thick as what lies between them and the storey above, and walls reach up to where its walls begin, so
+/// that stacked storeys look whole from outside. Walls reach at least into the ceiling, so that no light passes the edge
+/// between them.
+fn storey_end(level: &Level, room: &Room) -> StoreyEnd {
+    let (next_floor, ceiling) = (Ticks::of(level.height), Ticks::of(room.height));
+    StoreyEnd {
+        // A little below the floor above: faces in one plane flicker.
+        ceiling: (next_floor - SLAB - INSET).max(ceiling + SLAB),
+        walls: (next_floor + WALL_FOOT).max(ceiling + SLAB - INSET),
+    }
+}
+
 /// The direction along which most metres of wall run, as a unit vector towards the east, or due north: floors are laid
 /// along it.
 fn main_direction(walls: &[Wall]) -> Point {
@@ -202,7 +221,7 @@ fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finis
         outer_from: Ticks::of(print.outer_from),
         outer_to: Ticks::of(print.outer_to),
         thickness: Ticks::of(print.thickness),
-        bottom: INSET - SLAB,
+        bottom: WALL_FOOT,
         top,
         holes,
         slot: finish.wall,
