@@ -172,7 +172,7 @@ def _wall_points(rooms: list[Room], cuts: dict[tuple[str, int], float]) -> np.nd
             outward = room.outward(edge) * WALLS
             beside = (room.outward(edge - 1) * WALLS, room.outward((edge + 1) % len(room.outline)) * WALLS)
             points += [(*(end + outward + side), height) for end, side in zip(ends, beside)
-                       for height in (-0.1, top_of_wall + 0.2)]
+                       for height in (-0.1, top_of_wall + 0.4)]
     return np.array(points)
 
 

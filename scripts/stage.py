@@ -118,8 +118,8 @@ class Stage:
             return None
         if parent.get("kind") == "opening":
             return cuts.get(parent.name)
-        number = str(thing.get("id", "")).partition(".")[2]
-        if part == "wall" and number.isdigit():
+        number = str(thing.get("id", "")).partition(".")[2].partition(".")[0]
+        if part in ("wall", "socket", "switch") and number.isdigit():
             return camera.cuts.get((parent["room"], int(number)))
         # Columns and the like end where the walls do, where all walls end.
         return max(camera.cuts.values(), default=None) if camera.view == "top" else None

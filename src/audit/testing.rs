@@ -198,6 +198,8 @@ fn catalog() -> Catalog {
             wall: "plaster".into(),
             ceiling: "ceiling".into(),
             dado: None,
+            sockets: None,
+            has_switches: false,
         },
     };
     let style = Style {

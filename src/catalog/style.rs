@@ -28,7 +28,7 @@ pub struct RoomType {
     pub finish: Finish,
 }
 
-/// Materials of the shell.
+/// Materials of the shell, and what is fitted to its walls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finish {
     /// Material slot of the floor.
@@ -39,6 +39,10 @@ pub struct Finish {
     pub dado: Option<Dado>,
     /// Material slot of the ceiling.
     pub ceiling: String,
+    /// Metres of wall for each socket; none without sockets.
+    pub sockets: Option<f64>,
+    /// Whether light switches are beside its doors.
+    pub has_switches: bool,
 }
 
 /// The lower part of walls.

@@ -30,6 +30,8 @@ fn catalog() -> Catalog {
             wall: "plaster".into(),
             ceiling: "ceiling".into(),
             dado: None,
+            sockets: None,
+            has_switches: false,
         },
     };
     let room_types = [("office".to_owned(), office)].into();

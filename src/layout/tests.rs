@@ -67,8 +67,14 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         chance: 1.0,
         needs_window: false,
     };
-    let finish =
-        Finish { floor: "carpet".into(), wall: "plaster".into(), ceiling: "ceiling".into(), dado: None };
+    let finish = Finish {
+        floor: "carpet".into(),
+        wall: "plaster".into(),
+        ceiling: "ceiling".into(),
+        dado: None,
+        sockets: None,
+        has_switches: false,
+    };
     let room_type = RoomType {
         id: "office".into(),
         label: "Office".into(),

@@ -179,8 +179,14 @@ pub(crate) fn catalog() -> Catalog {
         id: id.to_owned(),
         materials: MATERIAL_SLOTS.iter().map(|slot| ((*slot).to_owned(), material(slot))).collect(),
     };
-    let finish =
-        Finish { floor: "carpet".into(), wall: "plaster".into(), ceiling: "ceiling".into(), dado: None };
+    let finish = Finish {
+        floor: "carpet".into(),
+        wall: "plaster".into(),
+        ceiling: "ceiling".into(),
+        dado: None,
+        sockets: Some(3.0),
+        has_switches: true,
+    };
     let office = RoomType {
         id: "office".into(),
         label: "Office".into(),

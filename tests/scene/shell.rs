@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use roomwright::catalog::Dado;
 use roomwright::geometry::Point;
 use roomwright::model::{Model, ModelMaterial, Primitive};
-use roomwright::plan::{Level, OpeningKind, Room, WallKind};
+use roomwright::plan::{Level, OpeningKind, Room, RoomOpening, WallKind};
 use roomwright::scene::Scene;
 
 use crate::fixture::*;
@@ -257,6 +257,76 @@ fn skirting_runs_along_plaster_and_stops_at_doors() {
     tiled.room_types.get_mut("office").unwrap().finish.wall = "tile_wall".to_owned();
     let scene = scene_of(&level, &tiled);
     assert!(!crate::triangles::bodies(&scene).iter().any(|body| body.part == Some("skirting")));
+}
+
+/// Middles of the bodies of a part in a room: name, x, height, z.
+fn middles(scene: &Scene, part: &str) -> Vec<(String, DVec3)> {
+    let middle = |body: &Body| {
+        let corners = || body.triangles.iter().flatten();
+        let low = corners().fold(DVec3::MAX, |low, corner| low.min(*corner));
+        (body.name.clone(), (low + corners().fold(DVec3::MIN, |high, corner| high.max(*corner))) / 2.0)
+    };
+    bodies(scene).iter().filter(|body| body.part == Some(part)).map(middle).collect()
+}
+
+#[test]
+fn switches_are_beside_the_handles_of_doors() {
+    let mut level = two_rooms();
+    let beside_entrance = |level: &Level| {
+        let switches = middles(&bare_scene(level), "switch");
+        switches.into_iter().find(|(name, _)| name == "switch.0.0@101").map(|(_, middle)| middle)
+    };
+    // The entrance is from 1.5 to 2.5 with boards of 6 cm, hinged at 1.5.
+    let place = beside_entrance(&level).unwrap();
+    assert!(
+        (place.x - 2.68).abs() < 1e-5 && (place.y - 1.05).abs() < 1e-5 && place.z.abs() < 0.01,
+        "{place}"
+    );
+    let leaf = &mut level.openings[0].leaves[0];
+    std::mem::swap(&mut leaf.hinge, &mut leaf.closed_tip);
+    assert!((beside_entrance(&level).unwrap().x - 1.32).abs() < 1e-5);
+    // A window beside it, down to the hips, leaves room on the other side only.
+    let mut window = level.openings.iter().find(|one| one.kind == OpeningKind::Window).unwrap().clone();
+    (window.id, window.bottom) = ("w2".to_owned(), 0.9);
+    level.openings.push(window);
+    let place =
+        RoomOpening { opening: level.openings.len() - 1, from: 0.3, to: 1.4, ..level.rooms[0].openings[0] };
+    level.rooms[0].openings.push(place);
+    assert!((beside_entrance(&level).unwrap().x - 2.6).abs() < 0.1);
+}
+
+#[test]
+fn sockets_follow_the_walls_but_not_the_doors() {
+    let level = two_rooms();
+    let of_room = |scene: &Scene| {
+        let found = middles(scene, "socket");
+        found
+            .into_iter()
+            .filter(|(name, _)| name.ends_with("@101"))
+            .map(|(_, middle)| middle)
+            .collect::<Vec<_>>()
+    };
+    let sockets = of_room(&bare_scene(&level));
+    assert_eq!(sockets.len(), 4, "two beside the entrance, one on each wall without a door");
+    for middle in &sockets {
+        assert!((middle.y - 0.3).abs() < 1e-5);
+        assert!(middle.z.abs() > 0.1 || !(1.4..2.6).contains(&middle.x), "in the entrance: {middle}");
+    }
+    let mut bare = catalog();
+    let finish = &mut bare.room_types.get_mut("office").unwrap().finish;
+    (finish.sockets, finish.has_switches) = (None, false);
+    let scene = scene_of(&level, &bare);
+    assert!(of_room(&scene).is_empty() && middles(&scene, "switch").is_empty());
+}
+
+#[test]
+fn balconies_have_neither_sockets_nor_switches() {
+    let mut level = two_rooms();
+    level.rooms[0].walls[2].kind = WallKind::Railing(1.0);
+    let names =
+        |part: &str| middles(&bare_scene(&level), part).into_iter().map(|(name, _)| name).collect::<String>();
+    assert!(!names("socket").contains("@101") && !names("switch").contains("@101"));
+    assert!(names("socket").contains("@102"));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::lines::{Lines, range};
 use super::programme::{show_request, value_of_programme};
-use crate::catalog::{Catalog, RoomType};
+use crate::catalog::{Catalog, Finish, RoomType};
 
 /// The label, and how much it holds.
 pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
@@ -38,6 +38,7 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
         "finish",
         &format!("floor {}, wall {}{dado}, ceiling {}", finish.floor, finish.wall, finish.ceiling),
     );
+    lines.add("fitted", &show_fittings(finish));
     lines.add_all("holds", room_type.programme.iter().map(|request| show_request(catalog, request)));
     lines.add("styles", &styles.join(", "));
     let value = json!({
@@ -51,9 +52,19 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
             "wall": finish.wall,
             "ceiling": finish.ceiling,
             "dado": finish.dado.as_ref().map(|dado| json!({"slot": dado.slot, "height": dado.height})),
+            "sockets": finish.sockets.unwrap_or(0.0),
+            "switches": finish.has_switches,
         },
         "programme": value_of_programme(catalog, &room_type.programme),
         "styles": styles,
     });
     (lines, value)
+}
+
+/// What is fitted to the walls.
+fn show_fittings(finish: &Finish) -> String {
+    let sockets = finish.sockets.map(|interval| format!("a socket for {interval} m of wall"));
+    let switches = finish.has_switches.then(|| "switches at doors".to_owned());
+    let words: Vec<String> = sockets.into_iter().chain(switches).collect();
+    if words.is_empty() { "nothing".to_owned() } else { words.join(", ") }
 }

@@ -39,7 +39,7 @@ pub(crate) struct RoomTypeEntry {
     pub(crate) density: Option<Pair>,
     /// Classes and groups that contradict it.
     pub(crate) excludes: Option<OneOrMany<String>>,
-    /// Material slots of the shell.
+    /// Material slots of the shell, and what is fitted to its walls.
     pub(crate) finish: Option<FinishEntry>,
     /// What it holds unless the style says otherwise.
     pub(crate) programme: Option<Vec<RequestEntry>>,
@@ -54,7 +54,7 @@ impl Extends for RoomTypeEntry {
     }
 }
 
-/// Material slots of the shell.
+/// Material slots of the shell, and what is fitted to its walls.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FinishEntry {
@@ -66,6 +66,10 @@ pub(crate) struct FinishEntry {
     pub(crate) dado: Option<DadoEntry>,
     /// Default `ceiling`.
     pub(crate) ceiling: Option<String>,
+    /// Metres of wall for each socket; 0 for none; default 3.
+    pub(crate) sockets: Option<f64>,
+    /// Whether light switches are beside the doors; default true.
+    pub(crate) switches: Option<bool>,
 }
 
 /// The lower part of the walls.

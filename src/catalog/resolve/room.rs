@@ -1,5 +1,7 @@
 //! Room types.
 
+use std::ops::RangeInclusive;
+
 use super::names::{NamedClasses, Names};
 use super::number::{AREA, DISTANCE, Quantity, SHARE};
 use super::request::{ResolvedProgramme, resolve_programme};
@@ -8,6 +10,10 @@ use crate::catalog::file::RoomTypeEntry;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
 use crate::catalog::{Dado, Finish, MATERIAL_SLOTS, RoomType};
+
+/// Metres of wall for each socket where nothing is said, and what may be said besides 0.
+const SOCKET_INTERVAL: f64 = 3.0;
+const SOCKET_INTERVALS: RangeInclusive<f64> = 0.5..=100.0;
 
 /// A room type and the words that it was made of.
 pub(crate) struct ResolvedRoomType {
@@ -79,6 +85,8 @@ fn resolve_excludes(
 
 fn resolve_finish(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Finish {
     let dado = resolve_dado(chain, report);
+    let sockets = resolve_sockets(chain, report);
+    let switches = chain.find("finish", |entry| entry.finish.as_ref()?.switches.as_ref());
     let mut slot = |key: &str, get: fn(&RoomTypeEntry) -> Option<&String>, default: &str| {
         let Some(found) = chain.find("finish", get) else { return default.to_owned() };
         check_slot(found.value, &found.spot.key(key), report);
@@ -89,6 +97,8 @@ fn resolve_finish(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> 
         wall: slot("wall", |entry| entry.finish.as_ref()?.wall.as_ref(), "plaster"),
         ceiling: slot("ceiling", |entry| entry.finish.as_ref()?.ceiling.as_ref(), "ceiling"),
         dado,
+        sockets,
+        has_switches: switches.is_none_or(|found| *found.value),
     }
 }
 
@@ -99,6 +109,15 @@ fn resolve_dado(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Op
     check_slot(&found.value.slot, &spot.key("slot"), report);
     let height = Quantity::metres("dado", DISTANCE).check(found.value.height, &spot.key("height"), report);
     (height > 0.0).then(|| Dado { slot: found.value.slot.clone(), height })
+}
+
+/// Metres of wall for each socket; zero for none.
+fn resolve_sockets(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Option<f64> {
+    let Some(found) = chain.find("finish", |entry| entry.finish.as_ref()?.sockets.as_ref()) else {
+        return Some(SOCKET_INTERVAL);
+    };
+    let interval = Quantity::metres("sockets", SOCKET_INTERVALS);
+    (*found.value != 0.0).then(|| interval.check(*found.value, &found.spot.key("sockets"), report))
 }
 
 /// Reports a material slot that does not exist.

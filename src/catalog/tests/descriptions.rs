@@ -58,6 +58,7 @@ fn a_room_type_lists_its_programme() {
   density     0 to 1
   excludes    sleeping
   finish      floor parquet, wall plaster, ceiling ceiling
+  fitted      a socket for 3 m of wall, switches at doors
   holds       1 table
               2 per table: chair
   styles      default

@@ -174,10 +174,10 @@ fn shapes_clearances_relations_and_grids_are_read() {
 fn programmes_finishes_and_counts_are_read() {
     let rooms = "version: 1
 room_types:
-  base: {abstract: true, finish: {floor: tile, wall: tile_wall, dado: {slot: stone, height: 1.2}}, density: [0.2, 0.4], furnish: false, excludes: seat}
+  base: {abstract: true, finish: {floor: tile, wall: tile_wall, dado: {slot: stone, height: 1.2}, sockets: 0}, density: [0.2, 0.4], furnish: false, excludes: seat}
   bath:
     extends: base
-    finish: {floor: stone}
+    finish: {floor: stone, switches: false}
     programme:
       - {class: table}
       - {class: [bed, surface], count: [1, 2], chance: 0.5, window: true, area: 9, required: true}
@@ -192,6 +192,9 @@ room_types:
     let finish = [&bath.finish.floor, &bath.finish.wall, &bath.finish.ceiling];
     assert_eq!(finish, ["stone", "tile_wall", "ceiling"]);
     assert_eq!(bath.finish.dado, Some(Dado { slot: "stone".to_owned(), height: 1.2 }));
+    assert_eq!((bath.finish.sockets, bath.finish.has_switches), (None, false));
+    let office = &catalog.room_types["office"].finish;
+    assert_eq!((office.sockets, office.has_switches), (Some(3.0), true), "where nothing is said");
     assert_eq!(bath.excludes, ["seat"]);
     let second = Request {
         classes: vec![index("bed"), index("table")],

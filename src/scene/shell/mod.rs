@@ -4,6 +4,8 @@
 //! equal but for their place share meshes.
 
 mod corner;
+mod fitted;
+mod fitting;
 mod frame;
 mod leaf;
 mod opening;
@@ -19,6 +21,7 @@ mod window;
 pub(crate) use opening::{OpeningLook, opening_node};
 pub(crate) use room::{RoomFinish, room_parts};
 
+use fitting::Fitting;
 use frame::Reveal;
 use leaf::LeafShape;
 use railing::RailingShape;
@@ -57,6 +60,8 @@ pub(crate) enum Shape {
     Railing(RailingShape),
     /// The skirting boards of a room.
     Skirting(SkirtingShape),
+    /// A socket or switch, with its plate's slot.
+    Fitting(Fitting, &'static str),
     /// The floor of a doorway, with its slot.
     Threshold(Reveal, &'static str),
     /// Jambs and head, with boards of a width around them.
@@ -81,6 +86,7 @@ impl Shape {
             Self::Wall(wall) => wall.build().into(),
             Self::Railing(railing) => vec![railing.build(-SLAB)],
             Self::Skirting(skirting) => vec![skirting.build()],
+            Self::Fitting(fitting, slot) => fitting.build(slot).into(),
             Self::Threshold(reveal, slot) => vec![reveal.threshold(-SLAB, slot)],
             Self::DoorFrame(reveal, casing) => vec![reveal.door_frame(*casing, FRAME_SLOT)],
             Self::WindowFrame(reveal) => reveal.window_frame().into(),

@@ -1,6 +1,10 @@
-//! Floor, ceiling, walls and columns of a room.
+//! Floor, ceiling, walls, columns and fittings of a room.
+
+use std::collections::BTreeMap;
 
 use super::corner::{Footprint, footprints};
+use super::fitted::{Fitted, sockets, switches};
+use super::fitting::Fitting;
 use super::opening::casing;
 use super::railing::RailingShape;
 use super::skirting::{self, SkirtingShape};
@@ -10,6 +14,7 @@ use super::wall::{Hole, WallShape};
 use super::{FACADE_SLOT, INSET, RAILING_SLOT, SKIRTING_SLOT, SLAB, Shape};
 use crate::catalog::Catalog;
 use crate::geometry::{Point, Region};
+use crate::model::GeometrySet;
 use crate::plan::{Level, Opening, Room, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
@@ -28,11 +33,22 @@ pub(crate) struct RoomFinish {
     pub ceiling: &'static str,
     /// Of the lower part of walls, and up to which height.
     pub dado: Option<(Ticks, &'static str)>,
+    /// Metres of wall for each socket, if it has any.
+    pub sockets: Option<f64>,
+    /// Whether light switches are beside its doors.
+    pub has_switches: bool,
 }
 
 impl RoomFinish {
     /// Where no room type says otherwise.
-    pub(crate) const PLAIN: Self = Self { floor: "parquet", wall: "plaster", ceiling: "ceiling", dado: None };
+    pub(crate) const PLAIN: Self = Self {
+        floor: "parquet",
+        wall: "plaster",
+        ceiling: "ceiling",
+        dado: None,
+        sockets: None,
+        has_switches: false,
+    };
 
     /// The finish of a room's type.
     pub(crate) fn of(catalog: &Catalog, room: &Room) -> Self {
@@ -43,6 +59,8 @@ impl RoomFinish {
             dado: kind.finish.dado.as_ref().map(|dado| {
                 (Ticks::of(dado.height.min(room.height)), slot_named(&dado.slot, Self::PLAIN.wall))
             }),
+            sockets: kind.finish.sockets,
+            has_switches: kind.finish.has_switches,
         })
     }
 }
@@ -55,7 +73,7 @@ const WALL_FOOT: Ticks = Ticks(INSET.0 - SLAB.0);
 const PARALLEL: f64 = 0.02;
 const ROUNDING: f64 = 1e-6;
 
-/// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns.
+/// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns, sockets, switches.
 pub(crate) fn room_parts<'a>(
     level: &Level,
     room: &Room,
@@ -70,6 +88,7 @@ pub(crate) fn room_parts<'a>(
     }
     parts.skirting(level, finish);
     parts.columns(finish.wall);
+    parts.fittings(level, finish, GeometrySet::named(look.geometry));
     parts.nodes
 }
 
@@ -129,8 +148,7 @@ impl Parts<'_, '_, '_> {
 
     /// Boards along plastered walls indoors: tiles, metal and concrete reach down to the floor.
     fn skirting(&mut self, level: &Level, finish: RoomFinish) {
-        let is_outdoors = self.room.walls.iter().any(|wall| wall.kind != WallKind::Solid);
-        if is_outdoors || finish.dado.is_some() || finish.wall != RoomFinish::PLAIN.wall {
+        if self.is_outdoors() || finish.dado.is_some() || finish.wall != RoomFinish::PLAIN.wall {
             return;
         }
         let gaps = |wall: usize| {
@@ -148,6 +166,32 @@ impl Parts<'_, '_, '_> {
             let pose = Pose::on_floor(anchor, 0.0);
             self.part(("skirting", "skirting".to_owned()), pose, Shape::Skirting(shape));
         }
+    }
+
+    /// Sockets and switches of a room indoors.
+    fn fittings(&mut self, level: &Level, finish: RoomFinish, set: GeometrySet) {
+        if self.is_outdoors() {
+            return;
+        }
+        let slot = if set == GeometrySet::Industrial { "metal" } else { "plastic" };
+        let mut fitted: Vec<Fitted> =
+            finish.sockets.map(|interval| sockets(level, self.room, interval)).unwrap_or_default();
+        if finish.has_switches {
+            fitted.extend(switches(level, self.room));
+        }
+        let mut counts: BTreeMap<(Fitting, usize), usize> = BTreeMap::new();
+        for one in fitted {
+            let number = counts.entry((one.fitting, one.wall)).or_insert(0);
+            let id = names::numbered(&names::numbered(one.fitting.name(), one.wall), *number);
+            *number += 1;
+            let angle = angle_facing(self.room.walls[one.wall].normal());
+            let pose = Pose { position: one.position, elevation: one.elevation, angle };
+            self.part((one.fitting.name(), id), pose, Shape::Fitting(one.fitting, slot));
+        }
+    }
+
+    fn is_outdoors(&self) -> bool {
+        self.room.walls.iter().any(|wall| wall.kind != WallKind::Solid)
     }
 
     fn columns(&mut self, slot: &'static str) {
