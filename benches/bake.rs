@@ -6,6 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use roomwright::audit::judge_room;
 use roomwright::batch::{BakeInput, BakeOptions, OutputFolder, bake};
 use roomwright::catalog::{Catalog, load_catalog};
+use roomwright::edits::EditBook;
 use roomwright::gltf::write_glb;
 use roomwright::layout::{FurnishOptions, furnish};
 use roomwright::model::ModelLibrary;
@@ -22,7 +23,7 @@ fn house(catalog: &Catalog) -> Plan {
 
 /// The stages of one level, without batch: rooms, judgement, scene, bytes.
 fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models: &ModelLibrary) -> usize {
-    let options = FurnishOptions { seed: SEED, building: &placed.id, style: None };
+    let options = FurnishOptions::new(SEED, &placed.id);
     let furnished: Vec<_> =
         (0..level.rooms.len()).map(|room| furnish(level, room, catalog, &options)).collect();
     let verdicts: Vec<_> = furnished.iter().map(|room| judge_room(level, room.room, room, catalog)).collect();
@@ -61,7 +62,13 @@ fn to_a_folder(criterion: &mut Criterion) {
     let models = ModelLibrary::load(&catalog).expect("the built-in models are valid");
     let plan = house(&catalog);
     let options = BakeOptions { seed: SEED, ..BakeOptions::default() };
-    let input = BakeInput { plan: &plan, catalog: &catalog, models: &models, options: &options };
+    let input = BakeInput {
+        plan: &plan,
+        edits: &EditBook::default(),
+        catalog: &catalog,
+        models: &models,
+        options: &options,
+    };
     let run = |folder: &Path| {
         let folder = OutputFolder::open(folder, false).expect("a temporary folder can be written");
         bake(&input, &folder, &|_| {}).expect("threads can be started").in_place.placed

@@ -161,7 +161,7 @@ fn measure_random(catalog: &Catalog, arguments: &Arguments) -> Tally {
     let mut sketch = |_| sketches.new_tree(&mut runner).expect("sketches reject nothing").current();
     let sketches: Vec<rooms::Sketch> = (0..arguments.random).map(&mut sketch).collect();
     let tally = |(number, sketch): (usize, &rooms::Sketch)| {
-        let options = FurnishOptions { seed: sketch.seed, building: "random", style: None };
+        let options = FurnishOptions::new(sketch.seed, "random");
         sketch.level(catalog).map(|level| {
             if let Some(folder) = &arguments.draw {
                 draw_random(folder, number, &level, catalog, (&options, arguments.effort));
@@ -214,7 +214,7 @@ fn measure(plan: &PathBuf, catalog: &Catalog, arguments: &Arguments) -> Tally {
     let tasks = rooms.par_iter().flat_map(|room| (0..seeds).into_par_iter().map(move |seed| (room, seed)));
     tasks
         .map(|(&(building, level, room), seed)| {
-            let options = FurnishOptions { seed, building, style: arguments.style.as_deref() };
+            let options = FurnishOptions::new(seed, building).with_style(arguments.style.as_deref());
             Tally::of(level, room, catalog, &options, effort)
         })
         .reduce(Tally::default, Tally::join)

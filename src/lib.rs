@@ -14,6 +14,7 @@ pub mod cli;
 pub mod diff;
 pub mod document;
 pub mod draw;
+pub mod edits;
 pub mod geometry;
 pub mod gltf;
 pub mod handbook;

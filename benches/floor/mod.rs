@@ -27,7 +27,7 @@ impl Floor {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/plans/hotel-tower.yaml");
         let reading = read_plans(&[path], &PlanOptions { words: &catalog.room_words });
         let level = reading.plan.buildings[0].building.levels[1].clone();
-        let options = FurnishOptions { seed: SEED, building: "hotel", style: None };
+        let options = FurnishOptions::new(SEED, "hotel");
         let rooms = 0..level.rooms.len();
         let furnished: Vec<Furnished> = rooms.map(|room| furnish(&level, room, &catalog, &options)).collect();
         let objects: usize = furnished.iter().map(|room| room.placements.len()).sum();

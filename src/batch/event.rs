@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use super::fault::{FaultCode, OutputFault};
 use super::join::Joined;
 use super::record::Totals;
+use crate::edits::Misfit;
 
 /// One step of a bake. Steps of different levels come in any order, from any thread.
 #[derive(Clone, Debug)]
@@ -54,6 +55,19 @@ pub struct LevelFailure {
     pub seed: u64,
 }
 
+/// An edit that does not fit a level that was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LevelMisfit {
+    /// Building id.
+    pub building: String,
+    /// Level id.
+    pub level: String,
+    /// Room id.
+    pub room: String,
+    /// Which edit, and why.
+    pub misfit: Misfit,
+}
+
 /// How a bake went.
 #[derive(Clone, Debug)]
 pub struct BakeReport {
@@ -65,6 +79,9 @@ pub struct BakeReport {
     pub skipped: usize,
     /// What failed, sorted by building, level and room.
     pub failures: Vec<LevelFailure>,
+    /// Edits that do not fit the levels written, sorted by building, level and room; those of levels that were kept are
+    /// counted in `in_place`.
+    pub misfits: Vec<LevelMisfit>,
     /// Sums over the levels written.
     pub written: Totals,
     /// Sums over all levels in place, written or kept.

@@ -5,13 +5,14 @@ use rayon::prelude::*;
 use crate::audit::{Verdict, judge_room, suggest_places};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
+use crate::edits::{Finished, Misfit, finish};
 use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
 use crate::model::ModelLibrary;
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
 
 use super::bug::catch_bug;
-use super::event::{LevelFailure, Stage, Stopwatch};
+use super::event::{LevelFailure, LevelMisfit, Stage, Stopwatch};
 use super::fault::{FaultCode, OutputFault};
 use super::files::{LevelFiles, encode};
 use super::folder::OutputFolder;
@@ -39,12 +40,15 @@ pub(crate) struct BakedLevel {
     pub(crate) bytes: u64,
     /// Rooms that the program failed to furnish.
     pub(crate) failures: Vec<LevelFailure>,
+    /// Edits that do not fit.
+    pub(crate) misfits: Vec<LevelMisfit>,
 }
 
 /// One room on its way to the scene.
 struct BakedRoom {
     furnished: Furnished,
     verdict: Verdict,
+    misfits: Vec<Misfit>,
     failure: Option<String>,
 }
 
@@ -56,13 +60,12 @@ pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<Baked
     // Rooms in parallel, collected in the plan's order: whoever finishes first, the file is the same.
     let rooms: Vec<BakedRoom> =
         (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(workshop, job, room)).collect();
-    let (furnished, judged): (Vec<_>, Vec<_>) =
-        rooms.into_iter().map(|room| (room.furnished, (room.verdict, room.failure))).unzip();
-    let (verdicts, failures): (Vec<_>, Vec<_>) = judged.into_iter().unzip();
+    let mut results = RoomResults::default();
+    rooms.into_iter().for_each(|room| results.add(room));
 
     // The tree of nodes, and what it becomes.
     let built = catch_bug(|| {
-        let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &furnished, &verdicts));
+        let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &results));
         let files = workshop.watch.measure(Stage::Encoding, || encode(workshop, job, &scene))?;
         let place = |textures: &Textures| textures.put_in_place(&scene, workshop.folder);
         let images =
@@ -76,36 +79,48 @@ pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<Baked
     };
 
     // Files first, the record after them: what is recorded is there.
-    let record = record(workshop, job, &files, &RoomResults { furnished, verdicts, failures: &failures });
+    let record = record(workshop, job, &files, &results);
     let written = workshop.watch.measure(Stage::Writing, || write(workshop.folder, &files, &record));
     written.map_err(|fault| Box::new(level_failure(workshop, job, fault)))?;
     Ok(BakedLevel {
         totals: record.totals,
         bytes: record.files.iter().map(|file| file.bytes).sum(),
-        failures: room_failures(workshop, job, failures),
+        misfits: level_misfits(job, results.misfits),
+        failures: room_failures(workshop, job, results.failures),
     })
 }
 
 fn bake_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
-    let Workshop { catalog, options, watch, .. } = workshop;
-    let furnish_options =
-        FurnishOptions { seed: options.seed, building: &job.placed.id, style: options.style.as_deref() };
-    let baked = catch_bug(|| {
-        let furnish =
-            |alternative: &_| furnish_alternative(job.level, room, catalog, &furnish_options, alternative);
-        let Judged { furnished, verdict, .. } = best_of(
-            options.effort,
-            |alternative| watch.measure(Stage::Layout, || furnish(alternative)),
-            |furnished| watch.measure(Stage::Audit, || judge_room(job.level, room, furnished, catalog)),
-            |furnished| watch.measure(Stage::Audit, || suggest_places(job.level, room, furnished, catalog)),
-        );
-        BakedRoom { furnished, verdict, failure: None }
-    });
-    baked.unwrap_or_else(|bug| BakedRoom {
-        furnished: unfurnished(room, options),
+    catch_bug(|| furnish_room(workshop, job, room)).unwrap_or_else(|bug| BakedRoom {
+        furnished: unfurnished(room, workshop.options),
         verdict: Verdict::default(),
+        misfits: Vec::new(),
         failure: Some(bug),
     })
+}
+
+fn furnish_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
+    let Workshop { catalog, options, watch, .. } = workshop;
+    let level = job.level;
+    let edits = job.edits.and_then(|edits| edits.room(&level.rooms[room].id));
+    let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
+    let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
+    let run = edits.map_or(run, |edits| edits.options(run, &locks));
+    let judge =
+        |furnished: &Furnished| watch.measure(Stage::Audit, || judge_room(level, room, furnished, catalog));
+    let judged = best_of(
+        options.effort,
+        |alternative| {
+            watch.measure(Stage::Layout, || furnish_alternative(level, room, catalog, &run, alternative))
+        },
+        judge,
+        |furnished| watch.measure(Stage::Audit, || suggest_places(level, room, furnished, catalog)),
+    );
+    let Finished { judged: Judged { furnished, verdict, .. }, misfits } = match edits {
+        Some(edits) => finish(level, judged, edits, catalog, judge),
+        None => Finished { judged, misfits: Vec::new() },
+    };
+    BakedRoom { furnished, verdict, misfits, failure: None }
 }
 
 /// The bare room that stands in for one that could not be furnished.
@@ -120,14 +135,14 @@ fn unfurnished(room: usize, options: &BakeOptions) -> Furnished {
     }
 }
 
-fn scene(workshop: &Workshop<'_>, job: &Job<'_>, furnished: &[Furnished], verdicts: &[Verdict]) -> Scene {
+fn scene(workshop: &Workshop<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
     let catalog = workshop.catalog;
     build_scene(&SceneInput {
         level: job.level,
         building: &job.placed.id,
         site: job.placed.site,
-        furnished,
-        verdicts,
+        furnished: &rooms.furnished,
+        verdicts: &rooms.verdicts,
         catalog,
         models: &|class, variant, geometry| {
             workshop.models.model_in_detail(class, variant, geometry, workshop.options.detail)
@@ -150,18 +165,24 @@ fn write(folder: &OutputFolder, files: &LevelFiles, record: &LevelRecord) -> Res
 }
 
 /// What became of the rooms of a level, in the plan's order.
-struct RoomResults<'a> {
+#[derive(Default)]
+struct RoomResults {
     furnished: Vec<Furnished>,
     verdicts: Vec<Verdict>,
-    failures: &'a [Option<String>],
+    misfits: Vec<Vec<Misfit>>,
+    failures: Vec<Option<String>>,
 }
 
-fn record(
-    workshop: &Workshop<'_>,
-    job: &Job<'_>,
-    files: &LevelFiles,
-    rooms: &RoomResults<'_>,
-) -> LevelRecord {
+impl RoomResults {
+    fn add(&mut self, room: BakedRoom) {
+        self.furnished.push(room.furnished);
+        self.verdicts.push(room.verdict);
+        self.misfits.push(room.misfits);
+        self.failures.push(room.failure);
+    }
+}
+
+fn record(workshop: &Workshop<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &RoomResults) -> LevelRecord {
     let site = job.placed.site;
     let geometry = workshop.library.as_ref().map(|library| &library.file.path).into_iter();
     let mut record = LevelRecord {
@@ -177,13 +198,13 @@ fn record(
         classes: std::collections::BTreeMap::new(),
         rooms: Vec::new(),
     };
-    let results = rooms.furnished.iter().zip(&rooms.verdicts).zip(rooms.failures);
-    for ((furnished, verdict), failure) in results {
-        count_room(&mut record, workshop.catalog, furnished);
-        record.totals.audit.add_room(verdict);
-        record.totals.broken += u64::from(failure.is_some());
-        let room = room_record(job.level, workshop.catalog, furnished, verdict, failure.is_some());
-        record.rooms.extend(room);
+    for room in 0..rooms.furnished.len() {
+        count_room(&mut record, workshop.catalog, &rooms.furnished[room]);
+        record.totals.audit.add_room(&rooms.verdicts[room]);
+        record.totals.broken += u64::from(rooms.failures[room].is_some());
+        let unmade = rooms.misfits[room].iter().filter(|misfit| !misfit.is_made).count();
+        record.totals.misfits += unmade as u64;
+        record.rooms.extend(room_record(job.level, workshop.catalog, rooms, room));
     }
     record
 }
@@ -201,14 +222,11 @@ fn count_room(record: &mut LevelRecord, catalog: &Catalog, furnished: &Furnished
     }
 }
 
-fn room_record(
-    level: &Level,
-    catalog: &Catalog,
-    furnished: &Furnished,
-    verdict: &Verdict,
-    is_broken: bool,
-) -> Option<RoomRecord> {
-    if furnished.removals.is_empty() && verdict.findings.is_empty() && !is_broken {
+fn room_record(level: &Level, catalog: &Catalog, rooms: &RoomResults, room: usize) -> Option<RoomRecord> {
+    let (furnished, verdict, misfits) = (&rooms.furnished[room], &rooms.verdicts[room], &rooms.misfits[room]);
+    let is_broken = rooms.failures[room].is_some();
+    let has_misfits = !misfits.is_empty();
+    if furnished.removals.is_empty() && verdict.findings.is_empty() && !is_broken && !has_misfits {
         return None;
     }
     let removed = furnished.removals.iter().map(|removal| RemovedRecord {
@@ -222,8 +240,21 @@ fn room_record(
         score: verdict.score.map(|score| score.value),
         removed: removed.collect(),
         findings: verdict.findings.iter().map(to_value).collect(),
+        misfits: misfits.iter().map(|misfit| misfit.fault.message.clone()).collect(),
         failure: is_broken.then(|| FaultCode::RoomBroken.name().to_owned()),
     })
+}
+
+fn level_misfits(job: &Job<'_>, misfits: Vec<Vec<Misfit>>) -> Vec<LevelMisfit> {
+    let of_room = |(room, misfits): (usize, Vec<Misfit>)| {
+        misfits.into_iter().map(move |misfit| LevelMisfit {
+            building: job.placed.id.clone(),
+            level: job.level.id.clone(),
+            room: job.level.rooms[room].id.clone(),
+            misfit,
+        })
+    };
+    misfits.into_iter().enumerate().flat_map(of_room).collect()
 }
 
 fn room_failures(workshop: &Workshop<'_>, job: &Job<'_>, failures: Vec<Option<String>>) -> Vec<LevelFailure> {

@@ -4,6 +4,7 @@ use sha2::{Digest, Sha256};
 
 use crate::best::DEFAULT_EFFORT;
 use crate::catalog::Catalog;
+use crate::edits::{EditBook, LevelEdits};
 use crate::model::Detail;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
 use crate::scene::SceneOptions;
@@ -127,6 +128,8 @@ pub(crate) struct Job<'a> {
     pub(crate) level: &'a Level,
     /// `<building>/<level>` in the output folder, without extension.
     pub(crate) path: String,
+    /// What people changed in its rooms.
+    pub(crate) edits: Option<&'a LevelEdits>,
     /// Hash of all that the level is made from, the program excepted.
     pub(crate) inputs: String,
 }
@@ -140,7 +143,11 @@ impl Job<'_> {
 
 /// All levels of the plan, sorted by building id, then level id: whatever order the files were named in,
 /// shares and manifests are the same.
-pub(crate) fn list_jobs<'a>(plan: &'a Plan, catalog: &Catalog, options: &BakeOptions) -> Vec<Job<'a>> {
+pub(crate) fn list_jobs<'a>(
+    (plan, edits): (&'a Plan, &'a EditBook),
+    catalog: &Catalog,
+    options: &BakeOptions,
+) -> Vec<Job<'a>> {
     let mut buildings: Vec<&PlacedBuilding> = plan.buildings.iter().collect();
     buildings.sort_by(|one, other| one.id.cmp(&other.id));
     let ids: Vec<&str> = buildings.iter().map(|placed| placed.id.as_str()).collect();
@@ -149,8 +156,9 @@ pub(crate) fn list_jobs<'a>(plan: &'a Plan, catalog: &Catalog, options: &BakeOpt
     let mut jobs = Vec::new();
     for (placed, folder) in buildings.into_iter().zip(folders) {
         for (level, name) in sorted_levels(&placed.building) {
-            let inputs = input_hash(&common, placed, level);
-            jobs.push(Job { placed, level, path: format!("{folder}/{name}"), inputs });
+            let edits = edits.level(&placed.id, &level.id);
+            let inputs = input_hash(&common, placed, level, edits);
+            jobs.push(Job { placed, level, path: format!("{folder}/{name}"), edits, inputs });
         }
     }
     jobs
@@ -186,12 +194,20 @@ fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
     hash.finalize().into()
 }
 
-fn input_hash(common: &[u8; 32], placed: &PlacedBuilding, level: &Level) -> String {
+fn input_hash(
+    common: &[u8; 32],
+    placed: &PlacedBuilding,
+    level: &Level,
+    edits: Option<&LevelEdits>,
+) -> String {
     let site = placed.site;
     let mut hash = FieldHash::new("level");
     hash.field(common).field(&level.digest).field(placed.id.as_bytes()).field(level.id.as_bytes());
     for number in [site.position.x, site.position.y, site.turn] {
         hash.field(&number.to_le_bytes());
+    }
+    if let Some(edits) = edits {
+        hash.field(edits.fingerprint().as_bytes());
     }
     hash.finish()
 }
@@ -221,11 +237,13 @@ pub(crate) mod tests {
             id: id.to_owned(),
             site: SitePlacement::default(),
             building: Arc::new(Building { name: None, levels }),
+            source: Arc::default(),
         }
     }
 
     fn paths(plan: &Plan) -> Vec<String> {
-        let jobs = list_jobs(plan, &Catalog::default(), &BakeOptions::default());
+        let no_edits = EditBook::default();
+        let jobs = list_jobs((plan, &no_edits), &Catalog::default(), &BakeOptions::default());
         jobs.into_iter().map(|job| job.path).collect()
     }
 
@@ -252,7 +270,7 @@ pub(crate) mod tests {
     fn every_input_changes_the_hash() {
         let plan = Plan { buildings: vec![tower("a", &["1"])] };
         let inputs = |plan: &Plan, options: &BakeOptions| {
-            list_jobs(plan, &Catalog::default(), options)[0].inputs.clone()
+            list_jobs((plan, &EditBook::default()), &Catalog::default(), options)[0].inputs.clone()
         };
         let base = inputs(&plan, &BakeOptions::default());
         let showing = |scene| BakeOptions { scene, ..BakeOptions::default() };
@@ -285,6 +303,15 @@ pub(crate) mod tests {
         let mut moved = plan.clone();
         moved.buildings[0].site.turn = 1.0;
         assert_ne!(inputs(&moved, &BakeOptions::default()), base);
+        let mut edits = EditBook::default();
+        edits.pin("a", "1", "101", 7);
+        let edited = |edits: &EditBook| {
+            list_jobs((&plan, edits), &Catalog::default(), &BakeOptions::default())[0].inputs.clone()
+        };
+        assert_ne!(edited(&edits), base);
+        edits = EditBook::default();
+        edits.pin("a", "2", "201", 7);
+        assert_eq!(edited(&edits), base, "of another level");
         let renamed = Plan { buildings: vec![tower("b", &["1"])] };
         assert_ne!(inputs(&renamed, &BakeOptions::default()), base);
     }
@@ -294,7 +321,9 @@ pub(crate) mod tests {
         let plan = Plan { buildings: vec![tower("a", &["1"])] };
         let base = BakeOptions::default();
         let other = BakeOptions { threads: 7, shard: Shard::new(1, 2), ..BakeOptions::default() };
-        let jobs = |options| list_jobs(&plan, &Catalog::default(), options)[0].inputs.clone();
+        let jobs = |options| {
+            list_jobs((&plan, &EditBook::default()), &Catalog::default(), options)[0].inputs.clone()
+        };
         assert_eq!(jobs(&base), jobs(&other));
     }
 }

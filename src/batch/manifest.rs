@@ -195,6 +195,7 @@ pub(crate) mod tests {
                 score: Some(0.8125),
                 removed: vec![RemovedRecord { class: "lamp".to_owned(), reason: "no place".to_owned() }],
                 findings: vec![serde_json::json!({"measured": 0.7299999999999999})],
+                misfits: Vec::new(),
                 failure: None,
             }],
         }

@@ -22,7 +22,7 @@ mod work;
 
 pub(crate) use bug::catch_bug;
 pub use bug::collect_panics;
-pub use event::{BakeReport, Event, LevelFailure, Observer, Stage, Timings};
+pub use event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage, Timings};
 pub use fault::{FaultCode, OutputFault};
 pub(crate) use file_name::distinct_names;
 pub use folder::OutputFolder;

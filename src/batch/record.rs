@@ -69,6 +69,9 @@ pub struct Totals {
     /// Rooms by grade, findings by code, scores.
     #[serde(flatten)]
     pub audit: AuditSummary,
+    /// Edits that could not be made.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub misfits: u64,
     /// Rooms left empty by a fault of the program; their level is baked again next time.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub broken: u64,
@@ -87,6 +90,7 @@ impl Totals {
         self.placed += other.placed;
         self.removed += other.removed;
         self.audit.merge(&other.audit);
+        self.misfits += other.misfits;
         self.broken += other.broken;
     }
 }
@@ -108,6 +112,9 @@ pub struct RoomRecord {
     /// Findings of the audit.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<serde_json::Value>,
+    /// Edits that do not fit.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub misfits: Vec<String>,
     /// Why the room could not be furnished: a fault of the program.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,

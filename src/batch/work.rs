@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use super::event::{BakeReport, Event, LevelFailure, Observer, Stage, Stopwatch};
+use super::event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage, Stopwatch};
 use super::fault::{FaultCode, OutputFault};
 use super::floor::{BakedLevel, Workshop, bake_floor};
 use super::folder::OutputFolder;
@@ -17,6 +17,7 @@ use super::record::{FileRecord, Totals};
 use super::sources::{Contents, RecordHead};
 use super::textures::Textures;
 use crate::catalog::Catalog;
+use crate::edits::EditBook;
 use crate::model::ModelLibrary;
 use crate::plan::Plan;
 
@@ -25,6 +26,8 @@ use crate::plan::Plan;
 pub struct BakeInput<'a> {
     /// The buildings.
     pub plan: &'a Plan,
+    /// What people changed in their rooms.
+    pub edits: &'a EditBook,
     /// What furnishes them.
     pub catalog: &'a Catalog,
     /// The models of that catalogue.
@@ -45,9 +48,9 @@ pub fn bake(
     folder: &OutputFolder,
     observer: &Observer<'_>,
 ) -> Result<BakeReport, OutputFault> {
-    let &BakeInput { plan, catalog, models, options } = input;
+    let &BakeInput { plan, edits, catalog, models, options } = input;
     // The levels of this share; those that are up to date are kept.
-    let jobs = list_jobs(plan, catalog, options);
+    let jobs = list_jobs((plan, edits), catalog, options);
     let is_ours = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
     let share = jobs.iter().enumerate().filter(|(index, _)| is_ours(*index)).map(|(_, job)| job);
     let (kept, open): (Vec<&Job<'_>>, Vec<&Job<'_>>) = share.partition(|job| folder.is_current(job));
@@ -78,6 +81,7 @@ pub fn bake(
         kept: kept.len(),
         skipped: open.len() - done,
         failures: tally.failures,
+        misfits: tally.misfits,
         written: tally.totals,
         in_place,
         bytes: tally.bytes,
@@ -94,6 +98,7 @@ struct Tally {
     totals: Totals,
     bytes: u64,
     failures: Vec<LevelFailure>,
+    misfits: Vec<LevelMisfit>,
 }
 
 /// Each thread takes the next level until none is left, so that no more levels are in memory than there are
@@ -122,6 +127,9 @@ fn work(
     });
     let mut tally = tally.into_inner().expect("counting does not panic");
     tally.failures.sort();
+    let key = |misfit: &LevelMisfit| (misfit.building.clone(), misfit.level.clone(), misfit.room.clone());
+    // Stable: the misfits of a room stay in their order.
+    tally.misfits.sort_by_cached_key(key);
     tally
 }
 
@@ -133,6 +141,7 @@ impl Tally {
                 self.totals.add(&level.totals);
                 self.bytes += level.bytes;
                 self.failures.extend(level.failures);
+                self.misfits.extend(level.misfits);
             }
             Err(failure) => {
                 self.failed_levels += 1;

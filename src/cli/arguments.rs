@@ -55,6 +55,12 @@ pub(crate) enum Command {
     /// Draw furnished levels as SVG.
     #[command(after_help = EXIT_CODES)]
     Draw(DrawArguments),
+    /// Keep what you change by hand: moved, turned, added, removed, swapped and locked furniture, seeds of rooms.
+    #[command(after_help = EXIT_CODES)]
+    Edits {
+        #[command(subcommand)]
+        command: EditsCommand,
+    },
     /// Tell why each object of a room is where it is, and why others are missing.
     #[command(after_help = EXIT_CODES)]
     Explain(ExplainArguments),
@@ -66,6 +72,59 @@ pub(crate) enum Command {
     Merge(MergeArguments),
 }
 
+/// The commands of `edits`. Each adds to the edits file and keeps what it says.
+#[derive(Clone, Debug, Subcommand)]
+pub(crate) enum EditsCommand {
+    /// Write down what somebody changed in a floor, for example in Blender.
+    Capture {
+        /// The floor as it was baked.
+        #[arg(value_name = "OLD")]
+        old: PathBuf,
+        /// The same floor, changed and exported again with its custom properties.
+        #[arg(value_name = "EDITED")]
+        edited: PathBuf,
+        /// The edits file [default: BUILDING.edits.yaml in this folder].
+        #[arg(long, value_name = "FILE")]
+        edits: Option<PathBuf>,
+        /// Further folders of configuration.
+        #[arg(long, value_name = "DIR")]
+        catalog: Vec<PathBuf>,
+    },
+    /// Keep furniture where it stands in a floor: the rest of the room is arranged around it.
+    Lock {
+        /// A floor that bake wrote, edited or not.
+        #[arg(value_name = "FLOOR")]
+        floor: PathBuf,
+        /// Id of the room.
+        #[arg(value_name = "ROOM")]
+        room: String,
+        /// Ids of the objects; all of the room if none is named.
+        #[arg(value_name = "OBJECT")]
+        objects: Vec<String>,
+        /// The edits file [default: BUILDING.edits.yaml in this folder].
+        #[arg(long, value_name = "FILE")]
+        edits: Option<PathBuf>,
+    },
+    /// Give a room another seed, for this and all later bakes.
+    Reroll {
+        /// Its plan or project.
+        #[arg(value_name = "PLAN")]
+        plan: PathBuf,
+        /// The room: [BUILDING/][LEVEL/]ROOM.
+        #[arg(value_name = "ROOM")]
+        room: String,
+        /// This seed, not the next one.
+        #[arg(long, value_name = "N")]
+        to: Option<u64>,
+        /// The edits file [default: NAME.edits.yaml beside the plan].
+        #[arg(long, value_name = "FILE")]
+        edits: Option<PathBuf>,
+        /// Further folders of configuration.
+        #[arg(long, value_name = "DIR")]
+        catalog: Vec<PathBuf>,
+    },
+}
+
 /// Where plans and configuration come from.
 #[derive(Clone, Debug, Default, Args)]
 pub(crate) struct SourceArguments {
@@ -75,6 +134,20 @@ pub(crate) struct SourceArguments {
     /// Further folders of configuration: classes/, rooms/, styles/, palettes/. May be repeated; later ones win.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) edits: EditArguments,
+}
+
+/// Which edits are made.
+#[derive(Clone, Debug, Default, Args)]
+pub(crate) struct EditArguments {
+    /// Make the edits in this file too. May be repeated; later ones win. Those in NAME.edits.yaml beside a plan are made
+    /// without it.
+    #[arg(long = "edits", value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// Make no edits: every room as it is arranged.
+    #[arg(long, conflicts_with = "files")]
+    pub(crate) no_edits: bool,
 }
 
 /// What the furniture depends on.
@@ -131,6 +204,9 @@ pub(crate) struct BakeArguments {
     /// Let viewers choose among all palettes (KHR_materials_variants).
     #[arg(long)]
     pub(crate) variants: bool,
+    /// Draw another seed for this room, for this run: [BUILDING/][LEVEL/]ROOM. Repeated for a room, it goes on to the next.
+    #[arg(long, value_name = "ROOM")]
+    pub(crate) reroll: Vec<String>,
     /// Bake share I of N, so that N machines can split the work.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     pub(crate) shard: Option<Shard>,
@@ -297,6 +373,8 @@ pub(crate) struct ExplainArguments {
     /// Further folders of configuration.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) edits: EditArguments,
 }
 
 /// `merge`.

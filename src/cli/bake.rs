@@ -6,12 +6,13 @@ use std::time::Instant;
 use super::arguments::{BakeArguments, DetailWord, FormatWord, ProgressWord, TextureWord};
 use super::exit::Outcome;
 use super::progress::Progress;
+use super::reroll::reroll;
 use super::room_styles::check_room_styles;
 use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
 use super::summary::{failure_text, summary_json, summary_text, timing_text, where_to_look};
 use crate::batch::{
-    BakeInput, BakeOptions, BakeReport, Format, OutputFault, OutputFolder, TextureOptions, bake,
+    BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, TextureOptions, bake,
 };
 use crate::model::Detail;
 use crate::scene::SceneOptions;
@@ -64,9 +65,17 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
     let style_faults = check_room_styles(&sources.plan, &sources.catalog);
     sources.faults.merge(style_faults);
     screen.faults(&sources.faults);
+    let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
+    for room in &arguments.reroll {
+        let rolled = reroll(&sources.plan, &mut sources.edits, seed, room).map_err(|faults| {
+            screen.faults(&faults);
+            Outcome::NotStarted
+        })?;
+        screen.note(&rolled.to_string());
+    }
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     let options = BakeOptions {
-        seed: arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED),
+        seed,
         style,
         effort: arguments.furnish.effort,
         format: match arguments.format {
@@ -122,8 +131,8 @@ fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
     screen.note(&announcement(run));
     let started = Instant::now();
     let progress = Progress::new(run.progress, screen.is_quiet);
-    let Sources { plan, catalog, models, .. } = &run.sources;
-    let input = BakeInput { plan, catalog, models, options: &run.options };
+    let Sources { plan, edits, catalog, models, .. } = &run.sources;
+    let input = BakeInput { plan, edits, catalog, models, options: &run.options };
     let baked = bake(&input, folder, &|event| progress.observe(event));
     let report = match baked {
         Ok(report) => report,
@@ -133,6 +142,7 @@ fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
     let elapsed = started.elapsed();
 
     show_failures(&report, screen);
+    show_misfits(&report, screen);
     if screen.is_json {
         screen.json(&summary_json(&report, &run.out));
     } else if !screen.is_quiet {
@@ -174,6 +184,16 @@ fn show_failures(report: &BakeReport, screen: Screen) {
     }
 }
 
+fn show_misfits(report: &BakeReport, screen: Screen) {
+    for LevelMisfit { misfit, .. } in report.misfits.iter().take(LISTED_FAILURES) {
+        screen.faults(&misfit.fault.clone().into());
+    }
+    if report.misfits.len() > LISTED_FAILURES {
+        let more = report.misfits.len() - LISTED_FAILURES;
+        screen.error(&format!("… and {more} more edits that do not fit; --json lists all"));
+    }
+}
+
 /// What to try after the demo.
 const NEXT_STEPS: &str = "\
 Open a .glb in Blender or any glTF viewer, or try next:
@@ -187,6 +207,8 @@ fn outcome(run: &Run, report: &BakeReport) -> Outcome {
     if nothing_done {
         return Outcome::NotStarted;
     }
-    let has_failures = run.has_input_faults || !report.failures.is_empty() || report.joined.is_err();
+    let has_unmade_edits = report.in_place.misfits > 0;
+    let has_failures =
+        run.has_input_faults || has_unmade_edits || !report.failures.is_empty() || report.joined.is_err();
     Outcome::of_failures(has_failures || report.skipped > 0)
 }

@@ -12,10 +12,11 @@ use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
 use crate::audit::Finding;
 use crate::batch::distinct_names;
-use crate::best::{Judged, furnish_best};
+use crate::best::Judged;
 use crate::catalog::Catalog;
 use crate::document::{Fault, Faults, did_you_mean};
 use crate::draw::{Drawing, draw_level, draw_levels};
+use crate::edits::furnish_edited;
 use crate::layout::{FurnishOptions, Furnished};
 use crate::plan::{Level, PlacedBuilding};
 
@@ -168,11 +169,13 @@ fn furnish_level(
     (seed, style): (u64, Option<&str>),
     (placed, level): Subject<'_>,
 ) -> Judgement {
-    let options = FurnishOptions { seed, building: &placed.id, style };
     let rooms = (0..level.rooms.len()).into_par_iter();
-    let best = |room| furnish_best(level, room, &sources.catalog, &options, arguments.furnish.effort);
+    let run = FurnishOptions::new(seed, &placed.id).with_style(style);
+    let edits = sources.edits.level(&placed.id, &level.id);
+    let furnish =
+        |room| furnish_edited((level, room), &sources.catalog, &run, arguments.furnish.effort, edits).judged;
     let judged = |judged: Judged| (judged.furnished, judged.verdict.findings);
-    rooms.map(best).map(judged).unzip()
+    rooms.map(furnish).map(judged).unzip()
 }
 
 fn write_all(

@@ -22,7 +22,7 @@ struct Target<'a> {
 /// Runs the command.
 pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
     let ImportArguments { paths, out, force, catalog } = arguments;
-    let read = read_plans_only(&SourceArguments { paths, catalog });
+    let read = read_plans_only(&SourceArguments { paths, catalog, ..SourceArguments::default() });
     let (plan, mut faults) = match read {
         Ok(read) => read,
         Err(faults) => {

@@ -7,12 +7,14 @@ mod catalog;
 mod check;
 mod diff;
 mod draw;
+mod edits;
 mod exit;
 mod explain;
 mod files;
 mod import;
 mod merge;
 mod progress;
+mod reroll;
 mod room_styles;
 mod screen;
 mod sources;
@@ -37,6 +39,7 @@ pub fn run() -> Outcome {
         Command::Audit(arguments) => audit::run(&arguments, screen),
         Command::Diff(arguments) => diff::run(&arguments, screen),
         Command::Draw(arguments) => draw::run(&arguments, screen),
+        Command::Edits { command } => edits::run(command, screen),
         Command::Explain(arguments) => explain::run(&arguments, screen),
         Command::Import(arguments) => import::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::SourceArguments;
 use crate::catalog::{Catalog, builtin_files, load_catalog};
 use crate::document::{Fault, Faults, Warned, did_you_mean};
+use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;
 use crate::plan::{Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
 
@@ -20,6 +21,8 @@ pub(crate) struct Sources {
     pub(crate) models: ModelLibrary,
     /// The buildings that could be read.
     pub(crate) plan: Plan,
+    /// What people changed in the furnished rooms.
+    pub(crate) edits: EditBook,
     /// What project files say about the run.
     pub(crate) settings: ProjectSettings,
     /// Errors and warnings; after an error some rooms or buildings are missing.
@@ -45,7 +48,12 @@ pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Sources, Fault
     let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
     let models = ModelLibrary::load(&catalog)?;
     let plan = read_some_plans(&paths, &catalog, &mut faults)?;
-    Ok(Sources { catalog, models, plan, settings, faults })
+    let (edits, edit_faults) = match arguments.edits.no_edits {
+        true => (EditBook::default(), Faults::default()),
+        false => read_edits(&plan, &arguments.edits.files, &catalog),
+    };
+    faults.merge(edit_faults);
+    Ok(Sources { catalog, models, plan, edits, settings, faults })
 }
 
 /// Reads plans for which no furniture is needed; the catalogue says what their words mean.

@@ -7,8 +7,9 @@ use std::time::Duration;
 use indicatif::{HumanBytes, HumanCount};
 use serde_json::{Value, json};
 
+use super::screen::FaultReport;
 use crate::audit::{AuditSummary, Code, GradeCounts};
-use crate::batch::{BakeReport, Joined, LevelFailure, Stage, Totals};
+use crate::batch::{BakeReport, Joined, LevelFailure, LevelMisfit, Stage, Totals};
 
 /// The summary for people.
 pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
@@ -39,6 +40,10 @@ pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
         count(*removed),
     ));
     lines.extend(audit_lines(audit));
+    if report.in_place.misfits > 0 {
+        let count = count(report.in_place.misfits);
+        lines.push(format!("Edits that could not be made: {count}. They stay in their files."));
+    }
     if report.skipped > 0 {
         lines.push(format!("Stopped early: {} were not tried.", levels(report.skipped)));
     }
@@ -109,6 +114,7 @@ pub(crate) fn summary_json(report: &BakeReport, out: &Path) -> Value {
         "skipped_levels": report.skipped,
         "totals": report.in_place,
         "failures": report.failures.iter().map(failure_json).collect::<Vec<_>>(),
+        "misfits": report.misfits.iter().map(misfit_json).collect::<Vec<_>>(),
     })
 }
 
@@ -117,6 +123,14 @@ fn manifest_path(report: &BakeReport) -> Option<String> {
         Ok(Joined::Whole(path) | Joined::Part(path)) => Some(path.display().to_string()),
         Err(_) => None,
     }
+}
+
+fn misfit_json(found: &LevelMisfit) -> Value {
+    let LevelMisfit { building, level, room, misfit } = found;
+    json!({
+        "building": building, "level": level, "room": room, "is_made": misfit.is_made,
+        "fault": FaultReport::from(&misfit.fault),
+    })
 }
 
 /// A failure for machines.

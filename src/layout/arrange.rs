@@ -8,6 +8,7 @@ use super::agent::{Agent, AgentIndex, State};
 use super::constants::SEARCH_ROUNDS;
 use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
+use super::lock::locked_place;
 use super::search::{Care, Found, search};
 use super::seed::RoomKey;
 use super::suggestion::{self, suggestion};
@@ -29,6 +30,9 @@ pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
 
 /// One agent's step: a found parent and a free place lead to rest, else it is removed.
 fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
+    if let Some(place) = locked_place(environment, agent) {
+        return environment.settle(agent, &place);
+    }
     let reason = match search_in_any_size(environment, agent, key) {
         Ok(place) => return environment.settle(agent, &place),
         Err(reason) => reason,

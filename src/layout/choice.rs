@@ -66,7 +66,7 @@ mod tests {
     }
 
     fn style_of<'a>(level: &Level, room: &Room, catalog: &'a Catalog, seed: u64, style: &str) -> &'a str {
-        let options = FurnishOptions { seed, building: "block", style: Some(style) };
+        let options = FurnishOptions::new(seed, "block").with_style(Some(style));
         &room_style(level, room, catalog, &options).unwrap().id
     }
 

@@ -13,6 +13,7 @@ use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
 use super::body::{Pose, append_solids, box_solid, clearance_solid};
 use super::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, HUNG_ELEVATION, THIN_DEPTH};
 use super::furnished::RemovalReason;
+use super::lock::Lock;
 use super::programme::Piece;
 use super::suggestion::Suggestion;
 use super::surroundings::Surroundings;
@@ -36,6 +37,8 @@ pub(crate) struct Environment<'a> {
     pub(crate) resting: Vec<Vec<AgentIndex>>,
     /// Where somebody says that agents fit.
     pub(crate) suggestions: Vec<Suggestion>,
+    /// Who stands where somebody put it.
+    pub(crate) locks: &'a [Lock],
     /// What the agents meet on their search, where somebody wants to know.
     pub(crate) trace: Option<RefCell<Trace>>,
     /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
@@ -159,6 +162,7 @@ impl<'a> Environment<'a> {
             agents: pieces.iter().map(agent).collect(),
             resting: vec![Vec::new(); catalog.classes.len()],
             suggestions: Vec::new(),
+            locks: &[],
             trace: None,
             is_exhausted: vec![false; catalog.classes.len()],
             heeds_tags: true,

@@ -19,6 +19,7 @@ mod constants;
 mod environment;
 mod explain;
 mod furnished;
+mod lock;
 mod movement;
 mod programme;
 mod push;
@@ -42,6 +43,7 @@ pub use explain::{
     Wish, explain, explain_alternative,
 };
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
+pub use lock::{Lock, LockSupport};
 pub use suggestion::{Alternative, Suggestion};
 
 use std::collections::BTreeSet;
@@ -66,6 +68,24 @@ pub struct FurnishOptions<'a> {
     /// Style or building style for rooms whose plan names none, where it suits their type; else
     /// [`crate::catalog::DEFAULT_STYLE`].
     pub style: Option<&'a str>,
+    /// The seed of this room's furniture, in place of that of the run; the style is still drawn by that one.
+    pub pinned: Option<u64>,
+    /// Objects that stand before the others search.
+    pub locks: &'a [Lock],
+}
+
+impl<'a> FurnishOptions<'a> {
+    /// Nothing but a seed and a building.
+    #[must_use]
+    pub fn new(seed: u64, building: &'a str) -> Self {
+        Self { seed, building, style: None, pinned: None, locks: &[] }
+    }
+
+    /// The same in a style.
+    #[must_use]
+    pub fn with_style(self, style: Option<&'a str>) -> Self {
+        Self { style, ..self }
+    }
 }
 
 /// Furnishes one room of a level.
@@ -111,7 +131,7 @@ impl Task<'_> {
     ) -> (Furnished, Option<Told<T>>) {
         let Self { level, room, catalog, options, alternative } = *self;
         let plan = &level.rooms[room];
-        let key = RoomKey::new(options.seed, options.building, level, plan);
+        let key = RoomKey::new(options.pinned.unwrap_or(options.seed), options.building, level, plan);
         let style = room_style(level, plan, catalog, &options);
         let room_type = catalog.room_types.get(&plan.room_type).filter(|room_type| room_type.is_furnished);
         let (Some(style), Some(room_type)) = (style, room_type) else {
@@ -119,7 +139,8 @@ impl Task<'_> {
         };
 
         // The programme is drawn once: another attempt must not ask for other pieces.
-        let pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
+        let mut pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
+        lock::add_pieces(&mut pieces, options.locks, catalog);
         let surroundings = Surroundings::new(level, plan);
         let mut urgency = vec![0; pieces.len()];
         let mut attempt = |number: u32| {
@@ -128,6 +149,7 @@ impl Task<'_> {
                 agent.urgency = urgency;
             }
             environment.suggestions.clone_from(&alternative.suggestions);
+            environment.locks = options.locks;
             environment.heeds_tags = alternative.number < ALTERNATIVES_WITH_TAGS && number < ATTEMPTS;
             environment.access = style.access;
             environment.trace = is_traced.then(|| trace::Trace::new(&environment));
@@ -166,6 +188,7 @@ struct Told<T> {
 /// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness; after that,
 /// ways are cleared. Returns how many ways stay closed.
 fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) -> usize {
+    lock::settle_locked(environment);
     arrange::arrange(environment, key);
     push::push_apart(environment);
     if untidy::make_untidy(environment, untidiness, key) {

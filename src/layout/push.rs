@@ -9,6 +9,7 @@ use super::agent::{AgentIndex, ParentPart, Rest};
 use super::body::Pose;
 use super::constants::{PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS};
 use super::environment::{Environment, Place};
+use super::lock::is_locked;
 use super::movement::lift;
 use super::rules::{meets_needs, score};
 use super::suggestion::follows_suggestion;
@@ -51,6 +52,7 @@ fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {
 fn can_slide(environment: &Environment<'_>, agent: AgentIndex) -> bool {
     let is_free = environment.class(agent).grid.is_none()
         && !environment.is_built_in(agent)
+        && !is_locked(environment, agent)
         && !follows_suggestion(environment, agent);
     let rest = environment.agents[agent].rest();
     is_free

@@ -165,7 +165,7 @@ pub(super) const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.
 const CONCAVE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 2.5), (3.0, 2.5), (3.0, 5.0), (0.0, 5.0)];
 
 pub(super) fn run(level: &Level, catalog: &Catalog, seed: u64) -> Furnished {
-    furnish(level, 0, catalog, &FurnishOptions { seed, building: "test", style: None })
+    furnish(level, 0, catalog, &FurnishOptions::new(seed, "test"))
 }
 
 const OFFICE: &[(usize, Count)] = &[
@@ -377,7 +377,7 @@ fn a_piece_that_would_be_tight_stays_out_unless_it_is_required() {
 #[test]
 fn each_alternative_holds_the_same_pieces_elsewhere() {
     let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
-    let options = FurnishOptions { seed: 1, building: "test", style: None };
+    let options = FurnishOptions::new(1, "test");
     let alternative =
         |number| furnish_alternative(&level, 0, &catalog, &options, &Alternative::numbered(number));
     assert_eq!(alternative(0), run(&level, &catalog, 1));
@@ -389,7 +389,7 @@ fn each_alternative_holds_the_same_pieces_elsewhere() {
 #[test]
 fn who_has_a_suggestion_stands_there_and_others_keep_off() {
     let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
-    let options = FurnishOptions { seed: 1, building: "test", style: None };
+    let options = FurnishOptions::new(1, "test");
     let desk = &run(&level, &catalog, 2).placements[0];
     let wall = match desk.parent {
         Parent::Wall(wall) => Some(wall),

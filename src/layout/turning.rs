@@ -8,6 +8,7 @@ use super::agent::AgentIndex;
 use super::arrange::arrange;
 use super::constants::CONTACT_TOLERANCE;
 use super::environment::Environment;
+use super::lock::is_locked;
 use super::movement::send_away;
 use super::seed::RoomKey;
 use super::ways::who_is_near;
@@ -51,7 +52,8 @@ fn floor(environment: &Environment<'_>, is_furnished: bool) -> Option<Floor> {
 fn dispensable(environment: &Environment<'_>, place: Point) -> Option<Vec<AgentIndex>> {
     let reach = environment.catalog.audit.access.turning / 2.0 - CONTACT_TOLERANCE;
     let going: Vec<AgentIndex> = who_is_near(environment, place, reach).into_keys().collect();
-    (!going.iter().any(|&agent| has_required(environment, agent))).then_some(going)
+    (!going.iter().any(|&agent| has_required(environment, agent) || is_locked(environment, agent)))
+        .then_some(going)
 }
 
 /// Whether an agent, or one that stands on it or belongs to it, is required.

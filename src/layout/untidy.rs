@@ -6,6 +6,7 @@ use crate::geometry::Point;
 use super::agent::{Agent, AgentIndex, ParentPart, Rest};
 use super::body::{Pose, outward};
 use super::environment::Environment;
+use super::lock::is_locked;
 use super::movement::move_agent;
 use super::seed::{Purpose, RoomKey, Stream};
 use super::suggestion::follows_suggestion;
@@ -20,7 +21,9 @@ pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidi
         let class = environment.class(agent);
         let piece = environment.agents[agent].piece;
         let mut stream = key.stream(Purpose::Untidiness, &class.id, piece.number);
-        let is_fixed = environment.is_built_in(agent) || follows_suggestion(environment, agent);
+        let is_fixed = environment.is_built_in(agent)
+            || is_locked(environment, agent)
+            || follows_suggestion(environment, agent);
         if let (false, Some(rest)) = (is_fixed, environment.agents[agent].rest().copied())
             && let Some(pose) = offset(environment, agent, &rest, (untidiness, &mut stream))
         {

@@ -12,6 +12,7 @@ use super::agent::AgentIndex;
 use super::arrange::arrange;
 use super::constants::{CONTACT_TOLERANCE, WAY_ROUNDS};
 use super::environment::Environment;
+use super::lock::is_locked;
 use super::movement::send_away;
 use super::seed::RoomKey;
 use super::suggestion::follows_suggestion;
@@ -93,6 +94,7 @@ fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex
     let places = ways.iter().flat_map(|closed| closed.way.narrows.iter().map(move |&place| (closed, place)));
     for (ClosedWay { way, owner }, place) in places {
         let mut near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
+        near.retain(|&agent, _| !is_locked(environment, agent));
         if way.width > environment.catalog.audit.walking.person {
             // A wide way is a wish: nobody goes for it whom the room cannot do without.
             near.retain(|&agent, _| !has_required(environment, agent));

@@ -1,5 +1,6 @@
 //! A checked building: what every later stage works on.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::geometry::{Point, Polygon, Region};
@@ -20,6 +21,19 @@ pub struct PlacedBuilding {
     pub site: SitePlacement,
     /// The building itself, in its own frame.
     pub building: Arc<Building>,
+    /// The files that say so.
+    pub source: Arc<PlanSource>,
+}
+
+/// Where a building is written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PlanSource {
+    /// The plan: a file, or a folder of a foreign format.
+    pub plan: PathBuf,
+    /// The project that places it, if one does.
+    pub project: Option<PathBuf>,
+    /// Whether the project exchanges east and west.
+    pub is_mirrored: bool,
 }
 
 /// Where a building stands: its own frame is turned, then moved. Recorded in the manifest and the level's

@@ -28,7 +28,7 @@ mod write_native;
 pub use assemble::assemble_level;
 pub use building::{
     Building, FRAME_WIDTH, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, PlacedBuilding, Plan,
-    Room, RoomOpening, SitePlacement, Wall, WallKind,
+    PlanSource, Room, RoomOpening, SitePlacement, Wall, WallKind,
 };
 pub use draft::{
     BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,

@@ -192,7 +192,7 @@ fn read_piece(
 }
 
 /// Position, angle and scale (width, height, depth) in the room; `None` unless upright and finite.
-fn pose(place: &DMat4) -> Option<(DVec3, f64, DVec3)> {
+pub(super) fn pose(place: &DMat4) -> Option<(DVec3, f64, DVec3)> {
     let (across, up, forth) = (place.x_axis.truncate(), place.y_axis.truncate(), place.z_axis.truncate());
     let position = place.w_axis.truncate();
     let scale = DVec3::new(across.length(), up.length(), forth.length());

@@ -71,7 +71,7 @@ fn place(node: &Node) -> String {
     text
 }
 
-fn mesh_name(document: &Root, mesh: Option<usize>) -> Option<&str> {
+pub(super) fn mesh_name(document: &Root, mesh: Option<usize>) -> Option<&str> {
     document.meshes.get(mesh?)?.name.as_deref()
 }
 
@@ -88,7 +88,7 @@ pub(super) fn material_names(document: &Root, mesh: Option<usize>) -> Vec<String
 
 /// Triangles and bounds of a mesh's primitives, to a tenth of a millimetre. Not how many corners they share: editors split
 /// and join those, and order primitives as they like.
-fn shape(document: &Root, mesh: usize) -> String {
+pub(super) fn shape(document: &Root, mesh: usize) -> String {
     let accessor = |index: Index<Accessor>| document.accessors.get(index.value());
     let primitives = document.meshes.get(mesh).map_or(&[][..], |mesh| &mesh.primitives);
     let describe = |primitive: &Primitive| {

@@ -14,6 +14,7 @@ mod openings;
 mod outline;
 mod parents;
 mod problem;
+mod survey;
 #[cfg(test)]
 mod tests;
 mod tree;
@@ -27,6 +28,8 @@ use crate::plan::Level;
 
 pub use inventory::{FoundEntry, Inventory, ObjectEntry, OpeningEntry, RoomContents};
 pub use looks::{Described, Looks};
+pub(crate) use parents::room_part;
+pub use survey::{Survey, SurveyedObject, SurveyedPlace};
 
 /// A level as its file has it.
 #[derive(Clone, Debug)]
@@ -89,4 +92,18 @@ pub fn parse_inventory(file: &Path, bytes: &[u8]) -> Result<(Inventory, Faults),
     let (nodes, mut problems) = tree::nodes(&document);
     let read = inventory::read(&document, &nodes, &mut problems).map_err(|problem| problem.in_file(file))?;
     Ok((read, Faults(problems.into_iter().map(|problem| problem.in_file(file)).collect())))
+}
+
+/// The furniture of a file as an editor left it.
+///
+/// # Errors
+/// If it is no glTF, has no level in it, or has lost its nodes to instancing.
+pub fn parse_survey(file: &Path, bytes: &[u8]) -> Result<Survey, Fault> {
+    let document = crate::model::unchecked_document(file, bytes)?;
+    if document.extensions_used.iter().any(|extension| extension == "EXT_mesh_gpu_instancing") {
+        let fault = Fault::of_file(file, "holds furniture as GPU instances, which have no names");
+        return Err(fault.with_hint("export it without \"GPU Instances\""));
+    }
+    let (nodes, _) = tree::nodes(&document);
+    survey::read(&document, &nodes).map_err(|problem| problem.in_file(file))
 }

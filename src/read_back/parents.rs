@@ -7,6 +7,7 @@ use super::level::EmptyLevel;
 use super::problem::Problem;
 use super::tree::Node;
 use crate::layout::{Parent, Placement};
+use crate::plan::Level;
 
 /// The placements with their parents, each after its parent.
 pub(super) fn parents_first(
@@ -41,7 +42,7 @@ pub(super) fn parents_first(
     let placed = pieces.into_iter().map(|piece| {
         let parent = match by_node[&piece.node] {
             Some(above) => Parent::Object(order[&above]),
-            None => part(&piece.extras.parent, (empty, room)).ok_or_else(|| {
+            None => room_part(&piece.extras.parent, &empty.level, room).ok_or_else(|| {
                 let message = format!("stands on \"{}\", which is not there", piece.extras.parent);
                 Problem::new(&nodes[piece.node].name, message)
             })?,
@@ -57,12 +58,12 @@ fn object_above(piece: &Piece<'_>, by_id: &BTreeMap<&str, usize>) -> Option<usiz
     piece.above.or_else(|| by_id.get(piece.extras.parent.as_str()).copied())
 }
 
-/// The part of the room, or the opening, that an id means.
-fn part(id: &str, (empty, room): (&EmptyLevel, usize)) -> Option<Parent> {
-    let room = &empty.level.rooms[room];
+/// The part of a room, or the opening, that an id means: the other way of `scene/names.rs`.
+pub(crate) fn room_part(id: &str, level: &Level, room: usize) -> Option<Parent> {
+    let room = &level.rooms[room];
     if let Some(opening) = id.strip_prefix("door:").or_else(|| id.strip_prefix("window:")) {
         let mut here = room.openings.iter().map(|place| place.opening);
-        return here.find(|&index| empty.level.openings[index].id == opening).map(Parent::Opening);
+        return here.find(|&index| level.openings[index].id == opening).map(Parent::Opening);
     }
     let (kind, number) = id.split_once('.').unwrap_or((id, ""));
     let number = number.parse::<usize>().ok();

@@ -24,7 +24,7 @@ pub use node::{
 pub use options::SceneOptions;
 
 pub(crate) use extras::GENERATOR;
-pub(crate) use names::{opening as opening_id, parent as parent_id};
+pub(crate) use names::{numbered as object_id, opening as opening_id, parent as parent_id};
 
 use axes::Pose;
 use meshes::{Look, MeshTable};

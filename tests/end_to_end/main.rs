@@ -133,7 +133,7 @@ fn an_explained_room_is_the_room_and_accounts_for_every_piece() {
             return;
         }
         for room in 0..level.rooms.len() {
-            let options = FurnishOptions { seed: 1, building, style: None };
+            let options = FurnishOptions::new(1, building);
             let (furnished, told) = explain(level, room, &pipeline.catalog, &options);
             let name = format!("{building}/{}/{}", level.id, level.rooms[room].id);
             assert_eq!(furnished, furnish(level, room, &pipeline.catalog, &options), "{name}");

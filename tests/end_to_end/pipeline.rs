@@ -53,7 +53,7 @@ impl Pipeline {
 
     /// Furnishes, judges and writes one level.
     pub fn bake<'a>(&self, building: &'a str, level: &'a Level) -> BakedLevel<'a> {
-        let options = FurnishOptions { seed: self.seed, building, style: None };
+        let options = FurnishOptions::new(self.seed, building);
         let rooms = 0..level.rooms.len();
         let best = |room| furnish_best(level, room, &self.catalog, &options, EFFORT);
         let judged = |judged: Judged| (judged.furnished, judged.verdict);

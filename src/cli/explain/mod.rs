@@ -45,7 +45,8 @@ impl<'a> Found<'a> {
 
 /// Runs the command.
 pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
-    let sources = SourceArguments { paths: vec![arguments.plan.clone()], catalog: arguments.catalog.clone() };
+    let ExplainArguments { plan, catalog, edits, .. } = arguments.clone();
+    let sources = SourceArguments { paths: vec![plan], catalog, edits };
     let told = read_sources(&sources).and_then(|sources| {
         screen.faults(&sources.faults);
         let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
@@ -72,8 +73,12 @@ fn subject<'a>(
     style: Option<&str>,
 ) -> Subject<'a> {
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
-    let options = FurnishOptions { seed, building: &found.placed.id, style };
     let (level, room, catalog) = (found.level, found.room, &sources.catalog);
+    let edits = sources.edits.level(&found.placed.id, &level.id);
+    let edits = edits.and_then(|edits| edits.room(&level.rooms[room].id));
+    let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
+    let run = FurnishOptions::new(seed, &found.placed.id).with_style(style);
+    let options = edits.map_or(run, |edits| edits.options(run, &locks));
     let best = furnish_best(level, room, catalog, &options, arguments.furnish.effort);
     let (furnished, explanation) = explain_alternative(level, room, catalog, &options, &best.alternative);
     Subject {

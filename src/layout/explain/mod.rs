@@ -222,7 +222,7 @@ mod tests {
         let corners: Vec<(f64, f64)> = WIDE.iter().map(|&(x, y)| (x / 3.0, y / 3.0)).collect();
         let programme = [(DESK, Count::Fixed(desks)), (SHELF, Count::Fixed(shelves))];
         let catalog = catalog(&programme, Untidiness::default());
-        let options = FurnishOptions { seed: 1, building: "test", style: None };
+        let options = FurnishOptions::new(1, "test");
         explain(&level(&corners), 0, &catalog, &options)
     }
 

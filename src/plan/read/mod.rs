@@ -20,7 +20,8 @@ use self::finish::{Drafted, Provenance, Variation, finish};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
 use super::{
-    BuildingDraft, PlacedBuilding, Plan, PlanOptions, PlanReading, ProjectSettings, RoomWords, SitePlacement,
+    BuildingDraft, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource, ProjectSettings, RoomWords,
+    SitePlacement,
 };
 use crate::document::{Fault, Faults, Source};
 
@@ -171,11 +172,16 @@ fn read_input(input: &Input, words: &RoomWords) -> (Vec<ReadBuilding>, Faults) {
 fn finish_all(file: &Path, reading: Drafts) -> (Vec<ReadBuilding>, Faults) {
     let mut faults = reading.faults;
     let mut buildings = Vec::new();
+    let source = Arc::new(PlanSource { plan: file.to_owned(), ..PlanSource::default() });
     for drafted in reading.drafts {
         let (building, found) = finish(&drafted, &Variation::default());
         faults.merge(found);
-        let placed =
-            PlacedBuilding { id: drafted.id, site: SitePlacement::default(), building: Arc::new(building) };
+        let placed = PlacedBuilding {
+            id: drafted.id,
+            site: SitePlacement::default(),
+            building: Arc::new(building),
+            source: Arc::clone(&source),
+        };
         buildings.push(ReadBuilding { placed, file: file.to_owned() });
     }
     (buildings, faults)

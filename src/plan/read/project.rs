@@ -15,7 +15,7 @@ use super::native::{
 use super::{ReadBuilding, read_drafts};
 use crate::document::{Faults, PathStep, Source};
 use crate::geometry::Point;
-use crate::plan::{Building, PlacedBuilding, ProjectSettings, RoomWords, SitePlacement};
+use crate::plan::{Building, PlacedBuilding, PlanSource, ProjectSettings, RoomWords, SitePlacement};
 
 /// Most buildings of a project.
 const BUILDING_LIMIT: u32 = 1_000_000;
@@ -170,14 +170,21 @@ impl Reading<'_> {
         let style = plan.style.clone().filter(|_| has_style);
         let file = self.folder.join(&plan.plan);
         let Some(drafts) = self.drafts_of(path, &file) else { return };
+        let project = self.report.source().file().to_owned();
+        let source = Arc::new(PlanSource {
+            plan: file.clone(),
+            project: Some(project.clone()),
+            is_mirrored: plan.mirror,
+        });
         for (number, drafted) in drafts.iter().enumerate() {
             let variation = Variation { is_mirrored: plan.mirror, style: style.clone() };
             let building = self.building(&file, (number, drafted), variation);
             for copy in 0..count {
                 let Some(id) = self.id(path, plan, &drafted.id, copy) else { return };
                 let site = site(plan, copy);
-                let placed = PlacedBuilding { id, site, building: Arc::clone(&building) };
-                self.placed.push(ReadBuilding { placed, file: self.report.source().file().to_owned() });
+                let (building, source) = (Arc::clone(&building), Arc::clone(&source));
+                let placed = PlacedBuilding { id, site, building, source };
+                self.placed.push(ReadBuilding { placed, file: project.clone() });
             }
         }
     }

@@ -1,0 +1,132 @@
+//! `edits`: what people changed, into the file beside the plan.
+
+use std::path::{Path, PathBuf};
+
+use super::arguments::{EditsCommand, SourceArguments};
+use super::bake::DEFAULT_SEED;
+use super::exit::Outcome;
+use super::files::write_text;
+use super::reroll::{Rolled, reroll};
+use super::screen::Screen;
+use super::sources::read_plans_only;
+use crate::catalog::load_catalog;
+use crate::document::{Fault, Faults};
+use crate::edits::{
+    Captured, EDITS_ENDING, RoomEntry, capture, edits_path, lock_objects, merge, read_edits, read_edits_file,
+    write_edits,
+};
+use crate::plan::project_settings;
+use crate::read_back::{Survey, parse_survey, read_bytes};
+
+/// New edits, where they go, and what else is to be said.
+struct Found {
+    file: PathBuf,
+    entries: Vec<RoomEntry>,
+    notes: Faults,
+}
+
+/// Runs the command.
+pub(crate) fn run(command: EditsCommand, screen: Screen) -> Outcome {
+    let done = find(command).and_then(|found| {
+        screen.faults(&found.notes);
+        write(&found)?;
+        report(&found, screen);
+        Ok(Outcome::of_failures(!found.notes.is_empty()))
+    });
+    done.unwrap_or_else(|faults| {
+        screen.faults(&faults);
+        Outcome::NotStarted
+    })
+}
+
+fn find(command: EditsCommand) -> Result<Found, Faults> {
+    match command {
+        EditsCommand::Capture { old, edited, edits, catalog } => {
+            let catalog = load_catalog(&catalog)?.value;
+            let (before, after) = (survey(&old)?, survey(&edited)?);
+            let Captured { entries, notes } = capture(&before, &after, &catalog, &edited)?;
+            Ok(Found { file: file_of(edits, &after), entries, notes })
+        }
+        EditsCommand::Lock { floor, room, objects, edits } => {
+            let survey = survey(&floor)?;
+            let entry =
+                lock_objects(&survey, &room, &objects).map_err(|message| Fault::of_file(&floor, message))?;
+            Ok(Found { file: file_of(edits, &survey), entries: vec![entry], notes: Faults::default() })
+        }
+        EditsCommand::Reroll { plan, room, to, edits, catalog } => {
+            let file = edits.unwrap_or_else(|| edits_path(&plan));
+            let entry = rolled(&plan, catalog, &file, (&room, to))?;
+            Ok(Found { file, entries: vec![entry], notes: Faults::default() })
+        }
+    }
+}
+
+/// The entry with the next seed of a room, or the one that was asked for.
+fn rolled(
+    plan: &Path,
+    catalog: Vec<PathBuf>,
+    file: &Path,
+    (room, to): (&str, Option<u64>),
+) -> Result<RoomEntry, Faults> {
+    let paths = vec![plan.to_owned()];
+    let run_seed = project_settings(&paths)?.seed.unwrap_or(DEFAULT_SEED);
+    let known = load_catalog(&catalog)?.value;
+    let (read, _) = read_plans_only(&SourceArguments { paths, catalog, ..SourceArguments::default() })?;
+    let named: Vec<PathBuf> = [file.to_owned()].into_iter().filter(|file| file.exists()).collect();
+    let (mut book, faults) = read_edits(&read, &named, &known);
+    if faults.has_errors() {
+        return Err(faults);
+    }
+    let Rolled { names: [building, level, room], seed } = reroll(&read, &mut book, run_seed, room)?;
+    let seed = Some(to.unwrap_or(seed));
+    Ok(RoomEntry { building: Some(building), level, room, seed, ..RoomEntry::default() })
+}
+
+fn survey(path: &Path) -> Result<Survey, Faults> {
+    Ok(parse_survey(path, &read_bytes(path)?)?)
+}
+
+/// The file that was named, else one in this folder that is called after the building.
+fn file_of(named: Option<PathBuf>, survey: &Survey) -> PathBuf {
+    let name = crate::batch::distinct_names(&[survey.building.as_str()]).remove(0);
+    named.unwrap_or_else(|| PathBuf::from(name + EDITS_ENDING))
+}
+
+/// Adds the edits to what the file says already.
+fn write(found: &Found) -> Result<(), Faults> {
+    if found.entries.is_empty() {
+        return Ok(());
+    }
+    let known = match found.file.exists() {
+        true => Some(read_edits_file(&found.file)?),
+        false => None,
+    };
+    let merged = merge(known, found.entries.clone());
+    write_text(&found.file, &write_edits(&merged), true)
+}
+
+fn report(found: &Found, screen: Screen) {
+    let Found { file, entries, notes } = found;
+    if screen.is_json {
+        return screen.json(&serde_json::json!({
+            "file": file.display().to_string(), "edits": entries,
+            "notes": notes.0.iter().map(|note| &note.message).collect::<Vec<_>>(),
+        }));
+    }
+    if screen.is_quiet {
+        return;
+    }
+    for entry in entries {
+        let seed = entry.seed.map(|seed| format!("seed {seed}"));
+        let objects = entry.objects.keys().cloned();
+        let what: Vec<String> = seed.into_iter().chain(objects).collect();
+        screen.result(&format!("{}/{}: {}", entry.level, entry.room, what.join(", ")));
+    }
+    screen.result(&match entries.is_empty() {
+        true => "Nothing was changed.".to_owned(),
+        false => format!(
+            "Written to {}: bakes make these edits where it stands beside the plan, or with --edits.",
+            file.display()
+        ),
+    });
+}

@@ -1,0 +1,78 @@
+//! All edits of a run, by building, level and room.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::file::ObjectEntry;
+use crate::document::Fault;
+
+/// The edits of all buildings.
+#[derive(Clone, Debug, Default)]
+pub struct EditBook {
+    /// By building id, then level id.
+    pub(super) buildings: BTreeMap<String, BTreeMap<String, Arc<LevelEdits>>>,
+}
+
+/// The edits of a level, by room id.
+#[derive(Clone, Debug, Default)]
+pub struct LevelEdits {
+    pub(super) rooms: BTreeMap<String, RoomEdits>,
+}
+
+/// The edits of a room.
+#[derive(Clone, Debug, Default)]
+pub struct RoomEdits {
+    /// Seed of the room's furniture in place of the run's.
+    pub seed: Option<u64>,
+    /// By id of the object.
+    pub objects: BTreeMap<String, ObjectEdit>,
+}
+
+/// What became of one object.
+#[derive(Clone, Debug)]
+pub struct ObjectEdit {
+    /// The edit.
+    pub entry: ObjectEntry,
+    /// A fault at the edit's place in its file, without a message: what misfits are made of.
+    pub(super) mark: Fault,
+}
+
+impl EditBook {
+    /// Whether nothing is edited.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.buildings.is_empty()
+    }
+
+    /// The edits of a level, if it has any.
+    #[must_use]
+    pub fn level(&self, building: &str, level: &str) -> Option<&LevelEdits> {
+        Some(self.buildings.get(building)?.get(level)?)
+    }
+
+    /// Gives a room another seed, as long as this book lives.
+    pub fn pin(&mut self, building: &str, level: &str, room: &str, seed: u64) {
+        let levels = self.buildings.entry(building.to_owned()).or_default();
+        let edits = Arc::make_mut(levels.entry(level.to_owned()).or_default());
+        edits.rooms.entry(room.to_owned()).or_default().seed = Some(seed);
+    }
+}
+
+impl LevelEdits {
+    /// The edits of a room, if it has any.
+    #[must_use]
+    pub fn room(&self, room: &str) -> Option<&RoomEdits> {
+        self.rooms.get(room)
+    }
+
+    /// A text that is equal for equal edits, wherever they are written: what a level is made from besides its plan.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let objects = |room: &RoomEdits| -> BTreeMap<String, ObjectEntry> {
+            room.objects.iter().map(|(id, edit)| (id.clone(), edit.entry.clone())).collect()
+        };
+        let rooms: BTreeMap<&String, (Option<u64>, BTreeMap<String, ObjectEntry>)> =
+            self.rooms.iter().map(|(id, room)| (id, (room.seed, objects(room)))).collect();
+        serde_json::to_string(&rooms).expect("edits are texts and finite numbers")
+    }
+}

@@ -1,0 +1,88 @@
+//! A room furnished with its edits, and judged.
+
+use super::apply::{Edited, apply};
+use super::book::{LevelEdits, RoomEdits};
+use super::misfit::Misfit;
+use crate::audit::{Finding, Severity, Verdict, judge_room};
+use crate::best::{Judged, furnish_best};
+use crate::catalog::Catalog;
+use crate::layout::{FurnishOptions, Furnished, Lock};
+use crate::plan::Level;
+
+/// A room after its edits.
+#[derive(Clone, Debug)]
+pub struct Finished {
+    /// The room and the verdict on it as it is now.
+    pub judged: Judged,
+    /// What does not fit, by id of the object.
+    pub misfits: Vec<Misfit>,
+}
+
+impl RoomEdits {
+    /// The objects that are there before the others.
+    #[must_use]
+    pub fn locks(&self, level: &Level, room: usize, catalog: &Catalog) -> Vec<Lock> {
+        super::locks::locks(level, room, self, catalog)
+    }
+
+    /// The options of a run for this room.
+    #[must_use]
+    pub fn options<'a>(&self, run: FurnishOptions<'a>, locks: &'a [Lock]) -> FurnishOptions<'a> {
+        FurnishOptions { pinned: self.seed, locks, ..run }
+    }
+}
+
+/// Furnishes one room as [`furnish_best`] does, with what people changed in it.
+#[must_use]
+pub fn furnish_edited(
+    (level, room): (&Level, usize),
+    catalog: &Catalog,
+    run: &FurnishOptions<'_>,
+    effort: u32,
+    edits: Option<&LevelEdits>,
+) -> Finished {
+    let Some(edits) = edits.and_then(|edits| edits.room(&level.rooms[room].id)) else {
+        let judged = furnish_best(level, room, catalog, run, effort);
+        return Finished { judged, misfits: Vec::new() };
+    };
+    let locks = edits.locks(level, room, catalog);
+    let judged = furnish_best(level, room, catalog, &edits.options(*run, &locks), effort);
+    finish(level, judged, edits, catalog, |furnished| judge_room(level, room, furnished, catalog))
+}
+
+/// Makes the edits of a room that was furnished with [`RoomEdits::options`].
+///
+/// `judge` says what the audit finds in the edited room. An object that somebody put where the audit objects stays there,
+/// and is told.
+#[must_use]
+pub fn finish(
+    level: &Level,
+    judged: Judged,
+    edits: &RoomEdits,
+    catalog: &Catalog,
+    judge: impl FnOnce(&Furnished) -> Verdict,
+) -> Finished {
+    if edits.objects.is_empty() {
+        return Finished { judged, misfits: Vec::new() };
+    }
+    let Edited { furnished, mut misfits, touched } = apply(level, &judged.furnished, edits, catalog);
+    let verdict = judge(&furnished);
+    for (id, edit_id) in &touched {
+        let concerns = |finding: &&Finding| {
+            finding.severity == Severity::Failed && finding.objects.iter().any(|object| object == id)
+        };
+        if let (Some(finding), Some(edit)) =
+            (verdict.findings.iter().find(concerns), edits.objects.get(edit_id))
+        {
+            let Finding { code, objects, measured, threshold, .. } = finding;
+            let message = format!(
+                "{id} stands where the edit wants it, but the room fails: {} of {}, {measured}, threshold {threshold}",
+                code.name(),
+                objects.join(" and "),
+            );
+            misfits.push(Misfit::made(&edit.mark, message, "move it, or what it meets"));
+        }
+    }
+    misfits.dedup();
+    Finished { judged: Judged { furnished, verdict, ..judged }, misfits }
+}

@@ -1,0 +1,44 @@
+//! Locked objects as the layout takes them.
+
+use super::book::RoomEdits;
+use super::read::split_id;
+use super::tree::{Place, usual_place, usual_side};
+use crate::catalog::Catalog;
+use crate::layout::{Lock, LockSupport, Parent};
+use crate::plan::Level;
+use crate::read_back::room_part;
+
+/// The objects of a room that are there before the others. Those that name a wall or object that is not there are
+/// left out; what becomes of them is told when the edits are made.
+#[must_use]
+pub(super) fn locks(level: &Level, room: usize, edits: &RoomEdits, catalog: &Catalog) -> Vec<Lock> {
+    let locked = edits.objects.iter().filter(|(_, edit)| edit.entry.lock);
+    let lock = |id: &str, entry: &super::file::ObjectEntry| {
+        let (class, number) = split_id(id)?;
+        let class = catalog.class_index(entry.class.as_deref().unwrap_or(class))?;
+        let size = catalog.classes[class].size(entry.variant.unwrap_or(0));
+        let on = entry.parent.as_deref().unwrap_or("floor");
+        let part = room_part(on, level, room);
+        let support = match part {
+            Some(part) => LockSupport::Part(part),
+            None => {
+                let (class, number) = split_id(on)?;
+                LockSupport::Object(catalog.class_index(class)?, number)
+            }
+        };
+        let usual = usual_place(part.unwrap_or(Parent::Floor), size, &level.rooms[room]);
+        let Place { position, elevation, angle } = usual.edited(entry);
+        let says_height = part.is_some() || entry.at.as_ref().is_some_and(|at| at.len() == 3);
+        Some(Lock {
+            class,
+            number,
+            variant: entry.variant,
+            on: support,
+            side: entry.side.unwrap_or_else(|| part.map_or(crate::catalog::Side::Above, usual_side)),
+            position,
+            elevation: says_height.then_some(elevation),
+            angle,
+        })
+    };
+    locked.filter_map(|(id, edit)| lock(id, &edit.entry)).collect()
+}

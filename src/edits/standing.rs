@@ -1,0 +1,99 @@
+//! What the objects of a surveyed floor stand on, and where, as edits say it.
+
+use glam::DVec3;
+
+use super::tree::Place;
+use crate::geometry::Point;
+use crate::read_back::{Survey, SurveyedObject, SurveyedPlace};
+
+/// Room and id.
+pub(super) type Key = (String, String);
+
+/// Metres up to which a thing has not moved: the way through an editor's single precision is shorter.
+const SAME_PLACE: f64 = 1e-4;
+/// Degrees up to which a thing has not turned.
+const SAME_TURN: f64 = 0.01;
+
+/// One of the two floors.
+pub(super) struct Floor<'a> {
+    pub(super) objects: &'a [SurveyedObject],
+    /// Room and id of each object; `None` for those that are in no room.
+    pub(super) keys: Vec<Option<Key>>,
+}
+
+impl<'a> Floor<'a> {
+    pub(super) fn new(survey: &'a Survey, keys: Vec<Option<Key>>) -> Self {
+        Self { objects: &survey.objects, keys }
+    }
+
+    /// What an object stands on, and where in its frame; `None` where it does not stand upright.
+    pub(super) fn standing(&self, index: usize) -> Option<Standing> {
+        let object = &self.objects[index];
+        let place = object.place.map(|place| level_place(&place))?;
+        let above = object.above.filter(|&above| self.room(above) == self.room(index));
+        let Some(above) = above else {
+            let has_part = split_part(&object.parent);
+            let on = if has_part { object.parent.clone() } else { "floor".to_owned() };
+            return Some(Standing { parent: on, place });
+        };
+        let frame = self.objects[above].place.map(|place| level_place(&place))?;
+        let on = self.keys[above].as_ref().map(|(_, id)| id.clone())?;
+        Some(Standing { parent: on, place: place.seen_from(&frame) })
+    }
+
+    pub(super) fn room(&self, index: usize) -> Option<&String> {
+        self.keys[index].as_ref().map(|(room, _)| room)
+    }
+}
+
+/// What something stands on, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Standing {
+    pub(super) parent: String,
+    pub(super) place: Place,
+}
+
+/// Room and id of each object of a floor that nobody edited.
+pub(super) fn own_keys(survey: &Survey) -> Vec<Option<Key>> {
+    survey.objects.iter().map(|object| Some((object.room.clone()?, object.id.clone()))).collect()
+}
+
+/// Whether an id means a part of the room.
+fn split_part(id: &str) -> bool {
+    let kind = id.split(['.', ':']).next().unwrap_or_default();
+    matches!(kind, "floor" | "ceiling" | "wall" | "column" | "door" | "window")
+}
+
+fn level_place(place: &SurveyedPlace) -> Place {
+    let DVec3 { x, y, z } = place.position;
+    Place { position: Point::new(x, y), elevation: z, angle: place.angle }
+}
+
+/// Where it stands now, if that is elsewhere.
+pub(super) fn moved(was: Option<&Standing>, is: &Place) -> Option<Vec<f64>> {
+    let place = |elevation: bool| {
+        let height = elevation.then_some(is.elevation);
+        [is.position.x, is.position.y].into_iter().chain(height).map(round).collect()
+    };
+    let Some(Standing { place: was, .. }) = was else { return Some(place(true)) };
+    let has_risen = (was.elevation - is.elevation).abs() > SAME_PLACE;
+    (has_risen || was.position.distance(is.position) > SAME_PLACE).then(|| place(has_risen))
+}
+
+/// How it is turned now, if that is another way; degrees.
+pub(super) fn turned(was: Option<&Standing>, is: &Place) -> Option<f64> {
+    let degrees = wrapped(is.angle.to_degrees());
+    let by = was.map_or(f64::INFINITY, |was| wrapped(was.place.angle.to_degrees() - degrees).abs());
+    (by > SAME_TURN).then(|| round(degrees))
+}
+
+/// Between −180 (excluded) and 180.
+fn wrapped(degrees: f64) -> f64 {
+    let rest = degrees.rem_euclid(360.0);
+    if rest > 180.0 { rest - 360.0 } else { rest }
+}
+
+/// To a tenth of a millimetre or of a thousandth of a degree, without a negative zero.
+pub(super) fn round(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4 + 0.0
+}

@@ -1,0 +1,185 @@
+//! All furniture of a file wherever it hangs, as an editor left it: for capturing what somebody changed.
+//!
+//! Editors rename copies, cut children loose from a parent that goes, and hang things below other rooms. Nothing of that
+//! is a fault here; [`super::parse_level`] is stricter.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+use gltf::json::Root;
+
+use super::extras::{Extras, FurnitureExtras};
+use super::furniture::{pose, spots};
+use super::looks::{mesh_name, shape};
+use super::problem::Problem;
+use super::tree::Node;
+
+/// What stands in a level.
+#[derive(Clone, Debug, Default)]
+pub struct Survey {
+    /// Id of the building.
+    pub building: String,
+    /// Id of the level.
+    pub level: String,
+    /// The furniture, in the order of the file, what stands on an object after it.
+    pub objects: Vec<SurveyedObject>,
+    /// What the models look like, by class and variant: equal texts, equal models.
+    pub models: BTreeMap<(String, u32), String>,
+    /// Names of nodes with a mesh that say nothing of themselves and hang in a room, or nowhere.
+    pub strangers: Vec<String>,
+    /// Names of nodes whose extras cannot be read.
+    pub broken: Vec<String>,
+}
+
+/// A piece of furniture.
+#[derive(Clone, Debug)]
+pub struct SurveyedObject {
+    /// Name of its node.
+    pub node: String,
+    /// The id that it says it has; copies say the same.
+    pub id: String,
+    /// Class id.
+    pub class: String,
+    /// Variant.
+    pub variant: u32,
+    /// The side of its parent that it touches.
+    pub side: String,
+    /// Width, depth, height before it is scaled.
+    pub size: [f64; 3],
+    /// The class and variant that the name of its mesh tells, if it does.
+    pub model: Option<(String, u32)>,
+    /// The room that it hangs below, else the one in its name.
+    pub room: Option<String>,
+    /// The room in its name: where it was when it was baked.
+    pub named_room: Option<String>,
+    /// The object that it hangs below, by index.
+    pub above: Option<usize>,
+    /// What it says it stands on.
+    pub parent: String,
+    /// Where it is; `None` unless it stands upright somewhere.
+    pub place: Option<SurveyedPlace>,
+}
+
+/// A place in the plan frame of the level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurveyedPlace {
+    /// Metres east, north, above the floor.
+    pub position: DVec3,
+    /// Radians counter-clockwise.
+    pub angle: f64,
+    /// Factors of width, depth and height.
+    pub scale: [f64; 3],
+}
+
+pub(super) fn read(document: &Root, nodes: &[Node]) -> Result<Survey, Problem> {
+    let level = super::level::level_extras(nodes)?;
+    let mut survey = Survey { building: level.building, level: level.level, ..Survey::default() };
+    let room_of = |node: usize| matches!(nodes[node].extras, Some(Extras::Room(_))).then_some(node);
+    let spots = spots(nodes, room_of);
+    let worlds = worlds(nodes);
+    let mut index_of = vec![None; nodes.len()];
+    for (index, node) in nodes.iter().enumerate() {
+        let Some(Extras::Furniture(extras)) = &node.extras else {
+            survey.strangers.extend(stranger(nodes, node));
+            let is_broken = matches!(node.extras, Some(Extras::Broken));
+            survey.broken.extend(is_broken.then(|| node.name.clone()));
+            continue;
+        };
+        let room = spots[index].and_then(|spot| match &nodes[spot.room].extras {
+            Some(Extras::Room(room)) => Some(room.room.clone()),
+            _ => None,
+        });
+        let place = spots[index].map_or(worlds[index], |spot| spot.place);
+        let above = furniture_above(nodes, node).and_then(|above| index_of[above]);
+        index_of[index] = Some(survey.objects.len());
+        let object = object(document, node, extras, (room, above, &place));
+        if let (Some(model), Some(mesh)) = (object.model.clone(), node.mesh) {
+            survey.models.entry(model).or_insert_with(|| shape(document, mesh));
+        }
+        survey.objects.push(object);
+    }
+    Ok(survey)
+}
+
+fn object(
+    document: &Root,
+    node: &Node,
+    extras: &FurnitureExtras,
+    (room, above, place): (Option<String>, Option<usize>, &glam::DMat4),
+) -> SurveyedObject {
+    let named_room = room_in_name(&node.name, &extras.id);
+    SurveyedObject {
+        node: node.name.clone(),
+        id: extras.id.clone(),
+        class: extras.class.clone(),
+        variant: extras.variant,
+        side: extras.side.clone(),
+        size: extras.size,
+        model: mesh_name(document, node.mesh).and_then(model_in_name),
+        room: room.or_else(|| named_room.clone()),
+        named_room,
+        above,
+        parent: extras.parent.clone(),
+        place: pose(place).map(|(position, angle, scale)| SurveyedPlace {
+            position: DVec3::new(position.x, -position.z, position.y),
+            angle,
+            scale: [scale.x, scale.z, scale.y],
+        }),
+    }
+}
+
+/// The nearest piece of furniture that a node hangs below.
+fn furniture_above(nodes: &[Node], node: &Node) -> Option<usize> {
+    let mut ancestors = std::iter::successors(node.parent, |&ancestor| nodes[ancestor].parent);
+    ancestors.find(|&ancestor| matches!(nodes[ancestor].extras, Some(Extras::Furniture(_))))
+}
+
+/// The place of each node in the file.
+fn worlds(nodes: &[Node]) -> Vec<glam::DMat4> {
+    let mut worlds: Vec<glam::DMat4> = Vec::with_capacity(nodes.len());
+    for node in nodes {
+        // Parents come before children.
+        let world = node.parent.map_or(node.local, |parent| worlds[parent] * node.local);
+        worlds.push(world);
+    }
+    worlds
+}
+
+/// The name of a node that somebody added by other means.
+fn stranger(nodes: &[Node], node: &Node) -> Option<String> {
+    let is_in_room = match node.parent {
+        Some(parent) => matches!(nodes[parent].extras, Some(Extras::Room(_) | Extras::Level(_))),
+        None => true,
+    };
+    (node.extras.is_none() && node.mesh.is_some() && is_in_room).then(|| node.name.clone())
+}
+
+/// `101` in `desk.1@101`, also in `desk.1@101.002`, as Blender calls a copy.
+fn room_in_name(name: &str, id: &str) -> Option<String> {
+    let (before, room) = name.split_once('@')?;
+    // A room may be called `1.001` itself; a copy of what is baked never has another id.
+    let is_copy = |number: &str| number.len() == 3 && number.bytes().all(|byte| byte.is_ascii_digit());
+    let without = room.rsplit_once('.').filter(|(_, number)| is_copy(number)).map(|(room, _)| room);
+    (before == id || without.is_some()).then(|| without.unwrap_or(room).to_owned())
+}
+
+/// `desk` and 3 of `desk.3@modern/oak`.
+fn model_in_name(name: &str) -> Option<(String, u32)> {
+    let (class, variant) = name.split_once('@')?.0.rsplit_once('.')?;
+    Some((class.to_owned(), variant.parse().ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_tell_rooms_and_models_also_of_copies() {
+        let room = |name| room_in_name(name, "desk.1");
+        assert_eq!(room("desk.1@101").as_deref(), Some("101"));
+        assert_eq!(room("desk.1@101.002").as_deref(), Some("101"));
+        assert_eq!(room("favourite desk"), None);
+        assert_eq!(model_in_name("arm_chair.3@plain/oak"), Some(("arm_chair".to_owned(), 3)));
+        assert_eq!(model_in_name("Cube.001"), None);
+    }
+}
