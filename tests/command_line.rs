@@ -10,6 +10,7 @@ mod command_line {
     mod demo;
     mod determinism;
     mod diff;
+    mod edits;
     mod faults;
     mod guide;
     mod handbook;

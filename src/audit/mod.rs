@@ -30,7 +30,7 @@ mod summary;
 mod support;
 mod sweep;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 mod thresholds;
 mod tight;
 mod together;

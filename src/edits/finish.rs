@@ -76,9 +76,11 @@ pub fn finish(
         {
             let Finding { code, objects, measured, threshold, .. } = finding;
             let message = format!(
-                "{id} stands where the edit wants it, but the room fails: {} of {}, {measured}, threshold {threshold}",
+                "{id} stands where the edit wants it, but the room fails: {} of {}, {}, threshold {threshold}",
                 code.name(),
                 objects.join(" and "),
+                // To a tenth of a millimetre.
+                (measured * 1e4).round() / 1e4,
             );
             misfits.push(Misfit::made(&edit.mark, message, "move it, or what it meets"));
         }

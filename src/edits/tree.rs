@@ -206,7 +206,7 @@ pub(super) fn usual_place(on: Parent, size: Size, room: &Room) -> Place {
         Parent::Wall(wall) => {
             // With the back to it.
             let normal = room.walls[wall].normal();
-            Place { angle: libm::atan2(normal.x, -normal.y), ..floor }
+            Place { angle: libm::atan2(normal.x + 0.0, -normal.y), ..floor }
         }
         Parent::Floor | Parent::Opening(_) | Parent::Column(_) | Parent::Object(_) => floor,
     }

@@ -1,12 +1,15 @@
 //! The published JSON Schemas are those of the types that are read.
 
+use roomwright::edits::edits_schema;
 use roomwright::plan::{native_schema, project_schema};
 
 use super::support::{check_golden, files, repository};
 
 #[test]
 fn published_schemas_are_those_of_the_types() {
-    for (name, schema) in [("plan", native_schema()), ("project", project_schema())] {
+    for (name, schema) in
+        [("plan", native_schema()), ("project", project_schema()), ("edits", edits_schema())]
+    {
         let text = format!("{}\n", serde_json::to_string_pretty(&schema).unwrap());
         check_golden(&repository(&format!("configs/schema/{name}.schema.json")), &text);
     }
