@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
+use super::mend::mended;
 use super::normals::corner_normals;
 use super::projection::Projection;
 use super::reduce::reduced;
@@ -108,13 +109,22 @@ impl Builder {
         Self { bay: Bay { low, high }, parts: vec![Part { slot: PLAIN_SLOT, solid }] }.assemble()
     }
 
-    /// Drops what is empty, sees to it that something is there, and fits it to the box.
+    /// Drops what is empty or too thin, sees to it that something is there, and fits it to the box.
     fn settle(&mut self, size: Size) {
         self.parts.retain(|part| !part.solid.triangles.is_empty());
-        if self.parts.is_empty() {
-            self.add(PLAIN_SLOT, cuboid(self.bay));
+        loop {
+            if self.parts.is_empty() {
+                self.add(PLAIN_SLOT, cuboid(self.bay));
+            }
+            self.fit(Bay::of_size(size));
+            let count = self.parts.len();
+            let mend = |Part { slot, solid }| Some(Part { slot, solid: mended(solid)? });
+            self.parts = std::mem::take(&mut self.parts).into_iter().filter_map(mend).collect();
+            // Without a part, the rest may no longer touch all sides.
+            if self.parts.len() == count {
+                return;
+            }
         }
-        self.fit(Bay::of_size(size));
     }
 
     fn assemble(self) -> Model {
@@ -132,6 +142,12 @@ impl Builder {
             counts[index] += 1;
         }
         Model { primitives }
+    }
+
+    /// How many parts, as built, are too flat to be written as they are.
+    #[cfg(test)]
+    pub(crate) fn flat_count(&self) -> usize {
+        self.parts.iter().filter(|part| mended(part.solid.clone()).as_ref() != Some(&part.solid)).count()
     }
 
     /// How far the parts, as built, are from touching the six sides of the box, in metres.

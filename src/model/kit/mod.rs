@@ -10,6 +10,7 @@ mod blade;
 mod builder;
 mod extrude;
 mod loft;
+mod mend;
 mod normals;
 mod outline;
 mod projection;

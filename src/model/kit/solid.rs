@@ -125,7 +125,8 @@ impl Solid {
         self
     }
 
-    fn flip(&mut self) {
+    /// Every triangle the other way round.
+    pub(super) fn flip(&mut self) {
         for triangle in &mut self.triangles {
             triangle.swap(1, 2);
         }

@@ -58,6 +58,8 @@ pub(crate) struct Draft<'a> {
 
 /// The most pieces (drawers, doors, shelves) that a parameter may ask for.
 const MOST_PIECES: f64 = 40.0;
+/// Share of a piece's usual width or height that it needs at least.
+const LEAST_PIECE: f64 = 0.25;
 
 impl Draft<'_> {
     /// The stream of this look.
@@ -88,6 +90,13 @@ impl Draft<'_> {
         self.parameter(name) > 0.0
     }
 
+    /// How many pieces stand along a length in metres: as many as were asked for and have a quarter of their usual
+    /// share of it, below which there is no room for edges and handles; or else as many as are usual, `most` at most.
+    pub(crate) fn count_along(&self, name: &str, (length, usual): (f64, f64), most: u32) -> u32 {
+        let room = (length / (usual * LEAST_PIECE)).floor().clamp(1.0, MOST_PIECES) as u32;
+        self.count(name, (length / usual).round().clamp(1.0, f64::from(most)) as u32).min(room)
+    }
+
     /// A count that was asked for, or else the recipe's own choice.
     pub(crate) fn count(&self, name: &str, choice: u32) -> u32 {
         let asked = self.parameter(name).round();
@@ -111,6 +120,15 @@ mod tests {
         let given = [("drawers".to_owned(), 3.0)];
         assert_eq!(with_draft(&given, |draft| draft.count("drawers", 9)), 3);
         assert_eq!(with_draft(&[], |draft| draft.count("drawers", 9)), 9);
+    }
+
+    #[test]
+    fn pieces_without_room_are_not_made() {
+        let given = [("drawers".to_owned(), 30.0)];
+        let count = |length| with_draft(&given, |draft| draft.count_along("drawers", (length, 0.2), 5));
+        assert_eq!((count(0.01), count(0.52), count(1.6)), (1, 10, 30));
+        let usual = |length| with_draft(&[], |draft| draft.count_along("drawers", (length, 0.2), 5));
+        assert_eq!((usual(0.01), usual(0.52), usual(1.6)), (1, 3, 5));
     }
 
     #[test]

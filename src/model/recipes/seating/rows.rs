@@ -14,7 +14,7 @@ const PERSON: f64 = 0.55;
 pub(in super::super) fn beam_seats(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let form = draft.input.look as usize % 4;
-    let count = draft.count("seats", (bay.width() / PERSON).round().clamp(1.0, 8.0) as u32).min(8);
+    let count = draft.count_along("seats", (bay.width(), PERSON), 8).min(8);
     let seat = seat_height(bay.height());
     let slot = match draft.set() {
         GeometrySet::Plain => ["fabric", "leather", "wood", "fabric_accent"][form],

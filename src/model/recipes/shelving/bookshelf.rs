@@ -47,7 +47,7 @@ pub(in super::super) fn bookshelf(draft: &Draft, builder: &mut Builder) {
 /// Boards with books on them, from the floor of a bay to its top.
 fn rows_of_books(draft: &Draft, builder: &mut Builder, open: Bay, (slot, board): (&'static str, f64)) {
     let mut sampler = draft.sampler();
-    let count = draft.count("shelves", (open.height() / SHELF_SPACING).round().clamp(1.0, 12.0) as u32);
+    let count = draft.count_along("shelves", (open.height(), SHELF_SPACING), 12);
     builder.cuboid(slot, open.slab(Side::Above, board));
     let most = (MOST_BOOKS / count).min((open.width() / 0.03) as u32).max(1);
     let form = draft.input.look % 4;

@@ -23,7 +23,7 @@ const LABEL: [f64; 2] = [0.08, 0.03];
 /// A cabinet with `drawers` for files: flush steel, panelled wood, riveted sheet on legs, or thin boards.
 pub(in super::super) fn filing_cabinet(draft: &Draft, builder: &mut Builder) {
     let height = builder.bay().height();
-    let count = draft.count("drawers", (height / DRAWER).round().clamp(1.0, 5.0) as u32);
+    let count = draft.count_along("drawers", (height, DRAWER), 5);
     let form = draft.input.look as usize % 4;
     match draft.set() {
         GeometrySet::Plain => plain(builder, count, form),

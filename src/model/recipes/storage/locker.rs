@@ -31,7 +31,7 @@ struct Row {
 /// Lockers with `doors` side by side: flush, of louvred wood, of wire, or of thin coloured sheet.
 pub(in super::super) fn locker(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let count = draft.count("doors", (bay.width() / COMPARTMENT).round().clamp(1.0, 6.0) as u32);
+    let count = draft.count_along("doors", (bay.width(), COMPARTMENT), 6);
     let row = Row { bay, count, form: draft.input.look as usize % 4 };
     match draft.set() {
         GeometrySet::Plain => plain(&row, builder),
