@@ -24,6 +24,7 @@ mod electronics;
 mod equipment;
 mod football_table;
 mod fridges;
+mod gym;
 mod hangings;
 mod hook_board;
 mod input;

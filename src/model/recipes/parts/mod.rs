@@ -9,6 +9,7 @@ mod legs;
 mod panel;
 mod tap;
 mod tops;
+mod turned;
 
 pub(super) use books::fill_with_books;
 pub(super) use carcass::{Fittings, REVEAL, cornice};
@@ -19,3 +20,4 @@ pub(super) use legs::{CONE, LegKind, SPINDLE, bowed_board, leg, legs_at_corners,
 pub(super) use panel::wall_panel;
 pub(super) use tap::{Tap, tap, wall_mixer};
 pub(super) use tops::{raised_panel, slab_top, turned_forward};
+pub(super) use turned::{across, ball, turned_sideways};
