@@ -3,46 +3,12 @@
 use super::input::Draft;
 use super::parts::{LegKind, legs_at_corners, turned_forward};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, SINK, cylinder};
+use crate::model::kit::{Builder, SINK, cylinder};
 
 /// A disc or bar that lies across: along x from `x[0]` to `x[1]`, around a point.
 fn across(builder: &mut Builder, slot: &'static str, radius: f64, x: [f64; 2], (y, z): (f64, f64)) {
     let bar = turned_forward(cylinder(radius, [x[0], x[1]], 14)).turned_y(std::f64::consts::FRAC_PI_2);
     builder.add(slot, bar.moved(0.0, y, z));
-}
-
-/// A bed on wheels with boards at its ends and guards at its sides.
-pub(super) fn hospital_bed(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let lying = bay.height() * 0.58;
-    let mattress = bay.with_y([lying - 0.14, lying]).inset(0.06, 0.0, 0.06);
-    builder.cushion("linen", mattress, 0.04);
-    let pillow = mattress.slab(Side::Back, 0.45).with_y([lying - 0.02, lying + 0.09]).inset(0.14, 0.0, 0.04);
-    builder.cushion("linen", pillow, 0.045);
-    let blanket = mattress.without(Side::Back, bay.depth() * 0.36).with_y([lying - 0.1, lying + 0.015]);
-    builder.cushion("fabric_light", blanket.inset(-0.01, 0.0, 0.01), 0.012);
-    builder.cuboid("metal", bay.with_y([lying - 0.22, lying - 0.13]).inset(0.05, 0.0, 0.04));
-    for (side, height) in [(Side::Back, bay.high.y), (Side::Front, bay.high.y * 0.85)] {
-        let board = bay.slab(side, 0.05).with_y([lying - 0.25, height]).inset(0.03, 0.0, 0.0);
-        builder.block("plastic", board, 0.02);
-    }
-    for side in [Side::Left, Side::Right] {
-        let guard = bay.slab(side, 0.03).with_z([bay.low.z + 0.25, bay.low.z + bay.depth() * 0.6]);
-        builder.block("chrome", guard.with_y([lying + 0.13, lying + 0.17]), 0.01);
-        for post in guard.with_y([lying - 0.2, lying + 0.14]).inset(0.004, 0.0, 0.02).columns(1, 0.0) {
-            builder.cuboid("chrome", post.slab(Side::Front, 0.03));
-            builder.cuboid("chrome", post.slab(Side::Back, 0.03));
-        }
-    }
-    let legs = bay.with_y([0.0, lying - 0.2]).inset(0.12, 0.0, 0.25);
-    legs_at_corners(builder, "rubber", legs.slab(Side::Below, 0.12), 0.06, LegKind::Square);
-    legs_at_corners(
-        builder,
-        "metal",
-        legs.without(Side::Below, 0.12 - SINK).inset(0.01, 0.0, 0.01),
-        0.04,
-        LegKind::Square,
-    );
 }
 
 /// A cabinet with a screen, keys and a tray.
@@ -117,50 +83,6 @@ pub(super) fn workbench(_draft: &Draft, builder: &mut Builder) {
     builder.block("metal", jaw.slab(Side::Front, 0.05), 0.006);
     builder.block("metal", jaw.slab(Side::Back, 0.05).slab(Side::Above, 0.093), 0.006);
     builder.cuboid("metal_dark", jaw.inset(0.03, 0.05, 0.03));
-}
-
-/// A tall mirror over a narrow board.
-pub(super) fn mirror_station(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let wood = draft.sampler().pick(&["wood_dark", "painted"]);
-    let panel = bay.slab(Side::Back, 0.04);
-    builder.block(wood, panel, 0.004);
-    let glass = panel.inset(0.06, 0.0, 0.0).with_y([bay.high.y * 0.44, bay.high.y - 0.06]);
-    builder.cuboid("mirror", glass.with_z([panel.high.z - SINK, panel.high.z + 0.005]));
-    let board = bay.with_y([bay.high.y * 0.4, bay.high.y * 0.4 + 0.04]).without(Side::Back, 0.04 - SINK);
-    builder.block(wood, board, 0.006);
-    let drawer = board.moved(0.0, -0.12, 0.0).inset(0.03, 0.0, 0.0).without(Side::Front, 0.06);
-    builder.block("painted", drawer.with_y([board.low.y - 0.14, board.low.y + SINK]), 0.004);
-    for (place, slot) in [(-0.3, "plastic"), (-0.2, "painted_accent"), (0.3, "glass")] {
-        let bottle = cylinder(0.025, [-SINK, 0.16], 10);
-        builder.add(slot, bottle.moved(bay.width() * place, board.high.y, board.center().z));
-    }
-}
-
-/// A padded seat with arms, head rest and foot rest on a column.
-pub(super) fn barber_chair(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let slot = draft.sampler().pick(&["leather", "fabric"]);
-    let (high, depth) = (bay.high.y, bay.depth());
-    let base = cylinder(bay.width() * 0.4, [0.0, 0.04], 20);
-    builder.add("chrome", base.moved(0.0, 0.0, 0.0));
-    builder.add("chrome", cylinder(0.06, [0.04 - SINK, high * 0.36], 14));
-    let seat =
-        bay.with_y([high * 0.35, high * 0.48]).without(Side::Front, depth * 0.25).inset(0.08, 0.0, 0.0);
-    builder.cushion(slot, seat, 0.04);
-    let back = seat.slab(Side::Back, 0.13).with_y([high * 0.46, high * 0.84]);
-    builder.cushion(slot, back, 0.04);
-    builder.cushion(slot, back.inset(bay.width() * 0.16, 0.0, 0.01).with_y([high * 0.86, high]), 0.03);
-    builder.cuboid("chrome", back.inset(bay.width() * 0.32, 0.0, 0.05).with_y([high * 0.8, high * 0.9]));
-    for side in [Side::Left, Side::Right] {
-        let arm = bay.slab(side, 0.09).with_z([seat.low.z + 0.05, seat.high.z - 0.05]);
-        builder.cushion("plastic_dark", arm.with_y([high * 0.56, high * 0.62]), 0.02);
-        builder.cuboid("chrome", arm.inset(0.025, 0.0, 0.15).with_y([high * 0.4, high * 0.57]));
-    }
-    let rest = bay.slab(Side::Front, 0.16).with_y([high * 0.14, high * 0.18]).inset(0.12, 0.0, 0.0);
-    builder.block("metal", rest, 0.006);
-    let stay = Bay::new([-0.03, 0.03], [high * 0.15, high * 0.38], [bay.high.z - 0.3, bay.high.z - 0.14]);
-    builder.cuboid("chrome", stay);
 }
 
 /// A dark cabinet with a door of mesh behind which lights glow.

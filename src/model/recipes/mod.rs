@@ -8,6 +8,7 @@
 
 mod apparatus;
 mod appliances;
+mod barber;
 mod basins;
 mod bathing;
 mod beds;

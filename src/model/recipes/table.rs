@@ -2,10 +2,11 @@
 
 use super::input::{Draft, RecipeInput};
 use super::{
-    apparatus, appliances, basins, bathing, beds, belongings, books, carts, coat_stand, copier, countertop,
-    desk_lamps, electronics, equipment, football_table, fridges, gym, hangings, hook_board, kitchen, lamps,
-    laundry, lights, lounge, ovens, papers, phone, plants, radiators, screens, seating, shelving, soap,
-    storage, tables, tableware, toilets, toys, utility_sink, wall_lamps, walls, washroom, windows,
+    apparatus, appliances, barber, basins, bathing, beds, belongings, books, carts, coat_stand, copier,
+    countertop, desk_lamps, electronics, equipment, football_table, fridges, gym, hangings, hook_board,
+    kitchen, lamps, laundry, lights, lounge, ovens, papers, phone, plants, radiators, screens, seating,
+    shelving, soap, storage, tables, tableware, toilets, toys, utility_sink, wall_lamps, walls, washroom,
+    windows,
 };
 use crate::catalog::Size;
 use crate::model::kit::Builder;
@@ -90,7 +91,7 @@ const fn small(name: &'static str, usual: [f64; 3], parts: fn(&Draft, &mut Build
 pub(crate) static RECIPES: &[Recipe] = &[
     large("armchair", [0.85, 0.85, 0.82], lounge::armchair),
     large("auditorium_seat", [0.55, 0.7, 0.95], seating::auditorium_seat),
-    large("barber_chair", [0.65, 0.95, 1.05], equipment::barber_chair),
+    large("barber_chair", [0.65, 0.95, 1.05], barber::barber_chair),
     small("basket", [0.35, 0.35, 0.3], tableware::basket),
     large("bathtub", [1.7, 0.75, 0.7], bathing::bathtub),
     large("beam_seats", [2.0, 0.62, 0.82], seating::beam_seats).with(&[("seats", 0.0)]),
@@ -143,7 +144,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("gondola", [1.0, 0.45, 1.4], shelving::gondola),
     large("hood", [0.6, 0.5, 0.7], ovens::hood),
     large("hook_board", [0.9, 0.14, 0.3], hook_board::hook_board),
-    large("hospital_bed", [0.99, 2.15, 1.0], equipment::hospital_bed),
+    large("hospital_bed", [0.99, 2.15, 1.0], beds::hospital_bed),
     small("kettle", [0.22, 0.16, 0.24], countertop::kettle),
     small("keyboard", [0.45, 0.15, 0.03], electronics::keyboard),
     large("lab_bench", [1.8, 0.75, 0.9], tables::lab_bench),
@@ -158,7 +159,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("microwave", [0.5, 0.38, 0.3], countertop::microwave),
     large("minibar", [0.5, 0.5, 0.75], appliances::minibar),
     small("mirror", [0.6, 0.03, 0.8], hangings::mirror),
-    large("mirror_station", [1.0, 0.35, 1.9], equipment::mirror_station),
+    large("mirror_station", [1.0, 0.35, 1.9], barber::mirror_station),
     large("nightstand", [0.45, 0.4, 0.5], storage::nightstand),
     small("notice_board", [1.2, 0.04, 0.9], walls::notice_board),
     large("office_chair", [0.62, 0.62, 1.05], seating::office_chair).round(),

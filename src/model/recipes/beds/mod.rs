@@ -3,12 +3,14 @@
 mod bedding;
 mod budget;
 mod crib;
+mod hospital;
 mod industrial;
 mod plain;
 mod traditional;
 mod treatment;
 
 pub(super) use crib::crib;
+pub(super) use hospital::hospital_bed;
 pub(super) use treatment::treatment_bed;
 
 use super::input::{Draft, GeometrySet};

@@ -72,7 +72,7 @@ fn case(builder: &mut Builder) {
     }
     builder.block("wood_dark", bay.slab(Side::Above, board).without(Side::Front, 0.02), 0.01);
     let inner = bay.inset(board - SINK, 0.0, 0.02);
-    builder.cuboid("wood", inner.slab(Side::Back, 0.02).with_y([0.05, bay.high.y - board]));
+    builder.cuboid("wood", inner.slab(Side::Back, 0.02).with_y([0.05, bay.high.y - board + SINK]));
     let pieces = (bay.width() / PITCH).floor().clamp(1.0, 7.0) as u32;
     let (floor, shelf) = (0.12, bay.high.y * 0.56);
     for y in [floor, shelf] {

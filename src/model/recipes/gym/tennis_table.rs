@@ -67,7 +67,7 @@ fn turned(builder: &mut Builder) {
     legs_at_corners(builder, "wood_dark", legs, 0.1, LegKind::Baluster);
     legs_at_corners(builder, "wood_dark", legs.with_x([-0.09, 0.09]), 0.07, LegKind::Turned);
     for z in [bay.low.z + 0.012, bay.high.z - 0.012] {
-        let post = [DVec3::new(0.0, top.high.y - 0.06, z), DVec3::new(0.0, bay.high.y, z)];
+        let post = [DVec3::new(0.0, top.high.y - 0.06, z), DVec3::new(0.0, bay.high.y - 0.002, z)];
         builder.add("brass", sweep(&post, 0.009, 8));
     }
 }
@@ -115,7 +115,7 @@ fn folding(builder: &mut Builder) {
             builder.cuboid("metal", frame.slab(edge, 0.02).inset(0.001, 0.0, 0.0));
         }
         for edge in [Side::Left, Side::Right] {
-            builder.cuboid("metal", frame.slab(edge, 0.02).inset(0.0, 0.0006, 0.02 - SINK));
+            builder.cuboid("metal", frame.slab(edge, 0.02).inset(0.0, 0.0012, 0.02 - SINK));
         }
         middle_line(builder, half);
         let sign = if side == Side::Left { -1.0 } else { 1.0 };

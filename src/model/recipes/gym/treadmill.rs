@@ -155,7 +155,7 @@ fn curved(builder: &mut Builder) {
     }
     // The flywheel of the belt shows at both sides.
     for z in [-0.36, 0.36] {
-        let hub = across(0.045, [bay.high.x - 0.02, bay.high.x], 10);
+        let hub = across(0.045, [bay.high.x - 0.02, bay.high.x + 0.004], 10);
         builder.add_pair("painted_accent", hub.moved(0.0, 0.085, z * bay.depth()));
     }
 }
