@@ -79,7 +79,8 @@ impl Editor<'_> {
             (changed.class, changed.number, changed.former_id) = (class, number, Some(id.to_owned()));
         }
         changed.variant = edit.entry.variant.unwrap_or(0);
-        changed.size = self.catalog.classes[class].size(changed.variant);
+        let size = self.catalog.classes[class].size(changed.variant);
+        self.tree.resize(object, size);
         self.touched.push((object, id.to_owned()));
     }
 

@@ -58,6 +58,15 @@ impl EditBook {
     }
 }
 
+impl RoomEdits {
+    /// Ids of the objects of which the arrangement knows nothing.
+    #[must_use]
+    pub fn later_edits(&self) -> Vec<String> {
+        let later = self.objects.iter().filter(|(_, edit)| !edit.entry.lock);
+        later.map(|(id, _)| id.clone()).collect()
+    }
+}
+
 impl LevelEdits {
     /// The edits of a room, if it has any.
     #[must_use]

@@ -41,6 +41,7 @@ pub fn capture(old: &Survey, new: &Survey, catalog: &Catalog, file: &Path) -> Re
         old: Floor::new(old, own_keys(old)),
         new: Floor::new(new, Vec::new()),
         twins: Vec::new(),
+        by_id: by_id(new),
         models: &old.models,
         broken: &new.broken,
         entries: BTreeMap::new(),
@@ -78,6 +79,8 @@ struct Capturing<'a> {
     new: Floor<'a>,
     /// By old object: the new one.
     twins: Vec<Option<usize>>,
+    /// The new objects by the ids that they say they have.
+    by_id: BTreeMap<&'a str, Vec<usize>>,
     /// What the old models look like.
     models: &'a BTreeMap<(String, u32), String>,
     /// Names of new nodes whose extras cannot be read.
@@ -114,10 +117,11 @@ impl Capturing<'_> {
     /// The new object that an old one is.
     fn twin(&self, index: usize, (room, id): &Key) -> Option<usize> {
         let place = self.old.objects[index].place;
-        let is_candidate = |object: &SurveyedObject| {
-            object.id == *id && object.named_room.as_ref().or(object.room.as_ref()) == Some(room)
-        };
-        let candidates = self.new.objects.iter().enumerate().filter(|(_, object)| is_candidate(object));
+        let is_here =
+            |object: &SurveyedObject| object.named_room.as_ref().or(object.room.as_ref()) == Some(room);
+        let same_id = self.by_id.get(id.as_str()).into_iter().flatten();
+        let candidates = same_id.map(|&index| (index, &self.new.objects[index]));
+        let candidates = candidates.filter(|(_, object)| is_here(object));
         let rank = |(_, object): &(usize, &SurveyedObject)| {
             let has_name = object.node == self.old.objects[index].node;
             (!has_name, square_millimetres(place, object.place))
@@ -258,6 +262,14 @@ impl Capturing<'_> {
 }
 
 const UPRIGHT_HINT: &str = "furniture is moved, and turned about the vertical";
+
+fn by_id(survey: &Survey) -> BTreeMap<&str, Vec<usize>> {
+    let mut by_id: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (index, object) in survey.objects.iter().enumerate() {
+        by_id.entry(&object.id).or_default().push(index);
+    }
+    by_id
+}
 
 /// The next number of a class that is free in a room.
 fn free_key(room: &str, id: &str, taken: &BTreeSet<Key>) -> Key {

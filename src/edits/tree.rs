@@ -7,6 +7,9 @@ use crate::geometry::{Point, direction};
 use crate::layout::{Furnished, Parent, Placement};
 use crate::plan::Room;
 
+/// Metres from the top of an object within which something stands on it.
+const ON_TOP: f64 = 1e-3;
+
 /// The room's objects; indices stay while it is edited.
 pub(super) struct Tree {
     pub(super) objects: Vec<Object>,
@@ -134,6 +137,31 @@ impl Tree {
             };
         }
         false
+    }
+
+    /// Gives an object another size: its back stays at the wall, its top at the ceiling, and what stands on it is lifted
+    /// or lowered.
+    pub(super) fn resize(&mut self, object: usize, size: Size) {
+        let Object { on, place, size: before, .. } = &mut self.objects[object];
+        let (by_depth, by_height) = (size.depth - before.depth, size.height - before.height);
+        match on {
+            Parent::Wall(_) | Parent::Opening(_) | Parent::Column(_) => {
+                place.position -= direction(place.angle).perp() * (by_depth / 2.0);
+            }
+            Parent::Ceiling => place.elevation -= by_height,
+            Parent::Floor | Parent::Object(_) => {}
+        }
+        let (top, has_moved) = (before.height, by_depth != 0.0 || by_height != 0.0);
+        *before = size;
+        if !has_moved {
+            return;
+        }
+        self.objects[object].arranged = None;
+        for child in &mut self.objects {
+            if child.on == Parent::Object(object) && (child.place.elevation - top).abs() < ON_TOP {
+                child.place.elevation += by_height;
+            }
+        }
     }
 
     /// Takes an object away, with all that stands on it.

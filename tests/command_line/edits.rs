@@ -99,6 +99,17 @@ fn an_edit_that_collides_is_made_and_told() {
 }
 
 #[test]
+fn explain_tells_what_is_edited_afterwards() {
+    let world = world(&study("desk.1: {turn: 30}"));
+    let explain = |more: &[&str]| {
+        let words = ["explain", "house.yaml", "study", "--level", "1", "--effort", "1"];
+        world.must(&[&words, more].concat()).stdout
+    };
+    assert!(explain(&[]).contains("edited afterwards, which is not explained: desk.1"));
+    assert!(!explain(&["--no-edits"]).contains("edited"));
+}
+
+#[test]
 fn faults_of_the_file_are_told_by_check() {
     let world = world(&study("desk.1: {att: [0, 0]}"));
     let ran = world.run(&["check", "house.yaml"]);

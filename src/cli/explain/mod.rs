@@ -13,6 +13,7 @@ use super::sources::{Sources, read_sources, run_style};
 use crate::audit::Finding;
 use crate::best::furnish_best;
 use crate::document::{Fault, Faults, did_you_mean};
+use crate::edits::RoomEdits;
 use crate::layout::{Explanation, FurnishOptions, Furnished, explain_alternative};
 use crate::plan::{Level, PlacedBuilding, Room};
 
@@ -26,6 +27,8 @@ struct Subject<'a> {
     furnished: Furnished,
     findings: Vec<Finding>,
     explanation: Explanation,
+    /// Ids of the objects that are edited after the arrangement, which is what is explained.
+    edited: Vec<String>,
 }
 
 /// Where a room is.
@@ -89,6 +92,7 @@ fn subject<'a>(
         furnished,
         findings: best.verdict.findings,
         explanation,
+        edited: edits.map(RoomEdits::later_edits).unwrap_or_default(),
     }
 }
 

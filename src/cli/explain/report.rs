@@ -43,5 +43,6 @@ pub(super) fn report(subject: &Subject<'_>) -> Value {
         "objects": objects,
         "missing": explanation.missing,
         "findings": subject.findings,
+        "edited_afterwards": subject.edited,
     })
 }

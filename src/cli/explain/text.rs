@@ -59,6 +59,9 @@ fn heading(subject: &Subject<'_>) -> String {
         furnished.placements.len(),
         furnished.requested
     );
+    if !subject.edited.is_empty() {
+        let _ = writeln!(text, "  edited afterwards, which is not explained: {}", subject.edited.join(", "));
+    }
     for finding in subject.findings.iter().filter(|finding| finding.objects.is_empty()) {
         let _ = writeln!(text, "  found: {}", show_finding(finding, ""));
     }

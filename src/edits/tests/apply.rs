@@ -123,6 +123,15 @@ fn a_swapped_object_keeps_its_place_and_can_be_named_by_both_ids() {
 }
 
 #[test]
+fn what_changes_its_size_keeps_its_back_to_the_wall_and_carries_what_stands_on_it() {
+    let mut room = room();
+    room.placements[0].parent = Parent::Wall(0);
+    // The chest is 0.25 m deeper than the table, and 5 cm higher.
+    let shown = shown(&room, &["table.1: {class: chest}"]);
+    assert_eq!(shown[..2], ["chest.2 1.000 1.875 0.00 0", "lamp.1 1.500 1.875 0.80 0 on chest.2"]);
+}
+
+#[test]
 fn edits_of_what_is_not_there_are_told_and_change_nothing() {
     let room = room();
     let (gone, no_wall) = ("stool.9: {at: [1, 1]}", "stool.1: {parent: wall.9, at: [1, 1]}");
