@@ -7,6 +7,7 @@
 # ROOMWRIGHT_PYTHON names another Python.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+source scripts/set_up.sh
 top=$PWD
 work=$(mktemp -d)
 log=$work/log
@@ -64,25 +65,6 @@ checked() {
   passed=$((passed + 1))
 }
 
-set_up_python() {
-  local python=${ROOMWRIGHT_PYTHON:-python3}
-  [ -x .venv/bin/python ] || "$python" -m venv .venv
-  # The stamp spares a second run the question.
-  if ! cmp -s scripts/requirements.txt .venv/requirements.txt; then
-    .venv/bin/python -m pip install --quiet --requirement scripts/requirements.txt
-    cp scripts/requirements.txt .venv/requirements.txt
-  fi
-  .venv/bin/python --version
-}
-
-set_up_validator() {
-  if ! cmp -s scripts/package-lock.json scripts/node_modules/.lock; then
-    (cd scripts && npm ci --loglevel=error)
-    cp scripts/package-lock.json scripts/node_modules/.lock
-  fi
-  node --version
-}
-
 # The demo as the README bakes it: no arguments, from the project's folder, in debug and in release.
 bake_twice() {
   local out
@@ -92,6 +74,13 @@ bake_twice() {
   # The release build wrote what the debug build wrote, byte for byte.
   diff -r "$work/debug" "$work/release"
   (cd "$work/debug" && find . -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum)
+}
+
+# The newcomer's walk from a plan to kept edits, in Blender where there is one; its page and edits file are looked at.
+walk() {
+  ROOMWRIGHT_PROGRAM=$top/target/release/roomwright bash docs/walkthrough.sh "$work/walkthrough"
+  grep -q '<svg' "$work/walkthrough/changes.html"
+  grep -q 'remove: true' "$work/walkthrough/plans/house.edits.yaml"
 }
 
 step "Python environment" set_up_python
@@ -106,5 +95,6 @@ step "The demo, twice" checked bake_twice
 step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"
 step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --out "$work/usd"
 step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd"
+step "docs/walkthrough.sh" checked walk
 step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" .venv/bin/python -m pytest -q tests/scripts
 step_name=

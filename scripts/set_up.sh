@@ -1,0 +1,23 @@
+# What the scripts need, set up in the project's folder and asked for once: `source scripts/set_up.sh` there.
+# ROOMWRIGHT_PYTHON names another Python than python3.
+
+# .venv/ from scripts/requirements.txt: for validate.py, convert.py and the tests.
+set_up_python() {
+  local python=${ROOMWRIGHT_PYTHON:-python3}
+  [ -x .venv/bin/python ] || "$python" -m venv .venv
+  # The stamp spares a second run the question.
+  if ! cmp -s scripts/requirements.txt .venv/requirements.txt; then
+    .venv/bin/python -m pip install --quiet --requirement scripts/requirements.txt
+    cp scripts/requirements.txt .venv/requirements.txt
+  fi
+  .venv/bin/python --version
+}
+
+# scripts/node_modules/ from the lock file: the Khronos validator that validate.py runs.
+set_up_validator() {
+  if ! cmp -s scripts/package-lock.json scripts/node_modules/.lock; then
+    (cd scripts && npm ci --loglevel=error)
+    cp scripts/package-lock.json scripts/node_modules/.lock
+  fi
+  node --version
+}
