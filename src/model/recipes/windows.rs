@@ -49,10 +49,10 @@ pub(super) fn curtain(draft: &Draft, builder: &mut Builder) {
             rail.low.y + SINK
         }
     };
-    let width = bay.width() * sampler.between(0.15, 0.19);
+    let width = bay.width() * sampler.between(0.24, 0.285);
     let cloth = bay.with_x([bay.high.x - width, bay.high.x - 0.012]).with_y([0.0, head]);
     let slot = ["fabric", "fabric_light", "fabric_accent", "linen"][(look + draft.set() as usize) % 4];
-    let count = (width / FOLD).round().clamp(2.0, 7.0) as u32;
+    let count = (width / FOLD).round().clamp(2.0, 9.0) as u32;
     let is_tied = hanging == Hanging::Pelmet && bay.height() > 0.9;
     builder.add_pair(slot, drape(cloth, count, if is_tied { Some(0.4) } else { None }));
     if is_tied {
@@ -111,7 +111,7 @@ fn rod(draft: &Draft, builder: &mut Builder) -> f64 {
     };
     let count = 5;
     for index in 0..count {
-        let x = bay.high.x - 0.05 - bay.width() * 0.13 * f64::from(index) / f64::from(count - 1);
+        let x = bay.high.x - 0.05 - bay.width() * 0.22 * f64::from(index) / f64::from(count - 1);
         builder.add_pair(slot, hoop(x));
     }
     y - radius * 1.2
