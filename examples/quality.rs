@@ -196,6 +196,7 @@ fn draw_random(
         seed: options.seed,
         has_clearances: true,
         has_findings: true,
+        has_legend: true,
     };
     let name = format!("{grade:?}-{}-{number}.svg", level.rooms[0].room_type).to_lowercase();
     std::fs::write(folder.join(name), draw_level(&drawing)).expect("the folder can be written to");

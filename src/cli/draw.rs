@@ -160,6 +160,7 @@ fn drawing<'a>(
         seed,
         has_clearances: arguments.clearances,
         has_findings: arguments.findings,
+        has_legend: true,
     }
 }
 

@@ -17,9 +17,11 @@ const GOOD_CLEARANCE: &str = "fill=\"none\" stroke=\"#d9480f\" stroke-width=\"0.
 const MARKED_SIDE: f64 = 0.25;
 
 /// Outlines of furniture, what hangs above it, and lines inside outlines: thinner than walls.
-const OUTLINE: &str = "stroke=\"#333\" stroke-width=\"0.9\" stroke-linejoin=\"round\"";
-const OVERHEAD: &str = "fill=\"none\" stroke=\"#777\" stroke-width=\"0.6\" stroke-dasharray=\"4 2.5\"";
-const DETAIL: &str = "fill=\"none\" stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
+pub(crate) const OUTLINE: &str = "stroke=\"#333\" stroke-width=\"0.9\" stroke-linejoin=\"round\"";
+pub(crate) const OVERHEAD: &str =
+    "fill=\"none\" stroke=\"#777\" stroke-width=\"0.6\" stroke-dasharray=\"4 2.5\"";
+pub(crate) const DETAIL: &str =
+    "fill=\"none\" stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
 
 /// Metres of an underside above the floor from which an object counts as hanging.
 const HANGING: f64 = 1.0;
@@ -62,16 +64,26 @@ pub(crate) fn draw_names(canvas: &mut Canvas, drawing: &Drawing<'_>) {
     }
 }
 
+/// Whether it hangs over what stands below.
+pub(crate) fn hangs(placement: &Placement) -> bool {
+    placement.parent == Parent::Ceiling || placement.elevation > HANGING
+}
+
+/// Whether it stands below and is large enough for a front or a symbol.
+pub(crate) fn is_marked(placement: &Placement) -> bool {
+    !hangs(placement) && placement.size.width.min(placement.size.depth) >= MARKED_SIDE
+}
+
 fn draw_object(canvas: &mut Canvas, class: &Class, placement: &Placement) {
     // What hangs lets see what stands below.
-    if placement.parent == Parent::Ceiling || placement.elevation > HANGING {
+    if hangs(placement) {
         return draw_outline(canvas, class, placement, OVERHEAD);
     }
     let fill = class_fill(&class.id);
     let opacity = if matches!(class.shape, Shape::Prisms(_)) { 0.6 } else { 0.92 };
     let attributes = format!("fill=\"{fill}\" fill-opacity=\"{opacity}\" {OUTLINE}");
     draw_outline(canvas, class, placement, &attributes);
-    if placement.size.width.min(placement.size.depth) >= MARKED_SIDE {
+    if is_marked(placement) {
         draw_inside(canvas, class, placement);
     }
 }
@@ -116,8 +128,9 @@ fn draw_front(canvas: &mut Canvas, placement: &Placement) {
 /// What stands on the floor and is large enough; a rug under a table would be named over it.
 fn carries_name(placement: &Placement) -> bool {
     const LOWEST: f64 = 0.1;
-    let hangs = placement.parent == Parent::Ceiling || placement.elevation > HANGING;
-    !hangs && placement.size.height > LOWEST && placement.size.width.max(placement.size.depth) >= NAMED_SIDE
+    !hangs(placement)
+        && placement.size.height > LOWEST
+        && placement.size.width.max(placement.size.depth) >= NAMED_SIDE
 }
 
 /// The label along the object's longer side on the screen, as large as fits.

@@ -7,6 +7,7 @@ mod color;
 mod findings;
 mod furniture;
 mod labels;
+mod legend;
 mod room;
 mod sheet;
 mod shell;
@@ -43,6 +44,8 @@ pub struct Drawing<'a> {
     pub has_clearances: bool,
     /// Whether to mark the findings in the plan and list them in full.
     pub has_findings: bool,
+    /// Whether to explain the signs and to sum up the rooms below the plan.
+    pub has_legend: bool,
 }
 
 /// Metres of paper around the walls.

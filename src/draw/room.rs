@@ -100,6 +100,7 @@ pub fn draw_room(picture: &RoomDrawing<'_>) -> String {
         seed: 0,
         has_clearances: false,
         has_findings: false,
+        has_legend: false,
     };
     let mut canvas = Canvas::new(centered(picture.frame));
     shell::draw_walls(&mut canvas, &level);

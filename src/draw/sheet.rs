@@ -7,6 +7,7 @@ use crate::layout::RemovalReason;
 
 use super::Drawing;
 use super::canvas::{Canvas, MARGIN_LEFT, TextStyle, short};
+use super::legend::draw_legend;
 
 /// Metres that a scale bar may show.
 const BAR_LENGTHS: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
@@ -25,6 +26,9 @@ pub(crate) fn draw_notes(canvas: &mut Canvas, drawing: &Drawing<'_>) {
     draw_title(canvas, drawing);
     draw_north(canvas, drawing);
     draw_scale(canvas);
+    if drawing.has_legend {
+        draw_legend(canvas, drawing);
+    }
     list_removals(canvas, drawing);
     if !drawing.has_findings {
         list_findings(canvas, drawing);

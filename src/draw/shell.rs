@@ -6,19 +6,19 @@ use crate::plan::{Level, Opening, OpeningKind, Room, Wall, WallKind};
 use super::Drawing;
 use super::canvas::Canvas;
 
-const WALL: &str = "fill=\"#1c1c1c\" stroke=\"#1c1c1c\" stroke-width=\"1.2\"";
+pub(crate) const WALL: &str = "fill=\"#1c1c1c\" stroke=\"#1c1c1c\" stroke-width=\"1.2\"";
 const THIN_WALL: &str = "stroke=\"#1c1c1c\" stroke-width=\"2\" stroke-linecap=\"square\"";
-const RAILING: &str = "stroke=\"#1c1c1c\" stroke-width=\"1.2\" stroke-dasharray=\"2 2\"";
+pub(crate) const RAILING: &str = "stroke=\"#1c1c1c\" stroke-width=\"1.2\" stroke-dasharray=\"2 2\"";
 const FLOOR: &str = "fill=\"#fefdfb\" stroke=\"#1c1c1c\" stroke-width=\"0.5\"";
-const UNFURNISHED: &str = "fill=\"url(#hatch)\" stroke=\"#555\" stroke-width=\"0.5\"";
-const OBSTACLE: &str = "fill=\"#1c1c1c\" stroke=\"#1c1c1c\" stroke-width=\"1\"";
+pub(crate) const UNFURNISHED: &str = "fill=\"url(#hatch)\" stroke=\"#555\" stroke-width=\"0.5\"";
+pub(crate) const OBSTACLE: &str = "fill=\"#1c1c1c\" stroke=\"#1c1c1c\" stroke-width=\"1\"";
 const GAP: &str = "fill=\"#fefdfb\" stroke=\"#fefdfb\" stroke-width=\"0.7\"";
-const GLASS: &str = "fill=\"#f4f9fc\" stroke=\"#1c1c1c\" stroke-width=\"0.7\"";
-const GLASS_LINE: &str = "stroke=\"#1c1c1c\" stroke-width=\"0.6\"";
-const LEAF: &str = "stroke=\"#1c1c1c\" stroke-width=\"1.8\"";
-const SWING: &str =
+pub(crate) const GLASS: &str = "fill=\"#f4f9fc\" stroke=\"#1c1c1c\" stroke-width=\"0.7\"";
+pub(crate) const GLASS_LINE: &str = "stroke=\"#1c1c1c\" stroke-width=\"0.6\"";
+pub(crate) const LEAF: &str = "stroke=\"#1c1c1c\" stroke-width=\"1.8\"";
+pub(crate) const SWING: &str =
     "fill=\"#f7f3ea\" fill-opacity=\"0.5\" stroke=\"#555\" stroke-width=\"0.5\" stroke-linejoin=\"round\"";
-const DASHES: &str = "stroke=\"#999\" stroke-width=\"1\" stroke-dasharray=\"4 3\"";
+pub(crate) const DASHES: &str = "stroke=\"#999\" stroke-width=\"1\" stroke-dasharray=\"4 3\"";
 
 const TREAD_LINE: &str = "stroke=\"#777\" stroke-width=\"0.5\"";
 
@@ -67,7 +67,7 @@ pub(crate) fn draw_floors(canvas: &mut Canvas, drawing: &Drawing<'_>) {
 }
 
 /// Whether people climb in it: a rectangle of that type.
-fn is_stairs(room: &Room) -> bool {
+pub(crate) fn is_stairs(room: &Room) -> bool {
     room.room_type == STAIRS && room.region.outline.corners().len() == 4
 }
 

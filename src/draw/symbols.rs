@@ -15,8 +15,8 @@ pub(crate) struct Stroke {
 }
 
 /// What is drawn inside an outline.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Symbol {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Symbol {
     /// Pillows, and a blanket that is turned back.
     Bed,
     /// Arms, a back, cushions.
@@ -115,7 +115,8 @@ pub(crate) fn symbol_strokes(class: &Class, size: Size) -> Vec<Stroke> {
     symbol_of(class).map_or_else(Vec::new, |symbol| strokes(symbol, half))
 }
 
-fn symbol_of(class: &Class) -> Option<Symbol> {
+/// The symbol of a class, if it has one.
+pub(crate) fn symbol_of(class: &Class) -> Option<Symbol> {
     let ModelSource::Recipe { name, parameters } = &class.model else {
         return None;
     };
@@ -127,8 +128,55 @@ fn symbol_of(class: &Class) -> Option<Symbol> {
     SYMBOLS.iter().find(|(recipe, _)| recipe == name).map(|&(_, symbol)| symbol)
 }
 
+impl Symbol {
+    /// What it stands for.
+    pub(crate) fn meaning(self) -> &'static str {
+        match self {
+            Self::Bed => "bed, couch",
+            Self::Sofa => "sofa, armchair",
+            Self::Chair => "chair",
+            Self::Toilet => "toilet",
+            Self::Basin => "basin, sink",
+            Self::Tub => "bath",
+            Self::Shower => "shower",
+            Self::Cooker => "cooker",
+            Self::Fridge => "fridge, freezer",
+            Self::Diagonal => "machine",
+            Self::Drum => "washing machine",
+            Self::Wardrobe => "wardrobe",
+            Self::Doors => "cabinet, drawers",
+            Self::Shelf => "shelves",
+            Self::Plant => "plant",
+            Self::Lamp => "lamp",
+            Self::Frame => "table or case",
+            Self::Net => "two-sided piece",
+        }
+    }
+
+    /// Width and depth in metres of what usually has it.
+    pub(crate) fn usual_size(self) -> Point {
+        let (width, depth) = match self {
+            Self::Bed => (1.6, 2.0),
+            Self::Sofa => (1.9, 0.9),
+            Self::Chair => (0.5, 0.5),
+            Self::Toilet => (0.5, 0.7),
+            Self::Basin => (0.6, 0.5),
+            Self::Tub => (1.7, 0.75),
+            Self::Shower => (0.9, 0.9),
+            Self::Cooker | Self::Fridge | Self::Diagonal | Self::Drum => (0.6, 0.6),
+            Self::Wardrobe => (1.5, 0.6),
+            Self::Doors => (1.0, 0.45),
+            Self::Shelf => (1.0, 0.4),
+            Self::Plant | Self::Lamp => (0.5, 0.5),
+            Self::Frame => (1.6, 0.9),
+            Self::Net => (1.5, 0.9),
+        };
+        Point::new(width, depth)
+    }
+}
+
 /// `half` is half the width and half the depth.
-fn strokes(symbol: Symbol, half: Point) -> Vec<Stroke> {
+pub(crate) fn strokes(symbol: Symbol, half: Point) -> Vec<Stroke> {
     match symbol {
         Symbol::Bed => bed(half),
         Symbol::Sofa => sofa(half),

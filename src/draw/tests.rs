@@ -1,10 +1,10 @@
 use crate::geometry::Point;
 use crate::layout::{Parent, Placement, Removal, RemovalReason};
-use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, assemble_level};
+use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, WallKind, assemble_level};
 
 use super::*;
 use crate::audit::Code;
-use crate::catalog::{Class, Clearance, RoomType, Side, Size};
+use crate::catalog::{Class, Clearance, ModelSource, RoomType, Side, Size};
 
 const DESK: Size = Size { width: 1.6, depth: 0.8, height: 0.74 };
 
@@ -105,6 +105,26 @@ fn found(findings: Vec<Finding>) -> String {
     draw(&[findings, Vec::new()], (false, true))
 }
 
+fn without_legend(level: &Level) -> String {
+    draw_level(&Drawing {
+        building: "b",
+        site: SitePlacement::default(),
+        level,
+        furnished: &[furnished(0), furnished(1)],
+        findings: &[],
+        catalog: &catalog(),
+        seed: 1,
+        has_clearances: false,
+        has_findings: false,
+        has_legend: false,
+    })
+}
+
+/// The plan without what explains its signs.
+fn above_legend(svg: &str) -> String {
+    svg.split_once(">Legend</text>").unwrap().0.to_owned()
+}
+
 fn draw_rooms(level: &Level) -> String {
     draw_level(&Drawing {
         building: "b",
@@ -116,6 +136,7 @@ fn draw_rooms(level: &Level) -> String {
         seed: 1,
         has_clearances: false,
         has_findings: false,
+        has_legend: true,
     })
 }
 
@@ -131,11 +152,53 @@ fn draw(findings: &[Vec<Finding>], (has_clearances, has_findings): (bool, bool))
         seed: 1,
         has_clearances,
         has_findings,
+        has_legend: true,
     })
 }
 
 fn finding(code: Code, objects: &[&str], (measured, threshold): (f64, f64)) -> Finding {
     Finding::new(code, objects.iter().map(|&id| id.to_owned()).collect(), measured, threshold)
+}
+
+#[test]
+fn the_legend_explains_what_is_shown_and_nothing_else() {
+    let svg = drawn(false);
+    for meaning in ["wall", "window", "door and its swing", "not furnished"] {
+        assert!(svg.contains(&format!(">{meaning}</text>")), "{meaning}");
+    }
+    for meaning in ["railing, parapet", "sliding door", "open passage", "column", "hangs above", "bed, couch"]
+    {
+        assert!(!svg.contains(&format!(">{meaning}</text>")), "{meaning}");
+    }
+    let (mut level, mut catalog) = (level(), catalog());
+    level.rooms[0].walls[0].kind = WallKind::Railing(1.0);
+    catalog.classes[0].model = ModelSource::Recipe { name: "bed".into(), parameters: Vec::new() };
+    let svg = draw_level(&Drawing {
+        building: "b",
+        site: SitePlacement::default(),
+        level: &level,
+        furnished: &[furnished(0), furnished(1)],
+        findings: &[],
+        catalog: &catalog,
+        seed: 1,
+        has_clearances: false,
+        has_findings: false,
+        has_legend: true,
+    });
+    assert!(svg.contains(">railing, parapet</text>") && svg.contains(">bed, couch</text>"));
+    assert!(!without_legend(&level).contains(">Legend</text>"));
+}
+
+#[test]
+fn the_legend_sums_up_the_floor_of_each_room_type() {
+    let drawn = drawn(false);
+    let svg = drawn.split_once(">Rooms</text>").unwrap().1;
+    let [study, shaft] = [0, 1].map(|room| level().rooms[room].region.area());
+    for (label, area) in [("Office", study), ("shaft", shaft), ("All rooms", study + shaft)] {
+        let words = svg.split_once(&format!(">{label}</text>")).expect(label).1;
+        let area = format!(">{area:.1} m²</text>");
+        assert!(words.lines().take(3).any(|line| line.ends_with(&area)), "{label}: {area}");
+    }
 }
 
 #[test]
@@ -155,7 +218,7 @@ fn the_sheet_names_rooms_and_what_is_missing() {
 
 #[test]
 fn a_door_has_an_arc_and_a_window_glass() {
-    let svg = drawn(false);
+    let svg = above_legend(&drawn(false));
     assert_eq!(svg.lines().filter(|line| line.contains('A') && line.contains("#f7f3ea")).count(), 1);
     assert_eq!(svg.matches("#f4f9fc").count(), 1);
 }
@@ -174,6 +237,7 @@ fn levels_on_one_sheet_stand_beside_each_other() {
         seed: 1,
         has_clearances: false,
         has_findings: false,
+        has_legend: true,
     };
     let svg = draw_levels(&[drawing; 3]);
     let places: Vec<&str> = svg.lines().filter(|line| line.starts_with("<svg")).collect();
@@ -198,7 +262,7 @@ fn stairs_have_treads_and_a_shaft_has_none() {
 
 #[test]
 fn rooms_that_are_not_furnished_are_hatched() {
-    assert_eq!(drawn(false).matches("fill=\"url(#hatch)\"").count(), 1);
+    assert_eq!(above_legend(&drawn(false)).matches("fill=\"url(#hatch)\"").count(), 1);
 }
 
 #[test]
@@ -232,6 +296,7 @@ fn a_level_without_rooms_can_be_drawn() {
         seed: 1,
         has_clearances: false,
         has_findings: true,
+        has_legend: true,
     });
     assert!(svg.ends_with("</svg>\n"));
 }
@@ -289,6 +354,7 @@ fn the_clearance_that_a_wall_takes_is_hatched_and_no_other() {
             seed: 1,
             has_clearances: false,
             has_findings: true,
+            has_legend: true,
         });
         svg.matches("fill=\"url(#hatch-minor)\"").count()
     };

@@ -83,6 +83,7 @@ fn draw_sample(catalog: &Catalog, level: &Level) -> String {
         seed: SEED,
         has_clearances: false,
         has_findings: false,
+        has_legend: false,
     })
 }
 
