@@ -22,6 +22,8 @@ pub struct Material {
     pub roughness: f32,
     /// Linear light given off, each 0 to 1.
     pub emissive: [f32; 3],
+    /// Multiplies the light given off where lamps are lit (`KHR_materials_emissive_strength`), from 0 on.
+    pub emissive_strength: f32,
     /// Share of light that passes (`KHR_materials_transmission`); 0 for what is not glass.
     pub transmission: f32,
     /// The surface whose textures lie on it, one of [`crate::texture::SURFACES`].

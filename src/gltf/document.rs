@@ -11,7 +11,7 @@ use gltf_json::{Asset, Image, Index, Node, Root, Scene as JsonScene, Texture, im
 
 use super::library::LibraryReference;
 use super::light::{LIGHTS, add_lights, node_light};
-use super::material::{Images, TRANSMISSION, material};
+use super::material::{EMISSIVE_STRENGTH, Images, TRANSMISSION, material};
 use super::mesh::{accessors, mesh};
 use super::pack::{PackedPrimitive, Packer, Painting};
 use super::variant::{VARIANTS, add_variants};
@@ -189,13 +189,17 @@ fn add_node(nodes: &mut Vec<Node>, source: &crate::scene::Node) -> Index<Node> {
 }
 
 fn extensions_used(root: &Root) -> Vec<String> {
-    let is_used = |material: &gltf_json::Material| {
-        material.extensions.as_ref().is_some_and(|extensions| extensions.transmission.is_some())
+    type OfMaterial = gltf_json::extensions::material::Material;
+    let on_materials = |is_used: fn(&OfMaterial) -> bool| {
+        root.materials.iter().any(|material| material.extensions.as_ref().is_some_and(is_used))
     };
-    let transmission = root.materials.iter().any(is_used).then(|| TRANSMISSION.to_owned());
-    let extensions = root.extensions.as_ref();
-    let has = |is_there: fn(&gltf_json::extensions::Root) -> bool| extensions.is_some_and(is_there);
-    let lights = has(|root| root.khr_lights_punctual.is_some()).then(|| LIGHTS.to_owned());
-    let variants = has(|root| root.khr_materials_variants.is_some()).then(|| VARIANTS.to_owned());
-    lights.into_iter().chain(transmission).chain(variants).collect()
+    let on_root =
+        |is_used: fn(&gltf_json::extensions::Root) -> bool| root.extensions.as_ref().is_some_and(is_used);
+    let extensions = [
+        (on_root(|root| root.khr_lights_punctual.is_some()), LIGHTS),
+        (on_materials(|material| material.emissive_strength.is_some()), EMISSIVE_STRENGTH),
+        (on_materials(|material| material.transmission.is_some()), TRANSMISSION),
+        (on_root(|root| root.khr_materials_variants.is_some()), VARIANTS),
+    ];
+    extensions.into_iter().filter(|(is_used, _)| *is_used).map(|(_, name)| name.to_owned()).collect()
 }

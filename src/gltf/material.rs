@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use gltf_json::extensions::material::{
+    EmissiveStrength, EmissiveStrengthFactor, Transmission, TransmissionFactor,
+};
 use gltf_json::material as json;
 use gltf_json::validation::Checked;
 use gltf_json::{Index, extensions, texture};
@@ -11,8 +14,10 @@ use crate::catalog::Material;
 use crate::model::{Image, OwnMaterial, Texture, TextureSampler, TextureUse, Transparency};
 use crate::scene::SceneMaterial;
 
-/// The one extension in use: glass lets light through.
+/// Glass lets light through.
 pub(crate) const TRANSMISSION: &str = "KHR_materials_transmission";
+/// Lit lamps are brighter than their colour.
+pub(crate) const EMISSIVE_STRENGTH: &str = "KHR_materials_emissive_strength";
 
 /// Images of a document and the textures that lay them on, each once.
 #[derive(Debug, Default)]
@@ -66,12 +71,6 @@ pub(crate) fn material(source: &SceneMaterial, images: &mut Images, packer: &mut
 }
 
 fn plain(name: &str, source: &Material) -> json::Material {
-    let transmission = (source.transmission > 0.0).then(|| extensions::material::Material {
-        transmission: Some(extensions::material::Transmission {
-            transmission_factor: extensions::material::TransmissionFactor(source.transmission),
-            ..Default::default()
-        }),
-    });
     // A whole opacity is needed where light passes by transmission: both together would count twice.
     let is_blended = source.base_color[3] < 1.0;
     json::Material {
@@ -84,9 +83,22 @@ fn plain(name: &str, source: &Material) -> json::Material {
             ..Default::default()
         },
         emissive_factor: json::EmissiveFactor(source.emissive),
-        extensions: transmission,
+        extensions: extensions_of(source),
         ..Default::default()
     }
+}
+
+/// What the core of the format has no word for.
+fn extensions_of(source: &Material) -> Option<extensions::material::Material> {
+    let transmission = (source.transmission > 0.0).then(|| Transmission {
+        transmission_factor: TransmissionFactor(source.transmission),
+        ..Default::default()
+    });
+    let is_brighter = source.emissive_strength != 1.0 && source.emissive != [0.0; 3];
+    let emissive_strength = is_brighter
+        .then_some(EmissiveStrength { emissive_strength: EmissiveStrengthFactor(source.emissive_strength) });
+    let is_used = transmission.is_some() || emissive_strength.is_some();
+    is_used.then_some(extensions::material::Material { transmission, emissive_strength })
 }
 
 fn textured(own: &OwnMaterial, images: &mut Images, packer: &mut Packer) -> json::Material {

@@ -45,6 +45,7 @@ pub(crate) struct MeshTable<'a> {
     /// Kept here too, so that one model is one allocation in a scene whatever the source does.
     built: BTreeMap<(ClassIndex, u32, &'a str), Arc<Model>>,
     textures: Option<&'a TextureLibrary>,
+    has_lights: bool,
     has_variants: bool,
     furniture: BTreeMap<(ClassIndex, u32, Look<'a>), Vec<usize>>,
     shapes: BTreeMap<Shape, (usize, Arc<Model>)>,
@@ -59,6 +60,7 @@ const NEUTRAL: Material = Material {
     metallic: 0.0,
     roughness: 0.8,
     emissive: [0.0; 3],
+    emissive_strength: 1.0,
     transmission: 0.0,
     texture: None,
     tints: Vec::new(),
@@ -70,6 +72,7 @@ impl<'a> MeshTable<'a> {
             catalog: input.catalog,
             models: input.models,
             textures: input.textures,
+            has_lights: input.options.has_lights,
             has_variants: input.options.has_variants,
             meshes: Vec::new(),
             materials: Vec::new(),
@@ -172,9 +175,12 @@ impl<'a> MeshTable<'a> {
         let (catalog, materials) = (self.catalog, &mut self.materials);
         let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
         let number = number.min(found.map_or(0, |material| material.tints.len()));
-        let textures = self.textures;
+        let (textures, has_lights) = (self.textures, self.has_lights);
         *self.slots.entry((palette, slot, number)).or_insert_with(|| {
             let mut material = found.cloned().unwrap_or(NEUTRAL);
+            if !has_lights {
+                material.emissive_strength = 1.0;
+            }
             let mut name = format!("{palette}.{slot}");
             if number > 0 {
                 material.base_color = material.tints[number - 1];

@@ -197,6 +197,7 @@ fn textured_model() -> Model {
             metallic: 0.0,
             roughness: 0.5,
             emissive: [0.0; 3],
+            emissive_strength: 1.0,
             transmission: 0.0,
             texture: None,
             tints: Vec::new(),
@@ -228,6 +229,32 @@ fn textured_scene() -> Scene {
         options: SceneOptions::default(),
         seed: 42,
     })
+}
+
+#[test]
+fn lamps_that_are_lit_are_brighter_than_their_colour() {
+    let (catalog, level) = (catalog(), two_rooms());
+    let model = Arc::new(box_model(Size { width: 0.2, depth: 0.2, height: 0.4 }, "lamp"));
+    let written = |has_lights: bool| {
+        let scene = build_scene(&SceneInput {
+            level: &level,
+            building: "tower",
+            site: SitePlacement::default(),
+            furnished: &two_furnished(&catalog),
+            verdicts: &[],
+            catalog: &catalog,
+            models: &|_, _, _| Arc::clone(&model),
+            textures: None,
+            options: SceneOptions { has_lights, ..SceneOptions::default() },
+            seed: 42,
+        });
+        let file = read(&write_glb(&scene).unwrap());
+        let lamps = file.materials().filter(|one| one.emissive_factor() == [1.0; 3]);
+        let strengths: Vec<Option<f32>> = lamps.map(|lamp| lamp.emissive_strength()).collect();
+        (strengths, file.extensions_used().any(|name| name == "KHR_materials_emissive_strength"))
+    };
+    assert_eq!(written(true), (vec![Some(4.0)], true));
+    assert_eq!(written(false), (vec![None], false));
 }
 
 #[test]

@@ -61,6 +61,9 @@ fn show_material(material: &Material) -> String {
     }
     if material.emissive != [0.0; 3] {
         text += &format!(", gives off {}", srgb_hex(material.emissive));
+        if material.emissive_strength != 1.0 {
+            text += &format!(" times {}", material.emissive_strength);
+        }
     }
     text
 }
@@ -73,6 +76,7 @@ fn value_of_material(material: &Material) -> Value {
         "metallic": number(material.metallic),
         "opacity": number(material.base_color[3]),
         "emissive": srgb_hex(material.emissive),
+        "emissive_strength": number(material.emissive_strength),
         "transmission": number(material.transmission),
         "texture": material.texture,
         "tints": tints(material),

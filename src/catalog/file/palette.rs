@@ -52,6 +52,8 @@ pub(crate) struct MaterialEntry {
     pub(crate) opacity: Option<f64>,
     /// Light given off, sRGB, `#rrggbb`; default `#000000`.
     pub(crate) emissive: Option<String>,
+    /// Multiplies `emissive` where lamps are lit, 0 to 1000; default 1.
+    pub(crate) emissive_strength: Option<f64>,
     /// Share of light that passes, for glass; default 0.
     pub(crate) transmission: Option<f64>,
     /// The surface that is painted on it: wood, tile, fabric and others; `none`, the default, leaves it even.

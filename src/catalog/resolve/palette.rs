@@ -1,6 +1,7 @@
 //! Palettes.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 use super::color::linear_color;
 use super::merged_keys;
@@ -12,6 +13,8 @@ use crate::catalog::table::Chain;
 use crate::catalog::{MATERIAL_SLOTS, Material, Palette};
 use crate::texture::SURFACES;
 
+/// What multiplies light given off.
+const STRENGTH: RangeInclusive<f64> = 0.0..=1000.0;
 const DEFAULT_ROUGHNESS: f64 = 0.7;
 const DEFAULT_COLOR: &str = "#808080";
 const DEFAULT_EMISSIVE: &str = "#000000";
@@ -46,6 +49,7 @@ fn resolve_palette(chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> 
 
 /// A material, merged key by key along the chain.
 fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> Material {
+    let strength = resolve_strength(slot, chain, report);
     let mut share = |key: &'static str, get: fn(&MaterialEntry) -> Option<f64>, default: f64| {
         let found = find_key((slot, key), chain, get);
         found.map_or(default, |(spot, value)| Quantity::plain(key, SHARE).check(value, &spot, report))
@@ -68,10 +72,19 @@ fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Re
         metallic: metallic as f32,
         roughness: roughness as f32,
         emissive,
+        emissive_strength: strength as f32,
         transmission: transmission as f32,
         texture,
         tints: tints.into_iter().map(|[red, green, blue]| [red, green, blue, opacity as f32]).collect(),
     }
+}
+
+/// How much brighter than its colour a lit lamp is.
+fn resolve_strength(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> f64 {
+    let found = find_key((slot, "emissive_strength"), chain, |material| material.emissive_strength);
+    found.map_or(1.0, |(spot, value)| {
+        Quantity::plain("emissive_strength", STRENGTH).check(value, &spot, report)
+    })
 }
 
 /// The first value of a key along the chain, with its place.

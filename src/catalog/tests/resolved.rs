@@ -237,7 +237,7 @@ styles:
 fn materials_inherit_key_by_key_and_become_linear() {
     let palettes = "version: 1
 palettes:
-  warm: {extends: modern, materials: {wood: {color: \"#ff8000\", roughness: 0.4}, lamp: {emissive: \"#ffffff\"}}}
+  warm: {extends: modern, materials: {wood: {color: \"#ff8000\", roughness: 0.4}, lamp: {emissive: \"#ffffff\", emissive_strength: 2.5}}}
   warmer: {extends: warm, materials: {wood: {roughness: 0.3, opacity: 0.5}}}
 ";
     let catalog = load(&[("palettes/a.yaml", palettes)]);
@@ -246,6 +246,7 @@ palettes:
     let [red, green, blue, opacity] = wood.base_color;
     assert!((red - 1.0).abs() < 1e-6 && (green - 0.215_86).abs() < 1e-4 && blue.abs() < 1e-6);
     assert!((wood.roughness - 0.3).abs() < 1e-6 && (opacity - 0.5).abs() < 1e-6);
+    assert_eq!(lamp.emissive_strength.to_bits(), 2.5_f32.to_bits());
     assert!(lamp.emissive.iter().all(|channel| (channel - 1.0).abs() < 1e-6));
 }
 

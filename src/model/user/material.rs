@@ -74,12 +74,14 @@ fn read_material(
     }
     let (opacity, transparency) = read_transparency(source);
     let [red, green, blue, _] = surface.base_color_factor.0;
+    let strength = source.extensions.as_ref().and_then(|known| known.emissive_strength.as_ref());
     let transmission = source.extensions.as_ref().and_then(|known| known.transmission.as_ref());
     let material = Material {
         base_color: [red, green, blue, opacity],
         metallic: surface.metallic_factor.0,
         roughness: surface.roughness_factor.0,
         emissive: source.emissive_factor.0,
+        emissive_strength: strength.map_or(1.0, |strength| strength.emissive_strength.0),
         transmission: transmission.map_or(0.0, |transmission| transmission.transmission_factor.0),
         texture: None,
         tints: Vec::new(),
@@ -106,6 +108,10 @@ fn read_transparency(source: &JsonMaterial) -> (f32, Transparency) {
 fn check_factors(name: &str, material: &Material) -> Result<(), Problem> {
     let shares = material.base_color.iter().chain(&material.emissive);
     let mut shares = shares.chain([&material.metallic, &material.roughness, &material.transmission]);
+    if !(material.emissive_strength.is_finite() && material.emissive_strength >= 0.0) {
+        let strength = material.emissive_strength;
+        return Err(Problem::new(format!("material \"{name}\" gives off light of the strength {strength}")));
+    }
     match shares.find(|share| !(0.0..=1.0).contains(*share)) {
         Some(share) => {
             Err(Problem::new(format!("material \"{name}\" has a factor of {share}, outside 0 to 1")))
