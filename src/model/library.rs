@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn sets_share_what_they_do_not_change() {
-        let plain_only = library("keyboard");
+        let plain_only = library("laptop");
         assert!(Arc::ptr_eq(&plain_only.model(0, 0, "traditional"), &plain_only.model(0, 0, PLAIN)));
         let both = library("chair");
         assert!(!Arc::ptr_eq(&both.model(0, 0, "traditional"), &both.model(0, 0, PLAIN)));

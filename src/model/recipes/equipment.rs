@@ -1,15 +1,9 @@
-//! Machines and apparatus of gyms, wards, stations, shops and workshops.
+//! Machines of stations, workshops and computer rooms.
 
 use super::input::Draft;
-use super::parts::{LegKind, legs_at_corners, turned_forward};
+use super::parts::{LegKind, legs_at_corners};
 use crate::catalog::Side;
-use crate::model::kit::{Builder, SINK, cylinder};
-
-/// A disc or bar that lies across: along x from `x[0]` to `x[1]`, around a point.
-fn across(builder: &mut Builder, slot: &'static str, radius: f64, x: [f64; 2], (y, z): (f64, f64)) {
-    let bar = turned_forward(cylinder(radius, [x[0], x[1]], 14)).turned_y(std::f64::consts::FRAC_PI_2);
-    builder.add(slot, bar.moved(0.0, y, z));
-}
+use crate::model::kit::{Builder, SINK};
 
 /// A cabinet with a screen, keys and a tray.
 pub(super) fn ticket_machine(draft: &Draft, builder: &mut Builder) {
@@ -49,24 +43,6 @@ pub(super) fn luggage_belt(_draft: &Draft, builder: &mut Builder) {
     }
 }
 
-/// A chest with two lids of glass.
-pub(super) fn chest_freezer(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    builder.cuboid("plastic_dark", bay.slab(Side::Below, 0.08 + SINK).inset(0.03, 0.0, 0.03));
-    let rim = bay.slab(Side::Above, 0.05);
-    builder.block(
-        "appliance",
-        bay.without(Side::Below, 0.08).without(Side::Above, 0.05 - SINK).inset(0.004, 0.0, 0.004),
-        0.02,
-    );
-    builder.block("metal", rim.without(Side::Above, 0.012), 0.006);
-    for lid in rim.inset(0.03, 0.0, 0.05).slab(Side::Above, 0.014).columns(2, 0.02) {
-        builder.cuboid("glass", lid);
-    }
-    let band = bay.with_y([bay.high.y * 0.55, bay.high.y * 0.7]).inset(0.1, 0.0, 0.0);
-    builder.cuboid("painted_accent", band.slab(Side::Front, 0.008));
-}
-
 /// A thick top with a vice, on a frame with a drawer and a board below.
 pub(super) fn workbench(_draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
@@ -102,33 +78,4 @@ pub(super) fn server_rack(draft: &Draft, builder: &mut Builder) {
     let frame = bay.slab(Side::Front, 0.02 + SINK);
     builder.cuboid("metal_dark", frame.slab(Side::Left, 0.02));
     builder.cuboid("metal_dark", frame.slab(Side::Right, 0.02));
-}
-
-/// A car: a body on four wheels under a cabin of glass; its front looks where one uses it from.
-pub(super) fn car(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let paint = draft.sampler().pick(&["painted_accent", "metal", "metal_dark", "painted"]);
-    let (width, high, depth) = (bay.width(), bay.high.y, bay.depth());
-    let wheel = high * 0.22;
-    let body = bay.with_y([wheel * 0.7, high * 0.62]).inset(0.03, 0.0, 0.0);
-    builder.rounded(paint, body, glam::DVec3::new(0.12, 0.12, 0.25), 3);
-    let cabin = bay.with_y([high * 0.5, high]).inset(width * 0.1, 0.0, 0.0);
-    let cabin = cabin.with_z([bay.low.z + depth * 0.14, bay.high.z - depth * 0.34]);
-    builder.rounded("screen", cabin.without(Side::Above, 0.03), glam::DVec3::new(0.12, 0.25, 0.5), 3);
-    let roof = cabin.slab(Side::Above, 0.09).inset(width * 0.03, 0.0, depth * 0.09);
-    builder.rounded(paint, roof, glam::DVec3::new(0.1, 0.04, 0.2), 3);
-    for z in [bay.low.z + depth * 0.19, bay.high.z - depth * 0.19] {
-        for [outer, inner] in [[bay.low.x + 0.005, bay.low.x + 0.22], [bay.high.x - 0.22, bay.high.x - 0.005]]
-        {
-            across(builder, "rubber", wheel, [outer, inner], (wheel, z));
-            let hub = [outer - 0.005, inner + 0.005];
-            across(builder, "chrome", wheel * 0.55, hub, (wheel, z));
-        }
-    }
-    for side in [Side::Left, Side::Right] {
-        let corner = body.inset(width * 0.08, 0.0, 0.0).slab(side, width * 0.2);
-        let lamp = corner.with_y([high * 0.42, high * 0.5]);
-        builder.cuboid("lamp", lamp.slab(Side::Front, 0.06).moved(0.0, 0.0, -0.004));
-        builder.cuboid("painted_accent", lamp.slab(Side::Back, 0.06).moved(0.0, 0.0, 0.004));
-    }
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::input::Draft;
 use super::parts::{LegKind, leg, turned_forward};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, Solid, cylinder, lathe, loft, loft_ring, sweep};
+use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, Solid, lathe, loft, loft_ring, sweep};
 
 /// A frame around a bay that hangs on a wall, `border` wide; deeper than what it holds.
 fn frame(bay: Bay, border: f64) -> Solid {
@@ -93,31 +93,6 @@ pub(super) fn partition(draft: &Draft, builder: &mut Builder) {
             .with_y([0.02 - SINK, lift + 0.012])
             .with_z([-thick * 0.3, thick * 0.3]);
         leg(builder, "metal_dark", post, LegKind::Square);
-    }
-}
-
-/// A sign: a plate with a pictogram and a line of text.
-pub(super) fn signage(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let plate = bay.without(Side::Front, bay.depth() * 0.2);
-    builder.block("painted_accent", plate, bay.depth() * 0.15);
-    let surface = plate.high.z;
-    let letters = bay.inset(bay.width() * 0.06, bay.height() * 0.2, 0.0).with_z([surface - SINK, bay.high.z]);
-    let sign = letters.slab(Side::Left, letters.height().min(letters.width() * 0.3));
-    let middle = sign.center();
-    let radius = sign.width().min(sign.height()) / 2.0;
-    let head = turned_forward(cylinder(radius * 0.28, [0.0, letters.depth()], 10));
-    builder.add("paper", head.moved(middle.x, middle.y + radius * 0.7, letters.low.z));
-    builder.cuboid(
-        "paper",
-        Bay::around(middle - DVec3::Y * radius * 0.35, radius * 0.7, radius * 1.2, letters.depth()),
-    );
-    let text = letters.without(Side::Left, sign.width() + bay.width() * 0.06);
-    for (index, line) in text.rows(2, text.height() * 0.25).into_iter().enumerate() {
-        let words = if index == 0 { line.slab(Side::Left, line.width() * 0.6) } else { line };
-        for word in words.columns(3 - u32::from(index == 0), words.width() * 0.05) {
-            builder.cuboid("paper", word.inset(0.0, word.height() * 0.15, 0.0));
-        }
     }
 }
 

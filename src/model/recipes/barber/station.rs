@@ -84,11 +84,13 @@ fn console(builder: &mut Builder, wood: &'static str) {
 fn arched_glass(builder: &mut Builder, field: Bay, surface: f64) {
     let arch = |inset: f64| {
         let half = field.width() / 2.0 - inset;
-        let spring = field.high.y - field.width() / 2.0;
+        // A wide field has a flat arch.
+        let rise = (field.width() / 2.0).min(field.height() * 0.5);
+        let spring = field.high.y - rise;
         let mut profile = vec![DVec2::new(half, field.low.y + inset), DVec2::new(half, spring)];
         profile.extend((1..8).map(|step| {
             let (sine, cosine) = libm::sincos(std::f64::consts::PI * f64::from(step) / 8.0);
-            DVec2::new(cosine * half, spring + sine * half)
+            DVec2::new(cosine * half, spring + sine * (rise - inset))
         }));
         profile.extend([DVec2::new(-half, spring), DVec2::new(-half, field.low.y + inset)]);
         profile
