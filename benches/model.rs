@@ -1,7 +1,8 @@
-//! How long models take to build: all recipes, in each geometry set.
+//! How long models take to build: all recipes, in each geometry set; every class, variant and set of the catalogue.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::model::{RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_size};
+use roomwright::catalog::{Catalog, Class, load_catalog};
+use roomwright::model::{ModelLibrary, RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_size};
 use std::hint::black_box;
 
 fn build_all(geometry: &str) -> usize {
@@ -12,12 +13,29 @@ fn build_all(geometry: &str) -> usize {
     recipe_names().iter().filter_map(build).map(|model| model.primitives.len()).sum()
 }
 
+fn build_library(catalog: &Catalog) -> usize {
+    let library = ModelLibrary::load(catalog).expect("the built-in models are sound");
+    let variants = |(class, entry): (usize, &Class)| {
+        (0..entry.variant_count()).map(move |variant| (class, variant)).collect::<Vec<_>>()
+    };
+    let all = catalog.classes.iter().enumerate().flat_map(variants);
+    let build = |(class, variant)| geometry_sets().iter().map(move |set| (class, variant, *set));
+    all.flat_map(build).map(|(class, variant, set)| library.model(class, variant, set).primitives.len()).sum()
+}
+
 fn models(criterion: &mut Criterion) {
     for &set in geometry_sets() {
         criterion.bench_function(&format!("all recipes, {set}"), |bencher| {
             bencher.iter(|| black_box(build_all(set)))
         });
     }
+    let catalog = load_catalog(&[]).expect("the built-in configuration is sound").value;
+    let mut group = criterion.benchmark_group("library");
+    group.sample_size(10);
+    group.bench_function("every class, variant and set", |bencher| {
+        bencher.iter(|| black_box(build_library(&catalog)))
+    });
+    group.finish();
 }
 
 criterion_group!(benches, models);
