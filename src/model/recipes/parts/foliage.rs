@@ -62,12 +62,9 @@ pub(in super::super) fn grow(builder: &mut Builder, sampler: &mut Sampler, folia
     }
 }
 
-/// One leaf: the shape of its rib as (out, up) shares of the spread and height, and its half widths.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
-fn leaf(foliage: &Foliage, age: f64, turn: f64, size: f64) -> Solid {
-    let (sine, cosine) = libm::sincos(turn);
-    let (spread, height) = (foliage.spread * size, foliage.height * size);
-    let (rib, width): ([(f64, f64); 5], f64) = match foliage.species {
+/// The rib of a leaf as (out, up) shares of the spread and height, and the share of the spread that is half its width.
+fn rib_of(species: Species, age: f64) -> ([(f64, f64); 5], f64) {
+    match species {
         Species::Bush => {
             let (out, up) = (0.42 + 0.58 * age, 1.0 - 0.62 * age);
             let rib = [
@@ -77,7 +74,7 @@ fn leaf(foliage: &Foliage, age: f64, turn: f64, size: f64) -> Solid {
                 (out * 0.82, up * 0.98),
                 (out, up * (0.9 - 0.3 * age)),
             ];
-            (rib, spread * 0.2)
+            (rib, 0.2)
         }
         Species::Palm => {
             let (out, up) = (0.35 + 0.65 * age, 1.0 - 0.5 * age);
@@ -88,7 +85,7 @@ fn leaf(foliage: &Foliage, age: f64, turn: f64, size: f64) -> Solid {
                 (out * 0.75, up * 0.92),
                 (out, up * (0.72 - 0.3 * age)),
             ];
-            (rib, spread * 0.085)
+            (rib, 0.085)
         }
         Species::Sword => {
             let (out, up) = (0.12 + 0.88 * age * age, 1.0 - 0.42 * age);
@@ -99,7 +96,7 @@ fn leaf(foliage: &Foliage, age: f64, turn: f64, size: f64) -> Solid {
                 (0.06 + out * 0.7, up * 0.88),
                 (out, up),
             ];
-            (rib, spread * 0.16)
+            (rib, 0.16)
         }
         Species::Tree => {
             // Leaves leave the stem between half and the whole height.
@@ -112,9 +109,17 @@ fn leaf(foliage: &Foliage, age: f64, turn: f64, size: f64) -> Solid {
                 (out * 0.8, base + 0.03),
                 (out, base - 0.05),
             ];
-            (rib, spread * 0.24)
+            (rib, 0.24)
         }
-    };
+    }
+}
+
+/// One leaf of an age, 0 for the first and 1 for the last.
+fn leaf(foliage: &Foliage, age: f64, turn: f64, size: f64) -> Solid {
+    let (sine, cosine) = libm::sincos(turn);
+    let (spread, height) = (foliage.spread * size, foliage.height * size);
+    let (rib, share) = rib_of(foliage.species, age);
+    let width = spread * share;
     let point = |(out, up): (f64, f64)| {
         foliage.root + DVec3::new(cosine * spread * out, height * up, sine * spread * out)
     };
@@ -160,18 +165,9 @@ fn fill(leaves: &mut [Solid], foliage: &Foliage) {
     }
 }
 
-/// A pot around the y axis from its underside, filled with soil, by radius at the rim and height: of a geometry set and
-/// a look. In the traditional set clay and wicker, in the industrial zinc and concrete, in the budget set plastic.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
-pub(in super::super) fn pot(
-    builder: &mut Builder,
-    (set, look): (GeometrySet, u32),
-    (radius, height): (f64, f64),
-    sides: usize,
-) {
-    let wall = radius * 0.08;
-    let look = look as usize % 4;
-    let (slot, outside): (&'static str, Vec<(f64, f64)>) = match set {
+/// Material and outside of a pot, as (radius, height) shares.
+fn pot_form(set: GeometrySet, look: usize) -> (&'static str, Vec<(f64, f64)>) {
+    match set {
         GeometrySet::Plain => (
             ["ceramic", "concrete", "painted_accent", "ceramic"][look],
             match look {
@@ -226,7 +222,20 @@ pub(in super::super) fn pot(
             ["plastic_dark", "terracotta", "plastic", "painted_accent"][look],
             vec![(0.72, 0.02), (0.9, 0.8), (0.98, 0.82), (1.0, 1.0)],
         ),
-    };
+    }
+}
+
+/// A pot around the y axis from its underside, filled with soil, by radius at the rim and height: of a geometry set and
+/// a look. In the traditional set clay and wicker, in the industrial zinc and concrete, in the budget set plastic.
+pub(in super::super) fn pot(
+    builder: &mut Builder,
+    (set, look): (GeometrySet, u32),
+    (radius, height): (f64, f64),
+    sides: usize,
+) {
+    let wall = radius * 0.08;
+    let look = look as usize % 4;
+    let (slot, outside) = pot_form(set, look);
     // Corners: few where concrete is cast square.
     let outline =
         if set == GeometrySet::Industrial && look == 1 { Outline::Soft(1) } else { Outline::Round(sides) };
