@@ -32,8 +32,11 @@ pub(super) fn apply(level: &Level, furnished: &Furnished, edits: &RoomEdits, cat
     for (id, edit) in each(|entry| entry.class.is_some() || (entry.variant.is_some() && !entry.add)) {
         editor.swap(id, edit);
     }
-    for (id, edit) in each(|entry| entry.add) {
-        editor.add(id, edit);
+    let added = each(|entry| entry.add).filter_map(|(id, edit)| Some((editor.add(id, edit)?, edit)));
+    let added: Vec<_> = added.collect();
+    // Only now that all are there: one may stand on another, whatever their order.
+    for (object, edit) in added {
+        editor.place(object, edit);
     }
     for (id, edit) in each(|entry| !entry.remove) {
         editor.put(id, edit);
@@ -84,12 +87,13 @@ impl Editor<'_> {
         self.touched.push((object, id.to_owned()));
     }
 
-    fn add(&mut self, id: &str, edit: &ObjectEdit) {
-        let Some((class, wanted)) = self.class_of(id) else { return };
+    /// A new object, not yet where its edit says; none where the class is unknown or it is locked and there already.
+    fn add(&mut self, id: &str, edit: &ObjectEdit) -> Option<usize> {
+        let (class, wanted) = self.class_of(id)?;
         let is_taken = self.tree.find(id, self.catalog).is_some();
         if is_taken && edit.entry.lock {
             // It was there before the others.
-            return;
+            return None;
         }
         let number = if is_taken { self.tree.free_number(class) } else { wanted };
         let variant = edit.entry.variant.unwrap_or(0);
@@ -111,8 +115,8 @@ impl Editor<'_> {
             let message = format!("{id} is in the room already: the new one is {new_id}");
             self.misfits.push(Misfit::made(&edit.mark, message, "give it another number"));
         }
-        self.place(object, edit);
         self.touched.push((object, id.to_owned()));
+        Some(object)
     }
 
     /// Moves, turns, hangs elsewhere.

@@ -25,6 +25,9 @@ pub struct Captured {
 /// Metres by which a scaled object may differ from the variant that stands in for it.
 const SAME_SIZE: f64 = 5e-3;
 
+/// Metres by which the box around a mesh may change on its way through an editor.
+const SAME_MESH: f64 = 2e-3;
+
 /// Compares a floor as it was baked with the same floor as somebody left it; `file` is that one, for messages.
 ///
 /// # Errors
@@ -177,9 +180,21 @@ impl Capturing<'_> {
             entry.variant = Some(model.1);
         }
         let Some(is) = self.new.standing(new) else {
-            self.note(&after.node, "does not stand upright: where it stands is not captured", UPRIGHT_HINT);
+            self.note(
+                &after.node,
+                "does not stand upright, or is mirrored: where it stands is not captured",
+                UPRIGHT_HINT,
+            );
             return (entry != ObjectEntry::default()).then_some(entry);
         };
+        if model == (before.class.clone(), before.variant) && has_other_mesh(before, after) {
+            self.note(
+                &after.node,
+                "has another mesh than it had: where it stands is not captured",
+                MESH_HINT,
+            );
+            return (entry != ObjectEntry::default()).then_some(entry);
+        }
         let was = self.old.standing(old);
         let is_elsewhere = was.as_ref().is_none_or(|was| was.parent != is.parent);
         if is_elsewhere {
@@ -241,7 +256,11 @@ impl Capturing<'_> {
             );
         };
         let Some(is) = self.new.standing(index) else {
-            return self.note(&object.node, "does not stand upright: it is not captured", UPRIGHT_HINT);
+            return self.note(
+                &object.node,
+                "does not stand upright, or is mirrored: it is not captured",
+                UPRIGHT_HINT,
+            );
         };
         let entry = ObjectEntry {
             add: true,
@@ -262,6 +281,14 @@ impl Capturing<'_> {
 }
 
 const UPRIGHT_HINT: &str = "furniture is moved, and turned about the vertical";
+
+const MESH_HINT: &str = "move objects, not their vertices, and do not apply transforms (Ctrl+A)";
+
+/// Whether somebody moved vertices: the box around them is another one.
+fn has_other_mesh(before: &SurveyedObject, after: &SurveyedObject) -> bool {
+    let Some((was, is)) = before.bounds.zip(after.bounds) else { return false };
+    was.iter().flatten().zip(is.iter().flatten()).any(|(a, b)| (a - b).abs() > SAME_MESH)
+}
 
 fn by_id(survey: &Survey) -> BTreeMap<&str, Vec<usize>> {
     let mut by_id: BTreeMap<&str, Vec<usize>> = BTreeMap::new();

@@ -81,7 +81,10 @@ pub(super) fn level_extras(nodes: &[Node]) -> Result<LevelExtras, Problem> {
     let Some((level, _)) = levels.next() else {
         let problem = Problem::new("", "has no level: no node's extras say {\"kind\": \"level\"}");
         return Err(
-            problem.with_hint("judge files that bake wrote, or that keep their extras (custom properties)")
+            problem.with_hint(
+                "use files that bake wrote, or that keep their extras: in Blender, File > Export > glTF, Include > Custom \
+                 Properties",
+            )
         );
     };
     match levels.next() {

@@ -108,6 +108,24 @@ fn bounds(value: Option<&serde_json::Value>) -> Vec<i64> {
     numbers.filter_map(serde_json::Value::as_f64).map(|number| (number * 1e4).round() as i64).collect()
 }
 
+/// The box around a mesh; `None` where the file does not say.
+pub(super) fn mesh_bounds(document: &Root, mesh: usize) -> Option<[[f64; 3]; 2]> {
+    let mut around = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for primitive in &document.meshes.get(mesh)?.primitives {
+        let positions = primitive.attributes.get(&Checked::Valid(gltf::Semantic::Positions))?;
+        let accessor = document.accessors.get(positions.value())?;
+        let corner = |bound: &Option<serde_json::Value>| -> Option<[f64; 3]> {
+            serde_json::from_value(bound.clone()?).ok()
+        };
+        let (low, high) = (corner(&accessor.min)?, corner(&accessor.max)?);
+        for axis in 0..3 {
+            around[0][axis] = around[0][axis].min(low[axis]);
+            around[1][axis] = around[1][axis].max(high[axis]);
+        }
+    }
+    around[0][0].is_finite().then_some(around)
+}
+
 /// Each material by name; which of the images it shows is counted in that file, so left out.
 fn materials(document: &Root) -> Described {
     let entries = document.materials.iter().filter_map(|material| {

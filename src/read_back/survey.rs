@@ -10,7 +10,7 @@ use gltf::json::Root;
 
 use super::extras::{Extras, FurnitureExtras};
 use super::furniture::{pose, spots};
-use super::looks::{mesh_name, shape};
+use super::looks::{mesh_bounds, mesh_name, shape};
 use super::problem::Problem;
 use super::tree::Node;
 
@@ -48,6 +48,8 @@ pub struct SurveyedObject {
     pub size: [f64; 3],
     /// The class and variant that the name of its mesh tells, if it does.
     pub model: Option<(String, u32)>,
+    /// The box around its mesh, in its own frame: the least and the greatest of each axis, in metres.
+    pub bounds: Option<[[f64; 3]; 2]>,
     /// The room that it hangs below, else the one in its name.
     pub room: Option<String>,
     /// The room in its name: where it was when it was baked.
@@ -116,6 +118,7 @@ fn object(
         side: extras.side.clone(),
         size: extras.size,
         model: mesh_name(document, node.mesh).and_then(model_in_name),
+        bounds: node.mesh.and_then(|mesh| mesh_bounds(document, mesh)),
         room: room.or_else(|| named_room.clone()),
         named_room,
         above,

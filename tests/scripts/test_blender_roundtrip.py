@@ -146,6 +146,11 @@ def hierarchy_copied(_):
     turn(lamp, 40.0)
 
 
+def stack_copied(_):
+    """Alt+D of a cabinet with what stands on it: new pieces that stand on a new piece."""
+    duplicate(piece("cabinet", "study").name, linked=True).location.x -= 1.2
+
+
 # What each edit is, and the kinds of difference that it makes to the house.
 EDITS = {
     moved: {"moved"},
@@ -154,6 +159,7 @@ EDITS = {
     hierarchy_deleted: {"removed"},
     copied: {"added"},
     hierarchy_copied: {"added"},
+    stack_copied: {"added"},
 }
 
 

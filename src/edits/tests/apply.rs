@@ -93,13 +93,13 @@ fn counts_follow_the_edits() {
 
 #[test]
 fn what_is_added_stands_on_what_it_says_and_others_may_stand_on_it() {
-    let lines = [
-        "chest.2: {add: true, parent: wall.0, at: [2, 0.5]}",
-        "lamp.7: {add: true, parent: chest.2, at: [0, 0]}",
-    ];
-    let shown = shown(&room(), &lines);
-    // With its back to the wall in the south it faces north.
-    assert_eq!(shown[4..], ["chest.2 2.000 0.500 0.00 180", "lamp.7 2.000 0.500 0.80 180 on chest.2"]);
+    let chest = "chest.2: {add: true, parent: wall.0, at: [2, 0.5]}";
+    let lamp = "lamp.7: {add: true, parent: chest.2, at: [0, 0]}";
+    // With its back to the wall in the south it faces north; whichever is said first.
+    for lines in [[chest, lamp], [lamp, chest]] {
+        let shown = shown(&room(), &lines);
+        assert_eq!(shown[4..], ["chest.2 2.000 0.500 0.00 180", "lamp.7 2.000 0.500 0.80 180 on chest.2"]);
+    }
 }
 
 #[test]

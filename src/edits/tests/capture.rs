@@ -155,6 +155,22 @@ fn what_no_edit_can_say_is_told() {
 }
 
 #[test]
+fn where_an_object_with_moved_vertices_stands_is_told_and_not_captured() {
+    let mut before = before();
+    before.objects[2].bounds = Some([[-0.2, 0.0, -0.2], [0.2, 0.5, 0.2]]);
+    let mut after = before.clone();
+    after.objects[2].place.as_mut().unwrap().position.x = 0.0;
+    let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
+    let told = |after: &Survey| {
+        let Captured { entries, notes } = capture(&before, after, &catalog, Path::new("edited.glb")).unwrap();
+        (entries.len(), notes.0.len())
+    };
+    assert_eq!(told(&after), (1, 0));
+    after.objects[2].bounds = Some([[0.8, 0.0, 1.8], [1.2, 0.5, 2.2]]);
+    assert_eq!(told(&after), (0, 1));
+}
+
+#[test]
 fn an_object_in_another_room_went_and_came() {
     let moved = with(chair(2, 3.0), "name", json!("chair.2@a"));
     let mut after = floor(vec![desk([1.0, 0.4, 0.0], vec![lamp()]), chair(1, 1.0), moved], Vec::new());
