@@ -1,7 +1,7 @@
 //! How good the rooms are: furnishes plans over many seeds, audits every room, and prints one line a plan.
 //!
 //! ```text
-//! cargo run --release --example quality -- [--seeds N] [--random N [--draw FOLDER]] [--catalog FOLDER]
+//! cargo run --release --example quality -- [--seeds N] [--random N [--first N] [--draw FOLDER]] [--catalog FOLDER]
 //!     [--style STYLE] [--details] PLAN…
 //! ```
 //! A PLAN is a file or folder as `bake` takes it; `--random` adds rooms of random shape, size, type and style, those of
@@ -37,6 +37,9 @@ struct Arguments {
     /// So many rooms of random shape: convex, concave, slanted, with columns; 1 to 500 m².
     #[arg(long, default_value_t = 0)]
     random: usize,
+    /// Number of the first of those random rooms: others than from 0 on.
+    #[arg(long, default_value_t = 0)]
+    first: usize,
     /// Draw those random rooms that have findings into this folder, the grade first in the file's name.
     #[arg(long)]
     draw: Option<PathBuf>,
@@ -154,13 +157,15 @@ fn print_line(name: &str, tally: Tally, arguments: &Arguments) {
     }
 }
 
-/// Random rooms, each with a seed of its own; always the same ones.
+/// Random rooms, each with a seed of its own; the same number is always the same room.
 fn measure_random(catalog: &Catalog, arguments: &Arguments) -> Tally {
     let config = Config { rng_seed: RngSeed::Fixed(1), ..Config::default() };
     let (mut runner, sketches) = (TestRunner::new(config), rooms::sketches());
     let mut sketch = |_| sketches.new_tree(&mut runner).expect("sketches reject nothing").current();
-    let sketches: Vec<rooms::Sketch> = (0..arguments.random).map(&mut sketch).collect();
-    let tally = |(number, sketch): (usize, &rooms::Sketch)| {
+    let sketches: Vec<rooms::Sketch> =
+        (0..arguments.first + arguments.random).map(&mut sketch).skip(arguments.first).collect();
+    let tally = |(offset, sketch): (usize, &rooms::Sketch)| {
+        let number = arguments.first + offset;
         let options = FurnishOptions::new(sketch.seed, "random");
         sketch.level(catalog).map(|level| {
             if let Some(folder) = &arguments.draw {

@@ -3,7 +3,7 @@
 use crate::catalog::{Class, ClassIndex, Size};
 use crate::geometry::{Convex, Solid, bounds_overlap};
 use crate::layout::Suggestion;
-use crate::walk::{Floor, Goal, blocked_ways};
+use crate::walk::{EmptyWalks, Floor, Goal};
 
 use super::convex::penetration;
 use super::fit::{Footprint, Space, Stand};
@@ -12,8 +12,10 @@ use super::thresholds::ROUNDING;
 
 /// Pairs of places compared before the question is given up.
 const MOST_TESTS: u32 = 1_000_000;
-/// Arrangements of which the ways are looked at before the question is given up.
+/// Whole arrangements of which the ways are looked at before the search becomes careful.
 const MOST_ARRANGEMENTS: u32 = 100;
+/// Square metres of floor on which ways are looked at before the question is given up: of 10 m², two thousand times.
+const MOST_FLOOR: f64 = 20_000.0;
 /// The share of the places to go on by: the golden section meets all parts of a list early.
 const STRIDE: f64 = 0.618_033_988_749_894_9;
 
@@ -35,13 +37,16 @@ pub(crate) fn place_together(subject: &Subject<'_>, classes: &[ClassIndex]) -> T
     let choices: Vec<Choice<'_>> = classes.iter().map(choice).collect();
     let open: Vec<Open<'_>> =
         choices.iter().map(|choice| Open { choice, stands: choice.stands().collect() }).collect();
-    let mut search = Search { subject, placed: Vec::new(), tests: 0, arrangements: 0 };
-    if search.place_next(&open) {
-        Together::Fit(search.suggestions())
-    } else if search.is_given_up() {
-        Together::Unknown
-    } else {
-        Together::TooMuch
+    let rules = &subject.rules().walking;
+    let floor = Floor::new((subject.level, subject.room), rules, core::iter::empty());
+    let empty = floor.as_ref().map(|floor| EmptyWalks::new(floor, rules));
+    let quick = Search::new(subject, empty.as_ref(), MOST_ARRANGEMENTS);
+    match (quick.answer(&open), &empty) {
+        (Together::Unknown, Some(empty)) if empty.join_all_doors() => {
+            let most = (MOST_FLOOR / subject.room.region.area()) as u32;
+            Search { is_careful: true, ..Search::new(subject, Some(empty), most) }.answer(&open)
+        }
+        (answer, _) => answer,
     }
 }
 
@@ -84,6 +89,7 @@ fn spread<T>(items: &[T]) -> impl Iterator<Item = &T> {
 }
 
 /// A piece that has no place yet, with the places that those who have one leave it.
+#[derive(Clone)]
 struct Open<'s> {
     choice: &'s Choice<'s>,
     stands: Vec<&'s Stand>,
@@ -93,17 +99,66 @@ struct Open<'s> {
 /// Search Efficiency for Constraint Satisfaction Problems", 1980).
 struct Search<'s, 'a> {
     subject: &'s Subject<'a>,
+    /// Where people get to in the empty room; nothing where no door leads in.
+    empty: Option<&'s EmptyWalks<'s>>,
     placed: Vec<(&'s Choice<'s>, &'s Stand)>,
     tests: u32,
+    /// How often ways were looked at.
     arrangements: u32,
+    most_arrangements: u32,
+    /// Whether the ways are looked at after each piece, and of each piece alone, not of whole arrangements only: for
+    /// rooms with places enough, nearly all of which close a way. A way that is closed stays closed when a piece is
+    /// added, if the room [joins all its doors](EmptyWalks::join_all_doors).
+    is_careful: bool,
 }
 
-impl<'s> Search<'s, '_> {
-    /// Places the open pieces; who has the least choice goes first, so that dead ends are seen early.
+impl<'s, 'a> Search<'s, 'a> {
+    fn new(subject: &'s Subject<'a>, empty: Option<&'s EmptyWalks<'s>>, most_arrangements: u32) -> Self {
+        let placed = Vec::new();
+        Self { subject, empty, placed, tests: 0, arrangements: 0, most_arrangements, is_careful: false }
+    }
+
+    fn answer(mut self, open: &[Open<'s>]) -> Together {
+        let open = if self.is_careful { self.without_closing(open) } else { open.to_vec() };
+        if self.place_next(&open) {
+            Together::Fit(self.suggestions())
+        } else if self.is_given_up() {
+            Together::Unknown
+        } else {
+            Together::TooMuch
+        }
+    }
+
+    /// The open pieces without the places where one closes a way by itself, as far as half of the arrangements go;
+    /// who has the least choice first.
+    fn without_closing(&mut self, open: &[Open<'s>]) -> Vec<Open<'s>> {
+        let mut open = open.to_vec();
+        open.sort_by_key(|piece| piece.stands.len());
+        for Open { choice, stands } in &mut open {
+            stands.retain(|&stand| {
+                self.placed.push((*choice, stand));
+                let stays = self.arrangements >= self.most_arrangements / 2 || self.has_open_ways();
+                self.placed.pop();
+                stays
+            });
+        }
+        open
+    }
+
+    /// Places the open pieces. Who has the least choice goes first, so that dead ends are seen early; in a careful search
+    /// the largest, which decides more than others where ways are left.
     fn place_next(&mut self, open: &[Open<'s>]) -> bool {
-        let Some(next) = (0..open.len()).min_by_key(|&index| open[index].stands.len()) else {
-            self.arrangements += 1;
-            return self.has_open_ways();
+        let asks_for_ways = open.is_empty() || (self.is_careful && self.placed.len() > 1);
+        if asks_for_ways && !self.has_open_ways() {
+            return false;
+        }
+        let rank = |&index: &usize| {
+            let Open { choice, stands } = &open[index];
+            let square_millimetres = (choice.size.width * choice.size.depth * 1e6) as i64;
+            if self.is_careful { (-square_millimetres, stands.len()) } else { (0, stands.len()) }
+        };
+        let Some(next) = (0..open.len()).min_by_key(rank) else {
+            return true;
         };
         for &stand in &open[next].stands {
             if self.is_given_up() {
@@ -130,25 +185,23 @@ impl<'s> Search<'s, '_> {
     }
 
     fn is_given_up(&self) -> bool {
-        self.tests > MOST_TESTS || self.arrangements >= MOST_ARRANGEMENTS
+        self.tests > MOST_TESTS || self.arrangements >= self.most_arrangements
     }
 
-    /// Whether people get to all doors and to the pieces.
-    fn has_open_ways(&self) -> bool {
-        let (level, room, rules) = (self.subject.level, self.subject.room, &self.subject.rules().walking);
+    /// Whether people get to all doors and to the pieces that have places.
+    fn has_open_ways(&mut self) -> bool {
+        self.arrangements += 1;
+        let rules = &self.subject.rules().walking;
         let solids: Vec<Solid> = self.placed.iter().map(|(choice, stand)| body(choice, stand)).collect();
-        let Some(floor) = Floor::new((level, room), rules, solids.iter()) else { return true };
+        let floor = Floor::new((self.subject.level, self.subject.room), rules, solids.iter());
+        let Some((floor, empty)) = floor.as_ref().zip(self.empty) else { return true };
         let sides = self.placed.iter().flat_map(|(choice, stand)| {
             let clearances = choice.class.clearances.iter().zip(&stand.parts[1..]);
             clearances.filter(|(clearance, _)| clearance.minimum >= rules.narrow_person).map(|(_, part)| part)
         });
         let sides = sides.map(|part| Goal::Area(&part.corners));
         let goals: Vec<Goal<'_>> = floor.doors().map(Goal::Door).chain(sides).collect();
-        let empty = || {
-            let nothing = core::iter::empty();
-            Floor::new((level, room), rules, nothing).expect("furniture makes no door")
-        };
-        blocked_ways(&floor, empty, rules, &goals).is_empty()
+        !empty.are_blocked(floor, rules, &goals)
     }
 
     fn suggestions(&self) -> Vec<Suggestion> {
@@ -211,6 +264,47 @@ mod tests {
         };
         assert!(!fits(1.2), "a chest of one metre leaves no way past it");
         assert!(fits(1.8));
+    }
+
+    /// A corridor of 1.2 m between two passages, where a chest leaves no way past it, with a niche that makes it a little
+    /// wider for as long as a chest is.
+    fn corridor(niche: f64) -> TestRoom {
+        let (low, high) = (1.2, 1.2 + niche);
+        let corners = [
+            (0.0, 0.0),
+            (5.0, 0.0),
+            (5.0, low),
+            (3.6, low),
+            (3.6, high),
+            (2.5, high),
+            (2.5, low),
+            (0.0, low),
+        ];
+        let mut room = TestRoom::outline(&corners);
+        room.open(1, OpeningKind::Passage, (0.0, low), (0.0, 2.0));
+        room.open(7, OpeningKind::Passage, (0.0, low), (0.0, 2.0));
+        room
+    }
+
+    #[test]
+    fn where_nearly_all_places_close_a_way_the_one_that_does_not_is_found_or_none_is() {
+        assert!(matches!(place(&corridor(0.3), &["chest"]), Together::Fit(_)));
+        assert!(matches!(place(&corridor(0.2), &["chest"]), Together::TooMuch));
+    }
+
+    #[test]
+    fn whole_arrangements_alone_do_not_tell_that_a_corridor_is_too_narrow() {
+        let room = corridor(0.2);
+        let furnished = room.furnished();
+        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
+        let space = Space::empty(&subject);
+        let choice = Choice::new(&subject, &space, room.catalog.class_index("chest").unwrap());
+        let open = [Open { choice: &choice, stands: choice.stands().collect() }];
+        let rules = &subject.rules().walking;
+        let floor = Floor::new((subject.level, subject.room), rules, core::iter::empty()).unwrap();
+        let empty = EmptyWalks::new(&floor, rules);
+        let quick = Search::new(&subject, Some(&empty), MOST_ARRANGEMENTS);
+        assert!(matches!(quick.answer(&open), Together::Unknown));
     }
 
     #[test]

@@ -56,7 +56,7 @@ use constants::{ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHAR
 use environment::Environment;
 use programme::Site;
 use seed::RoomKey;
-use surroundings::Surroundings;
+use surroundings::{Surroundings, Swings};
 
 /// What furnishing a room depends on besides plan and catalogue.
 #[derive(Clone, Copy, Debug)]
@@ -141,7 +141,9 @@ impl Task<'_> {
         // The programme is drawn once: another attempt must not ask for other pieces.
         let mut pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
         lock::add_pieces(&mut pieces, options.locks, catalog);
-        let surroundings = Surroundings::new(level, plan);
+        let is_suggested = !alternative.suggestions.is_empty();
+        let swings = if is_suggested { Swings::Exact } else { Swings::Simple };
+        let surroundings = Surroundings::new(level, plan, swings);
         let mut urgency = vec![0; pieces.len()];
         let mut attempt = |number: u32| {
             let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);

@@ -6,6 +6,19 @@ use crate::plan::{FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpen
 use super::constants::{DOOR_APPROACH, FRAME_DEPTH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
 use super::environment::Border;
 
+/// Radians of the sectors of [`Swings::Exact`]: the polygon around the arc of a leaf of 1.5 m is then half a millimetre
+/// outside it at most.
+const EXACT_SWEEP: f64 = core::f64::consts::PI / 16.0;
+
+/// How what door leaves sweep is kept free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Swings {
+    /// One polygon a leaf, a few centimetres wider than the arc: fast.
+    Simple,
+    /// Narrow sectors: for places that were found free to the millimetre.
+    Exact,
+}
+
 /// The fixed part of an agent's environment.
 #[derive(Clone, Debug)]
 pub(crate) struct Surroundings<'a> {
@@ -25,7 +38,7 @@ pub(crate) struct Surroundings<'a> {
 
 impl<'a> Surroundings<'a> {
     /// Works out the surroundings of a room.
-    pub(crate) fn new(level: &'a Level, room: &'a Room) -> Self {
+    pub(crate) fn new(level: &'a Level, room: &'a Room, swings: Swings) -> Self {
         let mut surroundings = Self {
             level,
             room,
@@ -39,7 +52,7 @@ impl<'a> Surroundings<'a> {
             window_strips: Vec::new(),
         };
         for side in &room.openings {
-            surroundings.add_opening(&level.openings[side.opening], side);
+            surroundings.add_opening(&level.openings[side.opening], side, swings);
         }
         surroundings
     }
@@ -62,7 +75,7 @@ impl<'a> Surroundings<'a> {
         stretches
     }
 
-    fn add_opening(&mut self, opening: &Opening, side: &RoomOpening) {
+    fn add_opening(&mut self, opening: &Opening, side: &RoomOpening, swings: Swings) {
         let strip = |depth, margin, low, high| wall_strip(self.room, side, (depth, margin), (low, high));
         match opening.kind {
             OpeningKind::Window => {
@@ -77,8 +90,9 @@ impl<'a> Surroundings<'a> {
                 self.kept_free.push(strip(FRAME_DEPTH, FRAME_WIDTH, 0.0, opening.top));
                 let wall = &self.room.walls[side.wall];
                 let opens_inward = |leaf: &&Leaf| (leaf.open_tip - leaf.hinge).dot(wall.normal()) > 0.0;
-                let swings = opening.leaves.iter().filter(opens_inward).filter_map(swing);
-                self.kept_free.extend(swings.map(|base| Solid::new(base, 0.0, opening.top)));
+                let leaves = opening.leaves.iter().filter(opens_inward);
+                let sectors = leaves.flat_map(|leaf| swept(leaf, swings));
+                self.kept_free.extend(sectors.map(|base| Solid::new(base, 0.0, opening.top)));
             }
         }
     }
@@ -116,7 +130,24 @@ fn wall_strip(
     Solid::new(Convex::rectangle(center, half, along), low, high.max(low))
 }
 
-/// The sector that a leaf sweeps, as a polygon around it; `None` for a leaf that does not turn.
+/// The sector that a leaf sweeps; nothing for a leaf that does not turn.
+fn swept(leaf: &Leaf, swings: Swings) -> Vec<Convex> {
+    let (closed, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
+    let radius = closed.length().max(open.length());
+    let sweep = libm::atan2(closed.perp_dot(open), closed.dot(open));
+    if radius <= 0.0 || sweep.abs() < 1e-3 {
+        return Vec::new();
+    }
+    let count = match swings {
+        Swings::Simple => 1.0,
+        Swings::Exact => (sweep.abs() / EXACT_SWEEP).ceil(),
+    };
+    let (first, part) = (libm::atan2(closed.y, closed.x), sweep / count);
+    let sector = |number: u32| sector(leaf.hinge, radius, (first + f64::from(number) * part, part));
+    (0..count as u32).map(sector).collect()
+}
+
+/// The polygon around a sector from an angle on.
 ///
 /// ```text
 ///  open tip
@@ -125,27 +156,20 @@ fn wall_strip(
 ///    |     |       where its tangents meet
 ///  hinge --+ closed tip
 /// ```
-fn swing(leaf: &Leaf) -> Option<Convex> {
+fn sector(hinge: Point, radius: f64, (first, sweep): (f64, f64)) -> Convex {
     const STEPS: usize = 4;
-    let (closed, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
-    let radius = closed.length().max(open.length());
-    let sweep = libm::atan2(closed.perp_dot(open), closed.dot(open));
-    if radius <= 0.0 || sweep.abs() < 1e-3 {
-        return None;
-    }
     let step = sweep / STEPS as f64;
     let reach = radius / libm::cos(step / 2.0);
-    let first = libm::atan2(closed.y, closed.x);
-    let mut corners = vec![leaf.hinge, leaf.hinge + crate::geometry::direction(first) * radius];
+    let mut corners = vec![hinge, hinge + crate::geometry::direction(first) * radius];
     for index in 0..STEPS {
         let angle = first + (index as f64 + 0.5) * step;
-        corners.push(leaf.hinge + crate::geometry::direction(angle) * reach);
+        corners.push(hinge + crate::geometry::direction(angle) * reach);
     }
-    corners.push(leaf.hinge + crate::geometry::direction(first + sweep) * radius);
+    corners.push(hinge + crate::geometry::direction(first + sweep) * radius);
     if sweep < 0.0 {
         corners.reverse();
     }
-    Some(Convex::from_corners(&corners))
+    Convex::from_corners(&corners)
 }
 
 /// The polygon itself where it is convex, else its triangles.
@@ -186,13 +210,32 @@ mod tests {
     #[test]
     fn a_swing_covers_its_quarter_circle() {
         let leaf = Leaf { hinge: Point::ZERO, closed_tip: Point::X, open_tip: Point::Y };
-        let sector = swing(&leaf).unwrap();
+        let sector = swept(&leaf, Swings::Simple)[0];
         let probe = |x: f64, y: f64| Convex::rectangle(Point::new(x, y), Point::splat(0.005), Point::X);
         assert!(sector.overlaps(&probe(0.7, 0.7), 1e-4));
         assert!(!sector.overlaps(&probe(0.8, 0.8), 1e-4));
         assert!(!sector.overlaps(&probe(-0.1, 0.5), 1e-4));
         let mirrored = Leaf { hinge: Point::ZERO, closed_tip: Point::Y, open_tip: Point::X };
-        assert!(swing(&mirrored).unwrap().overlaps(&probe(0.7, 0.7), 1e-4));
+        assert!(swept(&mirrored, Swings::Simple)[0].overlaps(&probe(0.7, 0.7), 1e-4));
+    }
+
+    #[test]
+    fn an_exact_swing_ends_where_the_leaf_does() {
+        let leaf = Leaf { hinge: Point::ZERO, closed_tip: Point::X * 1.5, open_tip: Point::Y * 1.5 };
+        // A corner at some distance from the hinge, where the polygon around the whole arc is widest.
+        let is_met = |distance: f64, swings: Swings| {
+            let towards = crate::geometry::direction(core::f64::consts::FRAC_PI_2 * 0.375);
+            let middle = towards * (distance + 0.01);
+            let probe = Convex::rectangle(middle, Point::splat(0.01), towards);
+            swept(&leaf, swings).iter().any(|sector| sector.overlaps(&probe, 1e-6))
+        };
+        assert!(is_met(1.499, Swings::Simple) && is_met(1.499, Swings::Exact));
+        assert!(is_met(1.501, Swings::Simple) && !is_met(1.501, Swings::Exact));
+        assert!(!is_met(1.54, Swings::Simple));
+        let mirrored = Leaf { closed_tip: leaf.open_tip, open_tip: leaf.closed_tip, ..leaf };
+        assert_eq!(swept(&mirrored, Swings::Exact).len(), swept(&leaf, Swings::Exact).len());
+        let still = Leaf { open_tip: leaf.closed_tip, ..leaf };
+        assert!(swept(&still, Swings::Exact).is_empty());
     }
 
     #[test]

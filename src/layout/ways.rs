@@ -8,17 +8,19 @@ use crate::catalog::{Access, WalkingRules};
 use crate::geometry::{Convex, Point, Solid, distance_to_convex};
 use crate::walk::{Floor, Goal, Way, blocked_ways, is_in_the_way};
 
-use super::agent::AgentIndex;
+use super::agent::{AgentIndex, State};
 use super::arrange::arrange;
 use super::constants::{CONTACT_TOLERANCE, WAY_ROUNDS};
 use super::environment::Environment;
+use super::furnished::RemovalReason;
 use super::lock::is_locked;
 use super::movement::send_away;
 use super::seed::RoomKey;
 use super::suggestion::follows_suggestion;
 use super::turning::has_required;
 
-/// Clears the ways that resting agents close, and keeps them free from then on. Returns how many stay closed.
+/// Clears the ways that resting agents close, and keeps them free from then on. Returns how many stay closed, or do not
+/// only because pieces were left out.
 pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     for _ in 0..WAY_ROUNDS {
         let ways = all_closed_ways(environment);
@@ -38,7 +40,38 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
         }
         arrange(environment, key);
     }
-    all_closed_ways(environment).len()
+    let closed_ways = all_closed_ways(environment);
+    if !environment.suggestions.is_empty() {
+        leave_out(environment, &closed_ways, key);
+    }
+    closed_ways.len()
+}
+
+/// Leaves out who is asked to go, where pieces stand at suggested places and the ways to all others cannot be cleared by
+/// moving. The suggested places leave all ways open by themselves: a room that cannot do without these pieces does
+/// without a cupboard behind them.
+fn leave_out(environment: &mut Environment<'_>, closed_ways: &[ClosedWay], key: &RoomKey) {
+    let mut going = who_can_be_missed(environment, closed_ways);
+    // Ends, for each round leaves somebody out for good.
+    while !going.is_empty() {
+        for &agent in &going {
+            send_away(environment, agent);
+        }
+        for agent in going {
+            environment.agents[agent].state = State::Removed(RemovalReason::Repair);
+        }
+        // Who stood on them may hang or lie elsewhere.
+        arrange(environment, key);
+        let closed_ways = all_closed_ways(environment);
+        going = who_can_be_missed(environment, &closed_ways);
+    }
+}
+
+/// Whom the ways ask to go, without those that the room cannot do without.
+fn who_can_be_missed(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
+    let mut going = who_goes(environment, ways);
+    going.retain(|&agent| !has_required(environment, agent));
+    going
 }
 
 /// A way that resting agents close.
@@ -114,7 +147,8 @@ fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex
             )
         };
         let first = near.iter().min_by_key(rank).map(|(&agent, _)| agent);
-        let owner = owner.filter(|&owner| !has_required(environment, owner));
+        let owner =
+            owner.filter(|&owner| !has_required(environment, owner) && !is_locked(environment, owner));
         going.extend(first.map(|agent| match owner {
             Some(owner) if follows_suggestion(environment, agent) => owner,
             _ => agent,
@@ -139,4 +173,51 @@ pub(crate) fn who_is_near(
         }
     });
     near
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalog::{Clearance, Count, Untidiness};
+    use crate::geometry::Point;
+    use crate::layout::tests::{catalog, level};
+    use crate::layout::{Alternative, FurnishOptions, RemovalReason, Suggestion, furnish_alternative};
+
+    /// What becomes of a shelf that has room only behind a desk, which stands at a suggested place and leaves a gap before
+    /// it: how many rest, and why others do not.
+    fn shelf_behind_a_desk(gap: f64, is_required: bool) -> (usize, Vec<RemovalReason>) {
+        let (desk, shelf, depth) = (1, 4, 0.8 + gap);
+        let mut catalog =
+            catalog(&[(desk, Count::Fixed(1)), (shelf, Count::Fixed(1))], Untidiness::default());
+        catalog.classes[desk].clearances.clear();
+        catalog.classes[shelf].clearances = vec![Clearance { minimum: 0.4, good: 0.4, ..Clearance::SEAT }];
+        let programme = &mut catalog.room_types.get_mut("office").unwrap().programme;
+        programme[0].is_required = true;
+        programme[1].is_required = is_required;
+        let suggestion = Suggestion {
+            class: desk,
+            size: catalog.classes[desk].sizes[0],
+            position: Point::new(2.3, depth - 0.4),
+            angle: 0.0,
+            wall: Some(2),
+        };
+        let level = level(&[(0.0, 0.0), (6.0, 0.0), (6.0, depth), (0.0, depth)]);
+        let options = FurnishOptions::new(1, "test");
+        let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
+        let furnished = furnish_alternative(&level, 0, &catalog, &options, &alternative);
+        let is_there =
+            |class| furnished.placements.iter().filter(|placement| placement.class == class).count();
+        assert_eq!(is_there(desk), 1);
+        (is_there(shelf), furnished.removals.iter().map(|removal| removal.reason).collect())
+    }
+
+    #[test]
+    fn who_is_not_reached_past_a_suggested_place_is_left_out() {
+        assert_eq!(shelf_behind_a_desk(0.4, false), (0, vec![RemovalReason::Repair]));
+        assert_eq!(shelf_behind_a_desk(0.5, false), (1, Vec::new()));
+    }
+
+    #[test]
+    fn who_cannot_be_missed_is_not_left_out() {
+        assert_eq!(shelf_behind_a_desk(0.4, true), (1, Vec::new()));
+    }
 }

@@ -9,4 +9,4 @@ mod way;
 
 pub(crate) use floor::{Floor, Goal, Walk, is_in_the_way};
 pub(crate) use raster::CELL;
-pub(crate) use way::{Way, blocked_ways};
+pub(crate) use way::{EmptyWalks, Way, blocked_ways};

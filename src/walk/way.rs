@@ -1,5 +1,6 @@
 //! Ways that furniture closes, and where.
 
+use core::cell::OnceCell;
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -43,6 +44,40 @@ pub(crate) fn blocked_ways(
         (!ways.walk.reaches(home, goal)).then(|| ways.way_to(index, goal))
     };
     missed.iter().filter_map(way).collect()
+}
+
+/// Where people of both widths get to in the empty room.
+pub(crate) struct EmptyWalks<'f> {
+    wide: Walk<'f>,
+    narrow: Walk<'f>,
+}
+
+impl<'f> EmptyWalks<'f> {
+    /// The walks on a floor without furniture.
+    pub(crate) fn new(empty: &'f Floor, rules: &WalkingRules) -> Self {
+        Self { wide: empty.walk(rules.person), narrow: empty.walk(rules.narrow_person) }
+    }
+
+    /// Whether people get from every door to every other. Only then is a way that some furniture closes closed with more
+    /// furniture too, for it never depends on the furniture which door counts as the main one.
+    pub(crate) fn join_all_doors(&self) -> bool {
+        let home = self.wide.main_door();
+        self.wide.floor.doors().all(|door| self.wide.reaches(home, Goal::Door(door)))
+    }
+
+    /// Whether furniture closes a way to any goal: whether [`blocked_ways`] would find one, without asking where.
+    pub(crate) fn are_blocked(&self, floor: &Floor, rules: &WalkingRules, goals: &[Goal<'_>]) -> bool {
+        let walk = floor.walk(rules.person);
+        let home = walk.main_door();
+        let narrow = OnceCell::new();
+        let is_shut = |&goal: &Goal<'_>| {
+            let narrow = || narrow.get_or_init(|| floor.walk(rules.narrow_person));
+            !walk.reaches(home, goal)
+                && (self.wide.reaches(home, goal)
+                    || (self.narrow.reaches(home, goal) && !narrow().reaches(home, goal)))
+        };
+        goals.iter().any(is_shut)
+    }
 }
 
 const NOWHERE: usize = usize::MAX;
@@ -168,7 +203,10 @@ mod tests {
         let place = (level, &level.rooms[0]);
         let floor = Floor::new(place, &rules, solids.iter()).unwrap();
         let empty = || Floor::new(place, &rules, core::iter::empty()).unwrap();
-        blocked_ways(&floor, empty, &rules, goals)
+        let ways = blocked_ways(&floor, empty, &rules, goals);
+        let (empty, is_blocked) = (empty(), !ways.is_empty());
+        assert_eq!(EmptyWalks::new(&empty, &rules).are_blocked(&floor, &rules, goals), is_blocked);
+        ways
     }
 
     /// A cupboard from the south wall up to some metres before `top`, where x is 4.
@@ -212,6 +250,17 @@ mod tests {
         let narrow = ways(&level(0.4), &[cupboard(2.8)], &DOORS);
         assert_eq!((narrow.len(), narrow[0].width), (1, 0.3));
         assert!(ways(&level(0.2), &[cupboard(2.8)], &DOORS).is_empty());
+    }
+
+    #[test]
+    fn doors_are_joined_where_people_walk_upright() {
+        let are_joined = |neck: f64| {
+            let (level, rules) = (level(neck), AuditRules::default().walking);
+            let floor = Floor::new((&level, &level.rooms[0]), &rules, core::iter::empty()).unwrap();
+            EmptyWalks::new(&floor, &rules).join_all_doors()
+        };
+        assert!(are_joined(0.6));
+        assert!(!are_joined(0.4), "one turns sideways");
     }
 
     #[test]
