@@ -196,6 +196,6 @@ fn files_without_extras_cannot_be_captured() {
     });
     let ran = world.run(&["edits", "capture", "out/house/1.gltf", "edited/1.gltf"]);
     assert_eq!(ran.code, Some(2));
-    assert!(ran.stderr.contains("custom properties"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("Custom Properties"), "{}", ran.stderr);
     assert!(!world.path("house.edits.yaml").exists());
 }
