@@ -66,7 +66,11 @@ impl Editor<'_> {
         if found.is_none() {
             let room = &self.level.rooms[self.room].id;
             let message = format!("there is no {id} in room \"{room}\"");
-            self.misfits.push(Misfit::unmade(&edit.mark, message, GONE_HINT));
+            let misfit = Misfit::unmade(&edit.mark, message, GONE_HINT);
+            // Asked for once for each thing that the edit does.
+            if !self.misfits.contains(&misfit) {
+                self.misfits.push(misfit);
+            }
         }
         found
     }

@@ -15,7 +15,7 @@ pub(super) fn locks(level: &Level, room: usize, edits: &RoomEdits, catalog: &Cat
     let locked = edits.objects.iter().filter(|(_, edit)| edit.entry.lock);
     let lock = |id: &str, entry: &super::file::ObjectEntry| {
         let (class, number) = split_id(id)?;
-        let class = catalog.class_index(entry.class.as_deref().unwrap_or(class))?;
+        let class = catalog.class_index(class)?;
         let size = catalog.classes[class].size(entry.variant.unwrap_or(0));
         let on = entry.parent.as_deref().unwrap_or("floor");
         let part = room_part(on, level, room);

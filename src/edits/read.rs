@@ -201,6 +201,10 @@ impl Reading<'_> {
         if *add && class.is_some() {
             return plain(Some("class"), "a new object has a second class", "its id tells the class");
         }
+        if *lock && class.is_some() {
+            let hint = "lock an object of the new class, which its id tells";
+            return plain(Some("class"), "is locked and of another class at once", hint);
+        }
         if let Some(at) = at
             && !(matches!(at.len(), 2 | 3) && at.iter().all(|metres| metres.abs() < FARTHEST))
         {

@@ -141,6 +141,7 @@ fn edits_of_what_is_not_there_are_told_and_change_nothing() {
         [(false, "there is no wall.9 in room \"101\" to stand on".to_owned())]
     );
     assert_eq!(shown(&room, &[gone, no_wall]), AS_ARRANGED);
+    assert_eq!(misfits(&room, &["stool.9: {variant: 0, at: [1, 1]}"]).len(), 1, "told once");
 }
 
 #[test]

@@ -128,6 +128,7 @@ fn edits_that_make_no_sense_are_faults_and_the_others_stay() {
         ("desk.1: {remove: true, turn: 3}", "is removed and changed at once"),
         ("desk.1: {lock: true}", "does not say where it stands"),
         ("desk.7: {add: true, class: chair, at: [1, 1]}", "a new object has a second class"),
+        ("desk.1: {lock: true, at: [1, 1], class: chair}", "is locked and of another class at once"),
         ("desk.1: {at: [1]}", "is no place"),
         ("desk.1: {}", "says nothing of it"),
         ("dekc.1: {turn: 3}", "unknown class \"dekc\""),
