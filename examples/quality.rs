@@ -204,6 +204,7 @@ fn draw_random(
         has_legend: true,
     };
     let name = format!("{grade:?}-{}-{number}.svg", level.rooms[0].room_type).to_lowercase();
+    std::fs::create_dir_all(folder).expect("the folder can be made");
     std::fs::write(folder.join(name), draw_level(&drawing)).expect("the folder can be written to");
 }
 

@@ -4,13 +4,12 @@ use core::f64::consts::FRAC_PI_2;
 
 use crate::catalog::{Class, ClassIndex, Clearance, ParentName, Side, Size};
 use crate::geometry::{Point, Solid, bounds_overlap, direction, edges};
-use crate::plan::{FRAME_WIDTH, Wall};
+use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, RoomOpening, Wall};
 
 use super::convex::{clip_segment, middle, penetration};
 use super::doors;
 use super::subject::{Body, Subject};
 use super::thresholds::{FIT_STEP, ROUNDING, SAME_DIRECTION};
-use super::zone::Zone;
 
 /// Whether some size of a class, with its smallest clearances, fits somewhere on the empty floor: clear of
 /// walls, columns and door zones, and with its back to a solid stretch of wall if it can stand in no other
@@ -61,6 +60,18 @@ impl Footprint {
         let (low, high) = self.bounds;
         Self { corners: self.corners.map(|corner| corner + by), bounds: (low + by, high + by) }
     }
+}
+
+/// What the frames of doors and passages take of the floor.
+fn frames(subject: &Subject<'_>) -> impl Iterator<Item = Vec<Point>> {
+    let kind = |place: &RoomOpening| subject.level.openings[place.opening].kind;
+    subject.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
+        let wall = &subject.room.walls[place.wall];
+        let at = |along: f64| wall.start + wall.direction() * along;
+        let (start, end) = (at(place.from - FRAME_WIDTH), at(place.to + FRAME_WIDTH));
+        let outward = wall.normal() * FRAME_DEPTH;
+        vec![start, end, end + outward, start + outward]
+    })
 }
 
 /// The box around corners.
@@ -116,7 +127,8 @@ fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64)
 pub(super) struct Space<'s, 'a> {
     subject: &'s Subject<'a>,
     borders: Vec<(Point, Point)>,
-    door_zones: Vec<Zone>,
+    /// Corners of what no piece may stand in: the ways through the doors, and their frames.
+    door_zones: Vec<Vec<Point>>,
     /// Bodies whose footprints the piece and its clearances keep clear of.
     bodies: Vec<&'s Solid>,
     /// The piece stays to the left of this line: a point and a direction.
@@ -128,7 +140,9 @@ impl<'s, 'a> Space<'s, 'a> {
     pub(super) fn empty(subject: &'s Subject<'a>) -> Self {
         let columns = subject.room.obstacles.iter().flat_map(|column| column.outline.edges());
         let borders = subject.room.region.borders().chain(columns).collect();
-        Self { subject, borders, door_zones: doors::zones(subject), bodies: Vec::new(), line: None }
+        let passages = doors::zones(subject).into_iter().map(|zone| zone.base);
+        let door_zones = passages.chain(frames(subject)).collect();
+        Self { subject, borders, door_zones, bodies: Vec::new(), line: None }
     }
 
     fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
@@ -256,7 +270,7 @@ impl<'s, 'a> Space<'s, 'a> {
     }
 
     fn blocks_a_door(&self, footprint: &Footprint) -> bool {
-        self.door_zones.iter().any(|zone| penetration(&zone.base, &footprint.corners) > 0.0)
+        self.door_zones.iter().any(|zone| penetration(zone, &footprint.corners) > 0.0)
     }
 }
 
@@ -348,6 +362,17 @@ mod tests {
         let outline = Polygon::rectangle(at(0.7, 0.4), at(0.2, 0.2));
         room.level.rooms[0].obstacles.push(Obstacle { outline, height: 2.5 });
         assert!(!holds(&room, "chest"));
+    }
+
+    #[test]
+    fn the_frame_of_a_door_takes_a_little_of_the_walls_beside_it() {
+        let beside_door = |depth: f64| {
+            let mut room = TestRoom::rectangle(1.01, depth);
+            room.open(1, OpeningKind::Passage, (0.1, 0.9), (0.0, 2.0));
+            room
+        };
+        assert!(holds(&beside_door(0.9 + FRAME_WIDTH + 1.01), "chest"));
+        assert!(!holds(&beside_door(0.9 + 1.01), "chest"));
     }
 
     #[test]

@@ -38,8 +38,6 @@ pub(crate) const COVER_MARGIN: f64 = 0.45;
 pub(crate) const DOOR_APPROACH: f64 = 0.8;
 /// Depth in metres of the free space along an open boundary.
 pub(crate) const OPEN_BOUNDARY_APPROACH: f64 = 0.3;
-/// Metres that a door's frame stands out of its wall, at most.
-pub(crate) const FRAME_DEPTH: f64 = 0.05;
 /// Depth in metres of the strip before a window that tall pieces avoid.
 pub(crate) const WINDOW_STRIP: f64 = 0.5;
 /// Metres over the sill from which a piece counts as tall.

@@ -1,9 +1,9 @@
 //! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
 
 use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
-use crate::plan::{FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening};
+use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening};
 
-use super::constants::{DOOR_APPROACH, FRAME_DEPTH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
+use super::constants::{DOOR_APPROACH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
 use super::environment::Border;
 
 /// Radians of the sectors of [`Swings::Exact`]: the polygon around the arc of a leaf of 1.5 m is then half a millimetre

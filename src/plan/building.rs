@@ -182,6 +182,8 @@ pub struct Opening {
 
 /// Metres of wall on either side of a door or passage that its frame takes.
 pub const FRAME_WIDTH: f64 = 0.06;
+/// Metres that the frame of a door or passage stands out of its wall, at most.
+pub const FRAME_DEPTH: f64 = 0.02;
 
 /// What closes an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

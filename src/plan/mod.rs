@@ -27,8 +27,8 @@ mod write_native;
 
 pub use assemble::assemble_level;
 pub use building::{
-    Building, FRAME_WIDTH, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, PlacedBuilding, Plan,
-    PlanSource, Room, RoomOpening, SitePlacement, Wall, WallKind,
+    Building, FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide,
+    PlacedBuilding, Plan, PlanSource, Room, RoomOpening, SitePlacement, Wall, WallKind,
 };
 pub use draft::{
     BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,
