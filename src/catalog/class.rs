@@ -36,6 +36,9 @@ pub struct Class {
     pub usual_sizes: usize,
     /// How many looks of each size the model recipe makes; at least one.
     pub looks: u32,
+    /// Whether each piece draws its look and size for itself; else those of a room are of one size, and those of a
+    /// [`Share`](super::Share) of one look.
+    pub is_varied: bool,
     /// The solid parts of its box.
     pub shape: Shape,
     /// Where it may stand, best first.
@@ -75,6 +78,7 @@ impl Class {
             usual_sizes: sizes.len(),
             sizes,
             looks: 1,
+            is_varied: false,
             shape: Shape::Box,
             parents: Vec::new(),
             sides: [SideOffer::NONE; 6],

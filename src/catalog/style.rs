@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::building_style::Share;
 use super::class::{Class, ClassIndex};
 
 /// A kind of room and its programme.
@@ -26,6 +27,8 @@ pub struct RoomType {
     pub density: (f64, f64),
     /// Material slots of floor, wall and ceiling.
     pub finish: Finish,
+    /// Which rooms' furniture looks alike where no building style tells it.
+    pub share: Share,
 }
 
 /// Materials of the shell, and what is fitted to its walls.

@@ -34,21 +34,41 @@ pub fn room_style<'a>(
 
 /// The number that a building style draws with: equal for rooms that share it, whatever other rooms there are.
 fn draw(style: &BuildingStyle, level: &Level, room: &Room, options: &FurnishOptions<'_>) -> f64 {
-    let (building, level) = (options.building, level.id.as_str());
-    let number = room.number.to_string();
-    match (style.share, &room.dwelling) {
-        (Share::Building, _) => shared_draw(options.seed, &[building]),
-        (Share::Level, _) | (Share::Dwelling, None) => shared_draw(options.seed, &[building, level]),
-        (Share::Dwelling, Some(dwelling)) => shared_draw(options.seed, &[building, level, dwelling]),
-        (Share::Room, _) => shared_draw(options.seed, &[building, level, "", &number]),
+    shared_draw(options.seed, sharing(style.share, level, room, options))
+}
+
+/// The names that a room has in common with those that it shares with, and with no others.
+fn sharing(share: Share, level: &Level, room: &Room, options: &FurnishOptions<'_>) -> Vec<String> {
+    let building = options.building.to_owned();
+    let level = level.id.clone();
+    match (share, &room.dwelling) {
+        (Share::Building, _) => vec![building],
+        (Share::Level, _) | (Share::Dwelling, None) => vec![building, level],
+        (Share::Dwelling, Some(dwelling)) => vec![building, level, dwelling.clone()],
+        (Share::Room, _) => vec![building, level, String::new(), room.number.to_string()],
     }
+}
+
+/// The names that a room has in common with those whose furniture looks like its own: those that its building style
+/// draws for together, else those that its type says.
+pub(crate) fn series(
+    level: &Level,
+    room: &Room,
+    catalog: &Catalog,
+    options: &FurnishOptions<'_>,
+) -> Vec<String> {
+    let ids = [room.style.as_deref(), options.style];
+    let style = ids.into_iter().flatten().find_map(|id| catalog.building_styles.get(id));
+    let of_type = || catalog.room_types.get(&room.room_type).map(|room_type| room_type.share);
+    let share = style.map(|style| style.share).or_else(of_type).unwrap_or_default();
+    sharing(share, level, room, options)
 }
 
 /// The number that decides whether a single dwelling, or a room that is part of none, is an exception.
 fn single_draw(level: &Level, room: &Room, options: &FurnishOptions<'_>) -> f64 {
     let number = room.number.to_string();
     let unit = room.dwelling.as_deref().map_or(["room", &number], |dwelling| ["dwelling", dwelling]);
-    shared_draw(options.seed, &[options.building, &level.id, "instead", unit[0], unit[1]])
+    shared_draw(options.seed, [options.building, &level.id, "instead", unit[0], unit[1]])
 }
 
 #[cfg(test)]
@@ -99,6 +119,24 @@ mod tests {
         };
         assert!((0..12).all(|seed| of(1, seed) == of(2, seed)));
         assert!((0..12).map(|seed| of(1, seed)).collect::<BTreeSet<_>>().len() > 2);
+    }
+
+    #[test]
+    fn furniture_looks_alike_in_what_the_building_style_shares_or_else_the_room_type() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let of = |room_type, dwelling, style| {
+            let options = FurnishOptions::new(1, "block").with_style(style);
+            series(&level, &room(&level, 1, room_type, dwelling), &catalog, &options).len()
+        };
+        let (building, level_of_building, dwelling) = (1, 2, 3);
+        assert_eq!(of("living_room", Some("flat 1"), None), dwelling);
+        assert_eq!(of("living_room", None, None), level_of_building);
+        assert_eq!(of("hotel_room", Some("room 1"), None), building);
+        assert_eq!(of("hotel_room", Some("room 1"), Some("apartment_block")), dwelling);
+        assert_eq!(of("living_room", Some("flat 1"), Some("family_house")), building);
+        assert_eq!(of("office", None, Some("office_building")), level_of_building);
+        assert_eq!(of("office", None, Some("office_modern")), building, "a style of rooms shares nothing");
     }
 
     #[test]

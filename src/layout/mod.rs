@@ -34,6 +34,7 @@ mod tests;
 mod trace;
 mod turning;
 mod untidy;
+mod variant;
 mod ways;
 
 pub use body::{clearance_solids, solids};
@@ -57,6 +58,7 @@ use environment::Environment;
 use programme::Site;
 use seed::RoomKey;
 use surroundings::{Surroundings, Swings};
+use variant::Variants;
 
 /// What furnishing a room depends on besides plan and catalogue.
 #[derive(Clone, Copy, Debug)]
@@ -131,7 +133,8 @@ impl Task<'_> {
     ) -> (Furnished, Option<Told<T>>) {
         let Self { level, room, catalog, options, alternative } = *self;
         let plan = &level.rooms[room];
-        let key = RoomKey::new(options.pinned.unwrap_or(options.seed), options.building, level, plan);
+        let seed = options.pinned.unwrap_or(options.seed);
+        let key = RoomKey::new(seed, options.building, level, plan);
         let style = room_style(level, plan, catalog, &options);
         let room_type = catalog.room_types.get(&plan.room_type).filter(|room_type| room_type.is_furnished);
         let (Some(style), Some(room_type)) = (style, room_type) else {
@@ -139,7 +142,9 @@ impl Task<'_> {
         };
 
         // The programme is drawn once: another attempt must not ask for other pieces.
-        let mut pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &key);
+        let series = choice::series(level, plan, catalog, &options);
+        let variants = Variants { seed, series: &series, key: &key };
+        let mut pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &variants);
         lock::add_pieces(&mut pieces, options.locks, catalog);
         let is_suggested = !alternative.suggestions.is_empty();
         let swings = if is_suggested { Swings::Exact } else { Swings::Simple };

@@ -2,7 +2,8 @@
 
 use crate::catalog::{Catalog, ClassIndex, Count, Request, RoomType, Style};
 
-use super::seed::{Purpose, RoomKey, Stream};
+use super::seed::{Purpose, Stream};
+use super::variant::Variants;
 
 /// One piece that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +34,7 @@ pub(crate) fn pieces(
     catalog: &Catalog,
     (style, room_type): (&Style, &RoomType),
     site: Site,
-    key: &RoomKey,
+    variants: &Variants<'_>,
 ) -> Vec<Piece> {
     let mut counts = Counts { drawn: vec![0; catalog.classes.len()], asked: vec![0; catalog.classes.len()] };
     let mut pieces = Vec::new();
@@ -41,7 +42,7 @@ pub(crate) fn pieces(
         let name = &catalog.classes[request.classes[0]].id;
         // Lines that begin with the same class share a stream name; their order tells them apart.
         let line = counts.drawn[request.classes[0]];
-        let mut stream = key.stream(Purpose::Programme, name, line);
+        let mut stream = variants.key.stream(Purpose::Programme, name, line);
         if !applies(request, site, &mut stream) {
             continue;
         }
@@ -57,13 +58,10 @@ pub(crate) fn pieces(
         let count = count(request, style.density, site, &counts.asked, &mut stream);
         for _ in 0..count {
             let number = counts.add(catalog, class);
-            let id = &catalog.classes[class].id;
-            let variants = catalog.classes[class].usual_variant_count();
-            let mut stream = key.stream(Purpose::Variant, id, number);
             pieces.push(Piece {
                 class,
                 number,
-                variant: stream.count(0, variants - 1),
+                variant: variants.draw(&catalog.classes[class], number),
                 is_required: request.is_required,
                 is_fill: matches!(request.count, Count::Fill(_)),
             });
@@ -117,6 +115,7 @@ fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &m
 mod tests {
     use super::*;
     use crate::catalog::{Class, DEFAULT_STYLE, Era, Untidiness};
+    use crate::layout::seed::RoomKey;
     use crate::layout::tests::{catalog, level};
 
     /// The pieces of an office that asks for a chair, in a style of an era, where chairs are of these eras and stools, which
@@ -138,7 +137,8 @@ mod tests {
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let key = RoomKey::new(1, "b", &level, &level.rooms[0]);
         let room = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
-        let pieces = pieces(&catalog, room, Site { area: 16.0, window_count: 0 }, &key);
+        let variants = Variants { seed: 1, series: &[], key: &key };
+        let pieces = pieces(&catalog, room, Site { area: 16.0, window_count: 0 }, &variants);
         pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()
     }
 

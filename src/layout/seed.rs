@@ -56,10 +56,11 @@ impl RoomKey {
 }
 
 /// A number even in [0, 1) that depends on the seed and the names only: what rooms share that share the names.
-pub(crate) fn shared_draw(seed: u64, names: &[&str]) -> f64 {
+pub(crate) fn shared_draw<Name: AsRef<str>>(seed: u64, names: impl IntoIterator<Item = Name>) -> f64 {
     let mut hash = Sha256::new_with_prefix("shared");
     hash.update(seed.to_le_bytes());
     for name in names {
+        let name = name.as_ref();
         hash.update((name.len() as u64).to_le_bytes());
         hash.update(name.as_bytes());
     }

@@ -82,6 +82,7 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         programme: programme.iter().map(request).collect(),
         excludes: Vec::new(),
         area: (0.0, 1e6),
+        share: crate::catalog::Share::default(),
         density: (0.2, 0.4),
         finish,
     };

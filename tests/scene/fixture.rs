@@ -195,6 +195,7 @@ pub(crate) fn catalog() -> Catalog {
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),
+        share: roomwright::catalog::Share::default(),
         density: (0.2, 0.4),
         finish,
     };

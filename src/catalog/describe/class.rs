@@ -25,7 +25,9 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     let spare = |index: usize| if index < class.usual_sizes { "" } else { ", where no larger one fits" };
     let sizes = class.sizes.iter().enumerate();
     lines.add_all("size", sizes.map(|(index, size)| show_size(size) + spare(index)));
-    lines.add("looks", &format!("{} of each size", class.looks));
+    let among =
+        if class.is_varied { ", each piece its own" } else { ", one for all that are furnished together" };
+    lines.add("looks", &format!("{} of each size{among}", class.looks));
     lines.add("shape", &show_shape(&class.shape));
     lines.add_all("light", class.light.iter().map(show_light));
     lines.add_all("stands", class.parents.iter().map(|rule| show_parent(catalog, rule)));
@@ -160,6 +162,7 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "sizes": sizes,
         "spare_sizes": spare_sizes,
         "looks": class.looks,
+        "varied": class.is_varied,
         "light": class.light.map(|light| json!({
             "lumens": rounded(light.lumens),
             "kelvin": rounded(light.kelvin),

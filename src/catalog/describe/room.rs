@@ -38,6 +38,7 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
         "finish",
         &format!("floor {}, wall {}{dado}, ceiling {}", finish.floor, finish.wall, finish.ceiling),
     );
+    lines.add("alike in a", room_type.share.word());
     lines.add("fitted", &show_fittings(finish));
     lines.add_all("holds", room_type.programme.iter().map(|request| show_request(catalog, request)));
     lines.add("styles", &styles.join(", "));
@@ -55,6 +56,7 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
             "sockets": finish.sockets.unwrap_or(0.0),
             "switches": finish.has_switches,
         },
+        "share": room_type.share.word(),
         "programme": value_of_programme(catalog, &room_type.programme),
         "styles": styles,
     });

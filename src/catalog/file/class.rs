@@ -44,6 +44,9 @@ pub(crate) struct ClassEntry {
     pub(crate) spare_sizes: Vec<[f64; 3]>,
     /// How many looks of each size the recipe makes; default 4.
     pub(crate) looks: Option<i64>,
+    /// Whether each piece has a look and a size of its own, like plants and books; else pieces that are furnished
+    /// together look alike.
+    pub(crate) varied: Option<bool>,
     /// The solid parts of its box: `box` (default), `disc`, or a list of parts.
     pub(crate) shape: Option<ShapeEntry>,
     /// Where it may stand, best first.

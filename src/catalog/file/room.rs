@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
+use super::building_style::ShareWord;
 use super::{FormatVersion, OneOrMany, Pair};
 use crate::catalog::table::Extends;
 
@@ -41,6 +42,8 @@ pub(crate) struct RoomTypeEntry {
     pub(crate) excludes: Option<OneOrMany<String>>,
     /// Material slots of the shell, and what is fitted to its walls.
     pub(crate) finish: Option<FinishEntry>,
+    /// Whose furniture looks alike where no building style tells it; default `building`.
+    pub(crate) share: Option<ShareWord>,
     /// What it holds unless the style says otherwise.
     pub(crate) programme: Option<Vec<RequestEntry>>,
 }

@@ -73,6 +73,7 @@ fn resolve_class(
         sizes,
         usual_sizes,
         looks,
+        is_varied: chain.find("varied", |entry| entry.varied.as_ref()).is_some_and(|found| *found.value),
         shape,
         parents: parents.iter().map(|parent| parent.rule.clone()).collect(),
         sides,

@@ -9,7 +9,7 @@ use super::resolve_label;
 use crate::catalog::file::RoomTypeEntry;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{Dado, Finish, MATERIAL_SLOTS, RoomType};
+use crate::catalog::{Dado, Finish, MATERIAL_SLOTS, RoomType, Share};
 
 /// Metres of wall for each socket where nothing is said, and what may be said besides 0.
 const SOCKET_INTERVAL: f64 = 3.0;
@@ -69,6 +69,9 @@ fn resolve_room_type(
         area,
         density,
         finish: resolve_finish(chain, report),
+        share: chain
+            .find("share", |entry| entry.share.as_ref())
+            .map_or(Share::Building, |found| (*found.value).into()),
     };
     ResolvedRoomType { room_type, programme, excluded }
 }

@@ -18,7 +18,7 @@ fn a_class_tells_everything() {
   label       Table
   groups      surface
   size        1.2 × 0.8 × 0.75 m
-  looks       4 of each size
+  looks       4 of each size, one for all that are furnished together
   shape       box
   stands      above of floor; turned quarter, along random
   offers      front 2, above 3
@@ -58,6 +58,7 @@ fn a_room_type_lists_its_programme() {
   density     0 to 1
   excludes    sleeping
   finish      floor parquet, wall plaster, ceiling ceiling
+  alike in a  building
   fitted      a socket for 3 m of wall, switches at doors
   holds       1 table
               2 per table: chair
