@@ -44,6 +44,7 @@ mod phone;
 mod plants;
 mod projector;
 mod radiators;
+mod rugs;
 mod screens;
 mod seating;
 mod shelving;

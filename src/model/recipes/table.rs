@@ -5,8 +5,8 @@ use super::{
     apparatus, appliances, barber, basins, bathing, beds, belongings, books, car, carts, cash_register,
     coat_stand, copier, countertop, desk_lamps, electronics, equipment, football_table, fridges, gym,
     hangings, hook_board, keyboard, kitchen, lamps, laundry, lights, lounge, ovens, papers, phone, plants,
-    projector, radiators, screens, seating, shelving, signage, soap, storage, tables, tableware, toilets,
-    toys, utility_sink, wall_lamps, walls, washroom, windows,
+    projector, radiators, rugs, screens, seating, shelving, signage, soap, storage, tables, tableware,
+    toilets, toys, utility_sink, wall_lamps, walls, washroom, windows,
 };
 use crate::catalog::Size;
 use crate::model::kit::Builder;
@@ -179,6 +179,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("projector", [0.35, 0.3, 0.12], projector::projector),
     large("radiator", [1.0, 0.1, 0.6], radiators::radiator),
     large("round_table", [1.1, 1.1, 0.74], tables::round_table),
+    large("rug", [2.4, 1.7, 0.012], rugs::rug),
     large("school_chair", [0.42, 0.46, 0.8], seating::school_chair),
     large("server_rack", [0.6, 1.07, 2.0], equipment::server_rack),
     large("serving_trolley", [0.8, 0.5, 0.85], carts::serving_trolley),
