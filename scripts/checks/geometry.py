@@ -119,6 +119,8 @@ def column_nodes(gltf: GltfFile) -> dict[int, list[Node]]:
 def check_collisions(gltf: GltfFile) -> Iterator[Note]:
     for _, pieces in by_room(gltf):
         for one, other in touching(pieces):
+            if one.is_covering != other.is_covering:
+                continue
             related = one.stands_on(other) or other.stands_on(one)
             tolerance = GROUP_TOLERANCE if related else OVERLAP_TOLERANCE
             depth = deepest(one, other, tolerance)

@@ -12,6 +12,9 @@ from gltf_file import GltfFile, Node
 from .bodies import Part, parts_of
 from .contract import FIELDS, room_of
 
+# Metres of height up to which what lies on the floor is floor (`COVERING_HEIGHT` in src/catalog/class.rs), and a millimetre.
+COVERING_HEIGHT = 0.021
+
 
 @dataclass
 class Meshes:
@@ -66,6 +69,11 @@ class Piece:
     @cached_property
     def parts(self) -> list[Part]:
         return [part.placed(self.node.world) for part in self.meshes.parts(self.node.mesh)]
+
+    @property
+    def is_covering(self) -> bool:
+        """Whether it lies on the floor of its room so flat that others stand on it: a rug."""
+        return self.node.parent is self.room and self.high[1] - self.room.world[1, 3] <= COVERING_HEIGHT
 
     def stands_on(self, other: Piece) -> bool:
         """Whether it belongs to another piece, directly or over others."""

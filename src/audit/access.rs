@@ -25,7 +25,7 @@ pub(crate) fn judge(subject: &Subject<'_>, zones: &[Zone], findings: &mut Vec<Fi
 }
 
 fn floor(subject: &Subject<'_>, is_furnished: bool) -> Option<Floor> {
-    let solids = subject.bodies.iter().flat_map(|body| &body.solids).filter(|_| is_furnished);
+    let solids = subject.obstacles().filter(|_| is_furnished);
     Floor::for_wheelchair((subject.level, subject.room), subject.rules(), solids)
 }
 

@@ -73,6 +73,21 @@ mod tests {
     }
 
     #[test]
+    fn a_rug_is_floor_for_all_but_another_rug() {
+        let mut room = TestRoom::rectangle(5.0, 4.0);
+        let rug = room.stand("chest", at(2.0, 2.0));
+        room.placements[rug].size.height = 0.012;
+        room.stand("chest", at(2.5, 2.0));
+        assert_eq!(room.count(Code::Collision), 0);
+        room.placements[rug].size.height = 0.03;
+        assert_eq!(room.count(Code::Collision), 1, "one would stumble over it");
+        for placement in &mut room.placements {
+            placement.size.height = 0.012;
+        }
+        assert_eq!(room.count(Code::Collision), 1);
+    }
+
+    #[test]
     fn one_above_the_other_is_no_collision() {
         let mut room = TestRoom::rectangle(5.0, 4.0);
         let chest = room.stand("chest", at(2.0, 2.0));

@@ -136,6 +136,17 @@ mod tests {
     }
 
     #[test]
+    fn people_walk_in_over_a_rug() {
+        let lying = |height: f64| {
+            let mut room = chest_before(OpeningKind::Passage, 0.1);
+            room.placements[0].size.height = height;
+            room.audit()
+        };
+        assert_eq!(lying(0.012), []);
+        assert_eq!(lying(0.05)[0].code, Code::DoorBlocked);
+    }
+
+    #[test]
     fn an_open_boundary_needs_thirty_centimetres_and_a_window_none() {
         assert_eq!(chest_before(OpeningKind::OpenBoundary, 0.31).count(Code::DoorBlocked), 0);
         assert_eq!(chest_before(OpeningKind::OpenBoundary, 0.25).count(Code::DoorBlocked), 1);

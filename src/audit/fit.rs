@@ -82,7 +82,8 @@ fn bounds_of<'p>(corners: impl Iterator<Item = &'p Point>) -> (Point, Point) {
 /// Whether a body could stand, with its smallest clearances, among the others on one side of a line: to the
 /// left of a direction from a point.
 pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point)) -> bool {
-    let among = subject.bodies.iter().filter(|other| other.low() < body.high());
+    let among =
+        subject.bodies.iter().filter(|other| other.low() < body.high() && !other.placement.is_covering());
     let bodies = among.flat_map(|other| &other.solids).collect();
     let space = Space { bodies, line: Some(line), ..Space::empty(subject) };
     space.holds(body.class, body.placement.size, |clearance| clearance.minimum)

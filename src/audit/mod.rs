@@ -138,16 +138,20 @@ fn all_zones(subject: &Subject<'_>) -> Vec<Zone> {
     zones
 }
 
-/// Pairs of bodies whose boxes touch, and pairs of a zone and a body whose boxes touch.
+/// Pairs of bodies whose boxes touch, and pairs of a zone and a body whose boxes touch. A rug is floor for all but other
+/// rugs.
 fn near_pairs<'z>(subject: &Subject<'_>, zones: &'z [Zone]) -> (Vec<(usize, usize)>, Vec<NearPair<'z>>) {
     let body_count = subject.bodies.len();
     let bodies = subject.bodies.iter().map(|body| body.bounds);
     let boxes: Vec<Bounds> = bodies.chain(zones.iter().map(Zone::bounds)).collect();
     let (mut collisions, mut hits) = (Vec::new(), Vec::new());
+    let is_covering = |body: usize| subject.bodies[body].placement.is_covering();
     for (a, b) in touching_pairs(&boxes) {
         if b < body_count {
-            collisions.push((a, b));
-        } else if a < body_count {
+            if is_covering(a) == is_covering(b) {
+                collisions.push((a, b));
+            }
+        } else if a < body_count && !is_covering(a) {
             hits.push((&zones[b - body_count], a));
         }
     }

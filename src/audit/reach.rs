@@ -35,8 +35,7 @@ pub(crate) type Rates = Vec<(usize, f64)>;
 pub(crate) fn floor(subject: &Subject<'_>) -> Option<Floor> {
     let limit = subject.rules().walking.body_height;
     let has_bodies = subject.bodies.iter().any(|body| body.low() < limit);
-    let solids = subject.bodies.iter().flat_map(|body| &body.solids);
-    if has_bodies { floor_with(subject, solids) } else { None }
+    if has_bodies { floor_with(subject, subject.obstacles()) } else { None }
 }
 
 /// Judges the ways from every door to every other and to all furniture.

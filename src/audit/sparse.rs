@@ -66,6 +66,15 @@ mod tests {
     }
 
     #[test]
+    fn a_rug_does_not_fill_a_room() {
+        let mut room = room_of(22.0);
+        let rug = room.stand("chest", at(3.0, 3.0));
+        assert_eq!(room.audit(), []);
+        room.placements[rug].size.height = 0.012;
+        assert_eq!(room.audit()[0].code, Code::Sparse);
+    }
+
+    #[test]
     fn a_room_that_can_hold_nothing_of_its_programme_is_not_the_furnitures_fault() {
         let sparse = |width: f64| {
             let mut room = TestRoom::rectangle(8.0, width);

@@ -56,6 +56,11 @@ impl<'a> Subject<'a> {
         styles.get(&self.furnished.style).or_else(|| styles.get(DEFAULT_STYLE))
     }
 
+    /// The solid parts of all bodies that people walk around: not of rugs.
+    pub(crate) fn obstacles(&self) -> impl Iterator<Item = &Solid> {
+        self.bodies.iter().filter(|body| !body.placement.is_covering()).flat_map(|body| &body.solids)
+    }
+
     /// Whether `object` is `ancestor` or rests on it, directly or over others.
     pub(crate) fn descends_from(&self, object: usize, ancestor: usize) -> bool {
         let mut current = object;
@@ -102,9 +107,9 @@ impl<'a> Body<'a> {
             .map(|corner| self.place(corner))
     }
 
-    /// Whether it stands on the floor.
+    /// Whether it stands on the floor and takes some of it: rugs do not.
     pub(crate) fn is_standing(&self, rules: &AuditRules) -> bool {
-        self.low() <= rules.bodies.support_gap
+        self.low() <= rules.bodies.support_gap && !self.placement.is_covering()
     }
 
     /// Square metres of floor that it covers: its outline if it is of one piece, else its box.

@@ -49,6 +49,8 @@ pub struct Class {
     pub clearances: Vec<Clearance>,
     /// Wishes about other objects that are not its parent.
     pub relations: Vec<Relation>,
+    /// Under whom it lies on the floor, best first; empty for what is no rug.
+    pub covers: Vec<ClassIndex>,
     /// Regular intervals instead of random positions (section 3.3).
     pub grid: Option<Grid>,
     /// What is given up first when room is short: lower goes first.
@@ -65,6 +67,10 @@ pub struct Class {
     /// possible parent class. Agents are served in this order (section 3.2).
     pub depth: u32,
 }
+
+/// Metres of height up to which what lies on the floor is stood on and walked over like the floor itself: the highest
+/// threshold without a barrier (DIN 18040-2, 4.3.3.1).
+pub const COVERING_HEIGHT: f64 = 0.02;
 
 impl Class {
     /// A box made by a recipe in one look, of these sizes, that stands nowhere and offers nothing: where programs that
@@ -84,6 +90,7 @@ impl Class {
             sides: [SideOffer::NONE; 6],
             clearances: Vec::new(),
             relations: Vec::new(),
+            covers: Vec::new(),
             grid: None,
             priority: 0,
             eras: Vec::new(),

@@ -33,8 +33,8 @@ pub use audit::{
 pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{BuiltinFile, builtin_file, builtin_files};
 pub use class::{
-    Along, Class, ClassIndex, Clearance, Extent, Grid, ModelSource, Orientation, ParentName, ParentRule,
-    PrismRule, Relation, RelationKind, Shape, Side, SideOffer, Size, Turn,
+    Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, Extent, Grid, ModelSource, Orientation, ParentName,
+    ParentRule, PrismRule, Relation, RelationKind, Shape, Side, SideOffer, Size, Turn,
 };
 pub use describe::{Description, describe, style_differences};
 pub use light::{Light, LightSide};

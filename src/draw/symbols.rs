@@ -53,10 +53,12 @@ pub(crate) enum Symbol {
     Frame,
     /// A line across the middle.
     Net,
+    /// A border along the edges.
+    Rug,
 }
 
 /// The symbols of recipes; others are outlines only.
-const SYMBOLS: [(&str, Symbol); 50] = [
+const SYMBOLS: [(&str, Symbol); 51] = [
     ("armchair", Symbol::Sofa),
     ("auditorium_seat", Symbol::Chair),
     ("barber_chair", Symbol::Chair),
@@ -88,6 +90,7 @@ const SYMBOLS: [(&str, Symbol); 50] = [
     ("plant", Symbol::Plant),
     ("planter", Symbol::Plant),
     ("pool_table", Symbol::Frame),
+    ("rug", Symbol::Rug),
     ("server_rack", Symbol::Diagonal),
     ("shelf", Symbol::Shelf),
     ("shoe_cabinet", Symbol::Doors),
@@ -150,6 +153,7 @@ impl Symbol {
             Self::Lamp => "lamp",
             Self::Frame => "table or case",
             Self::Net => "two-sided piece",
+            Self::Rug => "rug",
         }
     }
 
@@ -170,6 +174,7 @@ impl Symbol {
             Self::Plant | Self::Lamp => (0.5, 0.5),
             Self::Frame => (1.6, 0.9),
             Self::Net => (1.5, 0.9),
+            Self::Rug => (1.7, 1.2),
         };
         Point::new(width, depth)
     }
@@ -195,6 +200,10 @@ pub(crate) fn strokes(symbol: Symbol, half: Point) -> Vec<Stroke> {
         Symbol::Plant => plant(half),
         Symbol::Lamp => cross(half.min_element() * 0.7),
         Symbol::Frame => vec![rectangle(-half * 0.85, half * 0.85)],
+        Symbol::Rug => {
+            let inner = half - Point::splat(half.min_element().min(0.08));
+            vec![rectangle(-inner, inner)]
+        }
         Symbol::Net => vec![line(Point::new(0.0, -half.y), Point::new(0.0, half.y))],
     }
 }
@@ -338,7 +347,8 @@ mod tests {
     use super::*;
     use crate::model::recipe_names;
 
-    const ALL: [Symbol; 18] = [
+    const ALL: [Symbol; 19] = [
+        Symbol::Rug,
         Symbol::Bed,
         Symbol::Sofa,
         Symbol::Chair,

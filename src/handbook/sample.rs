@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use rayon::prelude::*;
 
 use crate::best::{DEFAULT_EFFORT, furnish_best};
-use crate::catalog::{Catalog, Count, ParentName, RoomType};
+use crate::catalog::{Catalog, ClassIndex, Count, ParentName, RoomType};
 use crate::draw::{Drawing, draw_level};
 use crate::geometry::Point;
 use crate::layout::FurnishOptions;
@@ -176,7 +176,11 @@ fn openings(catalog: &Catalog, room_type: &RoomType, place: Place, size: Point) 
 
 /// Whether people sit there, other than in a hall that is filled with seats.
 fn has_window(catalog: &Catalog, room_type: &RoomType, place: Place) -> bool {
-    let is_filled = room_type.programme.iter().any(|request| matches!(request.count, Count::Fill(_)));
+    let is_seat = |&class: &ClassIndex| catalog.classes[class].groups.iter().any(|group| group == SEAT);
+    let is_filled = room_type
+        .programme
+        .iter()
+        .any(|request| matches!(request.count, Count::Fill(_)) && request.classes.iter().any(is_seat));
     place == Place::Room && !is_filled && holds(catalog, room_type, SEAT)
 }
 

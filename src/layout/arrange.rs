@@ -109,11 +109,11 @@ fn search_in_smaller_sizes(
     if is_smaller_better { smaller } else { drawn }
 }
 
-fn area(size: Size) -> f64 {
+pub(crate) fn area(size: Size) -> f64 {
     size.width * size.depth
 }
 
-fn take_size(environment: &mut Environment<'_>, agent: AgentIndex, variant: u32) {
+pub(crate) fn take_size(environment: &mut Environment<'_>, agent: AgentIndex, variant: u32) {
     environment.agents[agent].piece.variant = variant;
     environment.agents[agent].size = environment.class(agent).size(variant);
 }
@@ -142,7 +142,11 @@ fn search_in_sizes(
 }
 
 /// The variants of an agent's class in the look that was drawn, those of greatest extent first.
-fn sizes_by(environment: &Environment<'_>, agent: AgentIndex, extent: impl Fn(Size) -> f64) -> Vec<u32> {
+pub(crate) fn sizes_by(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    extent: impl Fn(Size) -> f64,
+) -> Vec<u32> {
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
     let has_look = |variant: &u32| variant % class.looks == piece.variant % class.looks;
     let mut variants: Vec<u32> = (0..class.variant_count()).filter(has_look).collect();
@@ -156,7 +160,9 @@ fn sizes_by(environment: &Environment<'_>, agent: AgentIndex, extent: impl Fn(Si
 /// was missed in earlier attempts; then by priority, the pieces that only fill last, large before small, then as the
 /// programme lists them.
 fn service_order(environment: &Environment<'_>) -> Vec<AgentIndex> {
-    let mut order: Vec<AgentIndex> = (0..environment.agents.len()).collect();
+    let is_laid_last = |&agent: &AgentIndex| !environment.class(agent).covers.is_empty();
+    let mut order: Vec<AgentIndex> =
+        (0..environment.agents.len()).filter(|agent| !is_laid_last(agent)).collect();
     let rank = |&agent: &AgentIndex| {
         let (class, size) = (environment.class(agent), environment.agents[agent].size);
         let square_millimetres = (size.width * size.depth * 1e6) as i64;

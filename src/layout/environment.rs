@@ -2,7 +2,7 @@
 
 use std::cell::{Cell, OnceCell, RefCell};
 
-use crate::catalog::{Access, Catalog, Class, ClassIndex, Shape, Side, Size};
+use crate::catalog::{Access, COVERING_HEIGHT, Catalog, Class, ClassIndex, Shape, Side, Size};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 
 mod clearances;
@@ -24,6 +24,9 @@ const ROOM: AgentIndex = AgentIndex::MAX;
 
 /// Classes of this group are built in and never off their place.
 const FIXED_GROUP: &str = "fixed";
+
+/// Classes of this group stand on the floor itself, not on rugs.
+const STORAGE_GROUP: &str = "storage";
 
 /// The room with its agents.
 pub(crate) struct Environment<'a> {
@@ -85,7 +88,7 @@ impl Border {
 struct Body {
     solid: Solid,
     owner: AgentIndex,
-    /// Hangs flat on a wall and is in nobody's way.
+    /// Hangs flat on a wall, where it is in nobody's way.
     is_flat: bool,
 }
 
@@ -238,6 +241,26 @@ impl<'a> Environment<'a> {
         }
     }
 
+    /// Whether the floor under a solid can be covered: inside the room, out of the way of doors, and with nobody on it
+    /// who does not stand on rugs: columns, what is built in, and storage, which stands on the floor itself.
+    pub(crate) fn can_be_covered(&self, solid: &Solid) -> bool {
+        let is_in_a_door =
+            |index: u32| self.surroundings.kept_free[index as usize].overlaps(solid, CONTACT_TOLERANCE);
+        let is_in_the_way = |index: u32| {
+            let body = &self.bodies[index as usize];
+            body.solid.overlaps(solid, CONTACT_TOLERANCE) && !self.stands_on_rugs(body.owner)
+        };
+        self.is_inside(solid)
+            && !self.kept_free_grid.any(solid.bounds, is_in_a_door)
+            && !self.body_grid.any(solid.bounds, is_in_the_way)
+    }
+
+    fn stands_on_rugs(&self, owner: AgentIndex) -> bool {
+        owner != ROOM
+            && !self.is_built_in(owner)
+            && !self.class(owner).groups.iter().any(|group| group == STORAGE_GROUP)
+    }
+
     /// Whether a solid lies inside the outline and outside the holes.
     pub(crate) fn is_inside(&self, solid: &Solid) -> bool {
         self.lies_inside(solid, CONTACT_TOLERANCE)
@@ -356,7 +379,8 @@ impl<'a> Environment<'a> {
         append_solids(&mut parts, &class.shape, size, &place.pose);
         let is_flat = is_flat(size, place);
         let first = self.bodies.len();
-        for solid in parts {
+        // What lies flat on the floor is in nobody's way.
+        for solid in parts.into_iter().filter(|_| !lies_flat(size, place)) {
             self.push_body(Body { solid, owner: agent, is_flat });
         }
         let first_clearance = self.clearances.len();
@@ -391,11 +415,18 @@ impl<'a> Environment<'a> {
     }
 }
 
-/// Whether something hangs flat on a wall or opening, where nobody walks into it.
+/// Whether something hangs flat on a wall or opening, where nobody walks into it, or lies flat on the floor.
 fn is_flat(size: Size, place: &Place) -> bool {
-    matches!(place.parent, ParentPart::Wall(_) | ParentPart::Opening(_))
+    let hangs_flat = matches!(place.parent, ParentPart::Wall(_) | ParentPart::Opening(_))
         && size.depth <= THIN_DEPTH
-        && place.pose.elevation >= HUNG_ELEVATION
+        && place.pose.elevation >= HUNG_ELEVATION;
+    hangs_flat || lies_flat(size, place)
+}
+
+/// Whether something lies on the floor so flat that others stand on it.
+fn lies_flat(size: Size, place: &Place) -> bool {
+    place.parent == ParentPart::Floor
+        && place.pose.elevation + size.height <= COVERING_HEIGHT + CONTACT_TOLERANCE
 }
 
 fn item(index: usize) -> u32 {

@@ -1,6 +1,7 @@
 //! The result of furnishing a room.
 
-use crate::catalog::{ClassIndex, Side, Size};
+use super::constants::CONTACT_TOLERANCE;
+use crate::catalog::{COVERING_HEIGHT, ClassIndex, Side, Size};
 use crate::geometry::Point;
 
 /// A furnished room.
@@ -41,6 +42,15 @@ pub struct Placement {
     pub variant: u32,
     /// Its size, that of the variant.
     pub size: Size,
+}
+
+impl Placement {
+    /// Whether it lies so flat on the floor that others stand on it and people walk over it, like a rug.
+    #[must_use]
+    pub fn is_covering(&self) -> bool {
+        let top = self.elevation + self.size.height;
+        self.parent == Parent::Floor && top <= COVERING_HEIGHT + CONTACT_TOLERANCE
+    }
 }
 
 /// A parent in the hierarchy.

@@ -16,6 +16,7 @@ mod arrange;
 mod body;
 mod choice;
 mod constants;
+mod covering;
 mod environment;
 mod explain;
 mod furnished;
@@ -193,7 +194,7 @@ struct Told<T> {
 }
 
 /// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness; after that,
-/// ways are cleared. Returns how many ways stay closed.
+/// ways are cleared and rugs laid. Returns how many ways stay closed.
 fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) -> usize {
     lock::settle_locked(environment);
     arrange::arrange(environment, key);
@@ -202,7 +203,9 @@ fn act_all(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &Roo
         arrange::arrange(environment, key);
     }
     let lacks_turn = environment.access == Access::Wheelchair && turning::lacks_turn(environment, key);
-    ways::clear_ways(environment, key) + usize::from(lacks_turn)
+    let closed_ways = ways::clear_ways(environment, key);
+    covering::lay(environment);
+    closed_ways + usize::from(lacks_turn)
 }
 
 /// Whom the next attempt should serve first: the required pieces that found no place, and those by which they would

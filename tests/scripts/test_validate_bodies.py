@@ -122,6 +122,14 @@ class TestCollisions:
             floor.find("desk.1@101")["translation"] = [x, 0.0, -1.8]
             assert self.faults(floor, tmp_path) == expected
 
+    def test_what_lies_as_flat_as_a_rug_is_floor(self, floor, tmp_path):
+        desk = floor.find("desk.1@101")
+        desk["translation"] = [3.0, 0.0, -1.8]
+        desk["scale"] = [1.0, 0.02, 1.0]
+        assert self.faults(floor, tmp_path) == []
+        desk["scale"] = [1.0, 0.05, 1.0]
+        assert self.faults(floor, tmp_path) != []
+
     def test_one_above_the_other_is_none(self, floor, tmp_path):
         floor.find("desk.1@101")["translation"] = [3.0, 1.2, -2.0]
         assert self.faults(floor, tmp_path) == []

@@ -40,6 +40,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
         }),
     );
     lines.add_all("wishes", class.relations.iter().map(|relation| show_relation(catalog, relation)));
+    lines.add("lies under", &class_names(catalog, &class.covers).join(", "));
     lines.add(
         "grid",
         &class.grid.map_or_else(String::new, |grid| {
@@ -173,6 +174,7 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "sides": value_of_sides(class),
         "clearances": class.clearances.iter().map(value_of_clearance).collect::<Vec<_>>(),
         "relations": relations,
+        "covers": class_names(catalog, &class.covers),
         "grid": class.grid.map(|grid| json!({
             "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered,
             "back_to_back": grid.is_back_to_back, "margin": grid.margin

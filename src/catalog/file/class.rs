@@ -57,6 +57,9 @@ pub(crate) struct ClassEntry {
     pub(crate) clearances: Option<OneOrMany<ClearanceEntry>>,
     /// Wishes about objects that are not its parent.
     pub(crate) relations: Option<OneOrMany<RelationEntry>>,
+    /// It lies on the floor under the first of these that stands in the room, and others stand on it: a rug. It is at most
+    /// 2 cm high, and laid when all others have their places.
+    pub(crate) covers: Option<OneOrMany<String>>,
     /// Regular intervals instead of random positions.
     pub(crate) grid: Option<GridEntry>,
     /// What is given up first when room is short: lower goes first; default 0.

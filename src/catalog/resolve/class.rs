@@ -12,7 +12,7 @@ use crate::catalog::file::ClassEntry;
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{Class, Era, Grid, Light};
+use crate::catalog::{COVERING_HEIGHT, Class, ClassIndex, Era, Grid, Light, Size};
 use crate::geometry::Point;
 
 /// From a glow to a floodlight.
@@ -61,6 +61,7 @@ fn resolve_class(
     let clearances = resolve_clearances(chain, report);
     let relations = resolve_relations(chain, names, report);
     let looks = resolve_looks(chain, report);
+    let covers = resolve_covers(chain, names, &sizes, report);
     let grid = resolve_grid(chain, report);
     let model = resolve_model(chain, files, report);
     let wealth = resolve_wealth(chain, report);
@@ -79,6 +80,7 @@ fn resolve_class(
         sides,
         clearances,
         relations,
+        covers,
         grid,
         priority: chain.find("priority", |entry| entry.priority.as_ref()).map_or(0, |found| *found.value),
         eras: resolve_eras(chain),
@@ -125,6 +127,23 @@ fn resolve_looks(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> u32 
         report.error_with_hint(&found.spot, "looks is 0", "every class has at least one look");
     }
     check_count("looks", *found.value, &found.spot, report).max(1)
+}
+
+/// Under whom it lies, in the order of the words.
+fn resolve_covers(
+    chain: &Chain<'_, ClassEntry>,
+    names: &Names<'_>,
+    sizes: &[Size],
+    report: &mut Report<'_>,
+) -> Vec<ClassIndex> {
+    let Some(found) = chain.find("covers", |entry| entry.covers.as_ref()) else { return Vec::new() };
+    if let Some(thick) = sizes.iter().find(|size| size.height > COVERING_HEIGHT) {
+        let message = format!("what is {} m high is no rug", thick.height);
+        let hint = format!("`covers` is for what is at most {COVERING_HEIGHT} m high");
+        report.error_with_hint(&found.spot, message, &hint);
+    }
+    let named = names.all_classes(found.value, &found.spot, report);
+    named.into_iter().flat_map(|named| named.classes).collect()
 }
 
 fn resolve_grid(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Option<Grid> {

@@ -1,0 +1,162 @@
+//! Rugs: what lies flat on the floor under other furniture.
+//!
+//! Not in the paper. They are laid when all others rest and are in nobody's way, so that a room is the same with and
+//! without them.
+
+use crate::catalog::{Access, Side, Size};
+use crate::geometry::{Point, Solid};
+
+use super::agent::{AgentIndex, ParentPart, Rest, State};
+use super::arrange::{area, sizes_by, take_size};
+use super::body::{Pose, box_solid};
+use super::constants::CONTACT_TOLERANCE;
+use super::environment::{Environment, Place};
+use super::furnished::RemovalReason;
+
+/// Metres by which a rug is wider than what stands on its middle, on either side.
+const OVERHANG: f64 = 0.25;
+/// Metres by which it sticks out before what is too deep to stand on it whole: feet step on it.
+const FOOT: f64 = 0.5;
+/// Metres by which it is moved, to either side and to and fro, where it does not lie free in the middle.
+const SHIFTS: [f64; 5] = [0.0, 0.1, -0.1, 0.2, -0.2];
+
+/// Lays all that covers the floor, in the order of the programme.
+pub(crate) fn lay(environment: &mut Environment<'_>) {
+    for agent in 0..environment.agents.len() {
+        let is_waiting = environment.agents[agent].state == State::Search;
+        if !is_waiting || environment.class(agent).covers.is_empty() {
+            continue;
+        }
+        match free_place(environment, agent) {
+            Some((variant, place)) => {
+                take_size(environment, agent, variant);
+                environment.settle(agent, &place);
+            }
+            None => environment.agents[agent].state = State::Removed(RemovalReason::NoPlace),
+        }
+    }
+}
+
+/// Under the first piece that it has room under, in the largest size that has; nowhere where wheels would catch in it.
+fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, Place)> {
+    if environment.access == Access::Wheelchair {
+        return None;
+    }
+    let class = environment.class(agent);
+    let sizes = sizes_by(environment, agent, area);
+    let anchors = class.covers.iter().flat_map(|&class| &environment.resting[class]);
+    anchors.into_iter().find_map(|&anchor| {
+        let (rest, under) = (environment.agents[anchor].rest()?, environment.agents[anchor].size);
+        sizes.iter().find_map(|&variant| {
+            let size = class.size(variant);
+            let pose = poses(rest, under, size).find(|pose| is_free(environment, &box_solid(size, pose)))?;
+            Some((variant, Place { pose, parent: ParentPart::Floor, side: Side::Above }))
+        })
+    })
+}
+
+/// Where a rug of a size may lie under a piece, best first: around its middle, or, under a bed, so far before it that feet
+/// step on the rug. None where the rug is too narrow.
+fn poses(rest: &Rest, under: Size, size: Size) -> impl Iterator<Item = Pose> {
+    let right = rest.pose.right;
+    let front = -right.perp();
+    let is_wide_enough = size.width >= under.width + 2.0 * OVERHANG;
+    let holds_whole = size.depth >= under.depth + 2.0 * OVERHANG;
+    let before = if holds_whole { 0.0 } else { under.depth / 2.0 + FOOT - size.depth / 2.0 };
+    let middle = rest.pose.position + front * before;
+    let shifts = SHIFTS.into_iter().flat_map(|along| SHIFTS.map(|across| Point::new(across, along)));
+    let angle = rest.pose.angle;
+    shifts
+        .filter(move |_| is_wide_enough)
+        .map(move |shift| Pose::new(middle + right * shift.x + front * shift.y, 0.0, angle))
+}
+
+/// Whether a rug can lie there: two never lie on each other.
+fn is_free(environment: &Environment<'_>, whole: &Solid) -> bool {
+    let is_rug = |agent: &AgentIndex| !environment.class(*agent).covers.is_empty();
+    let mut rugs = (0..environment.agents.len()).filter(is_rug).filter_map(|agent| {
+        let rest = environment.agents[agent].rest()?;
+        Some(box_solid(environment.agents[agent].size, &rest.pose))
+    });
+    environment.can_be_covered(whole) && !rugs.any(|rug| rug.overlaps(whole, CONTACT_TOLERANCE))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::{Catalog, load_catalog};
+    use crate::layout::tests::{WIDE, level, run};
+    use crate::layout::{Furnished, Parent, Placement};
+
+    const TABLE: Size = Size { width: 1.1, depth: 0.6, height: 0.4 };
+    const BED: Size = Size { width: 1.6, depth: 2.1, height: 0.5 };
+    const RUG: Size = Size { width: 2.4, depth: 1.7, height: 0.012 };
+
+    fn best(under: Size, rug: Size) -> Option<Point> {
+        let rest = Rest {
+            pose: Pose::new(Point::ZERO, 0.0, 0.0),
+            parent: ParentPart::Floor,
+            side: Side::Above,
+            extent: 0.0,
+        };
+        poses(&rest, under, rug).next().map(|pose| pose.position)
+    }
+
+    #[test]
+    fn a_rug_lies_around_a_table_and_before_a_bed_that_it_is_wide_enough_for() {
+        assert_eq!(best(TABLE, RUG), Some(Point::ZERO));
+        // The front is to the south, where feet step on half a metre of it.
+        let middle = best(BED, RUG).unwrap();
+        assert!((middle.y - RUG.depth / 2.0 + BED.depth / 2.0 + FOOT).abs() < 1e-12);
+        assert_eq!(best(BED, Size { width: 2.0, ..RUG }), None);
+    }
+
+    fn living_rooms(catalog: &Catalog) -> Vec<Furnished> {
+        let mut level = level(WIDE);
+        level.rooms[0].room_type = "living_room".to_owned();
+        (0..20).map(|seed| run(&level, catalog, seed)).collect()
+    }
+
+    #[test]
+    fn a_living_room_is_the_same_with_and_without_its_rug_which_lies_under_no_cupboard() {
+        let with = load_catalog(&[]).unwrap().value;
+        let rug = with.class_index("rug").unwrap();
+        let mut without = with.clone();
+        let programme = &mut without.room_types.get_mut("living_room").unwrap().programme;
+        programme.retain(|request| request.classes != [rug]);
+        let is_rug = |placement: &&Placement| placement.class == rug;
+        let mut count = 0;
+        for (with_rug, bare) in living_rooms(&with).iter().zip(living_rooms(&without)) {
+            let all = &with_rug.placements;
+            let others: Vec<_> = all.iter().filter(|placement| !is_rug(placement)).cloned().collect();
+            assert_eq!(others.len(), bare.placements.len());
+            let place =
+                |placement: &Placement| (placement.class, placement.position.to_array().map(f64::to_bits));
+            assert!(others.iter().map(place).eq(bare.placements.iter().map(place)));
+            for laid in all.iter().filter(is_rug) {
+                count += 1;
+                let floor = |placement: &Placement| {
+                    box_solid(placement.size, &Pose::new(placement.position, 0.0, placement.angle))
+                };
+                let is_storage = |placement: &&Placement| {
+                    with.classes[placement.class].groups.iter().any(|group| group == "storage")
+                };
+                let standing = all
+                    .iter()
+                    .filter(|placement| placement.parent != Parent::Ceiling && placement.elevation < 0.1);
+                assert!(laid.is_covering());
+                assert!(!standing.filter(is_storage).any(|other| floor(other).overlaps(&floor(laid), 1e-3)));
+            }
+        }
+        assert!(count > 8, "{count} of 20 rooms have one");
+    }
+
+    #[test]
+    fn nobody_in_a_wheelchair_gets_a_rug() {
+        let mut catalog = load_catalog(&[]).unwrap().value;
+        let rug = catalog.class_index("rug").unwrap();
+        catalog.styles.values_mut().for_each(|style| style.access = Access::Wheelchair);
+        let rooms = living_rooms(&catalog);
+        assert!(rooms.iter().flat_map(|room| &room.placements).all(|placement| placement.class != rug));
+    }
+}
