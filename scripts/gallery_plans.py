@@ -113,7 +113,8 @@ def _openings(catalog: Catalog, room_type: dict, extent: tuple[float, float], is
     openings = [door | {"edge": 0, "at": min(0.35 + leaf / 2, width / 2)}]
     if catalog.holds(room_type, "vehicle"):
         openings.append({"kind": "sliding_door", "room": "room", "edge": 1, "width": 2.5, "head": 2.2})
-    is_filled = any("fill" in str(request["count"]) for request in room_type["programme"])
+    is_filled = any("fill" in str(request["count"]) and catalog.holds({"programme": [request]}, "seat")
+                    for request in room_type["programme"])
     if not is_outdoors and not is_filled and catalog.holds(room_type, "seat", "bed"):
         openings.append({"kind": "window", "room": "room", "edge": 2, "width": round(width * 0.45, 2), "sill": 0.9,
                          "head": 2.2})

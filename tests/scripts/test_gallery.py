@@ -38,6 +38,14 @@ def test_each_room_has_the_openings_that_it_needs(catalog):
     assert openings(catalog, "garage") == (["door", "sliding_door"], False)
 
 
+def test_a_hall_that_is_filled_with_seats_has_no_window_and_a_den_with_a_rug_has(catalog):
+    den = catalog.room_types["den"]
+    den["programme"].append({"class": ["rug"], "count": {"fill": 1}})
+    assert openings(catalog, "den")[0] == ["door", "window"]
+    den["programme"].append({"class": ["chair"], "count": {"fill": 500}})
+    assert openings(catalog, "den")[0] == ["door"]
+
+
 def test_rooms_are_of_usual_areas_and_large_ones_are_kept_small(catalog):
     width, depth = gallery_plans.size(catalog.room_types["den"], False)
     assert width * depth == pytest.approx(20.0, rel=0.02) and width > depth
