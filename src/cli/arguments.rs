@@ -359,7 +359,7 @@ pub(crate) struct ExplainArguments {
     /// A plan, project or folder of plans.
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
-    /// Id or name of the room.
+    /// The room: [BUILDING/][LEVEL/]ROOM, or its name.
     #[arg(value_name = "ROOM")]
     pub(crate) room: String,
     /// Building of the room, where several have one of that id.

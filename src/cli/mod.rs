@@ -11,6 +11,7 @@ mod edits;
 mod exit;
 mod explain;
 mod files;
+mod find_room;
 mod import;
 mod merge;
 mod progress;

@@ -152,7 +152,7 @@ fn a_room_is_explained_as_text_and_as_json() {
     let objects = report["objects"].as_array().unwrap();
     assert_eq!(objects.len() as u64, report["placed"].as_u64().unwrap());
     assert!(objects.len() > 3 && objects.iter().all(|object| object["search"]["places"].as_u64() > Some(0)));
-    let text = world.must(&["explain", "a.yaml", "study", "--level", "2"]).stdout;
+    let text = world.must(&["explain", "a.yaml", "2/study"]).stdout;
     for object in objects {
         let id = object["id"].as_str().unwrap();
         assert!(text.lines().any(|line| line.starts_with(&format!("{id}  "))), "{id}");
@@ -166,7 +166,7 @@ fn an_unknown_or_ambiguous_room_is_a_fault_with_a_hint() {
     world.write("a.yaml", plan("alpha", 2));
     for (arguments, hint) in [
         (&["explain", "a.yaml", "stdy", "--level", "2"][..], "did you mean \"study\"?"),
-        (&["explain", "a.yaml", "study"], "alpha/1, alpha/2"),
+        (&["explain", "a.yaml", "study"], "alpha/1/study, alpha/2/study"),
         (&["explain", "a.yaml", "study", "--level", "3"], "possible here: 1, 2"),
         (&["explain", "a.yaml", "study", "--building", "alfa"], "did you mean \"alpha\"?"),
     ] {

@@ -3,19 +3,16 @@
 mod report;
 mod text;
 
-use std::path::Path;
-
 use super::arguments::{ExplainArguments, SourceArguments};
 use super::bake::DEFAULT_SEED;
 use super::exit::Outcome;
+use super::find_room::{Found, Wanted, find_room};
 use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
 use crate::audit::Finding;
 use crate::best::furnish_best;
-use crate::document::{Fault, Faults, did_you_mean};
 use crate::edits::RoomEdits;
 use crate::layout::{Explanation, FurnishOptions, Furnished, explain_alternative};
-use crate::plan::{Level, PlacedBuilding, Room};
 
 /// A room in its building, and all that is to be said about it.
 struct Subject<'a> {
@@ -31,21 +28,6 @@ struct Subject<'a> {
     edited: Vec<String>,
 }
 
-/// Where a room is.
-#[derive(Clone, Copy)]
-struct Found<'a> {
-    placed: &'a PlacedBuilding,
-    level: &'a Level,
-    /// Index in the level.
-    room: usize,
-}
-
-impl<'a> Found<'a> {
-    fn room(&self) -> &'a Room {
-        &self.level.rooms[self.room]
-    }
-}
-
 /// Runs the command.
 pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
     let ExplainArguments { plan, catalog, edits, .. } = arguments.clone();
@@ -53,7 +35,12 @@ pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
     let told = read_sources(&sources).and_then(|sources| {
         screen.faults(&sources.faults);
         let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
-        let found = find(arguments, &sources)?;
+        let wanted = Wanted {
+            room: &arguments.room,
+            building: arguments.building.as_deref(),
+            level: arguments.level.as_deref(),
+        };
+        let found = find_room(&sources.plan.buildings, wanted)?;
         let subject = subject(arguments, &sources, found, style.as_deref());
         if screen.is_json {
             screen.json(&report::report(&subject));
@@ -93,66 +80,5 @@ fn subject<'a>(
         findings: best.verdict.findings,
         explanation,
         edited: edits.map(RoomEdits::later_edits).unwrap_or_default(),
-    }
-}
-
-/// The one room of that id, or, if there is none, of that name.
-fn find<'a>(arguments: &ExplainArguments, sources: &'a Sources) -> Result<Found<'a>, Faults> {
-    let buildings = &sources.plan.buildings;
-    let is_wanted = |wanted: &Option<String>, id: &str| wanted.as_ref().is_none_or(|wanted| wanted == id);
-    let in_buildings: Vec<&PlacedBuilding> =
-        buildings.iter().filter(|placed| is_wanted(&arguments.building, &placed.id)).collect();
-    if let (Some(id), true) = (&arguments.building, in_buildings.is_empty()) {
-        return Err(unknown("building", id, buildings.iter().map(|placed| placed.id.as_str()).collect()));
-    }
-    let levels: Vec<(&PlacedBuilding, &Level)> = in_buildings
-        .iter()
-        .flat_map(|placed| placed.building.levels.iter().map(|level| (*placed, level)))
-        .collect();
-    let in_levels: Vec<(&PlacedBuilding, &Level)> =
-        levels.iter().filter(|(_, level)| is_wanted(&arguments.level, &level.id)).copied().collect();
-    if let (Some(id), true) = (&arguments.level, in_levels.is_empty()) {
-        return Err(unknown("level", id, levels.iter().map(|(_, level)| level.id.as_str()).collect()));
-    }
-    let all: Vec<Found<'a>> = in_levels
-        .iter()
-        .flat_map(|&(placed, level)| (0..level.rooms.len()).map(move |room| Found { placed, level, room }))
-        .collect();
-    choose(&arguments.room, &all)
-}
-
-fn choose<'a>(wanted: &str, all: &[Found<'a>]) -> Result<Found<'a>, Faults> {
-    let of = |is_it: &dyn Fn(&Room) -> bool| -> Vec<Found<'a>> {
-        all.iter().filter(|found| is_it(found.room())).copied().collect()
-    };
-    let mut found = of(&|room| room.id == wanted);
-    if found.is_empty() {
-        found = of(&|room| room.name.as_deref() == Some(wanted));
-    }
-    match found.as_slice() {
-        [found] => Ok(*found),
-        [] => {
-            let words = all.iter().flat_map(|found| {
-                let room = found.room();
-                [Some(room.id.as_str()), room.name.as_deref()].into_iter().flatten()
-            });
-            Err(unknown("room", wanted, words.collect()))
-        }
-        several => {
-            let message = format!("{} rooms are called \"{wanted}\"", several.len());
-            let places: Vec<String> =
-                several.iter().map(|found| format!("{}/{}", found.placed.id, found.level.id)).collect();
-            let hint = format!("choose with --building and --level: {}", places.join(", "));
-            Err(Fault::of_file(Path::new("ROOM"), message).with_hint(hint).into())
-        }
-    }
-}
-
-fn unknown(what: &str, id: &str, known: Vec<&str>) -> Faults {
-    let place = if what == "room" { "ROOM".to_owned() } else { format!("--{what}") };
-    let fault = Fault::of_file(Path::new(&place), format!("no {what} \"{id}\""));
-    match did_you_mean(id, known) {
-        Some(hint) => fault.with_hint(hint).into(),
-        None => fault.into(),
     }
 }
