@@ -4,11 +4,17 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::light::Light;
+use super::shape::Shape;
 use super::style::Era;
+use super::variety::Variety;
 use crate::geometry::Point;
 
 /// Index of a class in [`crate::catalog::Catalog::classes`].
 pub type ClassIndex = usize;
+
+/// Metres of height up to which what lies on the floor is stood on and walked over like the floor itself: the highest
+/// threshold without a barrier (DIN 18040-2, 4.3.3.1).
+pub const COVERING_HEIGHT: f64 = 0.02;
 
 /// One class of furniture, all inheritance resolved.
 ///
@@ -36,9 +42,8 @@ pub struct Class {
     pub usual_sizes: usize,
     /// How many looks of each size the model recipe makes; at least one.
     pub looks: u32,
-    /// Whether each piece draws its look and size for itself; else those of a room are of one size, and those of a
-    /// [`Share`](super::Share) of one look.
-    pub is_varied: bool,
+    /// How much pieces that are furnished together differ.
+    pub variety: Variety,
     /// The solid parts of its box.
     pub shape: Shape,
     /// Where it may stand, best first.
@@ -68,10 +73,6 @@ pub struct Class {
     pub depth: u32,
 }
 
-/// Metres of height up to which what lies on the floor is stood on and walked over like the floor itself: the highest
-/// threshold without a barrier (DIN 18040-2, 4.3.3.1).
-pub const COVERING_HEIGHT: f64 = 0.02;
-
 impl Class {
     /// A box made by a recipe in one look, of these sizes, that stands nowhere and offers nothing: where programs that
     /// put catalogues together themselves begin.
@@ -84,7 +85,7 @@ impl Class {
             usual_sizes: sizes.len(),
             sizes,
             looks: 1,
-            is_varied: false,
+            variety: Variety::None,
             shape: Shape::Box,
             parents: Vec::new(),
             sides: [SideOffer::NONE; 6],
@@ -99,6 +100,30 @@ impl Class {
             model: ModelSource::Recipe { name: recipe.to_owned(), parameters: Vec::new() },
             depth: 0,
         }
+    }
+
+    /// Number of variants: sizes times looks.
+    #[must_use]
+    pub fn variant_count(&self) -> u32 {
+        u32::try_from(self.sizes.len()).expect("a class lists a handful of sizes") * self.looks
+    }
+
+    /// Number of variants that a room asks for: the usual sizes times looks.
+    #[must_use]
+    pub fn usual_variant_count(&self) -> u32 {
+        u32::try_from(self.usual_sizes).expect("a class lists a handful of sizes") * self.looks
+    }
+
+    /// The size of a variant; variant = index of the size × looks + look.
+    #[must_use]
+    pub fn size(&self, variant: u32) -> Size {
+        self.sizes[(variant / self.looks) as usize]
+    }
+
+    /// What a side offers.
+    #[must_use]
+    pub fn offer(&self, side: Side) -> &SideOffer {
+        &self.sides[side.index()]
     }
 }
 
@@ -159,50 +184,6 @@ impl Side {
     pub fn name(self) -> &'static str {
         ["front", "back", "left", "right", "above", "below"][self.index()]
     }
-}
-
-/// The solid parts of a class inside its box. Fractions scale with the size, metres do not.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
-    /// The whole box.
-    Box,
-    /// An upright cylinder (an ellipse where width and depth differ).
-    Disc,
-    /// Several convex prisms: a table top and its legs, the two arms of an L.
-    Prisms(Vec<PrismRule>),
-}
-
-impl Shape {
-    /// Whether what stands on its top stands on a disc and not on a rectangle.
-    #[must_use]
-    pub fn is_round_on_top(&self) -> bool {
-        let reaches_top = |part: &&PrismRule| part.high[2].share >= 1.0 && part.high[2].offset >= 0.0;
-        match self {
-            Self::Box => false,
-            Self::Disc => true,
-            Self::Prisms(parts) => parts.iter().filter(reaches_top).all(|part| part.is_disc),
-        }
-    }
-}
-
-/// A box-shaped or disc-shaped part of a [`Shape`], given by its faces.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PrismRule {
-    /// Whether the part is round.
-    pub is_disc: bool,
-    /// Left, front, underside.
-    pub low: [Extent; 3],
-    /// Right, back, top.
-    pub high: [Extent; 3],
-}
-
-/// A coordinate inside a box: `share × length + offset`, from the low end of that axis (left, front, below).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent {
-    /// Share of the box's length along the axis, 0 to 1.
-    pub share: f64,
-    /// Metres added.
-    pub offset: f64,
 }
 
 /// One way to stand somewhere.
@@ -410,30 +391,4 @@ pub enum ModelSource {
         /// Radians by which the file's model is turned so that its front faces +Z.
         turn: f64,
     },
-}
-
-impl Class {
-    /// Number of variants: sizes times looks.
-    #[must_use]
-    pub fn variant_count(&self) -> u32 {
-        u32::try_from(self.sizes.len()).expect("a class lists a handful of sizes") * self.looks
-    }
-
-    /// Number of variants that a room asks for: the usual sizes times looks.
-    #[must_use]
-    pub fn usual_variant_count(&self) -> u32 {
-        u32::try_from(self.usual_sizes).expect("a class lists a handful of sizes") * self.looks
-    }
-
-    /// The size of a variant; variant = index of the size × looks + look.
-    #[must_use]
-    pub fn size(&self, variant: u32) -> Size {
-        self.sizes[(variant / self.looks) as usize]
-    }
-
-    /// What a side offers.
-    #[must_use]
-    pub fn offer(&self, side: Side) -> &SideOffer {
-        &self.sides[side.index()]
-    }
 }

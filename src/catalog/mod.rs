@@ -18,10 +18,12 @@ mod palette;
 mod read;
 mod report;
 mod resolve;
+mod shape;
 mod style;
 mod table;
 #[cfg(test)]
 mod tests;
+mod variety;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -33,15 +35,17 @@ pub use audit::{
 pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{BuiltinFile, builtin_file, builtin_files};
 pub use class::{
-    Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, Extent, Grid, ModelSource, Orientation, ParentName,
-    ParentRule, PrismRule, Relation, RelationKind, Shape, Side, SideOffer, Size, Turn,
+    Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, Grid, ModelSource, Orientation, ParentName,
+    ParentRule, Relation, RelationKind, Side, SideOffer, Size, Turn,
 };
 pub use describe::{Description, describe, style_differences};
 pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub use palette::{MATERIAL_SLOTS, Material, Palette};
 pub(crate) use resolve::srgb_linear;
+pub use shape::{Extent, PrismRule, Shape};
 pub use style::{Access, Count, Dado, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
+pub use variety::{SHAPES, Variety};
 
 use crate::plan::RoomWords;
 

@@ -65,14 +65,14 @@ pub(crate) fn find_room<'a>(
     let of_building =
         |placed: &'a PlacedBuilding| placed.building.levels.iter().map(move |level| (placed, level));
     let levels: Vec<(&PlacedBuilding, &Level)> = in_buildings.into_iter().flat_map(of_building).collect();
-    let in_levels = levels.iter().filter(|(_, level)| is_wanted(wanted.level, &level.id));
+    let in_levels: Vec<_> = levels.iter().filter(|(_, level)| is_wanted(wanted.level, &level.id)).collect();
+    if let (Some(id), true) = (wanted.level, in_levels.is_empty()) {
+        return Err(unknown("level", id, levels.iter().map(|(_, level)| level.id.clone()).collect()));
+    }
     let of_level = |&(placed, level): &(&'a PlacedBuilding, &'a Level)| {
         (0..level.rooms.len()).map(move |room| Found { placed, level, room })
     };
-    let all: Vec<Found<'a>> = in_levels.flat_map(of_level).collect();
-    if let (Some(id), true) = (wanted.level, all.is_empty()) {
-        return Err(unknown("level", id, levels.iter().map(|(_, level)| level.id.clone()).collect()));
-    }
+    let all: Vec<Found<'a>> = in_levels.into_iter().flat_map(of_level).collect();
     choose(wanted.room, &all)
 }
 

@@ -2,31 +2,31 @@
 
 use std::cell::{Cell, OnceCell, RefCell};
 
-use crate::catalog::{Access, COVERING_HEIGHT, Catalog, Class, ClassIndex, Shape, Side, Size};
+use crate::catalog::{Access, Catalog, Class, ClassIndex, Shape, Side, Size};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 
 mod clearances;
+mod covering;
 mod hanging;
+mod near;
 mod obstacles;
 
 use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
 use super::body::{Pose, append_solids, box_solid, clearance_solid};
-use super::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, HUNG_ELEVATION, THIN_DEPTH};
+use super::constants::{CONTACT_TOLERANCE, HUNG_ELEVATION, THIN_DEPTH};
 use super::furnished::RemovalReason;
 use super::lock::Lock;
 use super::programme::Piece;
 use super::suggestion::Suggestion;
 use super::surroundings::Surroundings;
 use super::trace::Trace;
+use covering::lies_flat;
 
 /// Owner of what belongs to the room and not to an agent.
 const ROOM: AgentIndex = AgentIndex::MAX;
 
 /// Classes of this group are built in and never off their place.
 const FIXED_GROUP: &str = "fixed";
-
-/// Classes of this group stand on the floor itself, not on rugs.
-const STORAGE_GROUP: &str = "storage";
 
 /// The room with its agents.
 pub(crate) struct Environment<'a> {
@@ -241,26 +241,6 @@ impl<'a> Environment<'a> {
         }
     }
 
-    /// Whether the floor under a solid can be covered: inside the room, out of the way of doors, and with nobody on it
-    /// who does not stand on rugs: columns, what is built in, and storage, which stands on the floor itself.
-    pub(crate) fn can_be_covered(&self, solid: &Solid) -> bool {
-        let is_in_a_door =
-            |index: u32| self.surroundings.kept_free[index as usize].overlaps(solid, CONTACT_TOLERANCE);
-        let is_in_the_way = |index: u32| {
-            let body = &self.bodies[index as usize];
-            body.solid.overlaps(solid, CONTACT_TOLERANCE) && !self.stands_on_rugs(body.owner)
-        };
-        self.is_inside(solid)
-            && !self.kept_free_grid.any(solid.bounds, is_in_a_door)
-            && !self.body_grid.any(solid.bounds, is_in_the_way)
-    }
-
-    fn stands_on_rugs(&self, owner: AgentIndex) -> bool {
-        owner != ROOM
-            && !self.is_built_in(owner)
-            && !self.class(owner).groups.iter().any(|group| group == STORAGE_GROUP)
-    }
-
     /// Whether a solid lies inside the outline and outside the holes.
     pub(crate) fn is_inside(&self, solid: &Solid) -> bool {
         self.lies_inside(solid, CONTACT_TOLERANCE)
@@ -290,52 +270,10 @@ impl<'a> Environment<'a> {
         })
     }
 
-    /// Calls `visit` with every body that meets a region, relatives of nobody excepted.
-    pub(crate) fn each_obstacle(&self, region: &Solid, mut visit: impl FnMut(&Solid, bool)) {
-        self.body_grid.each(region.bounds, |index| {
-            let body = &self.bodies[index as usize];
-            if body.solid.overlaps(region, CONTACT_TOLERANCE) {
-                visit(&body.solid, body.is_flat);
-            }
-        });
-    }
-
-    /// Calls `visit` with every door's way and clearance that meets a region.
-    pub(crate) fn each_kept_free(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
-        self.kept_free_grid.each(region.bounds, |index| {
-            let solid = &self.surroundings.kept_free[index as usize];
-            if solid.overlaps(region, CONTACT_TOLERANCE) {
-                visit(solid);
-            }
-        });
-        self.clearance_grid.each(region.bounds, |index| {
-            let solid = &self.clearances[index as usize].solid;
-            if solid.overlaps(region, CLEARANCE_TOLERANCE) {
-                visit(solid);
-            }
-        });
-    }
-
-    /// Calls `visit` with every border of the room near a region.
-    pub(crate) fn each_border(&self, region: &Solid, mut visit: impl FnMut(&Border)) {
-        self.border_grid.each(region.bounds, |index| visit(&self.borders[index as usize]));
-    }
-
     /// The solid parts of all resting agents.
     pub(crate) fn solids(&self) -> impl Iterator<Item = &Solid> {
         let resting = self.agents.iter().filter(|agent| agent.rest().is_some());
         resting.flat_map(|agent| &self.bodies[agent.bodies.clone()]).map(|body| &body.solid)
-    }
-
-    /// Calls `visit` with every part of a resting agent near a place, and its owner.
-    pub(crate) fn each_part_near(&self, place: Point, reach: f64, mut visit: impl FnMut(AgentIndex, &Solid)) {
-        let around = (place - Point::splat(reach), place + Point::splat(reach));
-        self.body_grid.each(around, |index| {
-            let body = &self.bodies[index as usize];
-            if body.owner != ROOM {
-                visit(body.owner, &body.solid);
-            }
-        });
     }
 
     /// Lets an agent rest at a place.
@@ -421,12 +359,6 @@ fn is_flat(size: Size, place: &Place) -> bool {
         && size.depth <= THIN_DEPTH
         && place.pose.elevation >= HUNG_ELEVATION;
     hangs_flat || lies_flat(size, place)
-}
-
-/// Whether something lies on the floor so flat that others stand on it.
-fn lies_flat(size: Size, place: &Place) -> bool {
-    place.parent == ParentPart::Floor
-        && place.pose.elevation + size.height <= COVERING_HEIGHT + CONTACT_TOLERANCE
 }
 
 fn item(index: usize) -> u32 {

@@ -1,9 +1,10 @@
 //! Which variant each piece of a room is: what is furnished together looks alike.
 //!
 //! Departs from the paper, where every agent draws its own (section 3.4): the chairs of a table are of one kind, and so are
-//! the beds of a hotel. Classes that are `varied`, such as plants and books, do as the paper says.
+//! the beds of a hotel, and bookcases differ in their books alone. Classes of full variety, such as plants and books, do as
+//! the paper says.
 
-use crate::catalog::Class;
+use crate::catalog::{Class, SHAPES, Variety};
 
 use super::seed::{Purpose, RoomKey, shared_draw};
 
@@ -20,14 +21,23 @@ pub(crate) struct Variants<'a> {
 impl Variants<'_> {
     /// The variant of the piece of this number: in one of the sizes that rooms ask for.
     pub(crate) fn draw(&self, class: &Class, number: u32) -> u32 {
-        if class.is_varied {
-            let last = class.usual_variant_count() - 1;
-            return self.key.stream(Purpose::Variant, &class.id, number).count(0, last);
+        let size = self.key.stream(Purpose::Variant, &class.id, 0).below(class.usual_sizes) as u32;
+        let own = || self.key.stream(Purpose::Variant, &class.id, number);
+        match class.variety {
+            Variety::None => size * class.looks + self.shared(class, class.looks),
+            Variety::Details => {
+                let shape = self.shared(class, SHAPES.min(class.looks));
+                let fillings = (class.looks - shape).div_ceil(SHAPES);
+                size * class.looks + shape + SHAPES * own().count(0, fillings - 1)
+            }
+            Variety::Full => own().count(0, class.usual_variant_count() - 1),
         }
-        let size = self.key.stream(Purpose::Variant, &class.id, 0).below(class.usual_sizes);
+    }
+
+    /// One of `count`, the same for all that are furnished together.
+    fn shared(&self, class: &Class, count: u32) -> u32 {
         let names = self.series.iter().map(String::as_str).chain(["look of", &class.id]);
-        let look = shared_draw(self.seed, names) * f64::from(class.looks);
-        size as u32 * class.looks + look as u32
+        (shared_draw(self.seed, names) * f64::from(count)) as u32
     }
 }
 
@@ -39,10 +49,10 @@ mod tests {
     use crate::catalog::Size;
     use crate::layout::tests::level;
 
-    fn class(is_varied: bool) -> Class {
+    fn class(variety: Variety) -> Class {
         let size = |width| Size { width, depth: 0.5, height: 0.5 };
         let mut class = Class::plain("chair", vec![size(0.4), size(0.5), size(0.6)], "box");
-        (class.looks, class.usual_sizes, class.is_varied) = (4, 2, is_varied);
+        (class.looks, class.usual_sizes, class.variety) = (4, 2, variety);
         class
     }
 
@@ -57,7 +67,7 @@ mod tests {
 
     #[test]
     fn chairs_of_a_room_are_alike_and_those_of_a_flat_of_one_look() {
-        let class = class(false);
+        let class = class(Variety::None);
         for flat in ["a", "b", "c"] {
             let rooms: Vec<Vec<u32>> = (0..20).map(|room| variants(&class, 1, flat, room)).collect();
             assert!(rooms.iter().all(|room| room.iter().all(|&variant| variant == room[0])));
@@ -69,15 +79,35 @@ mod tests {
 
     #[test]
     fn all_looks_are_drawn_by_one_flat_or_another_and_by_one_seed_or_another() {
-        let class = class(false);
+        let class = class(Variety::None);
         let look = |seed, flat: u32| variants(&class, seed, &flat.to_string(), 0)[0] % class.looks;
         assert_eq!((0..40).map(|flat| look(1, flat)).collect::<BTreeSet<_>>().len(), 4);
         assert_eq!((0..40).map(|seed| look(seed, 1)).collect::<BTreeSet<_>>().len(), 4);
     }
 
     #[test]
+    fn what_varies_in_details_is_of_one_shape_and_size_and_filled_in_all_ways() {
+        let mut class = class(Variety::Details);
+        for (looks, fillings) in [(12, [3, 3, 3, 3]), (6, [2, 2, 1, 1])] {
+            class.looks = looks;
+            let mut shapes = BTreeSet::new();
+            for flat in 0..30 {
+                let drawn: BTreeSet<u32> = variants(&class, 1, &flat.to_string(), 0).into_iter().collect();
+                let sizes: BTreeSet<u32> = drawn.iter().map(|variant| variant / looks).collect();
+                let of_flat: BTreeSet<u32> = drawn.iter().map(|variant| variant % looks % SHAPES).collect();
+                assert_eq!((sizes.len(), of_flat.len()), (1, 1), "{drawn:?}");
+                let shape = *of_flat.first().unwrap();
+                assert!(drawn.len() <= fillings[shape as usize], "{drawn:?}");
+                shapes.insert((shape, drawn.len()));
+            }
+            let all = fillings.iter().enumerate().map(|(shape, &count)| (shape as u32, count));
+            assert!(all.into_iter().all(|filled| shapes.contains(&filled)), "{shapes:?}");
+        }
+    }
+
+    #[test]
     fn varied_pieces_differ_within_a_room() {
-        let drawn: BTreeSet<u32> = variants(&class(true), 1, "a", 0).into_iter().collect();
+        let drawn: BTreeSet<u32> = variants(&class(Variety::Full), 1, "a", 0).into_iter().collect();
         assert!(drawn.len() > 4, "{drawn:?}");
         assert!(drawn.iter().all(|&variant| variant < 8), "in usual sizes only");
     }

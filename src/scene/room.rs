@@ -40,6 +40,7 @@ fn furniture<'a>(
 ) -> Vec<Node> {
     let placements = &furnished.placements;
     let mut nodes: Vec<Option<Node>> = Vec::with_capacity(placements.len());
+    let mut tints = Vec::with_capacity(placements.len());
     for placement in placements {
         let id = names::object(input.catalog, placement);
         let parent = match placement.parent {
@@ -48,7 +49,8 @@ fn furniture<'a>(
         };
         let name = names::owned(&id, room);
         let extras = furniture_extras(input, furnished, placement, id);
-        let tint = tint_of(furnished, &extras);
+        let tint = tint_of(furnished, placement, &extras, &tints);
+        tints.push(tint);
         let mesh = meshes.furniture(placement.class, placement.variant, look, tint);
         let mut node = Node::at(name, &pose(placement).relative_to(&parent), Some(mesh), extras);
         node.children.extend(light_of(input, placement, room, meshes));
@@ -80,9 +82,13 @@ fn light_of(
     Some(light_node(&light, placement.size, (&id, room), meshes.light(&light)))
 }
 
-fn tint_of(furnished: &Furnished, extras: &Extras) -> Tint {
-    match extras {
-        Extras::Furniture { class, parent, .. } => Tint::of_set(furnished.seed, class, parent),
+/// What stands beside one of its own class goes on with it: a row of bookcases has one tint.
+fn tint_of(furnished: &Furnished, placement: &Placement, extras: &Extras, earlier: &[Tint]) -> Tint {
+    match (placement.parent, extras) {
+        (Parent::Object(parent), _) if furnished.placements[parent].class == placement.class => {
+            earlier[parent]
+        }
+        (_, Extras::Furniture { class, parent, .. }) => Tint::of_set(furnished.seed, class, parent),
         _ => Tint::default(),
     }
 }

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use super::lines::{Lines, class_names, degrees, parent_names, range, rounded};
 use crate::catalog::{
     Catalog, Class, ClassIndex, Extent, Light, ModelSource, ParentName, ParentRule, Relation, Shape, Side,
-    Size,
+    Size, Variety,
 };
 
 /// The label, and the size of the first variant.
@@ -25,9 +25,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     let spare = |index: usize| if index < class.usual_sizes { "" } else { ", where no larger one fits" };
     let sizes = class.sizes.iter().enumerate();
     lines.add_all("size", sizes.map(|(index, size)| show_size(size) + spare(index)));
-    let among =
-        if class.is_varied { ", each piece its own" } else { ", one for all that are furnished together" };
-    lines.add("looks", &format!("{} of each size{among}", class.looks));
+    lines.add("looks", &format!("{} of each size, {}", class.looks, class.variety.describe()));
     lines.add("shape", &show_shape(&class.shape));
     lines.add_all("light", class.light.iter().map(show_light));
     lines.add_all("stands", class.parents.iter().map(|rule| show_parent(catalog, rule)));
@@ -163,7 +161,11 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
         "sizes": sizes,
         "spare_sizes": spare_sizes,
         "looks": class.looks,
-        "varied": class.is_varied,
+        "varied": match class.variety {
+            Variety::None => json!(false),
+            Variety::Details => json!("details"),
+            Variety::Full => json!(true),
+        },
         "light": class.light.map(|light| json!({
             "lumens": rounded(light.lumens),
             "kelvin": rounded(light.kelvin),

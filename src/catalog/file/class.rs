@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
-use super::{Edges, ExtentText, FormatVersion, OneOrMany, Pair};
+use super::{Edges, ExtentText, FormatVersion, OneOrMany, Pair, VariedEntry};
 use crate::catalog::LightSide;
 use crate::catalog::table::Extends;
 use crate::catalog::{Along, Era, Side, Turn};
@@ -45,8 +45,8 @@ pub(crate) struct ClassEntry {
     /// How many looks of each size the recipe makes; default 4.
     pub(crate) looks: Option<i64>,
     /// Whether each piece has a look and a size of its own, like plants and books; else pieces that are furnished
-    /// together look alike.
-    pub(crate) varied: Option<bool>,
+    /// together look alike. `details`: they are of one shape and size, but filled differently, like bookcases.
+    pub(crate) varied: Option<VariedEntry>,
     /// The solid parts of its box: `box` (default), `disc`, or a list of parts.
     pub(crate) shape: Option<ShapeEntry>,
     /// Where it may stand, best first.

@@ -22,7 +22,7 @@ pub(crate) use extent::{ExtentFault, read_extent};
 pub(crate) use palette::{MaterialEntry, PaletteEntry, PaletteFile};
 pub(crate) use room::{CountEntry, CountFields, RequestEntry, RoomFile, RoomTypeEntry};
 pub(crate) use style::{StyleEntry, StyleFile};
-pub(crate) use value::{Edges, ExtentText, OneOrMany, Pair};
+pub(crate) use value::{Edges, ExtentText, OneOrMany, Pair, VariedEntry};
 pub(crate) use words::WordsFile;
 
 /// The version of the file formats that this program reads.

@@ -5,6 +5,8 @@ use std::borrow::Cow;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
+use crate::catalog::Variety;
+
 /// One value or a list of values.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(untagged)]
@@ -147,5 +149,43 @@ impl JsonSchema for ExtentText {
             "description": "Metres from the low end (left, front, underside), or a share of the length: \"50%\", \"100%-0.03\".",
             "type": ["number", "string"]
         })
+    }
+}
+
+/// Whether pieces differ from each other as written: yes, no, or in details.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(untagged)]
+pub(crate) enum VariedEntry {
+    /// In everything or in nothing.
+    Whether(bool),
+    /// In details only.
+    In(VariedWord),
+}
+
+/// The word of a [`VariedEntry`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum VariedWord {
+    /// Of one shape, filled differently.
+    Details,
+}
+
+impl From<VariedEntry> for Variety {
+    fn from(entry: VariedEntry) -> Self {
+        match entry {
+            VariedEntry::Whether(false) => Self::None,
+            VariedEntry::Whether(true) => Self::Full,
+            VariedEntry::In(VariedWord::Details) => Self::Details,
+        }
+    }
+}
+
+impl JsonSchema for VariedEntry {
+    fn schema_name() -> Cow<'static, str> {
+        "Varied".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "enum": [false, true, "details"] })
     }
 }

@@ -12,7 +12,7 @@ use crate::catalog::file::ClassEntry;
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{COVERING_HEIGHT, Class, ClassIndex, Era, Grid, Light, Size};
+use crate::catalog::{COVERING_HEIGHT, Class, ClassIndex, Era, Grid, Light, SHAPES, Size, Variety};
 use crate::geometry::Point;
 
 /// From a glow to a floodlight.
@@ -74,7 +74,7 @@ fn resolve_class(
         sizes,
         usual_sizes,
         looks,
-        is_varied: chain.find("varied", |entry| entry.varied.as_ref()).is_some_and(|found| *found.value),
+        variety: resolve_variety(chain, looks, report),
         shape,
         parents: parents.iter().map(|parent| parent.rule.clone()).collect(),
         sides,
@@ -127,6 +127,18 @@ fn resolve_looks(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> u32 
         report.error_with_hint(&found.spot, "looks is 0", "every class has at least one look");
     }
     check_count("looks", *found.value, &found.spot, report).max(1)
+}
+
+fn resolve_variety(chain: &Chain<'_, ClassEntry>, looks: u32, report: &mut Report<'_>) -> Variety {
+    let Some(found) = chain.find("varied", |entry| entry.varied.as_ref()) else { return Variety::None };
+    let variety = Variety::from(*found.value);
+    if variety == Variety::Details && looks <= SHAPES {
+        let message = format!("varied in details, with {looks} looks");
+        let hint =
+            format!("the first {SHAPES} looks are shapes; write more `looks`, for example {}", 3 * SHAPES);
+        report.error_with_hint(&found.spot, message, &hint);
+    }
+    variety
 }
 
 /// Under whom it lies, in the order of the words.

@@ -1,0 +1,28 @@
+//! How much pieces that are furnished together differ.
+
+/// Looks of a class whose numbers are equal modulo this have one shape: recipes make four, and further looks differ from
+/// these in what varies by chance, as the books in a bookcase do.
+pub const SHAPES: u32 = 4;
+
+/// How much pieces of a class that are furnished together differ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Variety {
+    /// All that share a look (see [`Share`](super::Share)) are equal, and those of a room are of one size.
+    #[default]
+    None,
+    /// Likewise of one shape and one size, but each is filled in its own way: bookcases.
+    Details,
+    /// Each draws its look and size for itself: plants, books.
+    Full,
+}
+
+impl Variety {
+    /// What it says of a class, for people.
+    pub(crate) fn describe(self) -> &'static str {
+        match self {
+            Self::None => "one for all that are furnished together",
+            Self::Details => "one shape for all that are furnished together, filled differently",
+            Self::Full => "each piece its own",
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! What lies on the floor so flat that others stand on it, and the floor that it may cover.
+
+use crate::catalog::{COVERING_HEIGHT, Size};
+use crate::geometry::Solid;
+use crate::layout::agent::{AgentIndex, ParentPart};
+use crate::layout::constants::CONTACT_TOLERANCE;
+
+use super::{Environment, Place, ROOM};
+
+/// Classes of this group stand on the floor itself, not on rugs.
+const STORAGE_GROUP: &str = "storage";
+
+impl Environment<'_> {
+    /// Whether the floor under a solid can be covered: inside the room, out of the way of doors, and with nobody on it
+    /// who does not stand on rugs: columns, what is built in, and storage, which stands on the floor itself.
+    pub(crate) fn can_be_covered(&self, solid: &Solid) -> bool {
+        let is_in_a_door =
+            |index: u32| self.surroundings.kept_free[index as usize].overlaps(solid, CONTACT_TOLERANCE);
+        let is_in_the_way = |index: u32| {
+            let body = &self.bodies[index as usize];
+            body.solid.overlaps(solid, CONTACT_TOLERANCE) && !self.stands_on_rugs(body.owner)
+        };
+        self.is_inside(solid)
+            && !self.kept_free_grid.any(solid.bounds, is_in_a_door)
+            && !self.body_grid.any(solid.bounds, is_in_the_way)
+    }
+
+    fn stands_on_rugs(&self, owner: AgentIndex) -> bool {
+        owner != ROOM
+            && !self.is_built_in(owner)
+            && !self.class(owner).groups.iter().any(|group| group == STORAGE_GROUP)
+    }
+}
+
+/// Whether something lies on the floor so flat that others stand on it.
+pub(super) fn lies_flat(size: Size, place: &Place) -> bool {
+    place.parent == ParentPart::Floor
+        && place.pose.elevation + size.height <= COVERING_HEIGHT + CONTACT_TOLERANCE
+}
