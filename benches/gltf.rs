@@ -5,7 +5,8 @@ mod floor;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use roomwright::gltf::{
-    LibraryReference, Painting, SharedLibrary, write_glb, write_glb_with_library, write_gltf,
+    EncodedModels, LibraryReference, Painting, SharedLibrary, WriteOptions, write_glb, write_glb_with,
+    write_gltf,
 };
 use roomwright::scene::build_scene;
 
@@ -16,16 +17,22 @@ fn gltf(criterion: &mut Criterion) {
     let shared = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())));
     let library = SharedLibrary::new(shared, |_| Painting::default());
     let reference = LibraryReference { library: &library, path: "../library.bin" };
-    let sharing = write_glb_with_library(&scene, reference).expect("a floor is small");
+    let options = WriteOptions { library: Some(reference), ..WriteOptions::default() };
+    let sharing = write_glb_with(&scene, options).expect("a floor is small");
     eprintln!("{} bytes, {} with a shared library of {}", bytes.len(), sharing.len(), library.bytes().len());
     let mut group = criterion.benchmark_group("gltf");
     group.throughput(Throughput::Bytes(bytes.len() as u64));
     group.bench_function("hotel floor/glb", |bencher| bencher.iter(|| write_glb(&scene)));
+    let models = EncodedModels::default();
+    let known = WriteOptions { models: Some(&models), ..WriteOptions::default() };
+    group.bench_function("hotel floor/glb of models that are known", |bencher| {
+        bencher.iter(|| write_glb_with(&scene, known));
+    });
     group.bench_function("hotel floor/gltf", |bencher| bencher.iter(|| write_gltf(&scene, "floor.bin")));
     group.bench_function("hotel floor/copy", |bencher| bencher.iter(|| bytes.clone()));
     group.throughput(Throughput::Bytes(sharing.len() as u64));
     group.bench_function("hotel floor/glb with library", |bencher| {
-        bencher.iter(|| write_glb_with_library(&scene, reference));
+        bencher.iter(|| write_glb_with(&scene, options));
     });
     group.finish();
 }

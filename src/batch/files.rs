@@ -25,14 +25,15 @@ pub(crate) fn encode(
     job: &Job<'_>,
     scene: &Scene,
 ) -> Result<LevelFiles, OutputFault> {
-    let library = workshop.library.as_ref().map(super::library::GeometryLibrary::reference);
+    let options = gltf::WriteOptions {
+        library: workshop.library.as_ref().map(super::library::GeometryLibrary::reference),
+        models: Some(&workshop.encoded),
+        flat_normals: workshop.options.flat_normals,
+    };
     let path = |extension: &str| format!("{}.{extension}", job.path);
     match workshop.options.format {
         Format::Glb => {
-            let bytes = match library {
-                Some(library) => gltf::write_glb_with_library(scene, library),
-                None => gltf::write_glb(scene),
-            };
+            let bytes = gltf::write_glb_with(scene, options);
             let path = path(Format::Glb.name());
             let bytes = bytes.map_err(|error| too_large(workshop, &path, &error))?;
             Ok(LevelFiles { files: vec![with_record(path, bytes)], images: Vec::new() })
@@ -40,10 +41,7 @@ pub(crate) fn encode(
         Format::Gltf => {
             let bin = path("bin");
             let name = bin.rsplit('/').next().unwrap_or(&bin);
-            let (json, bytes) = match library {
-                Some(library) => gltf::write_gltf_with_library(scene, name, library),
-                None => gltf::write_gltf(scene, name),
-            };
+            let (json, bytes) = gltf::write_gltf_with(scene, name, options);
             let mut files = vec![with_record(path(Format::Gltf.name()), json)];
             if !bytes.is_empty() {
                 files.push(with_record(bin, bytes));

@@ -6,6 +6,7 @@ use crate::audit::{Verdict, judge_room, suggest_places};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
+use crate::gltf::EncodedModels;
 use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
 use crate::model::ModelLibrary;
 use crate::plan::Level;
@@ -27,6 +28,7 @@ pub(crate) struct Workshop<'a> {
     pub(crate) options: &'a BakeOptions,
     pub(crate) folder: &'a OutputFolder,
     pub(crate) models: &'a ModelLibrary,
+    pub(crate) encoded: EncodedModels,
     pub(crate) library: Option<GeometryLibrary>,
     pub(crate) textures: Option<Textures>,
     pub(crate) watch: Stopwatch,

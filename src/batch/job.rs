@@ -5,6 +5,7 @@ use sha2::{Digest, Sha256};
 use crate::best::DEFAULT_EFFORT;
 use crate::catalog::Catalog;
 use crate::edits::{EditBook, LevelEdits};
+use crate::gltf::FlatNormals;
 use crate::model::Detail;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
 use crate::scene::SceneOptions;
@@ -29,6 +30,8 @@ pub struct BakeOptions {
     pub has_shared_library: bool,
     /// The textures of materials; default small ones in a folder that all floors share.
     pub textures: TextureOptions,
+    /// Whether flat faces that nothing is painted on have normals; default yes.
+    pub flat_normals: FlatNormals,
     /// How finely furniture is modelled; default as the recipes draw it.
     pub detail: Detail,
     /// What levels show beyond rooms and furniture.
@@ -48,6 +51,7 @@ impl Default for BakeOptions {
             format: Format::Glb,
             has_shared_library: false,
             textures: TextureOptions::default(),
+            flat_normals: FlatNormals::default(),
             detail: Detail::Full,
             scene: SceneOptions::default(),
             threads: 1,
@@ -186,6 +190,7 @@ fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
         u8::from(options.scene.has_lights),
         u8::from(options.scene.has_variants),
         options.detail as u8,
+        u8::from(options.flat_normals == FlatNormals::Implied),
     ]);
     // As far as the plan lets them is no number of degrees.
     hash.update(options.scene.door_angle.unwrap_or(u16::MAX).to_le_bytes());
@@ -284,6 +289,7 @@ pub(crate) mod tests {
             showing(SceneOptions { door_angle: Some(0), ..SceneOptions::default() }),
             showing(SceneOptions { has_variants: true, ..SceneOptions::default() }),
             BakeOptions { detail: Detail::Boxes, ..BakeOptions::default() },
+            BakeOptions { flat_normals: FlatNormals::Implied, ..BakeOptions::default() },
             BakeOptions {
                 textures: TextureOptions { size: None, are_embedded: false },
                 ..BakeOptions::default()

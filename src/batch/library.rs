@@ -6,7 +6,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use crate::catalog::{Catalog, ClassIndex};
-use crate::gltf::{LibraryReference, Painting, SharedLibrary};
+use crate::gltf::{FlatNormals, LibraryReference, Painting, SharedLibrary};
 use crate::model::{Detail, Model, ModelLibrary, ModelMaterial, TextureUse};
 use crate::scene::ModelKey;
 use crate::texture::has_relief;
@@ -48,10 +48,9 @@ impl GeometryLibrary {
         folder: &OutputFolder,
         options: &BakeOptions,
     ) -> Result<Self, OutputFault> {
-        let has_textures = options.textures.size.is_some();
         let built = all_models(catalog, models, options.detail);
         let models = built.iter().map(|(key, model)| (key.clone(), model.as_ref()));
-        let shared = SharedLibrary::new(models, |material| painting(catalog, material, has_textures));
+        let shared = SharedLibrary::new(models, |material| painting(catalog, material, options));
         let (mut file, bytes) = with_record(String::new(), shared.bytes());
         let name = format!("{LIBRARY_FOLDER}/{}.bin", &file.sha256[..NAME_DIGITS]);
         let relative_path = format!("../{name}");
@@ -64,7 +63,9 @@ impl GeometryLibrary {
 }
 
 /// What is painted on a material, in any palette.
-fn painting(catalog: &Catalog, material: &ModelMaterial, has_textures: bool) -> Painting {
+fn painting(catalog: &Catalog, material: &ModelMaterial, options: &BakeOptions) -> Painting {
+    let has_textures = options.textures.size.is_some();
+    let lacks_flat_normals = options.flat_normals == FlatNormals::Implied;
     match material {
         ModelMaterial::Slot(slot) => {
             let materials = catalog.palettes.values().filter_map(|palette| palette.materials.get(*slot));
@@ -72,11 +73,13 @@ fn painting(catalog: &Catalog, material: &ModelMaterial, has_textures: bool) -> 
             Painting {
                 has_coordinates: has_textures && !surfaces.is_empty(),
                 has_tangents: has_textures && surfaces.into_iter().any(has_relief),
+                lacks_flat_normals,
             }
         }
         ModelMaterial::Own(own) => Painting {
             has_coordinates: !own.textures.is_empty(),
             has_tangents: own.textures.iter().any(|(purpose, _)| *purpose == TextureUse::Normal),
+            lacks_flat_normals,
         },
     }
 }

@@ -18,6 +18,7 @@ use super::sources::{Contents, RecordHead};
 use super::textures::Textures;
 use crate::catalog::Catalog;
 use crate::edits::EditBook;
+use crate::gltf::EncodedModels;
 use crate::model::ModelLibrary;
 use crate::plan::Plan;
 
@@ -68,7 +69,8 @@ pub fn bake(
     if let Some(textures) = &textures {
         watch.measure(Stage::Scene, || pool.install(|| textures.library.paint_all()));
     }
-    let workshop = Workshop { catalog, options, folder, models, library, textures, watch };
+    let encoded = EncodedModels::default();
+    let workshop = Workshop { catalog, options, folder, models, encoded, library, textures, watch };
     let tally = work(&pool, &workshop, &open, observer);
 
     // The records become the manifest.

@@ -192,6 +192,10 @@ pub(crate) struct BakeArguments {
     /// Put the textures into each file; without it, all files share those in OUT/shared-textures.
     #[arg(long)]
     pub(crate) embed_textures: bool,
+    /// Whether flat faces without textures have normals, or leave them to viewers, as the format allows, for a quarter less
+    /// space [default: implied with --textures none, else written].
+    #[arg(long, value_enum)]
+    pub(crate) flat_normals: Option<NormalsWord>,
     /// How finely furniture is modelled: as it is drawn, with about 30 % of the triangles, or as the boxes of its shape.
     #[arg(long, value_enum, default_value = "full")]
     pub(crate) detail: DetailWord,
@@ -394,6 +398,15 @@ pub(crate) enum TextureWord {
     Small,
     /// 1024 pixels a metre.
     Large,
+}
+
+/// The words of `--flat-normals`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum NormalsWord {
+    /// Every viewer draws them.
+    Written,
+    /// Viewers compute them.
+    Implied,
 }
 
 /// The words of `--detail`.

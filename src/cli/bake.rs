@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::arguments::{BakeArguments, DetailWord, FormatWord, ProgressWord, TextureWord};
+use super::arguments::{BakeArguments, DetailWord, FormatWord, NormalsWord, ProgressWord, TextureWord};
 use super::exit::Outcome;
 use super::progress::Progress;
 use super::reroll::reroll;
@@ -14,6 +14,7 @@ use super::summary::{failure_text, summary_json, summary_text, timing_text, wher
 use crate::batch::{
     BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, TextureOptions, bake,
 };
+use crate::gltf::FlatNormals;
 use crate::model::Detail;
 use crate::scene::SceneOptions;
 use crate::texture::TextureSize;
@@ -83,14 +84,8 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             FormatWord::Gltf => Format::Gltf,
         },
         has_shared_library: arguments.shared_library,
-        textures: TextureOptions {
-            size: match arguments.textures {
-                TextureWord::None => None,
-                TextureWord::Small => Some(TextureSize::Small),
-                TextureWord::Large => Some(TextureSize::Large),
-            },
-            are_embedded: arguments.embed_textures,
-        },
+        textures: textures(arguments.textures, arguments.embed_textures),
+        flat_normals: flat_normals(arguments.flat_normals, arguments.textures),
         detail: match arguments.detail {
             DetailWord::Full => Detail::Full,
             DetailWord::Reduced => Detail::Reduced,
@@ -113,6 +108,25 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         is_demo,
         progress: arguments.progress,
     })
+}
+
+fn textures(word: TextureWord, are_embedded: bool) -> TextureOptions {
+    let size = match word {
+        TextureWord::None => None,
+        TextureWord::Small => Some(TextureSize::Small),
+        TextureWord::Large => Some(TextureSize::Large),
+    };
+    TextureOptions { size, are_embedded }
+}
+
+/// Who leaves out textures wants small files.
+fn flat_normals(word: Option<NormalsWord>, textures: TextureWord) -> FlatNormals {
+    match word {
+        Some(NormalsWord::Written) => FlatNormals::Written,
+        Some(NormalsWord::Implied) => FlatNormals::Implied,
+        None if textures == TextureWord::None => FlatNormals::Implied,
+        None => FlatNormals::Written,
+    }
 }
 
 fn refuse(screen: Screen, fault: &OutputFault) -> Outcome {

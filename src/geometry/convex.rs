@@ -95,7 +95,8 @@ impl Convex {
         let first = self.corners[0].dot(direction);
         self.corners()[1..].iter().fold((first, first), |(low, high), corner| {
             let value = corner.dot(direction);
-            (low.min(value), high.max(value))
+            // Comparisons instead of `min` and `max`: corners are finite, and the layout spends a tenth of its time here.
+            (if value < low { value } else { low }, if value > high { value } else { high })
         })
     }
 

@@ -9,15 +9,16 @@ use gltf_json::texture::Sampler;
 use gltf_json::validation::Checked;
 use gltf_json::{Asset, Image, Index, Node, Root, Scene as JsonScene, Texture, image};
 
-use super::library::LibraryReference;
+use super::encode::{Painting, encode};
 use super::light::{LIGHTS, add_lights, node_light};
 use super::material::{EMISSIVE_STRENGTH, Images, TRANSMISSION, material};
-use super::mesh::{accessors, mesh};
-use super::pack::{PackedPrimitive, Packer, Painting};
+use super::mesh::{Accessors, mesh};
+use super::options::{FlatNormals, WriteOptions};
+use super::pack::{PackedPrimitive, Packer};
 use super::variant::{VARIANTS, add_variants};
 use super::view::{Views, percent_encoded};
 use crate::model::{Model, TextureSampler, TextureUse};
-use crate::scene::{GENERATOR, Scene};
+use crate::scene::{GENERATOR, Scene, SceneMesh};
 
 /// A level ready to be written.
 pub(crate) struct Document {
@@ -40,16 +41,17 @@ struct Source<'l> {
 }
 
 /// Lays out the buffer, then describes it. `uri` is the path of the buffer's file; `None` inside a container.
-pub(crate) fn build(scene: &Scene, uri: Option<&str>, library: Option<LibraryReference<'_>>) -> Document {
+pub(crate) fn build(scene: &Scene, uri: Option<&str>, options: WriteOptions<'_>) -> Document {
     let mut packer = Packer::default();
     let mut images = Images::default();
-    let (sources, source_of_mesh) = pack(scene, library, &mut packer);
+    let (sources, source_of_mesh) = pack(scene, options, &mut packer);
     let materials = scene.materials.iter().map(|source| material(source, &mut images, &mut packer));
     let mut root = Root { asset: asset(), materials: materials.collect(), ..Root::default() };
-    let mut views = Views::new(&mut root, &packer, uri, library);
+    let mut views = Views::new(&mut root, &packer, uri, options.library);
+    let mut accessors = Accessors::default();
     let accessors: Vec<_> = sources
         .iter()
-        .map(|source| accessors(&mut root, &mut views, source.is_library, &source.primitives))
+        .map(|source| accessors.describe(&mut root, &mut views, source.is_library, &source.primitives))
         .collect();
     for (scene_mesh, &source) in scene.meshes.iter().zip(&source_of_mesh) {
         root.meshes.push(mesh(scene_mesh, &accessors[source], &scene.variants));
@@ -69,23 +71,21 @@ fn asset() -> Asset {
 }
 
 /// Packs each model once and says which source each mesh shows.
-fn pack<'l>(
-    scene: &Scene,
-    library: Option<LibraryReference<'l>>,
-    packer: &mut Packer,
-) -> (Vec<Source<'l>>, Vec<usize>) {
+fn pack<'l>(scene: &Scene, options: WriteOptions<'l>, packer: &mut Packer) -> (Vec<Source<'l>>, Vec<usize>) {
     let mut sources: Vec<Source<'l>> = Vec::new();
     let mut known: BTreeMap<*const Model, usize> = BTreeMap::new();
     let mut source_of_mesh = Vec::with_capacity(scene.meshes.len());
-    let paintings = paintings(scene);
+    let mut paintings = paintings(scene, options.flat_normals);
     for mesh in &scene.meshes {
-        let source = *known.entry(Arc::as_ptr(&mesh.model)).or_insert_with(|| {
-            let shared = mesh.key.as_ref().zip(library).and_then(|(key, to)| to.library.models.get(key));
+        let model = Arc::as_ptr(&mesh.model);
+        let source = *known.entry(model).or_insert_with(|| {
+            let shared =
+                mesh.key.as_ref().zip(options.library).and_then(|(key, to)| to.library.models.get(key));
             sources.push(match shared {
                 Some(primitives) => Source { is_library: true, primitives: Cow::Borrowed(primitives) },
                 None => {
-                    let painting = |index| paintings[&(Arc::as_ptr(&mesh.model), index)];
-                    let primitives = Cow::Owned(packer.model(&mesh.model, painting));
+                    let paintings = paintings.remove(&model).unwrap_or_default();
+                    let primitives = Cow::Owned(pack_model(mesh, paintings, options, packer));
                     Source { is_library: false, primitives }
                 }
             });
@@ -96,12 +96,28 @@ fn pack<'l>(
     (sources, source_of_mesh)
 }
 
-/// What is painted on each primitive of a model, by index, in any of its meshes and variants.
-fn paintings(scene: &Scene) -> BTreeMap<(*const Model, usize), Painting> {
-    let mut paintings: BTreeMap<(*const Model, usize), Painting> = BTreeMap::new();
+/// Packs what is known from other levels, or else encodes it now; the shell is the level's own.
+fn pack_model(
+    mesh: &SceneMesh,
+    paintings: Vec<Painting>,
+    options: WriteOptions<'_>,
+    packer: &mut Packer,
+) -> Vec<PackedPrimitive> {
+    match options.models.filter(|_| mesh.is_shared()) {
+        Some(models) => packer.model(&models.get(&mesh.model, paintings)),
+        None => packer.model(&encode(&mesh.model, |index| paintings[index])),
+    }
+}
+
+/// What is painted on each primitive of each model, in any of its meshes and variants.
+fn paintings(scene: &Scene, flat_normals: FlatNormals) -> BTreeMap<*const Model, Vec<Painting>> {
+    let mut paintings: BTreeMap<*const Model, Vec<Painting>> = BTreeMap::new();
+    let plain = Painting { lacks_flat_normals: flat_normals == FlatNormals::Implied, ..Painting::default() };
     for mesh in &scene.meshes {
-        for (index, &material) in mesh.materials.iter().enumerate() {
-            let painting = paintings.entry((Arc::as_ptr(&mesh.model), index)).or_default();
+        let of_model = paintings
+            .entry(Arc::as_ptr(&mesh.model))
+            .or_insert_with(|| vec![plain; mesh.model.primitives.len()]);
+        for (painting, &material) in of_model.iter_mut().zip(&mesh.materials) {
             let others = scene.variants.iter().filter_map(|variant| variant.materials.get(&material));
             for &shown in others.chain([&material]) {
                 let textures = scene.materials[shown].textures();

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::pack::{PackedPrimitive, Packer, Painting};
+use super::encode::{Painting, encode};
+use super::pack::{PackedPrimitive, Packer};
 use crate::model::{Model, ModelMaterial};
 use crate::scene::ModelKey;
 
@@ -38,9 +39,9 @@ impl SharedLibrary {
         let mut known: BTreeMap<*const Model, Vec<PackedPrimitive>> = BTreeMap::new();
         let mut packed = BTreeMap::new();
         for (key, model) in sorted {
-            let primitives = known
-                .entry(std::ptr::from_ref(model))
-                .or_insert_with(|| packer.model(model, |index| painting(&model.primitives[index].material)));
+            let primitives = known.entry(std::ptr::from_ref(model)).or_insert_with(|| {
+                packer.model(&encode(model, |index| painting(&model.primitives[index].material)))
+            });
             packed.insert(key, primitives.clone());
         }
         Self { packer, models: packed }

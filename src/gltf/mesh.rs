@@ -7,7 +7,8 @@ use gltf_json::mesh::{Mesh, Mode, Primitive, Semantic};
 use gltf_json::validation::{Checked, USize64};
 use gltf_json::{Index, Root, Value};
 
-use super::pack::{Packed, PackedPrimitive, Section};
+use super::array::Section;
+use super::pack::{Packed, PackedPrimitive};
 use super::variant::mappings;
 use super::view::Views;
 use crate::scene::{SceneMesh, SceneVariant};
@@ -18,34 +19,47 @@ pub(crate) struct PrimitiveAccessors {
     indices: Index<Accessor>,
 }
 
-/// Describes packed primitives.
-pub(crate) fn accessors(
-    root: &mut Root,
-    views: &mut Views<'_>,
-    is_library: bool,
-    primitives: &[PackedPrimitive],
-) -> Vec<PrimitiveAccessors> {
-    let mut add = |packed: &Packed| {
-        let view = views.section(root, is_library, packed.section);
-        root.push(accessor(packed, view))
-    };
-    let accessors = primitives.iter().map(|primitive| {
-        let mut attributes = BTreeMap::from([
-            (Checked::Valid(Semantic::Positions), add(&primitive.positions)),
-            (Checked::Valid(Semantic::Normals), add(&primitive.normals)),
-        ]);
-        if let Some(tangents) = &primitive.tangents {
-            attributes.insert(Checked::Valid(Semantic::Tangents), add(tangents));
-        }
-        if let Some(coordinates) = &primitive.coordinates {
-            attributes.insert(Checked::Valid(Semantic::TexCoords(0)), add(coordinates));
-        }
-        if let Some(colors) = &primitive.colors {
-            attributes.insert(Checked::Valid(Semantic::Colors(0)), add(colors));
-        }
-        PrimitiveAccessors { attributes, indices: add(&primitive.indices) }
-    });
-    accessors.collect()
+/// Accessors of a level, each once: what lies in one place, in as many elements, is one.
+#[derive(Default)]
+pub(crate) struct Accessors {
+    /// By file, place, number of elements, and whether bounds are told.
+    known: BTreeMap<(bool, Section, usize, usize, bool), Index<Accessor>>,
+}
+
+impl Accessors {
+    /// Describes packed primitives.
+    pub(crate) fn describe(
+        &mut self,
+        root: &mut Root,
+        views: &mut Views<'_>,
+        is_library: bool,
+        primitives: &[PackedPrimitive],
+    ) -> Vec<PrimitiveAccessors> {
+        let mut add = |packed: &Packed| {
+            let key = (is_library, packed.section, packed.offset, packed.count, packed.bounds.is_some());
+            *self.known.entry(key).or_insert_with(|| {
+                let view = views.section(root, is_library, packed.section);
+                root.push(accessor(packed, view))
+            })
+        };
+        let accessors = primitives.iter().map(|primitive| {
+            let mut attributes =
+                BTreeMap::from([(Checked::Valid(Semantic::Positions), add(&primitive.positions))]);
+            let optional = [
+                (Semantic::Normals, &primitive.normals),
+                (Semantic::Tangents, &primitive.tangents),
+                (Semantic::TexCoords(0), &primitive.coordinates),
+                (Semantic::Colors(0), &primitive.colors),
+            ];
+            for (semantic, packed) in optional {
+                if let Some(packed) = packed {
+                    attributes.insert(Checked::Valid(semantic), add(packed));
+                }
+            }
+            PrimitiveAccessors { attributes, indices: add(&primitive.indices) }
+        });
+        accessors.collect()
+    }
 }
 
 /// A mesh over accessors that other meshes may use too.
@@ -68,12 +82,6 @@ pub(crate) fn mesh(source: &SceneMesh, accessors: &[PrimitiveAccessors], variant
     }
 }
 
-/// The number whose shortest spelling names a single one: JSON would spell the same number as a double with nine more
-/// digits, which say nothing and are a tenth of a level's text.
-fn short(value: f32) -> f64 {
-    value.to_string().parse().expect("numbers are spelled as they are read")
-}
-
 fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
     let (component, kind) = match packed.section {
         Section::Vectors => (ComponentType::F32, Type::Vec3),
@@ -82,7 +90,7 @@ fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
         Section::ShortIndices => (ComponentType::U16, Type::Scalar),
         Section::LongIndices | Section::Images => (ComponentType::U32, Type::Scalar),
     };
-    let value = |vector: [f32; 3]| Value::from(vector.map(short).to_vec());
+    let value = |vector: [f64; 3]| Value::from(vector.to_vec());
     Accessor {
         buffer_view: Some(view),
         byte_offset: (packed.offset > 0).then(|| USize64::from(packed.offset)),

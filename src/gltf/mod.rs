@@ -2,19 +2,26 @@
 //!
 //! - [`write_glb`]: one file that holds everything;
 //! - [`write_gltf`]: the same as text with a `.bin` beside it;
-//! - either with a [`LibraryReference`]: the triangles of catalogue models stay in a [`SharedLibrary`] file
-//!   that all levels of a run refer to by relative path. Its bytes are fixed before the first level is
-//!   written, from the models alone, so that levels can be written in any order and in parallel.
+//! - either with [`WriteOptions`]; with a [`LibraryReference`] among them, the triangles of catalogue models
+//!   stay in a [`SharedLibrary`] file that all levels of a run refer to by relative path. Its bytes are fixed
+//!   before the first level is written, from the models alone, so that levels can be written in any order
+//!   and in parallel.
 //!
 //! A buffer is laid out in sections, one buffer view each: vectors (positions and normals), tangents, texture
-//! coordinates, short indices, long indices; then images.
+//! coordinates, short indices, long indices; then images. Arrays of equal bytes are there once, with one accessor, and
+//! corners of primitives that nothing is painted on are joined where they agree.
 
+mod array;
 mod container;
 mod document;
+mod encode;
+mod join;
 mod library;
 mod light;
 mod material;
 mod mesh;
+mod models;
+mod options;
 mod pack;
 mod tangent;
 mod variant;
@@ -22,8 +29,10 @@ mod view;
 
 use std::fmt;
 
+pub use encode::Painting;
 pub use library::{LibraryReference, SharedLibrary};
-pub use pack::Painting;
+pub use models::EncodedModels;
+pub use options::{FlatNormals, WriteOptions};
 
 use crate::scene::Scene;
 
@@ -51,41 +60,29 @@ impl std::error::Error for GltfError {}
 /// # Errors
 /// [`GltfError::TooLarge`] for files of 4 GiB and more.
 pub fn write_glb(scene: &Scene) -> Result<Vec<u8>, GltfError> {
-    glb(scene, None)
+    write_glb_with(scene, WriteOptions::default())
 }
 
-/// A level as one binary file, whose catalogue models stand in a shared library.
+/// [`write_glb`] with options.
 ///
 /// # Errors
 /// [`GltfError::TooLarge`] for files of 4 GiB and more.
-pub fn write_glb_with_library(scene: &Scene, library: LibraryReference<'_>) -> Result<Vec<u8>, GltfError> {
-    glb(scene, Some(library))
+pub fn write_glb_with(scene: &Scene, options: WriteOptions<'_>) -> Result<Vec<u8>, GltfError> {
+    let document = document::build(scene, None, options);
+    container::write(&document.json(), &document.packer)
 }
 
 /// A level as JSON and the bytes of the file beside it. `bin_name` is its path relative to the JSON; the
 /// second part is empty, and not referred to, if the level has no triangles.
 #[must_use]
 pub fn write_gltf(scene: &Scene, bin_name: &str) -> (Vec<u8>, Vec<u8>) {
-    gltf(scene, bin_name, None)
+    write_gltf_with(scene, bin_name, WriteOptions::default())
 }
 
-/// [`write_gltf`] with the catalogue models in a shared library.
+/// [`write_gltf`] with options.
 #[must_use]
-pub fn write_gltf_with_library(
-    scene: &Scene,
-    bin_name: &str,
-    library: LibraryReference<'_>,
-) -> (Vec<u8>, Vec<u8>) {
-    gltf(scene, bin_name, Some(library))
-}
-
-fn glb(scene: &Scene, library: Option<LibraryReference<'_>>) -> Result<Vec<u8>, GltfError> {
-    let document = document::build(scene, None, library);
-    container::write(&document.json(), &document.packer)
-}
-
-fn gltf(scene: &Scene, bin_name: &str, library: Option<LibraryReference<'_>>) -> (Vec<u8>, Vec<u8>) {
-    let document = document::build(scene, Some(bin_name), library);
+pub fn write_gltf_with(scene: &Scene, bin_name: &str, options: WriteOptions<'_>) -> (Vec<u8>, Vec<u8>) {
+    let document = document::build(scene, Some(bin_name), options);
     let mut bin = Vec::with_capacity(document.packer.byte_count());
     document.packer.append_to(&mut bin);
     (document.json(), bin)

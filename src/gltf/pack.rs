@@ -1,39 +1,10 @@
-//! Vertices and indices as the bytes of a buffer.
+//! A buffer of arrays, equal ones once.
 
-use super::tangent::tangents;
-use crate::model::{Model, Primitive};
+use std::collections::HashMap;
+use std::sync::Arc;
 
-/// A part of a buffer with one kind of element; each becomes one buffer view.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Section {
-    /// Three floats: positions and normals.
-    Vectors,
-    /// Four floats: tangents.
-    Tangents,
-    /// Two floats: texture coordinates.
-    Coordinates,
-    /// Four floats: colours.
-    Colors,
-    /// Indices of meshes with few corners.
-    ShortIndices,
-    /// Indices of meshes with more corners than 16 bits can name.
-    LongIndices,
-    /// Encoded images; each has a view of its own.
-    Images,
-}
-
-impl Section {
-    /// All sections in the order of the buffer.
-    pub(crate) const ALL: [Self; 7] = [
-        Self::Vectors,
-        Self::Tangents,
-        Self::Coordinates,
-        Self::Colors,
-        Self::ShortIndices,
-        Self::LongIndices,
-        Self::Images,
-    ];
-}
+use super::array::{Array, Bounds, Section};
+use super::encode::EncodedPrimitive;
 
 /// Sections and images begin at multiples of this.
 const ALIGNMENT: usize = 4;
@@ -48,129 +19,109 @@ pub(crate) struct Packed {
     /// How many elements.
     pub count: usize,
     /// Lowest and highest values, where the format asks for them.
-    pub bounds: Option<([f32; 3], [f32; 3])>,
+    pub bounds: Option<Bounds>,
 }
 
 /// The accessors of a primitive.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PackedPrimitive {
     pub positions: Packed,
-    pub normals: Packed,
+    pub normals: Option<Packed>,
     pub tangents: Option<Packed>,
     pub coordinates: Option<Packed>,
     pub colors: Option<Packed>,
     pub indices: Packed,
 }
 
-/// What textures ask of a primitive beyond positions and normals.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Painting {
-    /// Texture coordinates: something is painted on it.
-    pub has_coordinates: bool,
-    /// Tangents: normals are.
-    pub has_tangents: bool,
-}
-
 /// A buffer under construction.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Packer {
-    sections: [Vec<u8>; Section::ALL.len()],
+    sections: [Filling; Section::ALL.len()],
+}
+
+/// What a section holds so far.
+#[derive(Clone, Debug, Default)]
+struct Filling {
+    pieces: Vec<Piece>,
+    byte_count: usize,
+    /// Numbers of the pieces by fingerprint. Nothing is read from it in its own order.
+    known: HashMap<u64, Vec<usize>>,
+}
+
+#[derive(Clone, Debug)]
+struct Piece {
+    offset: usize,
+    bytes: Arc<[u8]>,
 }
 
 impl Packer {
-    /// Adds the triangles of a model, with what the painting of each primitive, by index, asks for.
-    pub(crate) fn model(
-        &mut self,
-        model: &Model,
-        painting: impl Fn(usize) -> Painting,
-    ) -> Vec<PackedPrimitive> {
-        let primitives = model.primitives.iter().enumerate();
-        primitives.map(|(index, primitive)| self.primitive(primitive, painting(index))).collect()
+    /// Adds the triangles of a model.
+    pub(crate) fn model(&mut self, primitives: &[EncodedPrimitive]) -> Vec<PackedPrimitive> {
+        primitives.iter().map(|primitive| self.primitive(primitive)).collect()
     }
 
-    fn primitive(&mut self, primitive: &Primitive, painting: Painting) -> PackedPrimitive {
-        let is_mapped = primitive.texture_coordinates.len() == primitive.positions.len();
-        let has_coordinates = painting.has_coordinates && is_mapped;
-        let has_tangents = painting.has_tangents && is_mapped;
-        let mut positions = self.floats(Section::Vectors, primitive.positions.as_flattened(), 3);
-        positions.bounds = Some(bounds(&primitive.positions));
-        PackedPrimitive {
-            positions,
-            normals: self.floats(Section::Vectors, primitive.normals.as_flattened(), 3),
-            tangents: has_tangents
-                .then(|| self.floats(Section::Tangents, tangents(primitive).as_flattened(), 4)),
-            coordinates: has_coordinates
-                .then(|| self.floats(Section::Coordinates, primitive.texture_coordinates.as_flattened(), 2)),
-            colors: has_colors(primitive)
-                .then(|| self.floats(Section::Colors, primitive.colors.as_flattened(), 4)),
-            indices: self.indices(primitive),
-        }
+    fn primitive(&mut self, primitive: &EncodedPrimitive) -> PackedPrimitive {
+        let mut optional = |array: &Option<Arc<Array>>| array.as_ref().map(|array| self.array(array));
+        let (normals, tangents) = (optional(&primitive.normals), optional(&primitive.tangents));
+        let (coordinates, colors) = (optional(&primitive.coordinates), optional(&primitive.colors));
+        let (positions, indices) = (self.array(&primitive.positions), self.array(&primitive.indices));
+        PackedPrimitive { positions, normals, tangents, coordinates, colors, indices }
     }
 
-    fn floats(&mut self, section: Section, values: &[f32], per_element: usize) -> Packed {
-        let bytes = &mut self.sections[section as usize];
-        let offset = bytes.len();
-        bytes.resize(offset + size_of_val(values), 0);
-        for (place, value) in bytes[offset..].as_chunks_mut::<4>().0.iter_mut().zip(values) {
-            *place = value.to_le_bytes();
-        }
-        Packed { section, offset, count: values.len() / per_element, bounds: None }
-    }
-
-    fn indices(&mut self, primitive: &Primitive) -> Packed {
-        // The highest 16-bit index is no corner but restarts a strip.
-        let is_short = primitive.positions.len() < usize::from(u16::MAX);
-        let section = if is_short { Section::ShortIndices } else { Section::LongIndices };
-        let bytes = &mut self.sections[section as usize];
-        let offset = bytes.len();
-        if is_short {
-            bytes.extend(primitive.indices.iter().flat_map(|&index| (index as u16).to_le_bytes()));
-        } else {
-            bytes.extend(primitive.indices.iter().flat_map(|&index| index.to_le_bytes()));
-        }
-        Packed { section, offset, count: primitive.indices.len(), bounds: None }
+    /// Adds an array, unless one with the same bytes is there: boxes of all sizes have the same triangles and normals.
+    fn array(&mut self, array: &Array) -> Packed {
+        let offset = self.sections[array.section as usize].add(array);
+        Packed { section: array.section, offset, count: array.count, bounds: array.bounds }
     }
 
     /// Adds an encoded image.
     pub(crate) fn image(&mut self, image: &[u8]) -> Packed {
-        let bytes = &mut self.sections[Section::Images as usize];
-        let offset = bytes.len();
-        bytes.extend_from_slice(image);
+        let mut bytes = image.to_vec();
         bytes.resize(bytes.len().next_multiple_of(ALIGNMENT), 0);
+        let offset = self.sections[Section::Images as usize].push(bytes.into());
         Packed { section: Section::Images, offset, count: image.len(), bounds: None }
     }
 
     /// Start and length of a section in bytes.
     pub(crate) fn extent(&self, section: Section) -> (usize, usize) {
         let before = &self.sections[..section as usize];
-        let start = before.iter().map(|bytes| bytes.len().next_multiple_of(ALIGNMENT)).sum();
-        (start, self.sections[section as usize].len())
+        let start = before.iter().map(|filling| filling.byte_count.next_multiple_of(ALIGNMENT)).sum();
+        (start, self.sections[section as usize].byte_count)
     }
 
     /// Length of the whole buffer.
     pub(crate) fn byte_count(&self) -> usize {
-        self.sections.iter().map(|bytes| bytes.len().next_multiple_of(ALIGNMENT)).sum()
+        self.sections.iter().map(|filling| filling.byte_count.next_multiple_of(ALIGNMENT)).sum()
     }
 
     /// Writes the buffer.
     pub(crate) fn append_to(&self, file: &mut Vec<u8>) {
-        for section in &self.sections {
-            file.extend_from_slice(section);
-            let padding = section.len().next_multiple_of(ALIGNMENT) - section.len();
+        for filling in &self.sections {
+            for piece in &filling.pieces {
+                file.extend_from_slice(&piece.bytes);
+            }
+            let padding = filling.byte_count.next_multiple_of(ALIGNMENT) - filling.byte_count;
             file.extend_from_slice(&[0; ALIGNMENT][..padding]);
         }
     }
 }
 
-fn has_colors(primitive: &Primitive) -> bool {
-    !primitive.colors.is_empty() && primitive.colors.len() == primitive.positions.len()
-}
+impl Filling {
+    /// The offset of an array's bytes.
+    fn add(&mut self, array: &Array) -> usize {
+        let same = self.known.get(&array.fingerprint).map_or(&[][..], Vec::as_slice);
+        let same = same.iter().map(|&number| &self.pieces[number]);
+        if let Some(found) = same.into_iter().find(|piece| piece.bytes == array.bytes) {
+            return found.offset;
+        }
+        self.known.entry(array.fingerprint).or_default().push(self.pieces.len());
+        self.push(Arc::clone(&array.bytes))
+    }
 
-fn bounds(positions: &[[f32; 3]]) -> ([f32; 3], [f32; 3]) {
-    let first = positions.first().copied().unwrap_or_default();
-    positions.iter().fold((first, first), |(low, high), position| {
-        let pick = |axis: usize| (low[axis].min(position[axis]), high[axis].max(position[axis]));
-        let [x, y, z] = [pick(0), pick(1), pick(2)];
-        ([x.0, y.0, z.0], [x.1, y.1, z.1])
-    })
+    fn push(&mut self, bytes: Arc<[u8]>) -> usize {
+        let offset = self.byte_count;
+        self.byte_count += bytes.len();
+        self.pieces.push(Piece { offset, bytes });
+        offset
+    }
 }

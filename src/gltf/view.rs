@@ -4,8 +4,9 @@ use gltf_json::buffer::{Buffer, Stride, Target, View};
 use gltf_json::validation::{Checked, USize64};
 use gltf_json::{Index, Root};
 
+use super::array::Section;
 use super::library::LibraryReference;
-use super::pack::{Packed, Packer, Section};
+use super::pack::{Packed, Packer};
 
 /// One view per section and buffer, made when first asked for, so that nothing in the file is unused.
 pub(crate) struct Views<'l> {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use gltf::mesh::Semantic;
 use roomwright::catalog::{Material, Size};
 use roomwright::gltf::{
-    GltfError, LibraryReference, Painting, SharedLibrary, write_glb, write_glb_with_library, write_gltf,
-    write_gltf_with_library,
+    GltfError, LibraryReference, Painting, SharedLibrary, WriteOptions, write_glb, write_glb_with,
+    write_gltf, write_gltf_with,
 };
 use roomwright::model::{
     Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
@@ -143,6 +143,11 @@ fn meshes_that_differ_in_material_only_share_accessors() {
     assert_ne!(modern.1, warm.1);
 }
 
+fn with_library(library: &SharedLibrary) -> WriteOptions<'_> {
+    let reference = LibraryReference { library, path: "../library.bin" };
+    WriteOptions { library: Some(reference), ..WriteOptions::default() }
+}
+
 #[test]
 fn a_shared_library_holds_the_models_and_the_level_the_shell() {
     let scene = furnished_scene();
@@ -156,10 +161,10 @@ fn a_shared_library_holds_the_models_and_the_level_the_shell() {
     let library = SharedLibrary::new(models(), |_| Painting::default());
     let reversed = SharedLibrary::new(models().into_iter().rev(), |_| Painting::default());
     assert_eq!(library.bytes(), reversed.bytes(), "the order of the models does not matter");
-    let reference = LibraryReference { library: &library, path: "../library.bin" };
+    let options = with_library(&library);
     let bytes = library.bytes();
 
-    let glb = write_glb_with_library(&scene, reference).unwrap();
+    let glb = write_glb_with(&scene, options).unwrap();
     assert!(glb.len() < write_glb(&scene).unwrap().len());
     let file = read(&glb);
     let second = file.buffers().nth(1).unwrap();
@@ -167,7 +172,7 @@ fn a_shared_library_holds_the_models_and_the_level_the_shell() {
     assert_eq!(second.length(), bytes.len());
     assert_geometry(&scene, &geometry(&file, &[file.blob.as_ref().unwrap(), &bytes]));
 
-    let (json, bin) = write_gltf_with_library(&scene, "1.bin", reference);
+    let (json, bin) = write_gltf_with(&scene, "1.bin", options);
     assert_geometry(&scene, &geometry(&read(&json), &[&bin, &bytes]));
 }
 
@@ -175,8 +180,8 @@ fn a_shared_library_holds_the_models_and_the_level_the_shell() {
 fn a_library_that_lacks_a_model_leaves_it_in_the_level() {
     let scene = furnished_scene();
     let empty = SharedLibrary::new([], |_| Painting::default());
-    let reference = LibraryReference { library: &empty, path: "../library.bin" };
-    assert_eq!(write_glb_with_library(&scene, reference).unwrap(), write_glb(&scene).unwrap());
+    let options = with_library(&empty);
+    assert_eq!(write_glb_with(&scene, options).unwrap(), write_glb(&scene).unwrap());
 }
 
 /// A PNG of one white dot.

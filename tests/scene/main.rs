@@ -1,6 +1,7 @@
 //! Scenes and glTF files of levels built in code.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at the first surprise")]
 
+mod arrays;
 mod file;
 mod fixture;
 mod leaks;

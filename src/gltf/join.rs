@@ -1,0 +1,122 @@
+//! Corners that faces can share.
+
+use std::collections::HashMap;
+
+use glam::Vec3;
+
+use crate::model::Primitive;
+
+/// The cosine of how far normals may be off their face for it to be flat: a degree, which nobody sees; round surfaces are
+/// made of steps many times as large.
+const FLAT: f32 = 0.99985;
+
+/// Whether all faces are lit as flat ones are.
+pub(super) fn is_flat(primitive: &Primitive) -> bool {
+    let vector = |list: &[[f32; 3]], index: u32| Vec3::from_array(list[index as usize]);
+    primitive.indices.as_chunks::<3>().0.iter().all(|triangle| {
+        let [a, b, c] = triangle.map(|index| vector(&primitive.positions, index));
+        let face = (b - a).cross(c - a).normalize_or_zero();
+        triangle.iter().all(|&index| vector(&primitive.normals, index).dot(face) >= FLAT)
+    })
+}
+
+/// Whether corners have colours.
+pub(super) fn has_colors(primitive: &Primitive) -> bool {
+    !primitive.colors.is_empty() && primitive.colors.len() == primitive.positions.len()
+}
+
+/// The same triangles without texture coordinates, where corners that agree in all that is left are one: in position and
+/// colour, and in normals if there are to be any. They keep their order.
+pub(super) fn joined(primitive: &Primitive, has_normals: bool) -> Primitive {
+    let has_colors = has_colors(primitive);
+    let mut known: HashMap<[u32; 10], u32> = HashMap::with_capacity(primitive.positions.len());
+    let mut made = Primitive { material: primitive.material.clone(), ..Primitive::default() };
+    let corners = (0..primitive.positions.len()).map(|corner| {
+        let position = primitive.positions[corner];
+        let normal = if has_normals { primitive.normals[corner] } else { [0.0; 3] };
+        let color = if has_colors { primitive.colors[corner] } else { [0.0; 4] };
+        *known.entry(key(position, normal, color)).or_insert_with(|| {
+            made.positions.push(position);
+            if has_normals {
+                made.normals.push(normal);
+            }
+            if has_colors {
+                made.colors.push(color);
+            }
+            u32::try_from(made.positions.len() - 1).expect("not more corners than there were")
+        })
+    });
+    let new: Vec<u32> = corners.collect();
+    made.indices = primitive.indices.iter().map(|&index| new[index as usize]).collect();
+    made
+}
+
+/// Numbers that are equal bit by bit, so that nothing changes.
+fn key(position: [f32; 3], normal: [f32; 3], color: [f32; 4]) -> [u32; 10] {
+    let mut key = [0; 10];
+    let numbers = position.into_iter().chain(normal).chain(color);
+    key.iter_mut().zip(numbers).for_each(|(place, number)| *place = number.to_bits());
+    key
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{PLAIN, RecipeInput, build_recipe, recipe_size};
+
+    fn recipe(name: &str) -> Vec<Primitive> {
+        let size = recipe_size(name).unwrap();
+        build_recipe(name, &RecipeInput { size, look: 0, geometry: PLAIN, parameters: &[] })
+            .unwrap()
+            .primitives
+    }
+
+    /// Two faces at a right angle along x.
+    fn corner() -> Primitive {
+        Primitive {
+            positions: vec![
+                [0.0, 0.0, 0.0],
+                [1.0, 0.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [1.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0],
+            ],
+            normals: [[[0.0, 0.0, 1.0]; 3], [[0.0, 1.0, 0.0]; 3]].concat(),
+            indices: (0..6).collect(),
+            ..Primitive::default()
+        }
+    }
+
+    #[test]
+    fn faces_share_corners_where_nothing_tells_them_apart() {
+        assert_eq!(joined(&corner(), true).positions.len(), 6, "normals do");
+        let flat = joined(&corner(), false);
+        assert_eq!((flat.positions.len(), flat.normals.len()), (4, 0));
+        assert_eq!(flat.indices, [0, 1, 2, 1, 0, 3]);
+        let mut colored = corner();
+        colored.colors = (0..6).map(|corner| [corner as f32, 0.0, 0.0, 1.0]).collect();
+        assert_eq!(joined(&colored, false).colors, colored.colors);
+    }
+
+    #[test]
+    fn faces_are_flat_or_round() {
+        assert!(is_flat(&corner()));
+        let mut round = corner();
+        round.normals[1] = [0.0, 0.70710677, 0.70710677];
+        assert!(!is_flat(&round));
+    }
+
+    #[test]
+    fn models_keep_their_triangles() {
+        for primitive in ["sofa", "bookshelf", "curtain"].into_iter().flat_map(recipe) {
+            let joined = joined(&primitive, true);
+            assert!(joined.positions.len() <= primitive.positions.len());
+            let corners = |of: &Primitive| -> Vec<([f32; 3], [f32; 3])> {
+                let corner = |&index: &u32| (of.positions[index as usize], of.normals[index as usize]);
+                of.indices.iter().map(corner).collect()
+            };
+            assert_eq!(corners(&joined), corners(&primitive));
+        }
+    }
+}
