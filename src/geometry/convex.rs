@@ -100,13 +100,14 @@ impl Convex {
         })
     }
 
-    /// Unit normals of the edges, each direction once where opposite edges are parallel.
+    /// Normals of the edges, as long as these, each direction once where opposite edges are parallel. Bringing them to
+    /// unit length would take most of the time of a test.
     fn normals(&self) -> impl Iterator<Item = Point> + '_ {
         let used = if self.is_symmetric { self.count / 2 } else { self.count };
         (0..used).filter_map(move |i| {
-            let edge = self.corners[(i + 1) % self.count] - self.corners[i];
-            let length = edge.length();
-            (length > 0.0).then(|| Point::new(edge.y, -edge.x) / length)
+            let next = if i + 1 == self.count { 0 } else { i + 1 };
+            let edge = self.corners[next] - self.corners[i];
+            (edge != Point::ZERO).then(|| Point::new(edge.y, -edge.x))
         })
     }
 
@@ -116,9 +117,22 @@ impl Convex {
         let apart = |normal: Point| {
             let (low, high) = self.project(normal);
             let (other_low, other_high) = other.project(normal);
-            high.min(other_high) - low.max(other_low) <= tolerance
+            is_at_most(high.min(other_high) - low.max(other_low), tolerance, normal)
         };
-        !self.normals().any(apart) && !other.normals().any(apart)
+        !self.normals().any(apart) && (self.is_aligned_with(other) || !other.normals().any(apart))
+    }
+
+    /// Whether both are rectangles of the same directions, as most furniture of a room is: one's normals are the other's.
+    fn is_aligned_with(&self, other: &Self) -> bool {
+        /// Radians by which angles differ that were computed differently.
+        const SAME_ANGLE: f64 = 1e-12;
+        if !(self.is_symmetric && self.count == 4 && other.is_symmetric && other.count == 4) {
+            return false;
+        }
+        let (a, b) = (self.corners[1] - self.corners[0], other.corners[1] - other.corners[0]);
+        let limit = SAME_ANGLE * SAME_ANGLE * a.length_squared() * b.length_squared();
+        let (sine, cosine) = (a.perp_dot(b), a.dot(b));
+        limit > 0.0 && (sine * sine <= limit || cosine * cosine <= limit)
     }
 
     /// Whether a segment enters the polygon by more than `tolerance` metres.
@@ -128,7 +142,7 @@ impl Convex {
             let (low, high) = self.project(normal);
             let (a, b) = (start.dot(normal), end.dot(normal));
             // A segment has no width of its own: inside means beyond the faces by the tolerance.
-            a.max(b) <= low + tolerance || a.min(b) >= high - tolerance
+            is_at_most(a.max(b) - low, tolerance, normal) || is_at_most(high - a.min(b), tolerance, normal)
         }) {
             return false;
         }
@@ -139,6 +153,16 @@ impl Convex {
         let (low, high) = self.project(across);
         let level = start.dot(across);
         level > low + tolerance && level < high - tolerance
+    }
+}
+
+/// Whether a difference of projections on a direction is at most so many metres, without its length's square root.
+fn is_at_most(difference: f64, metres: f64, direction: Point) -> bool {
+    let limit = metres * metres * direction.length_squared();
+    if metres < 0.0 {
+        difference < 0.0 && difference * difference >= limit
+    } else {
+        difference <= 0.0 || difference * difference <= limit
     }
 }
 
@@ -155,6 +179,34 @@ mod tests {
     fn touching_squares_do_not_overlap() {
         assert!(!square(0.0, 0.0, 0.0).overlaps(&square(1.0, 0.0, 0.0), 1e-4));
         assert!(square(0.0, 0.0, 0.0).overlaps(&square(0.999, 0.0, 0.0), 1e-4));
+    }
+
+    #[test]
+    fn aligned_rectangles_are_told_from_turned_ones() {
+        let right = core::f64::consts::FRAC_PI_2;
+        for turn in [0.0, 0.3] {
+            assert!(square(0.0, 0.0, turn).is_aligned_with(&square(3.0, 1.0, turn + right)));
+            assert!(!square(0.0, 0.0, turn).is_aligned_with(&square(3.0, 1.0, turn + 0.001)));
+            let thin = Convex::rectangle(Point::ZERO, Point::new(0.0, 0.5), Point::X);
+            assert!(!thin.is_aligned_with(&square(0.0, 0.0, turn)), "a side without length has no direction");
+        }
+    }
+
+    #[test]
+    fn polygons_overlap_by_more_than_the_tolerance_in_metres_whatever_their_size() {
+        for half in [0.01, 1.0, 100.0] {
+            for turn in [0.0, 0.7] {
+                let axis = Point::from_angle(turn);
+                let at = |along: f64| Convex::rectangle(axis * along, Point::splat(half), axis);
+                assert!(!at(0.0).overlaps(&at(2.0 * half - 0.0009), 0.001), "{half} {turn}");
+                assert!(at(0.0).overlaps(&at(2.0 * half - 0.0011), 0.001), "{half} {turn}");
+                assert!(at(0.0).overlaps(&at(2.0 * half + 0.0009), -0.001), "{half} {turn}");
+                assert!(!at(0.0).overlaps(&at(2.0 * half + 0.0011), -0.001), "{half} {turn}");
+                let (start, end) = (axis * (half - 0.0009), axis * (half + 5.0));
+                assert!(!at(0.0).is_entered_by(start, end, 0.001), "{half} {turn}");
+                assert!(at(0.0).is_entered_by(axis * (half - 0.0011), end, 0.001), "{half} {turn}");
+            }
+        }
     }
 
     #[test]
