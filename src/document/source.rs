@@ -43,6 +43,23 @@ impl Source {
         Ok(Self { file: path.to_owned(), text, tree: OnceLock::new() })
     }
 
+    /// As [`Source::read`], for formats that are older than UTF-8: bytes that are none are taken as ISO 8859-1, with
+    /// the fault as a warning.
+    ///
+    /// # Errors
+    /// As [`Source::read`], but for bytes that are not UTF-8.
+    pub(crate) fn read_old(path: &Path) -> Result<(Self, Faults), Faults> {
+        let (text, faults) = match String::from_utf8(read_bytes(path)?) {
+            Ok(text) => (text, Faults::default()),
+            Err(error) => {
+                let fault = not_text(path, error.as_bytes(), error.utf8_error().valid_up_to()).as_warning();
+                let text = error.as_bytes().iter().map(|&byte| char::from(byte)).collect();
+                (text, fault.with_hint("all its bytes above 0x7f were taken as ISO 8859-1").into())
+            }
+        };
+        Ok((Self { file: path.to_owned(), text, tree: OnceLock::new() }, faults))
+    }
+
     /// The name of the file.
     #[must_use]
     pub fn file(&self) -> &Path {
@@ -137,6 +154,12 @@ pub fn locate(file: &Path, text: &str, path: &[PathStep]) -> (Option<Position>, 
 }
 
 fn read_text(path: &Path) -> Result<String, Faults> {
+    String::from_utf8(read_bytes(path)?)
+        .map_err(|error| not_text(path, error.as_bytes(), error.utf8_error().valid_up_to()).into())
+}
+
+/// The bytes of a file without a byte order mark.
+fn read_bytes(path: &Path) -> Result<Vec<u8>, Faults> {
     let refuse = |error: &std::io::Error| Faults::from(unreadable(path, error));
     let file = File::open(path).map_err(|error| refuse(&error))?;
     let metadata = file.metadata().map_err(|error| refuse(&error))?;
@@ -154,8 +177,7 @@ fn read_text(path: &Path) -> Result<String, Faults> {
     }
     let start = if bytes.starts_with("\u{feff}".as_bytes()) { "\u{feff}".len() } else { 0 };
     bytes.drain(..start);
-    String::from_utf8(bytes)
-        .map_err(|error| not_text(path, error.as_bytes(), error.utf8_error().valid_up_to()).into())
+    Ok(bytes)
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> Fault {

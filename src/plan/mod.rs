@@ -36,6 +36,6 @@ pub use draft::{
 };
 pub(crate) use mirror::mirror_building;
 pub use options::{PlanOptions, PlanReading, ProjectSettings};
-pub use read::{native_schema, project_schema, project_settings, read_plans};
+pub use read::{DrawnPiece, drawn_furniture, native_schema, project_schema, project_settings, read_plans};
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};
 pub use write_native::write_native;

@@ -18,6 +18,30 @@ pub(crate) fn metres_per_pixel(square_centimetres: f64) -> Option<f64> {
         .then(|| square_centimetres.sqrt() * CENTIMETRE)
 }
 
+/// The factor of an SI prefix, as formats spell it in capitals.
+pub(crate) fn si_prefix(word: &str) -> Option<f64> {
+    let power: i32 = match word {
+        "EXA" => 18,
+        "PETA" => 15,
+        "TERA" => 12,
+        "GIGA" => 9,
+        "MEGA" => 6,
+        "KILO" => 3,
+        "HECTO" => 2,
+        "DECA" => 1,
+        "DECI" => -1,
+        "CENTI" => -2,
+        "MILLI" => -3,
+        "MICRO" => -6,
+        "NANO" => -9,
+        "PICO" => -12,
+        "FEMTO" => -15,
+        "ATTO" => -18,
+        _ => return None,
+    };
+    Some(if power < 0 { 1.0 / 10f64.powi(-power) } else { 10f64.powi(power) })
+}
+
 /// A plane in metres that touches the ellipsoid at a point: x east, y north.
 ///
 /// Equirectangular about the point, with the ellipsoid's two radii of curvature there. Against the true

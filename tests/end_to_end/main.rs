@@ -187,6 +187,15 @@ fn a_real_university_has_no_room_that_fails() {
     assert_eq!(levels, 8);
 }
 
+#[test]
+fn a_real_pair_of_houses_has_no_room_that_fails() {
+    let Some(folder) = real_plans() else { return };
+    let pipeline = Pipeline::new();
+    let (levels, summary) = bake_and_check(&pipeline, &[folder.join("ifc")]);
+    println!("ifc: {levels} levels, {summary:?}");
+    assert_eq!(levels, 3);
+}
+
 /// What reading a written plan back must give again.
 fn outline(building: &Building) -> Vec<(String, Vec<String>, usize)> {
     let level = |level: &roomwright::plan::Level| {
@@ -200,7 +209,7 @@ fn outline(building: &Building) -> Vec<(String, Vec<String>, usize)> {
 fn imports_of_real_plans_read_back_without_an_error() {
     let Some(folder) = real_plans() else { return };
     let pipeline = Pipeline::new();
-    let read = pipeline.read(&[folder.join("archilyse"), folder.join("imdf-spbpu")]);
+    let read = pipeline.read(&["archilyse", "imdf-spbpu", "ifc"].map(|name| folder.join(name)));
     let written = tempfile::tempdir().unwrap();
     for placed in &read.plan.buildings {
         let file = written.path().join("plan.yaml");
@@ -211,5 +220,5 @@ fn imports_of_real_plans_read_back_without_an_error() {
         assert!(errors.is_empty(), "{}: {errors:#?}", placed.id);
         assert_eq!(outline(&back.plan.buildings[0].building), outline(&placed.building), "{}", placed.id);
     }
-    assert_eq!(read.plan.buildings.len(), 11);
+    assert_eq!(read.plan.buildings.len(), 12);
 }

@@ -1,7 +1,7 @@
 //! Plans of foreign formats: every folder of `tests/cases/plan_import` is read and gives its golden, faults included.
 //!
 //! All cases are made for these tests: `block` and `drawing` in the form of react-planner drawings with areas, `campus`
-//! in that of IMDF.
+//! in that of IMDF, `villa` in that of IFC.
 
 use std::path::PathBuf;
 
@@ -48,7 +48,7 @@ fn walls(level: &Level) -> String {
 #[test]
 fn every_case_gives_its_golden() {
     let cases = cases();
-    assert_eq!(cases.len(), 3);
+    assert_eq!(cases.len(), 4);
     for case in cases {
         let reading = read(case.clone());
         let mut text = String::new();
@@ -73,7 +73,7 @@ fn a_folder_is_searched_for_foreign_plans() {
     let reading = read(repository("tests/cases/plan_import"));
     assert!(!reading.faults.has_errors(), "{}", reading.faults);
     let ids: Vec<&str> = reading.plan.buildings.iter().map(|placed| placed.id.as_str()).collect();
-    assert_eq!(ids, ["block", "house_1", "plan_7"]);
+    assert_eq!(ids, ["block", "house_1", "plan_7", "villa"]);
 }
 
 #[test]

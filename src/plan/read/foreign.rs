@@ -15,16 +15,29 @@ pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
 }
 
 /// A room word that the table does not know: a warning at its first place.
-pub(super) fn unknown_word(
-    source: &Source,
-    path: &[PathStep],
-    format: &str,
-    (word, count): (&str, usize),
-) -> Fault {
+pub(super) fn unknown_word(source: &Source, path: &[PathStep], format: &str, word: (&str, usize)) -> Fault {
+    let (message, hint) = unknown_words(format, word);
+    source.fault(path, message, Some(hint), FaultSeverity::Warning)
+}
+
+/// Fact and hint about a room word that the table does not know.
+pub(super) fn unknown_words(format: &str, (word, count): (&str, usize)) -> (String, String) {
     let rooms = if count == 1 { "1 room is".to_owned() } else { format!("{count} rooms are") };
     let message = format!("unknown room word \"{word}\": {rooms} taken as \"{GENERIC_ROOM_TYPE}\"");
-    let hint = format!("add it under formats.{format} in a room_words.yaml of yours");
-    source.fault(path, message, Some(hint), FaultSeverity::Warning)
+    (message, format!("add it under formats.{format} in a room_words.yaml of yours"))
+}
+
+/// A name that reads well in paths: small letters and digits, one `_` for all between.
+pub(super) fn slug(name: &str) -> String {
+    let mut slug = String::new();
+    for letter in name.chars() {
+        if letter.is_ascii_alphanumeric() {
+            slug.push(letter.to_ascii_lowercase());
+        } else if !slug.is_empty() && !slug.ends_with('_') {
+            slug.push('_');
+        }
+    }
+    slug.trim_end_matches('_').to_owned()
 }
 
 /// Both values, or the faults of both.

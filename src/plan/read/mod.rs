@@ -3,6 +3,7 @@
 pub(crate) mod archilyse;
 mod finish;
 mod foreign;
+pub(crate) mod ifc;
 pub(crate) mod imdf;
 mod inputs;
 pub(crate) mod native;
@@ -17,6 +18,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use self::finish::{Drafted, Provenance, Variation, finish};
+pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
 use super::{
@@ -74,6 +76,7 @@ pub(crate) type ReadResult = Result<Found, Faults>;
 pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
     ForeignFormat { name: archilyse::NAME, recognises: archilyse::recognises, read: archilyse::read },
     ForeignFormat { name: imdf::NAME, recognises: imdf::recognises, read: imdf::read },
+    ForeignFormat { name: ifc::NAME, recognises: ifc::recognises, read: ifc::read },
 ];
 
 /// Reads all plans that paths name: native plans, projects, foreign plans, folders and patterns of them.

@@ -6,7 +6,7 @@ use super::features::{Feature, Geometry, LevelProperties, OpeningProperties, Uni
 use super::place::{outlines, plane_of, points};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
-use crate::plan::read::foreign::unknown_word;
+use crate::plan::read::foreign::{slug, unknown_word};
 use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
@@ -49,15 +49,7 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
 
 /// A name that reads well in paths, or the feature's own id.
 fn building_id(name: Option<&str>, own: &str, taken: &mut BTreeSet<String>) -> String {
-    let mut id = String::new();
-    for letter in name.unwrap_or_default().chars() {
-        if letter.is_ascii_alphanumeric() {
-            id.push(letter.to_ascii_lowercase());
-        } else if !id.is_empty() && !id.ends_with('_') {
-            id.push('_');
-        }
-    }
-    let id = id.trim_end_matches('_').to_owned();
+    let id = slug(name.unwrap_or_default());
     let id = if id.is_empty() || taken.contains(&id) { own.to_owned() } else { id };
     taken.insert(id.clone());
     id

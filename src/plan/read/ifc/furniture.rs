@@ -1,0 +1,85 @@
+//! Furniture and fixtures as the architects put them: what furnishing can be compared with.
+
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::columns::Products;
+use super::level::Storey;
+use super::model::{Entity, Read};
+use super::{building, open};
+use crate::document::Faults;
+use crate::geometry::Point;
+use crate::plan::RoomWords;
+
+/// The kinds of products that are read here.
+pub(super) const KINDS: [&str; 6] = [
+    "IFCFURNISHINGELEMENT",
+    "IFCFURNITURE",
+    "IFCSYSTEMFURNITUREELEMENT",
+    "IFCFLOWTERMINAL",
+    "IFCSANITARYTERMINAL",
+    "IFCELECTRICAPPLIANCE",
+];
+
+/// A piece of furniture in a plan, by the box around it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnPiece {
+    /// Id of its building.
+    pub building: String,
+    /// Id of its level.
+    pub level: String,
+    /// As in the file.
+    pub name: String,
+    /// Middle of its box, in the level's frame.
+    pub center: Point,
+    /// Unit vector of its own x axis.
+    pub axis: Point,
+    /// Metres along its own x and y.
+    pub size: Point,
+    /// Metres above the floor where it begins.
+    pub bottom: f64,
+}
+
+/// The furniture of an IFC file, by building and number; what has no place or shape is left out.
+///
+/// # Errors
+/// Why the file cannot be read.
+pub fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
+    let (model, name, _) = open(path)?;
+    let buildings = building::buildings(&model, &RoomWords::default(), &name, true);
+    Ok(buildings.into_iter().flat_map(|(_, pieces)| pieces).collect())
+}
+
+impl Products<'_> {
+    /// The furniture on some storeys of a building.
+    pub(super) fn furniture(&self, storeys: &[Storey], building: &str) -> Vec<DrawnPiece> {
+        let products = self.all(&KINDS);
+        products.filter_map(|product| self.piece(storeys, &product, building).ok().flatten()).collect()
+    }
+
+    fn piece(&self, storeys: &[Storey], product: &Entity, building: &str) -> Read<Option<DrawnPiece>> {
+        let home = self.relations.within(product.id, |whole| storeys.iter().any(|storey| storey.id == whole));
+        let Some(storey) = storeys.iter().find(|storey| Some(storey.id) == home) else { return Ok(None) };
+        let axes = self.frame * self.geometry.place(product)?;
+        let axis = axes.transform_vector3(DVec3::X).truncate().normalize_or(Point::X);
+        let bodies = self.geometry.bodies(product, &self.frame)?;
+        let corners: Vec<DVec3> = bodies.iter().flat_map(|body| body.corners()).collect();
+        let span = |along: DVec3| {
+            let places = corners.iter().map(|corner| corner.dot(along));
+            places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)))
+        };
+        let [x, y, z] = [axis.extend(0.0), axis.perp().extend(0.0), DVec3::Z].map(span);
+        let middle = |span: (f64, f64)| (span.0 + span.1) / 2.0;
+        Ok(Some(DrawnPiece {
+            building: building.to_owned(),
+            level: storey.draft.id.clone(),
+            name: product.text(2).unwrap_or_default().to_owned(),
+            center: axis * middle(x) + axis.perp() * middle(y),
+            axis,
+            size: Point::new(x.1 - x.0, y.1 - y.0),
+            bottom: z.0 - storey.floor,
+        })
+        .filter(|piece| piece.size.is_finite()))
+    }
+}

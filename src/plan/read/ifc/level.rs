@@ -1,0 +1,142 @@
+//! Storeys to levels.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::DAffine3;
+
+use super::model::Entity;
+use super::placement::Geometry;
+use super::rooms::{Naming, Space, space};
+use crate::geometry::Point;
+use crate::plan::read::foreign::slug;
+use crate::plan::{LeafDraft, LevelDraft, OpeningPlace, OutlineKind};
+
+/// Metres of slab between the highest ceiling and what is above, where no storey says more.
+const SLAB_THICKNESS: f64 = 0.3;
+/// Metres of outer walls behind which nothing is known.
+const EXTERIOR_THICKNESS: f64 = 0.35;
+/// Metres of walls between rooms whose outlines touch; gaps between spaces say more.
+const INTERIOR_THICKNESS: f64 = 0.12;
+/// Metres between the floors of two storeys of which the upper stands on the lower.
+const LOWEST_STOREY: f64 = 1.8;
+
+/// A storey while it is read.
+pub(super) struct Storey {
+    /// Its instance.
+    pub(super) id: u64,
+    /// Metres of the floor of its rooms, and of what is above them, in the building's axes.
+    pub(super) floor: f64,
+    pub(super) top: f64,
+    pub(super) draft: LevelDraft,
+    /// Space → its rooms in the draft.
+    pub(super) rooms_of: BTreeMap<u64, Vec<usize>>,
+    /// Whether a wall could not be read, so that nobody can tell where there is none.
+    pub(super) has_unread_walls: bool,
+    opening_ids: BTreeSet<String>,
+}
+
+impl Storey {
+    /// Reads the rooms of a storey; what cannot be read is noted.
+    pub(super) fn read(
+        geometry: &Geometry<'_>,
+        frame: &DAffine3,
+        (storey, spaces): (&Entity, &[Entity]),
+        room_type: &dyn Fn(&Entity) -> String,
+    ) -> Self {
+        let model = geometry.model;
+        let mut naming = Naming { taken: BTreeSet::new(), room_type };
+        let mut read: Vec<Space> = Vec::new();
+        for entity in spaces {
+            match space(geometry, frame, entity, &mut naming) {
+                Ok(space) => read.push(space),
+                Err(trouble) => {
+                    let name = entity.text(2).or(entity.text(7)).unwrap_or_default();
+                    let hint = "the room is left out; spaces with swept or flat-faced bodies are read";
+                    model.error(&trouble, &format!("space \"{name}\": "), hint);
+                }
+            }
+        }
+        let floor = read.iter().map(|space| space.low).fold(f64::INFINITY, f64::min);
+        let highest = read.iter().map(|space| space.high).fold(f64::NEG_INFINITY, f64::max);
+        let elevation = elevation(geometry, frame, storey, floor);
+        let mut draft = LevelDraft {
+            name: storey.text(2).or(storey.text(7)).unwrap_or_default().to_owned(),
+            elevation,
+            exterior_thickness: EXTERIOR_THICKNESS,
+            interior_thickness: INTERIOR_THICKNESS,
+            outlines: OutlineKind::Inner,
+            ..LevelDraft::default()
+        };
+        let mut rooms_of: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+        for space in read {
+            let first = draft.rooms.len();
+            draft.rooms.extend(space.rooms);
+            rooms_of.insert(space.id, (first..draft.rooms.len()).collect());
+        }
+        let opening_ids = BTreeSet::new();
+        let (id, top) = (storey.id, highest + SLAB_THICKNESS);
+        Self { id, floor, top, draft, rooms_of, has_unread_walls: false, opening_ids }
+    }
+
+    /// The global id, by which people find the product in their own program; its number where that is taken.
+    pub(super) fn free_opening_id(&mut self, product: &Entity) -> String {
+        let ids = [product.text(0).unwrap_or_default().to_owned(), format!("opening_{}", product.id)];
+        let free = ids.into_iter().find(|id| !id.is_empty() && self.opening_ids.insert(id.clone()));
+        free.unwrap_or_default()
+    }
+}
+
+/// Metres of a storey in the building's axes. Files disagree whether the placement or the attribute says it: the one
+/// nearer to the floor of the rooms does.
+fn elevation(geometry: &Geometry<'_>, frame: &DAffine3, storey: &Entity, floor: f64) -> f64 {
+    let placed = geometry.model.sound(geometry.place(storey)).map(|place| (*frame * place).translation.z);
+    let said = storey.value(9).number().map(|number| number * geometry.units.length);
+    let off = |height: &f64| if floor.is_finite() { (height - floor).abs() } else { 0.0 };
+    // The first of equals.
+    let nearest =
+        placed.into_iter().chain(said).reduce(|best, next| if off(&next) < off(&best) { next } else { best });
+    nearest.unwrap_or(if floor.is_finite() { floor } else { 0.0 })
+}
+
+/// Ids and heights: a storey ends where the next with rooms begins, the last above its highest room.
+pub(super) fn stack(storeys: &mut Vec<Storey>) {
+    storeys.retain(|storey| !storey.draft.rooms.is_empty());
+    storeys.sort_by(|a, b| a.draft.elevation.total_cmp(&b.draft.elevation).then(a.id.cmp(&b.id)));
+    let mut taken = BTreeSet::new();
+    for index in 0..storeys.len() {
+        let own = storeys[index].draft.elevation;
+        let above = storeys[index + 1..].iter().map(|storey| storey.draft.elevation - own);
+        let above = above.into_iter().find(|height| *height >= LOWEST_STOREY);
+        let storey = &mut storeys[index];
+        storey.draft.height = above.unwrap_or(storey.top - own);
+        storey.top = storey.top.max(own + storey.draft.height);
+        let name = Some(slug(&storey.draft.name)).filter(|name| !name.is_empty());
+        let name = name.unwrap_or_else(|| format!("storey_{index}"));
+        let copies = (2..).map(|copy| format!("{name}_{copy}"));
+        let id = std::iter::once(name.clone()).chain(copies).find(|id| taken.insert(id.clone()));
+        storey.draft.id = id.unwrap_or_default();
+    }
+}
+
+/// Moves everything on a level.
+pub(super) fn shift(level: &mut LevelDraft, by: Point) {
+    let mut ring = |ring: &mut Vec<Point>| ring.iter_mut().for_each(|corner| *corner += by);
+    for room in &mut level.rooms {
+        ring(&mut room.outline);
+        room.holes.iter_mut().for_each(&mut ring);
+    }
+    level.obstacles.iter_mut().for_each(|obstacle| ring(&mut obstacle.outline));
+    level.wall_outlines.iter_mut().for_each(&mut ring);
+    for opening in &mut level.openings {
+        if let OpeningPlace::Points { center, .. } = &mut opening.place {
+            *center += by;
+        }
+        if let LeafDraft::Points(leaves) = &mut opening.leaf {
+            for leaf in leaves {
+                [&mut leaf.hinge, &mut leaf.closed_tip, &mut leaf.open_tip]
+                    .into_iter()
+                    .for_each(|at| *at += by);
+            }
+        }
+    }
+}

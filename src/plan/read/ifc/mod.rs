@@ -1,0 +1,100 @@
+//! Industry Foundation Classes (ISO 16739) as exchange files (ISO 10303-21): IFC2X3, IFC4 and IFC4X3.
+//!
+//! One building for each `IfcBuilding` with storeys, one level for each storey with spaces. Of the file are read:
+//! - `IfcSpace`: the outline is what its body covers of the floor (swept profiles, flat faces, boxes, footprint curves;
+//!   of clipped bodies the uncut one), the height that of its body, the room type the words of `LongName`, `Name` and
+//!   `ObjectType`;
+//! - `IfcDoor` and `IfcWindow` in the openings that they fill, or by themselves; how doors open; windows above
+//!   each other with a bar between are one; openings down to the floor that nothing fills are passages;
+//! - walls, to tell where two spaces meet without one, and columns.
+//!
+//! Not read: bodies with curved faces, roof windows, panes of curtain walls, railings, stairs, furniture. A file without
+//! spaces has no rooms and is refused.
+//!
+//! Lengths of all units become metres in the file's first reading; places are those in the building's own axes.
+
+mod building;
+mod columns;
+mod curve;
+mod footprint;
+mod furniture;
+mod level;
+mod model;
+mod openings;
+mod placement;
+mod profile;
+mod relations;
+mod room_types;
+mod rooms;
+mod shape;
+mod solid;
+mod step;
+mod strings;
+mod swing;
+mod units;
+mod value;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use super::foreign::head;
+use super::{Found, ReadResult};
+use crate::document::{Fault, Faults, Source};
+use crate::plan::RoomWords;
+pub use furniture::{DrawnPiece, drawn_furniture};
+use model::Model;
+
+/// The format's word in `room_words.yaml`.
+pub(crate) const NAME: &str = "ifc";
+/// What every exchange file begins with.
+const BEGINNING: &str = "ISO-10303-21";
+/// Bytes at the start of a file that tell what it is.
+const HEAD_SIZE: u64 = 4096;
+/// What the schemas that are read begin with.
+const SCHEMAS: [&str; 2] = ["IFC2X3", "IFC4"];
+
+/// Whether a file is of this format: by its ending, or an exchange file of an IFC schema.
+pub(crate) fn recognises(path: &Path) -> bool {
+    if path.is_dir() {
+        return false;
+    }
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(NAME)) {
+        return true;
+    }
+    let head = head(path, HEAD_SIZE);
+    let head = String::from_utf8_lossy(&head).to_ascii_uppercase();
+    let schema = head.find("FILE_SCHEMA").map(|start| &head[start..]);
+    head.trim_start_matches('\u{feff}').trim_start().starts_with(BEGINNING)
+        && schema.is_some_and(|schema| schema.contains("'IFC"))
+}
+
+/// Reads the buildings of a file that have spaces, in the order of their numbers.
+pub(crate) fn read(path: &Path, words: &RoomWords) -> ReadResult {
+    let (model, name, mut faults) = open(path)?;
+    let buildings = building::buildings(&model, words, &name, false);
+    faults.merge(model.faults());
+    if model.ids(&["IFCSPACE"]).next().is_none() {
+        let hint = "export rooms as spaces; in Revit rooms must be placed, in ArchiCAD zones";
+        faults.push(Fault::of_file(path, "holds no spaces (IfcSpace), so no rooms").with_hint(hint));
+    }
+    Found::new(buildings.into_iter().map(|(building, _)| building).collect(), faults)
+}
+
+/// The instances of a file, its name without ending, and warnings.
+fn open(path: &Path) -> Result<(Model, String, Faults), Faults> {
+    let (source, faults) = Source::read_old(path)?;
+    if !source.text().trim_start().starts_with(BEGINNING) {
+        let fault = Fault::of_file(path, format!("does not begin with {BEGINNING}"));
+        return Err(fault.with_hint("export it as IFC in the STEP encoding, not as ifcXML or ifcZIP").into());
+    }
+    let model = Model::new(source);
+    let schemas = &model.exchange.schemas;
+    if !schemas.iter().any(|schema| SCHEMAS.iter().any(|known| schema.starts_with(known))) {
+        let message = format!("schema \"{}\" is not read", schemas.join("\", \""));
+        return Err(Fault::of_file(path, message).with_hint("export it as IFC2X3 or IFC4").into());
+    }
+    let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    Ok((model, name, faults))
+}

@@ -1,0 +1,213 @@
+//! Instances by number, looked into on demand, and what is wrong with them.
+
+use std::cell::{Cell, RefCell};
+
+use super::step::Exchange;
+use super::value::{Value, parse_arguments};
+use crate::document::{Fault, FaultSeverity, Faults, Source};
+
+/// Faults beyond these are counted only: a file may be broken in every line.
+const MOST_FAULTS: usize = 500;
+/// A file whose instances refer to each other is looked through this many times over, and this many bytes at least:
+/// some share what a few lines say, and hostile ones make nothing else.
+const READINGS: u64 = 64;
+const LEAST_BYTES: u64 = 16 << 20;
+
+/// A file's instances.
+#[derive(Debug)]
+pub(super) struct Model {
+    pub(super) source: Source,
+    pub(super) exchange: Exchange,
+    /// Bytes that may still be looked into.
+    budget: Cell<u64>,
+    noted: RefCell<Vec<Noted>>,
+}
+
+/// A fault whose line is worked out at the end, for all at once.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Noted {
+    at: usize,
+    message: String,
+    hint: Option<String>,
+    severity: FaultSeverity,
+}
+
+/// Why an instance is of no use.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Trouble {
+    /// The instance to look at.
+    pub(super) id: u64,
+    pub(super) message: String,
+}
+
+/// What comes of an instance, or what is wrong with it.
+pub(super) type Read<T> = Result<T, Trouble>;
+
+/// An instance and its values.
+#[derive(Clone, Debug)]
+pub(super) struct Entity {
+    pub(super) id: u64,
+    /// In capitals.
+    pub(super) kind: String,
+    pub(super) values: Vec<Value>,
+}
+
+impl Model {
+    pub(super) fn new(source: Source) -> Self {
+        let exchange = Exchange::scan(source.text());
+        let budget = (source.text().len() as u64).saturating_mul(READINGS).max(LEAST_BYTES);
+        let model = Self { source, exchange, budget: Cell::new(budget), noted: RefCell::default() };
+        for flaw in &model.exchange.flaws {
+            let hint = flaw.hint.map(str::to_owned);
+            model.note_at(flaw.at, flaw.message.clone(), hint, FaultSeverity::Error);
+        }
+        model
+    }
+
+    /// Looks into an instance.
+    pub(super) fn get(&self, id: u64) -> Read<Entity> {
+        let Some(record) = self.exchange.record(id) else {
+            return Err(Trouble { id, message: format!("#{id} is not in the file") });
+        };
+        let trouble = |message: String| Trouble { id, message };
+        let body = &self.source.text()[record.body.clone()];
+        let Some(left) = self.budget.get().checked_sub(body.len() as u64) else {
+            return Err(trouble(format!("#{id} is referred to too often: the file turns in circles")));
+        };
+        self.budget.set(left);
+        match parse_arguments(body) {
+            Ok((kind, values)) => Ok(Entity { id, kind, values }),
+            Err((_, message)) => Err(trouble(format!("#{id}: {message}"))),
+        }
+    }
+
+    /// The numbers of all instances of some kinds, ascending by kind.
+    pub(super) fn ids<'a>(&'a self, kinds: &'a [&'a str]) -> impl Iterator<Item = u64> + 'a {
+        kinds.iter().filter_map(|kind| self.exchange.kinds.get(*kind)).flatten().copied()
+    }
+
+    /// Whether an instance is of one of some kinds.
+    pub(super) fn is(&self, id: u64, kinds: &[&str]) -> bool {
+        let of =
+            |kind: &&str| self.exchange.kinds.get(*kind).is_some_and(|ids| ids.binary_search(&id).is_ok());
+        kinds.iter().any(of)
+    }
+
+    /// All sound instances of some kinds; the others are noted.
+    pub(super) fn all<'a>(&'a self, kinds: &'a [&'a str]) -> impl Iterator<Item = Entity> + 'a {
+        self.ids(kinds).filter_map(|id| self.sound(self.get(id)))
+    }
+
+    /// What was read, or a note of why it was not.
+    pub(super) fn sound<T>(&self, read: Read<T>) -> Option<T> {
+        match read {
+            Ok(value) => Some(value),
+            Err(trouble) => {
+                self.error(&trouble, "", "it was left out");
+                None
+            }
+        }
+    }
+
+    /// Notes an error; `what` says what suffers from it.
+    pub(super) fn error(&self, trouble: &Trouble, what: &str, hint: &str) {
+        let message = format!("{what}{}", trouble.message);
+        self.note_at(self.place(trouble.id), message, Some(hint.to_owned()), FaultSeverity::Error);
+    }
+
+    /// Notes a warning about an instance.
+    pub(super) fn warn(&self, id: u64, message: String, hint: &str) {
+        self.note_at(self.place(id), message, Some(hint.to_owned()), FaultSeverity::Warning);
+    }
+
+    fn place(&self, id: u64) -> usize {
+        self.exchange.record(id).map_or(0, |record| record.start)
+    }
+
+    fn note_at(&self, at: usize, message: String, hint: Option<String>, severity: FaultSeverity) {
+        self.noted.borrow_mut().push(Noted { at, message, hint, severity });
+    }
+
+    /// All that was noted, with lines. The text is gone through once.
+    pub(super) fn faults(&self) -> Faults {
+        let mut noted = self.noted.take();
+        noted.sort();
+        noted.dedup();
+        let left_out = noted.len().saturating_sub(MOST_FAULTS);
+        noted.truncate(MOST_FAULTS);
+        let text = self.source.text();
+        let mut faults = Faults::default();
+        let (mut line, mut start) = (1, 0);
+        for Noted { at, message, hint, severity } in noted {
+            let at = at.min(text.trim_end().len());
+            let ends = memchr::memchr_iter(b'\n', &text.as_bytes()[start..at]).map(|end| start + end + 1);
+            let (count, last) = ends.fold((0, start), |(count, _), end| (count + 1, end));
+            (line, start) = (line + count, last);
+            faults.push(Fault { hint, severity, ..self.fault_in_line(line, start, at, message) });
+        }
+        if left_out > 0 {
+            let message = format!("{left_out} more faults are not listed");
+            faults.push(Fault::of_file(self.source.file(), message).as_warning());
+        }
+        faults
+    }
+
+    fn fault_in_line(&self, line: usize, start: usize, at: usize, message: String) -> Fault {
+        let rest = &self.source.text()[start..];
+        let end = memchr::memchr(b'\n', rest.as_bytes()).unwrap_or(rest.len());
+        let column = rest[..at - start].chars().count() + 1;
+        let alone = Source::new(self.source.file(), rest[..end].trim_end_matches('\r'));
+        Fault { position: Some((line, column)), ..alone.fault_at(Some((1, column)), message) }
+    }
+}
+
+impl Entity {
+    /// A fault of this instance.
+    pub(super) fn trouble(&self, message: impl std::fmt::Display) -> Trouble {
+        Trouble { id: self.id, message: format!("#{} {}: {message}", self.id, self.kind) }
+    }
+
+    /// The value at a place from 0; `$` where the instance has fewer.
+    pub(super) fn value(&self, place: usize) -> &Value {
+        self.values.get(place).unwrap_or(&Value::Missing)
+    }
+
+    fn lacks(&self, place: usize, what: &str) -> Trouble {
+        self.trouble(format!("value {} is no {what}", place + 1))
+    }
+
+    /// A number that must be there.
+    pub(super) fn number(&self, place: usize) -> Read<f64> {
+        self.value(place).number().ok_or_else(|| self.lacks(place, "number"))
+    }
+
+    /// A number above zero.
+    pub(super) fn positive(&self, place: usize) -> Read<f64> {
+        let number = self.number(place)?;
+        if number > 0.0 { Ok(number) } else { Err(self.lacks(place, "number above zero")) }
+    }
+
+    /// A reference that must be there.
+    pub(super) fn reference(&self, place: usize) -> Read<u64> {
+        self.value(place).reference().ok_or_else(|| self.lacks(place, "reference"))
+    }
+
+    /// References in a list; a single one counts as a list of one.
+    pub(super) fn references(&self, place: usize) -> Read<Vec<u64>> {
+        if let Some(id) = self.value(place).reference() {
+            return Ok(vec![id]);
+        }
+        let ids: Option<Vec<u64>> = self.value(place).items().iter().map(Value::reference).collect();
+        ids.filter(|ids| !ids.is_empty()).ok_or_else(|| self.lacks(place, "list of references"))
+    }
+
+    /// A text that says something.
+    pub(super) fn text(&self, place: usize) -> Option<&str> {
+        self.value(place).text().map(str::trim).filter(|text| !text.is_empty())
+    }
+
+    /// Whether the instance is of one of some kinds.
+    pub(super) fn is(&self, kinds: &[&str]) -> bool {
+        kinds.contains(&self.kind.as_str())
+    }
+}

@@ -1,0 +1,92 @@
+//! Profiles that are swept: an outline and its holes in the profile's plane.
+
+use glam::{DAffine3, DVec3};
+
+use super::curve::DEEPEST;
+use super::model::{Entity, Read};
+use super::placement::Geometry;
+
+/// Closed corners in a plane.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Rings {
+    pub(super) outer: Vec<DVec3>,
+    pub(super) holes: Vec<Vec<DVec3>>,
+}
+
+impl Rings {
+    /// The same elsewhere.
+    pub(super) fn moved(&self, by: &DAffine3) -> Self {
+        let ring = |ring: &Vec<DVec3>| ring.iter().map(|corner| by.transform_point3(*corner)).collect();
+        Self { outer: ring(&self.outer), holes: self.holes.iter().map(ring).collect() }
+    }
+
+    /// All corners.
+    pub(super) fn corners(&self) -> impl Iterator<Item = DVec3> {
+        self.outer.iter().chain(self.holes.iter().flatten()).copied()
+    }
+}
+
+/// A rectangle around the origin.
+fn rectangle(width: f64, depth: f64) -> Vec<DVec3> {
+    let (x, y) = (width / 2.0, depth / 2.0);
+    [(-x, -y), (x, -y), (x, y), (-x, y)].map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec()
+}
+
+impl Geometry<'_> {
+    /// The rings of a profile.
+    pub(super) fn profile(&self, id: u64, depth: usize) -> Read<Rings> {
+        let profile = self.model.get(id)?;
+        if depth > DEEPEST {
+            return Err(profile.trouble("profiles are nested too deep"));
+        }
+        match profile.kind.as_str() {
+            "IFCARBITRARYCLOSEDPROFILEDEF" => {
+                Ok(Rings { outer: self.curve(profile.reference(2)?, depth + 1)?, holes: Vec::new() })
+            }
+            "IFCARBITRARYPROFILEDEFWITHVOIDS" => {
+                let outer = self.curve(profile.reference(2)?, depth + 1)?;
+                let holes = profile.references(3)?.into_iter().map(|hole| self.curve(hole, depth + 1));
+                Ok(Rings { outer, holes: holes.collect::<Read<_>>()? })
+            }
+            "IFCDERIVEDPROFILEDEF" => {
+                let operator = self.operator(profile.reference(3)?)?;
+                Ok(self.profile(profile.reference(2)?, depth + 1)?.moved(&operator))
+            }
+            "IFCMIRROREDPROFILEDEF" => {
+                let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+                Ok(self.profile(profile.reference(2)?, depth + 1)?.moved(&mirror))
+            }
+            _ => self.parameterised(&profile),
+        }
+    }
+
+    /// Profiles that are named by their sizes. A steel section is its bounding rectangle: nobody stands between its flanges.
+    fn parameterised(&self, profile: &Entity) -> Read<Rings> {
+        let length = |place: usize| Ok(profile.positive(place)? * self.units.length);
+        let outer = match profile.kind.as_str() {
+            "IFCCIRCLEPROFILEDEF" | "IFCCIRCLEHOLLOWPROFILEDEF" => ellipse(length(3)?, length(3)?),
+            "IFCELLIPSEPROFILEDEF" => ellipse(length(3)?, length(4)?),
+            "IFCRECTANGLEPROFILEDEF"
+            | "IFCROUNDEDRECTANGLEPROFILEDEF"
+            | "IFCRECTANGLEHOLLOWPROFILEDEF"
+            | "IFCISHAPEPROFILEDEF"
+            | "IFCASYMMETRICISHAPEPROFILEDEF" => rectangle(length(3)?, length(4)?),
+            "IFCTSHAPEPROFILEDEF" | "IFCUSHAPEPROFILEDEF" | "IFCLSHAPEPROFILEDEF" => {
+                rectangle(length(4).or_else(|_| length(3))?, length(3)?)
+            }
+            _ => return Err(profile.trouble("profiles of this kind are not read")),
+        };
+        let frame = self.axes(profile.value(2))?;
+        Ok(Rings { outer, holes: Vec::new() }.moved(&frame))
+    }
+}
+
+fn ellipse(first: f64, second: f64) -> Vec<DVec3> {
+    /// Corners of round columns and rooms.
+    const CORNERS: u32 = 32;
+    let corner = |index: u32| {
+        let (sine, cosine) = libm::sincos(std::f64::consts::TAU * f64::from(index) / f64::from(CORNERS));
+        DVec3::new(first * cosine, second * sine, 0.0)
+    };
+    (0..CORNERS).map(corner).collect()
+}

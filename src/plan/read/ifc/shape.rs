@@ -1,0 +1,58 @@
+//! Products to the bodies that stand for them, in the building's axes.
+
+use glam::DAffine3;
+
+use super::model::{Entity, Read, Trouble};
+use super::placement::Geometry;
+use super::solid::Body;
+
+/// Where an `IfcProduct` names its placement and its shape.
+pub(super) const PLACEMENT: usize = 5;
+const SHAPE: usize = 6;
+
+/// What a representation is good for: the least is asked first.
+fn rank(identifier: &str) -> Option<u8> {
+    match identifier.to_ascii_uppercase().as_str() {
+        "BODY" => Some(0),
+        "FOOTPRINT" => Some(2),
+        "BOX" => Some(3),
+        "AXIS" | "PLAN" | "ANNOTATION" | "PROFILE" | "COG" | "CLEARANCE" | "LIGHTING" | "REFERENCE" => None,
+        _ => Some(1),
+    }
+}
+
+impl Geometry<'_> {
+    /// The place of a product in the world.
+    pub(super) fn place(&self, product: &Entity) -> Read<DAffine3> {
+        self.placement(product.value(PLACEMENT))
+    }
+
+    /// The items of a product by representation, the best first.
+    pub(super) fn representations(&self, product: &Entity) -> Read<Vec<Vec<u64>>> {
+        let none = || product.trouble("it has no shape");
+        let shape = self.model.get(product.value(SHAPE).reference().ok_or_else(none)?)?;
+        let mut ranked = Vec::new();
+        for id in shape.references(2)? {
+            let representation = self.model.get(id)?;
+            if let Some(rank) = rank(representation.text(1).unwrap_or_default()) {
+                ranked.push((rank, representation.references(3)?));
+            }
+        }
+        ranked.sort_by_key(|(rank, _)| *rank);
+        Ok(ranked.into_iter().map(|(_, items)| items).collect())
+    }
+
+    /// The bodies of a product's first representation that can be read, moved from the world by a frame.
+    pub(super) fn bodies(&self, product: &Entity, frame: &DAffine3) -> Read<Vec<Body>> {
+        let by = *frame * self.place(product)?;
+        let mut first: Option<Trouble> = None;
+        for items in self.representations(product)? {
+            let bodies: Read<Vec<Vec<Body>>> = items.into_iter().map(|item| self.item(item, 0)).collect();
+            match bodies {
+                Ok(bodies) => return Ok(bodies.iter().flatten().map(|body| body.moved(&by)).collect()),
+                Err(trouble) => first = first.or(Some(trouble)),
+            }
+        }
+        Err(first.unwrap_or_else(|| product.trouble("it has no body and no footprint")))
+    }
+}
