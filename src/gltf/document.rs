@@ -4,15 +4,16 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use gltf_json::scene::UnitQuaternion;
 use gltf_json::texture::Sampler;
 use gltf_json::validation::Checked;
-use gltf_json::{Asset, Image, Index, Node, Root, Scene as JsonScene, Texture, image};
+use gltf_json::{Asset, Image, Index, Root, Scene as JsonScene, Texture, image};
+use serde::Serialize;
 
 use super::encode::{Painting, encode};
-use super::light::{LIGHTS, add_lights, node_light};
+use super::light::{LIGHTS, add_lights};
 use super::material::{EMISSIVE_STRENGTH, Images, TRANSMISSION, material};
 use super::mesh::{Accessors, mesh};
+use super::node::{Node, list_nodes};
 use super::options::{FlatNormals, WriteOptions};
 use super::pack::{PackedPrimitive, Packer};
 use super::variant::{VARIANTS, add_variants};
@@ -21,16 +22,30 @@ use crate::model::{Model, TextureSampler, TextureUse};
 use crate::scene::{GENERATOR, Scene, SceneMesh};
 
 /// A level ready to be written.
-pub(crate) struct Document {
-    root: Root,
+pub(crate) struct Document<'s> {
+    text: Text<'s>,
     /// The level's own buffer.
     pub packer: Packer,
 }
 
-impl Document {
+/// What the JSON says.
+#[derive(Serialize)]
+struct Text<'s> {
+    /// All but the nodes, which are most of it and are written as the scene has them.
+    #[serde(flatten)]
+    root: Root,
+    nodes: Vec<Node<'s>>,
+}
+
+/// About as many bytes as a node has with what it shows.
+const BYTES_OF_NODE: usize = 400;
+
+impl Document<'_> {
     /// The JSON, without line breaks.
     pub(crate) fn json(&self) -> Vec<u8> {
-        serde_json::to_vec(&self.root).expect("names are strings and numbers are finite")
+        let mut json = Vec::with_capacity(self.text.nodes.len() * BYTES_OF_NODE);
+        serde_json::to_writer(&mut json, &self.text).expect("names are strings and numbers are finite");
+        json
     }
 }
 
@@ -41,7 +56,7 @@ struct Source<'l> {
 }
 
 /// Lays out the buffer, then describes it. `uri` is the path of the buffer's file; `None` inside a container.
-pub(crate) fn build(scene: &Scene, uri: Option<&str>, options: WriteOptions<'_>) -> Document {
+pub(crate) fn build<'s>(scene: &'s Scene, uri: Option<&str>, options: WriteOptions<'_>) -> Document<'s> {
     let mut packer = Packer::default();
     let mut images = Images::default();
     let (sources, source_of_mesh) = pack(scene, options, &mut packer);
@@ -59,11 +74,11 @@ pub(crate) fn build(scene: &Scene, uri: Option<&str>, options: WriteOptions<'_>)
     add_images(&mut root, &mut views, &images);
     add_lights(&mut root, &scene.lights);
     add_variants(&mut root, &scene.variants);
-    let level = add_node(&mut root.nodes, &scene.root);
-    let level_scene = JsonScene { extensions: None, extras: None, name: None, nodes: vec![level] };
+    // The level is the first of its nodes.
+    let level_scene = JsonScene { extensions: None, extras: None, name: None, nodes: vec![Index::new(0)] };
     root.scene = Some(root.push(level_scene));
     root.extensions_used = extensions_used(&root);
-    Document { root, packer }
+    Document { text: Text { root, nodes: list_nodes(&scene.root) }, packer }
 }
 
 fn asset() -> Asset {
@@ -176,32 +191,6 @@ fn add_sampler(
         known.len() - 1
     });
     Some(Index::new(u32::try_from(index).expect("a level has few samplers")))
-}
-
-/// Adds a node and all below it, parents first.
-fn add_node(nodes: &mut Vec<Node>, source: &crate::scene::Node) -> Index<Node> {
-    let extras = source.extras.as_ref().map(|extras| {
-        serde_json::value::to_raw_value(extras).expect("extras are plain data with string keys")
-    });
-    let is_moved = source.translation != glam::Vec3::ZERO;
-    let is_turned = source.rotation != glam::Quat::IDENTITY;
-    let index = Index::push(
-        nodes,
-        Node {
-            name: Some(source.name.clone()),
-            translation: is_moved.then(|| source.translation.to_array()),
-            rotation: is_turned.then(|| UnitQuaternion(source.rotation.to_array())),
-            mesh: source.mesh.map(|mesh| Index::new(mesh as u32)),
-            extensions: source.light.map(node_light),
-            extras,
-            ..Node::default()
-        },
-    );
-    let children: Vec<Index<Node>> = source.children.iter().map(|child| add_node(nodes, child)).collect();
-    if !children.is_empty() {
-        nodes[index.value()].children = Some(children);
-    }
-    index
 }
 
 fn extensions_used(root: &Root) -> Vec<String> {

@@ -21,6 +21,7 @@ mod light;
 mod material;
 mod mesh;
 mod models;
+mod node;
 mod options;
 mod pack;
 mod tangent;
