@@ -96,7 +96,7 @@ pub(super) fn planter(draft: &Draft, builder: &mut Builder) {
             count: 16,
             spread: column.width().min(bay.depth()) / 2.0,
             height: bay.height() - height * 0.88,
-            is_fine: true,
+            is_fine: false,
         };
         grow(builder, &mut sampler, &foliage);
     }

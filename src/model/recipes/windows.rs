@@ -10,7 +10,7 @@ use crate::model::kit::{
 };
 
 /// Metres of cloth for one fold.
-const FOLD: f64 = 0.11;
+const FOLD: f64 = 0.14;
 
 /// What a curtain hangs from and how.
 #[derive(Clone, Copy, PartialEq)]
@@ -149,8 +149,8 @@ fn pelmet(builder: &mut Builder, look: usize) -> f64 {
 /// where it is tied.
 fn drape(bay: Bay, count: u32, tie: Option<f64>) -> Solid {
     let tied = |share: f64| tie.map_or(1.0, |at| 0.5 + 0.5 * libm::fabs(share - at).min(0.35) / 0.35);
-    let shares: &[f64] =
-        if tie.is_some() { &[0.0, 0.22, 0.36, 0.4, 0.44, 0.62, 0.8, 1.0] } else { &[0.0, 0.5, 0.94, 1.0] };
+    // Between these, cloth hangs straight.
+    let shares: &[f64] = if tie.is_some() { &[0.0, 0.34, 0.4, 0.46, 0.78, 1.0] } else { &[0.0, 0.94, 1.0] };
     let middle = bay.center();
     let level = |share: f64| {
         let width = tied(share) * (1.0 - 0.05 * share);
