@@ -10,6 +10,7 @@ use super::model::{Entity, Read};
 use super::placement::Geometry;
 use super::relations::Relations;
 use crate::geometry::{Point, Polygon};
+use crate::plan::clean::to_simple;
 use crate::plan::{ObstacleDraft, RoomDraft};
 
 /// What divides rooms. Curtain walls and walls of parts have the bodies of their parts.
@@ -133,8 +134,8 @@ fn reaches_into(room: &RoomDraft, column: &[Point]) -> bool {
     if !(low.cmple(room_high).all() && room_low.cmple(high).all()) {
         return false;
     }
-    let Ok(outline) = Polygon::new(&room.outline) else { return false };
-    let holes: Vec<Polygon> = room.holes.iter().filter_map(|hole| Polygon::new(hole).ok()).collect();
+    let Some(outline) = to_simple(&room.outline) else { return false };
+    let holes: Vec<Polygon> = room.holes.iter().filter_map(|hole| to_simple(hole)).collect();
     let places = column.iter().map(|corner| middle.lerp(*corner, WITHIN)).chain([middle]);
     places
         .filter(|place| outline.contains(*place))

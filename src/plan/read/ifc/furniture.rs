@@ -83,3 +83,30 @@ impl Products<'_> {
         .filter(|piece| piece.size.is_finite()))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::read::real_data::folder;
+
+    #[test]
+    fn the_furniture_of_the_duplex_stands_on_its_levels() {
+        let Some(folder) = folder("ifc") else { return };
+        let pieces = drawn_furniture(&folder.join("Duplex_A_20110907.ifc")).unwrap();
+        let on = |level: &str| pieces.iter().filter(|piece| piece.level == level).count();
+        assert_eq!((pieces.len(), on("level_1") + on("level_2")), (61, 61));
+        let named = |name: &'static str| pieces.iter().filter(move |piece| piece.name.contains(name));
+        assert_eq!((named("Base Cabinet").count(), named("Vanity").count()), (16, 5));
+        for cabinet in named("Base Cabinet") {
+            assert!((cabinet.size.x - 1.0).abs() < 0.02 && cabinet.bottom.abs() < 0.05, "{cabinet:?}");
+        }
+        assert!(named("Upper Cabinet").all(|piece| piece.bottom > 1.3));
+    }
+
+    #[test]
+    fn a_file_without_furniture_has_none() {
+        let villa = Path::new("tests/cases/plan_import/villa/villa.ifc");
+        assert_eq!(drawn_furniture(villa).unwrap(), []);
+        assert!(drawn_furniture(Path::new("configs/plans/house.yaml")).is_err());
+    }
+}

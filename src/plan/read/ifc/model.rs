@@ -8,6 +8,8 @@ use crate::document::{Fault, FaultSeverity, Faults, Source};
 
 /// Faults beyond these are counted only: a file may be broken in every line.
 const MOST_FAULTS: usize = 500;
+/// Letters of a line on each side of a fault that are looked at; more than are shown.
+const SHOWN: usize = 300;
 /// A file whose instances refer to each other is looked through this many times over, and this many bytes at least:
 /// some share what a few lines say, and hostile ones make nothing else.
 const READINGS: u64 = 64;
@@ -136,14 +138,19 @@ impl Model {
         let left_out = noted.len().saturating_sub(MOST_FAULTS);
         noted.truncate(MOST_FAULTS);
         let text = self.source.text();
+        let end = text.trim_end().len();
         let mut faults = Faults::default();
-        let (mut line, mut start) = (1, 0);
+        let (mut line, mut column, mut last) = (1, 1, 0);
         for Noted { at, message, hint, severity } in noted {
-            let at = at.min(text.trim_end().len());
-            let ends = memchr::memchr_iter(b'\n', &text.as_bytes()[start..at]).map(|end| start + end + 1);
-            let (count, last) = ends.fold((0, start), |(count, _), end| (count + 1, end));
-            (line, start) = (line + count, last);
-            faults.push(Fault { hint, severity, ..self.fault_in_line(line, start, at, message) });
+            let at = at.min(end).max(last);
+            let between = &text[last..at];
+            line += memchr::memchr_iter(b'\n', between.as_bytes()).count();
+            column = match memchr::memrchr(b'\n', between.as_bytes()) {
+                Some(newline) => between[newline + 1..].chars().count() + 1,
+                None => column + between.chars().count(),
+            };
+            last = at;
+            faults.push(Fault { hint, severity, ..self.fault_at((line, column), at, message) });
         }
         if left_out > 0 {
             let message = format!("{left_out} more faults are not listed");
@@ -152,12 +159,19 @@ impl Model {
         faults
     }
 
-    fn fault_in_line(&self, line: usize, start: usize, at: usize, message: String) -> Fault {
-        let rest = &self.source.text()[start..];
-        let end = memchr::memchr(b'\n', rest.as_bytes()).unwrap_or(rest.len());
-        let column = rest[..at - start].chars().count() + 1;
-        let alone = Source::new(self.source.file(), rest[..end].trim_end_matches('\r'));
-        Fault { position: Some((line, column)), ..alone.fault_at(Some((1, column)), message) }
+    /// A fault with the part of its line around it: some files are a single line.
+    fn fault_at(&self, position: (usize, usize), at: usize, message: String) -> Fault {
+        let text = self.source.text();
+        let near = at.saturating_sub(SHOWN * char::MAX.len_utf8());
+        let near = (near..at).find(|byte| text.is_char_boundary(*byte)).unwrap_or(at);
+        let (before, behind) = (&text[near..at], &text[at..]);
+        let before = &before[memchr::memrchr(b'\n', before.as_bytes()).map_or(0, |newline| newline + 1)..];
+        let start = before.char_indices().rev().take(SHOWN).last().map_or(before.len(), |(start, _)| start);
+        let behind = behind.chars().take(SHOWN).take_while(|letter| !matches!(letter, '\n' | '\r'));
+        let line: String = before[start..].chars().chain(behind).collect();
+        let column = before[start..].chars().count() + 1;
+        let alone = Source::new(self.source.file(), &line).fault_at(Some((1, column)), message);
+        Fault { position: Some(position), ..alone }
     }
 }
 

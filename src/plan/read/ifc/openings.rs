@@ -6,7 +6,8 @@ use super::columns::Products;
 use super::level::Storey;
 use super::model::{Entity, Read};
 use super::swing::{Doorway, closure};
-use crate::geometry::{Point, Polygon};
+use crate::geometry::Point;
+use crate::plan::clean::to_simple;
 use crate::plan::{LeafDraft, OpeningDraft, OpeningKind, OpeningPlace};
 
 const DOORS: [&str; 2] = ["IFCDOOR", "IFCDOORSTANDARDCASE"];
@@ -192,7 +193,7 @@ impl Products<'_> {
         let named = self.relations.spaces_of.get(&door);
         let rooms = named.into_iter().flatten().filter_map(|space| storey.rooms_of.get(space)).flatten();
         for room in rooms.filter_map(|index| storey.draft.rooms.get(*index)) {
-            let Ok(outline) = Polygon::new(&room.outline) else { continue };
+            let Some(outline) = to_simple(&room.outline) else { continue };
             for (places, rooms) in sides.iter().zip(&mut found) {
                 if places.iter().any(|place| outline.contains(*place)) {
                     rooms.push(room.id.clone());

@@ -182,3 +182,120 @@ impl Geometry<'_> {
 fn girth(ring: &[DVec3]) -> f64 {
     ring.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::super::footprint::footprints;
+    use super::super::model::Model;
+    use super::*;
+    use crate::document::Source;
+    use crate::geometry::Polygon;
+
+    /// The points of a box of 4 by 3 by 2.5 m, in one list.
+    const POINTS: &str =
+        "#1=IFCCARTESIANPOINTLIST3D(((0.,0.,0.),(4.,0.,0.),(4.,3.,0.),(0.,3.,0.),(0.,0.,2.5)));\n";
+
+    fn model(data: &str) -> Model {
+        Model::new(Source::new(Path::new("shape.ifc"), &format!("DATA;\n{data}\nENDSEC;\nEND-ISO-10303-21;")))
+    }
+
+    /// Square metres and height of an item.
+    fn measures(data: &str, item: u64) -> Read<(f64, f64)> {
+        let model = model(data);
+        let found = footprints(&Geometry::new(&model).item(item, 0)?);
+        let areas = found.iter().map(|part| Polygon::new(&part.outer).map_or(0.0, |ring| ring.area()));
+        Ok((areas.sum(), found.first().map_or(0.0, |part| part.high - part.low)))
+    }
+
+    fn assert_measures(data: &str, item: u64, expected: (f64, f64)) {
+        let (area, height) = measures(data, item).unwrap_or_else(|trouble| panic!("{trouble:?}"));
+        assert!(
+            (area - expected.0).abs() < 1e-6 && (height - expected.1).abs() < 1e-6,
+            "{data}: {area}, {height}"
+        );
+    }
+
+    #[test]
+    fn faces_that_share_a_list_of_points_cover_their_floor() {
+        let polygons = "#2=IFCINDEXEDPOLYGONALFACE((1,2,3,4));#3=IFCINDEXEDPOLYGONALFACE((1,2,5));\n";
+        let set = "#4=IFCPOLYGONALFACESET(#1,.F.,(#2,#3),$);";
+        assert_measures(&format!("{POINTS}{polygons}{set}"), 4, (12.0, 2.5));
+        let triangles = "#4=IFCTRIANGULATEDFACESET(#1,$,.F.,((1,2,3),(1,3,4),(1,2,5)),$);";
+        assert_measures(&format!("{POINTS}{triangles}"), 4, (12.0, 2.5));
+        let renumbered = "#4=IFCTRIANGULATEDFACESET(#1,$,.F.,((4,3,2)),(5,3,2,1));";
+        assert_measures(&format!("{POINTS}{renumbered}"), 4, (6.0, 0.0));
+        for broken in ["((1,2,9))", "((0,1,2))", "((1,2,-1))", "((1,2,'x'))"] {
+            let set = format!("{POINTS}#4=IFCTRIANGULATEDFACESET(#1,$,.F.,{broken},$);");
+            assert!(measures(&set, 4).unwrap_err().message.contains("points that are not there"), "{broken}");
+        }
+    }
+
+    #[test]
+    fn faces_with_holes_and_blocks_are_known() {
+        let ring = |id: u64, low: f64, high: f64| {
+            let point =
+                |at: u64, x: f64, y: f64| format!("#{}=IFCCARTESIANPOINT(({x:?},{y:?},0.));", id + at);
+            let corners =
+                [point(1, low, low), point(2, high, low), point(3, high, high), point(4, low, high)].concat();
+            format!("{corners}#{id}=IFCPOLYLOOP((#{},#{},#{},#{}));\n", id + 1, id + 2, id + 3, id + 4)
+        };
+        let face = "#20=IFCFACEBOUND(#10,.T.);#40=IFCFACEBOUND(#30,.T.);#2=IFCFACE((#40,#20));\n\
+                    #3=IFCCONNECTEDFACESET((#2));#4=IFCFACEBASEDSURFACEMODEL((#3));";
+        let data = format!("{}{}{face}", ring(10, 0.0, 10.0), ring(30, 4.0, 5.0));
+        let model = model(&data);
+        let found = footprints(&Geometry::new(&model).item(4, 0).unwrap());
+        assert_eq!((found.len(), found[0].holes.len()), (1, 1));
+        let block = "#1=IFCCARTESIANPOINT((1.,1.,0.));#2=IFCAXIS2PLACEMENT3D(#1,$,$);#4=IFCBLOCK(#2,4.,3.,2.);#5=IFCCSGSOLID(#4);";
+        assert_measures(block, 5, (12.0, 2.0));
+    }
+
+    #[test]
+    fn arcs_of_indexed_curves_and_trimmed_circles_bulge() {
+        let quarter = std::f64::consts::FRAC_PI_4;
+        let indexed = "#1=IFCCARTESIANPOINTLIST2D(((0.,0.),(1.,0.),(0.7071067811865476,0.7071067811865476),(0.,1.)));\
+                       #4=IFCINDEXEDPOLYCURVE(#1,(IFCLINEINDEX((1,2)),IFCARCINDEX((2,3,4)),IFCLINEINDEX((4,1))),.F.);";
+        let (area, _) = measures(indexed, 4).unwrap();
+        assert!((area - quarter).abs() < 0.01, "{area}");
+        let circle = "#1=IFCCARTESIANPOINT((0.,0.));#2=IFCAXIS2PLACEMENT2D(#1,$);#3=IFCCIRCLE(#2,1.);\
+                      #5=IFCTRIMMEDCURVE(#3,(IFCPARAMETERVALUE(0.)),(IFCPARAMETERVALUE(1.5707963267948966)),.T.,.PARAMETER.);\
+                      #6=IFCCARTESIANPOINT((0.,1.));#7=IFCPOLYLINE((#6,#1));\
+                      #8=IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.,#5);#9=IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.,#7);\
+                      #4=IFCCOMPOSITECURVE((#8,#9),.F.);";
+        let (area, _) = measures(circle, 4).unwrap();
+        assert!((area - quarter).abs() < 0.01, "{area}");
+    }
+
+    #[test]
+    fn shapes_of_types_are_turned_scaled_and_mirrored() {
+        let shape = |operator: &str| {
+            format!(
+                "#1=IFCCARTESIANPOINT((0.,0.,0.));#2=IFCAXIS2PLACEMENT3D(#1,$,$);#3=IFCBOUNDINGBOX(#1,4.,3.,2.);\
+                 #5=IFCSHAPEREPRESENTATION($,'Body','x',(#3));#6=IFCREPRESENTATIONMAP(#2,#5);\
+                 #7=IFCDIRECTION((0.,1.,0.));#8=IFCDIRECTION((1.,0.,0.));#9=IFCDIRECTION((0.,-1.,0.));\
+                 #10={operator};#4=IFCMAPPEDITEM(#6,#10);"
+            )
+        };
+        let far_corner = |operator: &str| {
+            let model = model(&shape(operator));
+            let bodies = Geometry::new(&model).item(4, 0).unwrap();
+            bodies[0]
+                .corners()
+                .into_iter()
+                .map(|corner| corner.truncate())
+                .reduce(|a, b| if a.length() > b.length() { a } else { b })
+        };
+        for (operator, corner) in [
+            ("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#1,$,$)", (4.0, 3.0)),
+            ("IFCCARTESIANTRANSFORMATIONOPERATOR3D(#7,$,#1,2.,$)", (-6.0, 8.0)),
+            ("IFCCARTESIANTRANSFORMATIONOPERATOR3D(#8,#9,#1,1.,$)", (4.0, -3.0)),
+            ("IFCCARTESIANTRANSFORMATIONOPERATOR3DNONUNIFORM(#8,#7,#1,1.,$,2.,1.)", (4.0, 6.0)),
+        ] {
+            let found = far_corner(operator).unwrap();
+            assert!(found.distance(glam::DVec2::new(corner.0, corner.1)) < 1e-9, "{operator}: {found}");
+        }
+        let flat = shape("IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#1,0.,$)");
+        assert!(measures(&flat, 4).unwrap_err().message.contains("onto nothing"));
+    }
+}

@@ -180,6 +180,16 @@ fn faults_have_their_line_and_leave_the_rest_alone() {
 }
 
 #[test]
+fn a_file_in_one_line_has_its_faults_shown_too() {
+    let text =
+        std::fs::read_to_string(VILLA).unwrap().replace('\n', " ").replace("#104=IFCRECT", "#104=IFCROUND");
+    let faults = read_bytes(text.as_bytes()).unwrap().faults;
+    let column = text.find("#104=").unwrap() + 1;
+    let fault = faults.0.iter().find(|fault| fault.position == Some((1, column))).unwrap();
+    assert!(fault.line.as_ref().is_some_and(|line| line.contains("#104=IFCROUND")), "{faults}");
+}
+
+#[test]
 fn broken_values_cost_their_own_room_only() {
     let cases = [
         (
