@@ -158,7 +158,7 @@ fn source_of(class: &Class) -> Result<Source, Faults> {
             let mut faults = Faults::default();
             let mut models = Vec::new();
             for &size in &class.sizes {
-                match read.fitted(size) {
+                match read.fitted(&class.id, size) {
                     Ok(model) => {
                         models.push(FittedFile { model: Arc::new(model), stand_in: OnceLock::new() });
                     }

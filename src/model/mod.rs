@@ -24,4 +24,4 @@ pub use recipes::{
     GeometrySet, PLAIN, RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_parameters,
     recipe_size,
 };
-pub(crate) use user::{companion_files, unchecked_document};
+pub(crate) use user::{companion_files, model_file_size, unchecked_document};

@@ -87,6 +87,16 @@ pub(crate) struct LightEntry {
     pub(crate) from: Option<LightSide>,
 }
 
+impl ClassEntry {
+    /// The model file whose size is the class's own, if this definition says so.
+    pub(crate) fn sized_file(&self) -> Option<(&ModelFields, f64)> {
+        match &self.model {
+            Some(ModelEntry::Fields(fields)) => fields.scale.map(|scale| (fields, scale)),
+            _ => None,
+        }
+    }
+}
+
 impl Extends for ClassEntry {
     const KIND: &'static str = "class";
     const TABLE: &'static str = "classes";
@@ -295,6 +305,8 @@ pub(crate) struct ModelFields {
     pub(crate) file: Option<String>,
     /// Degrees by which the file's model is turned so that its front faces +Z.
     pub(crate) turn: Option<f64>,
+    /// The class has the size of the file's model times this, in place of `sizes`.
+    pub(crate) scale: Option<f64>,
     /// Parameters of the recipe.
     #[serde(flatten)]
     pub(crate) parameters: BTreeMap<String, Parameter>,
@@ -321,7 +333,8 @@ impl JsonSchema for ModelEntry {
             "properties": {
                 "recipe": {"type": "string", "description": "The name of a recipe; its parameters stand beside it."},
                 "file": {"type": "string", "description": "A .glb or .gltf file, relative to this file."},
-                "turn": {"type": "number", "description": "Degrees that turn the file's front to +Z."}
+                "turn": {"type": "number", "description": "Degrees that turn the file's front to +Z."},
+                "scale": {"type": "number", "description": "The class has the size of the file's model times this, in place of `sizes`; without it, the model is fitted to `sizes`."}
             },
             "additionalProperties": {"type": ["number", "boolean"]}
         })

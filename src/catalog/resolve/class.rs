@@ -6,8 +6,9 @@ use super::number::{DISTANCE, LENGTH, Quantity, check_count, check_wealth};
 use super::parents::{ResolvedParent, resolve_parents};
 use super::relations::resolve_relations;
 use super::resolve_label;
-use super::shape::{resolve_shape, resolve_sizes, resolve_spare_sizes};
+use super::shape::resolve_shape;
 use super::sides::{resolve_clearances, resolve_sides};
+use super::sizes::{resolve_sizes, resolve_spare_sizes};
 use crate::catalog::file::ClassEntry;
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
@@ -52,7 +53,7 @@ fn resolve_class(
     report: &mut Report<'_>,
 ) -> Option<ResolvedClass> {
     let own = chain.own();
-    let mut sizes = resolve_sizes(chain, report);
+    let mut sizes = resolve_sizes(chain, files, report);
     let usual_sizes = sizes.len();
     sizes.extend(resolve_spare_sizes(chain, report));
     let shape = resolve_shape(chain, &sizes, report);

@@ -15,6 +15,7 @@ mod request;
 mod room;
 mod shape;
 mod sides;
+mod sizes;
 mod style;
 mod words;
 

@@ -1,6 +1,6 @@
 //! How a class looks.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::number::{PARAMETER, Quantity, TURN};
 use crate::catalog::ModelSource;
@@ -72,6 +72,13 @@ fn resolve_recipe(
             "only models from files are turned",
         );
     }
+    if fields.scale.is_some() {
+        report.error_with_hint(
+            &spot.key("scale"),
+            "a recipe has no size of its own",
+            "write `sizes`; only models from files are scaled",
+        );
+    }
     let known = recipe_parameters(name)?;
     let mut parameters = Vec::new();
     for (key, parameter) in &fields.parameters {
@@ -90,6 +97,22 @@ fn resolve_recipe(
     Some(ModelSource::Recipe { name: name.to_owned(), parameters })
 }
 
+/// The file of a model, where it can be read; where it cannot, that is reported with the model.
+pub(super) fn model_path(file: &str, spot: &Spot, files: &Files) -> Option<PathBuf> {
+    let path = beside(file, spot, files);
+    (!files.is_builtin(spot.source) && is_gltf(&path) && path.is_file()).then_some(path)
+}
+
+/// Paths are relative to the file that names them.
+fn beside(file: &str, spot: &Spot, files: &Files) -> PathBuf {
+    files.sources[spot.source].file().parent().unwrap_or(Path::new("")).join(file)
+}
+
+fn is_gltf(path: &Path) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    ["glb", "gltf"].iter().any(|known| extension.eq_ignore_ascii_case(known))
+}
+
 fn resolve_file(
     file: &str,
     fields: &ModelFields,
@@ -98,7 +121,7 @@ fn resolve_file(
 ) -> Option<ModelSource> {
     for name in fields.parameters.keys() {
         let message = format!("a model from a file has no parameter \"{name}\"");
-        report.error_with_hint(&spot.key(name), message, "possible here: file, turn");
+        report.error_with_hint(&spot.key(name), message, "possible here: file, turn, scale");
     }
     let turn = Quantity::degrees("turn", TURN);
     let turn = turn.check(fields.turn.unwrap_or(0.0), &spot.key("turn"), report);
@@ -107,10 +130,8 @@ fn resolve_file(
         report.error(&spot, "built-in classes have no model files");
         return None;
     }
-    let folder = files.sources[spot.source].file().parent().unwrap_or(Path::new(""));
-    let path = folder.join(file);
-    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-    if !["glb", "gltf"].iter().any(|known| extension.eq_ignore_ascii_case(known)) {
+    let path = beside(file, &spot, files);
+    if !is_gltf(&path) {
         report.error_with_hint(
             &spot,
             format!("\"{file}\" is no glTF file"),

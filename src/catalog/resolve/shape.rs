@@ -1,6 +1,5 @@
 //! Shapes: every part inside the box, in every size.
 
-use super::number::{LENGTH, Quantity};
 use crate::catalog::file::{ClassEntry, ExtentFault, PartEntry, ShapeEntry, read_extent};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
@@ -9,49 +8,8 @@ use crate::catalog::{Extent, PrismRule, Shape, Size};
 /// Metres by which a part may stand out of its box through rounding.
 const TOLERANCE: f64 = 1e-9;
 /// The axes of a box and what its two ends are called.
-const AXES: [(&str, &str, &str); 3] =
+pub(super) const AXES: [(&str, &str, &str); 3] =
     [("width", "left", "right"), ("depth", "front", "back"), ("height", "underside", "top")];
-
-/// The sizes of a class; empty where there is none, which is reported for classes that are not abstract.
-pub(super) fn resolve_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Size> {
-    let Some(found) = chain.find("sizes", |entry| entry.sizes.as_deref()) else {
-        if !chain.own().entry.is_abstract {
-            let message = format!("class \"{}\" has no sizes", chain.own().id);
-            report.error_at_key(
-                &chain.own().spot,
-                message,
-                "write `sizes: [[width, depth, height]]` in metres",
-            );
-        }
-        return Vec::new();
-    };
-    if found.value.is_empty() {
-        report.error_with_hint(
-            &found.spot,
-            "the list of sizes is empty",
-            "write at least [[width, depth, height]]",
-        );
-    }
-    check_sizes(found.value, &found.spot, report)
-}
-
-/// The sizes that a class falls back on. They belong to the entry that gives the sizes: a class with sizes of its
-/// own does not inherit its base's spare ones.
-pub(super) fn resolve_spare_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Size> {
-    let found = chain.find("spare_sizes", |entry| entry.sizes.as_ref().map(|_| entry.spare_sizes.as_slice()));
-    found.map_or_else(Vec::new, |found| check_sizes(found.value, &found.spot, report))
-}
-
-fn check_sizes(written: &[[f64; 3]], spot: &Spot, report: &mut Report<'_>) -> Vec<Size> {
-    let size = |(index, lengths): (usize, &[f64; 3])| {
-        let mut check = |axis: usize| {
-            let quantity = Quantity::metres(AXES[axis].0, LENGTH);
-            quantity.check(lengths[axis], &spot.index(index).index(axis), report)
-        };
-        Size { width: check(0), depth: check(1), height: check(2) }
-    };
-    written.iter().enumerate().map(size).collect()
-}
 
 /// The shape of a class, checked against its sizes.
 pub(super) fn resolve_shape(chain: &Chain<'_, ClassEntry>, sizes: &[Size], report: &mut Report<'_>) -> Shape {

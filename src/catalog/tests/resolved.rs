@@ -303,6 +303,27 @@ fn what_others_fall_back_to_must_be_there() {
 }
 
 #[test]
+fn a_model_file_gives_the_size_unless_a_nearer_definition_does() {
+    let text = "version: 1\nclasses:\n  stool: {parents: {on: floor}, sizes: [[1, 1, 1]], spare_sizes: [[0.5, 0.5, 0.5]], model: desk}\n  \
+        own: {extends: stool, model: {file: stool.glb, scale: 2}}\n  \
+        child: {extends: own, looks: 1}\n  \
+        other: {extends: own, sizes: [[0.4, 0.4, 0.7]]}\n";
+    let folder = folder(&[("classes/mine.yaml", text)]);
+    let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/stool.glb");
+    fs::copy(model, folder.path().join("classes/stool.glb")).unwrap();
+    let (catalog, _) =
+        load_above_base(&[folder.path().to_owned()]).unwrap_or_else(|faults| panic!("{faults}"));
+    let sizes = |id: &str| {
+        let class = &catalog.classes[catalog.class_index(id).unwrap()];
+        class.sizes.iter().map(|size| [size.width, size.depth, size.height]).collect::<Vec<_>>()
+    };
+    assert_eq!(sizes("own"), [[0.72, 0.72, 1.3]], "twice that of the file, and no spare one");
+    assert_eq!(sizes("child"), sizes("own"));
+    assert_eq!(sizes("other"), [[0.4, 0.4, 0.7]]);
+    assert_eq!(sizes("stool").len(), 2);
+}
+
+#[test]
 fn thresholds_are_merged_one_by_one_and_angles_are_radians() {
     let builtin = load(&[]).audit;
     let changed = load(&[

@@ -16,7 +16,7 @@ const THINNEST: f64 = 1e-5;
 ///
 /// All three axes are filled, whatever small difference of proportions that takes: every later stage relies on
 /// the model being as large as its class.
-pub(super) fn fit(model: &Model, size: Size) -> Result<Model, Problem> {
+pub(super) fn fit(model: &Model, class: &str, size: Size) -> Result<Model, Problem> {
     let (low, high) = bounds(model);
     let extent = (high - low).as_dvec3();
     let wanted = glam::DVec3::new(size.width, size.height, size.depth);
@@ -27,7 +27,7 @@ pub(super) fn fit(model: &Model, size: Size) -> Result<Model, Problem> {
     let scale = wanted / extent;
     let stretch = scale.max_element() / scale.min_element();
     if stretch > MOST_STRETCH {
-        return Err(misfit(extent, wanted, stretch));
+        return Err(misfit((extent, wanted), class, stretch));
     }
     let scale = scale.as_vec3();
     let base = Vec3::new((low.x + high.x) / 2.0, low.y, (low.z + high.z) / 2.0);
@@ -41,6 +41,13 @@ pub(super) fn fit(model: &Model, size: Size) -> Result<Model, Problem> {
         }
     }
     Ok(fitted)
+}
+
+/// How large a model is.
+pub(super) fn size(model: &Model) -> Size {
+    let (low, high) = bounds(model);
+    let extent = (high - low).as_dvec3();
+    Size { width: extent.x, depth: extent.z, height: extent.y }
 }
 
 fn bounds(model: &Model) -> (Vec3, Vec3) {
@@ -58,10 +65,10 @@ fn in_metres(extent: glam::DVec3) -> String {
     format!("{:.3} × {:.3} × {:.3} m (width × depth × height)", extent.x, extent.z, extent.y)
 }
 
-fn misfit(extent: glam::DVec3, wanted: glam::DVec3, stretch: f64) -> Problem {
+fn misfit((extent, wanted): (glam::DVec3, glam::DVec3), class: &str, stretch: f64) -> Problem {
     let percent = (stretch - 1.0) * 100.0;
     let message = format!(
-        "has the proportions of {}, which the class's box of {} would distort by {percent:.0} %",
+        "has the proportions of {}, which the box of class \"{class}\", {}, would distort by {percent:.0} %",
         in_metres(extent),
         in_metres(wanted)
     );
@@ -72,6 +79,7 @@ fn misfit(extent: glam::DVec3, wanted: glam::DVec3, stretch: f64) -> Problem {
     Problem::new(message).with_hint(if fits_turned {
         "it fits turned by a quarter: add `turn: 90` or `turn: -90`".to_owned()
     } else {
-        format!("give the class the size [{:.2}, {:.2}, {:.2}]", size.x, size.z, size.y)
+        let sizes = format!("[{:.2}, {:.2}, {:.2}]", size.x, size.z, size.y);
+        format!("give the class the size {sizes}, or that of the model by `scale: 1` beside `file`")
     })
 }

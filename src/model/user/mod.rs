@@ -40,13 +40,21 @@ impl UserModel {
         Ok(Self { path: path.to_owned(), model })
     }
 
-    /// The model scaled to a box of this size.
+    /// The model scaled to the box of a class.
     ///
     /// # Errors
     /// Proportions that differ by more than a quarter.
-    pub(super) fn fitted(&self, size: Size) -> Result<Model, Faults> {
-        fit::fit(&self.model, size).map_err(|problem| problem.in_file(&self.path).into())
+    pub(super) fn fitted(&self, class: &str, size: Size) -> Result<Model, Faults> {
+        fit::fit(&self.model, class, size).map_err(|problem| problem.in_file(&self.path).into())
     }
+}
+
+/// Width, depth and height of the model in a file, in the file's metres; `turn` is in radians.
+///
+/// # Errors
+/// Those of [`UserModel::read`].
+pub(crate) fn model_file_size(path: &Path, turn: f64) -> Result<Size, Faults> {
+    UserModel::read(path, turn).map(|read| fit::size(&read.model))
 }
 
 fn read_model(path: &Path, turn: f64) -> Result<Model, problem::Problem> {

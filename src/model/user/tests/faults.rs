@@ -98,7 +98,7 @@ proptest! {
             bytes.truncate(length.index(bytes.len()));
         }
         if let Ok(read) = read_bytes(&bytes, 0.3) {
-            let _ = read.fitted(size(1.0, 4.0, 2.0));
+            let _ = read.fitted("chair", size(1.0, 4.0, 2.0));
         }
     }
 
@@ -111,7 +111,7 @@ proptest! {
         let index = place.index(numbers.len());
         *numbers[index] = if is_float { json!(value as f64 * 1e20) } else { json!(value) };
         if let Ok(read) = draft.read() {
-            let _ = read.fitted(size(1.0, 4.0, 2.0));
+            let _ = read.fitted("chair", size(1.0, 4.0, 2.0));
         }
     }
 }

@@ -142,7 +142,7 @@ fn textured() -> Draft {
 fn the_sample_in_assets_is_read_back_as_it_was_built() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/stool.glb");
     let size = size(0.36, 0.36, 0.65);
-    let read = UserModel::read(&path, 0.0).unwrap().fitted(size).unwrap();
+    let read = UserModel::read(&path, 0.0).unwrap().fitted("chair", size).unwrap();
     let input = crate::model::RecipeInput { size, look: 0, geometry: crate::model::PLAIN, parameters: &[] };
     let built = crate::model::build_recipe("stool", &input).unwrap();
     let counts = |model: &Model| model.primitives.iter().map(|part| part.indices.len()).sum::<usize>();

@@ -9,7 +9,7 @@ use super::{Draft, bounds, read_bytes, size, volume};
 
 #[test]
 fn a_box_is_fitted_to_its_class() {
-    let model = Draft::of_a_box().read().unwrap().fitted(size(0.5, 2.0, 1.0)).unwrap();
+    let model = Draft::of_a_box().read().unwrap().fitted("chair", size(0.5, 2.0, 1.0)).unwrap();
     let (low, high) = bounds(&model);
     assert!(
         low.distance(Vec3::new(-0.25, 0.0, -1.0)) < 1e-6 && high.distance(Vec3::new(0.25, 1.0, 1.0)) < 1e-6
@@ -28,21 +28,25 @@ fn a_box_without_normals_gets_flat_ones() {
 #[test]
 fn slightly_different_proportions_are_evened_out_and_larger_ones_are_faults() {
     let read = Draft::of_a_box().read().unwrap();
-    let (low, high) = bounds(&read.fitted(size(0.55, 2.0, 1.0)).unwrap());
+    let (low, high) = bounds(&read.fitted("chair", size(0.55, 2.0, 1.0)).unwrap());
     assert!((high - low).distance(Vec3::new(0.55, 1.0, 2.0)) < 1e-6);
-    let fault = read.fitted(size(1.0, 2.0, 1.0)).unwrap_err().0.remove(0);
+    let fault = read.fitted("chair", size(1.0, 2.0, 1.0)).unwrap_err().0.remove(0);
     assert!(fault.message.contains("1.000 × 4.000 × 2.000 m"), "{}", fault.message);
     assert!(fault.message.contains("by 100 %"), "{}", fault.message);
-    assert_eq!(fault.hint.as_deref(), Some("give the class the size [0.63, 2.52, 1.26]"));
+    assert_eq!(
+        fault.hint.as_deref(),
+        Some("give the class the size [0.63, 2.52, 1.26], or that of the model by `scale: 1` beside `file`")
+    );
 }
 
 #[test]
 fn a_turn_brings_the_front_to_positive_z() {
     let glb = Draft::of_a_box().glb();
-    let straight = read_bytes(&glb, 0.0).unwrap().fitted(size(4.0, 1.0, 2.0)).unwrap_err().0.remove(0);
+    let straight =
+        read_bytes(&glb, 0.0).unwrap().fitted("chair", size(4.0, 1.0, 2.0)).unwrap_err().0.remove(0);
     assert!(straight.hint.unwrap().contains("turn: 90"));
     let turned = read_bytes(&glb, FRAC_PI_2).unwrap();
-    assert!(turned.fitted(size(4.0, 1.0, 2.0)).is_ok());
+    assert!(turned.fitted("chair", size(4.0, 1.0, 2.0)).is_ok());
     // Counter-clockwise seen from above, with x to the right and z towards the reader: +z goes to +x.
     let mut marked = Draft::of_a_box();
     marked.document["nodes"] = json!([{"mesh": 0, "translation": [0.0, 0.0, 10.0]}]);
@@ -128,6 +132,6 @@ fn quantized_and_sparse_numbers_are_read() {
 fn a_flat_model_cannot_be_scaled_to_a_box() {
     let mut draft = Draft::of_a_box();
     draft.document["nodes"] = json!([{"mesh": 0, "scale": [1.0, 1.0, 0.0]}]);
-    let fault = draft.read().unwrap().fitted(size(1.0, 1.0, 1.0)).unwrap_err().0.remove(0);
+    let fault = draft.read().unwrap().fitted("chair", size(1.0, 1.0, 1.0)).unwrap_err().0.remove(0);
     assert!(fault.message.contains("is flat"), "{fault}");
 }
