@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::number::{PARAMETER, Quantity, TURN};
+use super::sizes::find_model;
 use crate::catalog::ModelSource;
 use crate::catalog::file::{ClassEntry, ModelEntry, ModelFields, Parameter};
 use crate::catalog::read::Files;
@@ -16,7 +17,7 @@ pub(super) fn resolve_model(
     files: &Files,
     report: &mut Report<'_>,
 ) -> Option<ModelSource> {
-    let Some(found) = chain.find("model", |entry| entry.model.as_ref()) else {
+    let Some(found) = find_model(chain) else {
         if !chain.own().entry.is_abstract {
             let message = format!("class \"{}\" has no model", chain.own().id);
             report.error_at_key(

@@ -4,10 +4,10 @@ use super::model::model_path;
 use super::number::{FACTOR, LENGTH, Quantity, TURN};
 use super::shape::AXES;
 use crate::catalog::Size;
-use crate::catalog::file::{ClassEntry, ModelFields};
+use crate::catalog::file::{ClassEntry, ModelEntry, ModelFields};
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
-use crate::catalog::table::Chain;
+use crate::catalog::table::{Chain, Found};
 use crate::model::model_file_size;
 
 /// Sizes are kept to a tenth of a millimetre, whatever the arithmetic of the model's file gives.
@@ -20,8 +20,7 @@ pub(super) fn resolve_sizes(
     files: &Files,
     report: &mut Report<'_>,
 ) -> Vec<Size> {
-    let gives_sizes = |entry: &&ClassEntry| entry.sizes.is_some() || entry.sized_file().is_some();
-    let Some(found) = chain.find("sizes", |entry| Some(entry).filter(gives_sizes)) else {
+    let Some(found) = chain.find("sizes", sized) else {
         if !chain.own().entry.is_abstract {
             let message = format!("class \"{}\" has no sizes", chain.own().id);
             report.error_at_key(
@@ -54,11 +53,24 @@ pub(super) fn resolve_sizes(
 /// The sizes that a class falls back on. They belong to the entry that gives the sizes: a class with sizes of its
 /// own does not inherit its base's spare ones.
 pub(super) fn resolve_spare_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Size> {
-    let found = chain.find("spare_sizes", |entry| {
-        let gives_sizes = entry.sizes.is_some() || entry.sized_file().is_some();
-        gives_sizes.then_some(entry.spare_sizes.as_slice())
-    });
+    let found = chain.find("spare_sizes", |entry| sized(entry).map(|entry| entry.spare_sizes.as_slice()));
     found.map_or_else(Vec::new, |found| check_sizes(found.value, &found.spot, report))
+}
+
+/// The model of the nearest definition that has one. A model that gives its size is that of its own definition and of
+/// those that do not write sizes: whoever swaps the model of `desk` does not mean `small_desk`.
+pub(super) fn find_model<'a>(chain: &Chain<'a, ClassEntry>) -> Option<Found<'a, ClassEntry, ModelEntry>> {
+    let gives_sizes = chain.find("sizes", sized).map(|found| found.value);
+    chain.find("model", |entry| {
+        let is_of_other_size =
+            entry.sized_file().is_some() && gives_sizes.is_some_and(|other| !std::ptr::eq(other, entry));
+        entry.model.as_ref().filter(|_| !is_of_other_size)
+    })
+}
+
+/// The entry, if it gives sizes.
+fn sized(entry: &ClassEntry) -> Option<&ClassEntry> {
+    (entry.sizes.is_some() || entry.sized_file().is_some()).then_some(entry)
 }
 
 fn check_sizes(written: &[[f64; 3]], spot: &Spot, report: &mut Report<'_>) -> Vec<Size> {

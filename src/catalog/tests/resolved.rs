@@ -320,6 +320,13 @@ fn a_model_file_gives_the_size_unless_a_nearer_definition_does() {
     assert_eq!(sizes("own"), [[0.72, 0.72, 1.3]], "twice that of the file, and no spare one");
     assert_eq!(sizes("child"), sizes("own"));
     assert_eq!(sizes("other"), [[0.4, 0.4, 0.7]]);
+    let is_file = |id: &str| {
+        matches!(catalog.classes[catalog.class_index(id).unwrap()].model, ModelSource::File { .. })
+    };
+    assert!(
+        is_file("own") && is_file("child") && !is_file("other"),
+        "a model of another size is not inherited"
+    );
     assert_eq!(sizes("stool").len(), 2);
 }
 
