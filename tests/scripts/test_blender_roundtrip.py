@@ -147,8 +147,10 @@ def hierarchy_copied(_):
 
 
 def stack_copied(_):
-    """Alt+D of a cabinet with what stands on it: new pieces that stand on a new piece."""
-    duplicate(piece("cabinet", "study").name, linked=True).location.x -= 1.2
+    """Alt+D of a sideboard with what stands on it: new pieces that stand on a new piece."""
+    sideboard = piece("sideboard", "living")
+    assert sideboard.children
+    duplicate(sideboard.name, linked=True).location.x -= 1.2
 
 
 # What each edit is, and the kinds of difference that it makes to the house.
