@@ -21,14 +21,14 @@ pub(crate) struct Variants<'a> {
 impl Variants<'_> {
     /// The variant of the piece of this number: in one of the sizes that rooms ask for.
     pub(crate) fn draw(&self, class: &Class, number: u32) -> u32 {
-        let size = self.key.stream(Purpose::Variant, &class.id, 0).below(class.usual_sizes) as u32;
+        let size = || self.key.stream(Purpose::Variant, &class.id, 0).below(class.usual_sizes) as u32;
         let own = || self.key.stream(Purpose::Variant, &class.id, number);
         match class.variety {
-            Variety::None => size * class.looks + self.shared(class, class.looks),
+            Variety::None => size() * class.looks + self.shared(class, class.looks),
             Variety::Details => {
                 let shape = self.shared(class, SHAPES.min(class.looks));
                 let fillings = (class.looks - shape).div_ceil(SHAPES);
-                size * class.looks + shape + SHAPES * own().count(0, fillings - 1)
+                size() * class.looks + shape + SHAPES * own().count(0, fillings - 1)
             }
             Variety::Full => own().count(0, class.usual_variant_count() - 1),
         }
