@@ -9,6 +9,7 @@
 pub mod audit;
 pub mod batch;
 pub mod best;
+pub mod cache;
 pub mod catalog;
 pub mod cli;
 pub mod diff;

@@ -3,6 +3,7 @@
 use sha2::{Digest, Sha256};
 
 use crate::best::DEFAULT_EFFORT;
+use crate::cache::Cache;
 use crate::catalog::Catalog;
 use crate::edits::{EditBook, LevelEdits};
 use crate::gltf::FlatNormals;
@@ -40,6 +41,8 @@ pub struct BakeOptions {
     pub threads: usize,
     /// The share of the levels to bake; default all.
     pub shard: Option<Shard>,
+    /// Where painted surfaces are kept between runs; default nowhere. Never changes a byte.
+    pub cache: Option<Cache>,
 }
 
 impl Default for BakeOptions {
@@ -56,6 +59,7 @@ impl Default for BakeOptions {
             scene: SceneOptions::default(),
             threads: 1,
             shard: None,
+            cache: None,
         }
     }
 }

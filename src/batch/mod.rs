@@ -1,4 +1,4 @@
-//! Many plans to many files: scheduling, cache, manifest, progress.
+//! Many plans to many files: scheduling, levels that are kept, manifest, progress.
 
 mod bug;
 mod event;

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
+use crate::cache::Cache;
 use crate::model::Image;
 use crate::scene::{Scene, SceneMaterial};
 use crate::texture::{TextureLibrary, TextureLocation};
@@ -23,12 +24,12 @@ pub(crate) struct Textures {
 
 impl Textures {
     /// Nothing is painted yet; `None` where materials stay plain.
-    pub(crate) fn new(options: TextureOptions) -> Option<Self> {
+    pub(crate) fn new(options: TextureOptions, cache: Option<Cache>) -> Option<Self> {
         let location = match options.are_embedded {
             true => TextureLocation::Embedded,
             false => TextureLocation::Beside(format!("../{TEXTURE_FOLDER}")),
         };
-        let library = TextureLibrary::new(options.size?, location);
+        let library = TextureLibrary::new(options.size?, location).with_cache(cache);
         Some(Self { library, placed: Mutex::default() })
     }
 

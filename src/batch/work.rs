@@ -64,7 +64,7 @@ pub fn bake(
         true => Some(pool.install(|| GeometryLibrary::create(catalog, models, folder, options))?),
         false => None,
     };
-    let textures = Textures::new(options.textures).filter(|_| !open.is_empty());
+    let textures = Textures::new(options.textures, options.cache.clone()).filter(|_| !open.is_empty());
     let watch = Stopwatch::default();
     if let Some(textures) = &textures {
         watch.measure(Stage::Scene, || pool.install(|| textures.library.paint_all()));

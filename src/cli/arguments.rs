@@ -177,6 +177,10 @@ pub(crate) struct BakeArguments {
     /// Threads to work with [default: one per core]. Never changes a byte of the output.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+    /// Folder that keeps painted surfaces and models between runs, or `none`; it may be deleted at any time. Never changes a
+    /// byte of the output [default: roomwright/ in the system's folder for caches].
+    #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
+    pub(crate) cache: Option<PathBuf>,
     /// Overwrite files that roomwright did not write, or that were changed since.
     #[arg(long)]
     pub(crate) force: bool,

@@ -12,8 +12,10 @@ use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
 use super::summary::{failure_text, summary_json, summary_text, timing_text, where_to_look};
 use crate::batch::{
-    BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, TextureOptions, bake,
+    BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, PROGRAM,
+    TextureOptions, bake,
 };
+use crate::cache::Cache;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
 use crate::scene::SceneOptions;
@@ -74,6 +76,8 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         })?;
         screen.note(&rolled.to_string());
     }
+    let cache = cache(arguments.cache);
+    sources.models = sources.models.with_cache(cache.clone());
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     let options = BakeOptions {
         seed,
@@ -98,6 +102,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         },
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
+        cache,
     };
     Ok(Run {
         has_input_faults: sources.faults.has_errors(),
@@ -108,6 +113,12 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         is_demo,
         progress: arguments.progress,
     })
+}
+
+/// Where painted surfaces and models are kept.
+fn cache(typed: Option<PathBuf>) -> Option<Cache> {
+    let root = typed.or_else(Cache::default_root).filter(|root| root.as_os_str() != "none")?;
+    Some(Cache::new(&root, PROGRAM))
 }
 
 fn textures(word: TextureWord, are_embedded: bool) -> TextureOptions {

@@ -5,8 +5,10 @@ use std::sync::{Arc, OnceLock};
 
 use super::recipes::{PLAIN, RecipeInput, build_recipe, build_reduced_recipe, geometry_sets, recipe_names};
 use super::stand_in::stand_in;
+use super::stored::StoredModel;
 use super::user::UserModel;
 use super::{Detail, Model};
+use crate::cache::Cache;
 use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Shape, Size};
 use crate::document::{Fault, Faults, did_you_mean};
 
@@ -17,6 +19,7 @@ use crate::document::{Fault, Faults, did_you_mean};
 #[derive(Debug)]
 pub struct ModelLibrary {
     classes: Vec<Entry>,
+    cache: Option<Cache>,
 }
 
 #[derive(Debug)]
@@ -64,7 +67,13 @@ impl ModelLibrary {
                 Err(found) => faults.merge(found),
             }
         }
-        if faults.is_empty() { Ok(Self { classes }) } else { Err(faults) }
+        if faults.is_empty() { Ok(Self { classes, cache: None }) } else { Err(faults) }
+    }
+
+    /// The same library that looks for models of recipes in a cache before it builds them, and keeps them there.
+    #[must_use]
+    pub fn with_cache(self, cache: Option<Cache>) -> Self {
+        Self { cache, ..self }
     }
 
     /// The model of a variant of a class in a geometry set; an unknown set counts as `plain`.
@@ -93,7 +102,7 @@ impl ModelLibrary {
             Source::File(files) => entry.file(&files[(variant / entry.looks) as usize], variant, detail),
             Source::Recipe { models, .. } => {
                 let set = geometry_sets().iter().position(|&name| name == geometry).unwrap_or(plain_set());
-                let build = || entry.build(variant, set, detail);
+                let build = || entry.build(variant, set, detail, self.cache.as_ref());
                 Arc::clone(models[detail as usize][set][variant as usize].get_or_init(build))
             }
         }
@@ -119,22 +128,36 @@ impl Entry {
         Arc::clone(file.stand_in.get_or_init(build))
     }
 
-    fn build(&self, variant: u32, set: usize, detail: Detail) -> Arc<Model> {
+    fn build(&self, variant: u32, set: usize, detail: Detail, cache: Option<&Cache>) -> Arc<Model> {
         let Source::Recipe { name, parameters, models } = &self.source else {
             unreachable!("files are read when the library is loaded")
         };
         let (size, look) = (self.size(variant), variant % self.looks);
         let known = |set: usize, detail: Detail| {
             let cell = &models[detail as usize][set][variant as usize];
-            Arc::clone(cell.get_or_init(|| self.build(variant, set, detail)))
+            Arc::clone(cell.get_or_init(|| self.build(variant, set, detail, cache)))
         };
         let input = RecipeInput { size, look, geometry: geometry_sets()[set], parameters };
-        let model = match detail {
-            Detail::Full => build_recipe(name, &input),
-            Detail::Reduced => build_reduced_recipe(name, &input),
-            Detail::Boxes => Some(stand_in(&known(set, Detail::Full), &self.shape, size)),
+        let of_recipe = |build: fn(&str, &RecipeInput<'_>) -> Option<Model>| {
+            let build = || build(name, &input).unwrap_or_else(|| panic!("class {} lost its recipe", self.id));
+            let Some(cache) = cache else { return build() };
+            let key = (
+                "model",
+                name,
+                parameters,
+                [size.width, size.depth, size.height],
+                look,
+                input.geometry,
+                detail as u8,
+            );
+            cache.get_or_make(&key, || StoredModel::from(build())).into()
         };
-        let model = model.unwrap_or_else(|| panic!("class {} lost its recipe", self.id));
+        let model = match detail {
+            Detail::Full => of_recipe(build_recipe),
+            Detail::Reduced => of_recipe(build_reduced_recipe),
+            // Quicker built than read.
+            Detail::Boxes => stand_in(&known(set, Detail::Full), &self.shape, size),
+        };
         if set == plain_set() {
             return Arc::new(model);
         }
@@ -243,6 +266,19 @@ mod tests {
             runs.into_iter().map(|run| run.join().unwrap()).collect()
         });
         assert!(models.iter().all(|model| Arc::ptr_eq(model, &models[0])));
+    }
+
+    #[test]
+    fn a_kept_model_is_the_built_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = || Some(Cache::new(folder.path(), "1.0.0+test"));
+        for detail in [Detail::Full, Detail::Reduced] {
+            let model = |library: ModelLibrary| library.model_in_detail(0, 3, "traditional", detail);
+            let built = model(library("bookshelf"));
+            assert_eq!(model(library("bookshelf").with_cache(cache())), built);
+            assert_eq!(model(library("bookshelf").with_cache(cache())), built, "read");
+            assert_ne!(model(library("chair").with_cache(cache())), built, "of another recipe");
+        }
     }
 
     #[test]

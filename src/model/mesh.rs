@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use gltf_json::texture::{MagFilter, MinFilter, WrappingMode};
+use serde::{Deserialize, Serialize};
 
 use crate::catalog::{Material, Size};
 
@@ -97,7 +98,7 @@ pub struct TextureSampler {
 }
 
 /// What an image of an [`OwnMaterial`] is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum TextureUse {
     /// Base colour and opacity.
     BaseColor,

@@ -12,6 +12,7 @@ mod library;
 mod mesh;
 mod recipes;
 mod stand_in;
+mod stored;
 mod user;
 
 pub use detail::Detail;

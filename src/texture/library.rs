@@ -9,6 +9,7 @@ use super::TextureSize;
 use super::encode::png;
 use super::relief::normals;
 use super::surface::{SURFACES, Sample, has_relief, sample};
+use crate::cache::Cache;
 use crate::catalog::srgb_linear;
 use crate::model::{Image, Texture, TextureSampler, TextureUse};
 
@@ -27,6 +28,7 @@ pub enum TextureLocation {
 pub struct TextureLibrary {
     size: TextureSize,
     location: TextureLocation,
+    cache: Option<Cache>,
     surfaces: Vec<OnceLock<Vec<(TextureUse, Texture)>>>,
 }
 
@@ -37,7 +39,13 @@ impl TextureLibrary {
     /// A library that has painted nothing yet.
     #[must_use]
     pub fn new(size: TextureSize, location: TextureLocation) -> Self {
-        Self { size, location, surfaces: SURFACES.iter().map(|_| OnceLock::new()).collect() }
+        Self { size, location, cache: None, surfaces: SURFACES.iter().map(|_| OnceLock::new()).collect() }
+    }
+
+    /// The same library that looks for its images in a cache before it paints them, and keeps them there.
+    #[must_use]
+    pub fn with_cache(self, cache: Option<Cache>) -> Self {
+        Self { cache, ..self }
     }
 
     /// Base colour, normals where it has relief, and roughness of a surface; none for an unknown name.
@@ -56,7 +64,10 @@ impl TextureLibrary {
 
     fn paint(&self, surface: &'static str) -> Vec<(TextureUse, Texture)> {
         let pixels = self.size.pixels();
-        let files = images(surface, pixels);
+        let files = match &self.cache {
+            Some(cache) => cache.get_or_make(&("surface", surface, pixels), || images(surface, pixels)),
+            None => images(surface, pixels),
+        };
         let texture = |(purpose, bytes): (TextureUse, Vec<u8>)| {
             let uri = match &self.location {
                 TextureLocation::Embedded => None,

@@ -30,6 +30,7 @@ fn run_steps(world: &World) -> Option<String> {
             .args(["--noprofile", "--norc", "-eo", "pipefail", "-c", script])
             .current_dir(world.path("."))
             .env("PATH", &path)
+            .env("ROOMWRIGHT_CACHE", "none")
             .env("GITHUB_STEP_SUMMARY", world.path("summary.md"))
             .stdin(Stdio::null())
             .status()

@@ -56,6 +56,38 @@ fn a_second_bake_keeps_levels_unless_a_texture_is_gone() {
 }
 
 #[test]
+fn what_is_kept_between_runs_changes_no_byte() {
+    let world = World::new();
+    world.write("house.yaml", plan("house", 1));
+    let bakes = |out: &str, cache: &str| {
+        let options = [
+            "--textures",
+            "small",
+            "--detail",
+            "reduced",
+            "--embed-textures",
+            "--out",
+            out,
+            "--cache",
+            cache,
+        ];
+        bake(&world, &options);
+        world.files(out)
+    };
+    let plain = bakes("plain", "none");
+    assert!(bakes("first", "cache") == plain);
+    let kept = world.contents("cache");
+    let entries = || kept.keys().filter(|name| name.ends_with(".entry"));
+    assert!(entries().count() > 20, "{kept:?}");
+    // One entry is damaged, one is gone: both are made again, the others are read.
+    let (damaged, gone) = (entries().next().unwrap(), entries().next_back().unwrap());
+    world.write(&format!("cache/{damaged}"), &kept[damaged][..40]);
+    std::fs::remove_file(world.path(&format!("cache/{gone}"))).unwrap();
+    assert!(bakes("second", "cache") == plain);
+    assert!(world.contents("cache") == kept);
+}
+
+#[test]
 fn embedded_textures_leave_one_file() {
     let world = baked(&["--textures", "small", "--embed-textures"]);
     assert!(textures(&world).is_empty());

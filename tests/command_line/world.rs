@@ -54,6 +54,8 @@ impl World {
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_roomwright"));
         command.current_dir(self.folder.path()).args(arguments).stdin(Stdio::null());
+        // Every test sees what is made, not what an earlier one left behind.
+        command.env("ROOMWRIGHT_CACHE", "none");
         // Painting takes a while without optimisation: only tests that name textures have them.
         let is_bake = arguments.first().is_none_or(|word| *word == "bake");
         if is_bake && !arguments.contains(&"--textures") {

@@ -1,0 +1,60 @@
+//! The folders of other states of the program: every build has one, and they would pile up.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+/// What the name of every folder begins with, so that nothing else below the root is taken for one.
+const PREFIX: &str = "roomwright-";
+
+/// Folders of other states that stay: people work with a release and a build or two of their own.
+const KEPT: usize = 3;
+
+/// The name of a program's folder.
+pub(super) fn folder_name(program: &str) -> String {
+    format!("{PREFIX}{program}")
+}
+
+/// Removes the folders beside this one that were added to longest ago, all but a few.
+pub(super) fn remove_oldest(folder: &Path) -> io::Result<()> {
+    let Some(root) = folder.parent() else { return Ok(()) };
+    let mut others: Vec<(SystemTime, PathBuf)> = Vec::new();
+    for entry in fs::read_dir(root)? {
+        let entry = entry?;
+        let path = entry.path();
+        // Only folders with our tag are ours to delete.
+        let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX)
+            && entry.file_type()?.is_dir()
+            && path.join(super::TAG.0).is_file();
+        if is_ours && path != folder {
+            others.push((entry.metadata()?.modified()?, path));
+        }
+    }
+    others.sort();
+    let surplus = others.len().saturating_sub(KEPT);
+    others[..surplus].iter().try_for_each(|(_, path)| fs::remove_dir_all(path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Cache;
+    use super::*;
+
+    #[test]
+    fn the_oldest_programs_make_room_and_nothing_else_does() {
+        let root = tempfile::tempdir().unwrap();
+        let alien = root.path().join("roomwright-notes");
+        fs::create_dir(&alien).unwrap();
+        let program = |number: usize| format!("1.0.0+{number:016x}");
+        let made = |number: usize| root.path().join(folder_name(&program(number)));
+        for number in 0..6 {
+            Cache::new(root.path(), &program(number)).get_or_make(&"key", || number);
+            let time = SystemTime::UNIX_EPOCH + std::time::Duration::from_secs(1_000 + number as u64);
+            fs::File::open(made(number)).unwrap().set_modified(time).unwrap();
+        }
+        let left: Vec<usize> = (0..6).filter(|&number| made(number).is_dir()).collect();
+        assert_eq!(left, [2, 3, 4, 5]);
+        assert!(alien.is_dir());
+    }
+}
