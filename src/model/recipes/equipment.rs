@@ -1,7 +1,6 @@
 //! Machines of stations, workshops and computer rooms.
 
 use super::input::Draft;
-use super::parts::{LegKind, legs_at_corners};
 use crate::catalog::Side;
 use crate::model::kit::{Builder, SINK};
 
@@ -41,24 +40,6 @@ pub(super) fn luggage_belt(_draft: &Draft, builder: &mut Builder) {
     for plate in belt.slab(Side::Above, 0.01).columns(plates, 0.02) {
         builder.cuboid("rubber", plate);
     }
-}
-
-/// A thick top with a vice, on a frame with a drawer and a board below.
-pub(super) fn workbench(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let top = bay.without(Side::Above, 0.04).slab(Side::Above, 0.06).without(Side::Front, 0.03);
-    builder.block("wood_light", top, 0.005);
-    let frame = top.with_y([0.0, top.low.y + SINK]).inset(0.04, 0.0, 0.04);
-    legs_at_corners(builder, "metal_dark", frame, 0.07, LegKind::Square);
-    let shelf = frame.with_y([frame.high.y * 0.22, frame.high.y * 0.22 + 0.03]).inset(0.03, 0.0, 0.03);
-    builder.cuboid("metal", shelf);
-    let drawers = frame.slab(Side::Above, 0.2).slab(Side::Right, bay.width() * 0.3).inset(0.06, 0.002, 0.02);
-    builder.block("painted_accent", drawers, 0.004);
-    let vice = bay.slab(Side::Above, 0.12).slab(Side::Front, 0.2).slab(Side::Left, bay.width() * 0.28);
-    let jaw = vice.inset(vice.width() * 0.3, 0.0, 0.0);
-    builder.block("metal", jaw.slab(Side::Front, 0.05), 0.006);
-    builder.block("metal", jaw.slab(Side::Back, 0.05).slab(Side::Above, 0.093), 0.006);
-    builder.cuboid("metal_dark", jaw.inset(0.03, 0.05, 0.03));
 }
 
 /// A dark cabinet with a door of mesh behind which lights glow.

@@ -2,11 +2,12 @@
 
 use super::input::{Draft, RecipeInput};
 use super::{
-    apparatus, appliances, barber, basins, bathing, beds, belongings, books, car, carts, cash_register,
-    coat_stand, copier, countertop, desk_lamps, electronics, equipment, football_table, fridges, gym,
-    hangings, hook_board, keyboard, kitchen, lamps, laundry, lights, lounge, ovens, papers, phone, plants,
-    projector, radiators, rugs, screens, seating, shelving, signage, soap, storage, tables, tableware,
-    toilets, toys, utility_sink, wall_lamps, walls, washroom, windows,
+    apparatus, appliances, barber, basins, bathing, beds, belongings, boards, books, car, carts,
+    cash_register, coat_stand, copier, countertop, desk_lamps, electronics, equipment, fire_extinguisher,
+    football_table, fridges, gym, hangings, hook_board, keyboard, kitchen, lamps, laundry, lights, lounge,
+    luggage_rack, ovens, papers, partition, phone, plants, projector, radiators, rugs, screens, seating,
+    shelving, signage, soap, storage, tables, tableware, toilets, toys, umbrella_stand, utility_sink,
+    wall_lamps, washroom, windows, workbench,
 };
 use crate::catalog::Size;
 use crate::model::kit::Builder;
@@ -134,7 +135,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("dumbbell_rack", [1.4, 0.55, 0.9], gym::dumbbell_rack),
     large("exercise_bench", [1.5, 1.4, 1.2], gym::exercise_bench),
     large("filing_cabinet", [0.45, 0.6, 1.3], storage::filing_cabinet).with(&[("drawers", 0.0)]),
-    small("fire_extinguisher", [0.18, 0.16, 0.55], walls::fire_extinguisher),
+    small("fire_extinguisher", [0.18, 0.16, 0.55], fire_extinguisher::fire_extinguisher),
     large("floor_lamp", [0.4, 0.4, 1.6], lamps::floor_lamp).round(),
     large("football_table", [1.4, 0.75, 0.9], football_table::football_table),
     large("fridge", [0.6, 0.65, 1.9], fridges::fridge),
@@ -153,7 +154,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("locker", [0.9, 0.5, 1.9], storage::locker).with(&[("doors", 0.0)]),
     large("lounger", [1.9, 0.66, 0.4], seating::lounger),
     large("luggage_belt", [6.0, 1.2, 0.45], equipment::luggage_belt),
-    large("luggage_rack", [0.7, 0.45, 0.5], walls::luggage_rack),
+    large("luggage_rack", [0.7, 0.45, 0.5], luggage_rack::luggage_rack),
     large("luggage_trolley", [0.6, 1.0, 1.0], carts::luggage_trolley),
     large("magazine_rack", [0.8, 0.35, 1.4], shelving::magazine_rack),
     small("microwave", [0.5, 0.38, 0.3], countertop::microwave),
@@ -161,10 +162,10 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("mirror", [0.6, 0.03, 0.8], hangings::mirror),
     large("mirror_station", [1.0, 0.35, 1.9], barber::mirror_station),
     large("nightstand", [0.45, 0.4, 0.5], storage::nightstand),
-    small("notice_board", [1.2, 0.04, 0.9], walls::notice_board),
+    small("notice_board", [1.2, 0.04, 0.9], boards::notice_board),
     large("office_chair", [0.62, 0.62, 1.05], seating::office_chair).round(),
     small("papers", [0.22, 0.3, 0.02], papers::papers),
-    large("partition", [1.6, 0.05, 1.6], walls::partition),
+    large("partition", [1.6, 0.05, 1.6], partition::partition),
     large("pendant", [0.4, 0.4, 0.9], lights::pendant).round(),
     small("phone", [0.2, 0.22, 0.1], phone::phone),
     small("picture", [0.7, 0.03, 0.5], hangings::picture),
@@ -207,7 +208,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("treatment_bed", [0.7, 1.95, 0.85], beds::treatment_bed),
     small("tv", [1.2, 0.22, 0.75], screens::tv),
     large("tv_stand", [1.5, 0.4, 0.5], storage::tv_stand),
-    small("umbrella_stand", [0.25, 0.25, 0.6], walls::umbrella_stand).round(),
+    small("umbrella_stand", [0.25, 0.25, 0.6], umbrella_stand::umbrella_stand).round(),
     large("urinal", [0.4, 0.36, 0.7], washroom::urinal),
     large("utility_sink", [0.6, 0.5, 1.0], utility_sink::utility_sink),
     large("vanity", [0.8, 0.5, 0.95], basins::vanity),
@@ -218,8 +219,8 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("wardrobe", [1.5, 0.6, 2.1], storage::wardrobe).with(&[("doors", 0.0)]),
     large("washbasin", [0.55, 0.45, 0.95], basins::washbasin),
     large("washing_machine", [0.6, 0.6, 0.85], laundry::washing_machine).with(&[("dryer", 0.0)]),
-    small("whiteboard", [1.8, 0.08, 1.2], walls::whiteboard),
-    large("workbench", [2.0, 0.75, 0.9], equipment::workbench),
+    small("whiteboard", [1.8, 0.08, 1.2], boards::whiteboard),
+    large("workbench", [2.0, 0.75, 0.9], workbench::workbench),
     large("worktop", [0.9, 0.6, 0.9], kitchen::worktop).with(&[
         ("drawers", 0.0),
         ("hob", 0.0),
