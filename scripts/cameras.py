@@ -26,6 +26,8 @@ WALLS = 0.3
 EYE_HEIGHT = 1.6
 # What stands as high as this stops a person's view.
 TALL = 1.4
+# What is not above this stands on the floor or on a rug.
+STANDS = 0.02
 
 
 @dataclass(frozen=True)
@@ -123,7 +125,8 @@ def _hangs(level: Level, box: Box, cuts: dict[tuple[str, int], float], cut_openi
         return True
     if part == "wall" and number.isdigit():
         return box.low > 0.3 and box.high > cuts.get((box.room, int(number)), math.inf)
-    return box.parent in cut_openings and box.high > cut_openings[box.parent]
+    # A car belongs to its gate as curtains do to their window, but stands on the floor.
+    return box.low > STANDS and box.parent in cut_openings and box.high > cut_openings[box.parent]
 
 
 def _has_rooms_behind(level: Level, point: np.ndarray, direction: np.ndarray) -> bool:

@@ -91,6 +91,13 @@ def test_what_hangs_on_a_near_wall_is_hidden_and_what_stands_there_is_not(floor,
     level.boxes.append(floor_view.Box("101", "other", "wall.2", box.corners, 1.4, 1.9))
     level.boxes.append(floor_view.Box("101", "lamp", "ceiling", box.corners, 2.2, 2.5))
     assert hidden() == {"picture", "lamp"}
+    # At an opening in a cut wall a curtain hangs, while a car before its gate stands.
+    door = level.openings[0]
+    side = door.sides[0]
+    level.boxes.append(floor_view.Box(side["room"], "curtain", door.node, box.corners, 0.1, 2.3))
+    level.boxes.append(floor_view.Box(side["room"], "car", door.node, box.corners, 0.0, 1.5))
+    assert cameras.hidden_furniture(level, {(side["room"], side["wall"]): cameras.STUB}) >= {"curtain"}
+    assert "car" not in cameras.hidden_furniture(level, {(side["room"], side["wall"]): cameras.STUB})
 
 
 def test_a_person_stands_free_and_looks_into_the_room(floor, tmp_path):
