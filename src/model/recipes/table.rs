@@ -3,11 +3,11 @@
 use super::input::{Draft, RecipeInput};
 use super::{
     apparatus, appliances, barber, basins, bathing, beds, belongings, boards, books, car, carts,
-    cash_register, coat_stand, copier, countertop, desk_lamps, electronics, equipment, fire_extinguisher,
+    cash_register, coat_stand, copier, countertop, desk_lamps, electronics, fire_extinguisher,
     football_table, fridges, gym, hangings, hook_board, keyboard, kitchen, lamps, laundry, lights, lounge,
-    luggage_rack, ovens, papers, partition, phone, plants, projector, radiators, rugs, screens, seating,
-    shelving, signage, soap, storage, tables, tableware, toilets, toys, umbrella_stand, utility_sink,
-    wall_lamps, washroom, windows, workbench,
+    luggage_belt, luggage_rack, ovens, papers, partition, phone, plants, projector, radiators, rugs, screens,
+    seating, server_rack, shelving, signage, soap, storage, tables, tableware, ticket_machine, toilets, toys,
+    umbrella_stand, utility_sink, wall_lamps, washroom, windows, workbench,
 };
 use crate::catalog::Size;
 use crate::model::kit::Builder;
@@ -153,7 +153,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("lectern", [0.6, 0.5, 1.15], tables::lectern),
     large("locker", [0.9, 0.5, 1.9], storage::locker).with(&[("doors", 0.0)]),
     large("lounger", [1.9, 0.66, 0.4], seating::lounger),
-    large("luggage_belt", [6.0, 1.2, 0.45], equipment::luggage_belt),
+    large("luggage_belt", [6.0, 1.2, 0.45], luggage_belt::luggage_belt),
     large("luggage_rack", [0.7, 0.45, 0.5], luggage_rack::luggage_rack),
     large("luggage_trolley", [0.6, 1.0, 1.0], carts::luggage_trolley),
     large("magazine_rack", [0.8, 0.35, 1.4], shelving::magazine_rack),
@@ -182,7 +182,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("round_table", [1.1, 1.1, 0.74], tables::round_table),
     large("rug", [2.4, 1.7, 0.012], rugs::rug),
     large("school_chair", [0.42, 0.46, 0.8], seating::school_chair),
-    large("server_rack", [0.6, 1.07, 2.0], equipment::server_rack),
+    large("server_rack", [0.6, 1.07, 2.0], server_rack::server_rack),
     large("serving_trolley", [0.8, 0.5, 0.85], carts::serving_trolley),
     large("shelf", [0.9, 0.4, 1.8], shelving::shelf),
     large("shoe_cabinet", [0.8, 0.25, 1.1], storage::shoe_cabinet),
@@ -196,7 +196,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("table", [1.4, 0.8, 0.74], tables::table),
     small("table_lamp", [0.2, 0.2, 0.4], lamps::table_lamp).round(),
     large("tennis_table", [2.74, 1.525, 0.91], gym::tennis_table),
-    large("ticket_machine", [0.8, 0.6, 1.85], equipment::ticket_machine),
+    large("ticket_machine", [0.8, 0.6, 1.85], ticket_machine::ticket_machine),
     large("toilet", [0.38, 0.68, 0.8], toilets::toilet),
     large("toilet_cubicle", [0.95, 1.5, 2.0], toilets::toilet_cubicle),
     large("tool_trolley", [0.7, 0.46, 0.95], carts::tool_trolley),

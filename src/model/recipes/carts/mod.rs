@@ -3,6 +3,7 @@
 mod drip_stand;
 mod luggage_trolley;
 mod serving_trolley;
+mod tool_carts;
 mod tool_trolley;
 
 pub(super) use drip_stand::drip_stand;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::castors;
+use super::{castors, tool_carts};
 use crate::catalog::Side;
 use crate::model::kit::{Bay, Builder, SINK, sweep};
 use crate::model::recipes::input::{Draft, GeometrySet};
@@ -10,15 +10,21 @@ use crate::model::recipes::input::{Draft, GeometrySet};
 /// Metres by which the lips of drawers stand out.
 const REACH: f64 = 0.018;
 
-/// A chest of drawers for tools on castors, with a push bar.
+/// A chest of drawers of steel; a machinist's chest of wood; an open cart with three trays; boxes of plastic on wheels.
 pub(in super::super) fn tool_trolley(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
     let look = draft.input.look as usize % 4;
-    let slot = match draft.set() {
-        GeometrySet::Industrial => ["painted_accent", "metal_dark", "metal", "book"],
-        GeometrySet::Traditional => ["book", "painted_accent", "metal_dark", "leaf"],
-        _ => ["book", "painted_accent", "metal_dark", "plastic_dark"],
-    }[look];
+    match draft.set() {
+        GeometrySet::Plain => steel_chest(builder, look),
+        GeometrySet::Traditional => tool_carts::wooden_chest(builder, look),
+        GeometrySet::Industrial => tool_carts::open_cart(builder, look),
+        GeometrySet::Budget => tool_carts::stacked_boxes(builder, look),
+    }
+}
+
+/// A chest of drawers on castors, with a push bar.
+fn steel_chest(builder: &mut Builder, look: usize) {
+    let bay = builder.bay();
+    let slot = ["book", "painted_accent", "metal_dark", "plastic_dark"][look];
     let lift = 0.14_f64.min(bay.height() * 0.2);
     let bar = 0.05;
     let body = bay.with_y([lift - SINK, bay.high.y - 0.03]).without(Side::Right, bar);

@@ -1,22 +1,15 @@
-//! Copiers: 0.6 m wide without the tray, 0.65 deep, 1.0 to 1.2 high with the feeder.
+//! Copiers on drawers of paper.
 
 use glam::DVec2;
 
-use super::input::Draft;
-use super::parts::{LegKind, legs_at_corners};
+use super::Slots;
 use crate::catalog::Side;
 use crate::model::kit::{Axis, Bay, Builder, SINK, extrude};
+use crate::model::recipes::parts::{LegKind, legs_at_corners};
 
 /// A copier on castors: paper drawers, a slot with sheets, a tilted panel, a feeder on top, a tray at its side.
-pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
+pub(super) fn cassette_copier(builder: &mut Builder, (shell, dark): Slots, look: u32) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
-    let [shell, dark] = [
-        ["plastic", "plastic_dark"],
-        ["appliance", "metal_dark"],
-        ["plastic", "metal_dark"],
-        ["plastic_dark", "plastic_dark"],
-    ][look];
     let height = bay.height();
     let tray = bay.width() * 0.2;
     let body = bay.without(Side::Right, tray);
@@ -28,7 +21,7 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
         0.05,
         LegKind::Square,
     );
-    cassettes(builder, (shell, dark), body.with_y([foot, height * 0.5]), 3 + draft.input.look % 2);
+    cassettes(builder, (shell, dark), body.with_y([foot, height * 0.5]), 3 + look % 2);
     engine(builder, (shell, dark), body);
     scanner(builder, (shell, dark), body);
     feeder(builder, (shell, dark), body);
@@ -51,7 +44,7 @@ pub(super) fn copier(draft: &Draft, builder: &mut Builder) {
 }
 
 /// Drawers for paper, each with a grip and a label.
-fn cassettes(builder: &mut Builder, (shell, dark): (&'static str, &'static str), bay: Bay, count: u32) {
+fn cassettes(builder: &mut Builder, (shell, dark): Slots, bay: Bay, count: u32) {
     let drawers = bay.without(Side::Front, 0.012);
     builder.block(shell, drawers, 0.006);
     for row in drawers.inset(0.012, 0.012, 0.0).rows(count, 0.01) {
@@ -70,7 +63,7 @@ fn cassettes(builder: &mut Builder, (shell, dark): (&'static str, &'static str),
 }
 
 /// The engine, with the slot in which sheets come out.
-fn engine(builder: &mut Builder, (shell, dark): (&'static str, &'static str), body: Bay) {
+fn engine(builder: &mut Builder, (shell, dark): Slots, body: Bay) {
     let height = body.height();
     let neck =
         body.with_y([height * 0.5 - SINK, height * 0.72]).without(Side::Front, 0.03).inset(0.004, 0.0, 0.004);
@@ -89,7 +82,7 @@ fn engine(builder: &mut Builder, (shell, dark): (&'static str, &'static str), bo
 }
 
 /// The scanner, and the tilted panel before it.
-fn scanner(builder: &mut Builder, (shell, dark): (&'static str, &'static str), body: Bay) {
+fn scanner(builder: &mut Builder, (shell, dark): Slots, body: Bay) {
     let (bay, height) = (builder.bay(), body.height());
     let scanner = body.with_y([height * 0.72 - SINK, height * 0.82]);
     builder.block(shell, scanner.without(Side::Front, 0.02), 0.008);
@@ -114,7 +107,7 @@ fn scanner(builder: &mut Builder, (shell, dark): (&'static str, &'static str), b
 }
 
 /// The feeder: a low box with a slope for originals.
-fn feeder(builder: &mut Builder, (shell, dark): (&'static str, &'static str), body: Bay) {
+fn feeder(builder: &mut Builder, (shell, dark): Slots, body: Bay) {
     let height = body.height();
     let lid =
         body.inset(0.01, 0.0, 0.02).with_y([height * 0.82 - SINK, height * 0.88]).without(Side::Front, 0.08);
