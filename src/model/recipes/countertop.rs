@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::input::{Draft, GeometrySet};
 use super::parts::{HandleKind, LegKind, handle, legs_at_corners, turned_forward};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, SINK, cylinder, lathe, sweep};
+use crate::model::kit::{Bay, Builder, SINK, Solid, cylinder, lathe, sweep};
 
 /// A microwave oven with a window, and keys or knobs.
 pub(super) fn microwave(draft: &Draft, builder: &mut Builder) {
@@ -56,73 +56,99 @@ pub(super) fn microwave(draft: &Draft, builder: &mut Builder) {
 
 /// A kettle with a spout to the right and a handle to the left or above: a jug on its base, one with a belly and a bail,
 /// a goose neck, or one of plastic.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
 pub(super) fn kettle(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
     let look = draft.input.look as usize % 4;
-    let height = bay.height();
-    let radius = bay.depth() / 2.0;
-    let x = bay.width() * 0.04;
-    let at = |out: f64, y: f64| DVec3::new(x + out, height * y, 0.0);
+    if draft.is_traditional() {
+        kettle_with_bail(builder, ["painted_accent", "chrome", "brass", "painted"][look]);
+    } else {
+        kettle_on_base(builder, draft.set(), look);
+    }
+}
+
+/// Metres by which a kettle's body stands to the right of the middle, for its handle's sake.
+fn kettle_middle(bay: Bay) -> f64 {
+    bay.width() * 0.04
+}
+
+/// A kettle's body through (share of the radius, share of the height).
+fn kettle_body(bay: Bay, profile: &[(f64, f64)], sides: usize) -> Solid {
+    let (radius, height) = (bay.depth() / 2.0, bay.height());
+    let profile: Vec<(f64, f64)> = profile.iter().map(|&(share, y)| (radius * share, height * y)).collect();
+    lathe(&profile, sides).moved(kettle_middle(bay), 0.0, 0.0)
+}
+
+/// A point beside a kettle's axis at a share of its height.
+fn kettle_point(bay: Bay, out: f64, y: f64) -> DVec3 {
+    DVec3::new(kettle_middle(bay) + out, bay.height() * y, 0.0)
+}
+
+/// One with a belly and a bail over its lid.
+fn kettle_with_bail(builder: &mut Builder, slot: &'static str) {
+    let bay = builder.bay();
+    let (height, radius, x) = (bay.height(), bay.depth() / 2.0, kettle_middle(bay));
+    let at = |out: f64, y: f64| kettle_point(bay, out, y);
     let right = bay.high.x - x;
     let left = bay.low.x - x;
-    let turned = |profile: &[(f64, f64)]| {
-        let profile: Vec<(f64, f64)> =
-            profile.iter().map(|&(share, y)| (radius * share, height * y)).collect();
-        lathe(&profile, 12).moved(x, 0.0, 0.0)
-    };
-    if draft.is_traditional() {
-        let slot = ["painted_accent", "chrome", "brass", "painted"][look];
-        builder.add(
-            slot,
-            turned(&[(0.86, 0.0), (1.0, 0.14), (1.0, 0.26), (0.8, 0.46), (0.42, 0.58), (0.3, 0.6)]),
-        );
-        builder.add("wood_dark", turned(&[(0.08, 0.59), (0.14, 0.63), (0.05, 0.68)]));
-        builder.add(
-            slot,
-            sweep(
-                &[at(radius * 0.8, 0.22), at(right * 0.8, 0.4), at(right - radius * 0.1, 0.52)],
-                radius * 0.13,
-                6,
-            ),
-        );
-        let low = left + radius * 0.12;
-        let bail = [
-            at(-radius * 0.82, 0.42),
-            at(low, 0.7),
-            at(-radius * 0.5, 0.955),
-            at(radius * 0.5, 0.955),
-            at(radius * 0.86, 0.7),
-            at(radius * 0.8, 0.42),
-        ];
-        builder.add("metal_dark", sweep(&bail, radius * 0.07, 4));
-        builder.cuboid(
-            slot,
-            Bay::new([bay.low.x, x - radius * 0.9], [height * 0.5, height * 0.53], [-0.006, 0.006]),
-        );
-        return;
-    }
-    let (slot, grip) = match draft.set() {
+    let turned = |profile: &[(f64, f64)]| kettle_body(bay, profile, 12);
+    builder
+        .add(slot, turned(&[(0.86, 0.0), (1.0, 0.14), (1.0, 0.26), (0.8, 0.46), (0.42, 0.58), (0.3, 0.6)]));
+    builder.add("wood_dark", turned(&[(0.08, 0.59), (0.14, 0.63), (0.05, 0.68)]));
+    builder.add(
+        slot,
+        sweep(
+            &[at(radius * 0.8, 0.22), at(right * 0.8, 0.4), at(right - radius * 0.1, 0.52)],
+            radius * 0.13,
+            6,
+        ),
+    );
+    let low = left + radius * 0.12;
+    let bail = [
+        at(-radius * 0.82, 0.42),
+        at(low, 0.7),
+        at(-radius * 0.5, 0.955),
+        at(radius * 0.5, 0.955),
+        at(radius * 0.86, 0.7),
+        at(radius * 0.8, 0.42),
+    ];
+    builder.add("metal_dark", sweep(&bail, radius * 0.07, 4));
+    builder.cuboid(
+        slot,
+        Bay::new([bay.low.x, x - radius * 0.9], [height * 0.5, height * 0.53], [-0.006, 0.006]),
+    );
+}
+
+/// One on a base with its handle at the left: a jug, a goose neck, or one of plastic.
+fn kettle_on_base(builder: &mut Builder, set: GeometrySet, look: usize) {
+    let bay = builder.bay();
+    let (slot, grip) = match set {
         GeometrySet::Industrial => (["metal", "metal_dark", "metal", "brass"][look], "wood_dark"),
         GeometrySet::Budget => {
             (["plastic", "plastic_dark", "painted_accent", "plastic"][look], "plastic_dark")
         }
         _ => (["metal", "plastic_dark", "painted", "glass"][look], "plastic_dark"),
     };
-    builder.add("plastic_dark", turned(&[(0.94, 0.0), (0.94, 0.05), (0.8, 0.08)]));
-    let is_goose = draft.set() == GeometrySet::Industrial;
+    builder.add("plastic_dark", kettle_body(bay, &[(0.94, 0.0), (0.94, 0.05), (0.8, 0.08)], 12));
+    let is_goose = set == GeometrySet::Industrial;
     let body: &[(f64, f64)] = if is_goose {
         &[(1.0, 0.075), (0.96, 0.2), (0.62, 0.7), (0.5, 0.74), (0.2, 0.78)]
-    } else if draft.set() == GeometrySet::Budget {
+    } else if set == GeometrySet::Budget {
         &[(0.96, 0.075), (0.98, 0.3), (0.78, 0.86), (0.72, 0.9), (0.3, 0.95)]
     } else {
         &[(0.9, 0.075), (1.0, 0.26), (0.84, 0.72), (0.66, 0.9), (0.2, 0.95)]
     };
-    builder.add(slot, turned(body));
+    builder.add(slot, kettle_body(bay, body, 12));
     let lid = body[4].1;
-    let knob =
-        [(0.06, lid - 0.01), (0.16, lid + 0.02), (0.1, 1.0)].map(|(share, y)| (radius * share, height * y));
-    builder.add(grip, lathe(&knob, 8).moved(x, 0.0, 0.0));
+    let knob = [(0.06, lid - 0.01), (0.16, lid + 0.02), (0.1, 1.0)];
+    builder.add(grip, kettle_body(bay, &knob, 8));
+    kettle_spout(builder, slot, is_goose);
+    kettle_handle(builder, grip, is_goose);
+}
+
+/// A goose neck from low on the body, or a short spout at the rim.
+fn kettle_spout(builder: &mut Builder, slot: &'static str, is_goose: bool) {
+    let bay = builder.bay();
+    let (radius, right) = (bay.depth() / 2.0, bay.high.x - kettle_middle(bay));
+    let at = |out: f64, y: f64| kettle_point(bay, out, y);
     if is_goose {
         let pipe = radius * 0.07;
         let neck = [
@@ -136,6 +162,13 @@ pub(super) fn kettle(draft: &Draft, builder: &mut Builder) {
         builder
             .add(slot, sweep(&[at(radius * 0.6, 0.62), at(right - radius * 0.14, 0.82)], radius * 0.15, 6));
     }
+}
+
+/// A bow at the left.
+fn kettle_handle(builder: &mut Builder, grip: &'static str, is_goose: bool) {
+    let bay = builder.bay();
+    let (radius, left) = (bay.depth() / 2.0, bay.low.x - kettle_middle(bay));
+    let at = |out: f64, y: f64| kettle_point(bay, out, y);
     let thick = radius * 0.11;
     let (top, low) = if is_goose { (0.68, 0.24) } else { (0.86, 0.22) };
     let bow = [

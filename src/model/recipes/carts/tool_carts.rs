@@ -188,13 +188,7 @@ pub(super) fn stacked_boxes(builder: &mut Builder, look: usize) {
     let slot = ["painted_accent", "book", "brass", "leaf"][look];
     let height = bay.height();
     let body = bay.without(Side::Back, 0.05).inset(0.03, 0.0, 0.0);
-    let radius = 0.085;
-    for side in [-1.0, 1.0] {
-        let wheel = turned_sideways(cylinder(radius, [-0.03, 0.03], 14));
-        builder.add("rubber", wheel.moved(side * (bay.high.x - 0.03), radius, bay.low.z + radius));
-        let hub = turned_sideways(cylinder(radius * 0.5, [-0.032, 0.032], 8));
-        builder.add("plastic", hub.moved(side * (bay.high.x - 0.033), radius, bay.low.z + radius));
-    }
+    wheels(builder);
     for x in [-0.5, 0.5] {
         castor(builder, DVec3::new(x * body.width() * 0.7, 0.0, body.high.z - 0.07), 0.05);
     }
@@ -233,6 +227,13 @@ pub(super) fn stacked_boxes(builder: &mut Builder, look: usize) {
             );
         }
     }
+    bows(builder, body, case);
+}
+
+/// A bow on the lid of a case, and a handle on two rods behind the boxes.
+fn bows(builder: &mut Builder, body: Bay, case: Bay) {
+    let bay = builder.bay();
+    let height = bay.height();
     let at = |x: f64, y: f64| DVec3::new(x, y, case.center().z);
     let bow = [
         at(-0.13, case.high.y - 0.01),
@@ -253,5 +254,17 @@ pub(super) fn stacked_boxes(builder: &mut Builder, look: usize) {
         builder.add("plastic_dark", ball(0.02, 8).moved(side * x, height * 0.2, z));
         let clip = Bay::around(DVec3::new(side * x, height * 0.36, z + 0.02), 0.05, 0.05, 0.05);
         builder.cuboid("plastic_dark", clip);
+    }
+}
+
+/// Two wheels at the sides, behind.
+fn wheels(builder: &mut Builder) {
+    let bay = builder.bay();
+    let radius = 0.085;
+    for side in [-1.0, 1.0] {
+        let wheel = turned_sideways(cylinder(radius, [-0.03, 0.03], 14));
+        builder.add("rubber", wheel.moved(side * (bay.high.x - 0.03), radius, bay.low.z + radius));
+        let hub = turned_sideways(cylinder(radius * 0.5, [-0.032, 0.032], 8));
+        builder.add("plastic", hub.moved(side * (bay.high.x - 0.033), radius, bay.low.z + radius));
     }
 }
