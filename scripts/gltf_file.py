@@ -7,6 +7,7 @@ with several materials into several nodes. Raises GltfError for everything that 
 from __future__ import annotations
 
 import base64
+import itertools
 import json
 import struct
 from dataclasses import dataclass
@@ -77,7 +78,7 @@ class GltfFile:
         return found
 
     def primitives(self, mesh: int) -> list[dict]:
-        """The primitives of a mesh: positions, normals, coordinates (or None), triangles, material (or None)."""
+        """The primitives of a mesh: positions, normals (or None), coordinates by set, triangles, material (or None)."""
         if mesh not in self._meshes:
             raw = self.document["meshes"][mesh]["primitives"]
             self._meshes[mesh] = [self._primitive(primitive) for primitive in raw]
@@ -92,9 +93,11 @@ class GltfFile:
             triangles = self.accessor(primitive["indices"]).reshape(-1, 3).astype(np.int64)
         else:
             triangles = np.arange(len(positions)).reshape(-1, 3)
-        optional = {key: self.accessor(attributes[name]) if name in attributes else None
-                    for key, name in (("normals", "NORMAL"), ("coordinates", "TEXCOORD_0"))}
-        return {"positions": positions, "triangles": triangles, "material": primitive.get("material"), **optional}
+        normals = self.accessor(attributes["NORMAL"]) if "NORMAL" in attributes else None
+        # The sets of a primitive count from 0 without gaps.
+        names = itertools.takewhile(attributes.__contains__, (f"TEXCOORD_{number}" for number in itertools.count()))
+        return {"positions": positions, "triangles": triangles, "material": primitive.get("material"),
+                "normals": normals, "coordinates": [self.accessor(attributes[name]) for name in names]}
 
     def accessor(self, index: int) -> np.ndarray:
         """An accessor as an array of rows; normalised integers become numbers up to one."""

@@ -67,9 +67,10 @@ class Library:
         summary = hashlib.sha256()
         own = []
         for number, primitive in enumerate(self.gltf.primitives(mesh)):
-            for key in ("positions", "normals", "coordinates", "triangles"):
-                summary.update(b"none" if primitive[key] is None else primitive[key].tobytes())
-                summary.update(key.encode())
+            arrays = [primitive["positions"], primitive["normals"], primitive["triangles"], *primitive["coordinates"]]
+            for array in arrays:
+                summary.update(b"none" if array is None else array.tobytes())
+                summary.update(b"/")
             others = sorted(self.variants.of_primitive(mesh, number).items())
             variants = [[self.variants.names[variant], self.described(material)] for variant, material in others]
             own.append([self.described(primitive["material"]), variants])

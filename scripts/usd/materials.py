@@ -9,7 +9,7 @@ from pxr import Gf, Sdf
 
 from gltf_file import GltfFile
 
-from .naming import Names
+from .naming import Names, coordinate_name
 from .specs import Types, attribute, new_prim, refer
 from .textures import Textures
 
@@ -91,7 +91,7 @@ class Materials:
             holder = material.get(reader.group, {}) if reader.group else material
             if reader.key in holder:
                 self.write_texture(prim, shader, name, holder[reader.key])
-                self.scale_texture(prim.nameChildren[f"{name}Texture"], name, material, holder[reader.key])
+                self.scale_texture(prim.nameChildren[f"{name}Texture"], name, material)
         if not is_opaque(material) and "diffuseColorTexture" in prim.nameChildren:
             self.connect_opacity(prim.nameChildren["diffuseColorTexture"], shader)
 
@@ -112,35 +112,36 @@ class Materials:
         for wrap in ("inputs:wrapS", "inputs:wrapT"):
             attribute(texture, wrap, Types.Token, "repeat")
         coordinates = attribute(texture, "inputs:st", Types.Float2, None)
-        coordinates.connectionPathList.explicitItems = [self.coordinates(prim)]
+        coordinates.connectionPathList.explicitItems = [self.coordinates(prim, used.get("texCoord", 0))]
         attribute(texture, f"outputs:{reader.channel}", Types.Float3 if reader.channel == "rgb" else Types.Float, None)
         spec = shader.properties.get(f"inputs:{name}") or attribute(
             shader, f"inputs:{name}", INPUT_TYPES.get(name, Types.Float), None)
         spec.connectionPathList.explicitItems = [texture.path.AppendProperty(f"outputs:{reader.channel}")]
 
-    def coordinates(self, prim: Sdf.PrimSpec) -> Sdf.Path:
-        """The output that reads the mesh's texture coordinates; one for all textures of a material."""
-        if "coordinates" not in prim.nameChildren:
-            reader = new_prim(prim, "coordinates", "Shader")
+    def coordinates(self, prim: Sdf.PrimSpec, number: int) -> Sdf.Path:
+        """The output that reads a set of the mesh's texture coordinates; one for all textures that share the set."""
+        name = f"coordinates{number or ''}"
+        if name not in prim.nameChildren:
+            reader = new_prim(prim, name, "Shader")
             attribute(reader, "info:id", Types.Token, "UsdPrimvarReader_float2", is_uniform=True)
-            attribute(reader, "inputs:varname", Types.String, "st")
+            attribute(reader, "inputs:varname", Types.String, coordinate_name(number))
             attribute(reader, "outputs:result", Types.Float2, None)
-        return prim.path.AppendChild("coordinates").AppendProperty("outputs:result")
+        return prim.path.AppendChild(name).AppendProperty("outputs:result")
 
-    def scale_texture(self, texture: Sdf.PrimSpec, name: str, material: dict, used: dict) -> None:
+    def scale_texture(self, texture: Sdf.PrimSpec, name: str, material: dict) -> None:
         """glTF multiplies a texture with its factor; a connected input of a UsdPreviewSurface has the texture alone."""
-        scale, bias = texture_scale(name, material, used), None
+        scale, bias = texture_scale(name, material), None
         if name == "normal":
-            # From colours to directions: 0 to 1 becomes -1 to 1, flattened sideways by the texture's scale.
-            bias = Gf.Vec4f(-scale[0], -scale[1], -1.0, 0.0)
-            scale = [2.0 * scale[0], 2.0 * scale[1], 2.0, 1.0]
+            # From colours to directions: 0 to 1 becomes -1 to 1. UsdPreviewSurface prescribes these figures: normals that glTF
+            # flattens by `scale` are as deep as in the image.
+            scale, bias = [2.0, 2.0, 2.0, 1.0], Gf.Vec4f(-1.0, -1.0, -1.0, 0.0)
         if bias is not None or any(part != 1.0 for part in scale):
             attribute(texture, "inputs:scale", Types.Float4, Gf.Vec4f(*scale))
         if bias is not None:
             attribute(texture, "inputs:bias", Types.Float4, bias)
 
 
-def texture_scale(name: str, material: dict, used: dict) -> list[float]:
+def texture_scale(name: str, material: dict) -> list[float]:
     """The factors of a texture's four channels."""
     factors = material.get("pbrMetallicRoughness", {})
     if name == "diffuseColor":
@@ -148,8 +149,6 @@ def texture_scale(name: str, material: dict, used: dict) -> list[float]:
         return [*list(factors.get("baseColorFactor", (1.0, 1.0, 1.0)))[:3], opacity]
     if name == "emissiveColor":
         return [*emission(material), 1.0]
-    if name == "normal":
-        return [used.get("scale", 1.0)] * 2 + [1.0, 1.0]
     if name == "occlusion":
         return [1.0] * 4
     return [1.0, factors.get("roughnessFactor", 1.0), factors.get("metallicFactor", 1.0), 1.0]

@@ -8,6 +8,7 @@ from pxr import Sdf, UsdGeom, Vt
 from gltf_file import GltfFile
 
 from .materials import Materials
+from .naming import coordinate_name
 from .specs import Types, apply_schemas, attribute, new_prim, relationship
 
 BINDING = "material:binding"
@@ -46,10 +47,11 @@ def write_surface(part: Sdf.PrimSpec, primitive: dict) -> None:
         normals = np.ascontiguousarray(primitive["normals"], np.float32)
         spec = attribute(part, "normals", Types.Normal3fArray, Vt.Vec3fArray.FromNumpy(normals))
         spec.SetInfo("interpolation", UsdGeom.Tokens.vertex)
-    if primitive["coordinates"] is not None:
+    for number, coordinates in enumerate(primitive["coordinates"]):
         # USD's texture coordinates begin at the lower left, glTF's at the upper left.
-        flipped = np.ascontiguousarray(primitive["coordinates"] * [1, -1] + [0, 1], np.float32)
-        spec = attribute(part, "primvars:st", Types.TexCoord2fArray, Vt.Vec2fArray.FromNumpy(flipped))
+        flipped = np.ascontiguousarray(coordinates * [1, -1] + [0, 1], np.float32)
+        name = f"primvars:{coordinate_name(number)}"
+        spec = attribute(part, name, Types.TexCoord2fArray, Vt.Vec2fArray.FromNumpy(flipped))
         spec.SetInfo("interpolation", UsdGeom.Tokens.vertex)
 
 

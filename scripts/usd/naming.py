@@ -22,3 +22,8 @@ class Names:
 
 def valid_name(original: str) -> str:
     return Tf.MakeValidIdentifier(original) if original else "unnamed"
+
+
+def coordinate_name(number: int) -> str:
+    """The primvar of a set of texture coordinates: the usual name for the first, numbered for the others."""
+    return f"st{number or ''}"

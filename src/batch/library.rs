@@ -73,14 +73,19 @@ fn painting(catalog: &Catalog, material: &ModelMaterial, options: &BakeOptions) 
             Painting {
                 has_coordinates: has_textures && !surfaces.is_empty(),
                 has_tangents: has_textures && surfaces.into_iter().any(has_relief),
+                normal_set: 0,
                 lacks_flat_normals,
             }
         }
-        ModelMaterial::Own(own) => Painting {
-            has_coordinates: !own.textures.is_empty(),
-            has_tangents: own.textures.iter().any(|(purpose, _)| *purpose == TextureUse::Normal),
-            lacks_flat_normals,
-        },
+        ModelMaterial::Own(own) => {
+            let normal = own.textures.iter().find(|(purpose, _)| *purpose == TextureUse::Normal);
+            Painting {
+                has_coordinates: !own.textures.is_empty(),
+                has_tangents: normal.is_some(),
+                normal_set: normal.map_or(0, |(_, texture)| texture.coordinate_set),
+                lacks_flat_normals,
+            }
+        }
     }
 }
 

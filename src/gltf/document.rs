@@ -137,7 +137,10 @@ fn paintings(scene: &Scene, flat_normals: FlatNormals) -> BTreeMap<*const Model,
             for &shown in others.chain([&material]) {
                 let textures = scene.materials[shown].textures();
                 painting.has_coordinates |= !textures.is_empty();
-                painting.has_tangents |= textures.iter().any(|(purpose, _)| *purpose == TextureUse::Normal);
+                let normal = textures.iter().find(|(purpose, _)| *purpose == TextureUse::Normal);
+                painting.has_tangents |= normal.is_some();
+                painting.normal_set =
+                    normal.map_or(painting.normal_set, |(_, texture)| texture.coordinate_set);
             }
         }
     }

@@ -15,6 +15,8 @@ pub struct Painting {
     pub has_coordinates: bool,
     /// Tangents: normals are.
     pub has_tangents: bool,
+    /// The set of texture coordinates that normals are laid on by.
+    pub normal_set: usize,
     /// No normals where every face is flat and nothing is painted: viewers compute those (glTF 2.0, section 3.7.2.1),
     /// and faces can share corners.
     pub lacks_flat_normals: bool,
@@ -26,7 +28,7 @@ pub(crate) struct EncodedPrimitive {
     pub positions: Arc<Array>,
     pub normals: Option<Arc<Array>>,
     pub tangents: Option<Arc<Array>>,
-    pub coordinates: Option<Arc<Array>>,
+    pub coordinates: Vec<Arc<Array>>,
     pub colors: Option<Arc<Array>>,
     pub indices: Arc<Array>,
 }
@@ -50,8 +52,11 @@ fn encode_primitive(primitive: &Primitive, painting: Painting) -> EncodedPrimiti
     EncodedPrimitive {
         positions: Arc::new(Array::positions(&primitive.positions)),
         normals: has_normals.then(|| floats(Section::Vectors, &primitive.normals)),
-        tangents: has_tangents.then(|| floats(Section::Tangents, &tangents(&primitive))),
-        coordinates: has_coordinates.then(|| floats(Section::Coordinates, &primitive.texture_coordinates)),
+        tangents: has_tangents.then(|| floats(Section::Tangents, &tangents(&primitive, painting.normal_set))),
+        coordinates: match has_coordinates {
+            true => primitive.coordinate_sets().map(|set| floats(Section::Coordinates, set)).collect(),
+            false => Vec::new(),
+        },
         colors: has_colors(&primitive).then(|| floats(Section::Colors, &primitive.colors)),
         indices: Arc::new(Array::indices(&primitive.indices, primitive.positions.len())),
     }

@@ -121,12 +121,19 @@ fn set_textures(
     packer: &mut Packer,
 ) {
     for (purpose, texture) in textures {
-        set_texture(material, *purpose, images.texture(texture, packer));
+        let index = images.texture(texture, packer);
+        set_texture(material, *purpose, texture, index);
     }
 }
 
-fn set_texture(material: &mut json::Material, purpose: TextureUse, index: Index<texture::Texture>) {
-    let (tex_coord, extensions, extras) = (0, None, None);
+fn set_texture(
+    material: &mut json::Material,
+    purpose: TextureUse,
+    source: &Texture,
+    index: Index<texture::Texture>,
+) {
+    let tex_coord = u32::try_from(source.coordinate_set).expect("there are as many sets as uses at most");
+    let (extensions, extras) = (None, None);
     let info = texture::Info { index, tex_coord, extensions: None, extras: None };
     match purpose {
         TextureUse::BaseColor => material.pbr_metallic_roughness.base_color_texture = Some(info),
@@ -135,12 +142,12 @@ fn set_texture(material: &mut json::Material, purpose: TextureUse, index: Index<
         }
         TextureUse::Emissive => material.emissive_texture = Some(info),
         TextureUse::Normal => {
-            let scale = 1.0;
+            let scale = source.strength;
             material.normal_texture =
                 Some(json::NormalTexture { index, scale, tex_coord, extensions, extras });
         }
         TextureUse::Occlusion => {
-            let (strength, extensions) = (json::StrengthFactor(1.0), None);
+            let (strength, extensions) = (json::StrengthFactor(source.strength), None);
             let texture = json::OcclusionTexture { index, strength, tex_coord, extensions, extras };
             material.occlusion_texture = Some(texture);
         }

@@ -48,13 +48,15 @@ impl Accessors {
             let optional = [
                 (Semantic::Normals, &primitive.normals),
                 (Semantic::Tangents, &primitive.tangents),
-                (Semantic::TexCoords(0), &primitive.coordinates),
                 (Semantic::Colors(0), &primitive.colors),
             ];
             for (semantic, packed) in optional {
                 if let Some(packed) = packed {
                     attributes.insert(Checked::Valid(semantic), add(packed));
                 }
+            }
+            for (set, packed) in (0..).zip(&primitive.coordinates) {
+                attributes.insert(Checked::Valid(Semantic::TexCoords(set)), add(packed));
             }
             PrimitiveAccessors { attributes, indices: add(&primitive.indices) }
         });

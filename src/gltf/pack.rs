@@ -28,7 +28,7 @@ pub(crate) struct PackedPrimitive {
     pub positions: Packed,
     pub normals: Option<Packed>,
     pub tangents: Option<Packed>,
-    pub coordinates: Option<Packed>,
+    pub coordinates: Vec<Packed>,
     pub colors: Option<Packed>,
     pub indices: Packed,
 }
@@ -63,7 +63,8 @@ impl Packer {
     fn primitive(&mut self, primitive: &EncodedPrimitive) -> PackedPrimitive {
         let mut optional = |array: &Option<Arc<Array>>| array.as_ref().map(|array| self.array(array));
         let (normals, tangents) = (optional(&primitive.normals), optional(&primitive.tangents));
-        let (coordinates, colors) = (optional(&primitive.coordinates), optional(&primitive.colors));
+        let colors = optional(&primitive.colors);
+        let coordinates = primitive.coordinates.iter().map(|array| self.array(array)).collect();
         let (positions, indices) = (self.array(&primitive.positions), self.array(&primitive.indices));
         PackedPrimitive { positions, normals, tangents, coordinates, colors, indices }
     }

@@ -4,14 +4,15 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::model::Primitive;
 
-/// One tangent per corner with its handedness, as glTF 2.0 (3.7.2.1) defines it: the direction in which `u` grows, at
+/// One tangent per corner for a set of texture coordinates, with its handedness, as glTF 2.0 (3.7.2.1) defines it: the direction in which `u` grows, at
 /// right angles to the normal.
 ///
 /// Corners are not split: a corner's tangent is the mean of its triangles, which for the projections of recipes and shell
 /// all say the same.
-pub(crate) fn tangents(primitive: &Primitive) -> Vec<[f32; 4]> {
+pub(crate) fn tangents(primitive: &Primitive, set: usize) -> Vec<[f32; 4]> {
+    let coordinates = primitive.coordinate_sets().nth(set).unwrap_or(&primitive.texture_coordinates);
     let position = |index: u32| Vec3::from_array(primitive.positions[index as usize]);
-    let coordinate = |index: u32| Vec2::from_array(primitive.texture_coordinates[index as usize]);
+    let coordinate = |index: u32| Vec2::from_array(coordinates[index as usize]);
     let mut along = vec![Vec3::ZERO; primitive.positions.len()];
     let mut handedness = vec![0.0_f32; along.len()];
     for &[a, b, c] in primitive.indices.as_chunks::<3>().0 {
@@ -57,8 +58,8 @@ mod tests {
 
     #[test]
     fn tangents_follow_the_image_to_the_right() {
-        assert!(tangents(&square(false)).iter().all(|&tangent| tangent == [1.0, 0.0, 0.0, 1.0]));
-        assert!(tangents(&square(true)).iter().all(|&tangent| tangent == [-1.0, 0.0, 0.0, -1.0]));
+        assert!(tangents(&square(false), 0).iter().all(|&tangent| tangent == [1.0, 0.0, 0.0, 1.0]));
+        assert!(tangents(&square(true), 0).iter().all(|&tangent| tangent == [-1.0, 0.0, 0.0, -1.0]));
     }
 
     #[test]
@@ -66,7 +67,7 @@ mod tests {
         let size = crate::model::recipe_size("sofa").unwrap();
         let input = RecipeInput { size, look: 0, geometry: PLAIN, parameters: &[] };
         for primitive in build_recipe("sofa", &input).unwrap().primitives {
-            for (tangent, normal) in tangents(&primitive).into_iter().zip(&primitive.normals) {
+            for (tangent, normal) in tangents(&primitive, 0).into_iter().zip(&primitive.normals) {
                 let along = Vec4::from_array(tangent).truncate();
                 assert!(
                     (along.length() - 1.0).abs() < 1e-4 && along.dot(Vec3::from_array(*normal)).abs() < 1e-4
@@ -80,6 +81,6 @@ mod tests {
     fn an_image_without_extent_gives_some_tangent() {
         let mut square = square(false);
         square.texture_coordinates = vec![[0.5, 0.5]; 4];
-        assert!(tangents(&square).iter().all(|tangent| tangent.iter().all(|value| value.is_finite())));
+        assert!(tangents(&square, 0).iter().all(|tangent| tangent.iter().all(|value| value.is_finite())));
     }
 }

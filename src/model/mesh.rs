@@ -28,10 +28,19 @@ pub struct Primitive {
     pub normals: Vec<[f32; 3]>,
     /// Texture coordinates, one per position, or none.
     pub texture_coordinates: Vec<[f32; 2]>,
+    /// Further sets of them, each with one per position: images of users' models may be laid on in several ways.
+    pub further_coordinates: Vec<Vec<[f32; 2]>>,
     /// Linear red, green, blue and opacity that multiply the base colour, one per position, or none.
     pub colors: Vec<[f32; 4]>,
     /// Three per triangle.
     pub indices: Vec<u32>,
+}
+
+impl Primitive {
+    /// All sets of texture coordinates, in their order.
+    pub fn coordinate_sets(&self) -> impl Iterator<Item = &[[f32; 2]]> {
+        std::iter::once(&self.texture_coordinates).chain(&self.further_coordinates).map(Vec::as_slice)
+    }
 }
 
 /// The material of a primitive.
@@ -64,6 +73,14 @@ pub struct OwnMaterial {
     pub textures: Vec<(TextureUse, Texture)>,
 }
 
+impl OwnMaterial {
+    /// How many sets of texture coordinates its images need.
+    #[must_use]
+    pub fn coordinate_set_count(&self) -> usize {
+        self.textures.iter().map(|(_, texture)| texture.coordinate_set + 1).max().unwrap_or(0)
+    }
+}
+
 /// What the opacity of an [`OwnMaterial`] means.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Transparency {
@@ -81,8 +98,21 @@ pub enum Transparency {
 pub struct Texture {
     /// The image.
     pub image: Arc<Image>,
-    /// How it is laid on.
+    /// How it is repeated and filtered.
     pub sampler: TextureSampler,
+    /// The set of texture coordinates that it is laid on by: 0 is [`Primitive::texture_coordinates`], those of
+    /// [`Primitive::further_coordinates`] follow.
+    pub coordinate_set: usize,
+    /// How much normals or occlusion count; without meaning for other uses.
+    pub strength: f32,
+}
+
+impl Texture {
+    /// An image that is laid on by the first set and counts as it is.
+    #[must_use]
+    pub fn plain(image: Arc<Image>, sampler: TextureSampler) -> Self {
+        Self { image, sampler, coordinate_set: 0, strength: 1.0 }
+    }
 }
 
 /// How an image is repeated and filtered, in the format's own words. The usual one repeats both ways and leaves

@@ -31,7 +31,15 @@ pub(super) fn stand_in(model: &Model, shape: &Shape, size: Size) -> Model {
             }
         }
     }
+    primitives.iter_mut().for_each(repeat_coordinates);
     Model { primitives }
+}
+
+/// Boxes have one set of texture coordinates: whatever is laid on by another is laid on by that.
+fn repeat_coordinates(primitive: &mut Primitive) {
+    let ModelMaterial::Own(own) = &primitive.material else { return };
+    let further = own.coordinate_set_count().saturating_sub(1);
+    primitive.further_coordinates = vec![primitive.texture_coordinates.clone(); further];
 }
 
 /// The parts of a shape, whatever it is.

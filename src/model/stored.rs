@@ -50,6 +50,7 @@ impl From<StoredModel> for Model {
             positions: primitive.positions,
             normals: primitive.normals,
             texture_coordinates: primitive.texture_coordinates,
+            further_coordinates: Vec::new(),
             colors: primitive.colors,
             indices: primitive.indices,
         };

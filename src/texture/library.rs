@@ -76,7 +76,7 @@ impl TextureLibrary {
                 }
             };
             let image = Image { mime_type: "image/png".to_owned(), bytes, uri };
-            (purpose, Texture { image: Arc::new(image), sampler: TextureSampler::default() })
+            (purpose, Texture::plain(Arc::new(image), TextureSampler::default()))
         };
         files.into_iter().map(texture).collect()
     }

@@ -123,6 +123,37 @@ fn samplers_colours_and_blending_are_kept() {
     }
 }
 
+#[test]
+fn images_that_are_laid_on_in_different_ways_have_coordinates_of_their_own() {
+    let world = world();
+    let mut document = document();
+    let transform = json!({"KHR_texture_transform": {"scale": [4, 4]}});
+    document["materials"][0]["normalTexture"] = json!({"index": 0, "scale": 0.5, "extensions": transform});
+    document["extensionsUsed"] = json!(["KHR_texture_transform"]);
+    document["extensionsRequired"] = json!(["KHR_texture_transform"]);
+    world.write("more/classes/crate.gltf", document.to_string());
+    for detail in ["full", "boxes"] {
+        world.must(&["bake", "a.yaml", "--catalog", "more", "--detail", detail]);
+        let file = gltf::Gltf::from_slice(&world.read("out/a/1.glb")).unwrap();
+        assert!(file.extensions_required().next().is_none(), "no viewer needs the extension");
+        let veil = file.materials().find(|material| material.name() == Some("veil")).unwrap();
+        let normals = veil.normal_texture().unwrap();
+        assert_eq!((normals.tex_coord(), normals.scale()), (1, 0.5));
+        assert_eq!(veil.emissive_texture().unwrap().tex_coord(), 0);
+        let mesh = file.meshes().find(|mesh| mesh.name().unwrap().starts_with("crate.")).unwrap();
+        let primitive = mesh.primitives().next().unwrap();
+        let blob = file.blob.as_ref().unwrap();
+        let reader = primitive.reader(|_| Some(blob));
+        let [plain, finer] = [0, 1].map(|set| {
+            let coordinates = reader.read_tex_coords(set).unwrap().into_f32();
+            coordinates.collect::<Vec<[f32; 2]>>()
+        });
+        let times = if detail == "full" { 4.0 } else { 1.0 };
+        assert!(plain.len() == finer.len() && plain.iter().any(|place| place[0] > 0.5));
+        assert!(plain.iter().zip(&finer).all(|(a, b)| (a[0] * times - b[0]).abs() < 1e-5), "{detail}");
+    }
+}
+
 /// The model in a container whose buffer and image stay outside it.
 fn container() -> Vec<u8> {
     let glb = gltf::Glb {

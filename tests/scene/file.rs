@@ -194,7 +194,7 @@ const DOT: [u8; 67] = [
 /// A box with texture coordinates and a material of its own.
 fn textured_model() -> Model {
     let image = Arc::new(Image { mime_type: "image/png".to_owned(), bytes: DOT.to_vec(), uri: None });
-    let texture = Texture { image, sampler: TextureSampler::default() };
+    let texture = Texture::plain(image, TextureSampler::default());
     let own = OwnMaterial {
         name: "leather".to_owned(),
         material: Material {

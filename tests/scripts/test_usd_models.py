@@ -128,6 +128,33 @@ class TestTextures:
     def file(self, texture):
         return texture.GetInput("file").Get()
 
+    def test_each_set_of_coordinates_has_its_primvar_and_its_reader(self, floor, tmp_path):
+        (tmp_path / "wood.png").write_bytes(PNG)
+        floor.document["images"] = [{"uri": "wood.png"}]
+        floor.document["textures"] = [{"source": 0}]
+        wood = floor.document["materials"][0]
+        wood["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+        wood["occlusionTexture"] = {"index": 0, "texCoord": 1}
+        wood["emissiveTexture"] = {"index": 0, "texCoord": 1}
+        desk = next(mesh for mesh in floor.document["meshes"] if mesh["name"] == "desk.0")
+        corners = np.tile(np.array([(0, 0), (1, 0), (1, 1), (0, 1)], "<f4"), (6, 1))
+        for number, scale in enumerate((1, 3)):
+            coordinates = floor.accessor(corners * np.float32(scale), "VEC2")
+            desk["primitives"][0]["attributes"][f"TEXCOORD_{number}"] = coordinates
+        stage = converted(floor.write(tmp_path / "ground.glb"), tmp_path / "ground.usdc", is_self_contained=True)
+        mesh = mesh_prims(geometry(stage, "desk_1_101"))[0]
+        primvars = UsdGeom.PrimvarsAPI(mesh)
+        # USD counts from below: a v of 3 becomes -2.
+        assert [primvars.GetPrimvar(name).Get()[2] for name in ("st", "st1")] == [(1, 0), (3, -2)]
+        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
+        read = {}
+        for name in ("diffuseColor", "occlusion", "emissiveColor"):
+            texture = UsdShade.Shader(material.GetPrim().GetChild(f"{name}Texture"))
+            source, _, _ = texture.GetInput("st").GetConnectedSource()
+            read[name] = UsdShade.Shader(source.GetPrim()).GetInput("varname").Get()
+        assert read == {"diffuseColor": "st", "occlusion": "st1", "emissiveColor": "st1"}
+        assert_valid(stage)
+
     def test_all_floors_and_models_share_one_copy(self, textured, tmp_path):
         assert convert.main([str(textured), "--out", str(tmp_path / "usd")]) == 0
         copies = [path for path in (tmp_path / "usd").rglob("*.png")]

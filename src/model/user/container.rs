@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use gltf::json::Root;
 use serde::Deserialize;
 
+use super::laying::Layings;
 use super::problem::Problem;
 use super::resource::Resources;
 use crate::document::Fault;
@@ -14,6 +15,8 @@ use crate::document::Fault;
 pub(super) struct Container {
     /// The document: valid, every index in it points somewhere.
     pub(super) document: Root,
+    /// How its images are laid on.
+    pub(super) layings: Layings,
     /// The bytes of each buffer.
     pub(super) buffers: Vec<Vec<u8>>,
     /// Where images come from that are no part of a buffer.
@@ -30,7 +33,7 @@ struct Declared {
 }
 
 /// Extensions that change the geometry or the images, and how to get rid of them.
-const REFUSED: [(&str, &str); 9] = [
+const REFUSED: [(&str, &str); 8] = [
     ("KHR_draco_mesh_compression", "decompress it: gltf-transform copy IN.glb OUT.glb"),
     ("EXT_meshopt_compression", "decompress it: gltf-transform copy IN.glb OUT.glb"),
     ("KHR_meshopt_compression", "decompress it: gltf-transform copy IN.glb OUT.glb"),
@@ -38,7 +41,6 @@ const REFUSED: [(&str, &str); 9] = [
     ("EXT_texture_webp", "convert its textures: gltf-transform png IN.glb OUT.glb"),
     ("EXT_texture_avif", "convert its textures: gltf-transform png IN.glb OUT.glb"),
     ("MSFT_texture_dds", "export it again with PNG or JPEG textures"),
-    ("KHR_texture_transform", "apply the texture transforms to the texture coordinates and export it again"),
     (
         "KHR_materials_pbrSpecularGlossiness",
         "convert its materials: gltf-transform metalrough IN.glb OUT.glb",
@@ -51,9 +53,10 @@ pub(super) fn open(path: &Path) -> Result<Container, Problem> {
     let bytes = resources.read_file(path)?;
     let (text, blob) = split(&bytes)?;
     let document = parse(&text)?;
+    let layings = serde_json::from_slice(&text).map_err(not_json)?;
     refuse_motion(&document)?;
     let buffers = read_buffers(&document, blob, &mut resources)?;
-    Ok(Container { document, buffers, resources })
+    Ok(Container { document, layings, buffers, resources })
 }
 
 /// The files beside a model file that its document refers to, buffers first, in its order; `bytes` are the file's own.
@@ -77,7 +80,6 @@ pub(crate) fn companion_files(path: &Path, bytes: &[u8]) -> Vec<PathBuf> {
 /// # Errors
 /// Bytes that are no glTF document.
 pub(crate) fn unchecked_document(file: &Path, bytes: &[u8]) -> Result<Root, Fault> {
-    let not_json = |error: serde_json::Error| Problem::new(format!("is no glTF document: {error}"));
     let parsed = split(bytes).and_then(|(text, _)| serde_json::from_slice(&text).map_err(not_json));
     parsed.map_err(|problem| problem.in_file(file))
 }
@@ -97,8 +99,11 @@ fn split(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>), Problem> {
     Ok((glb.json.into_owned(), glb.bin.map(std::borrow::Cow::into_owned)))
 }
 
+fn not_json(error: serde_json::Error) -> Problem {
+    Problem::new(format!("is no glTF document: {error}"))
+}
+
 fn parse(text: &[u8]) -> Result<Root, Problem> {
-    let not_json = |error: serde_json::Error| Problem::new(format!("is no glTF document: {error}"));
     let declared: Declared = serde_json::from_slice(text).map_err(not_json)?;
     refuse_extensions(&declared)?;
     let mut document: Root = serde_json::from_slice(text).map_err(not_json)?;
@@ -123,7 +128,7 @@ fn refuse_extensions(declared: &Declared) -> Result<(), Problem> {
     for name in used {
         let refused = REFUSED.iter().find(|(refused, _)| refused == name);
         // A texture format that is not required has a plain image beside it.
-        let is_optional = name.contains("_texture_") && name != "KHR_texture_transform";
+        let is_optional = name.contains("_texture_");
         if let Some((_, hint)) = refused
             && (!is_optional || declared.extensions_required.contains(name))
         {
@@ -134,7 +139,8 @@ fn refuse_extensions(declared: &Declared) -> Result<(), Problem> {
     }
     let is_harmless = |name: &&String| {
         name.starts_with("KHR_materials_")
-            || ["KHR_mesh_quantization", "KHR_lights_punctual"].contains(&name.as_str())
+            || ["KHR_mesh_quantization", "KHR_lights_punctual", "KHR_texture_transform"]
+                .contains(&name.as_str())
     };
     match declared.extensions_required.iter().find(|name| !is_harmless(name)) {
         Some(name) => Err(Problem::new(format!("requires the extension {name}, which is not read"))

@@ -8,6 +8,7 @@ use gltf::json::validation::Checked;
 use gltf::json::{Index, Root, accessor, scene};
 
 use super::accessor::Numbers;
+use super::laying::Laying;
 use super::material::ReadMaterial;
 use super::problem::Problem;
 use crate::model::{Model, ModelMaterial, Primitive};
@@ -84,7 +85,8 @@ struct Gathered<'a> {
 struct Surface {
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
-    coordinates: Vec<[f32; 2]>,
+    /// By the laying of the material's images; empty where the file has none.
+    coordinates: Vec<Vec<[f32; 2]>>,
     colors: Vec<[f32; 4]>,
     triangles: Vec<[u32; 3]>,
 }
@@ -92,7 +94,7 @@ struct Surface {
 impl Gathered<'_> {
     fn add(&mut self, part: &JsonPrimitive, place: DMat4) -> Result<(), Problem> {
         let material = part.material.map_or(self.materials.len() - 1, |material| material.value());
-        let Some(surface) = self.surface(part, self.materials[material].coordinate_set)? else {
+        let Some(surface) = self.surface(part, &self.materials[material].layings)? else {
             return Ok(());
         };
         self.triangle_count += surface.triangles.len();
@@ -108,7 +110,7 @@ impl Gathered<'_> {
     }
 
     /// The triangles of a primitive; `None` for points and lines, which furniture can do without.
-    fn surface(&self, part: &JsonPrimitive, coordinate_set: Option<u32>) -> Result<Option<Surface>, Problem> {
+    fn surface(&self, part: &JsonPrimitive, layings: &[Laying]) -> Result<Option<Surface>, Problem> {
         let Checked::Valid(mode) = part.mode else { return Err(Problem::new("a mesh has an unknown mode")) };
         let attribute = |semantic| part.attributes.get(&Checked::Valid(semantic)).copied();
         let Some(positions) = attribute(Semantic::Positions) else { return Ok(None) };
@@ -124,26 +126,38 @@ impl Gathered<'_> {
         let Some(triangles) = triangles(mode, &indices) else { return Ok(None) };
         let normals =
             attribute(Semantic::Normals).map_or(Ok(Vec::new()), |normals| self.read_vectors(normals))?;
-        let coordinates = match coordinate_set.and_then(|set| attribute(Semantic::TexCoords(set))) {
-            Some(coordinates) => self.numbers.vectors::<2>(coordinates)?,
-            None => Vec::new(),
-        };
+        let coordinates = self.coordinates(part, layings, positions.len())?;
         let colors =
             attribute(Semantic::Colors(0)).map_or(Ok(Vec::new()), |colors| self.read_colors(colors))?;
-        let counts = [
-            ("normals", normals.len()),
-            ("texture coordinates", coordinates.len()),
-            ("colours", colors.len()),
-        ];
+        let counts = [("normals", normals.len()), ("colours", colors.len())];
         for (name, count) in counts {
-            if count != 0 && count != positions.len() {
-                return Err(Problem::new(format!(
-                    "a mesh has {} positions but {count} {name}",
-                    positions.len()
-                )));
+            if count != 0 {
+                check_count(name, count, positions.len())?;
             }
         }
         Ok(Some(Surface { positions, normals, coordinates, colors, triangles }))
+    }
+
+    /// Texture coordinates by laying, transformed; none where the file has none for any of them.
+    fn coordinates(
+        &self,
+        part: &JsonPrimitive,
+        layings: &[Laying],
+        corner_count: usize,
+    ) -> Result<Vec<Vec<[f32; 2]>>, Problem> {
+        let attribute =
+            |laying: &Laying| part.attributes.get(&Checked::Valid(Semantic::TexCoords(laying.set)));
+        if layings.iter().all(|laying| attribute(laying).is_none()) {
+            return Ok(Vec::new());
+        }
+        let of_laying = |laying: &Laying| {
+            let Some(&accessor) = attribute(laying) else { return Ok(vec![[0.0; 2]; corner_count]) };
+            let coordinates = self.numbers.vectors::<2>(accessor)?;
+            check_count("texture coordinates", coordinates.len(), corner_count)?;
+            let laid: Option<Vec<_>> = coordinates.into_iter().map(|place| laying.apply(place)).collect();
+            laid.ok_or_else(|| Problem::new("an image's transform leads out of all bounds"))
+        };
+        layings.iter().map(of_laying).collect()
     }
 
     fn read_vectors(&self, accessor: Index<accessor::Accessor>) -> Result<Vec<DVec3>, Problem> {
@@ -172,8 +186,9 @@ impl Gathered<'_> {
             self.parts.into_values().filter(|part| !part.indices.is_empty()).collect();
         for part in &mut primitives {
             // Coordinates for some corners only: the rest take the image's corner; colours likewise.
-            if !part.texture_coordinates.is_empty() {
-                part.texture_coordinates.resize(part.positions.len(), [0.0; 2]);
+            let corner_count = part.positions.len();
+            for set in coordinate_sets(part).filter(|set| !set.is_empty()) {
+                set.resize(corner_count, [0.0; 2]);
             }
             if !part.colors.is_empty() {
                 part.colors.resize(part.positions.len(), WHITE);
@@ -183,6 +198,18 @@ impl Gathered<'_> {
             return Err(Problem::new("has no triangles in its default scene"));
         }
         Ok(Model { primitives })
+    }
+}
+
+/// All sets of texture coordinates of a primitive, in their order.
+fn coordinate_sets(part: &mut Primitive) -> impl Iterator<Item = &mut Vec<[f32; 2]>> {
+    std::iter::once(&mut part.texture_coordinates).chain(&mut part.further_coordinates)
+}
+
+fn check_count(name: &str, count: usize, corner_count: usize) -> Result<(), Problem> {
+    match count == corner_count {
+        true => Ok(()),
+        false => Err(Problem::new(format!("a mesh has {corner_count} positions but {count} {name}"))),
     }
 }
 
@@ -254,9 +281,14 @@ fn push_corner(
     surface: &Surface,
     corner: usize,
 ) -> u32 {
-    if let Some(&coordinate) = surface.coordinates.get(corner) {
-        target.texture_coordinates.resize(target.positions.len(), [0.0; 2]);
-        target.texture_coordinates.push(coordinate);
+    let corner_count = target.positions.len();
+    target.further_coordinates.resize(
+        surface.coordinates.len().saturating_sub(1).max(target.further_coordinates.len()),
+        Vec::new(),
+    );
+    for (set, coordinates) in coordinate_sets(target).zip(&surface.coordinates) {
+        set.resize(corner_count, [0.0; 2]);
+        set.push(coordinates[corner]);
     }
     if let Some(&color) = surface.colors.get(corner) {
         target.colors.resize(target.positions.len(), WHITE);

@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use gltf::json::image::Image as JsonImage;
 use gltf::json::material::{AlphaMode, Material as JsonMaterial};
-use gltf::json::texture::Texture as JsonTexture;
+use gltf::json::texture::{Info, Texture as JsonTexture};
 use gltf::json::validation::Checked;
 use gltf::json::{Index, Root};
 
 use super::accessor::Numbers;
 use super::container::Container;
+use super::laying::{Laying, Layings};
 use super::problem::Problem;
 use crate::catalog::Material;
 use crate::model::{Image, OwnMaterial, Texture, TextureSampler, TextureUse, Transparency};
@@ -23,8 +24,8 @@ const DEFAULT_CUTOFF: f32 = 0.5;
 pub(super) struct ReadMaterial {
     /// As later stages see it.
     pub(super) material: Arc<OwnMaterial>,
-    /// Which set of texture coordinates its images use, if it has images.
-    pub(super) coordinate_set: Option<u32>,
+    /// The ways in which its images are laid on, by the numbers of their sets of coordinates.
+    pub(super) layings: Vec<Laying>,
 }
 
 /// All materials of a document in its order, and last the one of parts that name none.
@@ -32,45 +33,55 @@ pub(super) fn read_materials(file: &Path, container: &mut Container) -> Result<V
     let stem =
         file.file_stem().map_or_else(|| "model".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let images = read_images(container)?;
-    let document = &container.document;
+    let Container { document, layings, .. } = &*container;
     let named = document.materials.iter().enumerate();
     let mut materials = named
         .map(|(index, material)| {
             let name = material.name.clone().unwrap_or_else(|| format!("{stem}.{index}"));
-            read_material(name, material, document, &images)
+            let laying = |usage| layings.of(index, usage);
+            read_material(name, material, (document, &images), &laying)
         })
         .collect::<Result<Vec<_>, _>>()?;
-    materials.push(read_material(stem, &JsonMaterial::default(), document, &images)?);
+    let plain = |usage| Layings::default().of(0, usage);
+    materials.push(read_material(stem, &JsonMaterial::default(), (document, &images), &plain)?);
     Ok(materials)
 }
 
 fn read_material(
     name: String,
     source: &JsonMaterial,
-    document: &Root,
-    images: &[Arc<Image>],
+    (document, images): (&Root, &[Arc<Image>]),
+    laying: &dyn Fn(TextureUse) -> Laying,
 ) -> Result<ReadMaterial, Problem> {
     let surface = &source.pbr_metallic_roughness;
+    let normal = source.normal_texture.as_ref();
+    let occlusion = source.occlusion_texture.as_ref();
+    let plain = |info: &Option<Info>| info.as_ref().map(|info| (info.index, 1.0));
     let infos = [
-        (TextureUse::BaseColor, surface.base_color_texture.as_ref().map(|info| (info.index, info.tex_coord))),
-        (
-            TextureUse::MetallicRoughness,
-            surface.metallic_roughness_texture.as_ref().map(|info| (info.index, info.tex_coord)),
-        ),
-        (TextureUse::Normal, source.normal_texture.as_ref().map(|info| (info.index, info.tex_coord))),
-        (TextureUse::Occlusion, source.occlusion_texture.as_ref().map(|info| (info.index, info.tex_coord))),
-        (TextureUse::Emissive, source.emissive_texture.as_ref().map(|info| (info.index, info.tex_coord))),
+        (TextureUse::BaseColor, plain(&surface.base_color_texture)),
+        (TextureUse::MetallicRoughness, plain(&surface.metallic_roughness_texture)),
+        (TextureUse::Normal, normal.map(|info| (info.index, info.scale))),
+        (TextureUse::Occlusion, occlusion.map(|info| (info.index, info.strength.0))),
+        (TextureUse::Emissive, plain(&source.emissive_texture)),
     ];
     let mut textures = Vec::new();
-    let mut coordinate_set = None;
-    for (usage, (texture, set)) in infos.into_iter().filter_map(|(usage, info)| Some((usage, info?))) {
-        if *coordinate_set.get_or_insert(set) != set {
-            return Err(Problem::new(format!(
-                "material \"{name}\" uses several sets of texture coordinates"
-            ))
-            .with_hint("unwrap it with one set and export it again"));
+    let mut layings: Vec<Laying> = Vec::new();
+    for (usage, (index, strength)) in infos.into_iter().filter_map(|(usage, info)| Some((usage, info?))) {
+        let laying = laying(usage);
+        let coordinate_set = layings.iter().position(|known| *known == laying).unwrap_or_else(|| {
+            layings.push(laying);
+            layings.len() - 1
+        });
+        let is_possible = if usage == TextureUse::Occlusion {
+            (0.0..=1.0).contains(&strength)
+        } else {
+            strength.is_finite()
+        };
+        if !is_possible {
+            return Err(Problem::new(format!("material \"{name}\" has an image of the strength {strength}")));
         }
-        textures.push((usage, read_texture(texture, document, images)?));
+        let texture = read_texture(index, document, images)?;
+        textures.push((usage, Texture { coordinate_set, strength, ..texture }));
     }
     let (opacity, transparency) = read_transparency(source);
     let [red, green, blue, _] = surface.base_color_factor.0;
@@ -89,7 +100,7 @@ fn read_material(
     check_factors(&name, &material)?;
     let material =
         OwnMaterial { name, material, is_double_sided: source.double_sided, transparency, textures };
-    Ok(ReadMaterial { material: Arc::new(material), coordinate_set })
+    Ok(ReadMaterial { material: Arc::new(material), layings })
 }
 
 /// Opacity and what it means by alpha mode; what is opaque is so whatever its factor says.
@@ -128,7 +139,7 @@ fn read_texture(
     let no_image = || Problem::new(format!("texture {} has no image", index.value()));
     let texture = document.get(index).ok_or_else(no_image)?;
     let image = images.get(texture.source.value()).cloned().ok_or_else(no_image)?;
-    Ok(Texture { image, sampler: read_sampler(texture, document) })
+    Ok(Texture::plain(image, read_sampler(texture, document)))
 }
 
 fn read_sampler(texture: &JsonTexture, document: &Root) -> TextureSampler {
@@ -150,7 +161,7 @@ fn valid<T>(word: Checked<T>) -> Option<T> {
 }
 
 fn read_images(container: &mut Container) -> Result<Vec<Arc<Image>>, Problem> {
-    let Container { document, buffers, resources } = container;
+    let Container { document, buffers, resources, .. } = container;
     let numbers = Numbers { document, buffers };
     let mut images = Vec::with_capacity(document.images.len());
     for (index, image) in document.images.iter().enumerate() {

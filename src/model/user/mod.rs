@@ -1,14 +1,15 @@
 //! Users' `.glb` and `.gltf` files to models.
 //!
 //! What is taken: triangles of the default scene with all node transforms applied, positions, normals (flat ones
-//! where the file has none), one set of texture coordinates, the first set of vertex colours, materials with their five
-//! kinds of images and how those are sampled. What is left out: cameras, lights, points, lines, tangents, further sets
+//! where the file has none), texture coordinates with the transforms of the images that use them, the first set of vertex
+//! colours, materials with their five kinds of images and how those are sampled. What is left out: cameras, lights, points, lines, tangents, further sets
 //! of colours. What is refused, with a fault that names it: motion, compression, and whatever else would look wrong if it were left out.
 
 mod accessor;
 mod container;
 mod fit;
 mod geometry;
+mod laying;
 mod material;
 mod problem;
 mod resource;

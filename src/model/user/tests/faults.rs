@@ -14,7 +14,6 @@ fn what_is_not_read_is_named_with_its_remedy() {
         ("KHR_draco_mesh_compression", "gltf-transform copy"),
         ("EXT_meshopt_compression", "gltf-transform copy"),
         ("KHR_texture_basisu", "gltf-transform ktxdecompress"),
-        ("KHR_texture_transform", "texture coordinates"),
         ("VENDOR_wonder", "without the extension"),
     ] {
         let mut draft = Draft::of_a_box();

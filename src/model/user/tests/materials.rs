@@ -28,6 +28,49 @@ fn materials_come_along_with_their_images() {
     assert_eq!(part.texture_coordinates[0], [0.0, 17.0 / 255.0]);
 }
 
+/// Upholstery as the samples of the Khronos group have it: cloth that repeats, finer folds, and shadows that are unwrapped
+/// apart from both.
+#[test]
+fn images_may_be_laid_on_in_different_ways() {
+    let mut draft = textured();
+    let places: Vec<u8> = (0..16).map(|value| value * 10).collect();
+    let second = draft
+        .accessor(&places, json!({"componentType": 5121, "type": "VEC2", "count": 8, "normalized": true}));
+    draft.document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = json!(second);
+    let laid = |transform| json!({"index": 0, "extensions": {"KHR_texture_transform": transform}});
+    let material = &mut draft.document["materials"][0];
+    material["pbrMetallicRoughness"]["baseColorTexture"] = laid(json!({"scale": [2, 3], "offset": [0.5, 0]}));
+    material["normalTexture"] = laid(json!({"scale": [8, 8]}));
+    material["normalTexture"]["scale"] = json!(0.6);
+    material["emissiveTexture"] = laid(json!({"scale": [8, 8]}));
+    material["occlusionTexture"] = json!({"index": 0, "texCoord": 1, "strength": 0.25});
+    for key in ["extensionsUsed", "extensionsRequired"] {
+        draft.document[key] = json!(["KHR_texture_transform"]);
+    }
+    let model = draft.read().unwrap().model;
+    let textures = &own_material(&model).textures;
+    let found: Vec<_> =
+        textures.iter().map(|(_, texture)| (texture.coordinate_set, texture.strength)).collect();
+    assert_eq!(found, [(0, 1.0), (1, 0.6), (2, 0.25), (1, 1.0)]);
+    let sets: Vec<&[[f32; 2]]> = model.primitives[0].coordinate_sets().collect();
+    assert!(sets.len() == 3 && sets.iter().all(|set| set.len() == model.primitives[0].positions.len()));
+    // Every corner by all three: the first set runs in steps of 17 of 255, the second of 10.
+    for (corner, finer) in sets[1].iter().enumerate() {
+        let plain = finer.map(|number| number / 8.0);
+        let shadow = plain.map(|number| number * 10.0 / 17.0);
+        for (set, wanted) in [(0, [plain[0] * 2.0 + 0.5, plain[1] * 3.0]), (2, shadow)] {
+            assert!(
+                (0..2).all(|axis| (sets[set][corner][axis] - wanted[axis]).abs() < 1e-5),
+                "{set} {corner}"
+            );
+        }
+    }
+    draft.document["materials"][0]["normalTexture"] = laid(json!({"scale": [1e9, 8]}));
+    assert!(draft.fault().0.contains("out of all bounds"));
+    draft.document["materials"][0]["occlusionTexture"]["strength"] = json!(2);
+    assert!(draft.fault().0.contains("strength 2"));
+}
+
 #[test]
 fn opacity_means_what_the_file_says() {
     let mut draft = textured();
