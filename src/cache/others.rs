@@ -23,10 +23,10 @@ pub(super) fn remove_oldest(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(root)? {
         let entry = entry?;
         let path = entry.path();
-        // Only folders with our tag are ours to delete.
+        // Only folders with our own tag are ours to delete: other programs tag theirs by the same file.
         let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX)
             && entry.file_type()?.is_dir()
-            && path.join(super::TAG.0).is_file();
+            && fs::read(path.join(super::TAG.0)).is_ok_and(|tag| tag == super::TAG.1.as_bytes());
         if is_ours && path != folder {
             others.push((entry.metadata()?.modified()?, path));
         }
@@ -44,8 +44,10 @@ mod tests {
     #[test]
     fn the_oldest_programs_make_room_and_nothing_else_does() {
         let root = tempfile::tempdir().unwrap();
-        let alien = root.path().join("roomwright-notes");
-        fs::create_dir(&alien).unwrap();
+        let aliens = ["roomwright-notes", "roomwright-target"].map(|name| root.path().join(name));
+        aliens.iter().for_each(|alien| fs::create_dir(alien).unwrap());
+        let tag = "Signature: 8a477f597d28d172789f06886806bc55\n# Made by a compiler.\n";
+        fs::write(aliens[1].join(super::super::TAG.0), tag).unwrap();
         let program = |number: usize| format!("1.0.0+{number:016x}");
         let made = |number: usize| root.path().join(folder_name(&program(number)));
         for number in 0..6 {
@@ -55,6 +57,6 @@ mod tests {
         }
         let left: Vec<usize> = (0..6).filter(|&number| made(number).is_dir()).collect();
         assert_eq!(left, [2, 3, 4, 5]);
-        assert!(alien.is_dir());
+        assert!(aliens.iter().all(|alien| alien.is_dir()));
     }
 }
