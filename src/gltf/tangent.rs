@@ -4,8 +4,8 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::model::Primitive;
 
-/// One tangent per corner for a set of texture coordinates, with its handedness, as glTF 2.0 (3.7.2.1) defines it: the direction in which `u` grows, at
-/// right angles to the normal.
+/// One tangent per corner for a set of texture coordinates, with its handedness, as glTF 2.0 (3.7.2.1) defines it: the
+/// direction in which `u` grows, at right angles to the normal.
 ///
 /// Corners are not split: a corner's tangent is the mean of its triangles, which for the projections of recipes and shell
 /// all say the same.
