@@ -4,6 +4,7 @@
 //! rooms. Angles are radians, counter-clockwise seen from above.
 
 mod convex;
+mod disjoint_sets;
 mod grid;
 mod interval;
 mod polygon;
@@ -11,6 +12,7 @@ mod segment;
 mod solid;
 
 pub use convex::{Convex, DISC_CORNERS};
+pub(crate) use disjoint_sets::DisjointSets;
 pub use grid::Grid;
 pub use interval::Intervals;
 pub use polygon::{CORNER_TOLERANCE, MINIMUM_AREA, Polygon, PolygonFault, Region};

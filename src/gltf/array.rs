@@ -13,6 +13,8 @@ pub(crate) enum Section {
     Coordinates,
     /// Four floats: colours.
     Colors,
+    /// Indices of meshes with very few corners.
+    TinyIndices,
     /// Indices of meshes with few corners.
     ShortIndices,
     /// Indices of meshes with more corners than 16 bits can name.
@@ -23,11 +25,12 @@ pub(crate) enum Section {
 
 impl Section {
     /// All sections in the order of the buffer.
-    pub(crate) const ALL: [Self; 7] = [
+    pub(crate) const ALL: [Self; 8] = [
         Self::Vectors,
         Self::Tangents,
         Self::Coordinates,
         Self::Colors,
+        Self::TinyIndices,
         Self::ShortIndices,
         Self::LongIndices,
         Self::Images,
@@ -72,9 +75,10 @@ impl Array {
 
     /// Indices into so many corners, as short as they can be.
     pub(crate) fn indices(indices: &[u32], corner_count: usize) -> Self {
-        // The highest 16-bit index is no corner but restarts a strip.
-        let is_short = corner_count < usize::from(u16::MAX);
-        let (section, bytes) = if is_short {
+        // The highest index of a kind is no corner but restarts a strip.
+        let (section, bytes) = if corner_count < usize::from(u8::MAX) {
+            (Section::TinyIndices, indices.iter().map(|&index| index as u8).collect())
+        } else if corner_count < usize::from(u16::MAX) {
             let short = indices.iter().flat_map(|&index| (index as u16).to_le_bytes());
             (Section::ShortIndices, short.collect())
         } else {

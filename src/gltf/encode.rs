@@ -1,10 +1,9 @@
 //! Primitives as arrays.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::array::{Array, Section};
-use super::join::{has_colors, is_flat, joined};
+use super::join::{flat_triangles, has_colors, joined, split};
 use super::tangent::tangents;
 use crate::model::{Model, Primitive};
 
@@ -17,14 +16,16 @@ pub struct Painting {
     pub has_tangents: bool,
     /// The set of texture coordinates that normals are laid on by.
     pub normal_set: usize,
-    /// No normals where every face is flat and nothing is painted: viewers compute those (glTF 2.0, section 3.7.2.1),
-    /// and faces can share corners.
+    /// No normals on surfaces of which every face is flat or narrow and nothing is painted: viewers compute those (glTF 2.0,
+    /// section 3.7.2.1), and faces can share corners.
     pub lacks_flat_normals: bool,
 }
 
 /// The arrays of a primitive; those of a model that many levels show are made once and shared.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct EncodedPrimitive {
+    /// Which of the model's primitives it is, or is a part of.
+    pub source: usize,
     pub positions: Arc<Array>,
     pub normals: Option<Arc<Array>>,
     pub tangents: Option<Arc<Array>>,
@@ -33,31 +34,69 @@ pub(crate) struct EncodedPrimitive {
     pub indices: Arc<Array>,
 }
 
+impl EncodedPrimitive {
+    /// Bytes of all arrays.
+    fn byte_count(&self) -> usize {
+        let optional = [&self.normals, &self.tangents, &self.colors].into_iter().flatten();
+        let arrays = optional.chain(&self.coordinates).chain([&self.positions, &self.indices]);
+        arrays.map(|array| array.bytes.len()).sum()
+    }
+}
+
+/// About as many bytes as JSON takes to describe one more primitive.
+const BYTES_OF_PRIMITIVE: usize = 350;
+
 /// The triangles of a model, with what the painting of each primitive, by index, asks for.
 pub(crate) fn encode(model: &Model, painting: impl Fn(usize) -> Painting) -> Vec<EncodedPrimitive> {
     let primitives = model.primitives.iter().enumerate();
-    primitives.map(|(index, primitive)| encode_primitive(primitive, painting(index))).collect()
+    primitives.flat_map(|(source, primitive)| encode_primitive(source, primitive, painting(source))).collect()
 }
 
-fn encode_primitive(primitive: &Primitive, painting: Painting) -> EncodedPrimitive {
+/// One, or one with and one without normals where this is shorter.
+fn encode_primitive(source: usize, primitive: &Primitive, painting: Painting) -> Vec<EncodedPrimitive> {
     let is_mapped = primitive.texture_coordinates.len() == primitive.positions.len();
-    let has_coordinates = painting.has_coordinates && is_mapped;
-    let has_tangents = painting.has_tangents && is_mapped;
-    let has_normals = !painting.lacks_flat_normals || has_coordinates || !is_flat(primitive);
-    // With coordinates, no corner of recipes and shell is double.
-    let primitive = match has_coordinates {
-        true => Cow::Borrowed(primitive),
-        false => Cow::Owned(joined(primitive, has_normals)),
+    if painting.has_coordinates && is_mapped {
+        // No corner of recipes and shell is double.
+        return vec![arrays(source, primitive, painting)];
+    }
+    let plain = Painting { has_coordinates: false, has_tangents: false, ..painting };
+    let part = |part: &Primitive, lacks_normals| {
+        let painting = Painting { lacks_flat_normals: lacks_normals, ..plain };
+        arrays(source, &joined(part, !lacks_normals), painting)
     };
+    let is_flat = if painting.lacks_flat_normals { flat_triangles(primitive) } else { Vec::new() };
+    if !is_flat.contains(&true) {
+        return vec![part(primitive, false)];
+    }
+    let [flat, round] = split(primitive, &is_flat);
+    if round.indices.is_empty() {
+        return vec![part(primitive, true)];
+    }
+    let whole = vec![part(primitive, false)];
+    if flat.indices.is_empty() {
+        return whole;
+    }
+    let parts = vec![part(&flat, true), part(&round, false)];
+    let byte_count =
+        |parts: &[EncodedPrimitive]| parts.iter().map(EncodedPrimitive::byte_count).sum::<usize>();
+    if byte_count(&parts) + BYTES_OF_PRIMITIVE < byte_count(&whole) { parts } else { whole }
+}
+
+/// A primitive as it is.
+fn arrays(source: usize, primitive: &Primitive, painting: Painting) -> EncodedPrimitive {
+    let has_normals = painting.has_coordinates || !painting.lacks_flat_normals;
     EncodedPrimitive {
+        source,
         positions: Arc::new(Array::positions(&primitive.positions)),
         normals: has_normals.then(|| floats(Section::Vectors, &primitive.normals)),
-        tangents: has_tangents.then(|| floats(Section::Tangents, &tangents(&primitive, painting.normal_set))),
-        coordinates: match has_coordinates {
+        tangents: painting
+            .has_tangents
+            .then(|| floats(Section::Tangents, &tangents(primitive, painting.normal_set))),
+        coordinates: match painting.has_coordinates {
             true => primitive.coordinate_sets().map(|set| floats(Section::Coordinates, set)).collect(),
             false => Vec::new(),
         },
-        colors: has_colors(&primitive).then(|| floats(Section::Colors, &primitive.colors)),
+        colors: has_colors(primitive).then(|| floats(Section::Colors, &primitive.colors)),
         indices: Arc::new(Array::indices(&primitive.indices, primitive.positions.len())),
     }
 }

@@ -4,19 +4,60 @@ use std::collections::HashMap;
 
 use glam::Vec3;
 
+use crate::geometry::DisjointSets;
 use crate::model::Primitive;
 
 /// The cosine of how far normals may be off their face for it to be flat: a degree, which nobody sees; round surfaces are
 /// made of steps many times as large.
 const FLAT: f32 = 0.99985;
 
-/// Whether all faces are lit as flat ones are.
-pub(super) fn is_flat(primitive: &Primitive) -> bool {
+/// Metres: on faces that are less wide, bevels and thin rods, nobody tells a round surface from a flat one.
+const NARROW: f32 = 0.008;
+
+/// Which triangles look as they do where viewers compute the normals: all corners have the normal of the face, or the face is
+/// narrow.
+pub(super) fn flat_triangles(primitive: &Primitive) -> Vec<bool> {
     let vector = |list: &[[f32; 3]], index: u32| Vec3::from_array(list[index as usize]);
-    primitive.indices.as_chunks::<3>().0.iter().all(|triangle| {
+    let is_flat = |triangle: &[u32; 3]| {
         let [a, b, c] = triangle.map(|index| vector(&primitive.positions, index));
-        let face = (b - a).cross(c - a).normalize_or_zero();
-        triangle.iter().all(|&index| vector(&primitive.normals, index).dot(face) >= FLAT)
+        let normal = (b - a).cross(c - a);
+        let longest = [(a, b), (b, c), (c, a)].map(|(from, to)| from.distance(to));
+        let face = normal.normalize_or_zero();
+        normal.length() < NARROW * longest.into_iter().fold(0.0, f32::max)
+            || triangle.iter().all(|&index| vector(&primitive.normals, index).dot(face) >= FLAT)
+    };
+    primitive.indices.as_chunks::<3>().0.iter().map(is_flat).collect()
+}
+
+/// The closed surfaces of which all triangles are chosen, and the others: surfaces hang together where corners lie at one
+/// place. Both keep their order, and each has all corners.
+pub(super) fn split(primitive: &Primitive, is_chosen: &[bool]) -> [Primitive; 2] {
+    let mut places: HashMap<[u32; 3], usize> = HashMap::with_capacity(primitive.positions.len());
+    let places: Vec<usize> = primitive
+        .positions
+        .iter()
+        .map(|position| {
+            let next = places.len();
+            *places.entry(position.map(f32::to_bits)).or_insert(next)
+        })
+        .collect();
+    let triangles = primitive.indices.as_chunks::<3>().0;
+    let mut surfaces = DisjointSets::new(places.len());
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|index| places[index as usize]);
+        surfaces.join(a, b);
+        surfaces.join(b, c);
+    }
+    let surface_of = triangles.iter().map(|triangle| surfaces.find(places[triangle[0] as usize]));
+    let surface_of: Vec<usize> = surface_of.collect();
+    let mut is_whole = vec![true; places.len()];
+    for (&surface, _) in surface_of.iter().zip(is_chosen).filter(|(_, is_chosen)| !**is_chosen) {
+        is_whole[surface] = false;
+    }
+    [true, false].map(|wanted| {
+        let kept = triangles.iter().zip(&surface_of).filter(|&(_, &surface)| is_whole[surface] == wanted);
+        let indices = kept.flat_map(|(triangle, _)| triangle).copied().collect();
+        Primitive { indices, ..primitive.clone() }
     })
 }
 
@@ -26,28 +67,31 @@ pub(super) fn has_colors(primitive: &Primitive) -> bool {
 }
 
 /// The same triangles without texture coordinates, where corners that agree in all that is left are one: in position and
-/// colour, and in normals if there are to be any. They keep their order.
+/// colour, and in normals if there are to be any. They stand in the order of first use.
 pub(super) fn joined(primitive: &Primitive, has_normals: bool) -> Primitive {
     let has_colors = has_colors(primitive);
     let mut known: HashMap<[u32; 10], u32> = HashMap::with_capacity(primitive.positions.len());
+    let mut new: Vec<Option<u32>> = vec![None; primitive.positions.len()];
     let mut made = Primitive { material: primitive.material.clone(), ..Primitive::default() };
-    let corners = (0..primitive.positions.len()).map(|corner| {
-        let position = primitive.positions[corner];
-        let normal = if has_normals { primitive.normals[corner] } else { [0.0; 3] };
-        let color = if has_colors { primitive.colors[corner] } else { [0.0; 4] };
-        *known.entry(key(position, normal, color)).or_insert_with(|| {
-            made.positions.push(position);
-            if has_normals {
-                made.normals.push(normal);
-            }
-            if has_colors {
-                made.colors.push(color);
-            }
-            u32::try_from(made.positions.len() - 1).expect("not more corners than there were")
-        })
-    });
-    let new: Vec<u32> = corners.collect();
-    made.indices = primitive.indices.iter().map(|&index| new[index as usize]).collect();
+    for &index in &primitive.indices {
+        let corner = index as usize;
+        let number = *new[corner].get_or_insert_with(|| {
+            let position = primitive.positions[corner];
+            let normal = if has_normals { primitive.normals[corner] } else { [0.0; 3] };
+            let color = if has_colors { primitive.colors[corner] } else { [0.0; 4] };
+            *known.entry(key(position, normal, color)).or_insert_with(|| {
+                made.positions.push(position);
+                if has_normals {
+                    made.normals.push(normal);
+                }
+                if has_colors {
+                    made.colors.push(color);
+                }
+                u32::try_from(made.positions.len() - 1).expect("not more corners than there were")
+            })
+        });
+        made.indices.push(number);
+    }
     made
 }
 
@@ -101,10 +145,48 @@ mod tests {
 
     #[test]
     fn faces_are_flat_or_round() {
-        assert!(is_flat(&corner()));
+        assert_eq!(flat_triangles(&corner()), [true, true]);
         let mut round = corner();
         round.normals[1] = [0.0, 0.70710677, 0.70710677];
-        assert!(!is_flat(&round));
+        assert_eq!(flat_triangles(&round), [false, true]);
+        round.positions.iter_mut().for_each(|position| position[1] *= 0.005);
+        assert_eq!(flat_triangles(&round), [true, true], "nobody sees it on a narrow face");
+    }
+
+    #[test]
+    fn surfaces_are_split_off_whole() {
+        // A corner of two faces, of which one is round, and a face that is far from both.
+        let mut apart = corner();
+        apart.positions.extend([[5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [5.0, 1.0, 0.0]]);
+        apart.normals.extend([[0.0, 0.0, 1.0]; 3]);
+        apart.indices.extend(6..9);
+        let [flat, round] = split(&apart, &[true, false, true]);
+        assert_eq!((flat.indices, round.indices), ((6..9).collect(), (0..6).collect()));
+        let [flat, round] = split(&apart, &[true; 3]);
+        assert_eq!((flat.indices.len(), round.indices.len()), (9, 0));
+    }
+
+    #[test]
+    fn models_are_split_into_closed_surfaces() {
+        let mut split_count = 0;
+        for primitive in ["washbasin", "office_chair", "bookshelf"].into_iter().flat_map(recipe) {
+            let parts = split(&primitive, &flat_triangles(&primitive));
+            let count: usize = parts.iter().map(|part| part.indices.len()).sum();
+            assert_eq!(count, primitive.indices.len());
+            split_count += usize::from(parts.iter().all(|part| !part.indices.is_empty()));
+            for part in parts {
+                let place = |index: u32| part.positions[index as usize].map(f32::to_bits);
+                let edges =
+                    part.indices.as_chunks::<3>().0.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+                let mut balance: HashMap<_, i32> = HashMap::new();
+                for (from, to) in edges.map(|(from, to)| (place(from), place(to))) {
+                    *balance.entry((from.min(to), from.max(to))).or_default() +=
+                        if from < to { 1 } else { -1 };
+                }
+                assert!(balance.values().all(|&count| count == 0), "{:?} has an edge", part.material);
+            }
+        }
+        assert!(split_count > 0);
     }
 
     #[test]

@@ -15,6 +15,8 @@ use crate::scene::{SceneMesh, SceneVariant};
 
 /// The accessors of a primitive.
 pub(crate) struct PrimitiveAccessors {
+    /// Which of the model's primitives it is, or is a part of.
+    source: usize,
     attributes: BTreeMap<Checked<Semantic>, Index<Accessor>>,
     indices: Index<Accessor>,
 }
@@ -58,7 +60,7 @@ impl Accessors {
             for (set, packed) in (0..).zip(&primitive.coordinates) {
                 attributes.insert(Checked::Valid(Semantic::TexCoords(set)), add(packed));
             }
-            PrimitiveAccessors { attributes, indices: add(&primitive.indices) }
+            PrimitiveAccessors { source: primitive.source, attributes, indices: add(&primitive.indices) }
         });
         accessors.collect()
     }
@@ -66,18 +68,21 @@ impl Accessors {
 
 /// A mesh over accessors that other meshes may use too.
 pub(crate) fn mesh(source: &SceneMesh, accessors: &[PrimitiveAccessors], variants: &[SceneVariant]) -> Mesh {
-    let primitive = |(accessors, &material): (&PrimitiveAccessors, &usize)| Primitive {
-        attributes: accessors.attributes.clone(),
-        indices: Some(accessors.indices),
-        material: Some(Index::new(u32::try_from(material).expect("a level has few materials"))),
-        mode: Checked::Valid(Mode::Triangles),
-        targets: None,
-        extensions: mappings(material, variants),
-        extras: None,
+    let primitive = |accessors: &PrimitiveAccessors| {
+        let material = source.materials[accessors.source];
+        Primitive {
+            attributes: accessors.attributes.clone(),
+            indices: Some(accessors.indices),
+            material: Some(Index::new(u32::try_from(material).expect("a level has few materials"))),
+            mode: Checked::Valid(Mode::Triangles),
+            targets: None,
+            extensions: mappings(material, variants),
+            extras: None,
+        }
     };
     Mesh {
         name: Some(source.name.clone()),
-        primitives: accessors.iter().zip(&source.materials).map(primitive).collect(),
+        primitives: accessors.iter().map(primitive).collect(),
         weights: None,
         extensions: None,
         extras: None,
@@ -89,6 +94,7 @@ fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
         Section::Vectors => (ComponentType::F32, Type::Vec3),
         Section::Coordinates => (ComponentType::F32, Type::Vec2),
         Section::Colors | Section::Tangents => (ComponentType::F32, Type::Vec4),
+        Section::TinyIndices => (ComponentType::U8, Type::Scalar),
         Section::ShortIndices => (ComponentType::U16, Type::Scalar),
         Section::LongIndices | Section::Images => (ComponentType::U32, Type::Scalar),
     };

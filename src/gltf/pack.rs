@@ -25,6 +25,8 @@ pub(crate) struct Packed {
 /// The accessors of a primitive.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PackedPrimitive {
+    /// Which of the model's primitives it is, or is a part of.
+    pub source: usize,
     pub positions: Packed,
     pub normals: Option<Packed>,
     pub tangents: Option<Packed>,
@@ -66,7 +68,15 @@ impl Packer {
         let colors = optional(&primitive.colors);
         let coordinates = primitive.coordinates.iter().map(|array| self.array(array)).collect();
         let (positions, indices) = (self.array(&primitive.positions), self.array(&primitive.indices));
-        PackedPrimitive { positions, normals, tangents, coordinates, colors, indices }
+        PackedPrimitive {
+            source: primitive.source,
+            positions,
+            normals,
+            tangents,
+            coordinates,
+            colors,
+            indices,
+        }
     }
 
     /// Adds an array, unless one with the same bytes is there: boxes of all sizes have the same triangles and normals.

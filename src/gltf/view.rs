@@ -96,7 +96,7 @@ fn view(buffer: Index<Buffer>, start: usize, length: usize) -> View {
 
 fn target(section: Section) -> Target {
     match section {
-        Section::ShortIndices | Section::LongIndices => Target::ElementArrayBuffer,
+        Section::TinyIndices | Section::ShortIndices | Section::LongIndices => Target::ElementArrayBuffer,
         _ => Target::ArrayBuffer,
     }
 }

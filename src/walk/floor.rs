@@ -4,7 +4,7 @@ use core::cmp::Reverse;
 use core::ops::Range;
 
 use crate::catalog::{AccessRules, AuditRules, WalkingRules};
-use crate::geometry::{Point, Solid, distance_to_convex, edges};
+use crate::geometry::{DisjointSets, Point, Solid, distance_to_convex, edges};
 use crate::plan::{Level, Room, RoomOpening};
 
 use super::raster::{CELL, Raster, least_distance, reach};
@@ -130,7 +130,7 @@ impl Floor {
     /// join all runs on their threshold: who leaves by a wide opening may come in again at its other end.
     pub(crate) fn walk(&self, diameter: f64) -> Walk<'_> {
         let (runs, rows) = self.runs(least_distance(diameter));
-        let mut joined = Joined::new(self.doors.len() + runs.len());
+        let mut joined = DisjointSets::new(self.doors.len() + runs.len());
         let number = |run: usize| self.doors.len() + run;
         for three in rows.windows(3) {
             let (mut before, mut next) = (three[0], three[1]);
@@ -151,9 +151,9 @@ impl Floor {
                 met.for_each(|run| joined.join(door, number(run)));
             }
         }
-        let doors = (0..self.doors.len()).map(|door| joined.group(door)).collect();
+        let doors = (0..self.doors.len()).map(|door| joined.find(door)).collect();
         let runs = runs.into_iter().enumerate();
-        let runs = runs.map(|(run, cells)| Run { cells, group: joined.group(number(run)) }).collect();
+        let runs = runs.map(|(run, cells)| Run { cells, group: joined.find(number(run)) }).collect();
         Walk { floor: self, diameter, runs, rows, doors }
     }
 
@@ -177,31 +177,6 @@ impl Floor {
 
 fn overlaps(a: &Range<usize>, b: &Range<usize>) -> bool {
     a.start < b.end && b.start < a.end
-}
-
-/// Disjoint sets of numbers, each a tree whose root is its smallest.
-struct Joined {
-    parents: Vec<usize>,
-}
-
-impl Joined {
-    fn new(count: usize) -> Self {
-        Self { parents: (0..count).collect() }
-    }
-
-    /// The root of a number's set; the way there is halved for the next who asks.
-    fn group(&mut self, mut number: usize) -> Group {
-        while self.parents[number] != number {
-            self.parents[number] = self.parents[self.parents[number]];
-            number = self.parents[number];
-        }
-        number
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.group(a), self.group(b));
-        self.parents[a.max(b)] = a.min(b);
-    }
 }
 
 /// Whether people walk neither under a solid nor over it.
