@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::light::Light;
 use super::shape::Shape;
 use super::style::Era;
+use super::building_style::Share;
 use super::variety::Variety;
 use crate::geometry::Point;
 
@@ -44,6 +45,8 @@ pub struct Class {
     pub looks: u32,
     /// How much pieces that are furnished together differ.
     pub variety: Variety,
+    /// Whose pieces are alike, where it is not for the rooms to say: baths and kitchens come with the building.
+    pub share: Option<Share>,
     /// The solid parts of its box.
     pub shape: Shape,
     /// Where it may stand, best first.
@@ -86,6 +89,7 @@ impl Class {
             sizes,
             looks: 1,
             variety: Variety::None,
+            share: None,
             shape: Shape::Box,
             parents: Vec::new(),
             sides: [SideOffer::NONE; 6],

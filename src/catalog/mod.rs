@@ -45,6 +45,7 @@ pub use palette::{MATERIAL_SLOTS, Material, Palette};
 pub(crate) use resolve::srgb_linear;
 pub use shape::{Extent, PrismRule, Shape};
 pub use style::{Access, Count, Dado, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
+pub(crate) use variety::KINDS;
 pub use variety::{SHAPES, Variety};
 
 use crate::plan::RoomWords;

@@ -4,6 +4,10 @@
 /// these in what varies by chance, as the books in a bookcase do.
 pub const SHAPES: u32 = 4;
 
+/// How many kinds, each of one look and size, a level has of a class of full variety: enough that no two beside each other
+/// are equal, and few enough that its file stays small.
+pub(crate) const KINDS: u32 = 4;
+
 /// How much pieces of a class that are furnished together differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Variety {
@@ -12,7 +16,7 @@ pub enum Variety {
     None,
     /// Likewise of one shape and one size, but each is filled in its own way: bookcases.
     Details,
-    /// Each draws its look and size for itself: plants, books.
+    /// Those of a room differ in look and size as far as there are kinds of them: plants, books. A level has [`KINDS`].
     Full,
 }
 
@@ -22,7 +26,7 @@ impl Variety {
         match self {
             Self::None => "one for all that are furnished together",
             Self::Details => "one shape for all that are furnished together, filled differently",
-            Self::Full => "each piece its own",
+            Self::Full => "those of a room differ",
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::FurnishOptions;
 use super::seed::shared_draw;
-use crate::catalog::{BuildingStyle, Catalog, DEFAULT_STYLE, Share, Style};
+use crate::catalog::{BuildingStyle, Catalog, Class, DEFAULT_STYLE, Share, Style};
 use crate::plan::{Level, Room};
 
 /// The style of a room: its own, else the run's if that is made for such rooms, else the default. A building style
@@ -49,19 +49,45 @@ fn sharing(share: Share, level: &Level, room: &Room, options: &FurnishOptions<'_
     }
 }
 
-/// The names that a room has in common with those whose furniture looks like its own: those that its building style
-/// draws for together, else those that its type says.
-pub(crate) fn series(
-    level: &Level,
-    room: &Room,
-    catalog: &Catalog,
-    options: &FurnishOptions<'_>,
-) -> Vec<String> {
-    let ids = [room.style.as_deref(), options.style];
-    let style = ids.into_iter().flatten().find_map(|id| catalog.building_styles.get(id));
-    let of_type = || catalog.room_types.get(&room.room_type).map(|room_type| room_type.share);
-    let share = style.map(|style| style.share).or_else(of_type).unwrap_or_default();
-    sharing(share, level, room, options)
+/// Which rooms have furniture that looks like a room's own.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Series<'a> {
+    pub(crate) level: &'a Level,
+    pub(crate) room: &'a Room,
+    pub(crate) options: &'a FurnishOptions<'a>,
+    /// Those that its building style draws for together, else those that its type says.
+    pub(crate) share: Share,
+}
+
+impl<'a> Series<'a> {
+    pub(crate) fn new(
+        level: &'a Level,
+        room: &'a Room,
+        catalog: &Catalog,
+        options: &'a FurnishOptions<'a>,
+    ) -> Self {
+        let ids = [room.style.as_deref(), options.style];
+        let style = ids.into_iter().flatten().find_map(|id| catalog.building_styles.get(id));
+        let of_type = || catalog.room_types.get(&room.room_type).map(|room_type| room_type.share);
+        let share = style.map(|style| style.share).or_else(of_type).unwrap_or_default();
+        Self { level, room, options, share }
+    }
+
+    /// A number from 0 up to 1 that pieces of a class have in common in all rooms where they look alike.
+    pub(crate) fn look(&self, class: &Class, seed: u64) -> f64 {
+        shared_draw(seed, self.names(class).iter().map(String::as_str).chain(["look of", &class.id]))
+    }
+
+    /// The names that the room has in common with those where pieces of a class look alike.
+    fn names(&self, class: &Class) -> Vec<String> {
+        sharing(class.share.unwrap_or(self.share), self.level, self.room, self.options)
+    }
+
+    /// A number from 0 up to 1 for each of the kinds of a class that a level has.
+    pub(crate) fn kind(&self, class: &Class, kind: u32, seed: u64) -> f64 {
+        let kind = kind.to_string();
+        shared_draw(seed, [self.options.building, &self.level.id, "kind of", &class.id, &kind])
+    }
 }
 
 /// The number that decides whether a single dwelling, or a room that is part of none, is an exception.
@@ -125,9 +151,10 @@ mod tests {
     fn furniture_looks_alike_in_what_the_building_style_shares_or_else_the_room_type() {
         let catalog = load_catalog(&[]).unwrap().value;
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let chair = Class::plain("chair", Vec::new(), "chair");
         let of = |room_type, dwelling, style| {
             let options = FurnishOptions::new(1, "block").with_style(style);
-            series(&level, &room(&level, 1, room_type, dwelling), &catalog, &options).len()
+            Series::new(&level, &room(&level, 1, room_type, dwelling), &catalog, &options).names(&chair).len()
         };
         let (building, level_of_building, dwelling) = (1, 2, 3);
         assert_eq!(of("living_room", Some("flat 1"), None), dwelling);

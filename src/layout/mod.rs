@@ -54,6 +54,7 @@ use crate::catalog::{Access, Catalog, ClassIndex, ParentName, Untidiness};
 use crate::plan::{Level, OpeningKind, Room};
 
 use agent::{Agent, AgentIndex, State};
+use choice::Series;
 use constants::{ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE};
 use environment::Environment;
 use programme::Site;
@@ -143,8 +144,8 @@ impl Task<'_> {
         };
 
         // The programme is drawn once: another attempt must not ask for other pieces.
-        let series = choice::series(level, plan, catalog, &options);
-        let variants = Variants { seed, series: &series, key: &key };
+        let series = Series::new(level, plan, catalog, &options);
+        let variants = Variants { seed, series, key: &key };
         let mut pieces = programme::pieces(catalog, (style, room_type), site(level, plan), &variants);
         lock::add_pieces(&mut pieces, options.locks, catalog);
         let is_suggested = !alternative.suggestions.is_empty();

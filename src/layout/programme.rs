@@ -114,7 +114,9 @@ fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &m
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::{Class, DEFAULT_STYLE, Era, Untidiness};
+    use crate::catalog::{Class, DEFAULT_STYLE, Era, Share, Untidiness};
+    use crate::layout::FurnishOptions;
+    use crate::layout::choice::Series;
     use crate::layout::seed::RoomKey;
     use crate::layout::tests::{catalog, level};
 
@@ -137,7 +139,10 @@ mod tests {
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let key = RoomKey::new(1, "b", &level, &level.rooms[0]);
         let room = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
-        let variants = Variants { seed: 1, series: &[], key: &key };
+        let options = FurnishOptions::new(1, "b");
+        let series =
+            Series { level: &level, room: &level.rooms[0], options: &options, share: Share::Building };
+        let variants = Variants { seed: 1, series, key: &key };
         let pieces = pieces(&catalog, room, Site { area: 16.0, window_count: 0 }, &variants);
         pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()
     }

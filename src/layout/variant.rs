@@ -1,19 +1,20 @@
 //! Which variant each piece of a room is: what is furnished together looks alike.
 //!
 //! Departs from the paper, where every agent draws its own (section 3.4): the chairs of a table are of one kind, and so are
-//! the beds of a hotel, and bookcases differ in their books alone. Classes of full variety, such as plants and books, do as
-//! the paper says.
+//! the beds of a hotel, and bookcases differ in their books alone. Classes of full variety, such as plants and books, differ
+//! from each other in a room, but a level has few kinds of them.
 
-use crate::catalog::{Class, SHAPES, Variety};
+use crate::catalog::{Class, KINDS, SHAPES, Variety};
 
-use super::seed::{Purpose, RoomKey, shared_draw};
+use super::choice::Series;
+use super::seed::{Purpose, RoomKey};
 
 /// Draws the variants of the pieces of a room.
 pub(crate) struct Variants<'a> {
     /// The seed of the run, or the one that the room is pinned to.
     pub(crate) seed: u64,
-    /// What rooms of one look are called.
-    pub(crate) series: &'a [String],
+    /// The rooms that look like it.
+    pub(crate) series: Series<'a>,
     /// The room's own.
     pub(crate) key: &'a RoomKey,
 }
@@ -21,23 +22,34 @@ pub(crate) struct Variants<'a> {
 impl Variants<'_> {
     /// The variant of the piece of this number: in one of the sizes that rooms ask for.
     pub(crate) fn draw(&self, class: &Class, number: u32) -> u32 {
-        let size = || self.key.stream(Purpose::Variant, &class.id, 0).below(class.usual_sizes) as u32;
-        let own = || self.key.stream(Purpose::Variant, &class.id, number);
+        let of_room = || self.key.stream(Purpose::Variant, &class.id, 0);
+        let size = || of_room().below(class.usual_sizes) as u32;
         match class.variety {
             Variety::None => size() * class.looks + self.shared(class, class.looks),
             Variety::Details => {
                 let shape = self.shared(class, SHAPES.min(class.looks));
                 let fillings = (class.looks - shape).div_ceil(SHAPES);
-                size() * class.looks + shape + SHAPES * own().count(0, fillings - 1)
+                let mut own = self.key.stream(Purpose::Variant, &class.id, number);
+                size() * class.looks + shape + SHAPES * own.count(0, fillings - 1)
             }
-            Variety::Full => own().count(0, class.usual_variant_count() - 1),
+            Variety::Full => {
+                let kinds = KINDS.min(class.usual_variant_count());
+                // One after the other, so that neighbours differ.
+                self.kind(class, (of_room().below(kinds as usize) as u32 + number) % kinds, kinds)
+            }
         }
     }
 
     /// One of `count`, the same for all that are furnished together.
     fn shared(&self, class: &Class, count: u32) -> u32 {
-        let names = self.series.iter().map(String::as_str).chain(["look of", &class.id]);
-        (shared_draw(self.seed, names) * f64::from(count)) as u32
+        (self.series.look(class, self.seed) * f64::from(count)) as u32
+    }
+
+    /// The variant of a kind of the level: each kind draws from a part of them of its own.
+    fn kind(&self, class: &Class, kind: u32, kinds: u32) -> u32 {
+        let count = class.usual_variant_count();
+        let (from, to) = (kind * count / kinds, (kind + 1) * count / kinds);
+        from + (self.series.kind(class, kind, self.seed) * f64::from(to - from)) as u32
     }
 }
 
@@ -46,7 +58,8 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::catalog::Size;
+    use crate::catalog::{Share, Size};
+    use crate::layout::FurnishOptions;
     use crate::layout::tests::level;
 
     fn class(variety: Variety) -> Class {
@@ -61,8 +74,11 @@ mod tests {
         let mut level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         level.rooms[0].number = room;
         let key = RoomKey::new(seed, "block", &level, &level.rooms[0]);
-        let series = ["block".to_owned(), flat.to_owned()];
-        (1..=12).map(|number| Variants { seed, series: &series, key: &key }.draw(class, number)).collect()
+        level.rooms[0].dwelling = Some(flat.to_owned());
+        let options = FurnishOptions::new(seed, "block");
+        let series =
+            Series { level: &level, room: &level.rooms[0], options: &options, share: Share::Dwelling };
+        (1..=12).map(|number| Variants { seed, series, key: &key }.draw(class, number)).collect()
     }
 
     #[test]
@@ -107,8 +123,29 @@ mod tests {
 
     #[test]
     fn varied_pieces_differ_within_a_room() {
-        let drawn: BTreeSet<u32> = variants(&class(Variety::Full), 1, "a", 0).into_iter().collect();
-        assert!(drawn.len() > 4, "{drawn:?}");
-        assert!(drawn.iter().all(|&variant| variant < 8), "in usual sizes only");
+        let class = class(Variety::Full);
+        let mut all = BTreeSet::new();
+        for seed in 0..20 {
+            let rooms: Vec<Vec<u32>> = (0..6).map(|room| variants(&class, seed, "a", room)).collect();
+            for room in &rooms {
+                let differ = |pair: &[u32]| pair.iter().collect::<BTreeSet<_>>().len() == pair.len();
+                assert!(room.windows(KINDS as usize).all(differ), "{room:?}");
+            }
+            let of_level: BTreeSet<u32> = rooms.into_iter().flatten().collect();
+            assert_eq!(of_level.len(), KINDS as usize, "the rooms of a level have the same kinds");
+            all.extend(of_level);
+        }
+        assert_eq!(all, (0..8).collect(), "every look in usual sizes, and no spare one");
+    }
+
+    #[test]
+    fn what_comes_with_the_building_is_alike_in_all_flats() {
+        let looks = |class: &Class| -> BTreeSet<u32> {
+            let rooms = ["a", "b", "c", "d", "e", "f"].map(|flat| variants(class, 1, flat, 0));
+            rooms.into_iter().flatten().map(|variant| variant % class.looks).collect()
+        };
+        let chair = class(Variety::None);
+        assert!(looks(&chair).len() > 1);
+        assert_eq!(looks(&Class { share: Some(Share::Building), ..chair }).len(), 1);
     }
 }

@@ -4,8 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::lines::{Lines, class_names, degrees, parent_names, range, rounded};
 use crate::catalog::{
-    Catalog, Class, ClassIndex, Extent, Light, ModelSource, ParentName, ParentRule, Relation, Shape, Side,
-    Size, Variety,
+    Catalog, Class, ClassIndex, Extent, Light, ModelSource, ParentName, ParentRule, Relation, Shape, Share,
+    Side, Size, Variety,
 };
 
 /// The label, and the size of the first variant.
@@ -26,6 +26,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     let sizes = class.sizes.iter().enumerate();
     lines.add_all("size", sizes.map(|(index, size)| show_size(size) + spare(index)));
     lines.add("looks", &format!("{} of each size, {}", class.looks, class.variety.describe()));
+    lines.add("alike in", class.share.map_or("", Share::word));
     lines.add("shape", &show_shape(&class.shape));
     lines.add_all("light", class.light.iter().map(show_light));
     lines.add_all("stands", class.parents.iter().map(|rule| show_parent(catalog, rule)));
@@ -166,6 +167,7 @@ fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIn
             Variety::Details => json!("details"),
             Variety::Full => json!(true),
         },
+        "share": class.share.map(Share::word),
         "light": class.light.map(|light| json!({
             "lumens": rounded(light.lumens),
             "kelvin": rounded(light.kelvin),

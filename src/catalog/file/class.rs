@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
+use super::building_style::ShareWord;
 use super::{Edges, ExtentText, FormatVersion, OneOrMany, Pair, VariedEntry};
 use crate::catalog::LightSide;
 use crate::catalog::table::Extends;
@@ -47,6 +48,8 @@ pub(crate) struct ClassEntry {
     /// Whether each piece has a look and a size of its own, like plants and books; else pieces that are furnished
     /// together look alike. `details`: they are of one shape and size, but filled differently, like bookcases.
     pub(crate) varied: Option<VariedEntry>,
+    /// Whose pieces look alike, whatever rooms and building styles say: `building` for what comes with it, as baths do.
+    pub(crate) share: Option<ShareWord>,
     /// The solid parts of its box: `box` (default), `disc`, or a list of parts.
     pub(crate) shape: Option<ShapeEntry>,
     /// Where it may stand, best first.

@@ -76,6 +76,7 @@ fn resolve_class(
         usual_sizes,
         looks,
         variety: resolve_variety(chain, looks, report),
+        share: chain.find("share", |entry| entry.share.as_ref()).map(|found| (*found.value).into()),
         shape,
         parents: parents.iter().map(|parent| parent.rule.clone()).collect(),
         sides,
