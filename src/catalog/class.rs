@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::building_style::Share;
 use super::light::Light;
 use super::shape::Shape;
 use super::style::Era;
-use super::building_style::Share;
 use super::variety::Variety;
 use crate::geometry::Point;
 

@@ -12,7 +12,7 @@ use crate::model::Primitive;
 const FLAT: f32 = 0.99985;
 
 /// Metres: on faces that are less wide, bevels and thin rods, nobody tells a round surface from a flat one.
-const NARROW: f32 = 0.008;
+const NARROW: f32 = 0.01;
 
 /// Which triangles look as they do where viewers compute the normals: all corners have the normal of the face, or the face is
 /// narrow.

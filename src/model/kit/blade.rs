@@ -11,16 +11,16 @@ pub(crate) struct Blade<'a> {
     pub(crate) rib: &'a [DVec3],
     /// Half the width at each point between the tips.
     pub(crate) half_widths: &'a [f64],
-    /// Metres at the rib.
+    /// Metres at the rib at least.
     pub(crate) thickness: f64,
-    /// Share of the half width by which the edges lie higher than the rib.
+    /// Share of the half width by which the rib lies higher than the edges.
     pub(crate) fold: f64,
 }
 
 /// Degrees below which the faces of a leaf are one smooth surface; its rim stays sharp.
 const LEAF_CREASE: f64 = 80.0;
 
-/// A leaf: 8 triangles at the tips and 8 for each further point of the rib.
+/// A leaf with a ridge along its rib, level below: 6 triangles at the tips and 6 for each further point of the rib.
 pub(crate) fn blade(leaf: &Blade) -> Solid {
     let last = leaf.rib.len() - 1;
     let mut points = vec![leaf.rib[0]];
@@ -29,23 +29,22 @@ pub(crate) fn blade(leaf: &Blade) -> Solid {
         let sideways = along.cross(DVec3::Y).normalize_or(DVec3::X);
         let up = sideways.cross(along);
         let (middle, half_width) = (leaf.rib[index], leaf.half_widths[index - 1]);
-        let edge = up * half_width * leaf.fold;
-        points.push(middle + sideways * half_width + edge);
-        points.push(middle + up * leaf.thickness / 2.0);
-        points.push(middle - sideways * half_width + edge);
-        points.push(middle - up * leaf.thickness / 2.0);
+        let ridge = up * (half_width * leaf.fold).max(leaf.thickness) / 2.0;
+        points.push(middle + sideways * half_width - ridge);
+        points.push(middle + ridge);
+        points.push(middle - sideways * half_width - ridge);
     }
     points.push(leaf.rib[last]);
     let tip = points.len() - 1;
     let mut triangles = Vec::new();
-    for step in 0..4 {
-        let next = (step + 1) % 4;
+    for step in 0..3 {
+        let next = (step + 1) % 3;
         triangles.push([0, 1 + next, 1 + step]);
         for ring in 0..last - 2 {
-            let [a, b] = [1 + 4 * ring + step, 1 + 4 * ring + next];
-            triangles.extend([[a, b, b + 4], [a, b + 4, a + 4]]);
+            let [a, b] = [1 + 3 * ring + step, 1 + 3 * ring + next];
+            triangles.extend([[a, b, b + 3], [a, b + 3, a + 3]]);
         }
-        triangles.push([tip, tip - 4 + step, tip - 4 + next]);
+        triangles.push([tip, tip - 3 + step, tip - 3 + next]);
     }
     Solid::new(points, triangles, Shading::Crease(LEAF_CREASE.to_radians()))
 }
@@ -62,7 +61,7 @@ mod tests {
         for fold in [0.0, 0.3] {
             let leaf = blade(&Blade { rib: &rib, half_widths: &[0.03, 0.04], thickness: 0.003, fold });
             assert_sound(&leaf);
-            assert_eq!(leaf.triangles.len(), 16);
+            assert_eq!(leaf.triangles.len(), 12);
         }
     }
 

@@ -47,14 +47,15 @@ pub(super) fn plant(draft: &Draft, builder: &mut Builder) {
         species,
         root: DVec3::new(0.0, height * 0.86 + trunk, 0.0),
         count: match species {
-            Species::Tree => 34,
+            Species::Tree => 32,
             Species::Palm => 20,
             Species::Sword => 18,
-            Species::Bush => 30,
+            Species::Bush => 28,
         },
         spread: radius,
         height: rise - trunk + height * 0.14,
-        is_fine: true,
+        // Fronds hang over in a bow.
+        is_fine: species == Species::Palm,
     };
     grow(builder, &mut sampler, &foliage);
 }
@@ -93,7 +94,7 @@ pub(super) fn planter(draft: &Draft, builder: &mut Builder) {
         let foliage = Foliage {
             species,
             root: DVec3::new(column.center().x, height * 0.88, 0.0),
-            count: 16,
+            count: 14,
             spread: column.width().min(bay.depth()) / 2.0,
             height: bay.height() - height * 0.88,
             is_fine: false,

@@ -10,7 +10,7 @@ use crate::model::kit::{
 };
 
 /// Metres of cloth for one fold.
-const FOLD: f64 = 0.14;
+const FOLD: f64 = 0.16;
 
 /// What a curtain hangs from and how.
 #[derive(Clone, Copy, PartialEq)]
@@ -67,7 +67,7 @@ pub(super) fn curtain(draft: &Draft, builder: &mut Builder) {
     if hanging == Hanging::Rail && look % 2 == 1 {
         // A net curtain hangs behind.
         let net = bay.with_y([0.001, head]).with_x([bay.high.x - width * 1.02, bay.high.x - 0.02]);
-        builder.add_pair("linen", drape(net.slab(Side::Back, bay.depth() * 0.12), count * 2, None));
+        builder.add_pair("linen", drape(net.slab(Side::Back, bay.depth() * 0.12), count + 1, None));
     }
 }
 
@@ -101,12 +101,7 @@ fn rod(draft: &Draft, builder: &mut Builder) -> f64 {
         builder.cuboid(slot, bracket);
     }
     let hoop = |x: f64| {
-        let slices = [
-            Slice::round(-0.003, ring),
-            Slice::round(0.003, ring),
-            Slice::round(0.003, ring * 0.8),
-            Slice::round(-0.003, ring * 0.8),
-        ];
+        let slices = [Slice::round(-0.003, ring), Slice::round(0.003, ring), Slice::round(0.0, ring * 0.76)];
         loft_ring(&Outline::Round(8), &slices).turned_z(std::f64::consts::FRAC_PI_2).moved(x, y, 0.0)
     };
     let count = 5;
@@ -150,7 +145,7 @@ fn pelmet(builder: &mut Builder, look: usize) -> f64 {
 fn drape(bay: Bay, count: u32, tie: Option<f64>) -> Solid {
     let tied = |share: f64| tie.map_or(1.0, |at| 0.5 + 0.5 * libm::fabs(share - at).min(0.35) / 0.35);
     // Between these, cloth hangs straight.
-    let shares: &[f64] = if tie.is_some() { &[0.0, 0.34, 0.4, 0.46, 0.78, 1.0] } else { &[0.0, 0.94, 1.0] };
+    let shares: &[f64] = if tie.is_some() { &[0.0, 0.34, 0.4, 0.46, 1.0] } else { &[0.0, 1.0] };
     let middle = bay.center();
     let level = |share: f64| {
         let width = tied(share) * (1.0 - 0.05 * share);

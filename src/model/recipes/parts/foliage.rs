@@ -33,7 +33,7 @@ pub(in super::super) struct Foliage {
     pub(in super::super) spread: f64,
     /// Metres from the root to the highest tip.
     pub(in super::super) height: f64,
-    /// Whether each leaf is bent in three places instead of two (24 triangles instead of 16).
+    /// Whether each leaf is bent in three places instead of two (18 triangles instead of 12).
     pub(in super::super) is_fine: bool,
 }
 
