@@ -94,7 +94,7 @@ pub(super) fn planter(draft: &Draft, builder: &mut Builder) {
         let foliage = Foliage {
             species,
             root: DVec3::new(column.center().x, height * 0.88, 0.0),
-            count: 14,
+            count: 16,
             spread: column.width().min(bay.depth()) / 2.0,
             height: bay.height() - height * 0.88,
             is_fine: false,

@@ -87,7 +87,9 @@ pub(super) fn make(bed: &Bed, builder: &mut Builder, sampler: &mut Sampler, coun
     let phase = sampler.between(0.0, 6.0);
     let hem = bed.frame - [0.02, 0.05, 0.0, 0.09][bed.form as usize] * (bed.lying / 0.55);
     let bay = whole.with_y([hem, bed.lying]).without(Side::Back, start);
-    drape(builder, slot, &Cloth { bay, wave: 0.008, phase, has_front: true });
+    // What is folded over it hangs outside of it, wherever both wave.
+    let cover = bay.inset(0.012, 0.0, 0.0);
+    drape(builder, slot, &Cloth { bay: cover, wave: 0.008, phase, has_front: true });
     let fold = bay.slab(Side::Back, [0.26, 0.2, 0.34, 0.16][bed.form as usize]).moved(0.0, 0.012, -0.03);
     let fold = fold.with_y([hem + 0.05, fold.high.y]).inset(0.001, 0.0, 0.0);
     let under = if bed.form == 2 { "fabric_accent" } else { "linen" };
