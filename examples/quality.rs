@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --example quality -- [--seeds N] [--random N [--first N] [--draw FOLDER]] [--catalog FOLDER]
-//!     [--style STYLE] [--details] PLAN…
+//!     [--style STYLE] [--type TYPE]… [--beside CLASS CLASS] [--details] PLAN…
 //! ```
 //! A PLAN is a file or folder as `bake` takes it; `--random` adds rooms of random shape, size, type and style, those of
 //! `tests/properties`. Nothing is written but the drawings asked for with `--draw`.
@@ -20,7 +20,8 @@ use roomwright::audit::{Finding, Grade, Severity};
 use roomwright::best::{DEFAULT_EFFORT, furnish_best};
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::draw::{Drawing, draw_level};
-use roomwright::layout::{FurnishOptions, Furnished};
+use roomwright::geometry::{Convex, Point, direction};
+use roomwright::layout::{FurnishOptions, Furnished, Placement};
 use roomwright::plan::{Level, PlanOptions, SitePlacement, read_plans};
 
 #[path = "../tests/properties/rooms.rs"]
@@ -52,9 +53,21 @@ struct Arguments {
     /// Style or building style of the rooms, as for `bake`.
     #[arg(long)]
     style: Option<String>,
+    /// Only rooms of these types.
+    #[arg(long = "type")]
+    types: Vec<String>,
+    /// Also count how many rooms with a piece of the first class or group have one directly beside one of the second.
+    #[arg(long, num_args = 2)]
+    beside: Vec<String>,
     /// Also list findings and missing pieces by class.
     #[arg(long)]
     details: bool,
+}
+
+impl Arguments {
+    fn wants(&self, level: &Level, room: usize) -> bool {
+        self.types.is_empty() || self.types.contains(&level.rooms[room].room_type)
+    }
 }
 
 /// What rooms came to; sums over rooms and seeds.
@@ -67,13 +80,22 @@ struct Tally {
     given: u64,
     requested: u64,
     placed: u64,
+    /// Rooms that have a piece of the first class of `--beside`, and those where one touches one of the second.
+    with_first: u64,
+    with_neighbours: u64,
     /// Counts of findings and of missing pieces by what they concern.
     details: BTreeMap<String, u64>,
 }
 
 impl Tally {
-    fn of(level: &Level, room: usize, catalog: &Catalog, options: &FurnishOptions<'_>, effort: u32) -> Self {
-        let judged = furnish_best(level, room, catalog, options, effort);
+    fn of(
+        level: &Level,
+        room: usize,
+        catalog: &Catalog,
+        options: &FurnishOptions<'_>,
+        arguments: &Arguments,
+    ) -> Self {
+        let judged = furnish_best(level, room, catalog, options, arguments.effort);
         let furnished = judged.furnished;
         let mut tally = Self::default();
         if furnished.requested == 0 {
@@ -82,6 +104,13 @@ impl Tally {
         tally.rooms = 1;
         tally.requested = u64::from(furnished.requested);
         tally.placed = furnished.placements.len() as u64;
+        if let [first, second] = &arguments.beside[..] {
+            let having = |name: &str| having(&furnished, catalog, name);
+            let (first, second) = (having(first), having(second));
+            tally.with_first = u64::from(!first.is_empty());
+            let is_beside = |one: &&Placement| second.iter().any(|other| touches(one, other));
+            tally.with_neighbours = u64::from(first.iter().any(is_beside));
+        }
         tally.judge(level, &furnished, &judged.verdict.findings, catalog);
         tally
     }
@@ -118,11 +147,31 @@ impl Tally {
         self.given += other.given;
         self.requested += other.requested;
         self.placed += other.placed;
+        self.with_first += other.with_first;
+        self.with_neighbours += other.with_neighbours;
         for (key, count) in other.details {
             *self.details.entry(key).or_default() += count;
         }
         self
     }
+}
+
+/// The pieces of a class or group.
+fn having<'a>(furnished: &'a Furnished, catalog: &Catalog, name: &str) -> Vec<&'a Placement> {
+    let is_such = |placement: &&Placement| {
+        let class = &catalog.classes[placement.class];
+        class.id == name || class.groups.iter().any(|group| group == name)
+    };
+    furnished.placements.iter().filter(is_such).collect()
+}
+
+/// Whether one piece begins within five centimetres of another's left or right side.
+fn touches(one: &Placement, other: &Placement) -> bool {
+    let footprint = |placement: &Placement, margin: f64| {
+        let half = Point::new(placement.size.width / 2.0 + margin, placement.size.depth / 2.0);
+        Convex::rectangle(placement.position, half, direction(placement.angle))
+    };
+    footprint(one, 0.05).overlaps(&footprint(other, 0.0), 0.01)
 }
 
 fn main() {
@@ -150,6 +199,10 @@ fn print_line(name: &str, tally: Tally, arguments: &Arguments) {
         share(tally.placed, tally.requested),
         share(tally.given, tally.rooms),
     );
+    if let [first, second] = &arguments.beside[..] {
+        let (with, of) = (tally.with_neighbours, tally.with_first);
+        println!("    {first} beside {second}: {with} of {of} rooms, {:.2} %", share(with, of));
+    }
     if arguments.details {
         let mut details: Vec<_> = tally.details.into_iter().collect();
         details.sort_by_key(|(text, count)| (std::cmp::Reverse(*count), text.clone()));
@@ -167,11 +220,12 @@ fn measure_random(catalog: &Catalog, arguments: &Arguments) -> Tally {
     let tally = |(offset, sketch): (usize, &rooms::Sketch)| {
         let number = arguments.first + offset;
         let options = FurnishOptions::new(sketch.seed, "random");
-        sketch.level(catalog).map(|level| {
+        let level = sketch.level(catalog).filter(|level| arguments.wants(level, 0));
+        level.map(|level| {
             if let Some(folder) = &arguments.draw {
                 draw_random(folder, number, &level, catalog, (&options, arguments.effort));
             }
-            Tally::of(&level, 0, catalog, &options, arguments.effort)
+            Tally::of(&level, 0, catalog, &options, arguments)
         })
     };
     sketches.par_iter().enumerate().filter_map(tally).reduce(Tally::default, Tally::join)
@@ -215,14 +269,16 @@ fn measure(plan: &PathBuf, catalog: &Catalog, arguments: &Arguments) -> Tally {
         let id = placed.id.as_str();
         placed.building.levels.iter().map(move |level| (id, level))
     });
-    let rooms: Vec<(&str, &Level, usize)> =
-        levels.flat_map(|(id, level)| (0..level.rooms.len()).map(move |room| (id, level, room))).collect();
-    let Arguments { seeds, effort, .. } = *arguments;
+    let rooms: Vec<(&str, &Level, usize)> = levels
+        .flat_map(|(id, level)| (0..level.rooms.len()).map(move |room| (id, level, room)))
+        .filter(|&(_, level, room)| arguments.wants(level, room))
+        .collect();
+    let seeds = arguments.seeds;
     let tasks = rooms.par_iter().flat_map(|room| (0..seeds).into_par_iter().map(move |seed| (room, seed)));
     tasks
         .map(|(&(building, level, room), seed)| {
             let options = FurnishOptions::new(seed, building).with_style(arguments.style.as_deref());
-            Tally::of(level, room, catalog, &options, effort)
+            Tally::of(level, room, catalog, &options, arguments)
         })
         .reduce(Tally::default, Tally::join)
 }
