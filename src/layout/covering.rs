@@ -3,7 +3,7 @@
 //! Not in the paper. They are laid when all others rest and are in nobody's way, so that a room is the same with and
 //! without them.
 
-use crate::catalog::{Access, Side, Size};
+use crate::catalog::{Access, Class, Clearance, Side, Size};
 use crate::geometry::{Point, Solid};
 
 use super::agent::{AgentIndex, ParentPart, Rest, State};
@@ -15,6 +15,12 @@ use super::furnished::RemovalReason;
 
 /// Metres by which a rug is wider than what stands on its middle, on either side.
 const OVERHANG: f64 = 0.25;
+/// Metres by which it is wider than a table on the sides where people sit: a chair that is pulled back keeps its hind legs
+/// on it.
+const SEAT_OVERHANG: f64 = 0.6;
+/// Metres that are good behind the edge of a table where grown-ups sit. Children's chairs want less, and rugs are also
+/// played on.
+const GROWN_UP: f64 = 0.9;
 /// Metres by which it sticks out before what is too deep to stand on it whole: feet step on it.
 const FOOT: f64 = 0.5;
 /// Metres by which it is moved, to either side and to and fro, where it does not lie free in the middle.
@@ -46,8 +52,12 @@ fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, 
     let sizes = sizes_by(environment, agent, area);
     let anchors = class.covers.iter().flat_map(|&class| &environment.resting[class]);
     anchors.into_iter().find_map(|&anchor| {
-        let (rest, under) = (environment.agents[anchor].rest()?, environment.agents[anchor].size);
-        sizes.iter().find_map(|&variant| {
+        let rest = environment.agents[anchor].rest()?;
+        let under = Under::new(environment.class(anchor), environment.agents[anchor].size);
+        // Around a table no rug is wider than it needs to be; elsewhere more is better.
+        let count = sizes.len();
+        let best = |rank: usize| sizes[if under.has_chairs { count - 1 - rank } else { rank }];
+        (0..count).map(best).find_map(|variant| {
             let size = class.size(variant);
             let pose = poses(rest, under, size).find(|pose| is_free(environment, &box_solid(size, pose)))?;
             Some((variant, Place { pose, parent: ParentPart::Floor, side: Side::Above }))
@@ -55,19 +65,46 @@ fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, 
     })
 }
 
+/// What a rug lies under.
+#[derive(Clone, Copy)]
+struct Under {
+    size: Size,
+    /// Metres by which the rug is wider, on its left and right, and deeper, at its front and back.
+    overhang: Point,
+    /// Whether chairs stand on the rug, which lies around a table.
+    has_chairs: bool,
+}
+
+impl Under {
+    fn new(class: &Class, size: Size) -> Self {
+        let is_seat = |it: &Clearance| it.allows_children && it.good >= GROWN_UP;
+        let is_sat_at = |side: Side| class.clearances.iter().any(|it| it.side == side && is_seat(it));
+        let most = |a: Side, b: Side| if is_sat_at(a) || is_sat_at(b) { SEAT_OVERHANG } else { OVERHANG };
+        // A place for a seat before a bed or sofa is none at a table.
+        let has_chairs = is_sat_at(Side::Front) && is_sat_at(Side::Back);
+        let around = Point::new(most(Side::Left, Side::Right), SEAT_OVERHANG);
+        Self { size, overhang: if has_chairs { around } else { Point::splat(OVERHANG) }, has_chairs }
+    }
+}
+
 /// Where a rug of a size may lie under a piece, best first: around its middle, or, under a bed, so far before it that feet
-/// step on the rug. None where the rug is too narrow.
-fn poses(rest: &Rest, under: Size, size: Size) -> impl Iterator<Item = Pose> {
+/// step on the rug. None where the rug is too narrow, or too small for the chairs around a table.
+fn poses(rest: &Rest, under: Under, size: Size) -> impl Iterator<Item = Pose> {
     let right = rest.pose.right;
     let front = -right.perp();
-    let is_wide_enough = size.width >= under.width + 2.0 * OVERHANG;
-    let holds_whole = size.depth >= under.depth + 2.0 * OVERHANG;
-    let before = if holds_whole { 0.0 } else { under.depth / 2.0 + FOOT - size.depth / 2.0 };
+    let Under { size: piece, overhang, has_chairs } = under;
+    let holds_whole = size.depth >= piece.depth + 2.0 * overhang.y;
+    let is_large_enough = size.width >= piece.width + 2.0 * overhang.x && (holds_whole || !has_chairs);
+    let before = if holds_whole { 0.0 } else { piece.depth / 2.0 + FOOT - size.depth / 2.0 };
     let middle = rest.pose.position + front * before;
-    let shifts = SHIFTS.into_iter().flat_map(|along| SHIFTS.map(|across| Point::new(across, along)));
+    // Around a table it lies in the middle: moved, it would leave the chairs of one side.
+    let count = if has_chairs { 1 } else { SHIFTS.len() };
+    let along = SHIFTS.into_iter().take(count);
+    let shifts = along
+        .flat_map(move |along| SHIFTS.into_iter().take(count).map(move |across| Point::new(across, along)));
     let angle = rest.pose.angle;
     shifts
-        .filter(move |_| is_wide_enough)
+        .filter(move |_| is_large_enough)
         .map(move |shift| Pose::new(middle + right * shift.x + front * shift.y, 0.0, angle))
 }
 
@@ -93,6 +130,10 @@ mod tests {
     const RUG: Size = Size { width: 2.4, depth: 1.7, height: 0.012 };
 
     fn best(under: Size, rug: Size) -> Option<Point> {
+        best_under(Under { size: under, overhang: Point::splat(OVERHANG), has_chairs: false }, rug)
+    }
+
+    fn best_under(under: Under, rug: Size) -> Option<Point> {
         let rest = Rest {
             pose: Pose::new(Point::ZERO, 0.0, 0.0),
             parent: ParentPart::Floor,
@@ -109,6 +150,23 @@ mod tests {
         let middle = best(BED, RUG).unwrap();
         assert!((middle.y - RUG.depth / 2.0 + BED.depth / 2.0 + FOOT).abs() < 1e-12);
         assert_eq!(best(BED, Size { width: 2.0, ..RUG }), None);
+    }
+
+    #[test]
+    fn a_rug_under_a_dining_table_holds_the_chairs_around_it() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let under = |id: &str| {
+            let class = &catalog.classes[catalog.class_index(id).unwrap()];
+            Under::new(class, class.sizes[0])
+        };
+        let table = under("dining_table");
+        assert_eq!(table.overhang, Point::splat(SEAT_OVERHANG));
+        assert_eq!(under("kitchen_table").overhang, Point::new(OVERHANG, SEAT_OVERHANG));
+        assert!(!under("sofa").has_chairs && !under("child_table").has_chairs);
+        let large = Size { width: 3.1, depth: 2.1, height: 0.012 };
+        assert_eq!(best_under(table, large), Some(Point::ZERO));
+        assert_eq!(best_under(table, Size { depth: 2.0, ..large }), None);
+        assert_eq!(best_under(table, Size { width: 2.9, ..large }), None);
     }
 
     fn living_rooms(catalog: &Catalog) -> Vec<Furnished> {
