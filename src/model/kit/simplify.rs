@@ -6,7 +6,7 @@
 //! sums differently from machine to machine.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeSet, BinaryHeap};
+use std::collections::BinaryHeap;
 
 use glam::{DMat3, DVec3};
 
@@ -24,8 +24,11 @@ const LEAST_TRIANGLES: usize = 4;
 /// The solid with edges collapsed until it has at most `target` triangles or the next collapse would move its surface
 /// by more than `tolerance` metres.
 pub(super) fn simplified(solid: &Solid, target: usize, tolerance: f64) -> Solid {
-    let mut surface = Surface::new(solid);
-    surface.collapse(target.max(LEAST_TRIANGLES), tolerance);
+    if solid.triangles.len() <= target.max(LEAST_TRIANGLES) {
+        return solid.clone();
+    }
+    let mut surface = Surface::new(solid, tolerance);
+    surface.collapse(target.max(LEAST_TRIANGLES));
     let shading = match solid.shading {
         _ if surface.living == solid.triangles.len() => return solid.clone(),
         Shading::Crease(angle) => Shading::Crease(angle),
@@ -70,33 +73,41 @@ impl Quadric {
     }
 }
 
-/// A candidate: its error in metres as bits, which sort as the positive numbers do, and the corner that goes to another.
-/// The counts tell whether either has changed since.
-type Candidate = Reverse<(u64, usize, usize, u32, u32)>;
+/// A collapse: its error in metres as bits, which sort as the positive numbers do, and the corner that goes to another.
+type Collapse = (u64, usize, usize);
+/// A collapse that waits, with the counts that tell whether either corner has become another since.
+type Candidate = Reverse<(Collapse, u32, u32)>;
 
 /// A solid under simplification.
 struct Surface {
     points: Vec<DVec3>,
     /// `None` once it is gone.
     triangles: Vec<Option<[usize; 3]>>,
-    /// Triangles by corner.
-    fans: Vec<BTreeSet<usize>>,
+    /// Triangles by corner, in any order.
+    fans: Vec<Vec<usize>>,
     quadrics: Vec<Quadric>,
-    /// How often the surroundings of a corner have changed.
+    /// How often a corner took in another or went, so that the errors of its collapses are no longer true.
     changes: Vec<u32>,
+    /// Collapses that the triangles around either of their corners forbade, by both corners: they are tried again when
+    /// those triangles change.
+    refused: Vec<Vec<Collapse>>,
     living: usize,
+    /// Metres of error up to which collapses are queued.
+    tolerance: f64,
     queue: BinaryHeap<Candidate>,
 }
 
 impl Surface {
-    fn new(solid: &Solid) -> Self {
+    fn new(solid: &Solid, tolerance: f64) -> Self {
         let mut surface = Self {
             points: solid.points.clone(),
             triangles: solid.triangles.iter().copied().map(Some).collect(),
-            fans: vec![BTreeSet::new(); solid.points.len()],
+            fans: vec![Vec::new(); solid.points.len()],
             quadrics: vec![Quadric::NONE; solid.points.len()],
             changes: vec![0; solid.points.len()],
+            refused: vec![Vec::new(); solid.points.len()],
             living: solid.triangles.len(),
+            tolerance,
             queue: BinaryHeap::new(),
         };
         for (index, triangle) in solid.triangles.iter().enumerate() {
@@ -104,11 +115,18 @@ impl Surface {
             let area = doubled.length() / 2.0;
             let plane = Quadric::of_plane(doubled.normalize_or_zero(), surface.points[triangle[0]], area);
             for &corner in triangle {
-                surface.fans[corner].insert(index);
+                surface.fans[corner].push(index);
                 surface.quadrics[corner].add(&plane);
             }
         }
-        (0..solid.points.len()).for_each(|corner| surface.propose(corner));
+        for corner in 0..solid.points.len() {
+            // Each edge once.
+            surface
+                .neighbours(corner)
+                .into_iter()
+                .filter(|&other| other > corner)
+                .for_each(|other| surface.propose(corner, other));
+        }
         surface
     }
 
@@ -117,32 +135,44 @@ impl Surface {
         (self.points[b] - self.points[a]).cross(self.points[c] - self.points[a])
     }
 
-    fn neighbours(&self, corner: usize) -> BTreeSet<usize> {
+    /// The corners that share an edge with one, each once.
+    fn neighbours(&self, corner: usize) -> Vec<usize> {
         let corners = self.fans[corner].iter().filter_map(|&triangle| self.triangles[triangle]).flatten();
-        corners.filter(|&other| other != corner).collect()
+        let mut others: Vec<usize> = corners.filter(|&other| other != corner).collect();
+        others.sort_unstable();
+        others.dedup();
+        others
     }
 
-    /// Queues the collapses of a corner onto each neighbour, and the other way.
-    fn propose(&mut self, corner: usize) {
-        for other in self.neighbours(corner) {
-            let mut sum = self.quadrics[corner];
-            sum.add(&self.quadrics[other]);
-            for (from, to) in [(corner, other), (other, corner)] {
-                let error = sum.distance(self.points[to]);
-                self.queue.push(Reverse((error.to_bits(), from, to, self.changes[from], self.changes[to])));
+    /// Queues the collapses of two neighbours onto each other, as far as they are not too coarse.
+    fn propose(&mut self, corner: usize, other: usize) {
+        let mut sum = self.quadrics[corner];
+        sum.add(&self.quadrics[other]);
+        for (from, to) in [(corner, other), (other, corner)] {
+            let error = sum.distance(self.points[to]);
+            if error <= self.tolerance {
+                self.enqueue((error.to_bits(), from, to));
             }
         }
     }
 
-    fn collapse(&mut self, target: usize, tolerance: f64) {
+    fn enqueue(&mut self, collapse: Collapse) {
+        let (_, from, to) = collapse;
+        self.queue.push(Reverse((collapse, self.changes[from], self.changes[to])));
+    }
+
+    fn collapse(&mut self, target: usize) {
         while self.living > target {
-            let Some(Reverse((error, from, to, changes, changes_there))) = self.queue.pop() else { break };
-            if f64::from_bits(error) > tolerance {
-                break;
+            let Some(Reverse((collapse, changes, changes_there))) = self.queue.pop() else { break };
+            let (_, from, to) = collapse;
+            if [self.changes[from], self.changes[to]] != [changes, changes_there] {
+                continue;
             }
-            let is_current = [self.changes[from], self.changes[to]] == [changes, changes_there];
-            if is_current && self.can_merge(from, to) {
+            if self.can_merge(from, to) {
                 self.merge(from, to);
+            } else {
+                self.refused[from].push(collapse);
+                self.refused[to].push(collapse);
             }
         }
     }
@@ -150,7 +180,9 @@ impl Surface {
     /// Whether the surface stays closed and no triangle folds over.
     fn can_merge(&self, from: usize, to: usize) -> bool {
         // Two corners of a closed surface may become one if no others than the two beside their edge touch both.
-        let shared = self.neighbours(from).intersection(&self.neighbours(to)).count();
+        let there = self.neighbours(to);
+        let shared =
+            self.neighbours(from).iter().filter(|corner| there.binary_search(corner).is_ok()).count();
         if shared != 2 || self.living <= LEAST_TRIANGLES {
             return false;
         }
@@ -174,17 +206,35 @@ impl Surface {
                 self.triangles[index] = None;
                 self.living -= 1;
                 for corner in triangle {
-                    self.fans[corner].remove(&index);
+                    self.fans[corner].retain(|&other| other != index);
                 }
             } else {
                 self.triangles[index] = Some(triangle.map(|corner| if corner == from { to } else { corner }));
-                self.fans[to].insert(index);
+                self.fans[to].push(index);
             }
         }
-        let mut changed = self.neighbours(to);
-        changed.insert(to);
-        changed.iter().for_each(|&corner| self.changes[corner] += 1);
-        changed.into_iter().for_each(|corner| self.propose(corner));
+        for corner in [from, to] {
+            self.changes[corner] += 1;
+            self.refused[corner].clear();
+        }
+        for corner in self.neighbours(to) {
+            self.propose(to, corner);
+            for refused in std::mem::take(&mut self.refused[corner]) {
+                self.retry(refused, corner);
+            }
+        }
+    }
+
+    /// Queues a refused collapse again, which one of its corners has just forgotten. Those of corners that became others
+    /// are left: they have been proposed anew or cannot be.
+    fn retry(&mut self, collapse: Collapse, forgotten_by: usize) {
+        let (_, from, to) = collapse;
+        let other = if from == forgotten_by { to } else { from };
+        let is_known = self.refused[other].iter().position(|&known| known == collapse);
+        if let Some(place) = is_known {
+            self.refused[other].swap_remove(place);
+            self.enqueue(collapse);
+        }
     }
 
     fn into_solid(self, shading: Shading) -> Solid {
