@@ -31,45 +31,85 @@ pub(super) fn desk_lamp(draft: &Draft, builder: &mut Builder) {
     }
 }
 
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
+/// A foot, what carries the head, and the head.
 fn jointed_lamp(builder: &mut Builder, set: GeometrySet, slot: &'static str, look: usize) {
-    let bay = builder.bay();
-    let (width, height, depth) = (bay.width(), bay.height(), bay.depth());
-    let foot = (width / 2.0).min(depth * 0.36);
-    let base = bay.low.z + foot;
-    if set == GeometrySet::Budget && look % 2 == 1 {
-        builder.block(
-            slot,
-            Bay::new([-width / 2.0, width / 2.0], [0.0, height * 0.06], [bay.low.z, bay.low.z + foot * 1.4]),
-            0.003,
-        );
-    } else {
-        let disc = lathe(&[(foot, 0.0), (foot, height * 0.03), (foot * 0.85, height * 0.05)], SIDES);
-        let disc = disc.stretched(DVec3::new(width / 2.0 / foot, 1.0, 1.0));
-        builder.add(slot, disc.moved(0.0, 0.0, base));
-    }
-    let (sine, cosine) = libm::sincos(TILT);
-    let wide = foot * [0.62, 0.6, 0.58, 0.64][look];
-    let long = foot * 0.8;
-    let head = bay.high.z - long * sine - wide * cosine;
-    let rise = foot * 0.24 + wide * 0.3 * sine;
-    let neck = DVec3::new(0.0, height - rise, head - foot * 0.2);
-    let rod = (height * 0.016).min(0.008);
+    let jointed = Jointed::new(builder.bay(), slot, look);
+    jointed.foot(builder, set == GeometrySet::Budget && look % 2 == 1);
     if set == GeometrySet::Budget {
-        // One flexible neck instead of arms.
+        jointed.flexible_neck(builder);
+    } else {
+        jointed.arms(builder);
+    }
+    jointed.head(builder, set == GeometrySet::Industrial);
+}
+
+/// The measures that the parts of a jointed lamp share.
+struct Jointed {
+    bay: Bay,
+    slot: &'static str,
+    /// Radius of the foot, front to back.
+    foot: f64,
+    /// Where the foot's middle is, front to back.
+    base: f64,
+    /// Radius and length of the shade, before it is tilted.
+    wide: f64,
+    long: f64,
+    /// Where the shade hangs, front to back.
+    head: f64,
+    /// Where the arm ends.
+    neck: DVec3,
+    /// Radius of the rods.
+    rod: f64,
+}
+
+impl Jointed {
+    fn new(bay: Bay, slot: &'static str, look: usize) -> Self {
+        let (width, height, depth) = (bay.width(), bay.height(), bay.depth());
+        let foot = (width / 2.0).min(depth * 0.36);
+        let (sine, cosine) = libm::sincos(TILT);
+        let wide = foot * [0.62, 0.6, 0.58, 0.64][look];
+        let long = foot * 0.8;
+        let head = bay.high.z - long * sine - wide * cosine;
+        let rise = foot * 0.24 + wide * 0.3 * sine;
+        let neck = DVec3::new(0.0, height - rise, head - foot * 0.2);
+        let rod = (height * 0.016).min(0.008);
+        Self { bay, slot, foot, base: bay.low.z + foot, wide, long, head, neck, rod }
+    }
+
+    /// A clamp's block, or a disc.
+    fn foot(&self, builder: &mut Builder, is_clamp: bool) {
+        let (bay, foot) = (self.bay, self.foot);
+        let (width, height) = (bay.width(), bay.height());
+        if is_clamp {
+            let z = [bay.low.z, bay.low.z + foot * 1.4];
+            builder.block(self.slot, Bay::new([-width / 2.0, width / 2.0], [0.0, height * 0.06], z), 0.003);
+        } else {
+            let disc = lathe(&[(foot, 0.0), (foot, height * 0.03), (foot * 0.85, height * 0.05)], SIDES);
+            let disc = disc.stretched(DVec3::new(width / 2.0 / foot, 1.0, 1.0));
+            builder.add(self.slot, disc.moved(0.0, 0.0, self.base));
+        }
+    }
+
+    /// One flexible neck instead of arms.
+    fn flexible_neck(&self, builder: &mut Builder) {
+        let (height, base, neck) = (self.bay.height(), self.base, self.neck);
         let at = |rise: f64, out: f64| {
             let y = height * 0.5 + (neck.y - height * 0.5) * rise;
             DVec3::new(0.0, y, base + (neck.z - base) * out)
         };
         let path = [DVec3::new(0.0, height * 0.04, base), at(0.0, 0.0), at(0.7, 0.15), at(0.95, 0.5), neck];
-        builder.add("metal", sweep(&path, rod * 1.1, 6));
-    } else {
-        let elbow = DVec3::new(0.0, height * 0.55, bay.low.z + rod * 2.0);
-        let start = DVec3::new(0.0, height * 0.04, base);
+        builder.add("metal", sweep(&path, self.rod * 1.1, 6));
+    }
+
+    /// Two pairs of rods with joints and a spring.
+    fn arms(&self, builder: &mut Builder) {
+        let (height, neck, rod) = (self.bay.height(), self.neck, self.rod);
+        let elbow = DVec3::new(0.0, height * 0.55, self.bay.low.z + rod * 2.0);
+        let start = DVec3::new(0.0, height * 0.04, self.base);
         for x in [-1.0, 1.0] {
             let aside = DVec3::X * rod * 1.6 * x;
-            builder.add(slot, sweep(&[start + aside, elbow + aside], rod * 0.6, 4));
-            builder.add(slot, sweep(&[elbow + aside, neck + aside], rod * 0.6, 4));
+            builder.add(self.slot, sweep(&[start + aside, elbow + aside], rod * 0.6, 4));
+            builder.add(self.slot, sweep(&[elbow + aside, neck + aside], rod * 0.6, 4));
         }
         for joint in [start + DVec3::Y * height * 0.03, elbow, neck] {
             builder.cuboid("metal_dark", Bay::around(joint, rod * 5.5, rod * 2.6, rod * 2.6));
@@ -77,30 +117,33 @@ fn jointed_lamp(builder: &mut Builder, set: GeometrySet, slot: &'static str, loo
         let spring = [start.lerp(elbow, 0.2), start.lerp(elbow, 0.6)];
         builder.add("chrome", sweep(&spring, rod * 0.8, 4));
     }
-    let cone = match set {
-        GeometrySet::Industrial => vec![
-            (wide, -long),
-            (wide * 0.85, -long * 0.5),
-            (wide * 0.5, -long * 0.15),
-            (wide * 0.3, 0.0),
-            (wide * 0.25, foot * 0.3),
-        ],
-        _ => vec![
-            (wide, -long),
-            (wide * 0.5, -long * 0.15),
-            (wide * 0.36, foot * 0.05),
-            (wide * 0.3, foot * 0.3),
-        ],
-    };
-    let inside = [(wide * 0.3, -long * 0.2), (wide * 0.94, -long)];
-    let profile: Vec<(f64, f64)> = inside.into_iter().chain(cone).collect();
-    // Looks forward and down.
-    let tilted = |solid: Solid| solid.turned_x(-TILT).moved(0.0, neck.y - foot * 0.05, head);
-    builder.add(slot, tilted(lathe(&profile, 8)));
-    builder.add(
-        "lamp",
-        tilted(lathe(&[(0.0, -long * 0.85), (wide * 0.42, -long * 0.6), (wide * 0.2, -long * 0.25)], 6)),
-    );
+
+    /// A shade, hollow from below, with its bulb; a bell, or a plain cone. Looks forward and down.
+    fn head(&self, builder: &mut Builder, is_bell: bool) {
+        let (foot, wide, long) = (self.foot, self.wide, self.long);
+        let cone = if is_bell {
+            vec![
+                (wide, -long),
+                (wide * 0.85, -long * 0.5),
+                (wide * 0.5, -long * 0.15),
+                (wide * 0.3, 0.0),
+                (wide * 0.25, foot * 0.3),
+            ]
+        } else {
+            vec![
+                (wide, -long),
+                (wide * 0.5, -long * 0.15),
+                (wide * 0.36, foot * 0.05),
+                (wide * 0.3, foot * 0.3),
+            ]
+        };
+        let inside = [(wide * 0.3, -long * 0.2), (wide * 0.94, -long)];
+        let profile: Vec<(f64, f64)> = inside.into_iter().chain(cone).collect();
+        let tilted = |solid: Solid| solid.turned_x(-TILT).moved(0.0, self.neck.y - foot * 0.05, self.head);
+        builder.add(self.slot, tilted(lathe(&profile, 8)));
+        let bulb = [(0.0, -long * 0.85), (wide * 0.42, -long * 0.6), (wide * 0.2, -long * 0.25)];
+        builder.add("lamp", tilted(lathe(&bulb, 6)));
+    }
 }
 
 /// A long shade of glass on a stem of brass.

@@ -263,114 +263,135 @@ pub(super) fn pendant(draft: &Draft, builder: &mut Builder) {
     builder.add(metal, lathe(&canopy.map(|(radius, y)| (radius.min(0.06), y)), 10));
 }
 
+/// What hangs, before it is built.
+struct Shade {
+    form: Hanging,
+    slot: &'static str,
+    radius: f64,
+    tall: f64,
+}
+
 /// Builds the shade with its bulb upwards from 0; gives where the flex starts.
-#[expect(clippy::too_many_lines, reason = "part after part of one piece")]
 fn hang(builder: &mut Builder, form: Hanging, slot: &'static str, radius: f64, tall: f64) -> f64 {
-    let small = (radius * 0.3).min(0.035);
-    let hollow = |outer: &[(f64, f64)]| {
+    let shade = Shade { form, slot, radius, tall };
+    match form {
+        Hanging::Drum | Hanging::Pleats | Hanging::Cone => shade.of_cloth(builder),
+        Hanging::Globe => shade.globe(builder),
+        Hanging::Bell | Hanging::Dome => shade.of_sheet(builder),
+        Hanging::Cage => shade.cage(builder),
+        Hanging::Arms => shade.arms(builder),
+    }
+}
+
+impl Shade {
+    /// Radius of the bulb.
+    fn small(&self) -> f64 {
+        (self.radius * 0.3).min(0.035)
+    }
+
+    /// A frame under cloth, straight or narrower above, held by a bar.
+    fn of_cloth(&self, builder: &mut Builder) -> f64 {
+        let (radius, small) = (self.radius, self.small());
+        let narrow = match self.form {
+            Hanging::Drum => 0.96,
+            Hanging::Pleats => 0.5,
+            _ => 0.16,
+        };
+        let tall = self.tall * if matches!(self.form, Hanging::Drum) { 0.62 } else { 0.8 };
+        let body = if matches!(self.form, Hanging::Pleats) {
+            pleated([radius, radius * narrow], [0.0, tall], 24)
+        } else {
+            shade([radius, radius * narrow], [0.0, tall])
+        };
+        builder.add(self.slot, body);
+        let y = tall * 0.94;
+        let across = radius * (1.0 - (1.0 - narrow) * 0.94) * 0.985;
+        builder.cuboid("metal_dark", Bay::new([-across, across], [y - 0.003, y + 0.003], [-0.003, 0.003]));
+        bulb(builder, DVec3::new(0.0, y - small * 2.0, 0.0), small, 1.0);
+        y
+    }
+
+    /// A ball under a neck, with its bulb where one sees through.
+    fn globe(&self, builder: &mut Builder) -> f64 {
+        let radius = self.radius;
+        builder.add(self.slot, globe(radius, radius, [-1.0, 0.93], SIDES));
+        if self.slot == "glass" {
+            bulb(builder, DVec3::new(0.0, radius, 0.0), self.small(), 1.0);
+        }
+        let neck = radius * 1.9;
+        builder.add(
+            "brass",
+            lathe(&[(radius * 0.4, neck), (radius * 0.38, neck + 0.015), (0.012, neck + 0.04)], 8),
+        );
+        neck + 0.03
+    }
+
+    /// Sheet metal or glass with a wall, under a cap.
+    fn of_sheet(&self, builder: &mut Builder) -> f64 {
+        let (radius, small) = (self.radius, self.small());
+        let is_bell = matches!(self.form, Hanging::Bell);
+        let top = self.tall * if is_bell { 0.85 } else { 0.6 };
+        let profile = if is_bell {
+            [(1.0, 0.0), (0.72, top * 0.16), (0.55, top * 0.5), (0.42, top * 0.8), (0.16, top)]
+        } else {
+            [(1.0, 0.0), (0.97, top * 0.2), (0.8, top * 0.6), (0.5, top * 0.85), (0.16, top)]
+        };
+        builder.add(self.slot, self.hollow(&profile));
+        bulb(builder, DVec3::new(0.0, top * 0.42, 0.0), small, 1.0);
+        let cap = [(radius * 0.17, top - 0.004), (radius * 0.17, top + 0.03), (0.01, top + 0.05)];
+        builder.add("metal_dark", lathe(&cap, 8));
+        builder.add("metal_dark", cylinder(0.008, [top * 0.42 + small * 2.0, top], 6));
+        top + 0.04
+    }
+
+    /// A wall along a profile of (share of the radius, height) pairs.
+    fn hollow(&self, outer: &[(f64, f64)]) -> Solid {
+        let radius = self.radius;
         let wall = (radius * 0.03).min(0.004);
         let inner = outer.iter().rev().map(|&(share, y)| (radius * share - wall, y - wall * 0.5));
         let outer: Vec<(f64, f64)> = outer.iter().map(|&(share, y)| (radius * share, y)).collect();
         let slices: Vec<Slice> =
             outer.iter().copied().chain(inner).map(|(radius, y)| Slice::round(y.max(0.0), radius)).collect();
         loft_ring(&Outline::Round(SIDES), &slices)
-    };
-    match form {
-        Hanging::Drum | Hanging::Pleats | Hanging::Cone => {
-            let narrow = match form {
-                Hanging::Drum => 0.96,
-                Hanging::Pleats => 0.5,
-                _ => 0.16,
-            };
-            let tall = tall * if matches!(form, Hanging::Drum) { 0.62 } else { 0.8 };
-            let body = if matches!(form, Hanging::Pleats) {
-                pleated([radius, radius * narrow], [0.0, tall], 24)
-            } else {
-                shade([radius, radius * narrow], [0.0, tall])
-            };
-            builder.add(slot, body);
-            let y = tall * 0.94;
-            let across = radius * (1.0 - (1.0 - narrow) * 0.94) * 0.985;
-            builder
-                .cuboid("metal_dark", Bay::new([-across, across], [y - 0.003, y + 0.003], [-0.003, 0.003]));
-            bulb(builder, DVec3::new(0.0, y - small * 2.0, 0.0), small, 1.0);
-            y
+    }
+
+    /// Wires around a bulb.
+    fn cage(&self, builder: &mut Builder) -> f64 {
+        let (slot, radius, tall, small) = (self.slot, self.radius, self.tall, self.small());
+        cage(builder, slot, radius, [0.0, tall * 0.9], 4);
+        bulb(builder, DVec3::new(0.0, tall * 0.45, 0.0), small * 1.3, 1.0);
+        let y = tall * 0.45 + small * 2.7;
+        let cap = [(radius * 0.34, tall * 0.88), (radius * 0.32, tall * 0.94), (0.012, tall)];
+        builder.add(slot, cylinder(0.01, [y, tall * 0.9], 6));
+        builder.add(slot, lathe(&cap, 8));
+        tall * 0.97
+    }
+
+    /// A turned stem with four candles on bent arms.
+    fn arms(&self, builder: &mut Builder) -> f64 {
+        let (slot, tall) = (self.slot, self.tall);
+        let hub = tall * 0.3;
+        let stem = [
+            (0.006, 0.0),
+            (0.022, hub * 0.3),
+            (0.03, hub * 0.8),
+            (0.012, hub * 1.3),
+            (0.02, hub * 1.8),
+            (0.006, tall),
+        ];
+        builder.add(slot, lathe(&stem, 6));
+        for arm in 0..4 {
+            let (sine, cosine) = libm::sincos(TAU * f64::from(arm) / 4.0);
+            let cup = (self.radius * 0.16).min(0.035);
+            let at = |out: f64, y: f64| DVec3::new(cosine * out, y, sine * out);
+            let out = self.radius - cup;
+            let path = [at(0.01, hub), at(out * 0.6, hub * 0.4), at(out, hub * 0.8), at(out, hub * 1.1)];
+            builder.add(slot, sweep(&path, 0.005, 4));
+            let end = at(out, 0.0);
+            let candle =
+                [(cup, hub * 1.1 - SINK), (cup * 0.4, hub * 1.2), (cup * 0.35, hub * 2.0), (0.0, hub * 2.8)];
+            builder.add("lamp", lathe(&candle, 4).moved(end.x, 0.0, end.z));
         }
-        Hanging::Globe => {
-            builder.add(slot, globe(radius, radius, [-1.0, 0.93], SIDES));
-            if slot == "glass" {
-                bulb(builder, DVec3::new(0.0, radius, 0.0), small, 1.0);
-            }
-            let neck = radius * 1.9;
-            builder.add(
-                "brass",
-                lathe(&[(radius * 0.4, neck), (radius * 0.38, neck + 0.015), (0.012, neck + 0.04)], 8),
-            );
-            neck + 0.03
-        }
-        Hanging::Bell | Hanging::Dome => {
-            let is_bell = matches!(form, Hanging::Bell);
-            let top = tall * if is_bell { 0.85 } else { 0.6 };
-            let profile = if is_bell {
-                [(1.0, 0.0), (0.72, top * 0.16), (0.55, top * 0.5), (0.42, top * 0.8), (0.16, top)]
-            } else {
-                [(1.0, 0.0), (0.97, top * 0.2), (0.8, top * 0.6), (0.5, top * 0.85), (0.16, top)]
-            };
-            builder.add(slot, hollow(&profile));
-            bulb(builder, DVec3::new(0.0, top * 0.42, 0.0), small, 1.0);
-            let cap = [(radius * 0.17, top - 0.004), (radius * 0.17, top + 0.03), (0.01, top + 0.05)];
-            builder.add("metal_dark", lathe(&cap, 8));
-            builder.add("metal_dark", cylinder(0.008, [top * 0.42 + small * 2.0, top], 6));
-            top + 0.04
-        }
-        Hanging::Cage => {
-            cage(builder, slot, radius, [0.0, tall * 0.9], 4);
-            bulb(builder, DVec3::new(0.0, tall * 0.45, 0.0), small * 1.3, 1.0);
-            let y = tall * 0.45 + small * 2.7;
-            let cap = [(radius * 0.34, tall * 0.88), (radius * 0.32, tall * 0.94), (0.012, tall)];
-            builder.add(slot, cylinder(0.01, [y, tall * 0.9], 6));
-            builder.add(slot, lathe(&cap, 8));
-            tall * 0.97
-        }
-        Hanging::Arms => {
-            let hub = tall * 0.3;
-            builder.add(
-                slot,
-                lathe(
-                    &[
-                        (0.006, 0.0),
-                        (0.022, hub * 0.3),
-                        (0.03, hub * 0.8),
-                        (0.012, hub * 1.3),
-                        (0.02, hub * 1.8),
-                        (0.006, tall),
-                    ],
-                    6,
-                ),
-            );
-            for arm in 0..4 {
-                let (sine, cosine) = libm::sincos(TAU * f64::from(arm) / 4.0);
-                let cup = (radius * 0.16).min(0.035);
-                let at = |out: f64, y: f64| DVec3::new(cosine * out, y, sine * out);
-                let out = radius - cup;
-                builder.add(
-                    slot,
-                    sweep(
-                        &[at(0.01, hub), at(out * 0.6, hub * 0.4), at(out, hub * 0.8), at(out, hub * 1.1)],
-                        0.005,
-                        4,
-                    ),
-                );
-                let end = at(out, 0.0);
-                let candle = [
-                    (cup, hub * 1.1 - SINK),
-                    (cup * 0.4, hub * 1.2),
-                    (cup * 0.35, hub * 2.0),
-                    (0.0, hub * 2.8),
-                ];
-                builder.add("lamp", lathe(&candle, 4).moved(end.x, 0.0, end.z));
-            }
-            tall * 0.98
-        }
+        tall * 0.98
     }
 }
