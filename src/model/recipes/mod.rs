@@ -52,6 +52,8 @@ mod rugs;
 mod screens;
 mod seating;
 mod server_rack;
+#[cfg(test)]
+mod set_shapes;
 mod shelving;
 mod signage;
 mod soap;
