@@ -16,7 +16,7 @@ pub enum Variety {
     None,
     /// Likewise of one shape and one size, but each is filled in its own way: bookcases.
     Details,
-    /// Those of a room differ in look and size as far as there are kinds of them: plants, books. A level has [`KINDS`].
+    /// Those of a room differ in look and size as far as there are kinds of them, four a level: plants, books.
     Full,
 }
 
