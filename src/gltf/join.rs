@@ -67,31 +67,30 @@ pub(super) fn has_colors(primitive: &Primitive) -> bool {
 }
 
 /// The same triangles without texture coordinates, where corners that agree in all that is left are one: in position and
-/// colour, and in normals if there are to be any. They stand in the order of first use.
+/// colour, and in normals if there are to be any. They keep their order; those of no triangle are left out.
 pub(super) fn joined(primitive: &Primitive, has_normals: bool) -> Primitive {
     let has_colors = has_colors(primitive);
+    let mut is_used = vec![false; primitive.positions.len()];
+    primitive.indices.iter().for_each(|&index| is_used[index as usize] = true);
     let mut known: HashMap<[u32; 10], u32> = HashMap::with_capacity(primitive.positions.len());
-    let mut new: Vec<Option<u32>> = vec![None; primitive.positions.len()];
     let mut made = Primitive { material: primitive.material.clone(), ..Primitive::default() };
-    for &index in &primitive.indices {
-        let corner = index as usize;
-        let number = *new[corner].get_or_insert_with(|| {
-            let position = primitive.positions[corner];
-            let normal = if has_normals { primitive.normals[corner] } else { [0.0; 3] };
-            let color = if has_colors { primitive.colors[corner] } else { [0.0; 4] };
-            *known.entry(key(position, normal, color)).or_insert_with(|| {
-                made.positions.push(position);
-                if has_normals {
-                    made.normals.push(normal);
-                }
-                if has_colors {
-                    made.colors.push(color);
-                }
-                u32::try_from(made.positions.len() - 1).expect("not more corners than there were")
-            })
+    let mut new = vec![0; primitive.positions.len()];
+    for corner in (0..new.len()).filter(|&corner| is_used[corner]) {
+        let position = primitive.positions[corner];
+        let normal = if has_normals { primitive.normals[corner] } else { [0.0; 3] };
+        let color = if has_colors { primitive.colors[corner] } else { [0.0; 4] };
+        new[corner] = *known.entry(key(position, normal, color)).or_insert_with(|| {
+            made.positions.push(position);
+            if has_normals {
+                made.normals.push(normal);
+            }
+            if has_colors {
+                made.colors.push(color);
+            }
+            u32::try_from(made.positions.len() - 1).expect("not more corners than there were")
         });
-        made.indices.push(number);
     }
+    made.indices = primitive.indices.iter().map(|&index| new[index as usize]).collect();
     made
 }
 

@@ -8,7 +8,7 @@
 //!   and in parallel.
 //!
 //! A buffer is laid out in sections, one buffer view each: vectors (positions and normals), tangents, texture
-//! coordinates, short indices, long indices; then images. Arrays of equal bytes are there once, with one accessor, and
+//! coordinates, indices of one, two and four bytes; then images. Arrays of equal bytes are there once, with one accessor, and
 //! corners of primitives that nothing is painted on are joined where they agree.
 
 mod array;
