@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::input::{Draft, GeometrySet};
-use super::parts::{Fittings, HandleKind, handle, turned_forward};
+use super::parts::{Fittings, HandleKind, LegKind, handle, legs_at_corners, turned_forward};
 use crate::catalog::Side;
 use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft_ring};
 
@@ -42,17 +42,38 @@ fn slots(draft: &Draft) -> [&'static str; 3] {
     choices[look]
 }
 
+/// What a machine stands on.
+#[derive(Clone, Copy)]
+enum Foot {
+    /// A plinth that steps back.
+    Kick,
+    /// Short round feet.
+    Feet,
+    /// Turned feet, as of a stove.
+    Turned,
+    /// A plinth as wide as the machine.
+    Plinth,
+}
+
 /// Top, foot and carcass of a machine; gives the bay of its fronts and what they are made of.
-fn case(draft: &Draft, builder: &mut Builder) -> (Fittings, Bay) {
+fn case(draft: &Draft, builder: &mut Builder, foot: Foot) -> (Fittings, Bay) {
     let bay = builder.bay();
     let [body, front, metal] = slots(draft);
     builder.block(body, bay.slab(Side::Above, 0.025).without(Side::Front, REACH * 0.6), 0.004);
     let fittings = Fittings { front, handle: metal, reach: REACH, is_traditional: false };
     let room = bay.without(Side::Above, 0.025 - SINK).inset(0.002, 0.0, 0.002).without(Side::Front, -0.002);
-    let foot = (bay.height() * 0.1).min(0.05);
-    let kick = room.slab(Side::Below, foot + SINK).inset(0.008, 0.0, 0.008).without(Side::Front, 0.05);
-    builder.cuboid("plastic_dark", kick);
-    let room = room.without(Side::Below, foot);
+    let high = match foot {
+        Foot::Kick | Foot::Feet => (bay.height() * 0.1).min(0.05),
+        Foot::Turned | Foot::Plinth => (bay.height() * 0.15).min(0.11),
+    };
+    let under = room.slab(Side::Below, high + SINK).inset(0.008, 0.0, 0.008).without(Side::Front, 0.05);
+    match foot {
+        Foot::Kick => builder.cuboid("plastic_dark", under),
+        Foot::Feet => legs_at_corners(builder, "rubber", under, 0.05, LegKind::Round),
+        Foot::Turned => legs_at_corners(builder, metal, under, 0.07, LegKind::Turned),
+        Foot::Plinth => builder.block("concrete", under.without(Side::Front, -0.04), 0.006),
+    }
+    let room = room.without(Side::Below, high);
     fittings.carcass(builder, body, room);
     // The sides of the box.
     let band =
@@ -62,22 +83,34 @@ fn case(draft: &Draft, builder: &mut Builder) -> (Fittings, Bay) {
 }
 
 /// A washing machine with a porthole and a drawer for powder; with `dryer`, a door without glass, a filter and slits.
+/// Flush on a kick, on turned feet with a raised front, a laundry's on a plinth, or with a flap of its own.
 pub(super) fn washing_machine(draft: &Draft, builder: &mut Builder) {
-    let (fittings, face) = case(draft, builder);
+    let foot = match draft.set() {
+        GeometrySet::Plain => Foot::Kick,
+        GeometrySet::Traditional => Foot::Turned,
+        GeometrySet::Industrial => Foot::Plinth,
+        GeometrySet::Budget => Foot::Feet,
+    };
+    let (fittings, face) = case(draft, builder, foot);
     let is_dryer = draft.is_set("dryer");
-    let strip = face.slab(Side::Above, face.height() * 0.16);
+    let share = match draft.set() {
+        GeometrySet::Plain => 0.12,
+        GeometrySet::Industrial => 0.24,
+        GeometrySet::Traditional | GeometrySet::Budget => 0.17,
+    };
+    let strip = face.slab(Side::Above, face.height() * share);
     let surface = face.high.z - REACH;
-    let front = face.without(Side::Above, face.height() * 0.16 + 0.003);
+    let front = face.without(Side::Above, strip.height() + 0.003);
     fittings.panel(builder, front);
     fittings.panel(builder, strip);
     controls(draft, builder, strip, surface);
-    porthole(draft, builder, face, surface, is_dryer);
+    porthole(draft, builder, front, surface, is_dryer);
     let flap = front.slab(Side::Below, 0.09).inset(0.02, 0.015, 0.0);
     if is_dryer {
         for slit in flap.inset(front.width() * 0.1, 0.0, 0.0).rows(4, 0.008) {
             builder.cuboid("plastic_dark", slit.with_z([surface - SINK, surface + 0.0015]));
         }
-    } else {
+    } else if draft.set() != GeometrySet::Industrial {
         let hatch = flap.slab(
             if draft.input.look.is_multiple_of(2) { Side::Left } else { Side::Right },
             front.width() * 0.22,
@@ -86,10 +119,39 @@ pub(super) fn washing_machine(draft: &Draft, builder: &mut Builder) {
     }
 }
 
-/// Drawer, knob, display and keys.
+/// Drawer, knobs, display and keys: a strip of glass, two big knobs, buttons in a case, or one knob beside keys.
 fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
     let metal = slots(draft)[2];
     let out = |lift: f64| [surface - SINK, surface + lift];
+    let right = strip.slab(Side::Right, strip.width() * 0.36).inset(0.02, strip.height() * 0.22, 0.0);
+    let knobs: &[f64] = match draft.set() {
+        GeometrySet::Plain => {
+            builder.cuboid(
+                "screen",
+                strip.without(Side::Left, strip.width() * 0.3).inset(0.006, 0.006, 0.0).with_z(out(0.003)),
+            );
+            &[]
+        }
+        GeometrySet::Traditional => &[0.05, 0.34],
+        GeometrySet::Industrial => {
+            let case = strip.without(Side::Left, strip.width() * 0.4).inset(0.02, 0.02, 0.0);
+            builder.block("metal_dark", case.with_z(out(REACH * 0.7)), 0.004);
+            for (index, key) in
+                case.inset(0.03, case.height() * 0.25, 0.0).columns(3, 0.03).into_iter().enumerate()
+            {
+                let slot = ["painted_accent", "plastic", "plastic"][index];
+                builder.block(slot, key.with_z([surface, surface + REACH * 0.95]), 0.003);
+            }
+            &[]
+        }
+        GeometrySet::Budget => {
+            for column in right.columns(3, 0.012) {
+                let key = column.inset(column.width() * 0.2, column.height() * 0.2, 0.0);
+                builder.block("plastic", key.with_z(out(0.008)), 0.002);
+            }
+            &[0.0]
+        }
+    };
     let drawer = strip.slab(Side::Left, strip.width() * 0.28).inset(0.015, 0.015, 0.0);
     builder.block("plastic", drawer.with_z(out(0.006)), 0.002);
     builder.cuboid("plastic_dark", drawer.slab(Side::Below, 0.02).inset(0.03, 0.004, 0.0).with_z(out(0.008)));
@@ -100,35 +162,35 @@ fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
         (radius * 0.85, REACH * 0.25),
         (radius * 0.75, REACH * 0.95),
     ];
-    let knob = turned_forward(lathe(&knob, 14));
-    builder.add(metal, knob.moved(0.0, strip.center().y, surface));
-    let right = strip.slab(Side::Right, strip.width() * 0.36).inset(0.02, strip.height() * 0.22, 0.0);
-    if draft.set() == GeometrySet::Traditional
-        || draft.set() == GeometrySet::Budget && draft.input.look.is_multiple_of(2)
-    {
-        for column in right.columns(3, 0.012) {
-            let key = column.inset(column.width() * 0.2, column.height() * 0.2, 0.0);
-            builder.block("plastic", key.with_z(out(0.008)), 0.002);
-        }
-    } else {
-        builder.cuboid("screen", right.slab(Side::Left, right.width() * 0.6).with_z(out(0.002)));
-        for key in right.slab(Side::Right, right.width() * 0.32).rows(3, 0.008) {
-            builder.cuboid("plastic_dark", key.with_z(out(0.003)));
-        }
+    let knob = turned_forward(lathe(&knob, 12));
+    for &place in knobs {
+        builder.add(metal, knob.clone().moved(place * strip.width(), strip.center().y, surface));
     }
 }
 
 fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dryer: bool) {
     let size = [0.36, 0.33, 0.35, 0.31][draft.input.look as usize % 4];
+    let size = size
+        * match draft.set() {
+            GeometrySet::Plain => 1.08,
+            GeometrySet::Traditional => 0.9,
+            GeometrySet::Industrial => 1.16,
+            GeometrySet::Budget => 0.8,
+        };
     let radius = (face.width() * size).min(face.height() * size);
-    let y = face.low.y + face.height() * 0.45;
-    let ring = [
-        Slice::round(-SINK, radius),
-        Slice::round(REACH * 0.6, radius * 0.97),
-        Slice::round(REACH, radius * 0.87),
-        Slice::round(REACH * 0.8, radius * 0.7),
-        Slice::round(-SINK, radius * 0.68),
-    ];
+    let y = face.low.y + face.height() * 0.54;
+    let shares: &[(f64, f64)] = match draft.set() {
+        GeometrySet::Plain => &[(0.0, 1.0), (0.8, 1.0), (1.0, 0.97), (0.8, 0.7), (0.0, 0.68)],
+        GeometrySet::Traditional => {
+            &[(0.0, 1.0), (0.4, 1.0), (0.5, 0.93), (1.0, 0.84), (0.8, 0.7), (0.0, 0.68)]
+        }
+        GeometrySet::Industrial => &[(0.0, 1.0), (0.6, 1.0), (0.6, 0.8), (0.0, 0.7)],
+        GeometrySet::Budget => &[(0.0, 1.0), (0.6, 0.97), (1.0, 0.87), (0.8, 0.7), (0.0, 0.68)],
+    };
+    let rings = shares
+        .iter()
+        .map(|&(out, share)| Slice::round(if out > 0.0 { REACH * out } else { -SINK }, radius * share));
+    let ring: Vec<Slice> = rings.collect();
     let rim = match (draft.set(), draft.input.look % 2) {
         (GeometrySet::Plain, 0) | (GeometrySet::Traditional, _) => "chrome",
         (GeometrySet::Industrial, _) => "metal",
@@ -136,17 +198,20 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
         _ => "plastic_dark",
     };
     let place = |solid: crate::model::kit::Solid| turned_forward(solid).moved(0.0, y, surface);
-    builder.add(rim, place(loft_ring(&Outline::Round(24), &ring)));
+    builder.add(rim, place(loft_ring(&Outline::Round(20), &ring)));
     let bulge = [(radius * 0.69, 0.002), (radius * 0.69, REACH * 0.5), (radius * 0.3, REACH * 0.8)];
-    builder.add(if is_dryer { slots(draft)[1] } else { "screen" }, place(lathe(&bulge, 24)));
+    builder.add(if is_dryer { slots(draft)[1] } else { "screen" }, place(lathe(&bulge, 20)));
     let x = if is_dryer { -1.0 } else { 1.0 };
-    let grip = Bay::around(
-        DVec3::new(x * radius * 0.86, y, surface + REACH * 0.85),
-        radius * 0.12,
-        radius * 0.36,
-        REACH * 0.3,
-    );
-    builder.block("plastic_dark", grip.with_z([surface + REACH * 0.5, surface + REACH]), 0.003);
+    if draft.set() == GeometrySet::Industrial {
+        // A lever to the rim, and a hinge across from it.
+        let lever = Bay::around(DVec3::new(x * radius, y, 0.0), radius * 0.44, 0.03, 0.0);
+        builder.block("metal_dark", lever.with_z([surface + REACH * 0.4, surface + REACH]), 0.004);
+        let hinge = Bay::around(DVec3::new(-x * radius, y, 0.0), radius * 0.24, radius * 0.5, 0.0);
+        builder.block("metal_dark", hinge.with_z([surface - SINK, surface + REACH * 0.8]), 0.004);
+    } else {
+        let grip = Bay::around(DVec3::new(x * radius * 0.86, y, 0.0), radius * 0.12, radius * 0.36, 0.0);
+        builder.block("plastic_dark", grip.with_z([surface + REACH * 0.5, surface + REACH]), 0.003);
+    }
     if is_dryer {
         for line in 0..5 {
             let across = radius * (0.5 - 0.06 * f64::from(line % 3));
@@ -163,7 +228,7 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
 
 /// A dishwasher under its own top: a full front with a groove, or a panel of keys over a door with a bar.
 pub(super) fn dishwasher(draft: &Draft, builder: &mut Builder) {
-    let (fittings, face) = case(draft, builder);
+    let (fittings, face) = case(draft, builder, Foot::Kick);
     let surface = face.high.z - REACH;
     let metal = slots(draft)[2];
     let out = |lift: f64| [surface - SINK, surface + lift];

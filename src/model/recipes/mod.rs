@@ -21,6 +21,7 @@ mod cash_register;
 #[cfg(test)]
 mod checks;
 mod coat_stand;
+mod cooker;
 mod copier;
 mod countertop;
 mod desk_lamps;

@@ -1,9 +1,9 @@
-//! Cooking: hobs, ovens, cookers, hoods.
+//! Cooking: hobs, ovens, hoods.
 
 use glam::{DVec2, DVec3};
 
 use super::input::{Draft, GeometrySet};
-use super::parts::{Fittings, HandleKind, LegKind, handle, legs_at_corners, turned_forward};
+use super::parts::{Fittings, HandleKind, handle, turned_forward};
 use crate::catalog::Side;
 use crate::model::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, cuboid, cylinder, extrude, lathe, loft, loft_ring, sweep,
@@ -95,7 +95,7 @@ fn burner(builder: &mut Builder, at: DVec3, [low, high]: [f64; 2], size: f64) {
 }
 
 /// What an oven or a cooker of a set is made of: its front, and its handle and knobs.
-fn oven_slots(draft: &Draft) -> [&'static str; 2] {
+pub(super) fn oven_slots(draft: &Draft) -> [&'static str; 2] {
     let look = draft.input.look as usize % 4;
     let choices = match draft.set() {
         GeometrySet::Plain => [
@@ -167,39 +167,6 @@ pub(super) fn oven_front(draft: &Draft, builder: &mut Builder, face: Bay) {
     if has_display {
         let display = strip.inset(strip.width() * 0.37, strip.height() * 0.3, 0.0);
         builder.cuboid("screen", display.with_z([surface - SINK, surface + 0.002]));
-    }
-}
-
-/// A free-standing cooker: four zones over an oven and a drawer.
-pub(super) fn cooker(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let [front, metal] = oven_slots(draft);
-    let top =
-        bay.slab(Side::Above, 0.03 + hob_height(draft.set())).without(Side::Above, hob_height(draft.set()));
-    builder.block(if draft.set() == GeometrySet::Budget { front } else { "metal" }, top, 0.004);
-    hob(draft, builder, top);
-    let body = bay.with_y([0.0, top.low.y + SINK]).inset(0.002, 0.0, 0.002);
-    let foot = (bay.height() * 0.1).min(0.08);
-    if draft.is_traditional() || draft.set() == GeometrySet::Industrial {
-        let legs = body.with_y([0.0, foot + SINK]).inset(0.015, 0.0, 0.02).without(Side::Front, 0.03);
-        legs_at_corners(builder, metal, legs, 0.04, LegKind::Tapered);
-    } else {
-        let kick = body.slab(Side::Below, foot + SINK).inset(0.008, 0.0, 0.008).without(Side::Front, 0.05);
-        builder.cuboid("plastic_dark", kick);
-    }
-    let fittings = Fittings { front, handle: metal, reach: REACH, is_traditional: false };
-    let body = body.without(Side::Below, foot);
-    fittings.carcass(builder, front, body);
-    let face = body.inset(0.003, 0.003, 0.0);
-    let low = face.height() * 0.2;
-    oven_front(draft, builder, face.without(Side::Below, low));
-    if draft.is_traditional() {
-        // A second door, as of a warming oven.
-        fittings.panel(builder, face.slab(Side::Below, low - 0.004));
-        let rail = DVec3::new(0.0, face.low.y + low * 0.6, face.high.z - REACH);
-        handle(builder, metal, (HandleKind::Level, face.width() * 0.6), rail, REACH * 0.8);
-    } else {
-        fittings.drawer(builder, face.slab(Side::Below, low - 0.004));
     }
 }
 

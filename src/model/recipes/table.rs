@@ -3,7 +3,7 @@
 use super::input::{Draft, RecipeInput};
 use super::{
     apparatus, appliances, barber, basins, bathing, beds, belongings, boards, books, car, carts,
-    cash_register, coat_stand, copier, countertop, desk_lamps, electronics, fire_extinguisher,
+    cash_register, coat_stand, cooker, copier, countertop, desk_lamps, electronics, fire_extinguisher,
     football_table, fridges, gym, hangings, hook_board, keyboard, kitchen, lamps, laundry, lights, lounge,
     luggage_belt, luggage_rack, ovens, papers, partition, phone, plants, projector, radiators, rugs, screens,
     seating, server_rack, shelving, signage, soap, storage, tables, tableware, ticket_machine, toilets, toys,
@@ -134,7 +134,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("coffee_table", [1.1, 0.6, 0.42], tables::coffee_table),
     small("computer", [0.55, 0.2, 0.45], screens::computer).sharing(),
     large("console_table", [1.1, 0.35, 0.8], tables::console_table).with(&[("knees", 0.0)]),
-    large("cooker", [0.6, 0.6, 0.9], ovens::cooker).sharing(),
+    large("cooker", [0.6, 0.6, 0.9], cooker::cooker),
     large("copier", [0.62, 0.64, 1.05], copier::copier),
     large("counter", [2.4, 0.7, 1.1], kitchen::counter).sharing(),
     large("crib", [0.7, 1.3, 1.0], beds::crib),
@@ -233,7 +233,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("wall_lamp", [0.2, 0.2, 0.3], wall_lamps::wall_lamp),
     large("wardrobe", [1.5, 0.6, 2.1], storage::wardrobe).with(&[("doors", 0.0)]),
     large("washbasin", [0.55, 0.45, 0.95], basins::washbasin),
-    large("washing_machine", [0.6, 0.6, 0.85], laundry::washing_machine).with(&[("dryer", 0.0)]).sharing(),
+    large("washing_machine", [0.6, 0.6, 0.85], laundry::washing_machine).with(&[("dryer", 0.0)]),
     small("whiteboard", [1.8, 0.08, 1.2], boards::whiteboard),
     large("workbench", [2.0, 0.75, 0.9], workbench::workbench),
     large("worktop", [0.9, 0.6, 0.9], kitchen::worktop).with(&[
