@@ -1,4 +1,4 @@
-//! Kitchen units and counters.
+//! Kitchen units.
 
 use glam::DVec3;
 
@@ -6,7 +6,7 @@ use super::input::{Draft, GeometrySet};
 use super::ovens::{hob, hob_height, oven_front};
 use super::parts::{Fittings, LegKind, REVEAL, Tap, legs_at_corners, slab_top, tap};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft, loft_ring};
+use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft, loft_ring};
 
 /// Metres of a worktop (usual ones: 0.02-0.04).
 const TOP: f64 = 0.04;
@@ -324,65 +324,5 @@ fn drainer(builder: &mut Builder, slot: &'static str, top: Bay, [_, side, deep]:
     builder.cuboid(slot, plate);
     for rib in plate.inset(0.015, 0.0, 0.02).columns(5, plate.width() * 0.09) {
         builder.cuboid(slot, rib.with_y([y, y + RIM * 0.85]));
-    }
-}
-
-/// A solid counter for a reception, a bar or a shop: fronts for guests and staff, worktop, foot rail by set.
-pub(super) fn counter(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let set = draft.set();
-    let look = draft.input.look as usize % 4;
-    let top = TOP.min(bay.height() * 0.2);
-    let [slot, wood] = match set {
-        GeometrySet::Plain => {
-            [["stone", "wood"], ["wood_dark", "painted"], ["stone", "painted_accent"], ["wood", "laminate"]]
-        }
-        GeometrySet::Traditional => {
-            [["wood_dark", "wood_dark"], ["stone", "wood"], ["wood", "painted"], ["stone", "wood_dark"]]
-        }
-        GeometrySet::Industrial => {
-            [["wood", "metal_dark"], ["metal", "wood"], ["concrete", "wood_dark"], ["wood_dark", "metal"]]
-        }
-        GeometrySet::Budget => [
-            ["laminate", "laminate"],
-            ["wood_light", "painted"],
-            ["laminate", "painted_accent"],
-            ["plastic", "laminate"],
-        ],
-    }[look];
-    slab_top(builder, slot, bay.slab(Side::Above, top), draft.is_traditional());
-    let overhang = if draft.is_traditional() { 0.016 } else { 0.01 };
-    let body = bay.without(Side::Above, top - SINK).inset(overhang, 0.0, overhang);
-    let kick = 0.09_f64.min(bay.height() * 0.15);
-    builder.cuboid("metal_dark", body.slab(Side::Below, kick + SINK).inset(0.03, 0.0, 0.03));
-    let upper = body.without(Side::Below, kick);
-    builder.cuboid(wood, upper.inset(0.0, 0.0, 0.016));
-    let count = match set {
-        GeometrySet::Industrial => (bay.width() / 0.14).round().clamp(2.0, 22.0),
-        GeometrySet::Plain if look % 2 == 1 => (bay.width() / 0.07).round().clamp(2.0, 40.0),
-        _ => (bay.width() / 0.6).round().clamp(1.0, 12.0),
-    } as u32;
-    let gap = if count > 12 { 0.016 } else { 0.008 };
-    for side in [Side::Front, Side::Back] {
-        let face = upper.slab(side, 0.016 + SINK).inset(0.004, 0.004, 0.0);
-        for column in face.columns(count, gap) {
-            builder.cuboid(wood, column);
-            if draft.is_traditional() {
-                let field = column.inset(column.width() * 0.16, column.height() * 0.14, 0.0);
-                let out = if side == Side::Front { 0.007 } else { -0.007 };
-                builder.block(wood, field.moved(0.0, 0.0, out), 0.004);
-            }
-        }
-    }
-    if set == GeometrySet::Industrial || set == GeometrySet::Traditional {
-        let rail = cylinder(0.015, [body.low.x + 0.02, body.high.x - 0.02], 8)
-            .turned_z(-std::f64::consts::FRAC_PI_2);
-        let metal = if draft.is_traditional() { "brass" } else { "metal" };
-        builder.add(metal, rail.moved(0.0, kick * 0.8, bay.low.z + 0.0152));
-        for x in [-0.4, 0.0, 0.4] {
-            let stay =
-                Bay::around(DVec3::new(x * bay.width(), kick * 0.8, bay.low.z + 0.03), 0.012, 0.012, 0.05);
-            builder.cuboid(metal, stay);
-        }
     }
 }

@@ -2,12 +2,13 @@
 
 use super::input::{Draft, RecipeInput};
 use super::{
-    apparatus, appliances, barber, basins, bathing, beds, belongings, boards, books, car, carts,
-    cash_register, coat_stand, cooker, copier, countertop, desk_lamps, electronics, fire_extinguisher,
-    football_table, fridges, gym, hangings, hook_board, keyboard, kitchen, lamps, laundry, lights, lounge,
-    luggage_belt, luggage_rack, ovens, papers, partition, phone, plants, projector, radiators, rugs, screens,
-    seating, server_rack, shelving, signage, soap, storage, tables, tableware, ticket_machine, toilets, toys,
-    umbrella_stand, utility_sink, wall_lamps, washroom, windows, workbench,
+    apparatus, appliances, barber, basins, bathing, beds, belongings, bin, boards, books, car, carts,
+    cash_register, coat_stand, cooker, copier, counter, countertop, cubicle, desk_lamps, electronics,
+    fire_extinguisher, football_table, fridges, gym, hangings, hook_board, keyboard, kitchen, lamps, laundry,
+    lights, lounge, luggage_belt, luggage_rack, ovens, papers, partition, phone, plants, projector,
+    radiators, rugs, screens, seating, server_rack, shelving, signage, soap, storage, tables, tableware,
+    ticket_machine, toilets, toys, umbrella_stand, urinal, utility_sink, wall_lamps, washroom, windows,
+    workbench,
 };
 use crate::catalog::Size;
 use crate::model::kit::Builder;
@@ -113,7 +114,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("beam_seats", [2.0, 0.62, 0.82], seating::beam_seats).with(&[("seats", 0.0)]).sharing(),
     large("bed", [1.6, 2.1, 1.0], beds::bed).with(&[("double", 0.0)]),
     large("bench", [1.2, 0.4, 0.45], seating::bench),
-    small("bin", [0.3, 0.3, 0.4], washroom::bin).round().sharing(),
+    small("bin", [0.3, 0.3, 0.4], bin::bin).round(),
     small("books", [0.2, 0.25, 0.12], books::books),
     large("bookshelf", [0.9, 0.3, 2.0], shelving::bookshelf).with(&[("shelves", 0.0)]),
     small("bottle", [0.08, 0.08, 0.3], tableware::bottle),
@@ -136,7 +137,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("console_table", [1.1, 0.35, 0.8], tables::console_table).with(&[("knees", 0.0)]),
     large("cooker", [0.6, 0.6, 0.9], cooker::cooker),
     large("copier", [0.62, 0.64, 1.05], copier::copier),
-    large("counter", [2.4, 0.7, 1.1], kitchen::counter).sharing(),
+    large("counter", [2.4, 0.7, 1.1], counter::counter),
     large("crib", [0.7, 1.3, 1.0], beds::crib),
     small("cup", [0.1, 0.08, 0.09], tableware::cup),
     large("curtain", [1.6, 0.15, 2.3], windows::curtain),
@@ -213,7 +214,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("tennis_table", [2.74, 1.525, 0.91], gym::tennis_table),
     large("ticket_machine", [0.8, 0.6, 1.85], ticket_machine::ticket_machine),
     large("toilet", [0.38, 0.68, 0.8], toilets::toilet),
-    large("toilet_cubicle", [0.95, 1.5, 2.0], toilets::toilet_cubicle).sharing(),
+    large("toilet_cubicle", [0.95, 1.5, 2.0], cubicle::toilet_cubicle),
     large("tool_trolley", [0.7, 0.46, 0.95], carts::tool_trolley),
     small("towel", [0.4, 0.3, 0.08], washroom::towel).sharing(),
     small("towel_rail", [0.5, 0.1, 0.8], washroom::towel_rail).sharing(),
@@ -224,7 +225,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("tv", [1.2, 0.22, 0.75], screens::tv),
     large("tv_stand", [1.5, 0.4, 0.5], storage::tv_stand),
     small("umbrella_stand", [0.25, 0.25, 0.6], umbrella_stand::umbrella_stand).round(),
-    large("urinal", [0.4, 0.36, 0.7], washroom::urinal).sharing(),
+    large("urinal", [0.4, 0.36, 0.7], urinal::urinal),
     large("utility_sink", [0.6, 0.5, 1.0], utility_sink::utility_sink),
     large("vanity", [0.8, 0.5, 0.95], basins::vanity),
     small("vase", [0.15, 0.15, 0.3], plants::vase).round(),

@@ -1,9 +1,8 @@
-//! Toilets and their cubicles.
+//! Toilets.
 
 use glam::{DVec2, DVec3};
 
 use super::input::{Draft, GeometrySet};
-use super::parts::{turned_forward, wall_panel};
 use crate::catalog::Side;
 use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, Solid, cylinder, lathe, loft, loft_ring, sweep};
 
@@ -13,15 +12,6 @@ const ROUND: usize = 16;
 const SEAT: f64 = 0.43;
 /// Metres of seat and lid.
 const LID: f64 = 0.018;
-/// Width, height and depth in metres of the toilet in a cubicle.
-const CUBICLE_BOWL: DVec3 = DVec3::new(0.38, 0.8, 0.66);
-/// Metres of the panels of a cubicle.
-const CUBICLE_PANEL: f64 = 0.03;
-/// Metres of the floor under the panels of a cubicle that stay open.
-const CUBICLE_FOOT: f64 = 0.12;
-/// Radians by which the door of a cubicle stands open.
-const AJAR: f64 = 0.5;
-
 /// What carries a bowl.
 #[derive(Clone, Copy, PartialEq)]
 enum Foot {
@@ -149,7 +139,7 @@ pub(super) fn toilet(draft: &Draft, builder: &mut Builder) {
     toilet_in(bay, draft.set(), draft.input.look, builder);
 }
 
-fn toilet_in(bay: Bay, set: GeometrySet, look: u32, builder: &mut Builder) {
+pub(super) fn toilet_in(bay: Bay, set: GeometrySet, look: u32, builder: &mut Builder) {
     let seat = SEAT.min(bay.height() * 0.58);
     let cover = if look % 2 == 1 { Cover::Open } else { Cover::Closed };
     let behind = match set {
@@ -287,60 +277,4 @@ fn plain_cistern(builder: &mut Builder, bay: Bay, seat: f64, slot: &'static str)
         DVec3::new(body.high.x - 0.03, seat * 0.4, bay.low.z),
     ];
     builder.add("chrome", sweep(&hose, 0.006, 6));
-}
-
-/// A toilet between partition walls on feet, with a door that stands ajar.
-pub(super) fn toilet_cubicle(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let set = draft.set();
-    let bowl = CUBICLE_BOWL.min(bay.extent() * 0.8);
-    let seat = bay.with_x([-bowl.x / 2.0, bowl.x / 2.0]).with_y([bay.low.y, bay.low.y + bowl.y]);
-    toilet_in(seat.slab(Side::Back, bowl.z), GeometrySet::Budget, draft.input.look, builder);
-    let colors = match set {
-        GeometrySet::Plain => ["laminate", "painted", "painted_accent", "wood_light"],
-        GeometrySet::Traditional => ["wood_dark", "painted", "wood", "painted_accent"],
-        GeometrySet::Industrial => ["metal_dark", "metal", "painted_accent", "painted"],
-        GeometrySet::Budget => ["laminate", "painted_accent", "plastic", "painted"],
-    };
-    let color = colors[draft.input.look as usize % 4];
-    let panels = bay.without(Side::Below, CUBICLE_FOOT).without(Side::Above, CUBICLE_PANEL);
-    for side in [Side::Left, Side::Right] {
-        builder.cuboid(color, panels.slab(side, CUBICLE_PANEL));
-        for end in [Side::Front, Side::Back] {
-            let post = bay.slab(side, CUBICLE_PANEL).inset(CUBICLE_PANEL * 0.2, 0.0, 0.0);
-            let post = post.with_y([bay.low.y, panels.low.y + SINK]).slab(end, CUBICLE_PANEL);
-            builder.cuboid("metal", post.inset(0.0, 0.0, SINK));
-        }
-    }
-    let rail =
-        bay.slab(Side::Above, CUBICLE_PANEL + SINK).slab(Side::Front, CUBICLE_PANEL).inset(0.001, 0.0, 0.001);
-    builder.cuboid(if set == GeometrySet::Traditional { color } else { "metal" }, rail);
-    cubicle_front(draft, builder, panels, color);
-    let roll = turned_forward(cylinder(0.055, [-0.05, 0.05], 10));
-    let at =
-        DVec3::new(bay.low.x + CUBICLE_PANEL + 0.056, 0.72_f64.min(bay.height() * 0.4), bay.low.z + bowl.z);
-    builder.add("paper", roll.moved(at.x, at.y, at.z));
-    builder.cuboid("chrome", Bay::around(at + DVec3::new(-0.028, 0.056, 0.0), 0.057, 0.006, 0.09));
-}
-
-/// The strips beside the door, and the door, which opens inwards.
-fn cubicle_front(draft: &Draft, builder: &mut Builder, panels: Bay, color: &'static str) {
-    let front = panels.slab(Side::Front, CUBICLE_PANEL).inset(CUBICLE_PANEL - SINK, 0.001, 0.001);
-    let beside = (front.width() * 0.13).max(0.01);
-    for side in [Side::Left, Side::Right] {
-        builder.cuboid(color, front.slab(side, beside));
-    }
-    let opening = front.inset(beside + 0.004, 0.004, 0.0);
-    let mut door = builder.empty();
-    let leaf = Bay::new([0.0, opening.width()], opening.y(), [-CUBICLE_PANEL * 0.6, 0.0]);
-    wall_panel(&mut door, draft.set(), color, leaf);
-    let lock = DVec3::new(leaf.high.x - 0.06, panels.center().y, 0.0);
-    door.cuboid("chrome", Bay::around(lock, 0.05, 0.05, 0.024));
-    for y in [0.12, 0.85] {
-        let hinge = lathe(&[(0.009, 0.0), (0.009, 0.07)], 6);
-        door.add("metal", hinge.moved(0.004, leaf.low.y + leaf.height() * y, 0.006));
-    }
-    for (slot, solid) in door.into_parts() {
-        builder.add(slot, solid.turned_y(AJAR).moved(opening.low.x, 0.0, opening.high.z - 0.012));
-    }
 }

@@ -1,56 +1,11 @@
-//! What hangs on the walls of bathrooms, and bins.
+//! What hangs on the walls of bathrooms.
 
 use glam::DVec3;
 
 use super::input::{Draft, GeometrySet};
 use super::parts::turned_forward;
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, loft, sweep};
-
-/// A urinal on a wall.
-pub(super) fn urinal(_draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let half = bay.extent() / 2.0;
-    let back = bay.low.z;
-    let depth = bay.depth();
-    let top = bay.high.y - (bay.height() * 0.1).min(0.07);
-    let slice = |y: f64, x: f64, reach: f64| {
-        Slice::new(y, half.x * x, depth * reach / 2.0)
-            .at(0.0, back + depth * reach / 2.0)
-            .softened(half.x * x * 0.6)
-    };
-    let hollow = |y: f64, x: f64, reach: f64| {
-        Slice::new(y, half.x * x, depth * reach / 2.0)
-            .at(0.0, back + depth * (0.28 + reach / 2.0))
-            .softened(half.x * x * 0.5)
-    };
-    let rim = top * 0.42;
-    let bowl = [
-        slice(0.0, 0.45, 0.5),
-        slice(rim * 0.45, 0.85, 0.85),
-        slice(rim * 0.9, 1.0, 1.0),
-        slice(rim, 1.0, 1.0),
-        hollow(rim, 0.8, 0.62),
-        hollow(rim * 0.4, 0.55, 0.35),
-    ];
-    builder.add("ceramic", loft(&Outline::Soft(2), &bowl));
-    let shield = bay.slab(Side::Back, depth * 0.3).with_y([rim * 0.8, top]);
-    builder.cushion("ceramic", shield.inset(bay.width() * 0.02, 0.0, 0.001), 0.05_f64.min(depth * 0.1));
-    for side in [Side::Left, Side::Right] {
-        let wing = bay
-            .slab(side, bay.width() * 0.12)
-            .with_y([rim * 0.85, top - 0.02])
-            .slab(Side::Back, depth * 0.55);
-        builder.cushion("ceramic", wing.inset(0.004, 0.0, 0.004), 0.02);
-    }
-    let pipe = [
-        DVec3::new(0.0, top - 0.01, back + 0.04),
-        DVec3::new(0.0, bay.high.y - 0.02, back + 0.04),
-        DVec3::new(0.0, bay.high.y - 0.02, back),
-    ];
-    builder.add("chrome", sweep(&pipe, 0.014, 6));
-    builder.add("chrome", cylinder(0.022, [bay.high.y - 0.04, bay.high.y], 8).moved(0.0, 0.0, back + 0.04));
-}
+use crate::model::kit::{Bay, Builder, SINK, cylinder, sweep};
 
 /// A rail on a wall with a towel over it; a ladder of rails where it is high.
 pub(super) fn towel_rail(draft: &Draft, builder: &mut Builder) {
@@ -116,42 +71,6 @@ pub(super) fn dispenser(draft: &Draft, builder: &mut Builder) {
     let window =
         bay.inset(bay.width() * 0.42, bay.height() * 0.25, 0.0).slab(Side::Front, bay.depth() * 0.08);
     builder.cuboid("plastic_dark", window);
-}
-
-/// A waste bin: a pedal bin with a lid, an open basket, or a bin with a swing top.
-pub(super) fn bin(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let half = bay.extent() / 2.0;
-    let form = draft.sampler().count(0, 2);
-    let slot = ["metal", "plastic_dark", "plastic"][form as usize];
-    let height = bay.height();
-    let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
-    if form == 1 {
-        let open = [
-            slice(0.0, 0.78),
-            slice(0.95, 0.97),
-            slice(0.95, 1.0),
-            slice(1.0, 1.0),
-            slice(1.0, 0.93),
-            slice(0.03, 0.73),
-        ];
-        builder.add(slot, loft(&Outline::Round(12), &open));
-        return;
-    }
-    builder.add(
-        slot,
-        loft(
-            &Outline::Round(16),
-            &[slice(0.0, 0.9), slice(0.04, 0.95), slice(0.78, 1.0), slice(0.78 + SINK, 0.99)],
-        ),
-    );
-    let lid =
-        [slice(0.78, 0.96), slice(0.8, 1.0), slice(0.9, 0.92), slice(1.0, if form == 0 { 0.6 } else { 0.3 })];
-    builder.add("plastic_dark", loft(&Outline::Round(16), &lid));
-    if form == 0 {
-        let pedal = Bay::new([-0.03, 0.03], [0.008, 0.02], [half.z * 0.85, half.z]);
-        builder.cuboid("metal_dark", pedal);
-    }
 }
 
 /// Materials of a towel and of its border, which differ so that both show on white.
