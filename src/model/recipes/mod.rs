@@ -67,6 +67,7 @@ mod tables;
 mod tableware;
 mod ticket_machine;
 mod toilets;
+mod towels;
 mod toys;
 mod umbrella_stand;
 mod urinal;

@@ -87,7 +87,7 @@ fn hooded(builder: &mut Builder) {
         .collect();
     let back = bay.low.z;
     builder.add("ceramic", extrude(&outline, Axis::Z, [back + 0.002, back + bay.depth() * 0.62]));
-    let field = bay.slab(Side::Back, bay.depth() * 0.12).with_y([low, top - half * 0.5]);
+    let field = bay.slab(Side::Back, bay.depth() * 0.12).with_y([low, top - half * 0.6]);
     builder.cuboid("ceramic", field.inset(bay.width() * 0.06, 0.003, 0.0).without(Side::Back, 0.001));
     let z = back + 0.05_f64.min(bay.depth() * 0.2);
     builder.add("brass", cylinder(0.012, [top - 0.02, bay.high.y], 8).moved(0.0, 0.0, z));
