@@ -51,15 +51,21 @@ struct Holder {
     sunk: f64,
 }
 
+impl Holder {
+    fn of(set: GeometrySet) -> Self {
+        match set {
+            GeometrySet::Plain => Self { thick: [0.16, 0.012], border: 0.1, sunk: 0.5 },
+            GeometrySet::Traditional => Self { thick: [0.28, 0.022], border: 0.3, sunk: 0.3 },
+            GeometrySet::Industrial => Self { thick: [0.34, 0.03], border: 0.08, sunk: 0.1 },
+            GeometrySet::Budget => Self { thick: [0.07, 0.005], border: 0.0, sunk: 0.6 },
+        }
+    }
+}
+
 /// A photograph that leans on its strut: in a thin frame, in a broad stepped one, deep in a box, or clipped to a board.
 pub(super) fn picture_frame(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let holder = match draft.set() {
-        GeometrySet::Plain => Holder { thick: [0.16, 0.012], border: 0.1, sunk: 0.5 },
-        GeometrySet::Traditional => Holder { thick: [0.28, 0.022], border: 0.3, sunk: 0.3 },
-        GeometrySet::Industrial => Holder { thick: [0.34, 0.03], border: 0.08, sunk: 0.1 },
-        GeometrySet::Budget => Holder { thick: [0.07, 0.005], border: 0.0, sunk: 0.6 },
-    };
+    let holder = Holder::of(draft.set());
     let slot =
         if draft.is_traditional() { "brass" } else { draft.sampler().pick(&["wood", "metal", "painted"]) };
     let thick = (bay.depth() * holder.thick[0]).min(holder.thick[1]);
@@ -113,11 +119,8 @@ pub(super) fn picture_frame(draft: &Draft, builder: &mut Builder) {
     let photo = mount + half.min_element() * 0.12;
     builder.add("fabric_accent", board([holder.sunk, holder.sunk + 0.2], photo));
     if border == 0.0 {
-        for sign in [-1.0, 1.0] {
-            for share in [-0.5, 0.5] {
-                builder.add("metal", clip(sign, share));
-            }
-        }
+        let ends = [(-1.0, -0.5), (-1.0, 0.5), (1.0, -0.5), (1.0, 0.5)];
+        ends.into_iter().for_each(|(sign, share)| builder.add("metal", clip(sign, share)));
     }
     let top = bay.height() * 0.7;
     let at = bay.high.z - top * libm::tan(lean) - thick * 0.8;

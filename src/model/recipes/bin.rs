@@ -22,10 +22,7 @@ pub(super) fn bin(draft: &Draft, builder: &mut Builder) {
             let lid = [slice(0.87, 0.94), slice(0.98, 0.94), slice(1.0, 0.88)];
             builder.add(if form == 0 { "plastic_dark" } else { slot }, loft(&ROUND, &lid));
             builder.add("metal_dark", loft(&ROUND, &[slice(0.86 - SINK, 0.9), slice(0.87 + SINK, 0.9)]));
-            let half = bay.depth() / 2.0;
-            let pedal =
-                Bay::new([-0.03, 0.03], [bay.height() * 0.03, bay.height() * 0.06], [half * 0.85, half]);
-            builder.cuboid("metal_dark", pedal);
+            pedal(builder, bay);
         }
         GeometrySet::Traditional => {
             let slot = ["brass", "wood_dark", "painted"][form];
@@ -72,4 +69,11 @@ pub(super) fn bin(draft: &Draft, builder: &mut Builder) {
             }
         }
     }
+}
+
+/// What opens the lid, at the foot.
+fn pedal(builder: &mut Builder, bay: Bay) {
+    let (half, height) = (bay.depth() / 2.0, bay.height());
+    builder
+        .cuboid("metal_dark", Bay::new([-0.03, 0.03], [height * 0.03, height * 0.06], [half * 0.85, half]));
 }

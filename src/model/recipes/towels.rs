@@ -131,7 +131,7 @@ impl Rail {
         let flange = FLANGE.min(bay.height() * 0.1).max(radius * 1.5);
         let runs = self.rows.min(5);
         // An even number of runs ends where it began.
-        let far = if runs % 2 == 0 { radius } else { flange };
+        let far = if runs.is_multiple_of(2) { radius } else { flange };
         let x = [bay.low.x + flange, bay.high.x - far];
         let pitch = (bay.height() - flange * 2.0) / f64::from(runs.max(2) - 1);
         let top = bay.high.y - flange;
