@@ -68,10 +68,10 @@ fn encode_primitive(source: usize, primitive: &Primitive, painting: Painting) ->
     if !is_flat.contains(&true) {
         return vec![part(primitive, false)];
     }
-    let [flat, round] = split(primitive, &is_flat);
-    if round.indices.is_empty() {
+    if !is_flat.contains(&false) {
         return vec![part(primitive, true)];
     }
+    let [flat, round] = split(primitive, &is_flat);
     let whole = vec![part(primitive, false)];
     if flat.indices.is_empty() {
         return whole;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::{DVec2, DVec3};
 
 use crate::catalog::{MATERIAL_SLOTS, Size};
+use crate::geometry::DisjointSets;
 use crate::model::{Model, ModelMaterial};
 
 /// Square metres below which a triangle counts as having none.
@@ -142,21 +143,12 @@ fn crosses(point: DVec3, [a, b, c]: [DVec3; 3]) -> bool {
 }
 
 fn connected_parts(point_count: usize, triangles: &[[usize; 3]]) -> Vec<usize> {
-    let mut leader: Vec<usize> = (0..point_count).collect();
-    fn find(leader: &mut [usize], mut point: usize) -> usize {
-        while leader[point] != point {
-            leader[point] = leader[leader[point]];
-            point = leader[point];
-        }
-        point
+    let mut parts = DisjointSets::new(point_count);
+    for &[a, b, c] in triangles {
+        parts.join(a, b);
+        parts.join(a, c);
     }
-    for triangle in triangles {
-        for step in 1..3 {
-            let (a, b) = (find(&mut leader, triangle[0]), find(&mut leader, triangle[step]));
-            leader[a.max(b)] = a.min(b);
-        }
-    }
-    triangles.iter().map(|triangle| find(&mut leader, triangle[0])).collect()
+    triangles.iter().map(|triangle| parts.find(triangle[0])).collect()
 }
 
 /// Area that two triangles of one plane share, and its middle (Sutherland and Hodgman's clipping).
