@@ -196,7 +196,7 @@ pub(crate) struct BakeArguments {
     /// Put the textures into each file; without it, all files share those in OUT/shared-textures.
     #[arg(long)]
     pub(crate) embed_textures: bool,
-    /// Whether flat faces without textures have normals, or leave them to viewers, as the format allows, for a third less
+    /// Whether flat faces without textures have normals, or leave them to viewers, as the format allows, for almost half the
     /// space [default: implied with --textures none, else written].
     #[arg(long, value_enum)]
     pub(crate) flat_normals: Option<NormalsWord>,

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::array::{Array, Section};
-use super::join::{flat_triangles, has_colors, joined, split};
+use super::flatness::{is_flat, split};
+use super::join::{has_colors, joined, narrow_joined};
 use super::tangent::tangents;
 use crate::model::{Model, Primitive};
 
@@ -16,8 +17,8 @@ pub struct Painting {
     pub has_tangents: bool,
     /// The set of texture coordinates that normals are laid on by.
     pub normal_set: usize,
-    /// No normals on surfaces of which every face is flat or narrow and nothing is painted: viewers compute those (glTF 2.0,
-    /// section 3.7.2.1), and faces can share corners.
+    /// No normals on surfaces on which nothing is painted and of which every face is flat or narrow, or that have few faces:
+    /// viewers compute those (glTF 2.0, section 3.7.2.1), and faces can share corners.
     pub lacks_flat_normals: bool,
 }
 
@@ -60,23 +61,26 @@ fn encode_primitive(source: usize, primitive: &Primitive, painting: Painting) ->
         return vec![arrays(source, primitive, painting)];
     }
     let plain = Painting { has_coordinates: false, has_tangents: false, ..painting };
-    let part = |part: &Primitive, lacks_normals| {
-        let painting = Painting { lacks_flat_normals: lacks_normals, ..plain };
-        arrays(source, &joined(part, !lacks_normals), painting)
+    if !painting.lacks_flat_normals {
+        return vec![arrays(source, &joined(primitive, true), plain)];
+    }
+    let without = |part: &Primitive| arrays(source, &joined(part, false), plain);
+    let with = |part: &Primitive| {
+        let painting = Painting { lacks_flat_normals: false, ..plain };
+        arrays(source, &narrow_joined(&joined(part, true)), painting)
     };
-    let is_flat = if painting.lacks_flat_normals { flat_triangles(primitive) } else { Vec::new() };
-    if !is_flat.contains(&true) {
-        return vec![part(primitive, false)];
+    if is_flat(primitive) {
+        return vec![without(primitive)];
     }
-    if !is_flat.contains(&false) {
-        return vec![part(primitive, true)];
+    let [flat, round] = split(primitive);
+    if round.indices.is_empty() {
+        return vec![without(primitive)];
     }
-    let [flat, round] = split(primitive, &is_flat);
-    let whole = vec![part(primitive, false)];
+    let whole = vec![with(primitive)];
     if flat.indices.is_empty() {
         return whole;
     }
-    let parts = vec![part(&flat, true), part(&round, false)];
+    let parts = vec![without(&flat), with(&round)];
     let byte_count =
         |parts: &[EncodedPrimitive]| parts.iter().map(EncodedPrimitive::byte_count).sum::<usize>();
     if byte_count(&parts) + BYTES_OF_PRIMITIVE < byte_count(&whole) { parts } else { whole }

@@ -4,62 +4,9 @@ use std::collections::HashMap;
 
 use glam::Vec3;
 
+use super::flatness::is_narrow;
 use crate::geometry::DisjointSets;
 use crate::model::Primitive;
-
-/// The cosine of how far normals may be off their face for it to be flat: a degree, which nobody sees; round surfaces are
-/// made of steps many times as large.
-const FLAT: f32 = 0.99985;
-
-/// Metres: on faces that are less wide, bevels and thin rods, nobody tells a round surface from a flat one.
-const NARROW: f32 = 0.01;
-
-/// Which triangles look as they do where viewers compute the normals: all corners have the normal of the face, or the face is
-/// narrow.
-pub(super) fn flat_triangles(primitive: &Primitive) -> Vec<bool> {
-    let vector = |list: &[[f32; 3]], index: u32| Vec3::from_array(list[index as usize]);
-    let is_flat = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|index| vector(&primitive.positions, index));
-        let normal = (b - a).cross(c - a);
-        let longest = [(a, b), (b, c), (c, a)].map(|(from, to)| from.distance(to));
-        let face = normal.normalize_or_zero();
-        normal.length() < NARROW * longest.into_iter().fold(0.0, f32::max)
-            || triangle.iter().all(|&index| vector(&primitive.normals, index).dot(face) >= FLAT)
-    };
-    primitive.indices.as_chunks::<3>().0.iter().map(is_flat).collect()
-}
-
-/// The closed surfaces of which all triangles are chosen, and the others: surfaces hang together where corners lie at one
-/// place. Both keep their order, and each has all corners.
-pub(super) fn split(primitive: &Primitive, is_chosen: &[bool]) -> [Primitive; 2] {
-    let mut places: HashMap<[u32; 3], usize> = HashMap::with_capacity(primitive.positions.len());
-    let places: Vec<usize> = primitive
-        .positions
-        .iter()
-        .map(|position| {
-            let next = places.len();
-            *places.entry(position.map(f32::to_bits)).or_insert(next)
-        })
-        .collect();
-    let triangles = primitive.indices.as_chunks::<3>().0;
-    let mut surfaces = DisjointSets::new(places.len());
-    for triangle in triangles {
-        let [a, b, c] = triangle.map(|index| places[index as usize]);
-        surfaces.join(a, b);
-        surfaces.join(b, c);
-    }
-    let surface_of = triangles.iter().map(|triangle| surfaces.find(places[triangle[0] as usize]));
-    let surface_of: Vec<usize> = surface_of.collect();
-    let mut is_whole = vec![true; places.len()];
-    for (&surface, _) in surface_of.iter().zip(is_chosen).filter(|(_, is_chosen)| !**is_chosen) {
-        is_whole[surface] = false;
-    }
-    [true, false].map(|wanted| {
-        let kept = triangles.iter().zip(&surface_of).filter(|&(_, &surface)| is_whole[surface] == wanted);
-        let indices = kept.flat_map(|(triangle, _)| triangle).copied().collect();
-        Primitive { indices, ..primitive.clone() }
-    })
-}
 
 /// Whether corners have colours.
 pub(super) fn has_colors(primitive: &Primitive) -> bool {
@@ -92,6 +39,42 @@ pub(super) fn joined(primitive: &Primitive, has_normals: bool) -> Primitive {
     }
     made.indices = primitive.indices.iter().map(|&index| new[index as usize]).collect();
     made
+}
+
+/// The same triangles, where narrow faces, such as rims, share the corners of the wider ones beside them: nobody sees by
+/// which normals they are shaded. Corners that have colours stay.
+pub(super) fn narrow_joined(primitive: &Primitive) -> Primitive {
+    let triangles = primitive.indices.as_chunks::<3>().0;
+    let is_wide = |triangle: &&[u32; 3]| {
+        !is_narrow(triangle.map(|index| Vec3::from_array(primitive.positions[index as usize])))
+    };
+    // Triangles that share corners are one smooth face, and a wide one may have narrow triangles.
+    let mut faces = DisjointSets::new(primitive.positions.len());
+    for &[a, b, c] in triangles {
+        faces.join(a as usize, b as usize);
+        faces.join(b as usize, c as usize);
+    }
+    let mut is_on_wide = vec![false; primitive.positions.len()];
+    triangles.iter().filter(is_wide).for_each(|triangle| is_on_wide[faces.find(triangle[0] as usize)] = true);
+    let is_on_wide: Vec<bool> = (0..is_on_wide.len()).map(|corner| is_on_wide[faces.find(corner)]).collect();
+    let mut wide_at: HashMap<[u32; 3], Vec<usize>> = HashMap::new();
+    let place = |corner: usize| primitive.positions[corner].map(f32::to_bits);
+    for corner in (0..is_on_wide.len()).filter(|&corner| is_on_wide[corner]) {
+        wide_at.entry(place(corner)).or_default().push(corner);
+    }
+    let normal = |corner: usize| Vec3::from_array(primitive.normals[corner]);
+    let taken_over = |&index: &u32| {
+        let corner = index as usize;
+        if is_on_wide[corner] || has_colors(primitive) {
+            return index;
+        }
+        let wide = wide_at.get(&place(corner)).into_iter().flatten();
+        let agreement = |other: usize| normal(corner).dot(normal(other));
+        let closest = wide.max_by(|&&one, &&other| agreement(one).total_cmp(&agreement(other)));
+        closest.map_or(index, |&other| u32::try_from(other).expect("not more corners than there were"))
+    };
+    let indices = primitive.indices.iter().map(taken_over).collect();
+    joined(&Primitive { indices, ..primitive.clone() }, true)
 }
 
 /// Numbers that are equal bit by bit, so that nothing changes.
@@ -143,53 +126,40 @@ mod tests {
     }
 
     #[test]
-    fn faces_are_flat_or_round() {
-        assert_eq!(flat_triangles(&corner()), [true, true]);
-        let mut round = corner();
-        round.normals[1] = [0.0, 0.70710677, 0.70710677];
-        assert_eq!(flat_triangles(&round), [false, true]);
-        round.positions.iter_mut().for_each(|position| position[1] *= 0.005);
-        assert_eq!(flat_triangles(&round), [true, true], "nobody sees it on a narrow face");
+    fn narrow_faces_share_the_corners_of_wide_ones() {
+        // A wall of a step with a tread of 5 mm, and one of 5 cm; corners of both are double.
+        let step = |tread: f32| Primitive {
+            positions: vec![
+                [0.0, 0.0, 0.0],
+                [1.0, 0.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0],
+                [1.0, 0.0, 0.0],
+                [0.0, 0.0, tread],
+            ],
+            normals: [[[0.0, 0.0, 1.0]; 3], [[0.0, 1.0, 0.0]; 3]].concat(),
+            indices: vec![0, 1, 2, 4, 3, 5],
+            ..Primitive::default()
+        };
+        let shared = narrow_joined(&step(0.005));
+        assert_eq!(shared.indices, [0, 1, 2, 1, 0, 3], "the tread has one corner of its own");
+        assert_eq!(shared.normals[..3], [[0.0, 0.0, 1.0]; 3], "and the wall stays");
+        assert_eq!(narrow_joined(&step(0.05)), step(0.05));
     }
 
     #[test]
-    fn surfaces_are_split_off_whole() {
-        // A corner of two faces, of which one is round, and a face that is far from both.
-        let mut apart = corner();
-        apart.positions.extend([[5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [5.0, 1.0, 0.0]]);
-        apart.normals.extend([[0.0, 0.0, 1.0]; 3]);
-        apart.indices.extend(6..9);
-        let [flat, round] = split(&apart, &[true, false, true]);
-        assert_eq!((flat.indices, round.indices), ((6..9).collect(), (0..6).collect()));
-        let [flat, round] = split(&apart, &[true; 3]);
-        assert_eq!((flat.indices.len(), round.indices.len()), (9, 0));
-    }
-
-    /// Whether each edge is walked along as often one way as the other.
-    fn is_closed(part: &Primitive) -> bool {
-        let place = |index: u32| part.positions[index as usize].map(f32::to_bits);
-        let triangles = part.indices.as_chunks::<3>().0.iter();
-        let edges = triangles.flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-        let mut balance: HashMap<_, i32> = HashMap::new();
-        for (from, to) in edges.map(|(from, to)| (place(from), place(to))) {
-            *balance.entry((from.min(to), from.max(to))).or_default() += if from < to { 1 } else { -1 };
+    fn models_keep_their_places_where_rims_share_corners() {
+        let mut fewer = 0;
+        for primitive in ["bowl", "curtain", "floor_lamp"].into_iter().flat_map(recipe) {
+            let whole = joined(&primitive, true);
+            let shared = narrow_joined(&whole);
+            let places = |of: &Primitive| -> Vec<[f32; 3]> {
+                of.indices.iter().map(|&index| of.positions[index as usize]).collect()
+            };
+            assert_eq!(places(&shared), places(&whole));
+            fewer += whole.positions.len() - shared.positions.len();
         }
-        balance.values().all(|&count| count == 0)
-    }
-
-    #[test]
-    fn models_are_split_into_closed_surfaces() {
-        let mut split_count = 0;
-        for primitive in ["washbasin", "office_chair", "bookshelf"].into_iter().flat_map(recipe) {
-            let parts = split(&primitive, &flat_triangles(&primitive));
-            let count: usize = parts.iter().map(|part| part.indices.len()).sum();
-            assert_eq!(count, primitive.indices.len());
-            split_count += usize::from(parts.iter().all(|part| !part.indices.is_empty()));
-            for part in &parts {
-                assert!(is_closed(part), "{:?} has an edge", part.material);
-            }
-        }
-        assert!(split_count > 0);
+        assert!(fewer > 0);
     }
 
     #[test]

@@ -15,6 +15,7 @@ mod array;
 mod container;
 mod document;
 mod encode;
+mod flatness;
 mod join;
 mod library;
 mod light;

@@ -3,11 +3,12 @@
 use glam::DVec3;
 
 use super::solid::{Shading, Solid};
+use crate::geometry::DisjointSets;
 
 /// One unit normal for each corner of each triangle.
 ///
-/// Under [`Shading::Crease`], a corner's normal is the mean of the triangles that meet there within the crease
-/// angle, weighted by their angle at the corner (G. Thürmer and C. Wüthrich, *Computing Vertex Normals from
+/// Under [`Shading::Crease`], the triangles around a point that hang together over edges below the crease angle share one
+/// normal: their mean, weighted by their angle at the point (G. Thürmer and C. Wüthrich, *Computing Vertex Normals from
 /// Polygonal Facets*, 1998), so that it does not depend on how a face is cut into triangles.
 pub(super) fn corner_normals(solid: &Solid) -> Vec<[DVec3; 3]> {
     match &solid.shading {
@@ -20,19 +21,38 @@ pub(super) fn corner_normals(solid: &Solid) -> Vec<[DVec3; 3]> {
 
 fn creased(solid: &Solid, limit: f64) -> Vec<[DVec3; 3]> {
     let faces: Vec<DVec3> = solid.triangles.iter().map(|&triangle| face_normal(solid, triangle)).collect();
-    let mut meeting: Vec<Vec<(usize, f64)>> = vec![Vec::new(); solid.points.len()];
+    let mut meeting: Vec<Vec<[usize; 2]>> = vec![Vec::new(); solid.points.len()];
     for (index, triangle) in solid.triangles.iter().enumerate() {
-        for corner in 0..3 {
-            meeting[triangle[corner]].push((index, angle_at(solid, *triangle, corner)));
+        (0..3).for_each(|corner| meeting[triangle[corner]].push([index, corner]));
+    }
+    let mut normals: Vec<[DVec3; 3]> = faces.iter().map(|&face| [face; 3]).collect();
+    for corners in &meeting {
+        let mut surfaces = smooth_surfaces(solid, &faces, corners, limit);
+        let mut sums = vec![DVec3::ZERO; corners.len()];
+        for (position, &[index, corner]) in corners.iter().enumerate() {
+            sums[surfaces.find(position)] += faces[index] * angle_at(solid, solid.triangles[index], corner);
+        }
+        for (position, &[index, corner]) in corners.iter().enumerate() {
+            normals[index][corner] = sums[surfaces.find(position)].try_normalize().unwrap_or(faces[index]);
         }
     }
-    let normal = |face: DVec3, point: usize| {
-        let near = meeting[point].iter().filter(|&&(other, _)| faces[other].dot(face) >= limit);
-        let sum: DVec3 = near.map(|&(other, angle)| faces[other] * angle).sum();
-        sum.try_normalize().unwrap_or(face)
-    };
-    let triangles = solid.triangles.iter().zip(&faces);
-    triangles.map(|(triangle, &face)| triangle.map(|point| normal(face, point))).collect()
+    normals
+}
+
+/// Which of the triangles around a point hang together over edges at it that are less sharp than the limit, the cosine of the
+/// angle between faces.
+fn smooth_surfaces(solid: &Solid, faces: &[DVec3], corners: &[[usize; 2]], limit: f64) -> DisjointSets {
+    let mut surfaces = DisjointSets::new(corners.len());
+    let ends = |[index, corner]: [usize; 2]| [1, 2].map(|step| solid.triangles[index][(corner + step) % 3]);
+    for (second, &other) in corners.iter().enumerate() {
+        for (first, &one) in corners[..second].iter().enumerate() {
+            let has_edge = ends(one).iter().any(|end| ends(other).contains(end));
+            if has_edge && faces[one[0]].dot(faces[other[0]]) >= limit {
+                surfaces.join(first, second);
+            }
+        }
+    }
+    surfaces
 }
 
 /// Unit normal of a triangle; straight up for one without area, which no solid of the kit has.
@@ -49,7 +69,7 @@ fn angle_at(solid: &Solid, triangle: [usize; 3], corner: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Bay, cuboid, cylinder};
+    use super::super::{Bay, crowned, cuboid, cylinder};
     use super::*;
 
     #[test]
@@ -74,5 +94,18 @@ mod tests {
             }
         }
         assert_eq!(cap_count, 2 * 10 * 3);
+    }
+
+    #[test]
+    fn a_surface_without_sharp_edges_has_one_normal_at_each_point() {
+        // Around the rim of a cushion faces turn by more than the crease angle, but over several edges.
+        let solid = crowned(Bay::new([-0.4, 0.4], [0.0, 0.16], [-0.3, 0.3]), 0.03, 0.04);
+        let mut first: Vec<Option<DVec3>> = vec![None; solid.points.len()];
+        let underside = |normals: &[DVec3; 3]| normals.iter().all(|normal| normal.y < -0.999);
+        for (triangle, normals) in solid.triangles.iter().zip(corner_normals(&solid)) {
+            for (&point, normal) in triangle.iter().zip(normals).filter(|_| !underside(&normals)) {
+                assert!(first[point].get_or_insert(normal).distance(normal) < 1e-9, "point {point}");
+            }
+        }
     }
 }
