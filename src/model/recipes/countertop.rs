@@ -1,58 +1,11 @@
-//! Small machines on worktops: kettles, coffee machines, microwave ovens.
+//! Small machines on worktops: kettles and coffee machines.
 
 use glam::DVec3;
 
 use super::input::{Draft, GeometrySet};
-use super::parts::{HandleKind, LegKind, handle, legs_at_corners, turned_forward};
+use super::parts::turned_forward;
 use crate::catalog::Side;
 use crate::model::kit::{Bay, Builder, SINK, Solid, cylinder, lathe, sweep};
-
-/// A microwave oven with a window, and keys or knobs.
-pub(super) fn microwave(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
-    let slot = match draft.set() {
-        GeometrySet::Plain => ["metal", "appliance", "plastic_dark", "metal"],
-        GeometrySet::Traditional => ["painted_accent", "appliance", "painted", "metal"],
-        GeometrySet::Industrial => ["metal", "metal_dark", "metal", "metal_dark"],
-        GeometrySet::Budget => ["appliance", "plastic", "appliance", "plastic_dark"],
-    }[look];
-    let reach = 0.018;
-    let foot = bay.height() * 0.04;
-    builder.block(slot, bay.without(Side::Front, reach).without(Side::Below, foot), 0.008);
-    let feet = bay.slab(Side::Below, foot + SINK * 2.0).inset(0.03, 0.0, 0.03).without(Side::Front, reach);
-    legs_at_corners(builder, "rubber", feet, 0.025, LegKind::Square);
-    let surface = bay.high.z - reach;
-    let out = |lift: f64| [surface - SINK, surface + lift];
-    let face = bay.without(Side::Below, foot).inset(0.012, 0.014, 0.0);
-    let door = face.slab(Side::Left, face.width() * 0.74);
-    builder.cuboid("screen", door.with_z(out(0.004)));
-    builder
-        .cuboid("metal_dark", door.inset(door.width() * 0.12, door.height() * 0.16, 0.0).with_z(out(0.0048)));
-    let grip = DVec3::new(door.high.x - 0.016, door.center().y, surface + 0.004);
-    handle(builder, "metal", (HandleKind::Upright, door.height() * 0.8), grip, reach - 0.004);
-    let keys = face.slab(Side::Right, face.width() * 0.22);
-    if draft.set() == GeometrySet::Traditional
-        || (draft.set() == GeometrySet::Budget && look.is_multiple_of(2))
-    {
-        let radius = (keys.width() * 0.34).min(keys.height() * 0.18);
-        let knob = turned_forward(lathe(
-            &[(radius, -SINK), (radius, 0.004), (radius * 0.7, 0.006), (radius * 0.6, reach * 0.9)],
-            10,
-        ));
-        for y in [0.7, 0.28] {
-            builder
-                .add("metal", knob.clone().moved(keys.center().x, keys.low.y + keys.height() * y, surface));
-        }
-        return;
-    }
-    builder.cuboid("screen", keys.slab(Side::Above, keys.height() * 0.2).with_z(out(0.002)));
-    for row in keys.without(Side::Above, keys.height() * 0.28).rows(3, keys.height() * 0.06) {
-        row.columns(2, 0.008)
-            .into_iter()
-            .for_each(|key| builder.cuboid("plastic_dark", key.with_z(out(0.003))));
-    }
-}
 
 /// A kettle with a spout to the right and a handle to the left or above: a jug on its base, one with a belly and a bail,
 /// a goose neck, or one of plastic.

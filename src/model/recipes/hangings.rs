@@ -1,27 +1,27 @@
-//! Pictures, mirrors and clocks on walls.
+//! Pictures and mirrors on walls.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
 use super::input::{Draft, GeometrySet};
 use super::parts::turned_forward;
 use crate::model::kit::{
-    Axis, Bay, Builder, Outline, SINK, Sampler, Slice, Solid, cuboid, cylinder, extrude, loft, loft_ring,
+    Axis, Bay, Builder, Outline, SINK, Sampler, Slice, Solid, cylinder, extrude, loft, loft_ring,
 };
 
 /// Metres between layers of paint, so that none shares a plane with another.
 const LAYER: f64 = 0.000_4;
 
 /// A frame in the plane of the wall, of an outline: through (share of the depth, metres inwards) pairs.
-fn framed(outline: &Outline, bay: Bay, profile: &[(f64, f64)]) -> Solid {
+pub(super) fn framed(outline: &Outline, bay: Bay, profile: &[(f64, f64)]) -> Solid {
     let half = bay.extent() / 2.0;
     let slices: Vec<Slice> = profile.iter().map(|&pair| slice(bay, half, pair)).collect();
     turned_forward(loft_ring(outline, &slices)).moved(0.0, bay.center().y, 0.0)
 }
 
 /// A plate in the plane of the wall.
-fn plate(outline: &Outline, bay: Bay, profile: &[(f64, f64)]) -> Solid {
+pub(super) fn plate(outline: &Outline, bay: Bay, profile: &[(f64, f64)]) -> Solid {
     let half = bay.extent() / 2.0;
     let slices: Vec<Slice> = profile.iter().map(|&pair| slice(bay, half, pair)).collect();
     turned_forward(loft(outline, &slices)).moved(0.0, bay.center().y, 0.0)
@@ -291,59 +291,5 @@ fn crest(builder: &mut Builder, slot: &'static str, bay: Bay, border: f64) {
             ];
             builder.add(slot, turned_forward(loft(&Outline::Round(6), &shell)).moved(x * border, y, 0.0));
         }
-    }
-}
-
-/// A wall clock, or a clock that stands, by its depth: round, square or of eight sides.
-pub(super) fn clock(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
-    let (half, middle, depth) = (bay.extent() / 2.0, bay.center(), bay.depth());
-    let (outline, slot) = match draft.set() {
-        GeometrySet::Plain => (
-            [Outline::Round(16), Outline::Soft(2), Outline::Round(16), Outline::Square][look].clone(),
-            ["metal_dark", "painted", "wood", "metal"][look],
-        ),
-        GeometrySet::Traditional => (
-            [Outline::Round(8), Outline::Round(16), Outline::Square, Outline::Round(16)][look].clone(),
-            ["wood_dark", "brass", "wood", "wood_dark"][look],
-        ),
-        GeometrySet::Industrial => (
-            [Outline::Round(16), Outline::Round(16), Outline::Round(12), Outline::Soft(1)][look].clone(),
-            ["metal", "metal_dark", "metal_dark", "brass"][look],
-        ),
-        GeometrySet::Budget => (
-            [Outline::Round(16), Outline::Soft(2), Outline::Round(16), Outline::Square][look].clone(),
-            ["plastic", "plastic_dark", "painted_accent", "plastic"][look],
-        ),
-    };
-    let border = half.x.min(half.y) * if draft.is_traditional() { 0.22 } else { 0.1 };
-    let rim = [(0.0, 0.0), (0.8, 0.0), (1.0, border * 0.5), (0.0, border)];
-    builder.add(slot, framed(&outline, bay, &rim));
-    let is_dark = draft.set() == GeometrySet::Industrial && look % 2 == 1;
-    builder.add(
-        if is_dark { "metal_dark" } else { "paper" },
-        plate(&outline, bay, &[(0.1, border - SINK), (0.55, border - SINK)]),
-    );
-    let ink = if is_dark { "paper" } else { "plastic_dark" };
-    let face = bay.low.z + depth * 0.55;
-    let radius = half.x.min(half.y) - border;
-    let bar = |inner: f64, outer: f64, width: f64, lift: f64, turn: f64| {
-        let bar = Bay::new([-width, width], [inner * radius, outer * radius], [face - SINK, face + lift]);
-        cuboid(bar).turned_z(turn).moved(0.0, middle.y, 0.0)
-    };
-    // Ten past ten, as in every shop window.
-    builder.add(ink, bar(-0.12, 0.52, radius * 0.045, depth * 0.08, TAU / 6.0));
-    builder.add(ink, bar(-0.15, 0.82, radius * 0.03, depth * 0.16, -TAU / 6.0));
-    builder.add("painted_accent", bar(-0.2, 0.86, radius * 0.012, depth * 0.22, TAU * 0.45));
-    builder.add(
-        ink,
-        turned_forward(cylinder(radius * 0.07, [face - SINK, face + depth * 0.26], 6))
-            .moved(0.0, middle.y, 0.0),
-    );
-    let ticks = 4;
-    for tick in 0..ticks {
-        let turn = TAU * f64::from(tick) / f64::from(ticks);
-        builder.add(ink, bar(0.76, 0.93, radius * 0.035, depth * 0.04, turn));
     }
 }

@@ -149,67 +149,6 @@ fn bulkhead(builder: &mut Builder, look: u32) {
     }
 }
 
-/// A flat light in an office ceiling: a diffuser, louvres, or bare tubes.
-pub(super) fn ceiling_panel(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let half = bay.extent() / 2.0;
-    let border = half.x.min(half.z) * if draft.set() == GeometrySet::Plain { 0.05 } else { 0.08 };
-    let slice = |share: f64, back: f64| Slice::new(share * bay.height(), half.x - back, half.z - back);
-    let frame = [slice(0.0, 0.0), slice(1.0, 0.0), slice(1.0, border), slice(0.0, border)];
-    let slot = if draft.set() == GeometrySet::Industrial { "metal" } else { "painted" };
-    builder.add(slot, loft_ring(&Outline::Square, &frame));
-    let inner = bay.inset(border - SINK, 0.0, border - SINK);
-    let is_long_in_x = bay.width() >= bay.depth();
-    let split = |bay: Bay, count: u32, gap: f64| {
-        if is_long_in_x { depth_rows(bay, count, gap) } else { bay.columns(count, gap) }
-    };
-    let short = bay.width().min(bay.depth());
-    match (draft.set(), draft.input.look % 2) {
-        (GeometrySet::Plain, 0) => builder.cuboid("lamp", inner.inset(0.0, bay.height() * 0.2, 0.0)),
-        (GeometrySet::Plain, _) => {
-            builder.cuboid("painted", inner.with_y([bay.height() * 0.3, bay.height() * 0.9]));
-            for strip in split(inner.inset(border, 0.0, border), 3, short * 0.14) {
-                builder.cuboid("lamp", strip.with_y([bay.height() * 0.15, bay.height() * 0.4]));
-            }
-        }
-        (set, look) => {
-            builder.cuboid("metal", inner.with_y([bay.height() * 0.75, bay.height() * 0.95]));
-            let tubes = if set == GeometrySet::Budget { 4 } else { 2 + look };
-            for strip in split(inner.inset(border * 0.6, 0.0, border * 0.6), tubes, short * 0.08) {
-                builder.cuboid("lamp", strip.with_y([bay.height() * 0.35, bay.height() * 0.62]));
-            }
-            if set != GeometrySet::Budget || look == 0 {
-                let across = |bay: Bay| {
-                    if is_long_in_x {
-                        bay.columns(6, bay.width() * 0.15)
-                    } else {
-                        depth_rows(bay, 6, bay.depth() * 0.15)
-                    }
-                };
-                for louvre in across(inner) {
-                    let thin = louvre.center();
-                    let plate = Bay::around(thin, louvre.width(), 0.0, louvre.depth());
-                    let plate = if is_long_in_x {
-                        plate.with_x([thin.x - 0.002, thin.x + 0.002])
-                    } else {
-                        plate.with_z([thin.z - 0.002, thin.z + 0.002])
-                    };
-                    builder.cuboid("metal", plate.with_y([bay.height() * 0.06, bay.height() * 0.3]));
-                }
-            }
-        }
-    }
-}
-
-fn depth_rows(bay: Bay, count: u32, gap: f64) -> Vec<Bay> {
-    let depth = (bay.depth() - gap * f64::from(count - 1)) / f64::from(count);
-    let row = |index: u32| {
-        let low = bay.low.z + f64::from(index) * (depth + gap);
-        bay.with_z([low, low + depth])
-    };
-    (0..count).map(row).collect()
-}
-
 /// What hangs on a flex.
 #[derive(Clone, Copy)]
 enum Hanging {

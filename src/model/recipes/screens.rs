@@ -1,10 +1,10 @@
-//! Televisions and computer screens.
+//! Televisions, and what all screens are made of.
 
 use glam::{DVec2, DVec3};
 
 use super::input::{Draft, GeometrySet};
 use crate::catalog::Side;
-use crate::model::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, lathe, sweep};
+use crate::model::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, sweep};
 
 /// Metres of depth from which a television stands on a foot; a flatter one hangs on the wall.
 const STANDING_FROM: f64 = 0.13;
@@ -18,7 +18,7 @@ pub(super) fn display(builder: &mut Builder, bay: Bay, (slot, border): (&'static
 }
 
 /// Body and border of a screen, in metres (thin modern bezels: 0.008; older ones 0.03).
-fn body(draft: &Draft) -> (&'static str, f64) {
+pub(super) fn body(draft: &Draft) -> (&'static str, f64) {
     let look = draft.input.look as usize % 4;
     match draft.set() {
         GeometrySet::Plain => (["plastic_dark", "metal_dark", "metal", "plastic_dark"][look], 0.007),
@@ -112,74 +112,5 @@ fn splayed_feet(builder: &mut Builder, slot: &'static str, lift: f64, middle: f6
             (bay.low.z, 0.0),
         ];
         builder.add(slot, extrude(&foot.map(DVec2::from), Axis::X, [x - 0.012, x + 0.012]));
-    }
-}
-
-/// A monitor on a stand: a plate, a disc, a forked foot, or a computer with everything behind its screen.
-pub(super) fn computer(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
-    let lift = bay.height() * [0.26, 0.3, 0.22, 0.28][look];
-    let thick = (bay.depth() * 0.2).min(0.035);
-    let z = bay.center().z;
-    let (slot, border) = match draft.set() {
-        GeometrySet::Traditional => ("plastic_dark", 0.016),
-        _ => body(draft),
-    };
-    let panel = bay.without(Side::Below, lift).with_z([z, z + thick]);
-    display(builder, panel, (slot, border));
-    let metal = if slot == "metal" || look % 2 == 1 { "metal" } else { "plastic_dark" };
-    if look == 2 {
-        // A chin under the screen, with a badge.
-        let chin = panel
-            .slab(Side::Below, panel.height() * 0.14)
-            .slab(Side::Front, 0.004 + SINK)
-            .moved(0.0, 0.0, 0.0008);
-        builder.cuboid("metal", chin.inset(0.001, 0.001, 0.0));
-    }
-    builder.block(
-        "plastic_dark",
-        panel.inset(panel.width() * 0.34, panel.height() * 0.3, 0.0).with_z([z - 0.016, z + SINK]),
-        0.004,
-    );
-    let foot = bay.width() * 0.22;
-    monitor_foot(builder, metal, (look, z, foot));
-    let neck = [
-        (z - 0.034, 0.006),
-        (z - 0.014, 0.006),
-        (z - 0.006, lift + bay.height() * 0.25),
-        (z - 0.022, lift + bay.height() * 0.3),
-    ];
-    let half = foot * if look == 1 { 0.12 } else { 0.25 };
-    builder.add(metal, extrude(&neck.map(DVec2::from), Axis::X, [-half, half]));
-    let cable = [
-        DVec3::new(0.03, lift + 0.06, z - 0.012),
-        DVec3::new(0.05, lift * 0.4, bay.low.z + 0.012),
-        DVec3::new(0.12, 0.004, bay.low.z + 0.004),
-    ];
-    builder.add("plastic_dark", sweep(&cable, 0.0035, 4));
-    let light = DVec3::new(panel.high.x - 0.03, panel.low.y + 0.004, panel.high.z - 0.004);
-    builder.cuboid("lamp", Bay::around(light, 0.01, 0.004, 0.003));
-}
-
-/// What a monitor stands on: a plate, a disc, or two bars; its screen is at `z`, its foot `foot` metres to either side.
-fn monitor_foot(builder: &mut Builder, metal: &'static str, (look, z, foot): (usize, f64, f64)) {
-    let bay = builder.bay();
-    match look {
-        1 => {
-            let radius = bay.depth() / 2.0;
-            let disc = lathe(&[(radius, 0.0), (radius, 0.008), (radius * 0.85, 0.012)], 12);
-            builder.add(metal, disc);
-        }
-        3 => {
-            for side in [-1.0, 1.0] {
-                let y = 0.008 + 0.0002 * side;
-                let path = [DVec3::new(0.0, y, z - 0.02), DVec3::new(side * foot, y, bay.high.z - 0.004)];
-                builder.add(metal, sweep(&path, 0.0098, 4));
-            }
-            builder.cuboid(metal, Bay::new([-0.02, 0.02], [0.0, 0.012], [bay.low.z, z + 0.01]));
-            builder.cuboid(metal, Bay::around(DVec3::new(0.0, 0.006, bay.high.z - 0.01), 0.012, 0.011, 0.02));
-        }
-        _ => builder.block(metal, Bay::new([-foot, foot], [0.0, 0.01], bay.z()), 0.003),
     }
 }

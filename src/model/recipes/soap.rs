@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::input::{Draft, GeometrySet};
+use super::seating::depth_slats;
 use crate::model::kit::{Bay, Builder, Outline, Slice, Solid, loft, sweep};
 
 /// Share of the width from which a box is high enough for a bottle.
@@ -30,6 +31,16 @@ fn turned(bay: Bay, profile: &[(f64, f64)], sides: usize) -> Solid {
         return loft(&Outline::Soft(1), &slices);
     }
     loft(&Outline::Round(sides), &slices)
+}
+
+/// The same with half circles for its narrow sides, in eight corners.
+fn oval(bay: Bay, profile: &[(f64, f64)]) -> Solid {
+    let half = bay.extent() / 2.0;
+    let slice = |&(rise, share): &(f64, f64)| {
+        let [x, z] = [half.x, half.z].map(|half| half * share);
+        Slice::new(rise * bay.height(), x, z).softened(x.min(z) * 0.6)
+    };
+    loft(&Outline::Soft(1), &profile.iter().map(slice).collect::<Vec<_>>()).smooth(50.0)
 }
 
 /// A bottle and its pump: tall and square, round with a shoulder, of amber glass, or of coloured plastic.
@@ -66,7 +77,7 @@ fn bottle(set: GeometrySet, builder: &mut Builder, form: usize) {
     }
 }
 
-/// A dish of stone, metal, or slats of wood, and a cake that differs from it.
+/// A square dish, one on a foot, slats that drain or a shallow oval dish, and a cake that differs from it.
 fn dish(set: GeometrySet, builder: &mut Builder, form: usize) {
     let bay = builder.bay();
     let (slot, cake) = match set {
@@ -79,7 +90,7 @@ fn dish(set: GeometrySet, builder: &mut Builder, form: usize) {
             ["linen", "leaf", "paper", "painted_accent"][form],
         ),
         GeometrySet::Industrial => (
-            ["metal_dark", "concrete", "wood", "metal"][form],
+            ["metal_dark", "wood_dark", "wood", "metal"][form],
             ["leather", "linen", "paper", "terracotta"][form],
         ),
         GeometrySet::Budget => (
@@ -87,14 +98,43 @@ fn dish(set: GeometrySet, builder: &mut Builder, form: usize) {
             ["painted_accent", "paper", "leaf", "linen"][form],
         ),
     };
-    let shape: &[(f64, f64)] = match set {
-        GeometrySet::Traditional => {
-            &[(0.0, 0.5), (0.15, 0.42), (0.3, 0.8), (0.56, 1.0), (0.6, 0.96), (0.32, 0.7)]
+    match set {
+        GeometrySet::Plain => {
+            builder.add(slot, turned(bay, &[(0.0, 0.8), (0.5, 1.0), (0.6, 0.97), (0.25, 0.76)], 4));
+            bar(builder, cake);
         }
-        _ => &[(0.0, 0.8), (0.5, 1.0), (0.6, 0.97), (0.25, 0.76)],
-    };
-    builder.add(slot, turned(bay, shape, if set == GeometrySet::Traditional { 12 } else { 4 }));
+        GeometrySet::Traditional => {
+            let on_foot = [(0.0, 0.5), (0.15, 0.42), (0.3, 0.8), (0.56, 1.0), (0.6, 0.96), (0.32, 0.7)];
+            builder.add(slot, turned(bay, &on_foot, 12));
+            bar(builder, cake);
+        }
+        GeometrySet::Industrial => slats(builder, slot, cake),
+        GeometrySet::Budget => {
+            builder.add(slot, oval(bay, &[(0.0, 0.86), (0.34, 1.0), (0.16, 0.84)]));
+            builder.add(cake, oval(bay, &[(0.14, 0.42), (0.5, 0.66), (0.8, 0.58), (1.0, 0.34)]));
+        }
+    }
+}
+
+/// A cake with round edges.
+fn bar(builder: &mut Builder, cake: &'static str) {
+    let bay = builder.bay();
     let half = bay.extent() / 2.0;
     let bar = bay.inset(half.x * 0.36, 0.0, half.z * 0.36).with_y([bay.height() * 0.24, bay.height()]);
     builder.rounded(cake, bar, bar.extent() * DVec3::new(0.3, 0.36, 0.3), 1);
+}
+
+/// Slats over two runners, so that water drains, and a block as it is cut (Marseille soap).
+fn slats(builder: &mut Builder, slot: &'static str, cake: &'static str) {
+    let bay = builder.bay();
+    let (width, height, depth) = (bay.width(), bay.height(), bay.depth());
+    let low = bay.with_y([0.0, height * 0.16]);
+    for runner in depth_slats(low.inset(width * 0.08, 0.0, depth * 0.12), 2, depth * 0.5) {
+        builder.cuboid(slot, runner);
+    }
+    for slat in bay.with_y([height * 0.15, height * 0.3]).columns(4, width * 0.06) {
+        builder.cuboid(slot, slat);
+    }
+    let block = bay.inset(width * 0.24, 0.0, depth * 0.16).with_y([height * 0.29, height]);
+    builder.cuboid(cake, block);
 }

@@ -1,0 +1,26 @@
+//! Clocks that stand: the tests of all recipes build the size for walls.
+
+use super::super::checks::{Welded, number_fault};
+use super::super::{RecipeInput, build_recipe, geometry_sets};
+use crate::catalog::Size;
+
+#[test]
+fn clocks_that_stand_are_sound_and_differ_between_the_sets() {
+    let size = Size { width: 0.14, depth: 0.08, height: 0.1 };
+    for look in 0..4 {
+        let models = geometry_sets().iter().map(|geometry| {
+            build_recipe("clock", &RecipeInput { size, look, geometry, parameters: &[] }).unwrap()
+        });
+        let models: Vec<_> = models.collect();
+        for (model, set) in models.iter().zip(geometry_sets()) {
+            let welded = Welded::new(model);
+            let faults = [number_fault(model, size), welded.surface_fault(), welded.flicker_fault()];
+            assert_eq!(faults, [None, None, None], "{set} {look}");
+            let count: usize = model.primitives.iter().map(|part| part.indices.len() / 3).sum();
+            assert!(count <= 300, "{set} {look} has {count} triangles");
+        }
+        for (index, model) in models.iter().enumerate() {
+            assert!(!models[..index].contains(model), "{look}");
+        }
+    }
+}
