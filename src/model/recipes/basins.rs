@@ -38,8 +38,11 @@ pub(super) fn washbasin(draft: &Draft, builder: &mut Builder) {
     let body = bay.with_y([rim - depth, rim]);
     basin(builder, slot, body, (corner, 0.22));
     if draft.is_traditional() {
-        let splash = body.slab(Side::Back, 0.02).with_y([rim - 0.02, rim + 0.035_f64.min(tap_height * 0.3)]);
-        builder.block("ceramic", splash.inset(0.004, 0.0, 0.001), 0.006);
+        // No deeper than what stands on the rim keeps off the wall.
+        let splash =
+            body.slab(Side::Back, 0.0045).with_y([rim - 0.02, rim + 0.035_f64.min(tap_height * 0.3)]);
+        let round = bay.width().min(bay.depth()) / 2.0 * corner;
+        builder.cuboid("ceramic", splash.inset(round, 0.0, 0.0004));
     }
     ledge_tap(draft, builder, rim, tap_height);
     let low = rim - depth;

@@ -1,12 +1,12 @@
 //! Water taps.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use glam::DVec3;
 
 use super::super::input::GeometrySet;
 use super::turned_forward;
-use crate::model::kit::{Bay, Builder, SINK, cylinder, lathe, sweep};
+use crate::model::kit::{Bay, Builder, SINK, cuboid, cylinder, lathe, sweep};
 
 /// Corners of a pipe.
 const SIDES: usize = 8;
@@ -89,11 +89,12 @@ fn cross_handled(builder: &mut Builder, tap: Tap) {
     path.extend(arch);
     path.push(tap.point(stem - tap.height * 0.08, tap.reach - pipe));
     builder.add("brass", sweep(&path, pipe, SIDES));
-    let aside = (tap.radius() * 2.8).min(tap.reach * 0.55);
+    // All within 0.04 m of the middle where it is as large as basins have them: soap stands beside it.
+    let aside = tap.radius() * 1.2;
     let rise = tap.height * 0.45;
     let pillar = [
-        (pipe * 2.0, -SINK),
-        (pipe * 1.9, pipe * 0.5),
+        (pipe * 1.6, -SINK),
+        (pipe * 1.5, pipe * 0.5),
         (pipe * 1.1, pipe * 1.4),
         (pipe * 1.3, rise * 0.55),
         (pipe * 0.7, rise * 0.7),
@@ -104,9 +105,11 @@ fn cross_handled(builder: &mut Builder, tap: Tap) {
         let at = tap.foot + DVec3::X * aside * side;
         builder.add("brass", lathe(&pillar, SIDES).moved(at.x, at.y, at.z));
         let middle = at + DVec3::Y * rise * 0.86;
-        let (long, thin) = (pipe * 5.0, pipe * 0.8);
-        builder.cuboid("ceramic", Bay::around(middle, long, thin, thin));
-        builder.cuboid("ceramic", Bay::around(middle, thin * 0.99, thin * 1.02, long));
+        let (long, thin) = (pipe * 3.9, pipe * 0.8);
+        for bar in [DVec3::new(long, thin, thin), DVec3::new(thin * 0.99, thin * 1.02, long)] {
+            let bar = Bay::around(DVec3::ZERO, bar.x, bar.y, bar.z);
+            builder.add("ceramic", cuboid(bar).turned_y(FRAC_PI_4).moved(middle.x, middle.y, middle.z));
+        }
     }
     let bridge = [-1.0, 1.0].map(|side| tap.point(rise * 0.3, 0.0) + DVec3::X * aside * side);
     builder.add("brass", sweep(&bridge, pipe * 0.7, 6));

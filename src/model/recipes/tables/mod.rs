@@ -18,11 +18,12 @@ use super::input::{Draft, GeometrySet};
 use super::parts::{LegKind, legs_at_corners, slab_top, slanted_leg};
 use super::seating::depth_slats;
 use crate::catalog::Side;
-use crate::model::kit::{Axis, Bay, Builder, SINK, extrude};
+use crate::model::kit::{Axis, Bay, Builder, Outline, SINK, Slice, extrude, loft};
 
 /// Metres of a table top.
 const TOP: f64 = 0.035;
-/// Metres of a table leg; the shapes in the catalogue are cut for it.
+/// Metres from the corner of a top to where its leg ends: the shapes in the catalogue are cut for it, and chairs stand
+/// beside them.
 const LEG: f64 = 0.05;
 /// Metres by which a top stands over what carries it, so that they share no plane.
 const OVERHANG: f64 = 0.004;
@@ -51,6 +52,16 @@ fn top_board(draft: &Draft, builder: &mut Builder, bay: Bay) {
     }
 }
 
+/// A board whose upper edge falls away in a step, so that legs stand near its corners.
+fn thumb_moulded(builder: &mut Builder, bay: Bay) {
+    let (center, half) = (bay.center(), bay.extent() / 2.0);
+    let slice =
+        |rise: f64, back: f64| Slice::new(bay.low.y + rise * bay.height(), half.x - back, half.z - back);
+    let slices =
+        [slice(0.0, 0.003), slice(0.12, 0.0), slice(0.48, 0.0), slice(0.56, 0.004), slice(1.0, 0.012)];
+    builder.add("wood", loft(&Outline::Square, &slices).moved(center.x, 0.0, center.z));
+}
+
 /// Four legs at the corners under a top.
 pub(super) fn table(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
@@ -62,24 +73,29 @@ pub(super) fn table(draft: &Draft, builder: &mut Builder) {
         _ => TOP,
     };
     let top = top.min(top_of(bay) * 1.3);
-    top_board(draft, builder, bay.slab(Side::Above, top));
-    let overhang = if draft.is_traditional() { 0.014 } else { OVERHANG };
-    let under = bay.without(Side::Above, top - SINK).inset(overhang, 0.0, overhang);
+    if draft.is_traditional() {
+        thumb_moulded(builder, bay.slab(Side::Above, top));
+    } else {
+        top_board(draft, builder, bay.slab(Side::Above, top));
+    }
+    let under = bay.without(Side::Above, top - SINK).inset(OVERHANG, 0.0, OVERHANG);
+    let leg = LEG - OVERHANG;
     let tall = (bay.height() * 0.12).min(0.08);
     match (draft.set(), form) {
         (GeometrySet::Plain, 2) => slanted_legs(builder, under),
-        (GeometrySet::Industrial, 3) => gussets(builder, under),
+        (GeometrySet::Industrial, 3) => gussets(builder, under, leg),
         (GeometrySet::Industrial, 1 | 2) => {
-            corner_plates(builder, under, [LegKind::Pipe, LegKind::Hairpin][form - 1])
+            let (kind, wide) = [(LegKind::Pipe, leg), (LegKind::Hairpin, 0.06)][form - 1];
+            corner_plates(builder, under, kind, wide);
         }
         (set, form) => {
             let (slot, kind) = legs_of(set, form);
-            legs_at_corners(builder, slot, under, LEG, kind);
+            legs_at_corners(builder, slot, under, leg, kind);
             let height = if set == GeometrySet::Budget { tall * 0.55 } else { tall };
             if set == GeometrySet::Traditional && form % 2 == 1 {
-                shaped_apron(builder, under, tall);
+                shaped_apron(builder, under, leg, tall);
             } else {
-                apron(builder, slot, under, LEG, height);
+                apron(builder, slot, under, leg, height);
             }
         }
     }
@@ -110,9 +126,10 @@ fn legs_of(set: GeometrySet, form: usize) -> (&'static str, LegKind) {
 /// Round legs that lean outwards within the corners.
 fn slanted_legs(builder: &mut Builder, under: Bay) {
     for (z, inwards) in [(under.low.z, 1.0), (under.high.z, -1.0)] {
+        // At the height of seats they end where upright ones do.
         let at = |y: f64, off: f64| DVec3::new(under.high.x - off, y, z + inwards * off);
-        let ends = [at(0.0, 0.02), at(under.high.y, 0.062)];
-        builder.add_pair("wood", slanted_leg(ends, 0.026, &[(0.6, 0.0), (1.0, 0.85), (0.95, 1.0)], 10));
+        let ends = [at(0.0, 0.014), at(under.high.y, 0.037)];
+        builder.add_pair("wood", slanted_leg(ends, 0.021, &[(0.6, 0.0), (1.0, 0.85), (0.95, 1.0)], 10));
     }
     let rail = under.slab(Side::Above, 0.03).without(Side::Above, SINK * 3.0).inset(0.06, 0.0, 0.06);
     for side in [Side::Front, Side::Back] {
@@ -121,16 +138,16 @@ fn slanted_legs(builder: &mut Builder, under: Bay) {
 }
 
 /// Steel tube with gussets under the top.
-fn gussets(builder: &mut Builder, under: Bay) {
-    legs_at_corners(builder, "metal_dark", under, LEG, LegKind::Square);
+fn gussets(builder: &mut Builder, under: Bay, leg: f64) {
+    legs_at_corners(builder, "metal_dark", under, leg, LegKind::Square);
     let band = under.slab(Side::Above, 0.04).without(Side::Above, 2.0 * SINK).inset(0.003, 0.0, 0.003);
     for side in [Side::Front, Side::Back] {
-        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(LEG - 0.004, 0.0, 0.0));
+        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(leg - 0.004, 0.0, 0.0));
     }
     for side in [Side::Left, Side::Right] {
-        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(0.0, 0.0, LEG - 0.004));
+        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(0.0, 0.0, leg - 0.004));
     }
-    let (x, y) = (under.high.x - LEG + SINK, band.low.y + SINK);
+    let (x, y) = (under.high.x - leg + SINK, band.low.y + SINK);
     let reach = 0.035;
     let plate = [(x, y), (x - reach, y), (x, y - reach * 1.6)].map(DVec2::from);
     for z in [under.low.z + 0.012, under.high.z - 0.016] {
@@ -139,9 +156,9 @@ fn gussets(builder: &mut Builder, under: Bay) {
 }
 
 /// Legs under plates with bolts, no apron.
-fn corner_plates(builder: &mut Builder, under: Bay, kind: LegKind) {
+fn corner_plates(builder: &mut Builder, under: Bay, kind: LegKind, wide: f64) {
     let plate = (under.high.y * 0.1).min(0.006);
-    legs_at_corners(builder, "metal_dark", under.without(Side::Above, plate), 0.07, kind);
+    legs_at_corners(builder, "metal_dark", under.without(Side::Above, plate), wide, kind);
     let top = under.slab(Side::Above, plate + SINK);
     for x in [Side::Left, Side::Right] {
         for z in [Side::Front, Side::Back] {
@@ -151,7 +168,7 @@ fn corner_plates(builder: &mut Builder, under: Bay, kind: LegKind) {
 }
 
 /// Aprons whose lower edge swings up between the legs.
-fn shaped_apron(builder: &mut Builder, under: Bay, height: f64) {
+fn shaped_apron(builder: &mut Builder, under: Bay, leg: f64, height: f64) {
     let profile = |half: f64| {
         let high = under.high.y - 2.0 * SINK;
         // Deep beside the legs only: knees need the rest.
@@ -170,8 +187,8 @@ fn shaped_apron(builder: &mut Builder, under: Bay, height: f64) {
         points.push(DVec2::new(-half, high));
         points
     };
-    let (half_x, half_z) = (under.width() / 2.0 - LEG + 0.002, under.depth() / 2.0 - LEG + 0.002);
-    let inset = LEG * 0.25;
+    let (half_x, half_z) = (under.width() / 2.0 - leg + 0.002, under.depth() / 2.0 - leg + 0.002);
+    let inset = leg * 0.25;
     for (from, to) in [
         (under.low.z + inset, under.low.z + inset + 0.018),
         (under.high.z - inset - 0.018, under.high.z - inset),
