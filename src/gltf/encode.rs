@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::array::{Array, Section};
 use super::flatness::{is_flat, split};
-use super::join::{has_colors, joined, narrow_joined};
+use super::join::{has_colors, joined};
 use super::tangent::tangents;
 use crate::model::{Model, Primitive};
 
@@ -67,7 +67,7 @@ fn encode_primitive(source: usize, primitive: &Primitive, painting: Painting) ->
     let without = |part: &Primitive| arrays(source, &joined(part, false), plain);
     let with = |part: &Primitive| {
         let painting = Painting { lacks_flat_normals: false, ..plain };
-        arrays(source, &narrow_joined(&joined(part, true)), painting)
+        arrays(source, &joined(part, true), painting)
     };
     if is_flat(primitive) {
         return vec![without(primitive)];

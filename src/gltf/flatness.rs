@@ -18,7 +18,7 @@ const NARROW: f32 = 0.01;
 const FEW: usize = 20;
 
 /// Whether a triangle is narrow.
-pub(super) fn is_narrow([a, b, c]: [Vec3; 3]) -> bool {
+fn is_narrow([a, b, c]: [Vec3; 3]) -> bool {
     let longest = [(a, b), (b, c), (c, a)].map(|(from, to)| from.distance(to));
     (b - a).cross(c - a).length() < NARROW * longest.into_iter().fold(0.0, f32::max)
 }

@@ -2,10 +2,6 @@
 
 use std::collections::HashMap;
 
-use glam::Vec3;
-
-use super::flatness::is_narrow;
-use crate::geometry::DisjointSets;
 use crate::model::Primitive;
 
 /// Whether corners have colours.
@@ -39,42 +35,6 @@ pub(super) fn joined(primitive: &Primitive, has_normals: bool) -> Primitive {
     }
     made.indices = primitive.indices.iter().map(|&index| new[index as usize]).collect();
     made
-}
-
-/// The same triangles, where narrow faces, such as rims, share the corners of the wider ones beside them: nobody sees by
-/// which normals they are shaded. Corners that have colours stay.
-pub(super) fn narrow_joined(primitive: &Primitive) -> Primitive {
-    let triangles = primitive.indices.as_chunks::<3>().0;
-    let is_wide = |triangle: &&[u32; 3]| {
-        !is_narrow(triangle.map(|index| Vec3::from_array(primitive.positions[index as usize])))
-    };
-    // Triangles that share corners are one smooth face, and a wide one may have narrow triangles.
-    let mut faces = DisjointSets::new(primitive.positions.len());
-    for &[a, b, c] in triangles {
-        faces.join(a as usize, b as usize);
-        faces.join(b as usize, c as usize);
-    }
-    let mut is_on_wide = vec![false; primitive.positions.len()];
-    triangles.iter().filter(is_wide).for_each(|triangle| is_on_wide[faces.find(triangle[0] as usize)] = true);
-    let is_on_wide: Vec<bool> = (0..is_on_wide.len()).map(|corner| is_on_wide[faces.find(corner)]).collect();
-    let mut wide_at: HashMap<[u32; 3], Vec<usize>> = HashMap::new();
-    let place = |corner: usize| primitive.positions[corner].map(f32::to_bits);
-    for corner in (0..is_on_wide.len()).filter(|&corner| is_on_wide[corner]) {
-        wide_at.entry(place(corner)).or_default().push(corner);
-    }
-    let normal = |corner: usize| Vec3::from_array(primitive.normals[corner]);
-    let taken_over = |&index: &u32| {
-        let corner = index as usize;
-        if is_on_wide[corner] || has_colors(primitive) {
-            return index;
-        }
-        let wide = wide_at.get(&place(corner)).into_iter().flatten();
-        let agreement = |other: usize| normal(corner).dot(normal(other));
-        let closest = wide.max_by(|&&one, &&other| agreement(one).total_cmp(&agreement(other)));
-        closest.map_or(index, |&other| u32::try_from(other).expect("not more corners than there were"))
-    };
-    let indices = primitive.indices.iter().map(taken_over).collect();
-    joined(&Primitive { indices, ..primitive.clone() }, true)
 }
 
 /// Numbers that are equal bit by bit, so that nothing changes.
@@ -123,43 +83,6 @@ mod tests {
         let mut colored = corner();
         colored.colors = (0..6).map(|corner| [corner as f32, 0.0, 0.0, 1.0]).collect();
         assert_eq!(joined(&colored, false).colors, colored.colors);
-    }
-
-    #[test]
-    fn narrow_faces_share_the_corners_of_wide_ones() {
-        // A wall of a step with a tread of 5 mm, and one of 5 cm; corners of both are double.
-        let step = |tread: f32| Primitive {
-            positions: vec![
-                [0.0, 0.0, 0.0],
-                [1.0, 0.0, 0.0],
-                [0.0, 1.0, 0.0],
-                [0.0, 0.0, 0.0],
-                [1.0, 0.0, 0.0],
-                [0.0, 0.0, tread],
-            ],
-            normals: [[[0.0, 0.0, 1.0]; 3], [[0.0, 1.0, 0.0]; 3]].concat(),
-            indices: vec![0, 1, 2, 4, 3, 5],
-            ..Primitive::default()
-        };
-        let shared = narrow_joined(&step(0.005));
-        assert_eq!(shared.indices, [0, 1, 2, 1, 0, 3], "the tread has one corner of its own");
-        assert_eq!(shared.normals[..3], [[0.0, 0.0, 1.0]; 3], "and the wall stays");
-        assert_eq!(narrow_joined(&step(0.05)), step(0.05));
-    }
-
-    #[test]
-    fn models_keep_their_places_where_rims_share_corners() {
-        let mut fewer = 0;
-        for primitive in ["bowl", "curtain", "floor_lamp"].into_iter().flat_map(recipe) {
-            let whole = joined(&primitive, true);
-            let shared = narrow_joined(&whole);
-            let places = |of: &Primitive| -> Vec<[f32; 3]> {
-                of.indices.iter().map(|&index| of.positions[index as usize]).collect()
-            };
-            assert_eq!(places(&shared), places(&whole));
-            fewer += whole.positions.len() - shared.positions.len();
-        }
-        assert!(fewer > 0);
     }
 
     #[test]

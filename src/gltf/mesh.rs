@@ -8,6 +8,7 @@ use gltf_json::validation::{Checked, USize64};
 use gltf_json::{Index, Root, Value};
 
 use super::array::Section;
+use super::number::short_number;
 use super::pack::{Packed, PackedPrimitive};
 use super::variant::mappings;
 use super::view::Views;
@@ -98,7 +99,7 @@ fn accessor(packed: &Packed, view: Index<gltf_json::buffer::View>) -> Accessor {
         Section::ShortIndices => (ComponentType::U16, Type::Scalar),
         Section::LongIndices | Section::Images => (ComponentType::U32, Type::Scalar),
     };
-    let value = |vector: [f64; 3]| Value::from(vector.to_vec());
+    let value = |vector: [f64; 3]| Value::from(vector.map(short_number).to_vec());
     Accessor {
         buffer_view: Some(view),
         byte_offset: (packed.offset > 0).then(|| USize64::from(packed.offset)),

@@ -23,6 +23,7 @@ mod material;
 mod mesh;
 mod models;
 mod node;
+mod number;
 mod options;
 mod pack;
 mod tangent;

@@ -4,6 +4,7 @@ use gltf_json::extensions;
 use serde::Serialize;
 
 use super::light::node_light;
+use super::number::ShortNumber;
 use crate::scene::{self, Extras};
 
 /// A node of the list, which refers to the scene instead of copying it.
@@ -20,9 +21,9 @@ pub(crate) struct Node<'s> {
     name: &'s str,
     /// The format's own default is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
-    rotation: Option<[f32; 4]>,
+    rotation: Option<[ShortNumber; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    translation: Option<[f32; 3]>,
+    translation: Option<[ShortNumber; 3]>,
 }
 
 /// A node and all below it, parents first.
@@ -42,8 +43,8 @@ fn add_node<'s>(nodes: &mut Vec<Node<'s>>, source: &'s scene::Node) -> usize {
         extras: source.extras.as_ref(),
         mesh: source.mesh,
         name: &source.name,
-        rotation: is_turned.then(|| source.rotation.to_array()),
-        translation: is_moved.then(|| source.translation.to_array()),
+        rotation: is_turned.then(|| source.rotation.to_array().map(ShortNumber)),
+        translation: is_moved.then(|| source.translation.to_array().map(ShortNumber)),
     });
     nodes[index].children = source.children.iter().map(|child| add_node(nodes, child)).collect();
     index

@@ -43,13 +43,15 @@ impl Pose {
         cross(self.position, self.elevation)
     }
 
-    /// The rotation in glTF axes, with `w ≥ 0`; exactly the identity where nothing turns.
+    /// The rotation in glTF axes, with `w ≥ 0`; exactly the identity where nothing turns, and exactly half a turn where it is one.
     pub(crate) fn rotation(&self) -> Quat {
         let turn = wrapped(self.angle);
         if turn.abs() < NO_TURN {
             return Quat::IDENTITY;
         }
         let (sine, cosine) = libm::sincos(turn / 2.0);
+        // Half a turn has no cosine, whatever is left of it in the last digits.
+        let cosine = if cosine.abs() < NO_TURN { 0.0 } else { cosine };
         Quat::from_xyzw(0.0, narrow(sine), 0.0, narrow(cosine))
     }
 }

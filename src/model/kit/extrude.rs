@@ -46,44 +46,6 @@ pub(crate) fn extrude(profile: &[DVec2], axis: Axis, ends: [f64; 2]) -> Solid {
     Solid::new(points, triangles, Shading::FLAT).smooth(CREASE)
 }
 
-/// One cross-section of [`stacked`].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Level {
-    /// Metres above the underside.
-    pub(crate) at: f64,
-    /// Factors along x and z.
-    pub(crate) scale: DVec2,
-    /// Metres along x and z, after scaling.
-    pub(crate) shift: DVec2,
-}
-
-/// An upright body through copies of the simple outline `profile`, (x, z), from the lowest level to the highest: cloth,
-/// for one.
-pub(crate) fn stacked(profile: &[DVec2], levels: &[Level]) -> Solid {
-    let ends = extrude(profile, Axis::Y, [0.0, 1.0]);
-    let count = profile.len();
-    let points = levels.iter().flat_map(|level| {
-        profile.iter().map(move |&corner| {
-            let at = corner * level.scale + level.shift;
-            DVec3::new(at.x, level.at, at.y)
-        })
-    });
-    let last = (levels.len() - 1) * count;
-    let is_cap = |triangle: &[usize; 3]| {
-        triangle.iter().all(|&point| point < count) || triangle.iter().all(|&point| point >= count)
-    };
-    let mut triangles = Vec::new();
-    for &triangle in &ends.triangles {
-        if is_cap(&triangle) {
-            triangles.push(triangle.map(|point| if point < count { point } else { point - count + last }));
-        } else {
-            let rings = 0..levels.len() - 1;
-            triangles.extend(rings.map(|ring| triangle.map(|point| point + ring * count)));
-        }
-    }
-    Solid::new(points.collect(), triangles, ends.shading)
-}
-
 fn area(profile: &[DVec2]) -> f64 {
     let next = |index: usize| profile[(index + 1) % profile.len()];
     profile.iter().enumerate().map(|(index, corner)| corner.perp_dot(next(index))).sum()

@@ -8,6 +8,7 @@
 mod bay;
 mod blade;
 mod builder;
+mod cloth;
 mod extrude;
 mod loft;
 mod mend;
@@ -26,7 +27,8 @@ mod sweep;
 pub(crate) use bay::Bay;
 pub(crate) use blade::{Blade, blade};
 pub(crate) use builder::Builder;
-pub(crate) use extrude::{Axis, Level, extrude, stacked};
+pub(crate) use cloth::{Level, hung};
+pub(crate) use extrude::{Axis, extrude};
 pub(crate) use loft::{cylinder, lathe, loft, loft_ring};
 pub(crate) use outline::{Outline, Slice};
 pub(crate) use rounded::{cuboid, rounded_box};

@@ -9,7 +9,8 @@ use crate::geometry::DisjointSets;
 ///
 /// Under [`Shading::Crease`], the triangles around a point that hang together over edges below the crease angle share one
 /// normal: their mean, weighted by their angle at the point (G. Thürmer and C. Wüthrich, *Computing Vertex Normals from
-/// Polygonal Facets*, 1998), so that it does not depend on how a face is cut into triangles.
+/// Polygonal Facets*, 1998), so that it does not depend on how a face is cut into triangles. Where that mean is farther
+/// than the crease angle from a triangle, as at the tip of a needle, it has the mean of those within the angle.
 pub(super) fn corner_normals(solid: &Solid) -> Vec<[DVec3; 3]> {
     match &solid.shading {
         Shading::Given(normals) => {
@@ -21,6 +22,8 @@ pub(super) fn corner_normals(solid: &Solid) -> Vec<[DVec3; 3]> {
 
 fn creased(solid: &Solid, limit: f64) -> Vec<[DVec3; 3]> {
     let faces: Vec<DVec3> = solid.triangles.iter().map(|&triangle| face_normal(solid, triangle)).collect();
+    let weighted =
+        |[index, corner]: [usize; 2]| faces[index] * angle_at(solid, solid.triangles[index], corner);
     let mut meeting: Vec<Vec<[usize; 2]>> = vec![Vec::new(); solid.points.len()];
     for (index, triangle) in solid.triangles.iter().enumerate() {
         (0..3).for_each(|corner| meeting[triangle[corner]].push([index, corner]));
@@ -29,11 +32,18 @@ fn creased(solid: &Solid, limit: f64) -> Vec<[DVec3; 3]> {
     for corners in &meeting {
         let mut surfaces = smooth_surfaces(solid, &faces, corners, limit);
         let mut sums = vec![DVec3::ZERO; corners.len()];
-        for (position, &[index, corner]) in corners.iter().enumerate() {
-            sums[surfaces.find(position)] += faces[index] * angle_at(solid, solid.triangles[index], corner);
+        for (position, &corner) in corners.iter().enumerate() {
+            sums[surfaces.find(position)] += weighted(corner);
         }
         for (position, &[index, corner]) in corners.iter().enumerate() {
-            normals[index][corner] = sums[surfaces.find(position)].try_normalize().unwrap_or(faces[index]);
+            let face = faces[index];
+            let shared = sums[surfaces.find(position)].normalize_or_zero();
+            normals[index][corner] = if shared.dot(face) >= limit {
+                shared
+            } else {
+                let near = corners.iter().filter(|[other, _]| faces[*other].dot(face) >= limit);
+                near.map(|&corner| weighted(corner)).sum::<DVec3>().try_normalize().unwrap_or(face)
+            };
         }
     }
     normals

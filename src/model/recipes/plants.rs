@@ -204,12 +204,7 @@ fn bunch(draft: &Draft, builder: &mut Builder, bay: Bay, rim: f64) {
         let head = DVec3::new(place.x * half.x, top, place.y * half.z);
         let foot = DVec3::new(-place.x * half.x * 0.15, rim * 0.6, -place.y * half.z * 0.15);
         builder.add("leaf", sweep(&[foot, head + DVec3::Y * blossom * 0.3], blossom * 0.1, 3));
-        let petals = [
-            (blossom * 0.3, -blossom * 0.6),
-            (blossom, blossom * 0.2),
-            (blossom * 0.75, blossom),
-            (0.0, blossom * 0.55),
-        ];
+        let petals = [(blossom * 0.3, -blossom * 0.6), (blossom, blossom), (0.0, blossom * 0.35)];
         let slot = slots[(draft.input.look as usize / 2 + index / 2) % 4];
         builder.add(slot, lathe(&petals, 5).moved(head.x, head.y, head.z));
         if index % 2 == 1 {

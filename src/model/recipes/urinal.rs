@@ -70,14 +70,16 @@ fn hooded(builder: &mut Builder) {
     bowl(builder, bay.inset(0.004, 0.0, 0.0), top * 0.5);
     // An arch seen from the front, drawn outwards from the wall; hollow, so a ring of staves.
     let half = bay.width() / 2.0;
-    let arch = |radius: f64, turn: f64| {
+    let low = top * 0.45;
+    // A half circle, or less high where the box is wide.
+    let rise = half.min((top - low) * 0.9);
+    let arch = |share: f64, turn: f64| {
         let (sine, cosine) = libm::sincos(turn);
-        DVec2::new(radius * cosine, top - half + radius * sine)
+        DVec2::new(half * share * cosine, top - rise + rise * share * sine)
     };
     let turns: Vec<f64> = (0..=8).map(|step| std::f64::consts::PI * f64::from(step) / 8.0).collect();
-    let low = top * 0.45;
-    let outer = turns.iter().map(|&turn| arch(half, turn));
-    let inner = turns.iter().rev().map(|&turn| arch(half * 0.84, turn));
+    let outer = turns.iter().map(|&turn| arch(1.0, turn));
+    let inner = turns.iter().rev().map(|&turn| arch(0.84, turn));
     let outline: Vec<DVec2> = [DVec2::new(half, low)]
         .into_iter()
         .chain(outer)
@@ -87,7 +89,7 @@ fn hooded(builder: &mut Builder) {
         .collect();
     let back = bay.low.z;
     builder.add("ceramic", extrude(&outline, Axis::Z, [back + 0.002, back + bay.depth() * 0.62]));
-    let field = bay.slab(Side::Back, bay.depth() * 0.12).with_y([low, top - half * 0.6]);
+    let field = bay.slab(Side::Back, bay.depth() * 0.12).with_y([low, top - rise * 0.6]);
     builder.cuboid("ceramic", field.inset(bay.width() * 0.06, 0.003, 0.0).without(Side::Back, 0.001));
     let z = back + 0.05_f64.min(bay.depth() * 0.2);
     builder.add("brass", cylinder(0.012, [top - 0.02, bay.high.y], 8).moved(0.0, 0.0, z));

@@ -5,8 +5,7 @@ use glam::{DVec2, DVec3};
 use super::input::{Draft, GeometrySet};
 use crate::catalog::Side;
 use crate::model::kit::{
-    Axis, Bay, Builder, Level, Outline, SINK, Slice, Solid, cylinder, extrude, lathe, loft_ring, stacked,
-    sweep,
+    Axis, Bay, Builder, Level, Outline, SINK, Slice, Solid, cylinder, extrude, hung, lathe, loft_ring, sweep,
 };
 
 /// Metres of cloth for one fold.
@@ -157,32 +156,30 @@ fn drape(bay: Bay, count: u32, tie: Option<f64>) -> Solid {
         }
     };
     let levels: Vec<Level> = shares.iter().map(|&share| level(share)).collect();
-    let flat = Bay::around(DVec3::ZERO, bay.width(), 1.0, bay.depth());
-    stacked(&wave(flat, count), &levels).smooth(75.0).moved(middle.x, 0.0, middle.z)
+    let (line, thickness) = wave(Bay::around(DVec3::ZERO, bay.width(), 1.0, bay.depth()), count);
+    hung(&line, thickness, &levels).moved(middle.x, 0.0, middle.z)
 }
 
 /// Cloth in folds that fills a bay.
 pub(super) fn folds(bay: Bay, count: u32) -> Solid {
-    extrude(&wave(bay, count), Axis::Y, bay.y()).smooth(75.0)
+    let (line, thickness) = wave(bay, count);
+    hung(&line, thickness, &bay.y().map(|at| Level { at, scale: DVec2::ONE, shift: DVec2::ZERO }))
 }
 
-/// The outline of cloth in folds, seen from above.
-fn wave(bay: Bay, count: u32) -> Vec<DVec2> {
+/// The line of cloth in folds, seen from above, and its thickness.
+fn wave(bay: Bay, count: u32) -> (Vec<DVec2>, f64) {
     let thickness = (bay.depth() * 0.08).min(0.006);
     let swing = (bay.depth() - thickness) / 2.0;
     let middle = bay.center().z;
     let wave = bay.width() / f64::from(count);
     // Flat crests and troughs, so that no three corners lie in line.
-    let mut near: Vec<DVec2> = Vec::new();
+    let mut line: Vec<DVec2> = Vec::new();
     for fold in 0..count {
         for (share, side) in [(0.1, 1.0), (0.4, 1.0), (0.6, -1.0), (0.9, -1.0)] {
-            near.push(DVec2::new(bay.low.x + wave * (f64::from(fold) + share), middle + swing * side));
+            line.push(DVec2::new(bay.low.x + wave * (f64::from(fold) + share), middle + swing * side));
         }
     }
-    let half = DVec2::new(0.0, thickness / 2.0);
-    let mut profile: Vec<DVec2> = near.iter().map(|&point| point - half).collect();
-    profile.extend(near.iter().rev().map(|&point| point + half));
-    profile
+    (line, thickness)
 }
 
 /// A blind of slats, or of cloth rolled up, with its cords.
