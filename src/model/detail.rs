@@ -6,8 +6,8 @@ pub enum Detail {
     /// As the recipes draw it.
     #[default]
     Full,
-    /// At most [`Detail::REDUCED_SHARE`] of the triangles wherever the parts that one sees from across a room allow it.
-    /// Users' models stay as they are.
+    /// At most [`Detail::REDUCED_SHARE`] of the triangles wherever the parts that one sees from across a room, and the seams
+    /// of users' models, allow it.
     Reduced,
     /// The boxes and cylinders of the class's shape, which are also what furniture collides as.
     Boxes,

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use super::recipes::{PLAIN, RecipeInput, build_recipe, build_reduced_recipe, geometry_sets, recipe_names};
 use super::stand_in::stand_in;
 use super::stored::StoredModel;
-use super::user::UserModel;
+use super::user::{UserModel, reduced};
 use super::{Detail, Model};
 use crate::cache::Cache;
 use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Shape, Size};
@@ -44,6 +44,7 @@ type Models = [Vec<Vec<OnceLock<Arc<Model>>>>; Detail::ALL.len()];
 #[derive(Debug)]
 struct FittedFile {
     model: Arc<Model>,
+    reduced: OnceLock<Arc<Model>>,
     stand_in: OnceLock<Arc<Model>>,
 }
 
@@ -119,13 +120,15 @@ impl Entry {
         self.sizes[(variant / self.looks) as usize]
     }
 
-    /// A user's model has no parts that could be left out: reduced, it is whole.
     fn file(&self, file: &FittedFile, variant: u32, detail: Detail) -> Arc<Model> {
-        if detail != Detail::Boxes {
-            return Arc::clone(&file.model);
-        }
-        let build = || Arc::new(stand_in(&file.model, &self.shape, self.size(variant)));
-        Arc::clone(file.stand_in.get_or_init(build))
+        let model = match detail {
+            Detail::Full => &file.model,
+            Detail::Reduced => file.reduced.get_or_init(|| Arc::new(reduced(&file.model))),
+            Detail::Boxes => {
+                file.stand_in.get_or_init(|| Arc::new(stand_in(&file.model, &self.shape, self.size(variant))))
+            }
+        };
+        Arc::clone(model)
     }
 
     fn build(&self, variant: u32, set: usize, detail: Detail, cache: Option<&Cache>) -> Arc<Model> {
@@ -183,7 +186,8 @@ fn source_of(class: &Class) -> Result<Source, Faults> {
             for &size in &class.sizes {
                 match read.fitted(&class.id, size) {
                     Ok(model) => {
-                        models.push(FittedFile { model: Arc::new(model), stand_in: OnceLock::new() });
+                        let [reduced, stand_in] = [OnceLock::new(), OnceLock::new()];
+                        models.push(FittedFile { model: Arc::new(model), reduced, stand_in });
                     }
                     Err(found) => faults.merge(found),
                 }
@@ -282,6 +286,21 @@ mod tests {
             assert_eq!(model(library("bookshelf").with_cache(cache())), built, "read");
             assert_ne!(model(library("chair").with_cache(cache())), built, "of another recipe");
         }
+    }
+
+    #[test]
+    fn users_models_have_levels_of_detail_too() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/stool.glb");
+        let size = crate::model::model_file_size(&path, 0.0).unwrap();
+        let model = ModelSource::File { path, turn: 0.0 };
+        let class = Class { model, ..Class::plain("stool", vec![size], "stool") };
+        let library = ModelLibrary::load(&Catalog { classes: vec![class], ..Catalog::default() }).unwrap();
+        let count = |detail| -> usize {
+            let model = library.model_in_detail(0, 0, PLAIN, detail);
+            model.primitives.iter().map(|part| part.indices.len() / 3).sum()
+        };
+        let [full, reduced, boxes] = Detail::ALL.map(count);
+        assert!(boxes < reduced && reduced < full, "{full}, {reduced}, {boxes}");
     }
 
     #[test]

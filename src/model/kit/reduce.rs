@@ -5,7 +5,7 @@ use super::solid::Solid;
 
 /// How far surfaces may move, as shares of the model's diagonal, one after the other until it is coarse enough: the last is
 /// what one no longer sees from across a room.
-const TOLERANCES: [f64; 4] = [0.004, 0.01, 0.02, 0.04];
+pub(crate) const TOLERANCES: [f64; 4] = [0.004, 0.01, 0.02, 0.04];
 
 /// Triangles below which a part is rather left out: what has fewer than a box is a splinter.
 const FEWEST: usize = 12;

@@ -27,7 +27,8 @@ pub(super) fn simplified(solid: &Solid, target: usize, tolerance: f64) -> Solid 
     if solid.triangles.len() <= target.max(LEAST_TRIANGLES) {
         return solid.clone();
     }
-    let mut surface = Surface::new(solid, tolerance);
+    let mut surface =
+        Surface::new(&solid.points, &solid.triangles, vec![false; solid.points.len()], tolerance);
     surface.collapse(target.max(LEAST_TRIANGLES));
     let shading = match solid.shading {
         _ if surface.living == solid.triangles.len() => return solid.clone(),
@@ -35,6 +36,19 @@ pub(super) fn simplified(solid: &Solid, target: usize, tolerance: f64) -> Solid 
         Shading::Given(_) => Shading::Crease(CREASE.to_radians()),
     };
     surface.into_solid(shading)
+}
+
+/// The triangles of surfaces that need not be closed, with edges collapsed as those of [`simplified`]. Corners at rims stay,
+/// and so do seams, where corners lie at one place and differ in what else they carry.
+pub(crate) fn simplified_surface(
+    points: &[DVec3],
+    triangles: &[[usize; 3]],
+    target: usize,
+    tolerance: f64,
+) -> Vec<[usize; 3]> {
+    let mut surface = Surface::new(points, triangles, at_rims(points.len(), triangles), tolerance);
+    surface.collapse(target.max(LEAST_TRIANGLES));
+    surface.triangles.into_iter().flatten().collect()
 }
 
 /// The sum of squared distances to planes, weighted by the area of the faces in them.
@@ -78,13 +92,15 @@ type Collapse = (u64, usize, usize);
 /// A collapse that waits, with the counts that tell whether either corner has become another since.
 type Candidate = Reverse<(Collapse, u32, u32)>;
 
-/// A solid under simplification.
+/// A surface under simplification.
 struct Surface {
     points: Vec<DVec3>,
     /// `None` once it is gone.
     triangles: Vec<Option<[usize; 3]>>,
     /// Triangles by corner, in any order.
     fans: Vec<Vec<usize>>,
+    /// Corners at a rim, which stay; none of a closed solid.
+    is_held: Vec<bool>,
     quadrics: Vec<Quadric>,
     /// How often a corner took in another or went, so that the errors of its collapses are no longer true.
     changes: Vec<u32>,
@@ -98,19 +114,20 @@ struct Surface {
 }
 
 impl Surface {
-    fn new(solid: &Solid, tolerance: f64) -> Self {
+    fn new(points: &[DVec3], triangles: &[[usize; 3]], is_held: Vec<bool>, tolerance: f64) -> Self {
         let mut surface = Self {
-            points: solid.points.clone(),
-            triangles: solid.triangles.iter().copied().map(Some).collect(),
-            fans: vec![Vec::new(); solid.points.len()],
-            quadrics: vec![Quadric::NONE; solid.points.len()],
-            changes: vec![0; solid.points.len()],
-            refused: vec![Vec::new(); solid.points.len()],
-            living: solid.triangles.len(),
+            points: points.to_vec(),
+            triangles: triangles.iter().copied().map(Some).collect(),
+            fans: vec![Vec::new(); points.len()],
+            is_held,
+            quadrics: vec![Quadric::NONE; points.len()],
+            changes: vec![0; points.len()],
+            refused: vec![Vec::new(); points.len()],
+            living: triangles.len(),
             tolerance,
             queue: BinaryHeap::new(),
         };
-        for (index, triangle) in solid.triangles.iter().enumerate() {
+        for (index, triangle) in triangles.iter().enumerate() {
             let doubled = surface.doubled(*triangle);
             let area = doubled.length() / 2.0;
             let plane = Quadric::of_plane(doubled.normalize_or_zero(), surface.points[triangle[0]], area);
@@ -119,7 +136,7 @@ impl Surface {
                 surface.quadrics[corner].add(&plane);
             }
         }
-        for corner in 0..solid.points.len() {
+        for corner in 0..points.len() {
             // Each edge once.
             surface
                 .neighbours(corner)
@@ -150,7 +167,7 @@ impl Surface {
         sum.add(&self.quadrics[other]);
         for (from, to) in [(corner, other), (other, corner)] {
             let error = sum.distance(self.points[to]);
-            if error <= self.tolerance {
+            if error <= self.tolerance && !self.is_held[from] {
                 self.enqueue((error.to_bits(), from, to));
             }
         }
@@ -252,6 +269,23 @@ impl Surface {
         }
         Solid { points, triangles, shading }
     }
+}
+
+/// Which corners are at an edge that does not have one triangle on either side.
+fn at_rims(corner_count: usize, triangles: &[[usize; 3]]) -> Vec<bool> {
+    let directed = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [c, a]];
+    let mut edges: Vec<[usize; 2]> = triangles.iter().flat_map(directed).collect();
+    edges.sort_unstable();
+    let count_of = |edge: [usize; 2]| {
+        edges.partition_point(|&other| other <= edge) - edges.partition_point(|&other| other < edge)
+    };
+    let mut is_at_rim = vec![false; corner_count];
+    for &[from, to] in &edges {
+        if count_of([from, to]) != 1 || count_of([to, from]) != 1 {
+            (is_at_rim[from], is_at_rim[to]) = (true, true);
+        }
+    }
+    is_at_rim
 }
 
 #[cfg(test)]

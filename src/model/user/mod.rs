@@ -12,6 +12,7 @@ mod geometry;
 mod laying;
 mod material;
 mod problem;
+mod reduce;
 mod resource;
 #[cfg(test)]
 mod tests;
@@ -19,6 +20,7 @@ mod tests;
 use std::path::{Path, PathBuf};
 
 pub(crate) use container::{companion_files, unchecked_document};
+pub(super) use reduce::reduced;
 
 use super::Model;
 use crate::catalog::Size;
