@@ -38,7 +38,7 @@ pub(crate) use simplify::simplified_surface;
 pub(crate) use skin::{Station, sheet, skin};
 pub(crate) use soft::{crowned, pillow};
 pub(crate) use solid::{Shading, Solid};
-pub(crate) use sweep::{pipe, sweep};
+pub(crate) use sweep::{pipe, rounded_path, sweep};
 
 /// How far touching parts sink into each other, in metres: faces that lie back to back in one plane flicker
 /// and render black, so no two parts share a plane.
