@@ -2,17 +2,19 @@
 
 mod auditorium;
 mod bar_stool;
+mod beam_seats;
 mod bench;
 mod chair;
+mod lounger;
 mod office;
-mod rows;
 mod stool;
 
 pub(super) use auditorium::auditorium_seat;
+pub(super) use beam_seats::beam_seats;
 pub(super) use bench::bench;
 pub(super) use chair::{chair, garden_chair, school_chair};
+pub(super) use lounger::lounger;
 pub(super) use office::office_chair;
-pub(super) use rows::{beam_seats, lounger};
 pub(super) use stool::stool;
 
 use crate::model::kit::Bay;
