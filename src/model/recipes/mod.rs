@@ -3,8 +3,7 @@
 //! What callers may rely on: a recipe builds for any positive size, its model touches all six sides of the
 //! box, every part is closed and faces outwards, and the same request gives the same bytes.
 //!
-//! Four geometry sets exist, one for each [`GeometrySet`]. A recipe without a form of its own in a set builds its
-//! plain one.
+//! Four geometry sets exist, one for each [`GeometrySet`]. Every recipe has a shape of its own in each.
 
 mod apparatus;
 mod appliances;

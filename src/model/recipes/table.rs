@@ -26,8 +26,6 @@ pub(crate) struct Recipe {
     pub(crate) most_triangles: usize,
     /// Drawn in a square seen from above and stretched to the box, because most of it is round.
     is_round: bool,
-    /// Some geometry sets have one shape in all looks and differ in materials alone.
-    pub(crate) shares_shapes: bool,
     /// Parameters with their defaults, sorted by name.
     pub(crate) parameters: &'static [(&'static str, f64)],
     /// Adds the parts.
@@ -77,11 +75,6 @@ impl Recipe {
         self
     }
 
-    const fn sharing(mut self) -> Self {
-        self.shares_shapes = true;
-        self
-    }
-
     const fn with(mut self, parameters: &'static [(&'static str, f64)]) -> Self {
         self.parameters = parameters;
         self
@@ -89,15 +82,7 @@ impl Recipe {
 }
 
 const fn large(name: &'static str, usual: [f64; 3], parts: fn(&Draft, &mut Builder)) -> Recipe {
-    Recipe {
-        name,
-        usual,
-        most_triangles: LARGE,
-        is_round: false,
-        shares_shapes: false,
-        parameters: &[],
-        parts,
-    }
+    Recipe { name, usual, most_triangles: LARGE, is_round: false, parameters: &[], parts }
 }
 
 const fn small(name: &'static str, usual: [f64; 3], parts: fn(&Draft, &mut Builder)) -> Recipe {
@@ -119,7 +104,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("bookshelf", [0.9, 0.3, 2.0], shelving::bookshelf).with(&[("shelves", 0.0)]),
     small("bottle", [0.08, 0.08, 0.3], tableware::bottle),
     small("bowl", [0.22, 0.22, 0.09], tableware::bowl),
-    large("bunk_bed", [1.0, 2.1, 1.7], beds::bunk_bed).sharing(),
+    large("bunk_bed", [1.0, 2.1, 1.7], beds::bunk_bed),
     large("cabinet", [0.8, 0.4, 1.2], storage::cabinet).with(&[("doors", 0.0)]),
     large("car", [1.8, 4.5, 1.48], car::car),
     large("cash_register", [0.4, 0.45, 0.4], cash_register::cash_register),
@@ -196,7 +181,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     small("projector", [0.35, 0.3, 0.12], projector::projector),
     large("radiator", [1.0, 0.1, 0.6], radiators::radiator),
     large("round_table", [1.1, 1.1, 0.74], tables::round_table),
-    large("rug", [2.4, 1.7, 0.012], rugs::rug).sharing(),
+    large("rug", [2.4, 1.7, 0.012], rugs::rug),
     large("school_chair", [0.42, 0.46, 0.8], seating::school_chair),
     large("server_rack", [0.6, 1.07, 2.0], server_rack::server_rack),
     large("serving_trolley", [0.8, 0.5, 0.85], carts::serving_trolley),

@@ -2,6 +2,7 @@
 
 mod bedding;
 mod budget;
+mod bunk;
 mod crib;
 mod hospital;
 mod industrial;
@@ -9,14 +10,14 @@ mod plain;
 mod traditional;
 mod treatment;
 
+pub(super) use bunk::bunk_bed;
 pub(super) use crib::crib;
 pub(super) use hospital::hospital_bed;
 pub(super) use treatment::treatment_bed;
 
 use super::input::{Draft, GeometrySet};
-use super::parts::{LegKind, legs_at_corners};
 use crate::catalog::Side;
-use crate::model::kit::{Bay, Builder, SINK, crowned, pillow};
+use crate::model::kit::{Bay, Builder, SINK};
 
 /// Metres of a bed's headboard; the shapes in the catalogue are cut for it.
 const HEADBOARD: f64 = 0.06;
@@ -71,46 +72,5 @@ impl Bed {
         builder.block(slot, ring.slab(Side::Front, thickness).inset(0.001, 0.0005, 0.0), 0.004);
         let slats = ring.inset(thickness - SINK, 0.0, 0.0).without(Side::Front, thickness - 3.0 * SINK);
         builder.cuboid(slot, slats.slab(Side::Above, 0.03).moved(0.0, -0.01, 0.0));
-    }
-}
-
-/// Two beds over each other with a ladder.
-pub(super) fn bunk_bed(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let mut sampler = draft.sampler();
-    let post = 0.06;
-    legs_at_corners(builder, "wood", bay, post, LegKind::Square);
-    let rail_depth = 0.025;
-    for (base, is_upper) in [(bay.height() * 0.17, false), (bay.height() * 0.66, true)] {
-        let ring = bay.inset(0.012, 0.0, 0.012).with_y([base, base + 0.12]);
-        for side in [Side::Left, Side::Right] {
-            builder.cuboid("wood", ring.slab(side, rail_depth).inset(0.0, 0.0, post - 0.012 - SINK));
-        }
-        for side in [Side::Front, Side::Back] {
-            builder.cuboid("wood", ring.slab(side, rail_depth).inset(post - 0.012 - SINK, 0.0, 0.0));
-        }
-        let mattress = bay.inset(0.04, 0.0, 0.04).with_y([base + 0.03, base + 0.2]);
-        builder.cushion("mattress", mattress, 0.03);
-        let blanket = mattress.without(Side::Back, mattress.depth() * 0.32).inset(-0.002, 0.0, -0.002);
-        let slot = sampler.pick(&["fabric", "fabric_accent"]);
-        builder.add(slot, crowned(blanket.with_y([base + 0.09, base + 0.225]), 0.03, 0.015));
-        let soft = pillow((mattress.width() - 0.16).min(0.7), 0.13, 0.36).turned_x(0.1);
-        builder.add("linen", soft.moved(0.0, base + 0.25, mattress.low.z + 0.22));
-        if is_upper {
-            let guard = bay.inset(0.012, 0.0, 0.012).with_y([bay.high.y - 0.12, bay.high.y - 0.03]);
-            builder.cuboid("wood", guard.slab(Side::Left, rail_depth).inset(0.0, 0.0, post - 0.012 - SINK));
-            let right = guard.slab(Side::Right, rail_depth).without(Side::Front, bay.depth() * 0.3);
-            builder.cuboid("wood", right.without(Side::Back, post - 0.012 - SINK));
-        }
-    }
-    let ladder = bay
-        .slab(Side::Right, 0.012 + SINK)
-        .with_z([bay.high.z - bay.depth() * 0.28, bay.high.z - post - 0.03]);
-    let ladder = ladder.with_y([0.0, bay.high.y - 0.02]);
-    for side in [Side::Front, Side::Back] {
-        builder.cuboid("wood", ladder.slab(side, 0.035));
-    }
-    for rung in ladder.inset(0.002, 0.1, 0.034).rows(5, 0.22) {
-        builder.cuboid("wood", Bay::around(rung.center(), rung.width(), 0.03, rung.depth()));
     }
 }

@@ -25,7 +25,8 @@ const BACKING: f64 = 0.7;
 /// Share of the depth that one band may take at most.
 const WIDEST_BAND: f64 = 0.17;
 
-/// A rug: bound pile, a field with borders and fringes, flat-woven stripes, or thin with round corners.
+/// A rug: bound pile; a field with borders and fringes; woven strips of different lengths, or a hide; thin with round
+/// corners.
 pub(super) fn rug(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     if bay.width() >= bay.depth() {

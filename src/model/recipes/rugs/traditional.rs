@@ -7,9 +7,9 @@ use crate::model::kit::{Axis, Bay, Builder, Outline, SINK, Shading, Solid, extru
 
 /// Metres of the fringes.
 const FRINGE: f64 = 0.06;
-/// Metres from one strand of a fringe to the next, and share of them that a strand is wide at its end.
-const PITCH: f64 = 0.075;
-const STRAND: f64 = 0.72;
+/// Metres from one tassel of a fringe to the next, and share of them that a tassel is wide at its end.
+const PITCH: f64 = 0.1;
+const STRAND: f64 = 0.34;
 /// Metres of backing that show around the borders.
 const SELVAGE: f64 = 0.012;
 /// Shares of the height that the field, figures on it and guard bands have; hearts of figures and borders have all of it.
@@ -49,7 +49,7 @@ fn layer_of(piece: Bay, rug: Bay, to: f64) -> Bay {
     layer(piece.with_y(rug.y()), ROOT, to)
 }
 
-/// Strands at both short ends, which spread from the backing.
+/// Tassels at both short ends: strands knotted together, which spread from the backing.
 fn fringes(builder: &mut Builder, bay: Bay) {
     let count = ((bay.depth() / PITCH).round() as u32).clamp(8, 24);
     let pitch = bay.depth() / f64::from(count);
