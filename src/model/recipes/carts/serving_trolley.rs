@@ -54,7 +54,7 @@ fn bar_trolley(builder: &mut Builder, look: usize) {
         let tray = bay.with_x([-half, half]).with_y([bay.high.y * rise - 0.022, bay.high.y * rise]);
         builder.block(board, tray.inset(0.0, 0.0, if index == 0 { 0.0 } else { 0.001 }), 0.004);
         if rise < 1.0 {
-            rail(builder, metal, tray.inset(0.002, 0.0, 0.004), 0.05);
+            rail(builder, metal, tray.inset(0.002, 0.0, lift * 0.5 - 0.003), 0.05);
             goods(builder, tray, index + look);
         }
     }
