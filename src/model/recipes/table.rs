@@ -221,7 +221,7 @@ pub(crate) static RECIPES: &[Recipe] = &[
     large("washbasin", [0.55, 0.45, 0.95], basins::washbasin),
     large("washing_machine", [0.6, 0.6, 0.85], laundry::washing_machine).with(&[("dryer", 0.0)]),
     small("whiteboard", [1.8, 0.08, 1.2], boards::whiteboard),
-    large("workbench", [2.0, 0.75, 0.9], workbench::workbench),
+    large("workbench", [2.0, 0.75, 0.98], workbench::workbench),
     large("worktop", [0.9, 0.6, 0.9], kitchen::worktop).with(&[
         ("drawers", 0.0),
         ("hob", 0.0),

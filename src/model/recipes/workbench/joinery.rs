@@ -114,10 +114,29 @@ fn face_vice(builder: &mut Builder, top: Bay) {
     }
     for side in [-0.6, 0.6] {
         let dog = Bay::around(DVec3::new(x + half * side, 0.0, edge - 0.05), 0.024, 1.0, 0.034);
-        let dog = dog.with_y([top.high.y - 0.02, bay.high.y]);
-        builder.block("wood_dark", dog, 0.003);
+        builder.block("wood_dark", dog.with_y([top.high.y - 0.02, top.high.y + 0.035]), 0.003);
     }
+    holdfast(builder, DVec3::new(x + half * 1.1, top.high.y, edge - 0.11));
     screw_handle(builder, ["wood_dark", "wood_light"], DVec3::new(x, top.low.y - 0.03, edge + 0.03), 0.3);
+}
+
+/// A bent iron in a hole of the top, at `foot`; it holds a board to the left of it.
+fn holdfast(builder: &mut Builder, foot: DVec3) {
+    let radius = 0.011;
+    let rise = builder.bay().high.y - radius - foot.y;
+    let board = 0.022;
+    let at = |x: f64, y: f64| foot + DVec3::new(-x, y, 0.0);
+    let path = [
+        at(0.0, -0.01),
+        at(0.0, rise * 0.76),
+        at(0.03, rise),
+        at(0.075, rise * 0.96),
+        at(0.13, board + radius),
+        at(0.16, board + radius * 0.7),
+    ];
+    builder.add("metal_dark", sweep(&path, radius, 6));
+    let held = Bay::new([foot.x - 0.26, foot.x - 0.06], [foot.y - SINK, foot.y + board], [0.0, 0.0]);
+    builder.cuboid("wood_light", held.with_z([foot.z - 0.035, foot.z + 0.035]));
 }
 
 /// A block at the right end that a screw pulls along the front; its bar hangs at the end.
@@ -193,15 +212,19 @@ fn clamp(builder: &mut Builder, top: Bay) {
     };
     arm(high, "painted_accent", builder);
     arm(top.low.y - 0.07, "painted_accent", builder);
-    let pad = cylinder(0.02, [top.high.y - SINK, top.high.y + 0.013], 8);
+    // Boards that are glued, under the arm's pad.
+    let pad = high - 0.028;
+    let glued = Bay::around(DVec3::new(x, 0.0, edge - 0.085), bay.width() * VICE * 0.5, 0.0, 0.11);
+    for board in glued.with_y([top.high.y - SINK, pad - 0.012]).rows(3, 0.0015) {
+        builder.cuboid("wood", board);
+    }
+    let pad = cylinder(0.02, [pad - 0.012 - SINK, pad + SINK], 8);
     builder.add("metal_dark", pad.moved(x, 0.0, edge - 0.085));
     let spindle =
         [DVec3::new(x, top.low.y + SINK, edge - 0.085), DVec3::new(x, top.low.y - 0.14, edge - 0.085)];
     builder.add("metal", sweep(&spindle, 0.007, 6));
     let grip = cylinder(0.017, [top.low.y - 0.25, top.low.y - 0.13], 8);
     builder.add("wood", grip.moved(x, 0.0, edge - 0.085));
-    let square = Bay::around(DVec3::new(x + bay.width() * VICE * 0.3, 0.0, edge - 0.2), 0.05, 1.0, 0.05);
-    builder.cuboid("wood", square.with_y([top.high.y - SINK, bay.high.y - 0.012]));
 }
 
 /// A tool box of plastic with a bow over its lid.

@@ -1,4 +1,4 @@
-//! Workbenches: 1.5 to 2.0 m wide, 0.60 to 0.75 deep, 0.84 to 0.90 high, tops 0.03 to 0.09 thick.
+//! Workbenches: 1.5 to 2.0 m wide, 0.60 to 0.75 deep, their surface 0.84 to 0.90 high, tops 0.03 to 0.09 thick.
 
 mod joinery;
 mod steel;
@@ -9,8 +9,9 @@ use super::input::{Draft, GeometrySet};
 use super::parts::{ball, turned_forward};
 use crate::model::kit::{Bay, Builder, SINK, cylinder, sweep};
 
-/// Metres between the surface and the top of the box, which is that of the vice's jaws.
-const RISE: f64 = 0.04;
+/// Metres between the surface and the top of the box, which is that of the vice's jaws: those of engineers' vices are 0.1
+/// to 0.15 m over the bench.
+const RISE: f64 = 0.12;
 /// Metres of depth before the top's edge, for the vice.
 const EDGE: f64 = 0.05;
 /// Share of the width at the left that the vice may take.

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{VICE, screw_handle, top_bay, vice_middle};
+use super::{RISE, VICE, screw_handle, top_bay, vice_middle};
 use crate::catalog::Side;
 use crate::model::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, sweep};
 use crate::model::recipes::input::Draft;
@@ -52,7 +52,7 @@ fn iron_vice(builder: &mut Builder, top: Bay) {
     let wide = [x - half, x + half];
     // Behind the edge, on the bench; before it, down its front.
     let rear = Bay::new(wide, [top.low.y - 0.03, high], [edge - 0.045, edge + 0.006]);
-    builder.block("metal", rear.slab(Side::Above, 0.1), 0.006);
+    builder.block("metal", rear.slab(Side::Above, RISE + SINK * 2.0), 0.006);
     let base = Bay::new(
         [x - half * 1.2, x + half * 1.2],
         [top.high.y - SINK, top.high.y + 0.012],
