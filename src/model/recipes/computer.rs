@@ -122,9 +122,10 @@ fn with_speakers(builder: &mut Builder, look: u32) {
         let speaker = bay.slab(side, width * 0.15).slab(Side::Below, height * 0.5);
         let (low, deep) = (speaker.low.z + bay.depth() * 0.12, bay.high.z);
         let top = speaker.high.y;
-        let section = [(low, 0.0), (deep, 0.0), (deep - top * 0.16, top), (low, top)];
+        let lean = (top * 0.16).min((deep - low) * 0.6);
+        let section = [(low, 0.0), (deep, 0.0), (deep - lean, top), (low, top)];
         builder.add(slot, extrude(&section.map(DVec2::from), Axis::X, speaker.x()));
-        let cloth = |share: f64, out: f64| (deep - top * 0.16 * share + out, top * share);
+        let cloth = |share: f64, out: f64| (deep - lean * share + out, top * share);
         let cloth = [cloth(0.3, -SINK), cloth(0.3, 0.003), cloth(0.95, 0.003), cloth(0.95, -SINK)];
         let x = speaker.inset(width * 0.012, 0.0, 0.0).x();
         builder.add("fabric", extrude(&cloth.map(DVec2::from), Axis::X, x));

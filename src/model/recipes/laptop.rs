@@ -170,7 +170,7 @@ fn rugged(builder: &mut Builder) {
     let body = lid.body(x);
     builder.add("metal", lid.placed(cuboid(body.without(Side::Above, 0.002))));
     lid.screen(builder, x, width * 0.075, base * 0.3);
-    let size = width * 0.1;
+    let size = (width * 0.1).min(lid.length * 0.5);
     for side in [Side::Left, Side::Right] {
         let around = body.slab(side, size).without(side, -0.004).inset(0.0, 0.0, -0.0025);
         builder.add("rubber", lid.placed(cuboid(around.slab(Side::Above, size * 0.7))));
