@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use super::solid::{Shading, Solid};
-use crate::geometry::DisjointSets;
 
 /// One unit normal for each corner of each triangle.
 ///
@@ -29,17 +28,21 @@ fn creased(solid: &Solid, limit: f64) -> Vec<[DVec3; 3]> {
         (0..3).for_each(|corner| meeting[triangle[corner]].push([index, corner]));
     }
     let mut normals: Vec<[DVec3; 3]> = faces.iter().map(|&face| [face; 3]).collect();
+    let mut surfaces = Vec::new();
     for corners in &meeting {
-        let mut surfaces = smooth_surfaces(solid, &faces, corners, limit);
-        let mut sums = vec![DVec3::ZERO; corners.len()];
-        for (position, &corner) in corners.iter().enumerate() {
-            sums[surfaces.find(position)] += weighted(corner);
-        }
-        for (position, &[index, corner]) in corners.iter().enumerate() {
+        find_smooth_surfaces(&mut surfaces, solid, &faces, corners, limit);
+        let sum_of = |surface: usize| -> DVec3 {
+            let own = corners.iter().zip(&surfaces).filter(|(_, other)| **other == surface);
+            own.map(|(&corner, _)| weighted(corner)).sum()
+        };
+        let mut mean = (usize::MAX, DVec3::ZERO);
+        for (&[index, corner], &surface) in corners.iter().zip(&surfaces) {
+            if mean.0 != surface {
+                mean = (surface, sum_of(surface).normalize_or_zero());
+            }
             let face = faces[index];
-            let shared = sums[surfaces.find(position)].normalize_or_zero();
-            normals[index][corner] = if shared.dot(face) >= limit {
-                shared
+            normals[index][corner] = if mean.1.dot(face) >= limit {
+                mean.1
             } else {
                 let near = corners.iter().filter(|[other, _]| faces[*other].dot(face) >= limit);
                 near.map(|&corner| weighted(corner)).sum::<DVec3>().try_normalize().unwrap_or(face)
@@ -49,20 +52,30 @@ fn creased(solid: &Solid, limit: f64) -> Vec<[DVec3; 3]> {
     normals
 }
 
-/// Which of the triangles around a point hang together over edges at it that are less sharp than the limit, the cosine of the
-/// angle between faces.
-fn smooth_surfaces(solid: &Solid, faces: &[DVec3], corners: &[[usize; 2]], limit: f64) -> DisjointSets {
-    let mut surfaces = DisjointSets::new(corners.len());
+/// Finds which of the triangles around a point hang together over edges at it that are less sharp than the limit, the cosine
+/// of the angle between faces: for each, the first of them. The list is the caller's, for there are many points.
+fn find_smooth_surfaces(
+    surfaces: &mut Vec<usize>,
+    solid: &Solid,
+    faces: &[DVec3],
+    corners: &[[usize; 2]],
+    limit: f64,
+) {
     let ends = |[index, corner]: [usize; 2]| [1, 2].map(|step| solid.triangles[index][(corner + step) % 3]);
+    surfaces.clear();
     for (second, &other) in corners.iter().enumerate() {
+        surfaces.push(second);
+        let [left, right] = ends(other);
         for (first, &one) in corners[..second].iter().enumerate() {
-            let has_edge = ends(one).iter().any(|end| ends(other).contains(end));
-            if has_edge && faces[one[0]].dot(faces[other[0]]) >= limit {
-                surfaces.join(first, second);
+            let [a, b] = ends(one);
+            let has_edge = a == left || a == right || b == left || b == right;
+            let (here, there) = (surfaces[second], surfaces[first]);
+            if has_edge && here != there && faces[one[0]].dot(faces[other[0]]) >= limit {
+                let (kept, gone) = (here.min(there), here.max(there));
+                surfaces.iter_mut().filter(|surface| **surface == gone).for_each(|surface| *surface = kept);
             }
         }
     }
-    surfaces
 }
 
 /// Unit normal of a triangle; straight up for one without area, which no solid of the kit has.
