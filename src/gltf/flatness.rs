@@ -73,15 +73,8 @@ pub(super) fn split(primitive: &Primitive) -> [Primitive; 2] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::join::tests::recipe;
     use super::*;
-    use crate::model::{PLAIN, RecipeInput, build_recipe, recipe_size};
-
-    fn recipe(name: &str) -> Vec<Primitive> {
-        let size = recipe_size(name).unwrap();
-        build_recipe(name, &RecipeInput { size, look: 0, geometry: PLAIN, parameters: &[] })
-            .unwrap()
-            .primitives
-    }
 
     /// Fans of triangles about a corner at `x`, each as wide as the step of the rim, with normals that lean or not.
     fn fan(x: f32, count: u32, leaning: bool) -> Primitive {

@@ -46,11 +46,12 @@ fn key(position: [f32; 3], normal: [f32; 3], color: [f32; 4]) -> [u32; 10] {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::model::{PLAIN, RecipeInput, build_recipe, recipe_size};
 
-    fn recipe(name: &str) -> Vec<Primitive> {
+    /// The parts of a recipe's first look.
+    pub(in crate::gltf) fn recipe(name: &str) -> Vec<Primitive> {
         let size = recipe_size(name).unwrap();
         build_recipe(name, &RecipeInput { size, look: 0, geometry: PLAIN, parameters: &[] })
             .unwrap()
