@@ -6,8 +6,8 @@ use super::kit::{Bay, Builder, Solid, cuboid, cylinder};
 use super::{Model, ModelMaterial, Primitive};
 use crate::catalog::{Extent, PrismRule, Shape, Size};
 
-/// Corners of a disc: enough to tell it from a box.
-const DISC_CORNERS: usize = 10;
+/// Corners of a disc: enough to tell it from a box, and some on both axes, so that it fills its own.
+const DISC_CORNERS: usize = 12;
 /// Metres by which a part of the model may stand out of its prism and still count as its look.
 const REACH: f64 = 0.03;
 
@@ -90,7 +90,7 @@ fn solid(rule: &PrismRule, size: Size) -> Solid {
     let middle = (bay.low + bay.high) / 2.0;
     let half = bay.extent() / 2.0;
     let unit = cylinder(1.0, [0.0, 1.0], DISC_CORNERS);
-    // A polygon's corners reach its circle on one axis only, so it lies within the disc.
+    // Its corners lie on the circle and its sides within.
     unit.stretched(DVec3::new(half.x, bay.extent().y, half.z)).moved(middle.x, bay.low.y, middle.z)
 }
 

@@ -100,7 +100,8 @@ impl Builder {
         let target = (count as f64 * share) as usize;
         let solids = reduced(solids, Bay::of_size(size).extent().length(), target).into_iter().zip(slots);
         let parts = solids.filter_map(|(solid, slot)| Some(Part { slot, solid: solid? })).collect();
-        Self { bay: self.bay, parts }.assemble()
+        // Corners that went may have been the outermost ones.
+        Self { bay: self.bay, parts }.finish(size)
     }
 
     /// The model of a single solid where it is, in the plain slot.

@@ -1,11 +1,16 @@
 //! The parts of a model with fewer triangles.
 
+use glam::DVec3;
+
 use super::simplify::simplified;
 use super::solid::Solid;
 
 /// How far surfaces may move, as shares of the model's diagonal, one after the other until it is coarse enough: the last is
 /// what one no longer sees from across a room.
 pub(crate) const TOLERANCES: [f64; 4] = [0.004, 0.01, 0.02, 0.04];
+
+/// Metres from a side of the box at which a part reaches it.
+const REACH: f64 = 0.001;
 
 /// Triangles below which a part is rather left out: what has fewer than a box is a splinter.
 const FEWEST: usize = 12;
@@ -32,17 +37,18 @@ fn triangle_count(parts: &[Solid]) -> usize {
     parts.iter().map(|part| part.triangles.len()).sum()
 }
 
+/// Leaves out parts from the smallest on until no more than `target` triangles are left. The largest stays, and so do those
+/// that reach the sides of the box, without which the model would not fill it.
 fn without_smallest(parts: Vec<Solid>, target: usize) -> Vec<Option<Solid>> {
     let mut count = triangle_count(&parts);
     let mut by_extent: Vec<usize> = (0..parts.len()).collect();
-    let extent = |part: &Solid| {
-        let (low, high) = part.bounds();
-        (high - low).length()
-    };
+    let bounds: Vec<(DVec3, DVec3)> = parts.iter().map(Solid::bounds).collect();
+    let extent = |part: usize| (bounds[part].1 - bounds[part].0).length();
     // Stable: of equal parts the later one goes first.
-    by_extent.sort_by(|&a, &b| extent(&parts[b]).total_cmp(&extent(&parts[a])));
+    by_extent.sort_by(|&a, &b| extent(b).total_cmp(&extent(a)));
+    let is_needed = reaching_sides(&bounds, &by_extent);
     let mut parts: Vec<Option<Solid>> = parts.into_iter().map(Some).collect();
-    for &index in by_extent.iter().skip(1).rev() {
+    for &index in by_extent.iter().skip(1).rev().filter(|&&index| !is_needed[index]) {
         if count <= target {
             break;
         }
@@ -51,10 +57,23 @@ fn without_smallest(parts: Vec<Solid>, target: usize) -> Vec<Option<Solid>> {
     parts
 }
 
+/// For each part, given by its bounds, whether it is the first in an order that reaches one of the six sides of the box around
+/// all.
+fn reaching_sides(bounds: &[(DVec3, DVec3)], order: &[usize]) -> Vec<bool> {
+    let low = bounds.iter().fold(DVec3::INFINITY, |least, part| least.min(part.0));
+    let high = bounds.iter().fold(DVec3::NEG_INFINITY, |most, part| most.max(part.1));
+    let mut is_needed = vec![false; bounds.len()];
+    for axis in 0..3 {
+        let reaches_low = |part: &&usize| bounds[**part].0[axis] <= low[axis] + REACH;
+        let reaches_high = |part: &&usize| bounds[**part].1[axis] >= high[axis] - REACH;
+        let first = [order.iter().find(reaches_low), order.iter().find(reaches_high)];
+        first.into_iter().flatten().for_each(|&part| is_needed[part] = true);
+    }
+    is_needed
+}
+
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
     use super::super::{Bay, cuboid, rounded_box};
     use super::*;
 
@@ -87,6 +106,8 @@ mod tests {
         let fewer = reduced(parts(), 1.1, 30);
         let is_there: Vec<bool> = fewer.iter().map(Option::is_some).collect();
         assert!(is_there[0] && is_there[1] && !is_there[4], "{is_there:?}");
-        assert_eq!(reduced(parts(), 1.1, 0).iter().flatten().count(), 1);
+        let least = reduced(parts(), 1.1, 0);
+        let is_there: Vec<bool> = least.iter().map(Option::is_some).collect();
+        assert_eq!(is_there, [true, true, false, false, false], "the largest, and what reaches highest");
     }
 }
