@@ -1,0 +1,58 @@
+//! `edits`.
+
+use std::path::PathBuf;
+
+use clap::Subcommand;
+
+/// The commands of `edits`. Each adds to the edits file and keeps what it says.
+#[derive(Clone, Debug, Subcommand)]
+pub(crate) enum EditsCommand {
+    /// Write down what somebody changed in a floor, for example in Blender.
+    Capture {
+        /// The floor as it was baked.
+        #[arg(value_name = "OLD")]
+        old: PathBuf,
+        /// The same floor, changed and exported again with its custom properties.
+        #[arg(value_name = "EDITED")]
+        edited: PathBuf,
+        /// The edits file [default: BUILDING.edits.yaml in this folder].
+        #[arg(long, value_name = "FILE")]
+        edits: Option<PathBuf>,
+        /// Further folders of configuration.
+        #[arg(long, value_name = "DIR")]
+        catalog: Vec<PathBuf>,
+    },
+    /// Keep furniture where it stands in a floor: the rest of the room is arranged around it.
+    Lock {
+        /// A floor that bake wrote, edited or not.
+        #[arg(value_name = "FLOOR")]
+        floor: PathBuf,
+        /// Id of the room.
+        #[arg(value_name = "ROOM")]
+        room: String,
+        /// Ids of the objects; all of the room if none is named.
+        #[arg(value_name = "OBJECT")]
+        objects: Vec<String>,
+        /// The edits file [default: BUILDING.edits.yaml in this folder].
+        #[arg(long, value_name = "FILE")]
+        edits: Option<PathBuf>,
+    },
+    /// Give a room another seed, for this and all later bakes.
+    Reroll {
+        /// Its plan or project.
+        #[arg(value_name = "PLAN")]
+        plan: PathBuf,
+        /// The room: [BUILDING/][LEVEL/]ROOM.
+        #[arg(value_name = "ROOM")]
+        room: String,
+        /// This seed, not the next one.
+        #[arg(long, value_name = "N")]
+        to: Option<u64>,
+        /// The edits file [default: NAME.edits.yaml beside the plan].
+        #[arg(long, value_name = "FILE")]
+        edits: Option<PathBuf>,
+        /// Further folders of configuration.
+        #[arg(long, value_name = "DIR")]
+        catalog: Vec<PathBuf>,
+    },
+}

@@ -1,0 +1,79 @@
+//! `audit` and `diff`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::cli::diff::ANY;
+use crate::diff::{Kind, Tolerance};
+
+/// `audit`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct AuditArguments {
+    /// Files that bake wrote (.glb, .gltf), edited or not, or folders with such files.
+    #[arg(value_name = "PATH", default_value = "out")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Further folders of configuration, as for the bake: classes, and thresholds in audit.yaml.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
+    /// Show every finding, not the first of them only.
+    #[arg(long)]
+    pub(crate) all: bool,
+}
+
+/// `diff`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct DiffArguments {
+    /// Before: a folder that bake wrote, or one .glb or .gltf file.
+    #[arg(value_name = "OLD")]
+    pub(crate) old: PathBuf,
+    /// After.
+    #[arg(value_name = "NEW")]
+    pub(crate) new: PathBuf,
+    /// Further folders of configuration, for the findings of edited files and for pictures.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
+    /// Exit with 1 if there is a difference of one of these kinds; `any` is all but seed, renumbered, settings, bytes.
+    #[arg(long, value_name = "KIND,…", value_delimiter = ',', value_parser = kind_words())]
+    pub(crate) fail_on: Vec<String>,
+    /// Metres up to which a thing has not moved, grown or shrunk.
+    #[arg(long, value_name = "METRES", default_value_t = Tolerance::default().metres, value_parser = parse_tolerance)]
+    pub(crate) move_tolerance: f64,
+    /// Degrees up to which a thing has not turned.
+    #[arg(long, value_name = "DEGREES", default_value_t = Tolerance::default().degrees, value_parser = parse_tolerance)]
+    pub(crate) turn_tolerance: f64,
+    /// Read every file: do not take one of the recorded length that is older than its manifest for what was recorded.
+    #[arg(long)]
+    pub(crate) verify: bool,
+    /// Print Markdown, for a comment on a pull request.
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) markdown: bool,
+    /// Bytes of Markdown at most; what does not fit is counted. GitHub takes 65,536 characters.
+    #[arg(long, value_name = "BYTES", default_value_t = 60_000, requires = "markdown")]
+    pub(crate) markdown_limit: usize,
+    /// Write one page with pictures of the changed rooms, before and after, that needs nothing else.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
+    /// Rooms that the page shows at most.
+    #[arg(long, value_name = "N", default_value_t = 100, requires = "html")]
+    pub(crate) html_rooms: usize,
+    /// Write pictures of the changed rooms into this folder, before and after.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) svg: Option<PathBuf>,
+    /// Show every difference, not the first of them only.
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// Overwrite existing files.
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+/// The words of `--fail-on`.
+fn kind_words() -> clap::builder::PossibleValuesParser {
+    Kind::ALL.into_iter().map(Kind::name).chain([ANY]).collect::<Vec<_>>().into()
+}
+
+fn parse_tolerance(text: &str) -> Result<f64, String> {
+    let number: Option<f64> = text.parse().ok();
+    number.filter(|number| (0.0..1e6).contains(number)).ok_or_else(|| "give a number from 0 on".to_owned())
+}

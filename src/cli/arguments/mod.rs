@@ -1,0 +1,100 @@
+//! What was typed: a file for each group of commands.
+
+mod bake;
+mod edits;
+mod exchange;
+mod inspect;
+mod judge;
+mod sources;
+
+use clap::{Args, Parser, Subcommand};
+
+use super::exit::{AUDIT_EXIT_CODES, DIFF_EXIT_CODES, EXIT_CODES};
+
+pub(crate) use bake::{BakeArguments, DetailWord, FormatWord, NormalsWord, ProgressWord, TextureWord};
+pub(crate) use edits::EditsCommand;
+pub(crate) use exchange::{ImportArguments, MergeArguments};
+pub(crate) use inspect::{CatalogArguments, CatalogWord, CheckArguments, DrawArguments, ExplainArguments};
+pub(crate) use judge::{AuditArguments, DiffArguments};
+pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
+
+/// Furnishes the rooms of building floor plans and writes one glTF file per floor.
+///
+/// Without a command, the built-in demo is baked into out/.
+#[derive(Debug, Parser)]
+#[command(version, after_help = EXIT_CODES, max_term_width = 100, subcommand_help_heading = "Commands")]
+pub(crate) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+    /// How to speak.
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
+
+/// Options of all commands.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct Manner {
+    /// Show errors only.
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+    /// Print the result as JSON on stdout.
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Furnish plans and write one glTF file per level.
+    #[command(after_help = EXIT_CODES)]
+    Bake(BakeArguments),
+    /// Read plans and configuration, report all faults, write nothing.
+    #[command(after_help = EXIT_CODES)]
+    Check(CheckArguments),
+    /// Show what the catalogue holds.
+    Catalog(CatalogArguments),
+    /// Judge finished files: what is wrong with their rooms as they are now.
+    #[command(after_help = AUDIT_EXIT_CODES)]
+    Audit(AuditArguments),
+    /// Tell what differs between two bakes or two files: rooms, furniture, openings, findings.
+    #[command(after_help = DIFF_EXIT_CODES)]
+    Diff(DiffArguments),
+    /// Draw furnished levels as SVG.
+    #[command(after_help = EXIT_CODES)]
+    Draw(DrawArguments),
+    /// Keep what you change by hand: moved, turned, added, removed, swapped and locked furniture, seeds of rooms.
+    #[command(after_help = EXIT_CODES)]
+    Edits {
+        #[command(subcommand)]
+        command: EditsCommand,
+    },
+    /// Tell why each object of a room is where it is, and why others are missing.
+    #[command(after_help = EXIT_CODES)]
+    Explain(ExplainArguments),
+    /// Turn foreign plans into native ones.
+    #[command(after_help = EXIT_CODES)]
+    Import(ImportArguments),
+    /// Join the records of several bakes in one folder into its manifest.
+    #[command(after_help = EXIT_CODES)]
+    Merge(MergeArguments),
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_definition_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn options_of_all_commands_stand_anywhere() {
+        for line in [["roomwright", "--json", "merge"], ["roomwright", "merge", "--json"]] {
+            assert!(Arguments::try_parse_from(line).unwrap().manner.json);
+        }
+    }
+}

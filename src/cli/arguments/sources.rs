@@ -1,0 +1,46 @@
+//! What several commands ask for: where plans come from, and what furniture depends on.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::best::DEFAULT_EFFORT;
+
+/// Where plans and configuration come from.
+#[derive(Clone, Debug, Default, Args)]
+pub(crate) struct SourceArguments {
+    /// Plans, projects, folders or patterns; the built-in demo if there is none.
+    #[arg(value_name = "PATH")]
+    pub(crate) paths: Vec<PathBuf>,
+    /// Further folders of configuration: classes/, rooms/, styles/, palettes/. May be repeated; later ones win.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) catalog: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) edits: EditArguments,
+}
+
+/// Which edits are made.
+#[derive(Clone, Debug, Default, Args)]
+pub(crate) struct EditArguments {
+    /// Make the edits in this file too. May be repeated; later ones win. Those in NAME.edits.yaml beside a plan are made
+    /// without it.
+    #[arg(long = "edits", value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// Make no edits: every room as it is arranged.
+    #[arg(long, conflicts_with = "files")]
+    pub(crate) no_edits: bool,
+}
+
+/// What the furniture depends on.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct FurnishArguments {
+    /// Seed of all rooms; another number gives other rooms [default: the project's, or 1].
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+    /// Style of rooms whose plan names none [default: the project's, or `default`].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) style: Option<String>,
+    /// Furnish a room up to K times, until the audit finds nothing, and keep the best.
+    #[arg(long, value_name = "K", default_value_t = DEFAULT_EFFORT, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) effort: u32,
+}
