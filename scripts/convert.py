@@ -27,18 +27,19 @@ import argparse
 import os
 import sys
 import time
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
 from pxr import Tf
 
-from gltf_file import GltfError
+from gltf_file import GltfError, GltfFile
 from progress import Progress
+from resources import printable
 from usd.assembly import write_assemblies
 from usd.floor import Written, convert_floor
 from usd.settings import Settings
 from usd.writing import WriteError
+from workers import outcomes
 
 SCENE_ENDINGS = {".glb", ".gltf"}
 # Metres: cups, books and lamps are smaller, seats are not.
@@ -51,56 +52,58 @@ class Job(NamedTuple):
     source: Path
     target: Path
     settings: Settings
+    folder: Path | None = None  # of the command line, that the source was found in
 
 
 def convert_file(job: Job) -> Written | str:
     """What was written, or what went wrong."""
     try:
-        return convert_floor(*job)
+        return convert_floor(GltfFile(job.source, job.folder), job.target, job.settings)
     except (GltfError, WriteError) as error:
-        return f"{job.source}: {error}"
+        return str(error)
     except Exception as error:  # a broken file can raise anything, and may not stop the others
-        return f"{job.source}: {type(error).__name__}: {error}"
+        return (f"a value in it is not of its kind, {type(error).__name__}: {error}; "
+                "hint: `python scripts/validate.py` names such places")
 
 
 def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job]:
     """The files of one argument."""
     if path.is_dir():
-        sources, base = sorted(file for file in path.rglob("*") if file.suffix.lower() in SCENE_ENDINGS), path
-    elif path.is_file() and path.suffix.lower() in SCENE_ENDINGS:
-        sources, base = [path], path.parent
+        sources, folder = sorted(file for file in path.rglob("*") if file.suffix.lower() in SCENE_ENDINGS), path
+    elif path.exists() and path.suffix.lower() in SCENE_ENDINGS:
+        sources, folder = [path], None
     else:
         raise FileNotFoundError(f"{path} is no folder, .glb or .gltf")
+    base = folder or path.parent
     settings = Settings(
         root=options.out or base, ending=f".{options.format}", up_axis=options.up_axis,
         copies_images=options.out is not None, is_self_contained=options.self_contained,
         has_physics=options.physics, instanced_below=options.point_instancer, started=started)
-    return [Job(source, settings.root / source.relative_to(base).with_suffix(settings.ending), settings)
+    return [Job(source, settings.root / source.relative_to(base).with_suffix(settings.ending), settings, folder)
             for source in sources]
 
 
 def refuse_equal_targets(jobs: list[Job]) -> None:
     """Two sources may not be written into one file."""
-    sources: dict[Path, Path] = {}
+    sources: dict[str, Path] = {}
     for job in jobs:
-        other = sources.setdefault(job.target.resolve(), job.source)
-        if other.resolve() != job.source.resolve():
+        other = sources.setdefault(os.path.realpath(job.target), job.source)
+        if os.path.realpath(other) != os.path.realpath(job.source):
             raise FileExistsError(f"{other} and {job.source} would both become {job.target}")
 
 
 def convert(jobs: list[Job], processes: int) -> tuple[list[Written], int]:
     """Converts every file; what was written, and how many failed."""
     written, failed, progress = [], 0, Progress("convert", len(jobs))
-    with ProcessPoolExecutor(max_workers=max(1, min(processes, len(jobs)))) as pool:
-        for job, answer in zip(jobs, pool.map(convert_file, jobs)):
-            progress.clear()
-            if isinstance(answer, Written):
-                written.append(answer)
-                print(job.target)
-            else:
-                failed += 1
-                print(f"convert: {answer}", file=sys.stderr)
-            progress.step(isinstance(answer, str))
+    for job, outcome in zip(jobs, outcomes(convert_file, jobs, processes)):
+        progress.clear()
+        if isinstance(outcome, Written):
+            written.append(outcome)
+            print(printable(str(job.target)))
+        else:
+            failed += 1
+            print(f"convert: {printable(f'{job.source}: {outcome}')}", file=sys.stderr)
+        progress.step(not isinstance(outcome, Written))
     return written, failed
 
 
@@ -112,10 +115,10 @@ def assemble(jobs: list[Job], written: list[Written]) -> int:
         floors = [by_file[job.target] for job in jobs if job.settings == settings and job.target in by_file]
         try:
             for file in write_assemblies(floors, settings):
-                print(file)
-        except (WriteError, OSError, KeyError, TypeError, ValueError, Tf.ErrorException) as error:
+                print(printable(str(file)))
+        except (WriteError, OSError, Tf.ErrorException) as error:
             failed += 1
-            print(f"convert: {settings.root}: {type(error).__name__}: {error}", file=sys.stderr)
+            print(f"convert: {printable(f'{settings.root}: {error}')}", file=sys.stderr)
     return failed
 
 
@@ -161,4 +164,6 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    # Names of files may have what the terminal's encoding has not.
+    sys.stdout.reconfigure(errors="backslashreplace")
     sys.exit(main())

@@ -2,7 +2,9 @@
 """Validates baked floors and what convert.py made of them: validate.py [options] FOLDER|FILE...
 
 For every .glb and .gltf:
-  file         it is read, buffers are there, no path in it is absolute
+  file         it is read, its buffers are there
+  path         it names files of its own folder, of the FOLDER it was found in and of the shared folders beside its
+               own, by relative paths without a link that leads out, and no pipe or device
   texture      its images are there
   names        every node has a name, and no two have the same
   extras       every node says what it is, with every field that its kind has; parents and counts agree
@@ -12,7 +14,8 @@ For every .glb and .gltf:
   trimesh      trimesh loads it, with as many instances and the same bounds as the file itself says
   khronos      the Khronos validator reports no error and no warning
 For every .usd, .usda, .usdc and .usdz:
-  file         it opens, what it names is there, no path in it is absolute
+  file         it opens, what it names is there
+  path         it names no absolute path, nothing outside of the FOLDER it was found in, and no pipe or device
   texture      the images of its materials are there
   usd          the validators that come with USD report nothing
 For every manifest.json: each file listed is there with its bytes and hash, and no other floor lies beside it.
@@ -29,11 +32,14 @@ import json
 import os
 import sys
 from collections import Counter
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterator
 from itertools import chain
 from pathlib import Path
+from typing import NamedTuple
 
-from checks.contract import check_extras, check_names, check_paths
+import numpy as np
+
+from checks.contract import PATH, check_extras, check_names, check_paths, note_of
 from checks.geometry import check_collisions, check_containment, check_pieces
 from checks.khronos import check_khronos, is_installed
 from checks.loading import check_trimesh
@@ -43,55 +49,93 @@ from checks.stages import ENDINGS as STAGE_ENDINGS
 from checks.stages import check_stage
 from gltf_file import GltfError, GltfFile
 from progress import Progress
+from workers import outcomes
 
-CHECKS = (check_paths, check_names, check_extras, check_pieces, check_containment, check_collisions, check_trimesh)
+CHECKS = (check_names, check_extras, check_pieces, check_containment, check_collisions)
 
 
-def check_file(file: Path) -> tuple[list[Fault], Counter]:
+class Input(NamedTuple):
+    """A file to judge, and the folder of the command line that it was found in."""
+
+    file: Path
+    folder: Path | None = None
+
+
+def check_file(file: Path, folder: Path | None = None) -> tuple[list[Fault], Counter]:
     """Every check of one file but the Khronos validator's, with counts for the report."""
     if file.suffix.lower() in STAGE_ENDINGS:
-        return check_stage(file)
+        return check_stage(file, folder)
     counts = Counter({"floors": 1, "nodes": 0, "rooms": 0, "furniture": 0})
+    notes: list[Note] = []
+    # Places that are no numbers are faults, not lines on standard error.
+    np.seterr(all="ignore")
     try:
-        gltf = GltfFile(file)
+        gltf = GltfFile(file, folder)
+        notes += check_paths(gltf)
         kinds = Counter(node.kind for node in gltf.nodes)
         counts.update(nodes=len(gltf.nodes), rooms=kinds["room"], furniture=kinds["furniture"])
-        notes = list(chain.from_iterable(check(gltf) for check in CHECKS))
-    except GltfError as error:
-        notes = [Note("file", "", str(error))]
-    except Exception as error:  # what a broken file can raise in other people's readers has no end
-        notes = [Note("file", "", f"{type(error).__name__}: {error}")]
-    return [Fault(str(file), *note) for note in notes], counts
+        # Other readers are not sent after what a floor may not name.
+        readers = () if any(note.code == PATH for note in notes) else (check_trimesh,)
+        for check in (*CHECKS, *readers):
+            notes += guarded(check, gltf)
+    except Exception as error:
+        notes.append(stopped(error))
+    return [Fault(str(file), *note) for note in dict.fromkeys(notes)], counts
 
 
-def check_files(files: list[Path], jobs: int, with_khronos: bool) -> tuple[list[Fault], Counter]:
+def guarded(check: Callable, gltf: GltfFile) -> Iterator[Note]:
+    """What a check finds, up to where nonsense in the file stops it."""
+    try:
+        yield from check(gltf)
+    except Exception as error:
+        yield stopped(error)
+
+
+def stopped(error: Exception) -> Note:
+    """What a broken file can raise in other people's readers has no end."""
+    if isinstance(error, GltfError):
+        return note_of(error)
+    return Note("file", "", f"a value in it is not of its kind, {type(error).__name__}: {error}; "
+                            "hint: the faults of the Khronos validator name such places")
+
+
+def check_input(judged: Input) -> tuple[list[Fault], Counter]:
+    return check_file(*judged)
+
+
+def check_files(inputs: list[Input], jobs: int, with_khronos: bool) -> tuple[list[Fault], Counter]:
     faults: list[Fault] = []
     totals: Counter = Counter()
-    progress = Progress("validate", len(files))
-    floors = [file for file in files if file.suffix.lower() in SCENE_ENDINGS]
-    with ProcessPoolExecutor(max_workers=max(1, min(jobs, len(files)))) as pool:
-        shares = [floors[start::jobs] for start in range(min(jobs, len(floors)))] if with_khronos else []
-        validators = [pool.submit(check_khronos, share) for share in shares]
-        for found, counts in pool.map(check_file, files):
-            faults += found
-            totals.update(counts)
-            progress.step(len(found))
-        faults += chain.from_iterable(validator.result() for validator in validators)
+    progress = Progress("validate", len(inputs))
+    for judged, outcome in zip(inputs, outcomes(check_input, inputs, jobs)):
+        if isinstance(outcome, Exception):
+            outcome = [Fault(str(judged.file), PATH, "", str(outcome))], Counter()
+        found, counts = outcome
+        faults += found
+        totals.update(counts)
+        progress.step(len(found))
+    if with_khronos:
+        unsafe = {fault.file for fault in faults if fault.code == PATH}
+        floors = [judged.file for judged in inputs
+                  if judged.file.suffix.lower() in SCENE_ENDINGS and str(judged.file) not in unsafe]
+        shares = [floors[start::jobs] for start in range(min(jobs, len(floors)))]
+        for share, outcome in zip(shares, outcomes(check_khronos, shares, jobs) if shares else ()):
+            faults += [Fault(str(share[0]), "khronos", "", str(outcome))] if isinstance(outcome, Exception) else outcome
     return faults, totals
 
 
-def find_inputs(paths: list[Path]) -> tuple[list[Path], list[Path]]:
+def find_inputs(paths: list[Path]) -> tuple[list[Input], list[Path]]:
     """The files to judge and the manifests that the arguments name."""
     files, manifests = [], []
     for path in paths:
         if path.is_dir():
-            files += scenes_in(path)
-            files += sorted(file for file in path.rglob("*") if file.suffix.lower() in STAGE_ENDINGS)
+            files += [Input(file, path) for file in scenes_in(path)]
+            files += [Input(file, path) for file in sorted(path.rglob("*")) if file.suffix.lower() in STAGE_ENDINGS]
             manifests += sorted(path.rglob("manifest.json"))
-        elif not path.is_file():
+        elif not path.exists():
             raise FileNotFoundError(f"{path} is not there")
         elif path.suffix.lower() in SCENE_ENDINGS | STAGE_ENDINGS:
-            files.append(path)
+            files.append(Input(path))
         elif path.name.endswith(".json"):
             manifests.append(path)
         else:
@@ -118,7 +162,7 @@ def main(arguments: list[str] | None = None) -> int:
     if not files:
         print("validate: no .glb, .gltf or USD file there", file=sys.stderr)
         return 2
-    with_khronos = not options.no_khronos and any(file.suffix.lower() in SCENE_ENDINGS for file in files)
+    with_khronos = not options.no_khronos and any(judged.file.suffix.lower() in SCENE_ENDINGS for judged in files)
     if with_khronos and not is_installed():
         print("validate: the Khronos validator needs node and `npm ci` in scripts/ (or --no-khronos)", file=sys.stderr)
         return 2
@@ -139,4 +183,6 @@ def report(as_json: bool, counts: dict[str, int], faults: list[Fault]) -> None:
 
 
 if __name__ == "__main__":
+    # Names of files and nodes may have what the terminal's encoding has not.
+    sys.stdout.reconfigure(errors="backslashreplace")
     sys.exit(main())

@@ -9,7 +9,7 @@ from typing import Iterator
 
 import shapely
 
-from gltf_file import GltfError, GltfFile, Node
+from gltf_file import GltfError, GltfFile, ImageError, Node, OutsideError
 
 from .report import Note
 
@@ -22,38 +22,27 @@ FIELDS = {
     "furniture": {"class", "id", "parent", "side", "size", "variant"},
     "light": {"lumens", "kelvin"},
 }
-# What files of images begin with.
-IMAGE_STARTS = (b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff", b"RIFF")
+# The code of faults that keep other readers away from a file.
+PATH = "path"
 SIDES = {"front", "back", "left", "right", "above", "below"}
 ROOM_PART = re.compile(r"floor|ceiling|wall\.\d+|column\.\d+|(door|window):.+")
 
 
 def check_paths(gltf: GltfFile) -> Iterator[Note]:
-    """Buffers and images are there and named by relative paths."""
-    for kind in ("buffers", "images"):
-        for number, entry in enumerate(gltf.document.get(kind, [])):
-            uri = entry.get("uri", "data:")
-            if not uri.startswith("data:") and is_absolute(uri):
-                yield Note("file", "", f"{kind}[{number}] has the absolute path {uri!r}")
-            elif kind == "images":
-                yield from check_image(gltf, number)
-            elif not uri.startswith("data:"):
-                gltf.buffer(number)
+    """Buffers and images are there, and lie where a floor may name them."""
+    # A missing image is a fault by itself: everything else of the floor is judged without it.
+    for kind, read in (("buffers", gltf.buffer), ("images", gltf.image)):
+        for number in range(len(gltf.document.get(kind, []))):
+            try:
+                read(number)
+            except GltfError as error:
+                yield note_of(error)
 
 
-def is_absolute(uri: str) -> bool:
-    return uri.startswith(("/", "\\")) or re.match(r"[A-Za-z][A-Za-z0-9+.-]*:", uri) is not None
-
-
-def check_image(gltf: GltfFile, number: int) -> Iterator[Note]:
-    """A missing image is a fault by itself: everything else of the floor is judged without it."""
-    try:
-        data, _ = gltf.image(number)
-    except GltfError as error:
-        yield Note("texture", "", f"images[{number}]: {error}")
-        return
-    if not data.startswith(IMAGE_STARTS):
-        yield Note("texture", "", f"images[{number}] is neither PNG nor JPEG nor WebP")
+def note_of(error: GltfError) -> Note:
+    """A file that cannot be read, as a fault."""
+    code = PATH if isinstance(error, OutsideError) else "texture" if isinstance(error, ImageError) else "file"
+    return Note(code, "", str(error))
 
 
 def check_names(gltf: GltfFile) -> Iterator[Note]:

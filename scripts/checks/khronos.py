@@ -20,8 +20,8 @@ def check_khronos(files: list[Path]) -> list[Fault]:
     """Runs the Khronos validator over some files."""
     command = ["node", str(SCRIPTS / "validate_gltf.mjs"), "-"]
     listed = "".join(f"{file.resolve()}\n" for file in files)
-    done = subprocess.run(command, input=listed, capture_output=True, text=True, check=False)
-    reports = [json.loads(line) for line in done.stdout.splitlines()]
+    done = subprocess.run(command, input=listed, capture_output=True, text=True, errors="surrogateescape", check=False)
+    reports = [json.loads(line) for line in done.stdout.split("\n") if line]
     if len(reports) != len(files):
         return [Fault(str(files[0]), "khronos", "", f"the validator did not run: {done.stderr.strip()[-300:]}")]
     faults = []

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from io import BytesIO
 from typing import Iterator
 
 import numpy as np
 import trimesh
-from trimesh.resolvers import FilePathResolver
+from trimesh.resolvers import Resolver
 
 from gltf_file import GltfFile
+from resources import locate, read_file
 
 from .report import Note
 
@@ -17,11 +19,32 @@ from .report import Note
 BOUNDS_TOLERANCE = 1e-3
 
 
+class OwnResolver(Resolver):
+    """Gives trimesh what the file may name, which includes what floors share beside their folders."""
+
+    def __init__(self, gltf: GltfFile):
+        self.reach = gltf.reach
+
+    def get(self, key: str) -> bytes:
+        return read_file(locate(key, self.reach))
+
+    def keys(self) -> tuple:
+        return ()
+
+    def write(self, name: str, data) -> None:
+        raise NotImplementedError("nothing is written here")
+
+    def namespaced(self, namespace: str) -> OwnResolver:
+        raise NotImplementedError("a glTF file names files one by one")
+
+
 def check_trimesh(gltf: GltfFile) -> Iterator[Note]:
     """What trimesh sees against what the file says."""
-    # Floors share geometry and images that lie beside their folders.
-    resolver = FilePathResolver(str(gltf.path), allow_anywhere=True)
-    scene = trimesh.load_scene(gltf.path, process=False, resolver=resolver)
+    # trimesh reads all arrays, and would believe lengths that no buffer has.
+    for number in range(len(gltf.document.get("accessors", []))):
+        gltf.accessor(number)
+    data, kind = BytesIO(read_file(gltf.path)), gltf.path.suffix.lower()[1:]
+    scene = trimesh.load_scene(data, file_type=kind, process=False, resolver=OwnResolver(gltf))
     expected = sum(len(gltf.primitives(node.mesh)) for node in gltf.nodes if node.mesh is not None)
     found = len(scene.graph.nodes_geometry)
     if found != expected:

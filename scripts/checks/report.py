@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from resources import printable
+
 
 class Fault(NamedTuple):
     """One thing that is wrong; sorts by file."""
@@ -14,7 +16,7 @@ class Fault(NamedTuple):
     message: str
 
     def __str__(self) -> str:
-        return f"{self.file}: [{self.code}] {self.node + ': ' if self.node else ''}{self.message}"
+        return printable(f"{self.file}: [{self.code}] {self.node + ': ' if self.node else ''}{self.message}")
 
 
 class Note(NamedTuple):

@@ -1,54 +1,89 @@
 """USD files: layers, stages of buildings and cities, packages.
 
-Each is opened without its payloads, which are files of the same folder and judged as such, asked by all validators
-that come with USD, and by the compliance checker where this USD has one. What a validator calls an error or a warning
-is a fault here, as is a file that is named and not there, a path that is absolute, and what USD says while it composes.
+What a file names, and what these files name, is looked at before anything is composed; where all of it lies where it
+may, the file is opened without its payloads, which are files of the same folder and judged as such, and asked by all
+validators that come with USD, and by the compliance checker where this USD has one. What a validator calls an error or
+a warning is a fault here, as is a file that is named and not there, and what USD says while it composes.
 """
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
-from pxr import Ar, Sdf, Usd, UsdGeom, UsdShade, UsdUtils, UsdValidation
+from pxr import Sdf, Tf, Usd, UsdGeom, UsdShade, UsdUtils, UsdValidation
 
+from resources import ForbiddenError, ResourceError, locate_path, reach_of, regular_file
+
+from .contract import PATH
 from .report import Fault, Note
 
 ENDINGS = {".usd", ".usda", ".usdc", ".usdz"}
-# The schemes that USD itself takes; a letter and a colon are a drive.
-ABSOLUTE = re.compile(r"/|\\|[A-Za-z][A-Za-z0-9+.-]*:")
 
 
-def check_stage(file: Path) -> tuple[list[Fault], Counter]:
-    """Every check of one file, with counts for the report."""
+def check_stage(file: Path, folder: Path | None = None) -> tuple[list[Fault], Counter]:
+    """Every check of one file, with counts for the report; `folder` is where it was found."""
     counts = Counter({"stages": 1})
+    notes: list[Note] = []
     try:
-        stage = Usd.Stage.Open(str(file), Usd.Stage.LoadNone)
-        notes = list(check_layer(stage.GetRootLayer()))
-        counts.update(prims=sum(1 for _ in stage.Traverse()))
-        for check in (check_stage_metadata, check_composition, check_validators, check_textures):
-            notes += check(stage)
-        notes += check_compliance(file)
+        notes += check_named_files(file, folder)
+        if not any(note.code == PATH for note in notes):
+            stage = Usd.Stage.Open(str(file), Usd.Stage.LoadNone)
+            counts.update(prims=sum(1 for _ in stage.Traverse()))
+            for check in (check_stage_metadata, check_composition, check_validators, check_textures):
+                notes += check(stage)
+            notes += check_compliance(file)
     except Exception as error:  # what a broken file can raise in USD has no end
-        notes = [Note("file", "", f"cannot be opened: {one_line(error)}")]
+        notes.append(Note("file", "", f"cannot be opened: {one_line(error)}"))
     return [Fault(str(file), *note) for note in dict.fromkeys(notes)], counts
 
 
-def check_layer(layer: Sdf.Layer) -> Iterator[Note]:
-    """The files that a layer names itself: there, and by relative paths."""
-    for path in sorted(layer.GetCompositionAssetDependencies()):
-        # A reference inside of the layer names no file.
-        if path:
-            yield from check_path(layer, path)
+# --- what it names ---
 
 
-def check_path(layer: Sdf.Layer, path: str) -> Iterator[Note]:
-    if ABSOLUTE.match(path):
-        yield Note("file", "", f"it names the absolute path {path!r}")
-    elif not Ar.GetResolver().Resolve(layer.ComputeAbsolutePath(path)):
-        yield Note("file", "", f"it names {path!r}, which is not there")
+def check_named_files(file: Path, folder: Path | None) -> Iterator[Note]:
+    """The files that a file names, and those that they name: there, and where it may name them."""
+    reach = reach_of(file, folder)
+    try:
+        first = regular_file(file, None if folder is None else reach, "the file")
+    except ResourceError as error:
+        yield Note(PATH, "", str(error))
+        return
+    pending, seen = [first], {first}
+    while pending:
+        owner = pending.pop()
+        for name in named_files(owner, owner.stat().st_mtime_ns):
+            try:
+                named = locate_path(name, replace(reach, folder=owner.resolve().parent))
+                if named.suffix.lower() in ENDINGS and named not in seen:
+                    seen.add(named)
+                    pending.append(named)
+            except ForbiddenError as error:
+                yield Note(PATH, "", f"{'it' if owner == first else owner.name} names a file that it may not: {error}")
+            except ResourceError as error:
+                # Images that are missing are faults of the materials that read them.
+                if owner == first and Path(name).suffix.lower() in ENDINGS:
+                    yield Note("file", "", f"it names {name!r}, which is not there")
+
+
+@lru_cache(maxsize=4096)
+def named_files(file: Path, _changed: int) -> tuple[str, ...]:
+    """The files that a layer names, without what they name; nothing of what USD cannot open.
+
+    `_changed` is when the file was changed last. Packages have theirs inside.
+    """
+    if file.suffix.lower() == ".usdz":
+        return ()
+    try:
+        return tuple(dict.fromkeys(name for names in UsdUtils.ExtractExternalReferences(str(file)) for name in names))
+    except Tf.ErrorException:
+        return ()
+
+
+# --- what it is ---
 
 
 def check_stage_metadata(stage: Usd.Stage) -> Iterator[Note]:
@@ -88,9 +123,7 @@ def check_shader(prim: Usd.Prim, shown: str) -> Iterator[Note]:
         value = shader_input.Get()
         if not isinstance(value, Sdf.AssetPath) or not value.path:
             continue
-        if ABSOLUTE.match(value.path):
-            yield Note("texture", shown, f"it reads the absolute path {value.path!r}")
-        elif not value.resolvedPath:
+        if not value.resolvedPath:
             yield Note("texture", shown, f"it reads {value.path!r}, which is not there")
 
 

@@ -2,6 +2,7 @@
 
     settings   what a run was asked for
     floor      one floor: the tree of its nodes
+      level        what a building's stage says of a level
       naming       valid and unique names
       specs        prims, attributes and relationships of a layer
       describing   names, kinds, extras and labels of nodes

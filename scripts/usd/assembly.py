@@ -15,6 +15,7 @@ import numpy as np
 from pxr import Gf, Kind, Sdf, Vt
 
 from .floor import Written
+from .level import Level
 from .naming import Names, valid_name
 from .physics import write_scene
 from .placing import turn_up
@@ -39,10 +40,9 @@ class Building:
     floors: list[Written]
 
     @property
-    def site(self) -> tuple[list[float], float]:
-        """Metres east and north, radians counter-clockwise."""
-        site = self.floors[0].extras.get("site") or {}
-        return site.get("position", [0.0, 0.0]), site.get("turn", 0.0)
+    def level(self) -> Level:
+        """The level that says where the building stands."""
+        return self.floors[0].level
 
 
 def write_assemblies(floors: list[Written], settings: Settings) -> list[Path]:
@@ -60,14 +60,14 @@ def find_buildings(floors: list[Written]) -> list[Building]:
     """The levels by folder and building, in the order of their paths."""
     groups: dict[tuple[Path, str], list[Written]] = {}
     for floor in floors:
-        if floor.extras.get("kind") == "level":
-            groups.setdefault((floor.file.parent, str(floor.extras["building"])), []).append(floor)
+        if floor.level is not None:
+            groups.setdefault((floor.file.parent, floor.level.building), []).append(floor)
     folders = [folder for folder, _ in groups]
     buildings = []
     for (folder, name), members in sorted(groups.items()):
         # A folder of its own is what the program gives each building; floors that somebody moved together share one.
         file = BUILDING_FILE if folders.count(folder) == 1 else f"{valid_name(name)}.{BUILDING_FILE}"
-        members.sort(key=lambda floor: (floor.extras["elevation"], str(floor.extras["level"])))
+        members.sort(key=lambda floor: (floor.level.elevation, floor.level.name))
         buildings.append(Building(name, folder / file, members))
     return buildings
 
@@ -78,10 +78,10 @@ def write_building(building: Building, settings: Settings) -> None:
     names = Names()
     with Sdf.ChangeBlock():
         for floor in building.floors:
-            prim = new_prim(root, names.take(str(floor.extras["level"])), "Xform")
+            prim = new_prim(root, names.take(floor.level.name), "Xform")
             prim.kind = Kind.Tokens.assembly
             payload(prim, floor.file, building.file.parent)
-            elevation = float(floor.extras["elevation"])
+            elevation = floor.level.elevation
             up = (0.0, 0.0, elevation) if settings.up_axis == "Z" else (0.0, elevation, 0.0)
             attribute(prim, ELEVATION, Types.Double3, Gf.Vec3d(*up))
             # The floor's own operation is repeated, because an order that is stated here hides the floor's.
@@ -89,7 +89,7 @@ def write_building(building: Building, settings: Settings) -> None:
             transform_order(prim, [ELEVATION, *turned])
             hint(prim, floor_box(floor))
         hint(root, turned_box(building_box(building), settings))
-    write_layer(layer, building.file)
+    write_layer(layer, building.file, settings.root)
 
 
 def write_city(buildings: list[Building], settings: Settings) -> Path:
@@ -103,13 +103,13 @@ def write_city(buildings: list[Building], settings: Settings) -> Path:
             payload(prim, building.file, file.parent)
             place_building(prim, building, settings.up_axis)
             hint(prim, turned_box(building_box(building), settings))
-    write_layer(layer, file)
+    write_layer(layer, file, settings.root)
     return file
 
 
 def place_building(prim: Sdf.PrimSpec, building: Building, up_axis: str) -> None:
     """The plan's axes are x east and y north: north is -Z where Y is up, and turns are counter-clockwise in both."""
-    (east, north), turn = building.site
+    (east, north), turn = building.level.position, building.level.turn
     place = Gf.Vec3d(east, north, 0.0) if up_axis == "Z" else Gf.Vec3d(east, 0.0, -north)
     attribute(prim, POSITION, Types.Double3, place)
     operation = TURN.format(up_axis)
@@ -150,7 +150,7 @@ def floor_box(floor: Written) -> Box | None:
 
 def building_box(building: Building) -> Box | None:
     """Around the floors at their elevations, Y up."""
-    boxes = [(box, floor.extras["elevation"]) for floor in building.floors if (box := floor_box(floor)) is not None]
+    boxes = [(box, floor.level.elevation) for floor in building.floors if (box := floor_box(floor)) is not None]
     if not boxes:
         return None
     lifted = [np.stack(box) + [0.0, elevation, 0.0] for box, elevation in boxes]

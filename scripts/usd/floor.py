@@ -15,6 +15,7 @@ from . import physics
 from .describing import describe
 from .geometry import PROTOTYPES, Geometry
 from .instancer import INSTANCER, room_of, small_nodes, write_instancer
+from .level import Level, level_of
 from .lights import LIGHT, add_light, light_of, type_of, write_light
 from .materials import MATERIALS
 from .naming import Names, valid_name
@@ -30,29 +31,32 @@ class Written:
     """What a building needs to know of a floor's file."""
 
     file: Path
-    extras: dict  # of the level's node
+    level: Level | None
     bounds: tuple[tuple[float, ...], tuple[float, ...]] | None  # lowest and highest corner in metres, Y up
+    shared: tuple[Path, ...] = ()  # models and images that the file refers to, written by this run
 
 
-def convert_floor(source: Path, target: Path, settings: Settings) -> Written:
+def convert_floor(gltf: GltfFile, target: Path, settings: Settings) -> Written:
     """Converts one file; raises what readers and writers raise."""
-    gltf = GltfFile(source)
+    level = level_of(gltf.nodes[0]) if gltf.nodes else None
     if target.suffix == ".usdz":
         with TemporaryDirectory() as folder:
             unpacked = Path(folder) / f"{target.stem}.usdc"
             write_floor(gltf, unpacked, settings.packed(Path(folder)))
-            write_package(unpacked, target)
-    else:
-        write_floor(gltf, target, settings)
-    return Written(target, gltf.nodes[0].extras, bounds_of(gltf))
+            write_package(unpacked, target, settings.root)
+        return Written(target, level, bounds_of(gltf))
+    return Written(target, level, bounds_of(gltf), write_floor(gltf, target, settings))
 
 
-def write_floor(gltf: GltfFile, target: Path, settings: Settings) -> None:
+def write_floor(gltf: GltfFile, target: Path, settings: Settings) -> tuple[Path, ...]:
+    """Writes the layer of a floor; the files of the run that it refers to."""
     layer = Sdf.Layer.CreateAnonymous(target.suffix)
     # One change block: without it USD recomposes after each of some ten thousand edits.
     with Sdf.ChangeBlock():
-        Floor(gltf, layer, target, settings).write()
-    write_layer(layer, target)
+        floor = Floor(gltf, layer, target, settings)
+        floor.write()
+    write_layer(layer, target, settings.root)
+    return floor.geometry.files
 
 
 class Floor:

@@ -37,15 +37,20 @@ class Geometry:
         self.settings = settings
         self.folder = target.parent
         self.variants = MaterialVariants(gltf)
-        textures = Textures(gltf, settings, target)
-        self.materials = Materials(root, gltf, textures, self.folder)
-        self.library = Library(gltf, settings, textures, self.variants)
+        self.textures = Textures(gltf, settings, target)
+        self.materials = Materials(root, gltf, self.textures, self.folder)
+        self.library = Library(gltf, settings, self.textures, self.variants)
         self.colliders: dict[int, str] = {}
         self.shared = self.find_shared()
         self.sources: dict[int, tuple[str, str]] = {}
         self.uses: list[tuple[Sdf.Path, int]] = []
         if settings.is_self_contained:
             self.write_prototypes(root)
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The models and images beside the floor, of those that this run writes."""
+        return tuple(sorted(self.library.files | self.textures.copies))
 
     def find_shared(self) -> set[int]:
         """The meshes that are models of their own; notes what a simulator sees of each mesh."""
@@ -73,10 +78,10 @@ class Geometry:
         scope = new_prim(root, PROTOTYPES, "Scope", Sdf.SpecifierClass)
         names = Names()
         for mesh in sorted(self.shared):
-            original = self.gltf.document["meshes"][mesh].get("name") or f"mesh{mesh}"
+            original = self.gltf.name_of("meshes", mesh) or f"mesh{mesh}"
             prototype = new_prim(scope, names.take(original), "Xform")
             # A binding may not point out of what is referenced: materials are inside, and refer to the floor's.
-            inside = Materials(prototype, self.gltf, self.materials.textures, self.folder, self.materials)
+            inside = Materials(prototype, self.gltf, self.textures, self.folder, self.materials)
             self.write_model(prototype, mesh, inside)
             self.sources[mesh] = ("", str(prototype.path))
 

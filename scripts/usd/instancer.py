@@ -35,7 +35,7 @@ def small_nodes(gltf: GltfFile, below: float) -> dict[int, list[Node]]:
 
 
 def is_small(gltf: GltfFile, node: Node, below: float) -> bool:
-    extensions = gltf.document["nodes"][node.index].get("extensions", {})
+    extensions = gltf.entry("nodes", node.index).get("extensions", {})
     is_plain = node.kind == "furniture" and node.mesh is not None and LOD_EXTENSION not in extensions
     return is_plain and max(node.extras["size"]) < below and is_rigid(node.world)
 

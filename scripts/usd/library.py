@@ -16,7 +16,7 @@ from gltf_file import GltfFile
 
 from .materials import READERS, Materials
 from .meshes import write_parts
-from .naming import valid_name
+from .naming import LONGEST_NAME, valid_name
 from .physics import add_colliders
 from .settings import MODEL_FOLDER, Settings
 from .specs import new_prim
@@ -34,6 +34,7 @@ class Library:
         self.textures = textures
         self.variants = variants
         self.folder = settings.root / MODEL_FOLDER
+        self.files: set[Path] = set()
         # The materials of all models, in a layer that nobody writes.
         self.pattern = Sdf.Layer.CreateAnonymous(".usda")
         owner = new_prim(self.pattern.pseudoRoot, "Models", "Scope")
@@ -41,13 +42,14 @@ class Library:
 
     def asset(self, mesh: int, collider: str) -> Path:
         """The file of a mesh; `collider` is the shape that a simulator sees, if any."""
-        name = valid_name(self.gltf.document["meshes"][mesh].get("name") or "model")
+        name = valid_name(self.gltf.name_of("meshes", mesh) or "model")[:LONGEST_NAME]
         file = self.folder / f"{name}.{self.content_hash(mesh, name, collider)}.usdc"
+        self.files.add(file)
         if not is_of_this_run(file, self.settings.started):
             layer = Sdf.Layer.CreateAnonymous(file.suffix)
             with Sdf.ChangeBlock():
                 self.write_model(layer, name, mesh, collider)
-            write_layer(layer, file)
+            write_layer(layer, file, self.settings.root)
         return file
 
     def write_model(self, layer: Sdf.Layer, name: str, mesh: int, collider: str) -> None:
@@ -57,7 +59,7 @@ class Library:
         layer.pseudoRoot.SetInfo("metersPerUnit", 1.0)
         layer.pseudoRoot.SetInfo("upAxis", "Y")
         model.kind = Kind.Tokens.component
-        model.assetInfo["name"] = self.gltf.document["meshes"][mesh].get("name", name)
+        model.assetInfo["name"] = self.gltf.name_of("meshes", mesh) or name
         materials = Materials(model, self.gltf, self.textures, self.folder, self.materials)
         parts = write_parts(model, self.gltf, mesh, materials)
         self.variants.bind(model, parts, mesh, materials)
@@ -81,7 +83,7 @@ class Library:
         """A material with the files of its textures instead of their numbers in this glTF file."""
         if number is None:
             return None
-        material = self.gltf.document["materials"][number]
+        material = self.gltf.entry("materials", number)
         files = {}
         for reader in READERS.values():
             used = (material.get(reader.group, {}) if reader.group else material).get(reader.key)

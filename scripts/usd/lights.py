@@ -34,7 +34,7 @@ TYPE_NAMES = {"point": "SphereLight", "spot": "SphereLight", "directional": "Dis
 
 def light_of(gltf: GltfFile, node: Node) -> dict | None:
     """The light of a node, as the file lists it."""
-    used = gltf.document["nodes"][node.index].get("extensions", {}).get(EXTENSION)
+    used = gltf.entry("nodes", node.index).get("extensions", {}).get(EXTENSION)
     if used is None:
         return None
     return gltf.document["extensions"][EXTENSION]["lights"][used["light"]]

@@ -61,8 +61,8 @@ class Materials:
         if number not in self.paths:
             if self.scope is None:
                 self.scope = new_prim(self.owner, MATERIALS, "Scope")
-            material = self.gltf.document["materials"][number]
-            original = material.get("name") or f"material{number}"
+            material = self.gltf.entry("materials", number)
+            original = self.gltf.name_of("materials", number) or f"material{number}"
             prim = new_prim(self.scope, self.names.take(original), "Material")
             self.paths[number] = str(prim.path)
             if self.originals is not None and self.originals.owner.layer != prim.layer:
@@ -76,7 +76,7 @@ class Materials:
         return self.paths[number]
 
     def is_double_sided(self, number: int) -> bool:
-        return bool(self.gltf.document["materials"][number].get("doubleSided"))
+        return bool(self.gltf.entry("materials", number).get("doubleSided"))
 
     def write_surface(self, prim: Sdf.PrimSpec, material: dict) -> None:
         """A UsdPreviewSurface with the material's factors, and readers for its textures."""

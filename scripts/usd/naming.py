@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pxr import Tf
 
+# Characters of a file's name before its hash: file systems take 255 bytes.
+LONGEST_NAME = 120
+
 
 class Names:
     """Valid names, unique among the children of one prim."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import hashlib
 import re
 from pathlib import Path
-from urllib.parse import unquote
 
 from gltf_file import GltfFile
 
+from .naming import LONGEST_NAME
 from .settings import TEXTURE_FOLDER, Settings
 from .writing import is_of_this_run, relative_path, write_bytes
 
@@ -26,11 +26,12 @@ class Textures:
         shared = settings.root / TEXTURE_FOLDER
         self.folder = target.with_suffix(".textures") if settings.is_self_contained else shared
         self.files: dict[int, Path] = {}
+        self.copies: set[Path] = set()
         self.paths: dict[tuple[int, Path], str] = {}
 
     def path(self, texture: int, layer_folder: Path) -> str:
         """The path of a texture's image, relative to a layer in a folder."""
-        image = self.gltf.document["textures"][texture]["source"]
+        image = self.gltf.entry("textures", texture)["source"]
         if image not in self.files:
             self.files[image] = self.own_file(image) or self.copy(image)
         if (image, layer_folder) not in self.paths:
@@ -39,23 +40,19 @@ class Textures:
 
     def own_file(self, image: int) -> Path | None:
         """The image's file, where it can stay."""
-        uri = self.gltf.document["images"][image].get("uri", "data:")
-        if self.settings.copies_images or uri.startswith("data:"):
-            return None
-        file = self.gltf.path.parent / unquote(uri)
-        return file if file.is_file() else None
+        return None if self.settings.copies_images else self.gltf.image_file(image)
 
     def copy(self, image: int) -> Path:
         """Equal content has one file, whatever it was called."""
         data, ending = self.gltf.image(image)
         name = f"{self.stem(image)}.{hashlib.sha256(data).hexdigest()[:HASH_LENGTH]}{ending}"
         file = self.folder / name
+        self.copies.add(file)
         if not is_of_this_run(file, self.settings.started):
-            write_bytes(data, file)
+            write_bytes(data, file, self.settings.root)
         return file
 
     def stem(self, image: int) -> str:
-        entry = self.gltf.document["images"][image]
-        uri = entry.get("uri", "data:")
-        original = entry.get("name", "") if uri.startswith("data:") else Path(unquote(uri)).stem
-        return re.sub(r"[^A-Za-z0-9._-]+", "_", PROGRAM_HASH.sub("", original)) or "image"
+        file = self.gltf.image_file(image)
+        original = self.gltf.name_of("images", image) if file is None else file.stem
+        return re.sub(r"[^A-Za-z0-9._-]+", "_", PROGRAM_HASH.sub("", original)).lstrip(".")[:LONGEST_NAME] or "image"

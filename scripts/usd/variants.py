@@ -44,14 +44,14 @@ class MaterialVariants:
 
     def of_primitive(self, mesh: int, number: int) -> dict[int, int]:
         """The other materials of a primitive, by variant."""
-        raw = self.gltf.document["meshes"][mesh]["primitives"][number]
+        raw = self.gltf.entry("meshes", mesh)["primitives"][number]
         mappings = raw.get("extensions", {}).get(MATERIALS_EXTENSION, {}).get("mappings", [])
         return {variant: mapping["material"] for mapping in mappings for variant in mapping["variants"]}
 
     def of_mesh(self, mesh: int) -> list[int]:
         """The variants that change a mesh."""
         if mesh not in self.changing:
-            count = len(self.gltf.document["meshes"][mesh]["primitives"])
+            count = len(self.gltf.entry("meshes", mesh)["primitives"])
             variants = {variant for number in range(count) for variant in self.of_primitive(mesh, number)}
             self.changing[mesh] = sorted(variants)
         return self.changing[mesh]
@@ -98,9 +98,8 @@ def over(owner: Sdf.PrimSpec, path: Sdf.Path) -> Sdf.PrimSpec:
 
 def coarser_nodes(gltf: GltfFile, node: Node) -> list[dict]:
     """The nodes that stand for a node at lower levels of detail, finest first."""
-    listed = gltf.document["nodes"]
-    extensions = listed[node.index].get("extensions", {})
-    return [listed[index] for index in extensions.get(LOD_EXTENSION, {}).get("ids", [])]
+    extensions = gltf.entry("nodes", node.index).get("extensions", {})
+    return [gltf.entry("nodes", index) for index in extensions.get(LOD_EXTENSION, {}).get("ids", [])]
 
 
 def write_details(prim: Sdf.PrimSpec, gltf: GltfFile, node: Node, write: Callable) -> None:
@@ -122,7 +121,7 @@ def write_details(prim: Sdf.PrimSpec, gltf: GltfFile, node: Node, write: Callabl
         for other, (geometry, (mesh, _)) in enumerate(zip(geometries, places)):
             if mesh is not None and other != level:
                 new_prim(variants[name], geometry, "", Sdf.SpecifierOver).active = False
-    coverage = gltf.document["nodes"][node.index].get("extras", {}).get("MSFT_screencoverage")
+    coverage = node.extras.get("MSFT_screencoverage")
     if coverage:
         shares = Vt.DoubleArray([float(share) for share in coverage])
         prim.SetInfo("customData", {**dict(prim.customData), "MSFT_screencoverage": shares})

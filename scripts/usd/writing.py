@@ -1,8 +1,11 @@
-"""Files that are there whole or not at all: written under a temporary name, then renamed."""
+"""Files that are there whole or not at all: written under a temporary name, then renamed, and nowhere but below a root."""
 
 from __future__ import annotations
 
 import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from pxr import Sdf, UsdUtils
@@ -12,39 +15,36 @@ class WriteError(Exception):
     """A file that could not be written; the text says which."""
 
 
-def unfinished(target: Path) -> Path:
-    """A name that no other process uses; the ending tells USD the format."""
-    return target.with_name(f".{target.stem}.{os.getpid()}{target.suffix}")
-
-
-def write_layer(layer: Sdf.Layer, target: Path) -> None:
-    target.parent.mkdir(parents=True, exist_ok=True)
-    temporary = unfinished(target)
-    try:
+def write_layer(layer: Sdf.Layer, target: Path, root: Path) -> None:
+    with unfinished(target, root) as temporary:
         if not layer.Export(str(temporary)):
             raise WriteError(f"cannot write {target}")
-        os.replace(temporary, target)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
-def write_bytes(data: bytes, target: Path) -> None:
-    target.parent.mkdir(parents=True, exist_ok=True)
-    temporary = unfinished(target)
-    try:
+def write_bytes(data: bytes, target: Path, root: Path) -> None:
+    with unfinished(target, root) as temporary:
         temporary.write_bytes(data)
-        os.replace(temporary, target)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
-def write_package(first: Path, target: Path) -> None:
+def write_package(first: Path, target: Path, root: Path) -> None:
     """A .usdz of a layer and everything that it refers to."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    temporary = unfinished(target)
-    try:
+    with unfinished(target, root) as temporary:
         if not UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(first)), str(temporary)):
             raise WriteError(f"cannot pack {target}")
+
+
+@contextmanager
+def unfinished(target: Path, root: Path) -> Iterator[Path]:
+    """A name beside the target that no other process uses, and that becomes the target's; the ending tells USD the format."""
+    # Sources are not always their users' own: a folder beside them may be a link to anywhere.
+    folder = Path(os.path.realpath(target.parent))
+    if not folder.is_relative_to(os.path.realpath(root)):
+        raise WriteError(f"cannot write {target}: a folder in its path is a link out of {root}")
+    folder.mkdir(parents=True, exist_ok=True)
+    temporary = target.with_name(f".{target.stem}.{os.getpid()}{target.suffix}")
+    temporary.unlink(missing_ok=True)
+    try:
+        yield temporary
         os.replace(temporary, target)
     finally:
         temporary.unlink(missing_ok=True)
@@ -53,9 +53,10 @@ def write_package(first: Path, target: Path) -> None:
 def is_of_this_run(file: Path, started: float) -> bool:
     """Whether another floor of the run has written a shared file already."""
     try:
-        return file.stat().st_mtime >= started
+        found = file.lstat()
     except OSError:
         return False
+    return stat.S_ISREG(found.st_mode) and found.st_mtime >= started
 
 
 def relative_path(target: Path, folder: Path) -> str:

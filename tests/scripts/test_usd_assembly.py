@@ -140,12 +140,12 @@ def test_a_thousand_floors_open_at_once(tmp_path):
     """The stage of a city, without its buildings' files: what a viewer reads first."""
     from usd.assembly import write_assemblies
     from usd.floor import Written
+    from usd.level import Level
     from usd.settings import Settings
 
     box = ((0.0, 0.0, -10.0), (10.0, 3.0, 0.0))
     floors = [Written(tmp_path / f"tower-{tower}" / f"{level}.usdc",
-                      {"kind": "level", "building": f"tower-{tower}", "level": str(level), "elevation": 3.0 * level,
-                       "site": {"position": [40.0 * tower, 0.0], "turn": 0.0}}, box)
+                      Level(f"tower-{tower}", str(level), 3.0 * level, (40.0 * tower, 0.0), 0.0), box)
               for tower in range(100) for level in range(10)]
     assert len(write_assemblies(floors, Settings(root=tmp_path))) == 101
     started = time.monotonic()

@@ -113,9 +113,9 @@ class TestTextures:
     @pytest.fixture
     def textured(self, floor, tmp_path):
         (tmp_path / "in" / "house").mkdir(parents=True)
-        (tmp_path / "in" / "shared").mkdir()
-        (tmp_path / "in" / "shared" / "wood.base_color.0123456789ab.png").write_bytes(PNG)
-        floor.document["images"] = [{"uri": "../shared/wood.base_color.0123456789ab.png"}]
+        (tmp_path / "in" / "shared-textures").mkdir()
+        (tmp_path / "in" / "shared-textures" / "wood.base_color.0123456789ab.png").write_bytes(PNG)
+        floor.document["images"] = [{"uri": "../shared-textures/wood.base_color.0123456789ab.png"}]
         floor.document["textures"] = [{"source": 0}]
         floor.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
         floor.write(tmp_path / "in" / "house" / "ground.glb")
@@ -169,7 +169,7 @@ class TestTextures:
         assert convert.main([str(textured)]) == 0
         assert len(list(textured.rglob("*.png"))) == 1
         stage = Usd.Stage.Open(str(textured / "house" / "ground.usdc"))
-        assert self.file(self.texture(stage)).path == "../shared/wood.base_color.0123456789ab.png"
+        assert self.file(self.texture(stage)).path == "../shared-textures/wood.base_color.0123456789ab.png"
 
     def test_a_package_has_them_inside(self, textured, tmp_path):
         stage = converted(textured / "house" / "ground.glb", tmp_path / "usd" / "ground.usdz")
@@ -195,7 +195,7 @@ class TestTextures:
     def test_a_missing_image_is_a_fault_of_its_floor(self, textured, tmp_path, capsys):
         next(textured.rglob("*.png")).unlink()
         assert convert.main([str(textured), "--out", str(tmp_path / "usd")]) == 1
-        assert "ground.glb: cannot read ../shared/wood" in capsys.readouterr().err
+        assert "ground.glb: images[0].uri: '../shared-textures/wood" in capsys.readouterr().err
 
 
 class TestPointInstancer:

@@ -95,8 +95,9 @@ def test_an_absolute_path_is_a_fault(floor, tmp_path, uri):
     document = json.loads(path.read_text())
     document["buffers"][0]["uri"] = uri
     path.write_text(json.dumps(document))
-    assert [note.message for note in validate.check_paths(validate.GltfFile(path))] \
-        == [f"buffers[0] has the absolute path {uri!r}"]
+    assert [(note.code, note.message) for note in validate.check_paths(validate.GltfFile(path))] == [
+        ("path", f"buffers[0].uri: {uri!r} is an absolute path; hint: keep the file in the folder of the floor, or name "
+                 "the folder that holds both on the command line")]
 
 
 def test_a_missing_or_cut_buffer_is_a_fault(floor, tmp_path):
@@ -105,7 +106,7 @@ def test_a_missing_or_cut_buffer_is_a_fault(floor, tmp_path):
     buffer.write_bytes(buffer.read_bytes()[:-4])
     assert any("shorter" in fault for fault in faults_of(path))
     buffer.unlink()
-    assert any("cannot read floor.bin" in fault for fault in faults_of(path))
+    assert any("buffers[0].uri: 'floor.bin' cannot be read: No such file" in fault for fault in faults_of(path))
 
 
 def test_every_missing_image_is_a_fault_and_the_rest_is_judged(floor, tmp_path):
@@ -114,8 +115,8 @@ def test_every_missing_image_is_a_fault_and_the_rest_is_judged(floor, tmp_path):
     floor.document["images"] = [{"uri": name} for name in ("here.png", "gone.png", "lost.png", "text.png")]
     floor.find("desk.1@101")["extras"]["side"] = "top"
     faults = faults_of(floor.write(tmp_path / "floor.glb"))
-    assert faults == ["texture : images[1]: cannot read gone.png: No such file or directory",
-                      "texture : images[2]: cannot read lost.png: No such file or directory",
+    assert faults == ["texture : images[1].uri: 'gone.png' cannot be read: No such file or directory",
+                      "texture : images[2].uri: 'lost.png' cannot be read: No such file or directory",
                       "texture : images[3] is neither PNG nor JPEG nor WebP",
                       "extras desk.1@101: 'top' is no side"]
 
@@ -124,9 +125,10 @@ def test_geometry_that_floors_share_may_lie_beside_their_folder(floor, tmp_path)
     (tmp_path / "house").mkdir()
     path = floor.write(tmp_path / "house" / "floor.gltf")
     document = json.loads(path.read_text())
-    document["buffers"][0]["uri"] = "../shared.bin"
+    document["buffers"][0]["uri"] = "../shared-geometry/floor.bin"
     path.write_text(json.dumps(document))
-    (tmp_path / "house" / "floor.bin").rename(tmp_path / "shared.bin")
+    (tmp_path / "shared-geometry").mkdir()
+    (tmp_path / "house" / "floor.bin").rename(tmp_path / "shared-geometry" / "floor.bin")
     assert faults_of(path) == []
 
 
@@ -170,7 +172,7 @@ class TestManifest:
     def test_a_changed_byte_is_another_hash(self, manifest):
         file = manifest.parent / "house" / "ground.glb"
         file.write_bytes(file.read_bytes()[:-1] + b"\x07")
-        assert self.messages(manifest) == ["house/ground.glb has another hash than listed"]
+        assert self.messages(manifest) == ["levels[0].files[0]: house/ground.glb has another hash than listed"]
 
     def test_a_cut_file_has_other_bytes(self, manifest):
         file = manifest.parent / "house" / "ground.glb"
@@ -180,8 +182,9 @@ class TestManifest:
     def test_a_missing_and_a_foreign_floor_are_found(self, manifest):
         file = manifest.parent / "house" / "ground.glb"
         file.rename(file.with_name("first.glb"))
-        assert self.messages(manifest) == ["house/ground.glb is listed and not there",
-                                           "house/first.glb is there and not listed"]
+        assert self.messages(manifest) == [
+            "levels[0].files[0].path: 'house/ground.glb' cannot be read: No such file or directory",
+            "house/first.glb is there and not listed"]
 
     def test_what_is_no_manifest_is_a_fault(self, manifest):
         manifest.write_text("{}")

@@ -1,0 +1,33 @@
+"""Work on many files by several processes, none of which can end the others' work."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+
+DIED = "the process that read it died"
+
+
+def outcomes(work: Callable, items: Sequence, processes: int) -> Iterator:
+    """What `work` gives for each item, in their order, or the exception that it raised."""
+    with ProcessPoolExecutor(max_workers=max(1, min(processes, len(items)))) as pool:
+        futures = [pool.submit(work, item) for item in items]
+        for future, item in zip(futures, items):
+            outcome = outcome_of(future)
+            # One death ends a whole pool, and does not say whose work it was: what is left is done again, one by one.
+            yield alone(work, item) if isinstance(outcome, BrokenProcessPool) else outcome
+
+
+def alone(work: Callable, item) -> object:
+    """The outcome of work in a process of its own."""
+    with ProcessPoolExecutor(max_workers=1) as pool:
+        outcome = outcome_of(pool.submit(work, item))
+    return RuntimeError(DIED) if isinstance(outcome, BrokenProcessPool) else outcome
+
+
+def outcome_of(future: Future) -> object:
+    try:
+        return future.result()
+    except Exception as error:  # whatever work raises, and what cannot be carried from its process to ours
+        return error
