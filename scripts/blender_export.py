@@ -13,7 +13,7 @@ Beyond Blender's own export with custom properties and lights:
 - one level, from its place to the origin; hidden objects too
 - copies get an id and name of their own: desk.1@101.001 becomes desk.4@101
 - furniture without a parent (from the asset browser, or whose parent was deleted) goes to the room that it stands in
-- `parent` says what each piece hangs below now
+- `parent` says what each piece hangs below now, unless that only carries what it was arranged by
 - seeds are numbers again, which Blender keeps as text
 """
 
@@ -134,12 +134,27 @@ class Order:
 
     def _settle_parent(self, number: int) -> None:
         extras, above = self._extras(number), self._above(number, "furniture", "room")
-        if above is not None and self._extras(above).get("kind") == "furniture":
+        if self._is_arranged_by_one_above(number, above):
+            pass
+        elif above is not None and self._extras(above).get("kind") == "furniture":
             extras["parent"] = self._extras(above)["id"]
         elif str(extras.get("parent", "")).partition(".")[0].partition(":")[0] not in PLACES:
             # It hung below an object, or nowhere.
             extras["parent"], extras["side"] = "floor", "above"
         extras.setdefault("side", "above")
+
+    def _is_arranged_by_one_above(self, number: int, above: int | None) -> bool:
+        """Whether a piece names another piece of its room, and hangs below that one, what carries it, or the room alone."""
+        room = self._above(number, "room")
+        if room is None:
+            return False
+        pieces = {extras.get("id"): extras for extras in map(self._extras, self._below(room))
+                  if extras.get("kind") == "furniture"}
+        chain, parent = [], pieces.get(self._extras(number).get("parent"))
+        while parent is not None and parent["id"] not in chain:
+            chain.append(parent["id"])
+            parent = pieces.get(parent.get("parent"))
+        return bool(chain) and (above == room or self._extras(above).get("id") in chain)
 
     def _name(self, number: int) -> str:
         """The name that roomwright gives: README.md, "The output"."""

@@ -98,7 +98,7 @@ def check_part(_: GltfFile, node: Node) -> Iterator[Note]:
         yield Note("extras", node.name, "a part belongs to a room or an opening")
 
 
-def check_furniture(_: GltfFile, node: Node) -> Iterator[Note]:
+def check_furniture(gltf: GltfFile, node: Node) -> Iterator[Note]:
     extras, room = node.extras, room_of(node)
     if room is None:
         yield Note("extras", node.name, "a piece of furniture belongs to a room")
@@ -109,11 +109,30 @@ def check_furniture(_: GltfFile, node: Node) -> Iterator[Note]:
         yield Note("extras", node.name, f"the id {extras['id']!r} is no number of {extras['class']!r}")
     if extras["side"] not in SIDES:
         yield Note("extras", node.name, f"{extras['side']!r} is no side")
-    above = node.parent.extras.get("id") if node.parent.kind == "furniture" else None
-    stands_on_part = above is None and ROOM_PART.fullmatch(extras["parent"])
-    if not stands_on_part and extras["parent"] != above:
+    parents = named_parents(gltf, node)
+    if not parents and not ROOM_PART.fullmatch(extras["parent"]):
+        yield Note("extras", node.name, f"its parent is said to be {extras['parent']!r}, which is not in its room")
+    if node.parent.kind == "furniture" and all(node.parent is not parent for parent in parents):
         yield Note("extras", node.name, f"its parent is said to be {extras['parent']!r}, but it hangs "
                                         f"under {node.parent.name!r}")
+
+
+def named_parents(gltf: GltfFile, node: Node) -> list[Node]:
+    """The piece of its room that a piece was arranged by, as its extras name it, the one that this one names, and so on."""
+    pieces, room = pieces_by_id(gltf), room_of(node)
+    found: list[Node] = []
+    parent = pieces.get((id(room), node.extras.get("parent")))
+    while parent is not None and not any(parent is other for other in [node, *found]):
+        found.append(parent)
+        parent = pieces.get((id(room), parent.extras.get("parent")))
+    return found
+
+
+@lru_cache(maxsize=1)
+def pieces_by_id(gltf: GltfFile) -> dict[tuple[int, str], Node]:
+    """The pieces of a file by their room's node and their id."""
+    pieces = (node for node in gltf.nodes if node.kind == "furniture" and isinstance(node.extras.get("id"), str))
+    return {(id(room_of(node)), node.extras["id"]): node for node in pieces}
 
 
 def check_light(_: GltfFile, node: Node) -> Iterator[Note]:

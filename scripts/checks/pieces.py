@@ -10,7 +10,7 @@ import numpy as np
 from gltf_file import GltfFile, Node
 
 from .bodies import Part, parts_of
-from .contract import FIELDS, room_of
+from .contract import FIELDS, named_parents, room_of
 
 # Metres of height up to which what lies on the floor is floor (`COVERING_HEIGHT` in src/catalog/class.rs), and a millimetre.
 COVERING_HEIGHT = 0.021
@@ -80,7 +80,8 @@ class Piece:
         above = self.node.parent
         while above is not None and above is not other.node:
             above = above.parent
-        return above is not None
+        arranged_by = named_parents(self.meshes.gltf, self.node)
+        return above is not None or any(other.node is parent for parent in arranged_by)
 
 
 def pieces_of(gltf: GltfFile) -> list[Piece]:

@@ -3,6 +3,7 @@
 use glam::{DMat4, DVec3};
 
 use super::extras::{Extras, FurnitureExtras, RemovedExtras};
+use super::family::Family;
 use super::level::EmptyLevel;
 use super::parents::parents_first;
 use super::problem::Problem;
@@ -27,8 +28,6 @@ pub(super) struct Piece<'f> {
     pub(super) extras: &'f FurnitureExtras,
     /// Where it stands; its parent is still to be found.
     pub(super) placement: Placement,
-    /// The node of the object that it hangs below.
-    pub(super) above: Option<usize>,
 }
 
 /// The furniture of each room; `None` where something of it cannot be read.
@@ -44,9 +43,9 @@ pub(super) fn read(
     let spots = spots(nodes, |node| empty.room_of(node));
     for (index, node) in nodes.iter().enumerate() {
         match (&node.extras, &spots[index]) {
-            (Some(Extras::Furniture(extras)), &Some(Spot { room, place, above })) => {
+            (Some(Extras::Furniture(extras)), &Some(Spot { room, place, .. })) => {
                 match read_piece(&node.name, extras, &place, catalog) {
-                    Ok(placement) => pieces[room].push(Piece { node: index, extras, placement, above }),
+                    Ok(placement) => pieces[room].push(Piece { node: index, extras, placement }),
                     Err(problem) => {
                         problems.push(problem);
                         is_broken[room] = true;
@@ -62,12 +61,13 @@ pub(super) fn read(
             _ => {}
         }
     }
+    let family = Family::new(nodes, &spots);
     let rooms = pieces.into_iter().enumerate().map(|(room, pieces)| {
         // What stands on a piece that cannot be read would be called a fault too.
         if is_broken[room] {
             return None;
         }
-        let furnished = furnish(nodes, (empty, room), pieces, catalog);
+        let furnished = furnish((nodes, &family), (empty, room), pieces, catalog);
         furnished.map_err(|problem| problems.push(problem)).ok()
     });
     rooms.collect()
@@ -115,7 +115,7 @@ fn is_below_bad_room(nodes: &[Node], node: &Node) -> bool {
 }
 
 fn furnish(
-    nodes: &[Node],
+    (nodes, family): (&[Node], &Family<'_>),
     (empty, room): (&EmptyLevel, usize),
     pieces: Vec<Piece<'_>>,
     catalog: &Catalog,
@@ -134,7 +134,7 @@ fn furnish(
         style: extras.style.clone(),
         requested: extras.requested,
         removals: removals.collect::<Result<Vec<_>, _>>()?,
-        placements: parents_first(nodes, (empty, room), pieces)?,
+        placements: parents_first(nodes, (empty, room), family, pieces)?,
     })
 }
 

@@ -10,6 +10,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::extras::{Extras, FurnitureExtras, OpeningExtras, RoomExtras};
+use super::family::Family;
 use super::furniture::{Spot, spots};
 use super::looks::{Looks, material_names};
 use super::problem::Problem;
@@ -206,18 +207,21 @@ fn add_contents(
     problems: &mut Vec<Problem>,
 ) {
     let spots = spots(nodes, |node| room_ids[node].map(|_| node));
-    for (node, spot) in nodes.iter().zip(&spots) {
+    let family = Family::new(nodes, &spots);
+    for (index, (node, spot)) in nodes.iter().zip(&spots).enumerate() {
         let Some(spot) = spot else { continue };
         let Some(id) = room_ids[spot.room] else { continue };
         let Some(room) = inventory.rooms.get_mut(id) else { continue };
         match &node.extras {
-            Some(Extras::Furniture(extras)) => match object((document, nodes), node, extras, spot) {
-                Some(object) => room.objects.push(object),
-                None => {
-                    problems.push(Problem::new(&node.name, "stands nowhere: its transform is no number"));
-                    inventory.broken_rooms.insert(id.clone());
+            Some(Extras::Furniture(extras)) => {
+                match object((document, nodes), (index, &family), extras, spot) {
+                    Some(object) => room.objects.push(object),
+                    None => {
+                        problems.push(Problem::new(&node.name, "stands nowhere: its transform is no number"));
+                        inventory.broken_rooms.insert(id.clone());
+                    }
                 }
-            },
+            }
             Some(Extras::Part(part)) => room.rings.extend(part.outline.clone()),
             Some(Extras::Broken) => {
                 inventory.broken_rooms.insert(id.clone());
@@ -236,7 +240,7 @@ fn add_contents(
 
 fn object(
     (document, nodes): (&Root, &[Node]),
-    node: &Node,
+    (node, family): (usize, &Family<'_>),
     extras: &FurnitureExtras,
     spot: &Spot,
 ) -> Option<ObjectEntry> {
@@ -244,7 +248,7 @@ fn object(
         return None;
     }
     let (scale, rotation, position) = spot.place.to_scale_rotation_translation();
-    let above = spot.above.and_then(|above| match &nodes[above].extras {
+    let parent = family.parent_of(node).and_then(|parent| match &nodes[parent].extras {
         Some(Extras::Furniture(parent)) => Some(parent.id.clone()),
         _ => None,
     });
@@ -252,12 +256,12 @@ fn object(
     Some(ObjectEntry {
         id: extras.id.clone(),
         class: extras.class.clone(),
-        parent: above.unwrap_or_else(|| extras.parent.clone()),
+        parent: parent.unwrap_or_else(|| extras.parent.clone()),
         position: plan_point(position),
         rotation: plan_rotation(rotation).filter(|rotation| rotation.is_finite())?,
         size: [width * scale.x.abs(), depth * scale.z.abs(), height * scale.y.abs()],
         variant: extras.variant,
-        materials: material_names(document, node.mesh),
+        materials: material_names(document, nodes[node].mesh),
     })
 }
 

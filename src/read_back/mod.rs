@@ -6,6 +6,7 @@
 //! finite, parents come before children. A room with a fault is left out of the verdict; the others go on.
 
 mod extras;
+mod family;
 mod furniture;
 mod inventory;
 mod level;

@@ -1,7 +1,8 @@
 //! What each piece stands on or belongs to.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::family::Family;
 use super::furniture::Piece;
 use super::level::EmptyLevel;
 use super::problem::Problem;
@@ -13,15 +14,15 @@ use crate::plan::Level;
 pub(super) fn parents_first(
     nodes: &[Node],
     (empty, room): (&EmptyLevel, usize),
+    family: &Family<'_>,
     mut pieces: Vec<Piece<'_>>,
 ) -> Result<Vec<Placement>, Problem> {
-    let by_id: BTreeMap<&str, usize> =
-        pieces.iter().map(|piece| (piece.extras.id.as_str(), piece.node)).collect();
-    if by_id.len() < pieces.len() {
+    let ids: BTreeSet<&str> = pieces.iter().map(|piece| piece.extras.id.as_str()).collect();
+    if ids.len() < pieces.len() {
         return Err(Problem::new(&nodes[empty.room_nodes[room]].name, "has two objects of the same id"));
     }
     let by_node: BTreeMap<usize, Option<usize>> =
-        pieces.iter().map(|piece| (piece.node, object_above(piece, &by_id))).collect();
+        pieces.iter().map(|piece| (piece.node, family.parent_of(piece.node))).collect();
     // Those that stand on no other, then what stands on them, and so on.
     let mut waiting: BTreeMap<Option<usize>, Vec<usize>> = BTreeMap::new();
     for piece in &pieces {
@@ -50,12 +51,6 @@ pub(super) fn parents_first(
         Ok(Placement { parent, ..piece.placement })
     });
     placed.collect()
-}
-
-/// The node of the object that a piece belongs to: the one that it hangs below and moves with, else the one that
-/// it names.
-fn object_above(piece: &Piece<'_>, by_id: &BTreeMap<&str, usize>) -> Option<usize> {
-    piece.above.or_else(|| by_id.get(piece.extras.parent.as_str()).copied())
 }
 
 /// The part of a room, or the opening, that an id means: the other way of `scene/names.rs`.

@@ -9,6 +9,7 @@ use glam::DVec3;
 use gltf::json::Root;
 
 use super::extras::{Extras, FurnitureExtras};
+use super::family::Family;
 use super::furniture::{pose, spots};
 use super::looks::{mesh_bounds, mesh_name, shape};
 use super::problem::Problem;
@@ -21,7 +22,7 @@ pub struct Survey {
     pub building: String,
     /// Id of the level.
     pub level: String,
-    /// The furniture, in the order of the file, what stands on an object after it.
+    /// The furniture, in the order of the file.
     pub objects: Vec<SurveyedObject>,
     /// What the models look like, by class and variant: equal texts, equal models.
     pub models: BTreeMap<(String, u32), String>,
@@ -54,7 +55,7 @@ pub struct SurveyedObject {
     pub room: Option<String>,
     /// The room in its name: where it was when it was baked.
     pub named_room: Option<String>,
-    /// The object that it hangs below, by index.
+    /// The object that it belongs to, by index.
     pub above: Option<usize>,
     /// What it says it stands on.
     pub parent: String,
@@ -79,7 +80,9 @@ pub(super) fn read(document: &Root, nodes: &[Node]) -> Result<Survey, Problem> {
     let room_of = |node: usize| matches!(nodes[node].extras, Some(Extras::Room(_))).then_some(node);
     let spots = spots(nodes, room_of);
     let worlds = worlds(nodes);
+    let family = Family::new(nodes, &spots);
     let mut index_of = vec![None; nodes.len()];
+    let mut parents = Vec::new();
     for (index, node) in nodes.iter().enumerate() {
         let Some(Extras::Furniture(extras)) = &node.extras else {
             survey.strangers.extend(stranger(nodes, node));
@@ -92,13 +95,16 @@ pub(super) fn read(document: &Root, nodes: &[Node]) -> Result<Survey, Problem> {
             _ => None,
         });
         let place = spots[index].map_or(worlds[index], |spot| spot.place);
-        let above = furniture_above(nodes, node).and_then(|above| index_of[above]);
         index_of[index] = Some(survey.objects.len());
-        let object = object(document, node, extras, (room, above, &place));
+        parents.push(family.parent_of(index).or_else(|| furniture_above(nodes, node)));
+        let object = object(document, node, extras, (room, &place));
         if let (Some(model), Some(mesh)) = (object.model.clone(), node.mesh) {
             survey.models.entry(model).or_insert_with(|| shape(document, mesh));
         }
         survey.objects.push(object);
+    }
+    for (object, parent) in survey.objects.iter_mut().zip(parents) {
+        object.above = parent.and_then(|parent| index_of[parent]);
     }
     Ok(survey)
 }
@@ -107,7 +113,7 @@ fn object(
     document: &Root,
     node: &Node,
     extras: &FurnitureExtras,
-    (room, above, place): (Option<String>, Option<usize>, &glam::DMat4),
+    (room, place): (Option<String>, &glam::DMat4),
 ) -> SurveyedObject {
     let named_room = room_in_name(&node.name, &extras.id);
     SurveyedObject {
@@ -121,7 +127,7 @@ fn object(
         bounds: node.mesh.and_then(|mesh| mesh_bounds(document, mesh)),
         room: room.or_else(|| named_room.clone()),
         named_room,
-        above,
+        above: None,
         parent: extras.parent.clone(),
         place: pose(place).map(|(position, angle, scale)| SurveyedPlace {
             position: DVec3::new(position.x, -position.z, position.y),

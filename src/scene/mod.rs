@@ -4,6 +4,7 @@
 //! every number is finite, every mesh has triangles.
 
 mod axes;
+mod carrier;
 mod extras;
 mod light;
 mod meshes;

@@ -1,6 +1,7 @@
 //! A room with what stands in it.
 
 use super::axes::Pose;
+use super::carrier::carriers;
 use super::extras::{furniture_extras, room_extras};
 use super::light::light_node;
 use super::meshes::{Look, MeshTable};
@@ -30,7 +31,7 @@ fn pose(placement: &Placement) -> Pose {
     Pose { position: placement.position, elevation: placement.elevation, angle: placement.angle }
 }
 
-/// The objects that stand on the room's parts, each with what stands on it.
+/// The objects that the room carries, each with what it carries.
 fn furniture<'a>(
     input: &SceneInput<'a>,
     furnished: &Furnished,
@@ -39,30 +40,28 @@ fn furniture<'a>(
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
     let placements = &furnished.placements;
+    let carriers = carriers(input.catalog, placements);
     let mut nodes: Vec<Option<Node>> = Vec::with_capacity(placements.len());
     let mut tints = Vec::with_capacity(placements.len());
-    for placement in placements {
+    for (placement, carrier) in placements.iter().zip(&carriers) {
         let id = names::object(input.catalog, placement);
-        let parent = match placement.parent {
-            Parent::Object(parent) => pose(&placements[parent]),
-            _ => ROOM_POSE,
-        };
+        let frame = carrier.map_or(ROOM_POSE, |carrier| pose(&placements[carrier]));
         let name = names::owned(&id, room);
         let extras = furniture_extras(input, furnished, placement, id);
         let tint = tint_of(furnished, placement, &extras, &tints);
         tints.push(tint);
         let mesh = meshes.furniture(placement.class, placement.variant, look, tint);
-        let mut node = Node::at(name, &pose(placement).relative_to(&parent), Some(mesh), extras);
+        let mut node = Node::at(name, &pose(placement).relative_to(&frame), Some(mesh), extras);
         node.children.extend(light_of(input, placement, room, meshes));
         nodes.push(Some(node));
     }
-    // Parents come before children: from the end, each node is complete when its turn comes.
+    // Carriers come before what they carry: from the end, each node is complete when its turn comes.
     for index in (0..placements.len()).rev() {
-        if let Parent::Object(parent) = placements[index].parent
+        if let Some(carrier) = carriers[index]
             && let Some(child) = nodes[index].take()
-            && let Some(Some(parent)) = nodes.get_mut(parent)
+            && let Some(Some(carrier)) = nodes.get_mut(carrier)
         {
-            parent.children.push(child);
+            carrier.children.push(child);
         }
     }
     let mut roots: Vec<Node> = nodes.into_iter().flatten().collect();

@@ -100,7 +100,7 @@ fn check_room(baked: &BakedLevel<'_>, index: usize, nodes: &[ReadNode<'_>], node
     assert_eq!(nodes[node].parent, Some(0));
 }
 
-/// Every placement has its node: under its parent, where the layout put it, filling its box, inside its room.
+/// Every placement has its node: under what carries it, where the layout put it, filling its box, inside its room.
 fn check_furniture((baked, index): (&BakedLevel<'_>, usize), nodes: &[ReadNode<'_>], catalog: &Catalog) {
     let (room, furnished) = (&baked.level.rooms[index], &baked.furnished[index]);
     let by_name: BTreeMap<&str, &ReadNode<'_>> =
@@ -110,7 +110,7 @@ fn check_furniture((baked, index): (&BakedLevel<'_>, usize), nodes: &[ReadNode<'
         let name = format!("{id}@{}", room.id);
         let node = by_name.get(name.as_str()).unwrap_or_else(|| panic!("{name} has no node"));
         assert_eq!(node.extras["id"], id.as_str());
-        check_parent(node, nodes, &room.id);
+        check_parent(node, nodes, (&by_name, &room.id));
         let origin = node.world.transform_point3(DVec3::ZERO);
         let expected = DVec3::new(placement.position.x, placement.elevation, -placement.position.y);
         // Single precision far from the origin: a tenth of a millimetre at a kilometre.
@@ -123,14 +123,25 @@ fn check_furniture((baked, index): (&BakedLevel<'_>, usize), nodes: &[ReadNode<'
     assert_eq!(count, furnished.placements.len(), "room {} holds nothing else", room.id);
 }
 
-fn check_parent(node: &ReadNode<'_>, nodes: &[ReadNode<'_>], room: &str) {
+/// What a node hangs below carries it: its own parent of the layout, or one of that one's; all others hang below the room,
+/// and what stands on its floor does so always.
+fn check_parent(
+    node: &ReadNode<'_>,
+    nodes: &[ReadNode<'_>],
+    (by_name, room): (&BTreeMap<&str, &ReadNode<'_>>, &str),
+) {
     let above = &nodes[node.parent.unwrap()];
-    let said = node.extras["parent"].as_str().unwrap();
-    if above.extras["kind"] == "furniture" {
-        assert_eq!(above.extras["id"], said, "{}", node.name);
-    } else {
-        assert_eq!(above.name, format!("room:{room}"), "{} stands on {said}", node.name);
+    let elevation = node.world.transform_point3(DVec3::ZERO).y;
+    if above.extras["kind"] != "furniture" {
+        assert_eq!(above.name, format!("room:{room}"), "{}", node.name);
+        return;
     }
+    assert!(elevation > 0.01, "{} stands on the floor, but hangs below {}", node.name, above.name);
+    let named = |node: &&ReadNode<'_>| {
+        by_name.get(format!("{}@{room}", node.extras["parent"].as_str().unwrap()).as_str()).copied()
+    };
+    let mut chain = std::iter::successors(named(&node), named);
+    assert!(chain.any(|parent| parent.name == above.name), "{} hangs below {}", node.name, above.name);
 }
 
 /// Corners of the mesh's bounding box in the node's frame.
