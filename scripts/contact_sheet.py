@@ -9,12 +9,15 @@ Exit 0: written. 1: not. 2: nothing could start.
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import environment
+
+environment.require(environment.PICTURES, __name__)
 
 SETS = {"plain": "modern", "traditional": "traditional", "industrial": "industrial", "budget": "budget"}
 LOOKS, SAMPLES = 3, 16
@@ -34,9 +37,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--looks", type=int, default=LOOKS, choices=range(1, ACROSS + 1), metavar="N")
     parser.add_argument("--samples", type=int, default=SAMPLES, metavar="N")
     options = parser.parse_args(arguments)
-    if importlib.util.find_spec("bpy") is None or importlib.util.find_spec("PIL") is None:
-        import render
-        print(render.HOW_TO_INSTALL, file=sys.stderr)
+    if lacks := environment.missing(environment.PICTURES):
+        print(environment.how_to_set_up(environment.PICTURES, lacks), file=sys.stderr)
         return 2
     try:
         render_sheet(options.program, options.set, options.out, options.samples, options.looks)

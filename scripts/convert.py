@@ -30,6 +30,10 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
+import environment
+
+environment.require(environment.TOOLS, __name__)
+
 from pxr import Tf
 
 from gltf_file import GltfError, GltfFile

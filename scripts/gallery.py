@@ -16,6 +16,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+import environment
+
+environment.require(environment.PICTURES, __name__)
+
 import contact_sheet
 import gallery_plans
 import render

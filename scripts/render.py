@@ -14,7 +14,6 @@ Exit 0: all pictures are there. 1: some are not, the reasons are on standard err
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import os
 import re
 import sys
@@ -22,15 +21,15 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
+import environment
+
+environment.require(environment.PICTURES, __name__)
+
 from cameras import choose
 from floor_view import Level, ViewError, read_level
 from gltf_file import GltfError, GltfFile
 
 VIEWS = ("top", "dollhouse", "eye")
-HOW_TO_INSTALL = """Blender's Python module is not installed here. With Python 3.11:
-  python3.11 -m venv .venv-render
-  .venv-render/bin/pip install -r scripts/requirements-render.txt
-  .venv-render/bin/python scripts/render.py ..."""
 
 
 def picture_size(text: str) -> tuple[int, int]:
@@ -65,8 +64,8 @@ def main(arguments: list[str] | None = None) -> int:
     missing = [str(path) for path in options.files if not path.is_file()]
     if missing:
         return _stop(f"no such file: {', '.join(missing)}")
-    if importlib.util.find_spec("bpy") is None or importlib.util.find_spec("PIL") is None:
-        return _stop(HOW_TO_INSTALL)
+    if lacks := environment.missing(environment.PICTURES):
+        return _stop(environment.how_to_set_up(environment.PICTURES, lacks))
     try:
         options.out.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -37,6 +37,10 @@ from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
+import environment
+
+environment.require(environment.TOOLS, __name__)
+
 import numpy as np
 
 from checks.contract import PATH, check_extras, check_names, check_paths, note_of
@@ -164,7 +168,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     with_khronos = not options.no_khronos and any(judged.file.suffix.lower() in SCENE_ENDINGS for judged in files)
     if with_khronos and not is_installed():
-        print("validate: the Khronos validator needs node and `npm ci` in scripts/ (or --no-khronos)", file=sys.stderr)
+        print("validate: the Khronos validator is not here. With Node 20 or newer, in the project's folder, in bash:\n"
+              "  source scripts/set_up.sh && set_up_validator\n"
+              "or leave it out with --no-khronos", file=sys.stderr)
         return 2
     faults, totals = check_files(files, max(1, options.jobs), with_khronos)
     faults += chain.from_iterable(map(check_manifest, manifests))

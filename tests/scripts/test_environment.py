@@ -1,0 +1,63 @@
+"""Scripts that are started by a Python without their modules."""
+
+import shutil
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT
+
+TOOLS = ("validate.py", "convert.py")
+PICTURES = ("render.py", "gallery.py", "contact_sheet.py")
+
+
+@pytest.fixture
+def project(tmp_path):
+    """The scripts in a folder where nothing is set up."""
+    shutil.copytree(ROOT / "scripts", tmp_path / "scripts", ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
+    return tmp_path
+
+
+def run_bare(project, script, *arguments):
+    """By this Python without any module but its own."""
+    return subprocess.run([sys.executable, "-S", f"scripts/{script}", *arguments], cwd=project, capture_output=True,
+                          text=True, timeout=60)
+
+
+@pytest.mark.parametrize("script", [*TOOLS, *PICTURES])
+def test_without_its_environment_a_script_says_which_command_sets_it_up(project, script):
+    done = run_bare(project, script, "out")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "Traceback" not in done.stderr and f"{script}: this Python, {sys.executable}, has no numpy, " in done.stderr
+    if script in TOOLS:
+        assert "\n  source scripts/set_up.sh && set_up_python\n  .venv/bin/python scripts/" in done.stderr
+    else:
+        assert ".venv-render/bin/pip install -r scripts/requirements-render.txt\n" in done.stderr
+
+
+@pytest.mark.parametrize("script", ["blender_import.py", "blender_export.py"])
+def test_blender_s_add_ons_say_it_too(project, script):
+    wants = ["out", "--save", "a.blend"] if script == "blender_import.py" else ["a.blend", "--out", "a.glb"]
+    done = run_bare(project, script, *wants)
+    assert done.returncode == 2 and "Traceback" not in done.stderr
+    assert ".venv-render/bin/pip install -r scripts/requirements-render.txt" in done.stderr
+
+
+@pytest.mark.parametrize("script", [*TOOLS, *PICTURES])
+def test_the_manual_needs_no_environment(project, script):
+    done = run_bare(project, script, "--help")
+    assert done.returncode == 0 and script in done.stdout and done.stderr == ""
+
+
+def test_a_script_goes_on_in_the_environment_that_is_set_up(project):
+    python = project / ".venv" / "bin" / "python"
+    python.parent.mkdir(parents=True)
+    python.write_text('#!/bin/sh\necho "went on: $*"\nexit 7\n')
+    python.chmod(0o755)
+    done = run_bare(project, "validate.py", "out", "--json")
+    assert (done.returncode, done.stdout) == (7, "went on: scripts/validate.py out --json\n")
+
+
+def test_the_command_that_is_named_is_there():
+    assert "\nset_up_python() {" in (ROOT / "scripts" / "set_up.sh").read_text()
+    assert (ROOT / "scripts" / "requirements-render.txt").is_file()
