@@ -15,7 +15,8 @@ Each .glb or .gltf becomes one .usdc (or .usda, or .usdz) beside it, or at the s
   - metres, Y up (or Z with --up-axis Z).
 A folder also gets a `building.usda` for each building, with its floors as payloads at their elevations, and a
 `city.usda` of all buildings at their places. A .usdz holds one floor with everything in it, and there are no stages
-of them. Equal inputs give equal bytes.
+of them. Equal inputs give equal bytes. What an earlier run wrote into the same folder and this one does not (a floor
+that left the bake, another format, models that nothing uses) is removed, if nobody changed it: `converted.json` lists it.
 
 Needs scripts/requirements.txt. Progress goes to standard error, one line per written file to standard output.
 Exit 0: all written. 1: some failed. 2: nothing could start.
@@ -41,7 +42,8 @@ from progress import Progress
 from resources import printable
 from usd.assembly import write_assemblies
 from usd.floor import Written, convert_floor
-from usd.settings import Settings
+from usd.record import Asked, Entry, Removal, digest_of, path_from, renew
+from usd.settings import MODEL_FOLDER, TEXTURE_FOLDER, Settings
 from usd.writing import WriteError
 from workers import outcomes
 
@@ -96,34 +98,67 @@ def refuse_equal_targets(jobs: list[Job]) -> None:
             raise FileExistsError(f"{other} and {job.source} would both become {job.target}")
 
 
-def convert(jobs: list[Job], processes: int) -> tuple[list[Written], int]:
-    """Converts every file; what was written, and how many failed."""
-    written, failed, progress = [], 0, Progress("convert", len(jobs))
+def convert(jobs: list[Job], processes: int) -> dict[Job, Written]:
+    """Converts every file; what was written, without the jobs that failed."""
+    written, progress = {}, Progress("convert", len(jobs))
     for job, outcome in zip(jobs, outcomes(convert_file, jobs, processes)):
         progress.clear()
         if isinstance(outcome, Written):
-            written.append(outcome)
+            written[job] = outcome
             print(printable(str(job.target)))
         else:
-            failed += 1
             print(f"convert: {printable(f'{job.source}: {outcome}')}", file=sys.stderr)
         progress.step(not isinstance(outcome, Written))
-    return written, failed
+    return written
 
 
-def assemble(jobs: list[Job], written: list[Written]) -> int:
-    """The stages of buildings and cities of each folder; how many folders failed."""
-    failed = 0
-    by_file = {floor.file: floor for floor in written}
-    for settings in dict.fromkeys(job.settings for job in jobs):
-        floors = [by_file[job.target] for job in jobs if job.settings == settings and job.target in by_file]
-        try:
-            for file in write_assemblies(floors, settings):
-                print(printable(str(file)))
-        except (WriteError, OSError, Tf.ErrorException) as error:
-            failed += 1
-            print(f"convert: {printable(f'{settings.root}: {error}')}", file=sys.stderr)
-    return failed
+def finish(jobs: list[Job], written: dict[Job, Written], folders: list[Path]) -> int:
+    """The stages and the record of one output folder; 1 if that failed.
+
+    `folders` are those of the command line.
+    """
+    settings = jobs[0].settings
+    try:
+        stages = []
+        if folders and settings.ending != ".usdz":
+            stages = write_assemblies([written[job] for job in jobs if job in written], settings)
+        for file in stages:
+            print(printable(str(file)))
+        around = Path(os.path.commonpath([os.path.abspath(folder) for folder in folders])) if folders else None
+        report(renew(settings.root, entries_of(written, stages, around, settings), asked_of(jobs, written, folders)))
+    except (WriteError, OSError, Tf.ErrorException) as error:
+        print(f"convert: {printable(f'{settings.root}: {error}')}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def entries_of(written: dict[Job, Written], stages: list[Path], around: Path | None, settings: Settings) -> list[Entry]:
+    """Everything that a run wrote, with what it is made of."""
+    sources: dict[Path, Path | None] = {stage: around for stage in stages}
+    for job, floor in written.items():
+        sources |= {file: job.source if settings.is_self_contained else None for file in floor.shared}
+        sources[floor.file] = job.source
+    return [Entry(path_from(settings.root, file), digest_of(file), source and path_from(settings.root, source))
+            for file, source in sources.items()]
+
+
+def asked_of(jobs: list[Job], written: dict[Job, Written], folders: list[Path]) -> Asked:
+    root = jobs[0].settings.root
+    alone = [job.source for job in jobs if job.folder is None]
+    failed = frozenset(path_from(root, job.source) for job in jobs if job not in written)
+    return Asked(tuple(path_from(root, path) for path in [*folders, *alone]), failed)
+
+
+def report(removal: Removal) -> None:
+    """Says what is no longer there; of models and images, which are many, how many."""
+    shared = [path for path in removal.removed if path.startswith((f"{MODEL_FOLDER}/", f"{TEXTURE_FOLDER}/"))]
+    for path in removal.removed:
+        if path not in shared:
+            print(f"convert: removed {printable(path)}, which an earlier run wrote and this one does not", file=sys.stderr)
+    if shared:
+        print(f"convert: removed {len(shared)} models and images that nothing uses any more", file=sys.stderr)
+    for path in removal.kept:
+        print(f"convert: left {printable(path)}, which no run writes any more", file=sys.stderr)
 
 
 def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
@@ -160,10 +195,12 @@ def main(arguments: list[str] | None = None) -> int:
     if not jobs:
         print("convert: no .glb or .gltf there", file=sys.stderr)
         return 2
-    written, failed = convert(jobs, options.jobs)
-    folders = {path for path in options.paths if path.is_dir()}
-    if folders and options.format != "usdz":
-        failed += assemble(jobs, written)
+    written = convert(jobs, options.jobs)
+    failed = len(jobs) - len(written)
+    for settings in dict.fromkeys(job.settings for job in jobs):
+        own = [job for job in jobs if job.settings == settings]
+        folders = list(dict.fromkeys(job.folder for job in own if job.folder is not None))
+        failed += finish(own, {job: written[job] for job in own if job in written}, folders)
     return 1 if failed else 0
 
 

@@ -17,5 +17,6 @@
       instancer    small objects as one PointInstancer a room
       physics      colliders, masses, joints; what things weigh stands in physics.json
     assembly   buildings of floors, a city of buildings
+    record     what a run wrote, and what of it a later run takes away
     writing    files that are there whole or not at all; usdz packages
 """
