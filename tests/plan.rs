@@ -13,6 +13,7 @@ mod plan {
     mod faults;
     mod good;
     mod import;
+    mod limits;
     mod properties;
     mod reading;
     mod schema;

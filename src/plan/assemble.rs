@@ -5,10 +5,12 @@ use std::collections::BTreeSet;
 use super::attach::{
     NARROWEST_OPENING, Request, attach, attach_pieces, enlist, hang_leaves, open_boundaries, request,
 };
-use super::clean::{FARTHEST_COORDINATE, to_simple};
+use super::clean::to_simple;
 use super::digest::level_digest;
+use super::limits::{COORDINATE, LEVEL_OPENINGS, STOREY_HEIGHT, WALL_THICKNESS};
 use super::{LeafDraft, Level, LevelDraft, Opening, OpeningKind, Problem, Room, Subject};
 
+mod extents;
 mod index;
 mod obstacles;
 mod overlaps;
@@ -28,10 +30,6 @@ pub(super) use walls::ray_hit;
 const USUAL_LEVEL_HEIGHT: f64 = 3.0;
 /// Metres of slab between a ceiling and the floor above.
 const SLAB_THICKNESS: f64 = 0.3;
-/// Lowest and highest room in metres.
-const ROOM_HEIGHTS: (f64, f64) = (1.0, 100.0);
-/// Thickest wall in metres; more is a wrong unit.
-const THICKEST_WALL: f64 = 3.0;
 
 /// A level being put together.
 pub(super) struct Assembly<'a> {
@@ -41,8 +39,25 @@ pub(super) struct Assembly<'a> {
     pub(super) rooms: Vec<Room>,
     /// Index into the draft's rooms, by room.
     pub(super) sources: Vec<usize>,
+    /// Ids of drafted rooms that were left out: what names them is left out too, without a word of its own.
+    pub(super) left_out: BTreeSet<&'a str>,
+    /// How many of them exceed the limits of [`super::limits`].
+    pub(super) excess_count: usize,
     /// What is wrong so far.
     pub(super) problems: Vec<Problem>,
+}
+
+impl<'a> Assembly<'a> {
+    fn new(draft: &'a LevelDraft, problems: Vec<Problem>) -> Self {
+        Self {
+            draft,
+            rooms: Vec::new(),
+            sources: Vec::new(),
+            left_out: BTreeSet::new(),
+            excess_count: 0,
+            problems,
+        }
+    }
 }
 
 /// Checks a drafted level and completes it; whatever is left out is named among the problems.
@@ -53,7 +68,7 @@ pub(super) struct Assembly<'a> {
 pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
     let mut problems = Vec::new();
     check_level(&mut draft, &mut problems);
-    let mut assembly = Assembly { draft: &draft, rooms: Vec::new(), sources: Vec::new(), problems };
+    let mut assembly = Assembly::new(&draft, problems);
 
     // Sound outlines, on the inner faces of the walls.
     rooms::build_rooms(&mut assembly);
@@ -62,8 +77,12 @@ pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
     let railings = OutlineIndex::of(draft.railings.iter().filter_map(|ring| to_simple(ring)).collect());
     walls::back_walls(&mut assembly.rooms, &walls::Drawn { solids: &solids, railings: &railings }, &draft);
     // Columns before doors, so that no leaf is hung against one.
-    obstacles::place_obstacles(&mut assembly);
-    let openings = place_openings(&mut assembly, &solids);
+    let mut openings = Vec::new();
+    // Where the unit is wrong no room is left, and nothing can be said about what belongs to one.
+    if !assembly.rooms.is_empty() || assembly.excess_count == 0 {
+        obstacles::place_obstacles(&mut assembly);
+        openings = place_openings(&mut assembly, &solids);
+    }
     tags::tag_walls(&mut assembly, &openings);
 
     let Assembly { rooms, problems, .. } = assembly;
@@ -76,20 +95,27 @@ pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
 
 /// Puts usable numbers in place of those that are none.
 fn check_level(draft: &mut LevelDraft, problems: &mut Vec<Problem>) {
-    let mut report = |message: String| problems.push(Problem::error(Subject::Level, message, None));
-    if !draft.elevation.is_finite() || draft.elevation.abs() > FARTHEST_COORDINATE {
-        report(format!("elevation {} m is no place of a floor", draft.elevation));
+    let mut report = |message: String, hint: String| {
+        problems.push(Problem::impossible(Subject::Level, message, &hint));
+    };
+    if !draft.elevation.is_finite() || draft.elevation.abs() > COORDINATE {
+        let hint = format!("floors lie within {COORDINATE} m of the building's zero; 0 is taken");
+        report(format!("elevation {} m is no place of a floor", draft.elevation), hint);
         draft.elevation = 0.0;
     }
-    if !(ROOM_HEIGHTS.0..=ROOM_HEIGHTS.1).contains(&draft.height) {
-        report(format!("height {} m from floor to floor", draft.height));
+    if !(STOREY_HEIGHT.0..=STOREY_HEIGHT.1).contains(&draft.height) {
+        let (least, most) = STOREY_HEIGHT;
+        let hint = format!("{least} to {most} m are possible; {USUAL_LEVEL_HEIGHT} m are taken");
+        report(format!("height {} m from floor to floor", draft.height), hint);
         draft.height = USUAL_LEVEL_HEIGHT;
     }
     for (thickness, what) in
         [(&mut draft.exterior_thickness, "outer"), (&mut draft.interior_thickness, "inner")]
     {
-        if !(0.0..=THICKEST_WALL).contains(thickness) {
-            report(format!("{what} walls are {thickness} m thick"));
+        if !(WALL_THICKNESS.0..=WALL_THICKNESS.1).contains(thickness) {
+            let (least, most) = WALL_THICKNESS;
+            let hint = format!("{least} to {most} m are possible; walls without thickness are taken");
+            report(format!("{what} walls are {thickness} m thick"), hint);
             *thickness = 0.0;
         }
     }
@@ -101,7 +127,17 @@ fn place_openings(assembly: &mut Assembly<'_>, solids: &OutlineIndex) -> Vec<Ope
     let index = WallIndex::of(&assembly.rooms);
     let mut ids = BTreeSet::new();
     let mut numbers: Vec<usize> = Vec::new();
-    for (number, opening) in draft.openings.iter().enumerate() {
+    if draft.openings.len() > LEVEL_OPENINGS {
+        let count = draft.openings.len();
+        let message =
+            format!("the level has {count} openings: those behind the first {LEVEL_OPENINGS} were left out");
+        assembly.problems.push(Problem::impossible(Subject::Level, message, "divide it into several levels"));
+    }
+    for (number, opening) in draft.openings.iter().enumerate().take(LEVEL_OPENINGS) {
+        if let Some(room) = opening.rooms.iter().find(|room| assembly.left_out.contains(room.as_str())) {
+            assembly.problems.push(problems::of_lost_room(number, &opening.id, room));
+            continue;
+        }
         if opening.id.is_empty() || !ids.insert(opening.id.clone()) {
             assembly.problems.push(problems::duplicate(Subject::Opening(number), "opening", &opening.id));
         } else {

@@ -9,6 +9,7 @@
 //! ```
 
 use super::assemble::{WallIndex, WallPlace};
+use super::limits::ROOM_OPENINGS;
 use super::{Opening, OpeningKind, OpeningSide, Room, RoomOpening};
 
 mod boundaries;
@@ -72,12 +73,18 @@ pub(super) enum AttachFault {
     Apart,
     /// What is there already leaves no place on the walls of this room.
     Taken(usize),
+    /// This room has all the openings that a room may have.
+    TooMany(usize),
 }
 
 /// Finds the sides of an opening and fits it between the ends of its walls and what lies there already.
 pub(super) fn attach(request: &Request, rooms: &[Room], index: &WallIndex) -> Result<Opening, AttachFault> {
     let faces = faces_near(request, rooms, index);
     let chosen = choose(request, &faces)?;
+    let room_of = |face: &Face| face.place.room;
+    if let Some(full) = chosen.iter().map(room_of).find(|&room| rooms[room].openings.len() >= ROOM_OPENINGS) {
+        return Err(AttachFault::TooMany(full));
+    }
     let fitted = fit(request, rooms, &chosen)?;
     Ok(build(request, rooms, &chosen, fitted))
 }

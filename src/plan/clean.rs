@@ -1,5 +1,6 @@
 //! Rings as found to simple polygons, each edge still knowing which edge of the plan it came from.
 
+use super::limits::{COORDINATE, OUTLINE_CORNERS};
 use crate::geometry::{CORNER_TOLERANCE, Point, Polygon, PolygonFault};
 
 mod holes;
@@ -20,10 +21,6 @@ pub(super) const SLIVER_WIDTH: f64 = 0.02;
 const STRAIGHT_TOLERANCE: f64 = 0.002;
 /// An outline that comes back on itself within this many metres is a spike, not a room part.
 const SPIKE_WIDTH: f64 = 0.002;
-/// Coordinates beyond this many metres are a wrong unit or degrees; areas would lose digits.
-pub(super) const FARTHEST_COORDINATE: f64 = 1e6;
-/// Rings with more corners are refused: checks for crossings are quadratic.
-const MOST_CORNERS: usize = 4096;
 
 /// A simple polygon whose edges remember their origin.
 #[derive(Clone, Debug)]
@@ -39,8 +36,8 @@ pub(super) struct Ring {
 pub(super) enum RingFault {
     /// The polygon itself is at fault.
     Polygon(PolygonFault),
-    /// A coordinate is too large.
-    TooFar(usize),
+    /// A corner and its distance from the origin in metres: too large a coordinate.
+    TooFar(usize, f64),
     /// More corners than are checked.
     TooManyCorners(usize),
     /// Square metres and mean metres of width of a leftover.
@@ -86,14 +83,14 @@ pub(super) fn mean_width(polygon: &Polygon) -> f64 {
 }
 
 fn check_points(points: &[Point]) -> Result<(), RingFault> {
-    if points.len() > MOST_CORNERS {
+    if points.len() > OUTLINE_CORNERS {
         return Err(RingFault::TooManyCorners(points.len()));
     }
     if let Some(index) = points.iter().position(|point| !point.is_finite()) {
         return Err(RingFault::Polygon(PolygonFault::NotFinite(index)));
     }
-    match points.iter().position(|point| point.abs().max_element() > FARTHEST_COORDINATE) {
-        Some(index) => Err(RingFault::TooFar(index)),
+    match points.iter().position(|point| point.abs().max_element() > COORDINATE) {
+        Some(index) => Err(RingFault::TooFar(index, points[index].length())),
         None => Ok(()),
     }
 }

@@ -164,6 +164,8 @@ pub struct Problem {
     pub hint: Option<String>,
     /// Whether the subject was left out.
     pub is_error: bool,
+    /// Whether no building can be so, whatever a drawing leaves open: an error in files of every format.
+    pub is_impossible: bool,
 }
 
 /// What a [`Problem`] is about, as an index into the draft's lists.

@@ -16,6 +16,7 @@ mod clean;
 mod digest;
 mod draft;
 mod inset;
+pub(crate) mod limits;
 mod mirror;
 mod options;
 pub(crate) mod read;

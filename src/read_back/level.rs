@@ -8,6 +8,7 @@ use super::outline::polygon;
 use super::problem::Problem;
 use super::tree::Node;
 use crate::geometry::Region;
+use crate::plan::limits::STOREY_HEIGHT;
 use crate::plan::{Level, Obstacle, Room, Wall, WallKind};
 
 /// A level and where its rooms are in the file.
@@ -100,6 +101,9 @@ fn read_room(extras: &RoomExtras, number: usize) -> Result<Room, String> {
     let region = Region { outline, holes };
     if !(extras.height.is_finite() && extras.height > 0.0 && region.area() > 0.0) {
         return Err("has no height or no floor".to_owned());
+    }
+    if extras.height > STOREY_HEIGHT.1 {
+        return Err(format!("is {} m high, {} m are the most that is read", extras.height, STOREY_HEIGHT.1));
     }
     // What the audit asks walls for is where they are; the rest is not in the file.
     let wall = |(start, end)| Wall {

@@ -3,17 +3,23 @@
 use super::super::attach::{AttachFault, Request};
 use super::super::clean::{HoleFault, RingFault};
 use crate::geometry::PolygonFault;
+use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS, ROOM_OPENINGS};
 use crate::plan::{Opening, Problem, Room, Subject};
 
 impl Problem {
     /// The subject was left out, or something else was put in its place.
     pub(in crate::plan) fn error(subject: Subject, message: String, hint: Option<&str>) -> Self {
-        Self { subject, message, hint: hint.map(str::to_owned), is_error: true }
+        Self { subject, message, hint: hint.map(str::to_owned), is_error: true, is_impossible: false }
     }
 
     /// The subject was mended or is drawing noise.
     pub(in crate::plan) fn warning(subject: Subject, message: String, hint: Option<&str>) -> Self {
         Self { is_error: false, ..Self::error(subject, message, hint) }
+    }
+
+    /// The subject was left out, for no building has such a thing.
+    pub(in crate::plan) fn impossible(subject: Subject, message: String, hint: &str) -> Self {
+        Self { is_impossible: true, ..Self::error(subject, message, Some(hint)) }
     }
 }
 
@@ -29,7 +35,7 @@ pub(super) fn duplicate(subject: Subject, what: &str, id: &str) -> Problem {
 pub(super) fn bad_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
     let subject = match fault {
         RingFault::Polygon(PolygonFault::NotFinite(corner) | PolygonFault::SelfCrossing(corner, _))
-        | RingFault::TooFar(corner) => Subject::RoomCorner(room, *corner),
+        | RingFault::TooFar(corner, _) => Subject::RoomCorner(room, *corner),
         _ => Subject::Room(room),
     };
     let message = format!("room \"{id}\": {}", ring_fault(fault));
@@ -38,8 +44,13 @@ pub(super) fn bad_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
         RingFault::Polygon(PolygonFault::SelfCrossing(..)) => {
             Problem::error(subject, message, Some("list the corners in order around the room"))
         }
-        RingFault::TooFar(_) => {
-            Problem::error(subject, message, Some("coordinates are metres near the origin"))
+        RingFault::TooFar(..) => {
+            Problem::impossible(subject, message, "coordinates are metres near the origin")
+        }
+        RingFault::TooManyCorners(_) => {
+            let hint =
+                format!("{OUTLINE_CORNERS} corners are the most that is read: draw curves in fewer steps");
+            Problem::impossible(subject, message, &hint)
         }
         _ => Problem::error(subject, message, None),
     }
@@ -52,7 +63,7 @@ pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
             let message = format!("hole {hole} of room \"{id}\": {}", ring_fault(fault));
             let is_error = !matches!(fault, RingFault::Sliver(..));
             let hint = Some("it was left out".to_owned());
-            Problem { subject: Subject::Hole(room, *hole), message, hint, is_error }
+            Problem { subject: Subject::Hole(room, *hole), message, hint, is_error, is_impossible: false }
         }
         HoleFault::Merged => Problem::warning(
             Subject::Room(room),
@@ -76,7 +87,10 @@ pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
 pub(super) fn ring_fault(fault: &RingFault) -> String {
     match fault {
         RingFault::Polygon(fault) => fault.to_string(),
-        RingFault::TooFar(corner) => format!("corner {corner} is more than 1000 km from the origin"),
+        RingFault::TooFar(corner, distance) => {
+            let (distance, most) = (distance / 1000.0, COORDINATE / 1000.0);
+            format!("corner {corner} is {distance:.0} km from the origin, {most} km are the most")
+        }
         RingFault::TooManyCorners(count) => format!("outline has {count} corners"),
         RingFault::Sliver(area, width) => format!("outline is a sliver of {area:.4} m², {width:.3} m wide"),
     }
@@ -107,6 +121,13 @@ pub(super) fn unattached(number: usize, request: &Request, fault: &AttachFault, 
             format!("opening \"{id}\" {at}: the rooms that it names do not face each other there"),
             "name two rooms with one wall between them",
         ),
+        AttachFault::TooMany(room) => (
+            format!(
+                "opening \"{id}\" {at}: room \"{}\" has {ROOM_OPENINGS} openings already, the most that is read",
+                rooms[*room].id
+            ),
+            "divide the room",
+        ),
         AttachFault::Taken(room) => (
             format!(
                 "opening \"{id}\" {at}: other openings of room \"{}\" take its place in the wall",
@@ -116,6 +137,12 @@ pub(super) fn unattached(number: usize, request: &Request, fault: &AttachFault, 
         ),
     };
     Problem::error(Subject::Opening(number), fact, Some(hint))
+}
+
+/// An opening of a room that was left out.
+pub(super) fn of_lost_room(number: usize, id: &str, room: &str) -> Problem {
+    let fact = format!("opening \"{id}\" names room \"{room}\", which was left out");
+    Problem::warning(Subject::Opening(number), fact, Some("it was left out too"))
 }
 
 /// A window that runs on along several walls.

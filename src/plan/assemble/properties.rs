@@ -124,7 +124,9 @@ proptest! {
         prop_assert!(level.rooms.len() + about_rooms.count() >= room_count);
         let about_openings =
             problems.iter().filter(|problem| matches!(problem.subject, Subject::Opening(_)));
-        prop_assert!(level.openings.len() + about_openings.count() >= opening_count);
+        // Where all rooms are too large, no more is said of their openings.
+        let is_hopeless = level.rooms.is_empty() && problems.iter().any(|problem| problem.is_impossible);
+        prop_assert!(is_hopeless || level.openings.len() + about_openings.count() >= opening_count);
         let (again, _) = assemble_level(draft);
         prop_assert_eq!(level.digest, again.digest);
     }

@@ -2,27 +2,22 @@
 
 use std::collections::BTreeSet;
 
+use super::extents::{is_hopeless, refuse_excess, refuse_far, refuse_surplus};
 use super::overlaps::{cut_enclosed, report_overlaps};
 use super::walls::bare_walls;
-use super::{Assembly, ROOM_HEIGHTS, SLAB_THICKNESS, problems};
+use super::{Assembly, SLAB_THICKNESS, problems};
 use crate::geometry::Region;
-use crate::plan::clean::{Ring, SLIVER_AREA, clean_region, clean_ring, refuse_sliver, separate_holes};
+use crate::plan::clean::{
+    Ring, RingFault, SLIVER_AREA, clean_region, clean_ring, refuse_sliver, separate_holes,
+};
 use crate::plan::inset::{CenterRoom, inset_rooms};
+use crate::plan::limits::{LEVEL_ROOMS, STOREY_HEIGHT};
 use crate::plan::{OutlineKind, Problem, Room, RoomDraft, Subject};
 
 /// Fills `assembly.rooms` and `assembly.sources` in the draft's order.
 pub(super) fn build_rooms(assembly: &mut Assembly<'_>) {
     let draft = assembly.draft;
-    let mut borders = Vec::new();
-    let mut ids = BTreeSet::new();
-    for (number, room) in draft.rooms.iter().enumerate() {
-        if room.id.is_empty() || !ids.insert(room.id.as_str()) {
-            assembly.problems.push(problems::duplicate(Subject::Room(number), "room", &room.id));
-        } else if let Some(sound) = sound_borders(assembly, number) {
-            borders.push(sound);
-            assembly.sources.push(number);
-        }
-    }
+    let mut borders = sound_rooms(assembly);
     cut_enclosed(assembly, &mut borders);
     if draft.outlines == OutlineKind::Center {
         borders = inset_rooms(borders, draft.interior_thickness / 2.0);
@@ -37,6 +32,31 @@ pub(super) fn build_rooms(assembly: &mut Assembly<'_>) {
     }
 }
 
+/// The rooms that can be, in the order of `assembly.sources`; all others are reported and left out.
+fn sound_rooms(assembly: &mut Assembly<'_>) -> Vec<CenterRoom> {
+    let draft = assembly.draft;
+    let mut borders = Vec::new();
+    let mut ids = BTreeSet::new();
+    refuse_surplus(draft, &mut assembly.problems);
+    for (number, room) in draft.rooms.iter().enumerate().take(LEVEL_ROOMS) {
+        if room.id.is_empty() || !ids.insert(room.id.as_str()) {
+            assembly.problems.push(problems::duplicate(Subject::Room(number), "room", &room.id));
+        } else if let Some(sound) = sound_borders(assembly, number) {
+            borders.push(sound);
+            assembly.sources.push(number);
+        }
+    }
+    borders = refuse_far(assembly, borders);
+    if is_hopeless(assembly) {
+        assembly.sources.clear();
+        borders.clear();
+    }
+    let kept: BTreeSet<&str> = assembly.sources.iter().map(|&room| draft.rooms[room].id.as_str()).collect();
+    let ids = draft.rooms.iter().map(|room| room.id.as_str());
+    assembly.left_out = ids.filter(|id| !kept.contains(id)).collect();
+    borders
+}
+
 /// Cleans outline and holes; `None` if no room remains.
 fn sound_borders(assembly: &mut Assembly<'_>, number: usize) -> Option<CenterRoom> {
     let room = &assembly.draft.rooms[number];
@@ -45,10 +65,14 @@ fn sound_borders(assembly: &mut Assembly<'_>, number: usize) -> Option<CenterRoo
     let ring = match ring {
         Ok(ring) => ring,
         Err(fault) => {
+            assembly.excess_count += usize::from(matches!(fault, RingFault::TooFar(..)));
             assembly.problems.push(problems::bad_outline(number, &room.id, &fault));
             return None;
         }
     };
+    if refuse_excess(assembly, number, &ring.polygon) {
+        return None;
+    }
     let cleaned = clean_region(ring, &room.holes);
     let faults = cleaned.faults.iter().map(|fault| problems::hole(number, &room.id, fault));
     assembly.problems.extend(faults);
@@ -143,9 +167,10 @@ fn own_tags(draft: &RoomDraft, ring: &Ring) -> Vec<Vec<String>> {
 
 fn room_height(assembly: &mut Assembly<'_>, source: usize) -> f64 {
     let draft = &assembly.draft.rooms[source];
-    let usual = (assembly.draft.height - SLAB_THICKNESS).clamp(ROOM_HEIGHTS.0, ROOM_HEIGHTS.1);
+    let usual = (assembly.draft.height - SLAB_THICKNESS).clamp(STOREY_HEIGHT.0, STOREY_HEIGHT.1);
     let Some(height) = draft.height else { return usual };
-    if (ROOM_HEIGHTS.0..=ROOM_HEIGHTS.1).contains(&height) {
+    // Too high ones are no rooms and left out before; what a drawing leaves too low is a room all the same.
+    if (STOREY_HEIGHT.0..=STOREY_HEIGHT.1).contains(&height) {
         return height;
     }
     assembly.problems.push(Problem::error(

@@ -3,15 +3,13 @@
 use super::{Face, LEAST_PARTNER_SHARE, LEAST_SHARE, LEAST_WINDOW_PARTNER, NARROWEST_OPENING};
 use crate::geometry::Point;
 use crate::plan::assemble::{Assembly, WallIndex};
-use crate::plan::clean::FARTHEST_COORDINATE;
+use crate::plan::limits::{COORDINATE, OPENING_WIDTH, ROOM_SIDE};
 use crate::plan::{OpeningDraft, OpeningKind, OpeningPlace};
 
 /// Without a direction of its own an opening takes that of a wall within this many metres.
 const NEAREST_WALL: f64 = 1.0;
 /// Metres of an open boundary that both rooms must share.
 const SHORTEST_BOUNDARY: f64 = 0.3;
-/// Widest opening in metres; boundaries that name no width are longer and get cut.
-const WIDEST_OPENING: f64 = 1000.0;
 
 /// An opening before it is attached.
 #[derive(Clone, Debug)]
@@ -95,7 +93,7 @@ pub(in crate::plan) fn request(
         OpeningPlace::Points { center, along } => (*center, *along),
         OpeningPlace::Edge { edge, at } => on_edge(opening, assembly, *edge, *at)?,
     };
-    if !center.is_finite() || center.abs().max_element() > FARTHEST_COORDINATE {
+    if !center.is_finite() || center.abs().max_element() > COORDINATE {
         return Err((format!("opening \"{}\" has no finite place", opening.id), None));
     }
     let along = along.filter(|along| along.is_finite()).map(|along| along.normalize_or_zero());
@@ -121,9 +119,14 @@ pub(in crate::plan) fn request(
 
 fn check_numbers(opening: &OpeningDraft) -> Result<(), (String, Option<String>)> {
     let id = &opening.id;
-    if !(NARROWEST_OPENING..=WIDEST_OPENING).contains(&opening.width) {
+    let (narrowest, mut widest) = OPENING_WIDTH;
+    if opening.kind == OpeningKind::OpenBoundary {
+        // As long as its rooms' common edge; what is too long is cut.
+        widest = ROOM_SIDE.1;
+    }
+    if !(narrowest..=widest).contains(&opening.width) {
         let fact = format!("opening \"{id}\" is {} m wide", opening.width);
-        return Err((fact, Some(format!("widths from {NARROWEST_OPENING} to {WIDEST_OPENING} m are used"))));
+        return Err((fact, Some(format!("widths from {narrowest} to {widest} m are used"))));
     }
     let is_upright = opening.bottom.is_finite() && opening.bottom >= 0.0 && opening.top.is_finite();
     if !is_upright || opening.top - opening.bottom < NARROWEST_OPENING {

@@ -3,6 +3,7 @@
 use geo::{Area, Coord, LineString};
 
 use crate::geometry::{Point, Polygon};
+use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS};
 
 /// A polygon with holes for the `geo` crate.
 pub(in crate::plan) fn to_surface(outline: &Polygon, holes: &[Polygon]) -> geo::Polygon<f64> {
@@ -25,8 +26,8 @@ pub(in crate::plan) fn to_polygon(surface: &geo::Polygon<f64>) -> Option<Polygon
 
 /// A ring as a polygon, where it is one of usable size and place; for outlines that only help.
 pub(in crate::plan) fn to_simple(points: &[Point]) -> Option<Polygon> {
-    let is_usable = points.len() <= super::MOST_CORNERS
-        && points.iter().all(|point| point.abs().max_element() <= super::FARTHEST_COORDINATE);
+    let is_usable =
+        points.len() <= OUTLINE_CORNERS && points.iter().all(|point| point.abs().max_element() <= COORDINATE);
     if is_usable { Polygon::new(points).ok() } else { None }
 }
 

@@ -96,7 +96,7 @@ fn faults_name_the_point_as_found() {
     list[2].x = f64::NAN;
     assert_eq!(clean_ring(&list, &[]).unwrap_err(), RingFault::Polygon(PolygonFault::NotFinite(2)));
     list[2].x = 1e9;
-    assert_eq!(clean_ring(&list, &[]).unwrap_err(), RingFault::TooFar(2));
+    assert!(matches!(clean_ring(&list, &[]), Err(RingFault::TooFar(2, _))));
     let many = vec![Point::ZERO; 5000];
     assert_eq!(clean_ring(&many, &[]).unwrap_err(), RingFault::TooManyCorners(5000));
     assert!(clean_ring(&[], &[]).is_err());

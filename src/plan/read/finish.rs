@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::native::{LevelOrigins, NativeChecks, ProblemList, Report};
 use crate::document::{Fault, Faults, Source};
-use crate::plan::{Building, BuildingDraft, Level, Problem, assemble_level, mirror_building};
+use crate::plan::{Building, BuildingDraft, Problem, Subject, assemble_level, mirror_building};
 
 /// A building as it was read, and where from.
 pub(super) struct Drafted {
@@ -46,43 +46,47 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> (Building, Fau
     let mut problems = Vec::new();
     for level in draft.levels {
         let checks = NativeChecks::of(&level);
+        let had_rooms = !level.rooms.is_empty();
         let (level, mut found) = assemble_level(level);
         if matches!(drafted.provenance, Provenance::Native(..)) {
             checks.run(&level, &mut found);
         }
-        problems.push(found);
-        building.levels.push(level);
+        let is_lost = had_rooms && level.rooms.is_empty();
+        if is_lost {
+            let message = format!("level \"{}\" has no room that can be read", level.id);
+            found.push(Problem::impossible(Subject::Level, message, "it was left out"));
+        }
+        problems.push((level.id.clone(), found));
+        building.levels.extend((!is_lost).then_some(level));
     }
-    let faults = drafted.provenance.faults(&building, problems);
-    (building, faults)
+    (building, drafted.provenance.faults(problems))
 }
 
 impl Provenance {
-    fn faults(&self, building: &Building, problems: Vec<Vec<Problem>>) -> Faults {
+    /// The problems of the levels, by id, as faults of the file.
+    fn faults(&self, problems: Vec<(String, Vec<Problem>)>) -> Faults {
         match self {
             Self::Native(source, origins) => {
                 let mut list = ProblemList::default();
-                for (problems, origins) in problems.into_iter().zip(origins) {
+                for ((_, problems), origins) in problems.into_iter().zip(origins) {
                     list.add(problems, origins);
                 }
                 let mut report = Report::new(source);
                 list.report(&mut report);
                 report.finish()
             }
-            // Nobody can be asked to mend a foreign file: what was left out is a warning.
+            // Nobody can be asked to mend a foreign file: what was left out is a warning, unless no building is so.
             Self::Foreign(file) => {
-                let with_levels = building.levels.iter().zip(problems);
-                let fault = |level: &Level, problem: Problem| {
-                    let message = format!("level \"{}\": {}", level.id, problem.message);
-                    Fault { hint: problem.hint, ..Fault::of_file(file, message).as_warning() }
+                let fault = |level: &str, problem: Problem| {
+                    let message = format!("level \"{level}\": {}", problem.message);
+                    let fault = Fault { hint: problem.hint, ..Fault::of_file(file, message) };
+                    if problem.is_impossible { fault } else { fault.as_warning() }
                 };
-                Faults(
-                    with_levels
-                        .flat_map(|(level, problems)| {
-                            problems.into_iter().map(move |problem| fault(level, problem))
-                        })
-                        .collect(),
-                )
+                let mut faults = Faults::default();
+                for (level, problems) in problems {
+                    problems.into_iter().for_each(|problem| faults.push(fault(&level, problem)));
+                }
+                faults
             }
         }
     }

@@ -179,6 +179,9 @@ fn finish_all(file: &Path, reading: Drafts) -> (Vec<ReadBuilding>, Faults) {
     for drafted in reading.drafts {
         let (building, found) = finish(&drafted, &Variation::default());
         faults.merge(found);
+        if building.levels.is_empty() {
+            continue;
+        }
         let placed = PlacedBuilding {
             id: drafted.id,
             site: SitePlacement::default(),

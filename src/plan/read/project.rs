@@ -179,6 +179,9 @@ impl Reading<'_> {
         for (number, drafted) in drafts.iter().enumerate() {
             let variation = Variation { is_mirrored: plan.mirror, style: style.clone() };
             let building = self.building(&file, (number, drafted), variation);
+            if building.levels.is_empty() {
+                continue;
+            }
             for copy in 0..count {
                 let Some(id) = self.id(path, plan, &drafted.id, copy) else { return };
                 let site = site(plan, copy);

@@ -2,7 +2,11 @@
 
 use super::features::{Geometry, Position};
 use crate::geometry::Point;
+use crate::plan::limits::median;
 use crate::plan::units::LocalPlane;
+
+/// Degrees beyond which no building reaches: some 50 km, less towards the poles.
+const WIDEST_BUILDING: f64 = 0.5;
 
 /// An outline and its holes.
 pub(super) struct Outline {
@@ -36,23 +40,30 @@ fn point(position: &[f64], plane: &LocalPlane) -> Point {
     }
 }
 
-/// The plane at the middle of the bounding box of some areas. `None` if there are none, or no degrees.
+/// The plane at the middle of the bounding box of some areas, or at the middle of most of their corners where one lies
+/// far off. `None` if there are none, or no degrees.
 pub(super) fn plane_of<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<LocalPlane> {
-    let mut low = Point::INFINITY;
-    let mut high = Point::NEG_INFINITY;
-    for geometry in geometries {
-        let rings: Vec<&Vec<Position>> = match geometry {
-            Geometry::Polygon { coordinates } => coordinates.iter().collect(),
-            Geometry::MultiPolygon { coordinates } => coordinates.iter().flatten().collect(),
-            Geometry::LineString { .. } | Geometry::Other => Vec::new(),
-        };
-        for position in rings.into_iter().flatten() {
-            if let [longitude, latitude, ..] = position[..] {
-                low = low.min(Point::new(longitude, latitude));
-                high = high.max(Point::new(longitude, latitude));
-            }
-        }
-    }
-    let middle = (low + high) / 2.0;
+    let corners: Vec<Point> = geometries.flat_map(corners).collect();
+    let low = corners.iter().copied().fold(Point::INFINITY, Point::min);
+    let high = corners.iter().copied().fold(Point::NEG_INFINITY, Point::max);
+    let middle = if (high - low).max_element() > WIDEST_BUILDING {
+        Point::new(median(corners.iter().map(|at| at.x)), median(corners.iter().map(|at| at.y)))
+    } else {
+        (low + high) / 2.0
+    };
     LocalPlane::at(middle.x, middle.y)
+}
+
+/// Longitudes and latitudes of an area.
+fn corners(geometry: &Geometry) -> Vec<Point> {
+    let rings: Vec<&Vec<Position>> = match geometry {
+        Geometry::Polygon { coordinates } => coordinates.iter().collect(),
+        Geometry::MultiPolygon { coordinates } => coordinates.iter().flatten().collect(),
+        Geometry::LineString { .. } | Geometry::Other => Vec::new(),
+    };
+    let point = |position: &Position| match position[..] {
+        [longitude, latitude, ..] => Some(Point::new(longitude, latitude)),
+        _ => None,
+    };
+    rings.into_iter().flatten().filter_map(point).collect()
 }

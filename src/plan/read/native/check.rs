@@ -1,21 +1,14 @@
 //! What can be wrong with a plan file before anything is placed: numbers, words, edges.
 
+use std::collections::BTreeSet;
+
 use super::file::{ColumnFile, LevelFile, OpeningAt, OpeningFile, OpeningWord, PlanFile, RoomFile, VERSION};
 use super::report::{Report, item, step};
 use super::units::LengthUnit;
 use crate::document::{PathStep, did_you_mean};
 use crate::plan::RoomWords;
+use crate::plan::limits::{COORDINATE, OPENING_WIDTH, ROOM_SIDE, STOREY_HEIGHT, WALL_THICKNESS};
 
-/// Shortest and longest room in metres; outside, the unit is wrong.
-const ROOM_EXTENT: (f64, f64) = (0.05, 1000.0);
-/// Farthest coordinate from the origin in metres.
-const FARTHEST: f64 = 100_000.0;
-/// Lowest and highest room and storey in metres.
-const HEIGHT: (f64, f64) = (1.0, 100.0);
-/// Thinnest and thickest wall in metres.
-const THICKNESS: (f64, f64) = (0.0, 3.0);
-/// Narrowest and widest opening in metres.
-const OPENING_WIDTH: (f64, f64) = (0.1, 50.0);
 /// Lowest and highest end of an opening in metres.
 const OPENING_END: (f64, f64) = (0.0, 100.0);
 /// Narrowest and widest column in metres.
@@ -28,9 +21,13 @@ const USUAL_EXTENT: f64 = 4.0;
 /// Where the range of a length begins at zero, its magnitude begins here, in metres.
 const LEAST_MAGNITUDE: f64 = 0.05;
 
-/// Checks everything that needs no other part of the file.
-pub(super) fn check_file(file: &PlanFile, words: &RoomWords, report: &mut Report<'_>) {
-    let mut check = Check { units: file.units, words, report };
+/// Checks everything that needs no other part of the file; gives the document paths of rooms that are left out.
+pub(super) fn check_file(
+    file: &PlanFile,
+    words: &RoomWords,
+    report: &mut Report<'_>,
+) -> BTreeSet<Vec<PathStep>> {
+    let mut check = Check { units: file.units, words, report, left_out: BTreeSet::new() };
     if file.version != VERSION {
         let message = format!("version {} is not known", file.version);
         check.report.error(
@@ -44,7 +41,7 @@ pub(super) fn check_file(file: &PlanFile, words: &RoomWords, report: &mut Report
         check.report.error(&["levels".into()], "the building has no level", Some(hint.to_owned()));
     }
     for (key, thickness) in [("exterior", file.walls.exterior), ("interior", file.walls.interior)] {
-        check.length(&["walls".into(), key.into()], "wall thickness", thickness, THICKNESS);
+        check.length(&["walls".into(), key.into()], "wall thickness", thickness, WALL_THICKNESS);
     }
     for (name, prototype) in &file.prototypes {
         let path = ["prototypes".into(), name.as_str().into()];
@@ -56,37 +53,43 @@ pub(super) fn check_file(file: &PlanFile, words: &RoomWords, report: &mut Report
     for (index, level) in file.levels.iter().enumerate() {
         check.level(&["levels".into(), index.into()], level);
     }
+    check.left_out
 }
 
 struct Check<'a, 'b> {
     units: LengthUnit,
     words: &'a RoomWords,
     report: &'a mut Report<'b>,
+    /// Document paths of rooms that no building has.
+    left_out: BTreeSet<Vec<PathStep>>,
 }
+
+/// Where something is out of range, the fact and a hint.
+type Misfit = (Vec<PathStep>, String, Option<String>);
 
 type Parts<'a> = (&'a [RoomFile], &'a [OpeningFile], &'a [ColumnFile]);
 
 impl Check<'_, '_> {
     fn level(&mut self, path: &[PathStep], level: &LevelFile) {
-        self.length(&step(path, "height"), "height", level.height, HEIGHT);
-        self.length(&step(path, "elevation"), "elevation", level.elevation, (-FARTHEST, FARTHEST));
+        self.length(&step(path, "height"), "height", level.height, STOREY_HEIGHT);
+        self.length(&step(path, "elevation"), "elevation", level.elevation, (-COORDINATE, COORDINATE));
         self.parts(path, (&level.rooms, &level.openings, &level.columns));
         if level.rooms.is_empty() && level.place.is_empty() {
             let message = format!("level \"{}\" has no room", level.id);
             self.report.error(path, message, Some("give it `rooms`, or `place` a prototype".to_owned()));
         }
         for (index, railing) in level.railings.iter().enumerate() {
-            self.points(&item(path, "railings", index), railing);
+            self.refuse(self.points(&item(path, "railings", index), railing));
         }
         for (index, place) in level.place.iter().enumerate() {
             let path = item(path, "place", index);
-            self.points(&step(&path, "at"), &[place.at]);
+            self.refuse(self.points(&step(&path, "at"), &[place.at]));
             if !place.turn.is_finite() {
                 self.report.error(&step(&path, "turn"), format!("{} is no angle", place.turn), None);
             }
             if let Some(repeat) = &place.repeat {
                 let far = repeat.step.map(|length| length * f64::from(repeat.count));
-                self.points(&step(&step(&path, "repeat"), "step"), &[far]);
+                self.refuse(self.points(&step(&step(&path, "repeat"), "step"), &[far]));
             }
         }
     }
@@ -117,16 +120,18 @@ impl Check<'_, '_> {
             &[("outline", room.outline.is_some()), ("rectangle", room.rectangle.is_some())],
         );
         if let Some(outline) = &room.outline {
-            self.points(&step(path, "outline"), outline);
-            self.extent(&step(path, "outline"), &what, outline, ROOM_EXTENT);
+            let shape = step(path, "outline");
+            let misfit = self.points(&shape, outline);
+            self.leave_out(path, misfit.or_else(|| self.extent(&shape, &what, outline, ROOM_SIDE)));
         }
         if let Some(rectangle) = room.rectangle {
-            self.rectangle(&step(path, "rectangle"), &what, rectangle, ROOM_EXTENT);
+            let misfit = self.rectangle(&step(path, "rectangle"), &what, rectangle, ROOM_SIDE);
+            self.leave_out(path, misfit);
         }
         for (index, hole) in room.holes.iter().enumerate() {
-            self.points(&item(path, "holes", index), hole);
+            self.leave_out(path, self.points(&item(path, "holes", index), hole));
         }
-        self.length(&step(path, "height"), "height", room.height, HEIGHT);
+        self.length(&step(path, "height"), "height", room.height, STOREY_HEIGHT);
         let edge_count = room.outline.as_ref().map_or(4, Vec::len);
         for (index, tags) in room.walls.iter().enumerate() {
             for edge in tags.edge.as_slice().iter().filter(|edge| **edge >= edge_count) {
@@ -139,7 +144,7 @@ impl Check<'_, '_> {
 
     fn opening(&mut self, path: &[PathStep], opening: &OpeningFile) {
         match opening.at {
-            Some(OpeningAt::Point(at)) => self.points(&step(path, "at"), &[at]),
+            Some(OpeningAt::Point(at)) => self.refuse(self.points(&step(path, "at"), &[at])),
             Some(OpeningAt::Distance(_)) if opening.edge.is_none() => {
                 let hint = "write `at: [x, y]`, or name `room` and `edge` that it is measured along";
                 self.report.error(
@@ -218,15 +223,16 @@ impl Check<'_, '_> {
         ];
         self.one_shape(path, "the column", &shapes);
         if let Some(outline) = &column.outline {
-            self.points(&step(path, "outline"), outline);
-            self.extent(&step(path, "outline"), "the column", outline, COLUMN_EXTENT);
+            let shape = step(path, "outline");
+            let misfit = self.points(&shape, outline);
+            self.refuse(misfit.or_else(|| self.extent(&shape, "the column", outline, COLUMN_EXTENT)));
         }
         if let Some(rectangle) = column.rectangle {
-            self.rectangle(&step(path, "rectangle"), "the column", rectangle, COLUMN_EXTENT);
+            self.refuse(self.rectangle(&step(path, "rectangle"), "the column", rectangle, COLUMN_EXTENT));
         }
         if let Some(disc) = &column.disc {
             let path = step(path, "disc");
-            self.points(&step(&path, "center"), &[disc.center]);
+            self.refuse(self.points(&step(&path, "center"), &[disc.center]));
             self.length(&step(&path, "diameter"), "diameter", Some(disc.diameter), COLUMN_EXTENT);
         }
         self.length(&step(path, "height"), "height", column.height, OPENING_END);
@@ -249,55 +255,74 @@ impl Check<'_, '_> {
         }
     }
 
+    /// Reports what makes the file useless.
+    fn refuse(&mut self, misfit: Option<Misfit>) {
+        if let Some((path, message, hint)) = misfit {
+            self.report.error(&path, message, hint);
+        }
+    }
+
+    /// Reports what makes a room useless; the others are read.
+    fn leave_out(&mut self, room: &[PathStep], misfit: Option<Misfit>) {
+        if let Some((path, message, hint)) = misfit {
+            self.report.lost(&path, message, hint);
+            self.left_out.insert(room.to_vec());
+        }
+    }
+
     fn rectangle(
-        &mut self,
+        &self,
         path: &[PathStep],
         what: &str,
         [x, y, width, depth]: [f64; 4],
         range: (f64, f64),
-    ) {
+    ) -> Option<Misfit> {
         for (name, size) in [("width", width), ("depth", depth)] {
             if size.is_nan() || size <= 0.0 {
                 let hint = Some("`rectangle` is [x, y, width, depth]".to_owned());
-                self.report.error(path, format!("{what} has a {name} of {size}"), hint);
-                return;
+                return Some((path.to_vec(), format!("{what} has a {name} of {size}"), hint));
             }
         }
         let corners = [[x, y], [x + width, y + depth]];
-        self.points(path, &corners);
-        self.extent(path, what, &corners, range);
+        self.points(path, &corners).or_else(|| self.extent(path, what, &corners, range))
     }
 
-    /// Refuses points that are not finite or far away.
-    fn points(&mut self, path: &[PathStep], points: &[[f64; 2]]) {
+    /// The first point that is not finite or far away.
+    fn points(&self, path: &[PathStep], points: &[[f64; 2]]) -> Option<Misfit> {
         for (index, point) in points.iter().enumerate() {
-            let is_near = point.iter().all(|value| self.units.to_metres(*value).abs() <= FARTHEST);
+            let is_near = point.iter().all(|value| self.units.to_metres(*value).abs() <= COORDINATE);
             if !is_near {
                 let path = if points.len() > 1 { step(path, index) } else { path.to_vec() };
                 let message = format!("[{}, {}] is farther than 100 km from the origin", point[0], point[1]);
                 let hint =
                     Some("coordinates are lengths near the building's origin, not those of a map".to_owned());
-                self.report.error(&path, message, hint);
-                return;
+                return Some((path, message, hint));
             }
         }
+        None
     }
 
-    /// Refuses sizes that no room or column has.
-    fn extent(&mut self, path: &[PathStep], what: &str, points: &[[f64; 2]], range: (f64, f64)) {
+    /// A size that no room or column has.
+    fn extent(
+        &self,
+        path: &[PathStep],
+        what: &str,
+        points: &[[f64; 2]],
+        range: (f64, f64),
+    ) -> Option<Misfit> {
         for (axis, name) in [(0, "wide"), (1, "deep")] {
             let values = points.iter().map(|point| point[axis]);
             let low = values.clone().fold(f64::INFINITY, f64::min);
             let size = values.fold(f64::NEG_INFINITY, f64::max) - low;
             let metres = self.units.to_metres(size);
-            if metres.is_finite() && !(range.0..=range.1).contains(&metres) && metres <= 2.0 * FARTHEST {
+            if metres.is_finite() && !(range.0..=range.1).contains(&metres) && metres <= 2.0 * COORDINATE {
                 // The difference of two written numbers: more digits than those are noise.
                 let size = (size * 1e6).round() / 1e6;
                 let message = format!("{what} is {size} {} {name}", self.units.word());
-                self.report.error(path, message, self.unit_hint(size, range));
-                return;
+                return Some((path.to_vec(), message, self.unit_hint(size, range)));
             }
         }
+        None
     }
 
     fn length(&mut self, path: &[PathStep], what: &str, value: Option<f64>, range: (f64, f64)) {

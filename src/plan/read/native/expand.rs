@@ -10,6 +10,7 @@ use super::pattern::{PatternValues, expand, names_value};
 use super::report::{Report, item, step};
 use crate::document::{PathStep, did_you_mean};
 use crate::geometry::Point;
+use crate::plan::limits::{BUILDING_LEVELS, BUILDING_ROOMS};
 use crate::plan::{BuildingDraft, LevelDraft, OutlineKind};
 
 /// Metres from floor to floor where nothing is said.
@@ -18,10 +19,6 @@ const USUAL_LEVEL_HEIGHT: f64 = 3.0;
 const USUAL_EXTERIOR_THICKNESS: f64 = 0.3;
 /// Metres of walls between rooms that share an edge where nothing is said.
 const USUAL_INTERIOR_THICKNESS: f64 = 0.1;
-/// Most levels of a building.
-const LEVEL_LIMIT: usize = 1_000;
-/// Most rooms of a building: repetitions must not fill the memory by a slip of the finger.
-const ROOM_LIMIT: usize = 100_000;
 
 /// A building whose prototypes are placed and whose levels are repeated, and where all of it was written.
 pub(super) struct Expanded {
@@ -29,11 +26,15 @@ pub(super) struct Expanded {
     pub(super) origins: Vec<LevelOrigins>,
 }
 
-/// Expands a file; what is wrong goes to the report.
-pub(super) fn expand_building(file: &PlanFile, report: &mut Report<'_>) -> Expanded {
+/// Expands a file without the rooms at some document paths; what is wrong goes to the report.
+pub(super) fn expand_building(
+    (file, left_out): (&PlanFile, &BTreeSet<Vec<PathStep>>),
+    report: &mut Report<'_>,
+) -> Expanded {
     let draft = BuildingDraft { name: file.name.clone(), levels: Vec::new() };
     let mut expansion = Expansion {
         file,
+        left_out,
         report,
         result: Expanded { draft, origins: Vec::new() },
         next_number: 0,
@@ -49,6 +50,8 @@ pub(super) fn expand_building(file: &PlanFile, report: &mut Report<'_>) -> Expan
 
 struct Expansion<'a, 'b> {
     file: &'a PlanFile,
+    /// Document paths of rooms that are not placed.
+    left_out: &'a BTreeSet<Vec<PathStep>>,
     report: &'a mut Report<'b>,
     result: Expanded,
     next_number: i64,
@@ -62,8 +65,8 @@ impl<'a> Expansion<'a, '_> {
     fn add_levels(&mut self, index: usize, level: &'a LevelFile) {
         let path: Vec<PathStep> = vec!["levels".into(), index.into()];
         let count = level.repeat.unwrap_or(1) as usize;
-        if self.result.draft.levels.len() + count > LEVEL_LIMIT {
-            let message = format!("the building has more than {LEVEL_LIMIT} levels");
+        if self.result.draft.levels.len() + count > BUILDING_LEVELS {
+            let message = format!("the building has more than {BUILDING_LEVELS} levels");
             self.report.error(&step(&path, "repeat"), message, None);
             return;
         }
@@ -81,7 +84,7 @@ impl<'a> Expansion<'a, '_> {
         self.next_elevation = level.elevation.map_or(self.next_elevation, metres);
         self.next_number = level.number.unwrap_or(self.next_number);
         for _ in 0..count {
-            if self.room_count > ROOM_LIMIT {
+            if self.room_count > BUILDING_ROOMS {
                 return;
             }
             self.add_level(&path, level, height);
@@ -119,11 +122,11 @@ impl<'a> Expansion<'a, '_> {
             ..LevelDraft::default()
         };
         let origins = LevelOrigins { path: path.to_vec(), id, ..LevelOrigins::default() };
-        let mut parts = LevelParts { draft, origins, names: BTreeMap::new(), opening_ids: BTreeMap::new() };
+        let mut parts = LevelParts { draft, origins, ..LevelParts::default() };
         self.fill(path, level, &mut parts);
         self.room_count += parts.draft.rooms.len();
-        if self.room_count > ROOM_LIMIT {
-            self.report.error(path, format!("the building has more than {ROOM_LIMIT} rooms"), None);
+        if self.room_count > BUILDING_ROOMS {
+            self.report.error(path, format!("the building has more than {BUILDING_ROOMS} rooms"), None);
         }
         self.result.draft.levels.push(parts.draft);
         self.result.origins.push(parts.origins);
@@ -140,6 +143,7 @@ impl<'a> Expansion<'a, '_> {
             path: path.to_vec(),
             instance: None,
             rooms: &[],
+            left_out: self.left_out,
         };
         let placed = self.placed_scopes(path, level, &own);
         own.add_rooms(&level.rooms, parts, self.report);
@@ -183,8 +187,8 @@ impl<'a> Expansion<'a, '_> {
                     break;
                 }
                 placed.push((scope, prototype));
-                if placed.len() > ROOM_LIMIT {
-                    let message = format!("the level has more than {ROOM_LIMIT} copies");
+                if placed.len() > BUILDING_ROOMS {
+                    let message = format!("the level has more than {BUILDING_ROOMS} copies");
                     self.report.error(&path, message, None);
                     return placed;
                 }
@@ -201,7 +205,7 @@ impl<'a> Expansion<'a, '_> {
     ) -> Vec<Scope<'a>> {
         let repeat = place.repeat.as_ref();
         let count = repeat.map_or(1, |repeat| repeat.count);
-        if count as usize > ROOM_LIMIT {
+        if count as usize > BUILDING_ROOMS {
             self.report.error(&step(path, "repeat"), format!("{count} copies are too many"), None);
             return Vec::new();
         }
@@ -278,11 +282,14 @@ pub(crate) fn id_fault(id: &str, forbidden: &[char]) -> Option<String> {
 }
 
 /// A level while it is filled.
+#[derive(Default)]
 pub(super) struct LevelParts {
     pub(super) draft: LevelDraft,
     pub(super) origins: LevelOrigins,
     /// Index of each room in the draft, by id.
     pub(super) names: BTreeMap<String, usize>,
+    /// Ids of rooms that were left out; openings that name them are left out too.
+    pub(super) left_out: BTreeSet<String>,
     /// Where each opening's id was written, by id.
     pub(super) opening_ids: BTreeMap<String, Vec<PathStep>>,
 }

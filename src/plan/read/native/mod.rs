@@ -46,11 +46,11 @@ pub(crate) struct NativeDraft {
 pub(crate) fn read_native(source: &Source, words: &RoomWords) -> Result<NativeDraft, Faults> {
     let file: PlanFile = source.parse()?;
     let mut report = Report::new(source);
-    check::check_file(&file, words, &mut report);
-    let expanded = expand::expand_building(&file, &mut report);
+    let left_out = check::check_file(&file, words, &mut report);
+    let expanded = expand::expand_building((&file, &left_out), &mut report);
     let id = building_id(&file, &mut report);
+    let is_usable = !report.is_useless();
     let mut faults = report.finish();
-    let is_usable = !faults.has_errors();
     let mut report = Report::new(source);
     styles::check_styles(&file, words, &mut report);
     faults.merge(report.finish());

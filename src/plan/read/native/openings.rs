@@ -70,8 +70,13 @@ impl OpeningReader<'_, '_> {
             Some(room) => scope.full_id(&room.id, scope.rooms.len() == 1),
             None => expand(name, &scope.values()),
         };
-        let found = id.ok().filter(|id| self.parts.names.contains_key(id));
-        if found.is_none() {
+        let id = id.ok();
+        let is_left_out = id.as_ref().is_some_and(|id| self.parts.left_out.contains(id));
+        let found = id.filter(|id| self.parts.names.contains_key(id));
+        if is_left_out {
+            let message = format!("the opening names room \"{name}\", which was left out");
+            self.report.warning(path, message, Some("it was left out too".to_owned()));
+        } else if found.is_none() {
             let own = scope.rooms.iter().map(|room| &room.id);
             let hint = did_you_mean(name, self.parts.names.keys().chain(own));
             self.report.error(path, format!("unknown room \"{name}\""), hint);

@@ -104,7 +104,7 @@ mod tests {
     use crate::document::Source;
 
     fn problem(subject: Subject, message: &str) -> Problem {
-        Problem { subject, message: message.to_owned(), hint: None, is_error: true }
+        Problem { subject, message: message.to_owned(), hint: None, is_error: true, is_impossible: false }
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Rooms and columns of a level or of a placed prototype, as drafts.
 
+use std::collections::BTreeSet;
+
 use super::expand::{LevelParts, NODE_NAME_FORBIDDEN, id_fault};
 use super::file::{ColumnFile, OpeningFile, OpeningWord, RoomFile};
 use super::motion::Motion;
@@ -32,6 +34,8 @@ pub(super) struct Scope<'a> {
     pub(super) instance: Option<(String, Vec<PathStep>)>,
     /// The prototype's rooms, for which its openings have short names.
     pub(super) rooms: &'a [RoomFile],
+    /// Document paths of rooms that are not placed.
+    pub(super) left_out: &'a BTreeSet<Vec<PathStep>>,
 }
 
 impl Scope<'_> {
@@ -49,6 +53,10 @@ impl Scope<'_> {
             let path = item(&self.path, "rooms", index);
             let only_one = rooms.len() == 1;
             let Some(id) = self.id(&room.id, only_one, &step(&path, "id"), report) else { continue };
+            if self.left_out.contains(&path) {
+                parts.left_out.insert(id);
+                continue;
+            }
             if let Some(first) = parts.room_origin(&id) {
                 let first = report.line_of(&step(&first.path, "id")).unwrap_or_default();
                 let message = format!("room id \"{id}\" is used twice, first in line {first}");

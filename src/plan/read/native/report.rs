@@ -6,12 +6,13 @@ use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
 pub(crate) struct Report<'a> {
     source: &'a Source,
     faults: Faults,
+    is_useless: bool,
 }
 
 impl<'a> Report<'a> {
     /// Nothing found yet.
     pub(crate) fn new(source: &'a Source) -> Self {
-        Self { source, faults: Faults::default() }
+        Self { source, faults: Faults::default(), is_useless: false }
     }
 
     /// The file.
@@ -21,7 +22,23 @@ impl<'a> Report<'a> {
 
     /// Something that makes the file useless.
     pub(crate) fn error(&mut self, path: &[PathStep], message: impl Into<String>, hint: Option<String>) {
+        self.lost(path, message, hint);
+        self.is_useless = true;
+    }
+
+    /// An error that leaves the rest of the file as it is: what it is about was left out.
+    pub(crate) fn lost(&mut self, path: &[PathStep], message: impl Into<String>, hint: Option<String>) {
         self.faults.push(self.source.fault(path, message, hint, FaultSeverity::Error));
+    }
+
+    /// Something to look at.
+    pub(crate) fn warning(&mut self, path: &[PathStep], message: impl Into<String>, hint: Option<String>) {
+        self.faults.push(self.source.fault(path, message, hint, FaultSeverity::Warning));
+    }
+
+    /// Whether the file is of no use.
+    pub(crate) fn is_useless(&self) -> bool {
+        self.is_useless
     }
 
     /// Adds a fault as it is.
