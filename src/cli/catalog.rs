@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::arguments::{CatalogArguments, CatalogWord};
 use super::exit::Outcome;
-use super::files::write_text;
+use super::files::{Overwrite, write_text};
 use super::screen::Screen;
 use crate::catalog::{DefinitionKind, Description, describe, load_catalog};
 use crate::document::{Fault, Faults};
@@ -42,7 +42,7 @@ fn write_handbook(arguments: &CatalogArguments, folder: &Path, screen: Screen) -
     });
     let write = |page: &Page| {
         let path = folder.join(&page.path);
-        write_text(&path, &page.text, arguments.force).map(|()| path)
+        write_text(&path, &page.text, Overwrite::forced(arguments.force)).map(|()| path)
     };
     let written = pages.and_then(|pages| pages.iter().map(write).collect::<Result<Vec<PathBuf>, Faults>>());
     match written {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::arguments::DiffArguments;
 use super::exit::Outcome;
-use super::files::write_text;
+use super::files::{Overwrite, write_text};
 use super::screen::Screen;
 use crate::batch::distinct_names;
 use crate::catalog::{Catalog, load_catalog};
@@ -125,7 +125,7 @@ fn write_page(arguments: &DiffArguments, report: &Report, catalog: &Catalog) -> 
         pictures.into_iter().map(|picture| (key(&picture.room), picture)).collect::<Vec<_>>()
     });
     let pictures: Pictures = drawn.collect::<Vec<_>>().into_iter().flatten().collect();
-    write_text(path, &html(report, &pictures, limits), arguments.force)
+    write_text(path, &html(report, &pictures, limits), Overwrite::forced(arguments.force))
 }
 
 fn draw(
@@ -152,7 +152,7 @@ fn write_pictures(arguments: &DiffArguments, report: &Report, catalog: &Catalog)
     let write = |(level, (building, name)): &(&LevelDiff, (&String, &String))| {
         let rooms: Vec<&RoomDiff> = level.rooms.iter().collect();
         let pictures = draw(arguments, level, &rooms, catalog);
-        write_level(&folder.join(building).join(name), &pictures, arguments.force)
+        write_level(&folder.join(building).join(name), &pictures, Overwrite::forced(arguments.force))
     };
     let written: Vec<Result<(), Faults>> = jobs.par_iter().map(write).collect();
     let mut faults = Faults::default();
@@ -160,12 +160,12 @@ fn write_pictures(arguments: &DiffArguments, report: &Report, catalog: &Catalog)
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 
-fn write_level(folder: &Path, pictures: &[RoomPictures], is_forced: bool) -> Result<(), Faults> {
+fn write_level(folder: &Path, pictures: &[RoomPictures], overwrite: Overwrite) -> Result<(), Faults> {
     let ids: Vec<&str> = pictures.iter().map(|picture| picture.room.as_str()).collect();
     for (picture, name) in pictures.iter().zip(distinct_names(&ids)) {
         for (svg, side) in [(&picture.old, "before"), (&picture.new, "after")] {
             if let Some(svg) = svg {
-                write_text(&folder.join(format!("{name}.{side}.svg")), svg, is_forced)?;
+                write_text(&folder.join(format!("{name}.{side}.svg")), svg, overwrite)?;
             }
         }
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::{EditsCommand, SourceArguments};
 use super::bake::DEFAULT_SEED;
 use super::exit::Outcome;
-use super::files::write_text;
+use super::files::{Overwrite, write_text};
 use super::reroll::{Rolled, reroll};
 use super::screen::Screen;
 use super::sources::read_plans_only;
@@ -102,7 +102,7 @@ fn write(found: &Found) -> Result<(), Faults> {
         false => None,
     };
     let merged = merge(known, found.entries.clone());
-    write_text(&found.file, &write_edits(&merged), true)
+    write_text(&found.file, &write_edits(&merged), Overwrite::All)
 }
 
 fn report(found: &Found, screen: Screen) {

@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::arguments::{ImportArguments, SourceArguments};
 use super::exit::Outcome;
-use super::files::write_text;
+use super::files::{Overwrite, write_text};
 use super::screen::{FaultReport, Screen};
 use super::sources::read_plans_only;
 use crate::batch::distinct_names;
@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
     let mut written = Vec::new();
     for target in &targets {
         let text = write_native(&target.placed.building, &target.placed.id);
-        match write_text(&target.path, &text, force) {
+        match write_text(&target.path, &text, Overwrite::forced(force)) {
             Ok(()) => written.push(target),
             Err(fault) => faults.merge(fault),
         }

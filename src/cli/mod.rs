@@ -13,6 +13,8 @@ mod explain;
 mod files;
 mod find_room;
 mod import;
+mod init;
+mod man;
 mod merge;
 mod progress;
 mod reroll;
@@ -44,6 +46,9 @@ pub fn run() -> Outcome {
         Command::Explain(arguments) => explain::run(&arguments, screen),
         Command::Import(arguments) => import::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),
+        Command::Init(arguments) => init::run(&arguments, screen),
+        Command::Completions(arguments) => man::run_completions(arguments, screen),
+        Command::Man(arguments) => man::run_man(&arguments, screen),
     }
 }
 

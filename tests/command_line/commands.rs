@@ -94,33 +94,6 @@ fn a_reader_of_half_a_drawing_is_no_error() {
 }
 
 #[test]
-fn draw_asks_which_level_and_suggests() {
-    let world = World::new();
-    world.write("a.yaml", plan("alpha", 2));
-    let ran = world.run(&["draw", "a.yaml"]);
-    assert_eq!(ran.code, Some(2));
-    assert!(ran.stderr.contains("--level"), "{}", ran.stderr);
-    let ran = world.run(&["draw", "a.yaml", "--building", "alfa"]);
-    assert!(ran.stderr.contains("did you mean \"alpha\"?"), "{}", ran.stderr);
-    let svg = world.must(&["draw", "a.yaml", "--level", "2"]).stdout;
-    assert!(svg.starts_with("<svg"));
-    world.must(&["draw", "a.yaml", "--level", "2", "--out", "two.svg"]);
-    assert_eq!(world.read("two.svg"), svg.as_bytes());
-    assert_eq!(world.run(&["draw", "a.yaml", "--level", "2", "--out", "two.svg"]).code, Some(2));
-}
-
-#[test]
-fn draw_puts_all_levels_of_a_building_on_one_sheet() {
-    let world = World::new();
-    world.write("a.yaml", plan("alpha", 2));
-    world.must(&["draw", "a.yaml", "--sheet", "--out", "drawings"]);
-    assert_eq!(world.names("drawings"), ["alpha.svg"]);
-    let svg = world.must(&["draw", "a.yaml", "--sheet"]).stdout;
-    assert_eq!(world.read("drawings/alpha.svg"), svg.as_bytes());
-    assert_eq!(svg.matches("<svg").count(), 3, "the sheet and its two levels");
-}
-
-#[test]
 fn an_imported_plan_bakes_to_the_same_rooms() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));

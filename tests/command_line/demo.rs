@@ -37,7 +37,11 @@ fn the_demo_can_be_checked_and_drawn() {
     assert!(!drawings.is_empty());
     for (name, content) in drawings {
         let text = String::from_utf8(content).unwrap();
-        assert!(name.ends_with(".svg") && text.starts_with("<svg") && text.ends_with("</svg>\n"));
+        assert!(
+            name.ends_with(".svg")
+                && text.starts_with("<svg")
+                && text.contains("</svg>\n<!-- drawn by roomwright")
+        );
     }
     assert!(!world.path("out").exists(), "neither command bakes");
 }

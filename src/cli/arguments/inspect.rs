@@ -62,19 +62,20 @@ pub(crate) struct DrawArguments {
     /// Draw this level only.
     #[arg(long, value_name = "ID")]
     pub(crate) level: Option<String>,
-    /// File (`.svg`, one level) or folder to write into; stdout if one level is drawn and none is given.
+    /// File (`.svg`: one sheet with all levels of a building) or folder to write into. Without it, the sheet goes to stdout, or,
+    /// at a terminal, into BUILDING.svg in this folder.
     #[arg(short, long, value_name = "FILE|DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Show the clearances that furniture and doors need.
     #[arg(long)]
     pub(crate) clearances: bool,
-    /// Draw all levels of a building on one sheet, from below to above.
+    /// In a folder, too, draw all levels of a building on one sheet, from below to above, not a file each.
     #[arg(long)]
     pub(crate) sheet: bool,
     /// Mark what the audit finds in the plan, numbered and coloured by severity, and list it below.
     #[arg(long)]
     pub(crate) findings: bool,
-    /// Overwrite existing files.
+    /// Overwrite files that roomwright did not draw, or that were changed since; its own drawings are renewed without.
     #[arg(long)]
     pub(crate) force: bool,
 }

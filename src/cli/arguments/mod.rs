@@ -5,6 +5,7 @@ mod edits;
 mod exchange;
 mod inspect;
 mod judge;
+mod setup;
 mod sources;
 
 use clap::{Args, Parser, Subcommand};
@@ -16,6 +17,7 @@ pub(crate) use edits::EditsCommand;
 pub(crate) use exchange::{ImportArguments, MergeArguments};
 pub(crate) use inspect::{CatalogArguments, CatalogWord, CheckArguments, DrawArguments, ExplainArguments};
 pub(crate) use judge::{AuditArguments, DiffArguments};
+pub(crate) use setup::{CompletionsArguments, InitArguments, ManArguments};
 pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
 
 /// Furnishes the rooms of building floor plans and writes one glTF file per floor.
@@ -46,6 +48,9 @@ pub(crate) struct Manner {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Write a plan, a style and a project to begin with; no existing file is touched.
+    #[command(after_help = EXIT_CODES)]
+    Init(InitArguments),
     /// Furnish plans and write one glTF file per level.
     #[command(after_help = EXIT_CODES)]
     Bake(BakeArguments),
@@ -78,6 +83,10 @@ pub(crate) enum Command {
     /// Join the records of several bakes in one folder into its manifest.
     #[command(after_help = EXIT_CODES)]
     Merge(MergeArguments),
+    /// Print a script that completes commands and options in a shell.
+    Completions(CompletionsArguments),
+    /// Print the manual page.
+    Man(ManArguments),
 }
 
 #[cfg(test)]

@@ -1,0 +1,66 @@
+//! The levels that somebody asks for, by file.
+
+use std::path::Path;
+
+use super::super::arguments::DrawArguments;
+use super::super::sources::Sources;
+use crate::document::{Fault, Faults, did_you_mean};
+use crate::plan::{Level, PlacedBuilding};
+
+/// A level to draw.
+pub(super) type Subject<'a> = (&'a PlacedBuilding, &'a Level);
+
+/// The levels of one file; several are of one building, from below to above.
+pub(super) type Page<'a> = Vec<Subject<'a>>;
+
+/// The levels that were asked for, sorted by building and level as in the output folder.
+///
+/// # Errors
+/// If there is no such building or level.
+pub(super) fn chosen_levels<'a>(
+    arguments: &DrawArguments,
+    sources: &'a Sources,
+) -> Result<Vec<Subject<'a>>, Faults> {
+    let buildings = &sources.plan.buildings;
+    let of_building =
+        |placed: &&PlacedBuilding| arguments.building.as_ref().is_none_or(|id| *id == placed.id);
+    let chosen: Vec<&PlacedBuilding> = buildings.iter().filter(of_building).collect();
+    if let (Some(id), true) = (&arguments.building, chosen.is_empty()) {
+        return Err(unknown("building", id, buildings.iter().map(|placed| placed.id.clone()).collect()));
+    }
+    let levels = chosen.iter().flat_map(|placed| placed.building.levels.iter().map(|level| (*placed, level)));
+    let levels: Vec<Subject<'_>> = levels.collect();
+    let of_level = |subject: &&Subject<'_>| arguments.level.as_ref().is_none_or(|id| *id == subject.1.id);
+    let mut found: Vec<Subject<'_>> = levels.iter().filter(of_level).copied().collect();
+    if let (Some(id), true) = (&arguments.level, found.is_empty()) {
+        return Err(unknown("level", id, levels.iter().map(|(_, level)| level.id.clone()).collect()));
+    }
+    found.sort_by(|a, b| (&a.0.id, &a.1.id).cmp(&(&b.0.id, &b.1.id)));
+    Ok(found)
+}
+
+fn unknown(what: &str, id: &str, known: Vec<String>) -> Faults {
+    let fault = Fault::of_file(Path::new(&format!("--{what}")), format!("no {what} \"{id}\""));
+    match did_you_mean(id, known) {
+        Some(hint) => fault.with_hint(hint).into(),
+        None => fault.into(),
+    }
+}
+
+/// One file for each level, or a sheet for each building.
+pub(super) fn pages(subjects: Vec<Subject<'_>>, is_sheet: bool) -> Vec<Page<'_>> {
+    if !is_sheet {
+        return subjects.into_iter().map(|subject| vec![subject]).collect();
+    }
+    let mut pages: Vec<Page<'_>> = Vec::new();
+    for subject in subjects {
+        match pages.last_mut() {
+            Some(page) if page[0].0.id == subject.0.id => page.push(subject),
+            _ => pages.push(vec![subject]),
+        }
+    }
+    for page in &mut pages {
+        page.sort_by(|a, b| a.1.elevation.total_cmp(&b.1.elevation));
+    }
+    pages
+}

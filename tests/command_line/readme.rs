@@ -1,0 +1,158 @@
+//! The commands of the README work as they are written, in their order, from the folder of a newcomer.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use super::world::World;
+
+const README: &str = include_str!("../../README.md");
+
+/// The heading before the commands that set the project up; `scripts/test.sh` runs those.
+const FIRST_HEADING: &str = "\n## Use\n";
+
+/// The project's folder.
+fn project() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The lines of indented code blocks that are commands, without their comments.
+fn commands() -> Vec<&'static str> {
+    let (_, text) = README.split_once(FIRST_HEADING).unwrap();
+    let lines = text.lines().filter_map(|line| line.strip_prefix("    "));
+    let lines = lines.filter(|line| line.starts_with("roomwright ") || line.starts_with("python "));
+    lines.map(|line| line.split_once(" #").map_or(line, |(command, _)| command).trim_end()).collect()
+}
+
+/// Pythons that may have what the scripts need, the one that somebody names first.
+fn pythons() -> Vec<PathBuf> {
+    let named = std::env::var_os("ROOMWRIGHT_PYTHON").map(PathBuf::from);
+    let own = [".venv/bin/python", ".venv-render/bin/python"].map(|path| project().join(path));
+    named.into_iter().chain(own).chain([PathBuf::from("python3")]).collect()
+}
+
+/// The modules that a script needs, and whether it needs the Khronos validator.
+fn needs(script: &str) -> (&'static str, bool) {
+    match script {
+        "scripts/validate.py" => ("numpy, shapely, trimesh, pxr", true),
+        "scripts/blender_import.py" | "scripts/blender_export.py" => ("bpy", false),
+        _ => ("numpy, pxr", false),
+    }
+}
+
+/// A Python for a script.
+///
+/// # Errors
+/// Says what is missing.
+fn python_for(script: &str) -> Result<PathBuf, String> {
+    let (modules, needs_validator) = needs(script);
+    if needs_validator && !project().join("scripts/node_modules/gltf-validator").is_dir() {
+        return Err("scripts/node_modules is missing".to_owned());
+    }
+    let can_import = |python: &PathBuf| {
+        let mut command = Command::new(python);
+        command.args(["-c", &format!("import {modules}")]).stdin(Stdio::null());
+        command.stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
+    };
+    pythons().into_iter().find(can_import).ok_or_else(|| format!("no Python with {modules}"))
+}
+
+/// A folder with the program in its PATH, the project's scripts, and the files that stand for a user's.
+struct Newcomer {
+    world: World,
+    path: String,
+}
+
+impl Newcomer {
+    fn new() -> Self {
+        let world = World::new();
+        let campus = project().join("tests/cases/plan_import/campus");
+        for file in std::fs::read_dir(campus).unwrap() {
+            let file = file.unwrap();
+            let name = format!("campus-imdf/{}", file.file_name().to_str().unwrap());
+            world.write(&name, std::fs::read(file.path()).unwrap());
+        }
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(project().join("scripts"), world.path("scripts")).unwrap();
+        let program = Path::new(env!("CARGO_BIN_EXE_roomwright")).parent().unwrap();
+        let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
+        Self { world, path }
+    }
+
+    /// Runs a line as a shell does.
+    ///
+    /// # Errors
+    /// Says why it is skipped.
+    fn run(&self, line: &str) -> Result<(), String> {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let mut typed = line.to_owned();
+        if words[0] == "python" {
+            let python = python_for(words[1])?;
+            typed = typed.replacen("python", &format!("'{}'", python.display()), 1);
+        }
+        if words.contains(&"all.blend")
+            && words[1].ends_with("export.py")
+            && !self.world.path("all.blend").exists()
+        {
+            return Err("all.blend was not made".to_owned());
+        }
+        if words.contains(&"edited.glb") && !self.world.path("edited.glb").exists() {
+            self.world.write("edited.glb", self.world.read("out/house/ground.glb"));
+        }
+        let output = Command::new("sh")
+            .args(["-c", &typed])
+            .current_dir(self.world.path("."))
+            .env("PATH", &self.path)
+            .env("ROOMWRIGHT_CACHE", self.world.path("cache"))
+            .stdin(Stdio::null())
+            .output()
+            .unwrap();
+        // Differences of the kinds that somebody asks for are an answer, too.
+        let is_answer =
+            output.status.success() || (line.contains("--fail-on") && output.status.code() == Some(1));
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert!(is_answer, "{line}: {:?}\n{stderr}", output.status.code());
+        Ok(())
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn every_command_of_the_readme_runs_as_it_is_written() {
+    let newcomer = Newcomer::new();
+    let mut skipped: BTreeMap<&str, String> = BTreeMap::new();
+    for line in commands() {
+        if let Err(reason) = newcomer.run(line) {
+            println!("skipped: {line}: {reason}");
+            skipped.insert(line, reason);
+        }
+    }
+    assert!(skipped.keys().all(|line| line.starts_with("python ")), "{skipped:?}");
+    for made in [
+        "out/house/ground.glb",
+        "house.svg",
+        "drawings/house/upper.svg",
+        "diff.html",
+        "page.html",
+        "man/roomwright.1",
+    ] {
+        assert!(newcomer.world.path(made).exists(), "{made}");
+    }
+}
+
+#[test]
+fn the_readme_names_every_command() {
+    let world = World::new();
+    let help = world.must(&["--help"]).stdout;
+    let (_, list) = help.split_once("Commands:\n").unwrap();
+    let names: Vec<&str> = list
+        .lines()
+        .take_while(|line| !line.is_empty())
+        .filter(|line| line.starts_with("  ") && !line.starts_with("   "))
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    assert!(names.len() > 10, "{names:?}");
+    for name in names.into_iter().filter(|name| *name != "help") {
+        assert!(README.contains(&format!("roomwright {name}")), "{name}");
+    }
+}
