@@ -13,6 +13,7 @@ pub mod cache;
 pub mod catalog;
 pub mod cli;
 pub mod diff;
+mod disk;
 pub mod document;
 pub mod draw;
 pub mod edits;

@@ -30,6 +30,8 @@ pub enum FaultCode {
     ForeignFile,
     /// Any other fault of the file system.
     WriteFailed,
+    /// A merge of a folder that no bake has written into.
+    NothingToJoin,
     /// The level does not fit into the format.
     TooLarge,
     /// The system starts no more threads.
@@ -50,6 +52,7 @@ impl FaultCode {
             Self::DiskFull => "disk_full",
             Self::ForeignFile => "foreign_file",
             Self::WriteFailed => "write_failed",
+            Self::NothingToJoin => "nothing_to_join",
             Self::TooLarge => "too_large",
             Self::NoThreads => "no_threads",
             Self::RoomBroken => "room_broken",
@@ -78,6 +81,15 @@ impl OutputFault {
             io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists | io::ErrorKind::IsADirectory => {
                 (FaultCode::WrongKind, "a file or folder of that name is in the way; choose another --out")
             }
+            // What `disk` says of links, pipes and devices.
+            io::ErrorKind::InvalidInput => (
+                FaultCode::WrongKind,
+                "links, pipes and devices in the output folder are not followed; remove it, or choose another --out",
+            ),
+            io::ErrorKind::FileTooLarge => (
+                FaultCode::WriteFailed,
+                "the system lets no file become so large; see `ulimit -f` and the file system",
+            ),
             _ => (FaultCode::WriteFailed, "see the system's message"),
         };
         let message = format!("cannot {action}: {error}");

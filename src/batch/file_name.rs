@@ -37,6 +37,22 @@ pub(crate) fn distinct_names(ids: &[&str]) -> Vec<String> {
     names.into_iter().zip(ids).map(tell_apart).collect()
 }
 
+/// Whether a name is one that [`distinct_names`] gives to an id, among whatever others.
+pub(crate) fn is_name_of(id: &str, name: &str) -> bool {
+    let plain = safe_name(id);
+    name == plain || name == marked(&plain, id)
+}
+
+/// Whether a name could be one that [`distinct_names`] gives, with an extension or without.
+pub(crate) fn is_safe_name(name: &str) -> bool {
+    let is_of_safe_letters = name.bytes().all(|byte| is_plain(byte) || matches!(byte, b'%' | b'~'));
+    !name.is_empty()
+        && is_of_safe_letters
+        && !name.starts_with('.')
+        && !name.ends_with('.')
+        && !is_device(name)
+}
+
 /// The name of one id, not yet compared with others.
 fn safe_name(id: &str) -> String {
     if id.is_empty() {
@@ -72,18 +88,21 @@ fn push_encoded(name: &mut String, byte: u8) {
     name.push(char::from(DIGITS[usize::from(byte & 0xF)]));
 }
 
-/// Windows looks at what stands before the first dot only.
+/// Names that stand for something else.
 fn is_reserved(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    lower == super::LIBRARY_FOLDER || super::manifest::is_manifest_name(&lower) || is_device(name)
+}
+
+/// Windows looks at what stands before the first dot only.
+fn is_device(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
     let stem = lower.split('.').next().unwrap_or_default();
     let is_numbered = |word: &&str| {
         stem.strip_prefix(*word)
             .is_some_and(|rest| rest.len() == 1 && rest.bytes().all(|byte| (b'1'..=b'9').contains(&byte)))
     };
-    lower == super::LIBRARY_FOLDER
-        || super::manifest::is_manifest_name(&lower)
-        || DEVICES.contains(&stem)
-        || NUMBERED_DEVICES.iter().any(is_numbered)
+    DEVICES.contains(&stem) || NUMBERED_DEVICES.iter().any(is_numbered)
 }
 
 /// The name with a mark that depends on the exact id.

@@ -158,10 +158,7 @@ fn scene(workshop: &Workshop<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
 /// Puts the files of a level into place and records them.
 fn write(folder: &OutputFolder, files: &LevelFiles, record: &LevelRecord) -> Result<(), OutputFault> {
     folder.announce(&record.files)?;
-    // The file to open comes last, so that it never stands there without what it refers to.
-    for (file, bytes) in files.files.iter().rev() {
-        folder.place(file, bytes)?;
-    }
+    folder.place_level(&files.files)?;
     folder.record(record)?;
     folder.retire_replaced(record)
 }

@@ -1,5 +1,8 @@
 //! SHA-256 of inputs and files.
 
+use std::fs::File;
+use std::io::{self, Read};
+
 use sha2::{Digest, Sha256};
 
 /// Changes whenever the bytes that a level becomes may change although its inputs did not: the program's
@@ -16,6 +19,22 @@ pub(crate) fn to_hex(bytes: &[u8]) -> String {
 /// The hash of a file's content as the manifest shows it.
 pub(crate) fn content_hash(bytes: &[u8]) -> String {
     to_hex(&Sha256::digest(bytes))
+}
+
+/// [`content_hash`] of what a file holds, however long it is, in the memory of one piece.
+///
+/// # Errors
+/// What the system says.
+pub(crate) fn file_hash(mut file: File) -> io::Result<String> {
+    const PIECE: usize = 1 << 16;
+    let mut hash = Sha256::new();
+    let mut piece = vec![0; PIECE];
+    loop {
+        match file.read(&mut piece)? {
+            0 => return Ok(to_hex(&hash.finalize())),
+            length => hash.update(&piece[..length]),
+        }
+    }
 }
 
 /// Collects fields of different lengths so that no two lists of fields look the same.

@@ -4,16 +4,18 @@ use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use super::fault::OutputFault;
-use super::folder::{OutputFolder, create_folder, find_runs, lock_state, state_folder};
-use super::hash::content_hash;
+use super::fault::{FaultCode, OutputFault};
+use super::folder::OutputFolder;
+use super::hash::file_hash;
 use super::job::Shard;
-use super::manifest::{MANIFEST_NAME, is_part_name, write_manifest};
+use super::manifest::{MANIFEST_NAME, write_manifest};
 use super::record::{FileRecord, LevelRecord, Totals};
 use super::sources::{Contents, Found, Sources, manifest_paths};
-
-/// How temporary manifests begin; they live in our own corner of the output folder.
-pub(crate) const JOINING_PREFIX: &str = "joining-";
+use super::state::{
+    JOINING_PREFIX, check_state, create_state, find_runs, lock_state, new_file, remove_runs, state_folder,
+};
+use crate::disk::{look_inside, open_inside};
+use crate::document::{Fault, FaultSeverity, Faults};
 
 /// What became of the records when a run ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,23 +35,46 @@ pub struct MergeReport {
     pub totals: Totals,
     /// Runs that are still writing into the folder; their records so far are included.
     pub living_runs: usize,
+    /// Records that were left out, because they name what no bake writes.
+    pub faults: Faults,
 }
 
 /// Joins the records of an output folder into its manifest.
 ///
 /// # Errors
-/// If there is no such folder, it cannot be written, or it holds a manifest that is not ours.
+/// If there is no such folder, no bake has written into it, it cannot be written, or it holds a manifest that is not ours.
 pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
     fs::read_dir(root).map_err(|error| OutputFault::of(root, "open the output folder", &error))?;
-    let state = state_folder(root);
-    create_folder(&state)?;
+    check_state(root)?;
+    let is_new = fs::symlink_metadata(state_folder(root)).is_err();
+    if is_new && manifest_paths(root)?.is_empty() {
+        return Err(nothing_to_join(root));
+    }
+    let state = create_state(root)?;
     let _lock = lock_state(&state)?;
-    let runs = find_runs(&state)?;
-    let sources = Sources::read(&manifest_paths(root)?, &runs.journals())?;
+    let runs = find_runs(&state, None)?;
+    let manifests = manifest_paths(root)?;
+    if manifests.is_empty() && runs.journals().is_empty() {
+        return Err(nothing_to_join(root));
+    }
+    let sources = Sources::read(&manifests, &runs.journals())?;
+    let mut contents = sources.contents(false)?;
     let manifest = root.join(MANIFEST_NAME);
-    let totals = write_joined(root, &sources.contents(false)?, &manifest)?;
-    clear(root, &runs.abandoned)?;
-    Ok(MergeReport { manifest, totals, living_runs: runs.living.len() })
+    let totals = write_joined(root, &contents, &manifest)?;
+    clear(&contents.parts, &runs.abandoned)?;
+    // Nobody bakes their levels again now: they are missing.
+    let as_error = |fault: Fault| Fault { severity: FaultSeverity::Error, ..fault };
+    let faults = Faults(std::mem::take(&mut contents.faults).0.into_iter().map(as_error).collect());
+    Ok(MergeReport { manifest, totals, living_runs: runs.living.len(), faults })
+}
+
+fn nothing_to_join(root: &Path) -> OutputFault {
+    OutputFault {
+        code: FaultCode::NothingToJoin,
+        path: root.to_owned(),
+        message: "holds no manifest, no part of one and no record of a bake".to_owned(),
+        hint: Some("name the folder that `roomwright bake --out` wrote into".to_owned()),
+    }
 }
 
 impl OutputFolder {
@@ -65,7 +90,7 @@ impl OutputFolder {
     ) -> Result<Joined, OutputFault> {
         let state = state_folder(&self.root);
         let _lock = lock_state(&state)?;
-        let mut runs = find_runs(&state)?;
+        let mut runs = find_runs(&state, Some(&self.run))?;
         let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
         let contents = sources.contents(self.is_forced)?;
         let joined = match shard {
@@ -82,7 +107,7 @@ impl OutputFolder {
                 let manifest = self.root.join(MANIFEST_NAME);
                 if self.has_news() || !runs.abandoned.is_empty() || !sources.is_one_manifest() {
                     write_joined(&self.root, &contents, &manifest)?;
-                    clear(&self.root, &runs.abandoned)?;
+                    clear(&contents.parts, &runs.abandoned)?;
                 }
                 Joined::Whole(manifest)
             }
@@ -95,7 +120,7 @@ impl OutputFolder {
 /// Writes the records to `target` in one step.
 fn write_joined(root: &Path, contents: &Contents<'_>, target: &Path) -> Result<Totals, OutputFault> {
     let fault = |error: io::Error| OutputFault::of(target, "write the manifest", &error);
-    let temporary = super::place::new_file(&state_folder(root), JOINING_PREFIX).map_err(fault)?;
+    let temporary = new_file(&state_folder(root), JOINING_PREFIX).map_err(fault)?;
     let records = contents.levels.values().filter_map(|found| choose(root, found).transpose());
     let mut out = BufWriter::new(temporary);
     let totals = write_manifest(&mut out, records, &contents.library).map_err(fault)?;
@@ -116,7 +141,7 @@ fn choose(root: &Path, found: &[Found<'_>]) -> io::Result<Option<LevelRecord>> {
     } else {
         heads.iter().rposition(|head| is_in_place(root, &head.files)).unwrap_or(heads.len() - 1)
     };
-    if !heads[index].files.iter().all(|file| root.join(&file.path).is_file()) {
+    if !heads[index].files.iter().all(|file| is_there(root, file)) {
         return Ok(None);
     }
     let mut record: LevelRecord = serde_json::from_str(found[index].text.get())?;
@@ -124,25 +149,23 @@ fn choose(root: &Path, found: &[Found<'_>]) -> io::Result<Option<LevelRecord>> {
     Ok(Some(record))
 }
 
-/// Whether the files have exactly these contents.
+fn is_there(root: &Path, file: &FileRecord) -> bool {
+    look_inside(root, &file.path).is_ok_and(|found| found.is_some())
+}
+
+/// Whether the files have exactly these contents. One of another length is not read.
 pub(crate) fn is_in_place(root: &Path, files: &[FileRecord]) -> bool {
-    files
-        .iter()
-        .all(|file| fs::read(root.join(&file.path)).is_ok_and(|bytes| content_hash(&bytes) == file.sha256))
+    let has_content = |file: &FileRecord| -> io::Result<bool> {
+        let Some((opened, found)) = open_inside(root, &file.path)? else { return Ok(false) };
+        Ok(found.len() == file.bytes && file_hash(opened)? == file.sha256)
+    };
+    files.iter().all(|file| has_content(file).unwrap_or(false))
 }
 
 /// Deletes the texts that the manifest now contains.
-fn clear(root: &Path, abandoned: &[PathBuf]) -> Result<(), OutputFault> {
-    let is_part = |path: &PathBuf| path.file_name().and_then(|name| name.to_str()).is_some_and(is_part_name);
-    for part in manifest_paths(root)?.into_iter().filter(is_part) {
-        fs::remove_file(&part).map_err(|error| OutputFault::of(&part, "delete the joined part", &error))?;
+fn clear(parts: &[PathBuf], abandoned: &[PathBuf]) -> Result<(), OutputFault> {
+    for part in parts {
+        fs::remove_file(part).map_err(|error| OutputFault::of(part, "delete the joined part", &error))?;
     }
     remove_runs(abandoned)
-}
-
-fn remove_runs(runs: &[PathBuf]) -> Result<(), OutputFault> {
-    for run in runs {
-        fs::remove_dir_all(run).map_err(|error| OutputFault::of(run, "delete the ended run", &error))?;
-    }
-    Ok(())
 }

@@ -70,9 +70,10 @@ impl Journal {
     }
 }
 
-/// The lines of a journal, without any that was cut off.
-pub(crate) fn journal_lines(text: &[u8]) -> impl Iterator<Item = JournalText<'_>> + '_ {
-    text.split(|&byte| byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok())
+/// The lines of a journal with their numbers from 1, without any that was cut off.
+pub(crate) fn journal_lines(text: &[u8]) -> impl Iterator<Item = (usize, JournalText<'_>)> + '_ {
+    let lines = text.split(|&byte| byte == b'\n').enumerate();
+    lines.filter_map(|(index, line)| Some((index + 1, serde_json::from_slice(line).ok()?)))
 }
 
 #[cfg(test)]

@@ -3,22 +3,41 @@
 use std::fs::{File, TryLockError};
 use std::io;
 
+/// Whether somebody holds a long lock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Holder {
+    /// A living process.
+    Living,
+    /// Nobody: its process has ended.
+    Gone,
+    /// The file system has no locks.
+    Unknown,
+}
+
 /// Some network file systems have no locks; there, bakes must not run at the same time in one folder.
 ///
 /// # Errors
 /// Everything but the absence of locks.
-pub(crate) fn ignore_unsupported(result: io::Result<()>) -> io::Result<()> {
+pub(super) fn ignore_unsupported(result: io::Result<()>) -> io::Result<()> {
     match result {
-        Err(error) if error.kind() == io::ErrorKind::Unsupported => Ok(()),
+        Err(error) if lacks_locks(&error) => Ok(()),
         other => other,
     }
 }
 
-/// Whether no living process holds the file.
-pub(crate) fn is_abandoned(file: &File) -> bool {
+/// Who holds the long lock on a file.
+pub(super) fn holder(file: &File) -> Holder {
     match file.try_lock() {
-        Ok(()) => true,
-        Err(TryLockError::WouldBlock) => false,
-        Err(TryLockError::Error(error)) => error.kind() == io::ErrorKind::Unsupported,
+        Ok(()) => Holder::Gone,
+        Err(TryLockError::WouldBlock) => Holder::Living,
+        Err(TryLockError::Error(_)) => Holder::Unknown,
     }
+}
+
+/// ENOLCK, which the standard library has no kind for: NFS without its lock service gives it.
+const NO_LOCKS_AVAILABLE: i32 = if cfg!(target_os = "linux") { 37 } else { 77 };
+
+fn lacks_locks(error: &io::Error) -> bool {
+    error.kind() == io::ErrorKind::Unsupported
+        || (cfg!(unix) && error.raw_os_error() == Some(NO_LOCKS_AVAILABLE))
 }

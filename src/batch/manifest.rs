@@ -27,6 +27,9 @@ pub(crate) fn is_part_name(name: &str) -> bool {
         .is_some_and(|(index, count)| is_number(index) && is_number(count))
 }
 
+/// The most bytes of a manifest or journal that are read: ten thousand levels of forty rooms take a hundredth of it.
+pub(crate) const LARGEST_RECORDS: u64 = 1 << 30;
+
 /// The version of the format.
 const MANIFEST_VERSION: u32 = 1;
 

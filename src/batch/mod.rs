@@ -1,6 +1,7 @@
 //! Many plans to many files: scheduling, levels that are kept, manifest, progress.
 
 mod bug;
+mod claim;
 mod event;
 mod fault;
 mod file_name;
@@ -17,6 +18,7 @@ mod manifest;
 mod place;
 mod record;
 mod sources;
+mod state;
 mod textures;
 mod work;
 
@@ -27,10 +29,12 @@ pub use fault::{FaultCode, OutputFault};
 pub(crate) use file_name::distinct_names;
 pub use folder::OutputFolder;
 pub use hash::PROGRAM;
+#[cfg(test)]
 pub(crate) use hash::content_hash;
+pub(crate) use hash::file_hash;
 pub use job::{BakeOptions, Format, Shard, TextureOptions};
 pub use join::{Joined, MergeReport, merge};
-pub(crate) use manifest::{MANIFEST_NAME, parse_manifest};
+pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
 pub(crate) use place::new_result_file;
 pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
 pub use work::{BakeInput, bake};

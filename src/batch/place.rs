@@ -1,20 +1,39 @@
 //! Puts a file into place: whole or not at all, and never over something of other origin.
 
-use std::fs;
+use std::cell::LazyCell;
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
 
 use tempfile::NamedTempFile;
 
 use super::fault::OutputFault;
-use super::folder::{OutputFolder, create_folder, find_runs, lock_state, state_folder};
-use super::hash::content_hash;
+use super::folder::OutputFolder;
+use super::hash::file_hash;
 use super::join::is_in_place;
 use super::record::{FileRecord, LevelRecord};
-use super::sources::{Sources, manifest_paths};
+use super::sources::{Sources, Written, manifest_paths};
+use super::state::{RESULT_PREFIX, create_folder, find_runs, lock_state, new_file, state_folder};
+use crate::disk::open_inside;
 
-/// How often a file may appear or vanish under our hands before we give up.
+/// How often a file may appear or vanish under our hands before it is taken for one of others.
 const ATTEMPTS: usize = 5;
+
+/// A result that waits under a temporary name.
+struct Waiting<'a> {
+    file: &'a FileRecord,
+    temporary: NamedTempFile,
+}
+
+/// What stands where a result goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Standing {
+    Nothing,
+    /// The very result.
+    Same,
+    /// What may be replaced: of our making, or anything by force.
+    Replaceable,
+}
 
 impl OutputFolder {
     /// Writes a file under its final name.
@@ -26,29 +45,47 @@ impl OutputFolder {
     /// [`super::FaultCode::ForeignFile`] for content of other origin; else what the system says. Nothing is
     /// left half written.
     pub(crate) fn place(&self, file: &FileRecord, bytes: &[u8]) -> Result<(), OutputFault> {
-        let target = self.root.join(&file.path);
-        let fault = |error| OutputFault::of(&target, "write the file", &error);
-        let mut temporary = self.write_temporary(bytes).map_err(fault)?;
+        let mut waiting = self.write_temporary(file, bytes)?;
         for _ in 0..ATTEMPTS {
-            if let Some(found) = read_if_present(&target).map_err(fault)? {
-                let found = content_hash(&found);
-                if found == file.sha256 {
-                    return Ok(());
-                }
-                if !self.is_forced && !self.is_ours(&file.path, &found)? {
-                    return Err(OutputFault::foreign(&target));
-                }
-                return temporary.persist(&target).map(drop).map_err(|failed| fault(failed.error));
-            }
-            match temporary.persist_noclobber(&target) {
-                Ok(_) => return Ok(()),
-                Err(failed) => temporary = failed.file,
-            }
-            if let Some(folder) = target.parent() {
-                create_folder(folder)?;
+            match self.standing(file, None)? {
+                Standing::Same => return Ok(()),
+                Standing::Replaceable => return self.put(waiting),
+                Standing::Nothing => match self.put_where_nothing_is(waiting)? {
+                    None => return Ok(()),
+                    // Somebody was faster: look again.
+                    Some(back) => waiting = back,
+                },
             }
         }
-        temporary.persist_noclobber(&target).map(drop).map_err(|failed| fault(failed.error))
+        Err(OutputFault::foreign(&self.root.join(&file.path)))
+    }
+
+    /// Writes the files of a level, the one to open first. Where there are several, those of one run stand there, although
+    /// others write the same level at the same time; and the one to open never refers to what is not there, whenever
+    /// this process is killed.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::place`].
+    pub(crate) fn place_level(&self, files: &[(FileRecord, Vec<u8>)]) -> Result<(), OutputFault> {
+        if let [(file, bytes)] = files {
+            return self.place(file, bytes);
+        }
+        let waiting = files.iter().map(|(file, bytes)| self.write_temporary(file, bytes));
+        let waiting: Vec<Waiting<'_>> = waiting.collect::<Result<_, _>>()?;
+        let lock = lock_state(&state_folder(&self.root))?;
+        // Everything is looked at before anything is changed.
+        let standing = waiting.iter().map(|waiting| self.standing(waiting.file, Some(&lock)));
+        let standing: Vec<Standing> = standing.collect::<Result<_, _>>()?;
+        let changes_a_part = standing.iter().skip(1).any(|standing| *standing != Standing::Same);
+        if let (Some(Standing::Replaceable), Some(first)) = (standing.first(), waiting.first())
+            && changes_a_part
+        {
+            let main = self.root.join(&first.file.path);
+            fs::remove_file(&main).map_err(|error| OutputFault::of(&main, "replace the file", &error))?;
+        }
+        let changed =
+            waiting.into_iter().zip(standing).rev().filter(|(_, standing)| *standing != Standing::Same);
+        changed.map(|(waiting, _)| waiting).try_for_each(|waiting| self.put(waiting))
     }
 
     /// Deletes the files that the level's earlier record names and the new one does not (another format,
@@ -68,33 +105,74 @@ impl OutputFolder {
         Ok(())
     }
 
-    fn write_temporary(&self, bytes: &[u8]) -> io::Result<NamedTempFile> {
-        let mut temporary = new_file(&self.run, "")?;
-        temporary.write_all(bytes)?;
-        Ok(temporary)
+    fn write_temporary<'a>(&self, file: &'a FileRecord, bytes: &[u8]) -> Result<Waiting<'a>, OutputFault> {
+        let write = || -> io::Result<NamedTempFile> {
+            let mut temporary = new_file(&self.run, RESULT_PREFIX)?;
+            temporary.write_all(bytes)?;
+            Ok(temporary)
+        };
+        let fault = |error| OutputFault::of(&self.root.join(&file.path), "write the file", &error);
+        Ok(Waiting { file, temporary: write().map_err(fault)? })
     }
 
-    /// Whether a content is of our making: of an earlier run, of this one, or of one beside us.
-    fn is_ours(&self, path: &str, sha256: &str) -> Result<bool, OutputFault> {
-        if self.known.written.get(path).is_some_and(|hashes| hashes.contains(sha256)) {
-            return Ok(true);
+    /// What stands where a file goes; `lock` is the short lock, where this thread holds it.
+    ///
+    /// # Errors
+    /// [`super::FaultCode::ForeignFile`] for what may not be replaced, [`super::FaultCode::WrongKind`] for links on the way and folders.
+    fn standing(&self, file: &FileRecord, lock: Option<&File>) -> Result<Standing, OutputFault> {
+        let target = self.root.join(&file.path);
+        let (opened, found) = match open_inside(&self.root, &file.path) {
+            Ok(None) => return Ok(Standing::Nothing),
+            Ok(Some(found)) => found,
+            Err(error) => return Err(OutputFault::of(&target, "write the file", &error)),
+        };
+        // Of a length that no content of ours has, a file is not read: it may be of any size.
+        let hash = LazyCell::new(|| file_hash(opened).unwrap_or_default());
+        let is_one = |bytes: u64, sha256: &str| bytes == found.len() && *hash == sha256;
+        if is_one(file.bytes, &file.sha256) {
+            return Ok(Standing::Same);
         }
-        let state = state_folder(&self.root);
-        let _lock = lock_state(&state)?;
-        let runs = find_runs(&state)?;
-        let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
-        let written = sources.contents(self.is_forced)?.written;
-        Ok(written.get(path).is_some_and(|hashes| hashes.contains(sha256)))
+        let is_known = |written: &Written| {
+            let contents = written.get(&file.path).into_iter().flatten();
+            contents.into_iter().any(|content| is_one(content.bytes, &content.sha256))
+        };
+        if self.is_forced || is_known(&self.known.written) || is_known(&self.written_beside(lock)?) {
+            return Ok(Standing::Replaceable);
+        }
+        Err(OutputFault::foreign(&target))
     }
-}
 
-/// A temporary file that gets the rights of any new file, not those of a secret.
-pub(crate) fn new_file(folder: &Path, prefix: &str) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(prefix);
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    /// Renames a result into place, over whatever is there.
+    fn put(&self, waiting: Waiting<'_>) -> Result<(), OutputFault> {
+        let target = self.root.join(&waiting.file.path);
+        target.parent().map_or(Ok(()), create_folder)?;
+        let fault =
+            |failed: tempfile::PersistError| OutputFault::of(&target, "write the file", &failed.error);
+        waiting.temporary.persist(&target).map(drop).map_err(fault)
+    }
+
+    /// Renames a result into place; gives it back if something is there by now.
+    fn put_where_nothing_is<'a>(&self, waiting: Waiting<'a>) -> Result<Option<Waiting<'a>>, OutputFault> {
+        let Waiting { file, temporary } = waiting;
+        let target = self.root.join(&file.path);
+        target.parent().map_or(Ok(()), create_folder)?;
+        match temporary.persist_noclobber(&target) {
+            Ok(_) => Ok(None),
+            Err(failed) if failed.error.kind() == io::ErrorKind::AlreadyExists => {
+                Ok(Some(Waiting { file, temporary: failed.file }))
+            }
+            Err(failed) => Err(OutputFault::of(&target, "write the file", &failed.error)),
+        }
+    }
+
+    /// What this run and those beside it have written so far.
+    fn written_beside(&self, lock: Option<&File>) -> Result<Written, OutputFault> {
+        let state = state_folder(&self.root);
+        let _lock = if lock.is_some() { None } else { Some(lock_state(&state)?) };
+        let runs = find_runs(&state, Some(&self.run))?;
+        let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
+        Ok(sources.contents(self.is_forced)?.written)
+    }
 }
 
 /// A temporary file that becomes a result when it is persisted, and vanishes if not.
@@ -103,12 +181,4 @@ pub(crate) fn new_file(folder: &Path, prefix: &str) -> io::Result<NamedTempFile>
 /// If the folder cannot be written.
 pub(crate) fn new_result_file(folder: &Path) -> io::Result<NamedTempFile> {
     new_file(folder, ".roomwright-")
-}
-
-fn read_if_present(path: &Path) -> io::Result<Option<Vec<u8>>> {
-    match fs::read(path) {
-        Ok(bytes) => Ok(Some(bytes)),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(error),
-    }
 }

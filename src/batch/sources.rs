@@ -3,33 +3,56 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
+use super::claim::{FalseClaim, check_file, check_level, check_shared};
 use super::fault::{FaultCode, OutputFault};
 use super::hash::PROGRAM;
 use super::journal::{JournalText, journal_lines};
-use super::manifest::{MANIFEST_NAME, is_part_name, parse_manifest};
-use super::record::{FileRecord, LevelKey, Totals};
+use super::manifest::{LARGEST_RECORDS, MANIFEST_NAME, ManifestText, is_part_name, parse_manifest};
+use super::record::{FileRecord, LevelKey, LevelRecord, Totals};
+use crate::disk::read_plain;
+use crate::document::{Fault, Faults, PathStep, Source};
 
 /// The texts, in a fixed order: manifest, parts by name, journals by name. Later ones are newer.
 #[derive(Default)]
 pub(crate) struct Sources {
-    manifests: Vec<(PathBuf, Vec<u8>)>,
-    journals: Vec<Vec<u8>>,
+    manifests: Vec<(PathBuf, ManifestBytes)>,
+    journals: Vec<(PathBuf, Vec<u8>)>,
 }
+
+/// The bytes of a manifest, or why something else of that name can be none.
+type ManifestBytes = Result<Vec<u8>, String>;
 
 /// What the texts say, borrowed from them.
 #[derive(Default)]
 pub(crate) struct Contents<'a> {
     /// The records of each level, oldest first, each with the program that wrote it.
     pub(crate) levels: BTreeMap<LevelKey, Vec<Found<'a>>>,
-    /// Every content that we wrote or were about to write, by path: SHA-256.
-    pub(crate) written: BTreeMap<String, BTreeSet<String>>,
+    /// Every content that we wrote or were about to write, by path.
+    pub(crate) written: Written,
     /// Shared geometry by path.
     pub(crate) library: BTreeMap<String, FileRecord>,
+    /// The parts of manifests that all this comes from.
+    pub(crate) parts: Vec<PathBuf>,
+    /// Records that were left out, because they claim what this program does not write.
+    pub(crate) faults: Faults,
+}
+
+/// Contents by path.
+pub(crate) type Written = BTreeMap<String, BTreeSet<Content>>;
+
+/// What a file holds.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Content {
+    /// Its length.
+    pub(crate) bytes: u64,
+    /// Its SHA-256.
+    pub(crate) sha256: String,
 }
 
 /// A record as text.
@@ -43,12 +66,6 @@ pub(crate) struct Found<'a> {
 /// The part of a record that decides whether a level is up to date.
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct RecordHead {
-    /// Building id.
-    building: String,
-    /// Level id.
-    level: String,
-    /// Who wrote it, if not the writer of the manifest.
-    pub(crate) program: Option<String>,
     /// Hash of all that it was made from.
     pub(crate) inputs: String,
     /// Its files.
@@ -68,10 +85,11 @@ impl Sources {
     pub(crate) fn read(manifests: &[PathBuf], journals: &[PathBuf]) -> Result<Self, OutputFault> {
         let mut sources = Self::default();
         for path in manifests {
-            sources.manifests.push((path.clone(), read(path)?));
+            sources.manifests.push((path.clone(), read_manifest(path)?));
         }
         for path in journals {
-            sources.journals.push(read(path)?);
+            let text = read_plain(path, LARGEST_RECORDS).map_err(|error| unread(path, &error))?;
+            sources.journals.push((path.clone(), text));
         }
         Ok(sources)
     }
@@ -88,54 +106,85 @@ impl Sources {
     pub(crate) fn contents(&self, is_forced: bool) -> Result<Contents<'_>, OutputFault> {
         let mut contents = Contents::default();
         for (path, text) in &self.manifests {
-            match parse_manifest(text) {
-                Ok(manifest) => {
-                    let library = manifest.library.into_iter().map(|file| (file.path.clone(), file));
-                    contents.library.extend(library);
-                    for level in manifest.levels {
-                        contents.add_level(level, &manifest.program);
-                    }
-                }
+            let text = text.as_deref().map_err(Clone::clone);
+            match text.and_then(|text| Ok((parse_manifest(text)?, text))) {
+                Ok((manifest, text)) => contents.add_manifest(path, manifest, text),
                 Err(_) if is_forced => {}
                 Err(reason) => return Err(no_manifest(path, &reason)),
             }
         }
-        for text in &self.journals {
-            contents.add_journal(text);
+        for (path, text) in &self.journals {
+            contents.add_journal(path, text);
         }
-        for file in contents.library.values() {
-            contents.written.entry(file.path.clone()).or_default().insert(file.sha256.clone());
-        }
+        let library: Vec<FileRecord> = contents.library.values().cloned().collect();
+        contents.add_files(&library);
         Ok(contents)
     }
 }
 
 impl<'a> Contents<'a> {
-    fn add_journal(&mut self, text: &'a [u8]) {
+    fn add_manifest(&mut self, path: &Path, manifest: ManifestText<'a>, text: &[u8]) {
+        let mut claims: Vec<(Vec<PathStep>, FalseClaim)> = Vec::new();
+        for (index, file) in manifest.library.into_iter().enumerate() {
+            match check_shared(&file) {
+                Ok(()) => drop(self.library.insert(file.path.clone(), file)),
+                Err(claim) => claims.push((vec!["library".into(), index.into()], claim)),
+            }
+        }
+        for (index, level) in manifest.levels.into_iter().enumerate() {
+            if let Err(claim) = self.add_level(level, &manifest.program) {
+                claims.push((vec!["levels".into(), index.into()], claim));
+            }
+        }
+        if path.file_name().and_then(|name| name.to_str()).is_some_and(is_part_name) {
+            self.parts.push(path.to_owned());
+        }
+        if !claims.is_empty() {
+            // Places are looked up only where there is something to say: it takes longer than to read the records.
+            let source = Source::new(path, &String::from_utf8_lossy(text));
+            self.faults.0.extend(claims.iter().map(|(before, claim)| claim.fault(&source, before)));
+        }
+    }
+
+    fn add_journal(&mut self, path: &Path, text: &'a [u8]) {
         let mut program = PROGRAM.to_owned();
-        for line in journal_lines(text) {
-            match line {
-                JournalText::Program(name) => program = name,
-                JournalText::Writing(files) => self.add_files(&files),
+        for (number, line) in journal_lines(text) {
+            let added = match line {
+                JournalText::Program(name) => {
+                    program = name;
+                    Ok(())
+                }
+                JournalText::Writing(files) => {
+                    files.iter().try_for_each(check_file).map(|()| self.add_files(&files))
+                }
                 JournalText::Library(file) => {
-                    self.library.insert(file.path.clone(), file);
+                    check_shared(&file).map(|()| drop(self.library.insert(file.path.clone(), file)))
                 }
                 JournalText::Level(level) => self.add_level(level, &program),
+            };
+            if let Err(claim) = added {
+                let fault = claim.fault(&Source::new(path, ""), &[]);
+                self.faults.push(Fault { position: Some((number, 1)), ..fault });
             }
         }
     }
 
-    /// Adds a level; a record that cannot be read counts as absent, so that the level is baked again.
-    fn add_level(&mut self, text: &'a RawValue, program: &str) {
-        let Ok(head) = serde_json::from_str::<RecordHead>(text.get()) else { return };
-        self.add_files(&head.files);
-        let program = head.program.unwrap_or_else(|| program.to_owned());
-        self.levels.entry((head.building, head.level)).or_default().push(Found { program, text });
+    /// Adds a level; one whose record is refused counts as absent, so that it is baked again.
+    fn add_level(&mut self, text: &'a RawValue, program: &str) -> Result<(), FalseClaim> {
+        // The whole record is read, not its head alone: later it must not turn out to be none.
+        let record: LevelRecord =
+            serde_json::from_str(text.get()).map_err(|error| FalseClaim::unreadable(&error))?;
+        check_level(&record)?;
+        self.add_files(&record.files);
+        let program = record.program.unwrap_or_else(|| program.to_owned());
+        self.levels.entry((record.building, record.level)).or_default().push(Found { program, text });
+        Ok(())
     }
 
     fn add_files(&mut self, files: &[FileRecord]) {
         for file in files {
-            self.written.entry(file.path.clone()).or_default().insert(file.sha256.clone());
+            let content = Content { bytes: file.bytes, sha256: file.sha256.clone() };
+            self.written.entry(file.path.clone()).or_default().insert(content);
         }
     }
 }
@@ -157,11 +206,23 @@ pub(crate) fn manifest_paths(root: &Path) -> Result<Vec<PathBuf>, OutputFault> {
         .collect();
     parts.sort();
     let whole = root.join(MANIFEST_NAME);
-    Ok(whole.exists().then_some(whole).into_iter().chain(parts).collect())
+    // A link that leads nowhere is there too.
+    let is_there = whole.symlink_metadata().is_ok();
+    Ok(is_there.then_some(whole).into_iter().chain(parts).collect())
 }
 
-fn read(path: &Path) -> Result<Vec<u8>, OutputFault> {
-    fs::read(path).map_err(|error| OutputFault::of(path, "read the records", &error))
+fn read_manifest(path: &Path) -> Result<ManifestBytes, OutputFault> {
+    match read_plain(path, LARGEST_RECORDS) {
+        Ok(text) => Ok(Ok(text)),
+        Err(error) if matches!(error.kind(), ErrorKind::InvalidInput | ErrorKind::FileTooLarge) => {
+            Ok(Err(error.to_string()))
+        }
+        Err(error) => Err(unread(path, &error)),
+    }
+}
+
+fn unread(path: &Path, error: &std::io::Error) -> OutputFault {
+    OutputFault::of(path, "read the records", error)
 }
 
 fn no_manifest(path: &Path, reason: &str) -> OutputFault {

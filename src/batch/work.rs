@@ -17,6 +17,7 @@ use super::record::{FileRecord, Totals};
 use super::sources::{Contents, RecordHead};
 use super::textures::Textures;
 use crate::catalog::Catalog;
+use crate::disk::look_inside;
 use crate::edits::EditBook;
 use crate::gltf::EncodedModels;
 use crate::model::ModelLibrary;
@@ -191,8 +192,8 @@ impl OutputFolder {
     /// so a file of the right length that is older than the manifest is trusted; any other is read and compared.
     /// The file system's times decide only how much is read: no output depends on them.
     fn is_untouched(&self, file: &FileRecord) -> bool {
-        let Ok(found) = self.root.join(&file.path).metadata() else { return false };
-        if !found.is_file() || found.len() != file.bytes {
+        let Ok(Some(found)) = look_inside(&self.root, &file.path) else { return false };
+        if found.len() != file.bytes {
             return false;
         }
         // At the same tick of the clock the order of two writes is not known.

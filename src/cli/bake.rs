@@ -16,6 +16,7 @@ use crate::batch::{
     TextureOptions, bake,
 };
 use crate::cache::Cache;
+use crate::document::Faults;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
 use crate::scene::SceneOptions;
@@ -49,7 +50,10 @@ pub(crate) fn run(arguments: BakeArguments, screen: Screen) -> Outcome {
         Err(outcome) => return outcome,
     };
     match OutputFolder::open(&run.out, run.is_forced) {
-        Ok(folder) => work(&run, &folder, screen),
+        Ok(folder) => {
+            show_listed(folder.faults(), screen);
+            work(&run, &folder, screen)
+        }
         Err(fault) => refuse(screen, &fault),
     }
 }
@@ -206,6 +210,15 @@ fn show_failures(report: &BakeReport, screen: Screen) {
     }
     if let Err(fault) = &report.joined {
         show_fault(screen, fault);
+    }
+}
+
+/// Shows the first of many faults.
+fn show_listed(faults: &Faults, screen: Screen) {
+    let listed = faults.0.iter().take(LISTED_FAILURES).cloned().collect();
+    screen.faults(&Faults(listed));
+    if faults.0.len() > LISTED_FAILURES {
+        screen.note(&format!("… and {} more records that were left out", faults.0.len() - LISTED_FAILURES));
     }
 }
 

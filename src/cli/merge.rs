@@ -4,7 +4,7 @@ use serde_json::json;
 
 use super::arguments::MergeArguments;
 use super::exit::Outcome;
-use super::screen::Screen;
+use super::screen::{FaultReport, Screen};
 use crate::batch::{MergeReport, merge};
 
 /// Runs the command.
@@ -20,10 +20,14 @@ pub(crate) fn run(arguments: &MergeArguments, screen: Screen) -> Outcome {
 }
 
 fn show(report: &MergeReport, screen: Screen) -> Outcome {
-    let MergeReport { manifest, totals, living_runs } = report;
+    let MergeReport { manifest, totals, living_runs, faults } = report;
+    screen.faults(faults);
     if screen.is_json {
         let manifest = manifest.display().to_string();
-        screen.json(&json!({"manifest": manifest, "totals": totals, "living_runs": living_runs}));
+        let rejected: Vec<_> = faults.0.iter().map(FaultReport::from).collect();
+        screen.json(&json!({
+            "manifest": manifest, "totals": totals, "living_runs": living_runs, "rejected_records": rejected,
+        }));
     } else if !screen.is_quiet {
         screen.result(&format!(
             "Joined into {}: {} rooms, {} objects.",
@@ -37,5 +41,6 @@ fn show(report: &MergeReport, screen: Screen) -> Outcome {
             "warning: {living_runs} bakes are still at work in this folder; merge again when they are done"
         ));
     }
-    Outcome::Done
+    // The levels of records that were left out are missing now.
+    Outcome::of_failures(!faults.is_empty())
 }

@@ -1,15 +1,17 @@
 //! Reads the two sides: manifests, and the files that differ. The only file of the stage that opens any.
 
 use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::io;
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use serde::Deserialize;
 
 use super::pairs::Entry;
 use crate::audit::judge_room;
-use crate::batch::{FileRecord, MANIFEST_NAME, catch_bug, content_hash, parse_manifest};
+use crate::batch::{FileRecord, LARGEST_RECORDS, MANIFEST_NAME, catch_bug, file_hash, parse_manifest};
 use crate::catalog::Catalog;
+use crate::disk::{look_inside, open_inside, read_regular, stray_step};
 use crate::document::Fault;
 use crate::read_back::{FoundEntry, Inventory, ReadLevel, parse_inventory, parse_level, read_bytes};
 
@@ -72,7 +74,8 @@ fn open_folder(root: &Path, is_thorough: bool) -> Result<Folder, Fault> {
     let hint =
         "`roomwright bake` writes it when it is done; `roomwright merge` joins what several machines baked";
     let fault = |message: String| Fault::of_file(&path, message).with_hint(hint);
-    let text = fs::read(&path).map_err(|error| fault(format!("cannot be read: {error}")))?;
+    let text =
+        read_regular(&path, LARGEST_RECORDS).map_err(|error| fault(format!("cannot be read: {error}")))?;
     let manifest = parse_manifest(&text).map_err(|message| fault(format!("is no manifest: {message}")))?;
     let levels = manifest.levels.iter().map(|level| serde_json::from_str::<Entry>(level.get()));
     let levels = levels.collect::<Result<Vec<_>, _>>();
@@ -92,17 +95,28 @@ impl Folder {
             let names = format!("{}/{}", entry.building, entry.level);
             Fault::of_file(&self.root.join(MANIFEST_NAME), format!("names no file of level {names}"))
         })?;
-        self.place(file)
+        self.inside(file, |path| look_inside(&self.root, path))?;
+        Ok(self.root.join(&file.path))
     }
 
-    fn place(&self, file: &FileRecord) -> Result<PathBuf, Fault> {
-        let path = Path::new(&file.path);
-        let is_inside = path.components().all(|part| matches!(part, Component::Normal(_)));
-        if is_inside {
-            return Ok(self.root.join(path));
+    /// What `look` finds of a file that lies in the folder, with no link on the way.
+    fn inside<T>(
+        &self,
+        file: &FileRecord,
+        look: impl FnOnce(&str) -> io::Result<Option<T>>,
+    ) -> Result<T, Fault> {
+        if stray_step(&file.path).is_some() {
+            let message = format!("names a file outside its folder: {:?}", file.path);
+            return Err(
+                Fault::of_file(&self.root.join(MANIFEST_NAME), message).with_hint("bake the folder anew")
+            );
         }
-        let message = format!("names a file outside its folder: {}", file.path);
-        Err(Fault::of_file(&self.root.join(MANIFEST_NAME), message).with_hint("bake the folder anew"))
+        let found = look(&file.path).and_then(|found| found.ok_or_else(|| io::ErrorKind::NotFound.into()));
+        found.map_err(|error| {
+            let path = self.root.join(&file.path);
+            Fault::of_file(&path, format!("is in the manifest, but cannot be read: {error}"))
+                .with_hint("bake the folder again: what is missing is written anew")
+        })
     }
 
     /// What the files of a level hold now. As a bake that goes on does, a file of the recorded length that is older
@@ -117,17 +131,14 @@ impl Folder {
     }
 
     fn current_hash(&self, file: &FileRecord) -> Result<String, Fault> {
-        let path = self.place(file)?;
-        let missing = |error: std::io::Error| {
-            Fault::of_file(&path, format!("is in the manifest, but cannot be read: {error}"))
-                .with_hint("bake the folder again: what is missing is written anew")
-        };
-        let found = fs::metadata(&path).map_err(missing)?;
+        let found = self.inside(file, |path| look_inside(&self.root, path))?;
         let times = found.modified().ok().zip(self.written);
         if found.len() == file.bytes && times.is_some_and(|(modified, written)| modified < written) {
             return Ok(file.sha256.clone());
         }
-        fs::read(&path).map(|bytes| content_hash(&bytes)).map_err(missing)
+        let hash =
+            |path: &str| open_inside(&self.root, path)?.map(|(opened, _)| file_hash(opened)).transpose();
+        self.inside(file, hash)
     }
 }
 

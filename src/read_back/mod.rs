@@ -58,15 +58,8 @@ pub fn read_level(path: &Path, catalog: &Catalog) -> Result<ReadLevel, Fault> {
 
 /// The bytes of a file that is not too large.
 pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Fault> {
-    let unreadable = |error: std::io::Error| Fault::of_file(path, format!("cannot be read: {error}"));
-    let length = std::fs::metadata(path).map_err(unreadable)?.len();
-    if length > LARGEST_FILE {
-        return Err(Fault::of_file(
-            path,
-            format!("has {length} bytes, {LARGEST_FILE} are the most that is read"),
-        ));
-    }
-    std::fs::read(path).map_err(unreadable)
+    crate::disk::read_regular(path, LARGEST_FILE)
+        .map_err(|error| Fault::of_file(path, format!("cannot be read: {error}")))
 }
 
 /// As [`read_level`], for bytes in memory; `file` is the name for messages.

@@ -1,0 +1,12 @@
+//! Files by names that others chose: looked at before they are opened.
+//!
+//! What later stages may rely on: only regular files are opened, so that a named pipe hangs nobody and a device without end
+//! fills no memory; no more bytes are read than were asked for; and what is reached from a folder by a relative path lies in
+//! that folder, for a link on the way is an error. Between the look and the opening somebody with the right to write there
+//! may still put something else; against that the rights of the folder guard, not this program.
+
+mod inside;
+mod regular;
+
+pub(crate) use inside::{look_inside, open_inside, stray_step};
+pub(crate) use regular::{read_plain, read_regular};

@@ -1,0 +1,16 @@
+//! What a hostile or exhausted surrounding may do: tampered records, links, special files, full disks, few resources. Nothing
+//! outside the output folder is touched, nothing hangs, nothing panics, and the message helps.
+
+#![allow(clippy::unwrap_used)] // a test that cannot set up its folder fails
+
+#[path = "../command_line/world.rs"]
+#[allow(dead_code)] // of all that it offers, each test program needs a part
+mod world;
+
+#[cfg(unix)]
+mod bounded;
+#[cfg(unix)]
+mod links;
+mod records;
+#[cfg(unix)]
+mod special_files;
