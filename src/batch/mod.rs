@@ -29,9 +29,7 @@ pub use fault::{FaultCode, OutputFault};
 pub(crate) use file_name::distinct_names;
 pub use folder::OutputFolder;
 pub use hash::PROGRAM;
-#[cfg(test)]
-pub(crate) use hash::content_hash;
-pub(crate) use hash::file_hash;
+pub(crate) use hash::{content_hash, file_hash};
 pub use job::{BakeOptions, Format, Shard, TextureOptions};
 pub use join::{Joined, MergeReport, merge};
 pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
