@@ -4,10 +4,11 @@
 Each .glb or .gltf becomes one .usdc (or .usda, or .usdz) beside it, or at the same relative place under --out:
   - the same tree of nodes under the default prim, with the same places; names made valid, the original name
     in displayName and in customData;
-  - the node's extras as customData (numbers, texts and lists of one kind as such, seeds and the rest as text),
-    what it is as UsdSemantics labels;
-  - models as instances of assets, which stand once for all floors in `shared-models`; --self-contained keeps them in
-    each file, as prototypes;
+  - the node's extras as customData (numbers, texts and lists of one kind as such, seeds and the rest as text) and as
+    attributes `userProperties:`, which Blender reads; what it is as UsdSemantics labels;
+  - each node's mesh as one Mesh with subsets for its materials, which stand once a floor;
+  - models as assets, which stand once for all floors in `shared-models`; --self-contained keeps them in each file;
+    --instances draws them as instances;
   - materials as UsdPreviewSurface, with textures that stand once in `shared-textures`;
   - lamps as UsdLux with the same lumens; door leaves with an operation `rotateY:swing` that opens them;
   - material variants and levels of detail, where the file has them, as variant sets `material` and `lod`;
@@ -84,7 +85,8 @@ def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job
     settings = Settings(
         root=options.out or base, ending=f".{options.format}", up_axis=options.up_axis,
         copies_images=options.out is not None, is_self_contained=options.self_contained,
-        has_physics=options.physics, instanced_below=options.point_instancer, started=started)
+        has_physics=options.physics, has_instances=options.instances, instanced_below=options.point_instancer,
+        started=started)
     return [Job(source, settings.root / source.relative_to(base).with_suffix(settings.ending), settings, folder)
             for source in sources]
 
@@ -169,6 +171,9 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
                         help="binary, text, or a package of everything that the floor needs")
     parser.add_argument("--up-axis", choices=("Y", "Z"), default="Y")
     parser.add_argument("--self-contained", action="store_true", help="keep models and textures with each floor")
+    parser.add_argument("--instances", action="store_true",
+                        help="mark models as instanceable: renderers then keep each once, and Blender makes an empty and a "
+                             "collection of each")
     parser.add_argument("--point-instancer", nargs="?", type=float, const=SMALL, metavar="METRES",
                         help="put what is smaller than this in every direction, and has nothing on it, into one "
                              f"PointInstancer a room (default: {SMALL})")

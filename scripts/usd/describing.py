@@ -1,16 +1,23 @@
-"""Names, kinds, extras and labels of nodes."""
+"""Names, kinds, extras and labels of nodes.
+
+Extras stand twice with a node: in its customData, which keeps lists as such, and as attributes `userProperties:`, which
+is where Blender and others look for what users say of a prim (and take numbers, texts and up to four numbers together).
+"""
 
 from __future__ import annotations
 
 import json
 
-from pxr import Kind, Sdf, Vt
+from pxr import Gf, Kind, Sdf, Tf, Vt
 
 from gltf_file import Node
 
 from .specs import Types, apply_schemas, attribute
 
 SIMPLE = {bool, str, int, float}
+PROPERTIES = "userProperties:"
+PROPERTY_TYPES = {bool: Types.Bool, str: Types.String, int: Types.Int, float: Types.Double}
+VECTORS = {2: (Types.Double2, Gf.Vec2d), 3: (Types.Double3, Gf.Vec3d), 4: (Types.Double4, Gf.Vec4d)}
 # Which of a node's extras name it for who trains on pictures: taxonomy and field, by kind.
 LABELS = {
     "level": ("building", "building"),
@@ -25,6 +32,7 @@ def describe(prim: Sdf.PrimSpec, node: Node) -> None:
     """Name, kind, extras and label of a node."""
     prim.SetInfo("displayName", node.name)
     prim.SetInfo("customData", custom_data(node))
+    write_properties(prim, node)
     kind = prim_kind(node)
     if kind:
         prim.kind = kind
@@ -38,6 +46,29 @@ def custom_data(node: Node) -> dict:
         # Seeds use all of 64 bits, which a signed integer does not hold; one type for all of them.
         extras["seed"] = str(node.extras["seed"])
     return {"name": node.name, **extras}
+
+
+def write_properties(prim: Sdf.PrimSpec, node: Node) -> None:
+    """The name and the extras as attributes of users."""
+    for key, value in {"name": node.name, **node.extras}.items():
+        kind, value = property_value(str(value) if key == "seed" else value)
+        name = f"{PROPERTIES}{Tf.MakeValidIdentifier(key)}"
+        if value is not None and name not in prim.properties:
+            attribute(prim, name, kind, value).custom = True
+
+
+def property_value(value) -> tuple:
+    """Type and value of an attribute; nothing for nothing, and JSON text for what no attribute of one value holds."""
+    if value is None:
+        return Types.String, None
+    if type(value) is int and not -2**31 <= value < 2**31:
+        value = str(value)
+    if type(value) in PROPERTY_TYPES:
+        return PROPERTY_TYPES[type(value)], value
+    if isinstance(value, list) and len(value) in VECTORS and all(type(item) in (int, float) for item in value):
+        kind, vector = VECTORS[len(value)]
+        return kind, vector(*(float(item) for item in value))
+    return Types.String, json.dumps(value, sort_keys=True)
 
 
 def label(prim: Sdf.PrimSpec, node: Node) -> None:

@@ -16,13 +16,13 @@ from .describing import describe
 from .geometry import PROTOTYPES, Geometry
 from .instancer import INSTANCER, room_of, small_nodes, write_instancer
 from .level import Level, level_of
-from .lights import LIGHT, add_light, light_of, type_of, write_light
+from .lights import light_name, light_of, write_light
 from .materials import MATERIALS
 from .naming import Names, valid_name
 from .placing import UNMOVED, place, place_leaf, swing_of, turn_up
 from .settings import Settings
 from .specs import new_prim
-from .variants import GEOMETRY, LOD_SET, coarser_nodes, write_details
+from .variants import coarser_nodes, mesh_names, write_details
 from .writing import write_layer, write_package
 
 
@@ -74,6 +74,8 @@ class Floor:
         self.geometry = Geometry(gltf, self.prim, settings, target)
         below = settings.instanced_below
         self.small = {} if below is None else small_nodes(gltf, below)
+        self.instanced = {node.index for nodes in self.small.values() for node in nodes}
+        self.carriers = self.find_carriers()
         self.prims: dict[int, Sdf.PrimSpec] = {}
         self.names: dict[int, Names] = {}
 
@@ -81,41 +83,42 @@ class Floor:
         self.layer.defaultPrim = self.prim.name
         self.layer.pseudoRoot.SetInfo("metersPerUnit", 1.0)
         self.layer.pseudoRoot.SetInfo("upAxis", self.settings.up_axis)
-        instanced = {node.index for nodes in self.small.values() for node in nodes}
         for node in self.gltf.nodes:
-            if node.index not in instanced:
+            if node.index not in self.instanced:
                 self.write_node(node)
             if node.index in self.small:
                 write_instancer(self.prims[node.index], node, self.small[node.index], self.geometry)
-        self.geometry.variants.choose_for_floor(self.prim, self.geometry.uses)
+        self.geometry.variants.choose_for_floor(self.prim, self.geometry.classes)
         if self.settings.has_physics:
             physics.write_scene(self.layer, self.settings.up_axis)
             self.write_hinges()
 
+    def find_carriers(self) -> set[int]:
+        """The nodes with other nodes, or a light of their own, below their prims."""
+        written = [node for node in self.gltf.nodes if node.index not in self.instanced and node is not self.root]
+        lit = {node.index for node in self.gltf.nodes if light_of(self.gltf, node) is not None}
+        return lit | {self.parent_of(node).index for node in written}
+
+    def mesh_name(self, prim: Sdf.PrimSpec, node: Node) -> str:
+        """The name of a node's mesh: the node's where it is the only child, which importers join with the node."""
+        return f"{prim.name}_mesh" if node.index in self.carriers else prim.name
+
     def write_node(self, node: Node) -> None:
         parent = self.parent_of(node)
-        light = light_of(self.gltf, node)
-        is_light = light is not None and node.mesh is None
         prim = self.prim if node is self.root else new_prim(
-            self.prims[parent.index], self.names[parent.index].take(node.name), type_of(light) if is_light else "Xform")
+            self.prims[parent.index], self.names[parent.index].take(node.name), "Xform")
         self.prims[node.index] = prim
-        self.names[node.index] = Names(self.reserved(node))
+        self.names[node.index] = Names(self.reserved(prim, node))
         describe(prim, node)
         self.place(prim, node, parent)
         self.write_content(prim, node)
-        if is_light:
-            write_light(prim, light, node.extras)
-        elif light is not None:
-            add_light(prim, light, node.extras)
         if self.settings.has_physics:
             self.write_body(prim, node)
 
-    def reserved(self, node: Node) -> set[str]:
+    def reserved(self, prim: Sdf.PrimSpec, node: Node) -> set[str]:
         """The names of children that are no nodes."""
-        if node is self.root:
-            return {MATERIALS, PROTOTYPES}
-        levels = range(1, len(coarser_nodes(self.gltf, node)) + 1)
-        return {GEOMETRY, LIGHT, INSTANCER, *(f"{GEOMETRY}_{LOD_SET}{level}" for level in levels)}
+        meshes = mesh_names(self.mesh_name(prim, node), len(coarser_nodes(self.gltf, node)))
+        return {MATERIALS, PROTOTYPES, INSTANCER, light_name(prim.name, node), *meshes}
 
     def parent_of(self, node: Node) -> Node | None:
         """The node below whose prim a node's prim stands: with physics, furniture stands in its room."""
@@ -134,9 +137,12 @@ class Floor:
 
     def write_content(self, prim: Sdf.PrimSpec, node: Node) -> None:
         if coarser_nodes(self.gltf, node):
-            write_details(prim, self.gltf, node, self.geometry.write)
+            write_details(prim, self.mesh_name(prim, node), self.gltf, node, self.geometry.write)
         elif node.mesh is not None:
-            self.geometry.write(prim, node.mesh, UNMOVED)
+            self.geometry.write(prim, node.mesh, UNMOVED, self.mesh_name(prim, node))
+        light = light_of(self.gltf, node)
+        if light is not None:
+            write_light(prim, light_name(prim.name, node), light, node.extras)
 
     # --- physics ---
 

@@ -1,7 +1,12 @@
-"""Meshes of nodes: in place, as a prototype of the floor, or as an asset of the run.
+"""Meshes of nodes: in place, or as models that a floor has as classes and a run as assets.
 
-Furniture and whatever several nodes share is referenced by instances; walls and floors, which nothing shares, stand
-where they are.
+Furniture and whatever several nodes share is a model: a class below `Prototypes` that binds the floor's materials to the
+geometry of an asset, or holds the geometry itself if the floor is self-contained. Each node's mesh inherits its class,
+so that all of them have the same materials, which Blender then imports once. Walls and floors, which nothing shares,
+stand where they are.
+
+Importers that join a node and its only child, as Blender's, call the result by the child: a node's mesh has the node's name.
+A node that carries others stays apart from its mesh, which is called `<node>_mesh` then.
 """
 
 from __future__ import annotations
@@ -10,23 +15,25 @@ from collections import Counter
 from pathlib import Path
 
 import numpy as np
-from pxr import Kind, Sdf
+from pxr import Sdf
 
 from gltf_file import GltfFile
 
-from .library import Library
-from .materials import MATERIALS, Materials
-from .meshes import write_parts
+from .library import GEOMETRY_PATH, Library
+from .materials import Materials
+from .meshes import write_mesh
 from .naming import Names
-from .physics import add_colliders, collider_of
+from .physics import add_collider, collider_of
 from .placing import place
 from .settings import Settings
-from .specs import new_prim, refer
+from .specs import inherit, new_prim, refer
 from .textures import Textures
-from .variants import GEOMETRY, MaterialVariants, coarser_nodes
+from .variants import MaterialVariants, coarser_nodes
 from .writing import relative_path
 
 PROTOTYPES = "Prototypes"
+# The mesh below an instance.
+INSTANCED = "mesh"
 
 
 class Geometry:
@@ -34,6 +41,7 @@ class Geometry:
 
     def __init__(self, gltf: GltfFile, root: Sdf.PrimSpec, settings: Settings, target: Path):
         self.gltf = gltf
+        self.root = root
         self.settings = settings
         self.folder = target.parent
         self.variants = MaterialVariants(gltf)
@@ -42,10 +50,8 @@ class Geometry:
         self.library = Library(gltf, settings, self.textures, self.variants)
         self.colliders: dict[int, str] = {}
         self.shared = self.find_shared()
-        self.sources: dict[int, tuple[str, str]] = {}
-        self.uses: list[tuple[Sdf.Path, int]] = []
-        if settings.is_self_contained:
-            self.write_prototypes(root)
+        self.classes: dict[int, Sdf.PrimSpec] = {}
+        self.names = Names()
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -71,45 +77,53 @@ class Geometry:
         """Whether a piece is a model even if it is the only one: others of the run may have it, or an instancer."""
         return not self.settings.is_self_contained or self.settings.instanced_below is not None
 
-    def write_prototypes(self, root: Sdf.PrimSpec) -> None:
-        """Every model of the floor, out of sight."""
-        if not self.shared:
-            return
-        scope = new_prim(root, PROTOTYPES, "Scope", Sdf.SpecifierClass)
-        names = Names()
-        for mesh in sorted(self.shared):
-            original = self.gltf.name_of("meshes", mesh) or f"mesh{mesh}"
-            prototype = new_prim(scope, names.take(original), "Xform")
-            # A binding may not point out of what is referenced: materials are inside, and refer to the floor's.
-            inside = Materials(prototype, self.gltf, self.textures, self.folder, self.materials)
-            self.write_model(prototype, mesh, inside)
-            self.sources[mesh] = ("", str(prototype.path))
+    # --- models ---
 
-    def write_model(self, model: Sdf.PrimSpec, mesh: int, materials: Materials) -> None:
-        parts = write_parts(model, self.gltf, mesh, materials)
-        self.variants.bind(model, parts, mesh, materials)
-        add_colliders(parts, self.colliders.get(mesh, ""))
+    def class_of(self, mesh: int) -> Sdf.PrimSpec:
+        """The class of a model; written when it is first asked for."""
+        if mesh not in self.classes:
+            if PROTOTYPES not in self.root.nameChildren:
+                # Without a type, for importers make an object of a Scope.
+                new_prim(self.root, PROTOTYPES, "", Sdf.SpecifierClass)
+            scope = self.root.nameChildren[PROTOTYPES]
+            name = self.names.take(self.gltf.name_of("meshes", mesh) or f"mesh{mesh}")
+            self.classes[mesh] = self.write_class(scope, name, mesh)
+        return self.classes[mesh]
 
-    def source(self, mesh: int) -> tuple[str, str]:
-        """Asset and path that a shared mesh is referenced by."""
-        if mesh not in self.sources:
+    def write_class(self, scope: Sdf.PrimSpec, name: str, mesh: int) -> Sdf.PrimSpec:
+        is_instanced = self.settings.has_instances
+        model = new_prim(scope, name, "Xform" if is_instanced else "Mesh", Sdf.SpecifierClass)
+        geometry = new_prim(model, INSTANCED, "Mesh") if is_instanced else model
+        if self.settings.is_self_contained:
+            self.write_geometry(geometry, mesh)
+        else:
             file = self.library.asset(mesh, self.colliders.get(mesh, ""))
-            self.sources[mesh] = (relative_path(file, self.folder), "")
-        return self.sources[mesh]
+            refer(geometry, relative_path(file, self.folder), GEOMETRY_PATH)
+        self.variants.bind(model, geometry, mesh, self.materials)
+        return model
 
-    def write(self, parent: Sdf.PrimSpec, mesh: int, local: np.ndarray, name: str = GEOMETRY) -> None:
+    def write_geometry(self, prim: Sdf.PrimSpec, mesh: int) -> None:
+        write_mesh(prim, self.gltf, mesh, self.materials)
+        add_collider(prim, self.colliders.get(mesh, ""))
+
+    # --- uses ---
+
+    def write(self, parent: Sdf.PrimSpec, mesh: int, local: np.ndarray, name: str) -> None:
         """A mesh below a node's prim."""
-        geometry = new_prim(parent, name, "Xform")
-        place(geometry, local)
-        if mesh not in self.shared:
-            self.write_model(geometry, mesh, self.materials)
-            return
-        self.refer(geometry, mesh)
-        geometry.instanceable = True
+        if mesh in self.shared:
+            prim = self.write_use(parent, name, mesh)
+            # Only what is below an instance is shared, so that an instance has its mesh below it.
+            if self.settings.has_instances:
+                prim.instanceable = True
+        else:
+            prim = new_prim(parent, name, "Mesh")
+            self.write_geometry(prim, mesh)
+            self.variants.bind(prim, prim, mesh, self.materials)
+        place(prim, local)
 
-    def refer(self, prim: Sdf.PrimSpec, mesh: int) -> None:
-        asset, path = self.source(mesh)
-        refer(prim, asset, path or Sdf.Path.emptyPath)
-        # A component holds no other: the asset is one by itself, and a part of what it is used in.
-        prim.kind = Kind.Tokens.subcomponent
-        self.uses.append((prim.path, mesh))
+    def write_use(self, parent: Sdf.PrimSpec, name: str, mesh: int) -> Sdf.PrimSpec:
+        """A prim that is a model."""
+        model = self.class_of(mesh)
+        prim = new_prim(parent, name, model.typeName)
+        inherit(prim, model.path)
+        return prim

@@ -59,9 +59,7 @@ def write_instancer(room_prim: Sdf.PrimSpec, room: Node, nodes: list[Node], geom
     meshes = sorted({node.mesh for node in nodes})
     targets = []
     for number, mesh in enumerate(meshes):
-        model = new_prim(scope, f"model{number}", "Xform")
-        geometry.refer(model, mesh)
-        targets.append(str(model.path))
+        targets.append(str(geometry.write_use(scope, f"model{number}", mesh).path))
     relationship(prim, "prototypes", targets)
     attribute(prim, "protoIndices", Types.IntArray, Vt.IntArray([meshes.index(node.mesh) for node in nodes]))
     attribute(prim, "ids", Types.Int64Array, Vt.Int64Array(list(range(len(nodes)))))

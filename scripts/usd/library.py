@@ -2,6 +2,11 @@
 
 The name of an asset's file ends in a hash of everything that is in it, so that equal models of different floors are
 one file, and models that differ by a tint are two. Processes that come upon the same model write the same bytes.
+
+    /<model>                 component with its materials: the model by itself
+        Materials
+        <model>              the geometry with the materials bound to it
+    /Geometry                the geometry: what floors refer to, who bind their own materials to it
 """
 
 from __future__ import annotations
@@ -15,14 +20,16 @@ from pxr import Kind, Sdf
 from gltf_file import GltfFile
 
 from .materials import READERS, Materials
-from .meshes import write_parts
+from .meshes import write_mesh
 from .naming import LONGEST_NAME, valid_name
-from .physics import add_colliders
+from .physics import add_collider
 from .settings import MODEL_FOLDER, Settings
-from .specs import new_prim
+from .specs import new_prim, refer
 from .textures import HASH_LENGTH, Textures
 from .variants import MaterialVariants
 from .writing import is_of_this_run, write_layer
+
+GEOMETRY_PATH = "/Geometry"
 
 
 class Library:
@@ -61,9 +68,12 @@ class Library:
         model.kind = Kind.Tokens.component
         model.assetInfo["name"] = self.gltf.name_of("meshes", mesh) or name
         materials = Materials(model, self.gltf, self.textures, self.folder, self.materials)
-        parts = write_parts(model, self.gltf, mesh, materials)
-        self.variants.bind(model, parts, mesh, materials)
-        add_colliders(parts, collider)
+        geometry = new_prim(layer.pseudoRoot, GEOMETRY_PATH[1:], "Mesh", Sdf.SpecifierClass)
+        write_mesh(geometry, self.gltf, mesh, materials)
+        add_collider(geometry, collider)
+        shown = new_prim(model, name, "Mesh")
+        refer(shown, "", GEOMETRY_PATH)
+        self.variants.bind(model, shown, mesh, materials)
 
     def content_hash(self, mesh: int, name: str, collider: str) -> str:
         summary = hashlib.sha256()

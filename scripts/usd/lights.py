@@ -24,7 +24,6 @@ from gltf_file import GltfFile, Node
 from .specs import Types, apply_schemas, attribute, new_prim
 
 EXTENSION = "KHR_lights_punctual"
-LIGHT = "light"
 # Metres: less than the 2 cm that lights keep from their lamps' boxes, so that no lamp shades its own light.
 RADIUS = 0.015
 # Degrees of the sun's disc. A point has sharp shadows in glTF, and so has this nearly.
@@ -40,12 +39,14 @@ def light_of(gltf: GltfFile, node: Node) -> dict | None:
     return gltf.document["extensions"][EXTENSION]["lights"][used["light"]]
 
 
-def type_of(light: dict) -> str:
-    return TYPE_NAMES[light["type"]]
+def light_name(node_name: str, node: Node) -> str:
+    """The name of a light's prim below its node's: the node's own, unless the node's mesh has that."""
+    return node_name if node.mesh is None else f"{node_name}_light"
 
 
-def write_light(prim: Sdf.PrimSpec, light: dict, extras: dict) -> None:
-    """The inputs of a light whose prim has the type already."""
+def write_light(parent: Sdf.PrimSpec, name: str, light: dict, extras: dict) -> None:
+    """A light below its node's prim."""
+    prim = new_prim(parent, name, TYPE_NAMES[light["type"]])
     is_sun = light["type"] == "directional"
     intensity = light.get("intensity", 1.0) * (1.0 if is_sun else 4.0)
     if {"lumens", "kelvin"} <= extras.keys() and light["type"] == "point":
@@ -72,8 +73,3 @@ def write_cone(prim: Sdf.PrimSpec, spot: dict) -> None:
     apply_schemas(prim, "ShapingAPI")
     attribute(prim, "inputs:shaping:cone:angle", Types.Float, math.degrees(outer))
     attribute(prim, "inputs:shaping:cone:softness", Types.Float, 1.0 - inner / outer)
-
-
-def add_light(prim: Sdf.PrimSpec, light: dict, extras: dict) -> None:
-    """A light as a child of a prim that is something else already."""
-    write_light(new_prim(prim, LIGHT, type_of(light)), light, extras)

@@ -10,7 +10,7 @@ from pxr import Gf, Sdf
 from gltf_file import GltfFile
 
 from .naming import Names, coordinate_name
-from .specs import Types, attribute, new_prim, refer
+from .specs import Types, attribute, new_prim
 from .textures import Textures
 
 MATERIALS = "Materials"
@@ -41,8 +41,8 @@ READERS = {
 class Materials:
     """The materials of a glTF file below one prim, each written when it is first asked for.
 
-    With `originals` of the same layer they refer to those, with `originals` of another layer of the same folder they
-    are copies: many models have the same wood, and a copy takes a tenth of the time.
+    With `originals` of another layer of the same folder they are copies: many models have the same wood, and a copy
+    takes a tenth of the time.
     """
 
     def __init__(self, owner: Sdf.PrimSpec, gltf: GltfFile, textures: Textures, folder: Path,
@@ -60,19 +60,17 @@ class Materials:
     def path(self, number: int) -> str:
         if number not in self.paths:
             if self.scope is None:
-                self.scope = new_prim(self.owner, MATERIALS, "Scope")
+                # Without a type: importers make an object of a Scope.
+                self.scope = new_prim(self.owner, MATERIALS, "")
             material = self.gltf.entry("materials", number)
             original = self.gltf.name_of("materials", number) or f"material{number}"
             prim = new_prim(self.scope, self.names.take(original), "Material")
             self.paths[number] = str(prim.path)
-            if self.originals is not None and self.originals.owner.layer != prim.layer:
+            if self.originals is not None:
                 Sdf.CopySpec(self.originals.owner.layer, self.originals.path(number), prim.layer, prim.path)
                 return self.paths[number]
             prim.SetInfo("displayName", original)
-            if self.originals is None:
-                self.write_surface(prim, material)
-            else:
-                refer(prim, "", self.originals.path(number))
+            self.write_surface(prim, material)
         return self.paths[number]
 
     def is_double_sided(self, number: int) -> bool:

@@ -52,11 +52,10 @@ def collider_of(node: Node) -> str:
     return table()["leaf"]["shape"] if node.extras.get("part") == "leaf" else STATIC
 
 
-def add_colliders(parts: list[Sdf.PrimSpec], collider: str) -> None:
+def add_collider(mesh: Sdf.PrimSpec, collider: str) -> None:
     if collider:
-        for part in parts:
-            apply_schemas(part, "PhysicsCollisionAPI", "PhysicsMeshCollisionAPI")
-            attribute(part, "physics:approximation", Types.Token, collider, is_uniform=True)
+        apply_schemas(mesh, "PhysicsCollisionAPI", "PhysicsMeshCollisionAPI")
+        attribute(mesh, "physics:approximation", Types.Token, collider, is_uniform=True)
 
 
 def write_scene(layer: Sdf.Layer, up_axis: str) -> None:

@@ -45,9 +45,15 @@ def refer(prim: Sdf.PrimSpec, asset: str, path: str) -> None:
     prim.referenceList.prependedItems = [Sdf.Reference(asset, path)]
 
 
-def add_variants(prim: Sdf.PrimSpec, name: str, variants: list[str], selected: str) -> dict[str, Sdf.PrimSpec]:
-    """A set of variants; the prims that hold their opinions, by name."""
+def inherit(prim: Sdf.PrimSpec, path: Sdf.Path) -> None:
+    """Gives a prim everything that a class has; what the class targets outside of itself stays where it is."""
+    prim.inheritPathList.prependedItems = [path]
+
+
+def add_variants(prim: Sdf.PrimSpec, name: str, variants: list[str], selected: str | None) -> dict[str, Sdf.PrimSpec]:
+    """A set of variants; the prims that hold their opinions, by name. Something else may select one."""
     prim.variantSetNameList.prependedItems = [*prim.variantSetNameList.prependedItems, name]
-    prim.variantSelections[name] = selected
+    if selected is not None:
+        prim.variantSelections[name] = selected
     variant_set = Sdf.VariantSetSpec(prim, name)
     return {variant: Sdf.VariantSpec(variant_set, variant).primSpec for variant in variants}

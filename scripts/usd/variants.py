@@ -1,8 +1,8 @@
 """Variants: other materials (KHR_materials_variants) and coarser meshes (MSFT_lod).
 
 Materials: each model has a set `material` with the variant `default` and those of the file that change it. The
-floor has a set `material` too, whose variants choose among those of its models: one choice recolours a floor, and
-instances of a model with the same choice still are one.
+floor has a set `material` too, whose variants choose among those of its models: one choice recolours a floor. A piece
+may have a choice of its own.
 
 Levels of detail: a node with others has a set `lod`: `lod0` is its own mesh, `lod1` the next coarser one. Nothing
 chooses by distance in USD; a renderer or a user does.
@@ -18,7 +18,7 @@ from pxr import Sdf, Vt
 from gltf_file import GltfFile, Node, local_matrix
 
 from .materials import Materials
-from .meshes import bind
+from .meshes import bind, part_of
 from .naming import Names
 from .placing import UNMOVED
 from .specs import add_variants, new_prim
@@ -28,8 +28,6 @@ DEFAULT = "default"
 LOD_SET = "lod"
 MATERIALS_EXTENSION = "KHR_materials_variants"
 LOD_EXTENSION = "MSFT_lod"
-# The child of a node's prim that holds its mesh: a prim with children of its own cannot be an instance.
-GEOMETRY = "geometry"
 
 
 class MaterialVariants:
@@ -56,40 +54,42 @@ class MaterialVariants:
             self.changing[mesh] = sorted(variants)
         return self.changing[mesh]
 
-    def bind(self, model: Sdf.PrimSpec, parts: list[Sdf.PrimSpec], mesh: int, materials: Materials) -> None:
-        """Binds the parts of a mesh; those that change, in a set of variants of the model."""
+    def bind(self, model: Sdf.PrimSpec, geometry: Sdf.PrimSpec, mesh: int, materials: Materials) -> None:
+        """Binds the parts of a mesh, which is the model's prim or one below; those that change, in variants of the model."""
         changing = self.of_mesh(mesh)
         own = [primitive["material"] for primitive in self.gltf.primitives(mesh)]
-        fixed = [number for number in range(len(parts)) if not self.of_primitive(mesh, number)]
+        fixed = [number for number in range(len(own)) if not self.of_primitive(mesh, number)]
         for number in fixed:
             if own[number] is not None:
-                bind(parts[number], materials.path(own[number]))
+                bind(part_of(geometry, number, len(own)), materials.path(own[number]))
         if not changing:
             return
         # An opinion outside of the set would be stronger than those in it.
         names = [DEFAULT, *(self.names[variant] for variant in changing)]
-        variants = add_variants(model, MATERIAL_SET, names, DEFAULT)
+        variants = add_variants(model, MATERIAL_SET, names, None)
         for variant, name in zip([None, *changing], names):
-            for number in sorted(set(range(len(parts))) - set(fixed)):
+            inside = over(variants[name], geometry.path.MakeRelativePath(model.path))
+            for number in sorted(set(range(len(own))) - set(fixed)):
                 material = self.of_primitive(mesh, number).get(variant, own[number])
                 if material is not None:
-                    part = new_prim(variants[name], parts[number].name, "", Sdf.SpecifierOver)
-                    bind(part, materials.path(material))
+                    bind(part_of(inside, number, len(own)), materials.path(material))
 
-    def choose_for_floor(self, root: Sdf.PrimSpec, uses: list[tuple[Sdf.Path, int]]) -> None:
-        """The floor's own set; `uses` are the prims that refer to models, with their meshes."""
+    def choose_for_floor(self, root: Sdf.PrimSpec, models: dict[int, Sdf.PrimSpec]) -> None:
+        """The floor's own set, which chooses for all models, given by their meshes."""
         if not self.names:
             return
         variants = add_variants(root, MATERIAL_SET, [DEFAULT, *self.names], DEFAULT)
-        for number, name in enumerate(self.names):
-            for path, mesh in uses:
-                if number in self.of_mesh(mesh):
-                    over(variants[name], path.MakeRelativePath(root.path)).variantSelections[MATERIAL_SET] = name
+        for variant, name in [(None, DEFAULT), *enumerate(self.names)]:
+            for mesh, model in models.items():
+                changing = self.of_mesh(mesh)
+                if changing:
+                    chosen = over(variants[name], model.path.MakeRelativePath(root.path))
+                    chosen.variantSelections[MATERIAL_SET] = name if variant in changing else DEFAULT
 
 
 def over(owner: Sdf.PrimSpec, path: Sdf.Path) -> Sdf.PrimSpec:
-    """Opinions about a prim below, inside a variant."""
-    for element in path.GetPrefixes():
+    """Opinions about a prim or one below, inside a variant."""
+    for element in path.GetPrefixes() if path != Sdf.Path.reflexiveRelativePath else ():
         children = owner.nameChildren
         owner = children[element.name] if element.name in children else new_prim(
             owner, element.name, "", Sdf.SpecifierOver)
@@ -102,14 +102,19 @@ def coarser_nodes(gltf: GltfFile, node: Node) -> list[dict]:
     return [gltf.entry("nodes", index) for index in extensions.get(LOD_EXTENSION, {}).get("ids", [])]
 
 
-def write_details(prim: Sdf.PrimSpec, gltf: GltfFile, node: Node, write: Callable) -> None:
-    """The set `lod` of a node; `write` puts a mesh into a prim at a place in the node's frame.
+def mesh_names(finest: str, coarser: int) -> list[str]:
+    """The names of the prims of a node's mesh and of so many coarser ones."""
+    return [finest, *(f"{finest}_{LOD_SET}{level}" for level in range(1, coarser + 1))]
+
+
+def write_details(prim: Sdf.PrimSpec, finest: str, gltf: GltfFile, node: Node, write: Callable) -> None:
+    """The set `lod` of a node, whose mesh is called `finest`; `write` puts a mesh below a prim at a place in its frame.
 
     The meshes stand beside each other and the variants make one of them active: were they inside the variants, what a
     model says by itself would be stronger than what the floor's variants of materials say about it.
     """
     coarser = coarser_nodes(gltf, node)
-    geometries = [GEOMETRY, *(f"{GEOMETRY}_{LOD_SET}{level}" for level in range(1, len(coarser) + 1))]
+    geometries = mesh_names(finest, len(coarser))
     to_node = np.linalg.inv(node.local)
     places = [(node.mesh, UNMOVED), *((other.get("mesh"), to_node @ local_matrix(other)) for other in coarser)]
     for name, (mesh, local) in zip(geometries, places):

@@ -86,6 +86,7 @@ class TestOrder:
         lamp, desk, room = (next(n for n in nodes if n["name"] == f"{name}") for name in
                             ("lamp.1@101", "desk.2@101", "room:101"))
         room["children"] += desk.pop("children")
+        room["children"].remove(nodes.index(desk))
         assert self.settled(document)[0]["lamp.1@101"]["parent"] == "floor"
         assert lamp["extras"]["side"] == "above"
 

@@ -104,8 +104,10 @@ def box_of(stage, path, use_hints):
 def test_all_buildings_share_their_models(site, tmp_path):
     stage = assembled(site, tmp_path / "usd")
     assert len(list((tmp_path / "usd").rglob("desk_0.*.usdc"))) == 1
-    desks = [prim for prim in stage.Traverse() if prim.IsInstance() and prim.GetParent().GetName() == "desk_1_101"]
-    assert len(desks) == 6 and len({desk.GetPrototype() for desk in desks}) == 1
+    desks = [prim for prim in stage.Traverse() if prim.IsA("Mesh") and prim.GetName() == "desk_1_101"]
+    models = [{spec.layer.identifier for spec in desk.GetPrimStack() if "shared-models" in spec.layer.identifier}
+              for desk in desks]
+    assert len(desks) == 6 and all(model == models[0] and len(model) == 1 for model in models)
 
 
 def test_one_building_is_no_city(tmp_path):

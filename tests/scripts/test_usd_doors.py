@@ -121,7 +121,7 @@ class TestPhysics:
         assert_same_meshes(stage, GltfFile(source))
         meshes = mesh_prims(stage.GetPseudoRoot())
         assert all(mesh.HasAPI(UsdPhysics.CollisionAPI) for mesh in meshes)
-        shapes = {mesh.GetParent().GetParent().GetName(): UsdPhysics.MeshCollisionAPI(mesh).GetApproximationAttr().Get()
+        shapes = {mesh.GetParent().GetName(): UsdPhysics.MeshCollisionAPI(mesh).GetApproximationAttr().Get()
                   for mesh in meshes}
         assert shapes["floor_101"] == shapes["frame_door_d1"] == "none", "what stays collides as it is"
         assert (shapes["desk_1_101"], shapes["lamp_1_101"]) == ("convexDecomposition", "convexHull")

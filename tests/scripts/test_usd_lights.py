@@ -4,7 +4,7 @@ import math
 
 import pytest
 from pxr import Gf, Usd, UsdGeom, UsdLux
-from usd_reading import assert_same_tree, assert_valid, converted
+from usd_reading import assert_same_tree, assert_valid, converted, geometry_of
 
 from gltf_file import GltfFile
 
@@ -25,7 +25,7 @@ def converted_light(floor, tmp_path):
     stage = converted(source, tmp_path / "ground.usda")
     assert_same_tree(stage, GltfFile(source))
     assert_valid(stage)
-    return stage, stage.GetPrimAtPath(f"{LAMP}/light_lamp_1_101")
+    return stage, stage.GetPrimAtPath(f"{LAMP}/light_lamp_1_101/light_lamp_1_101")
 
 
 def luminance(color) -> float:
@@ -55,7 +55,7 @@ def test_a_lamp_has_its_lumens_and_kelvins(floor, tmp_path):
     assert prim.GetTypeName() == "SphereLight"
     assert sphere_candelas(prim) * 4 * math.pi == pytest.approx(800.0, rel=1e-4)
     assert UsdLux.LightAPI(prim).GetColorTemperatureAttr().Get() == KELVIN
-    assert prim.GetCustomDataByKey("lumens") == 800.0
+    assert prim.GetParent().GetCustomDataByKey("lumens") == 800.0
 
 
 def test_a_wider_bulb_is_no_brighter(floor, tmp_path):
@@ -96,7 +96,7 @@ def test_a_light_on_a_node_with_a_mesh_is_a_child(floor, tmp_path):
     floor.find("lamp.1@101")["extensions"] = {"KHR_lights_punctual": {"light": 0}}
     stage = converted(floor.write(tmp_path / "ground.glb"), tmp_path / "ground.usda")
     assert stage.GetPrimAtPath(LAMP).GetTypeName() == "Xform"
-    assert sphere_candelas(stage.GetPrimAtPath(f"{LAMP}/light")) == pytest.approx(5.0, rel=1e-5)
+    assert sphere_candelas(stage.GetPrimAtPath(f"{LAMP}/lamp_1_101_light")) == pytest.approx(5.0, rel=1e-5)
 
 
 def test_lamps_of_the_program(baked, tmp_path):
@@ -105,12 +105,12 @@ def test_lamps_of_the_program(baked, tmp_path):
     stage = converted(source, tmp_path / "floor.usdc")
     lights = [prim for prim in stage.Traverse() if prim.HasAPI(UsdLux.LightAPI)]
     nodes = [node for node in GltfFile(source).nodes if node.kind == "light"]
-    assert [prim.GetCustomDataByKey("name") for prim in lights] == [node.name for node in nodes] != []
+    assert [prim.GetParent().GetCustomDataByKey("name") for prim in lights] == [node.name for node in nodes] != []
     for prim, node in zip(lights, nodes):
         assert sphere_candelas(prim) * 4 * math.pi == pytest.approx(node.extras["lumens"], rel=1e-3)
-        lamp = prim.GetParent().GetChild("geometry")
+        lamp = geometry_of(prim.GetParent().GetParent())
         cache = UsdGeom.BBoxCache(Usd.TimeCode.Default(), ["default"])
         box = cache.ComputeUntransformedBound(lamp).ComputeAlignedRange()
-        centre = UsdGeom.Xformable(prim).GetLocalTransformation().ExtractTranslation()
+        centre = UsdGeom.Xformable(prim.GetParent()).GetLocalTransformation().ExtractTranslation()
         gap = math.sqrt(box.GetDistanceSquared(centre))
         assert gap > UsdLux.SphereLight(prim).GetRadiusAttr().Get(), node.name

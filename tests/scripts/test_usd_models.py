@@ -5,7 +5,7 @@ import time
 import numpy as np
 import pytest
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade
-from usd_reading import assert_same_meshes, assert_valid, converted, mesh_prims
+from usd_reading import assert_same_meshes, assert_valid, bound_materials, converted, geometry_of, mesh_prims
 
 import convert
 from gltf_file import GltfFile
@@ -24,16 +24,31 @@ def models_in(folder) -> list[str]:
 
 
 def geometry(stage, piece):
-    return stage.GetPrimAtPath(f"{ROOM}/{piece}/geometry")
+    return geometry_of(stage.GetPrimAtPath(f"{ROOM}/{piece}"))
 
 
-def test_shared_meshes_are_instances_of_one_asset(source, tmp_path):
+def files_of(prim) -> set[str]:
+    """The names of the layers that say something of a prim."""
+    return {spec.layer.GetDisplayName().split(".")[0] for spec in prim.GetPrimStack()}
+
+
+def test_shared_meshes_are_one_asset(source, tmp_path):
     stage = converted(source, tmp_path / "usd" / "ground.usdc")
+    desks = [geometry(stage, f"desk_{number}_101") for number in (1, 2)]
+    assert [files_of(desk) for desk in desks] == [{"ground", "desk_0"}] * 2
+    assert models_in(tmp_path / "usd") == ["desk_0", "lamp_0"]
+    assert files_of(geometry(stage, "floor_101")) == {"ground"}, "no other floor has this slab"
+    assert not stage.GetPrototypes(), "importers make objects of instances"
+
+
+@pytest.mark.parametrize("is_self_contained", [False, True])
+def test_models_are_instances_where_one_asks_for_them(source, tmp_path, is_self_contained):
+    stage = converted(source, tmp_path / "usd" / "ground.usdc", has_instances=True, is_self_contained=is_self_contained)
     desks = [geometry(stage, f"desk_{number}_101") for number in (1, 2)]
     assert all(desk.IsInstance() for desk in desks)
     assert desks[0].GetPrototype() == desks[1].GetPrototype()
-    assert models_in(tmp_path / "usd") == ["desk_0", "lamp_0"]
-    assert not geometry(stage, "floor_101").IsInstance(), "no other floor has this slab"
+    assert not geometry(stage, "floor_101").IsInstance()
+    assert_valid(stage)
 
 
 def test_an_asset_stands_by_itself(source, tmp_path):
@@ -42,8 +57,8 @@ def test_an_asset_stands_by_itself(source, tmp_path):
         stage = Usd.Stage.Open(str(file))
         assert_valid(stage)
         assert UsdGeom.GetStageUpAxis(stage) == "Y" and Usd.ModelAPI(stage.GetDefaultPrim()).GetKind() == "component"
-        assert all(UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()[0]
-                   for mesh in mesh_prims(stage.GetDefaultPrim()))
+        (mesh,) = mesh_prims(stage.GetDefaultPrim())
+        assert all(bound_materials(mesh))
 
 
 def test_equal_models_of_two_floors_are_one_file_and_a_tint_is_another(floor, tmp_path):
@@ -74,21 +89,22 @@ def test_a_model_of_an_earlier_run_is_written_anew(source, tmp_path):
 
 def test_a_self_contained_floor_has_prototypes(source, tmp_path):
     stage = converted(source, tmp_path / "usd" / "ground.usdc", is_self_contained=True)
-    desks = [geometry(stage, f"desk_{number}_101") for number in (1, 2)]
-    assert all(desk.IsInstance() for desk in desks)
-    assert desks[0].GetPrototype() == desks[1].GetPrototype()
+    for number in (1, 2):
+        inherited = geometry(stage, f"desk_{number}_101").GetInherits().GetAllDirectInherits()
+        assert inherited == ["/house_ground/Prototypes/desk_0"]
     lamp = geometry(stage, "desk_2_101/lamp_1_101")
-    assert lamp and not lamp.IsInstance(), "the only one of its kind needs no prototype"
+    assert lamp and not lamp.HasAuthoredInherits(), "the only one of its kind needs no prototype"
     assert stage.GetPrimAtPath("/house_ground/Prototypes").IsAbstract(), "the prototypes are not drawn"
     assert [file.name for file in (tmp_path / "usd").iterdir()] == ["ground.usdc"]
 
 
+@pytest.mark.parametrize("has_instances", [False, True])
 @pytest.mark.parametrize("is_self_contained", [False, True])
-def test_materials_reach_the_meshes_of_instances(source, tmp_path, is_self_contained):
-    stage = converted(source, tmp_path / "ground.usdc", is_self_contained=is_self_contained)
+def test_materials_reach_the_parts_of_meshes(source, tmp_path, is_self_contained, has_instances):
+    stage = converted(source, tmp_path / "ground.usdc", is_self_contained=is_self_contained,
+                      has_instances=has_instances)
     colors, opacities = [], []
-    for mesh in mesh_prims(geometry(stage, "desk_1_101")):
-        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
+    for material in bound_materials(mesh_prims(geometry(stage, "desk_1_101"))[0]):
         surface, _, _ = material.ComputeSurfaceSource()
         assert surface.GetIdAttr().Get() == "UsdPreviewSurface"
         colors.append(surface.GetInput("diffuseColor").Get())
@@ -101,10 +117,53 @@ def test_a_level_can_be_referenced_with_its_materials(source, tmp_path):
     converted(source, tmp_path / "ground.usdc", is_self_contained=True)
     stage = Usd.Stage.CreateInMemory()
     stage.DefinePrim("/City/Ground").GetReferences().AddReference(str(tmp_path / "ground.usdc"))
-    for path in ("room_101/desk_1_101/geometry/part0", "room_101/floor_101/geometry/part0"):
-        mesh = stage.GetPrimAtPath(f"/City/Ground/{path}")
-        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
-        assert material, path
+    for name in ("desk_1_101", "floor_101"):
+        mesh = geometry_of(stage.GetPrimAtPath(f"/City/Ground/room_101/{name}"))
+        assert all(str(material.GetPath()).startswith("/City/Ground/Materials/") for material in bound_materials(mesh))
+
+
+@pytest.mark.parametrize("is_self_contained", [False, True])
+def test_a_floor_has_each_material_once(source, tmp_path, is_self_contained):
+    stage = converted(source, tmp_path / "ground.usdc", is_self_contained=is_self_contained)
+    used = {str(material.GetPath()) for mesh in mesh_prims(stage.GetPseudoRoot()) for material in bound_materials(mesh)}
+    assert used == {"/house_ground/Materials/modern_wood", "/house_ground/Materials/modern_glass"}
+    assert {str(prim.GetPath()) for prim in stage.TraverseAll() if prim.GetTypeName() == "Material"} == used
+
+
+def test_what_holds_materials_and_models_is_nothing_that_an_importer_makes_an_object_of(source, tmp_path):
+    stage = converted(source, tmp_path / "ground.usdc")
+    for name in ("Materials", "Prototypes"):
+        assert not stage.GetPrimAtPath(f"/house_ground/{name}").IsA(UsdGeom.Imageable)
+
+
+class TestNormals:
+    """Primitives without normals are flat, whatever their mesh's others are."""
+
+    @pytest.fixture
+    def mesh(self, floor, tmp_path):
+        def convert_without(*numbers):
+            desk = next(mesh for mesh in floor.document["meshes"] if mesh["name"] == "desk.0")
+            for number in numbers:
+                del desk["primitives"][number]["attributes"]["NORMAL"]
+            stage = converted(floor.write(tmp_path / "ground.glb"), tmp_path / "ground.usdc")
+            assert_valid(stage)
+            return stage, UsdGeom.Mesh(geometry(stage, "desk_1_101"))
+
+        return convert_without
+
+    @pytest.mark.parametrize(("without", "interpolation", "count"), [
+        ((), "vertex", 48), ((0, 1), "uniform", 24), ((1,), "faceVarying", 72)])
+    def test_each_corner_of_a_box_has_the_normal_of_its_face(self, mesh, without, interpolation, count):
+        _stage, box = mesh(*without)
+        normals = np.array(box.GetNormalsAttr().Get())
+        assert (box.GetNormalsInterpolation(), len(normals)) == (interpolation, count)
+        ring = np.array(box.GetPointsAttr().Get())[np.array(box.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)]
+        flat = np.cross(ring[:, 1] - ring[:, 0], ring[:, 2] - ring[:, 0])
+        flat /= np.linalg.norm(flat, axis=1, keepdims=True)
+        if interpolation == "vertex":
+            normals = normals[np.array(box.GetFaceVertexIndicesAttr().Get())]
+        corners = normals.reshape(24, -1, 3)
+        np.testing.assert_allclose(corners, np.repeat(flat[:, None], corners.shape[1], axis=1), atol=1e-6)
 
 
 class TestTextures:
@@ -146,7 +205,7 @@ class TestTextures:
         primvars = UsdGeom.PrimvarsAPI(mesh)
         # USD counts from below: a v of 3 becomes -2.
         assert [primvars.GetPrimvar(name).Get()[2] for name in ("st", "st1")] == [(1, 0), (3, -2)]
-        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
+        material = bound_materials(mesh)[0]
         read = {}
         for name in ("diffuseColor", "occlusion", "emissiveColor"):
             texture = UsdShade.Shader(material.GetPrim().GetChild(f"{name}Texture"))
@@ -160,8 +219,9 @@ class TestTextures:
         copies = [path for path in (tmp_path / "usd").rglob("*.png")]
         assert [path.read_bytes() for path in copies] == [PNG]
         assert copies[0].name.startswith("wood.base_color.") and copies[0].parent.name == "shared-textures"
-        stage = Usd.Stage.Open(str(tmp_path / "usd" / "house" / "upper.usdc"))
-        for owner in ("/house_ground", f"{ROOM}/desk_1_101/geometry"):
+        model = next((tmp_path / "usd" / "shared-models").glob("desk_0.*"))
+        for file, owner in ((tmp_path / "usd" / "house" / "upper.usdc", "/house_ground"), (model, "/desk_0")):
+            stage = Usd.Stage.Open(str(file))
             asset = self.file(self.texture(stage, owner))
             assert asset.path.startswith("../shared-textures/wood") and asset.resolvedPath == str(copies[0])
 

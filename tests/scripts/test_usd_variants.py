@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from pxr import Gf, Usd, UsdGeom, UsdShade
-from usd_reading import assert_same_tree, assert_valid, converted, mesh_prims, world_points
+from pxr import Gf, Usd, UsdGeom
+from usd_reading import assert_same_tree, assert_valid, bound_materials, converted, geometry_of, mesh_prims, world_points
 
 from gltf_file import GltfFile
 
@@ -11,11 +11,10 @@ ROOM = "/house_ground/room_101"
 RED, BLUE = (0.8, 0.1, 0.1, 1.0), (0.1, 0.1, 0.8, 1.0)
 
 
-def colors(stage, piece, geometry="geometry") -> list:
-    found = []
-    for mesh in mesh_prims(stage.GetPrimAtPath(f"{ROOM}/{piece}/{geometry}")):
-        material, _ = UsdShade.MaterialBindingAPI(mesh).ComputeBoundMaterial()
-        found.append(material.ComputeSurfaceSource()[0].GetInput("diffuseColor").Get())
+def colors(stage, piece, name=None) -> list:
+    prim = stage.GetPrimAtPath(f"{ROOM}/{piece}")
+    (mesh,) = mesh_prims(prim.GetChild(name) if name else geometry_of(prim))
+    found = [material.ComputeSurfaceSource()[0].GetInput("diffuseColor").Get() for material in bound_materials(mesh)]
     return [tuple(round(part, 3) for part in color) for color in found]
 
 
@@ -59,10 +58,17 @@ class TestMaterials:
         assert (colors(stage, "desk_2_101"), colors(stage, "desk_2_101/lamp_1_101")) == ([BLUE[:3], glass], [BLUE[:3]])
         assert_valid(stage)
 
-    def test_instances_of_one_choice_are_one(self, painted, tmp_path, is_self_contained):
+    def test_a_piece_may_have_a_choice_of_its_own(self, painted, tmp_path, is_self_contained):
         stage = converted(painted.write(tmp_path / "ground.glb"), tmp_path / "ground.usdc",
                           is_self_contained=is_self_contained)
-        desks = [stage.GetPrimAtPath(f"{ROOM}/desk_{number}_101/geometry") for number in (1, 2)]
+        geometry_of(stage.GetPrimAtPath(f"{ROOM}/desk_1_101")).GetVariantSet("material").SetVariantSelection("warm")
+        assert colors(stage, "desk_1_101")[0] == RED[:3] != colors(stage, "desk_2_101")[0]
+        assert_valid(stage)
+
+    def test_instances_of_one_choice_are_one(self, painted, tmp_path, is_self_contained):
+        stage = converted(painted.write(tmp_path / "ground.glb"), tmp_path / "ground.usdc",
+                          is_self_contained=is_self_contained, has_instances=True)
+        desks = [geometry_of(stage.GetPrimAtPath(f"{ROOM}/desk_{number}_101")) for number in (1, 2)]
         assert desks[0].GetPrototype() == desks[1].GetPrototype()
         desks[0].GetVariantSet("material").SetVariantSelection("warm")
         assert desks[0].GetPrototype() != desks[1].GetPrototype()
@@ -97,16 +103,16 @@ class TestDetail:
         assert_same_tree(stage, GltfFile(self.source))
         desk = stage.GetPrimAtPath(f"{ROOM}/desk_1_101")
         assert desk.GetVariantSet("lod").GetVariantNames() == ["lod0", "lod1"]
-        assert len(mesh_prims(desk)) == 2 and not desk.GetChild("geometry_lod1").IsActive()
+        assert len(mesh_prims(geometry_of(desk))) == 1 and not desk.GetChild("desk_1_101_lod1").IsActive()
         assert list(desk.GetCustomDataByKey("MSFT_screencoverage")) == [0.2, 0.01]
 
     def test_the_coarse_mesh_stands_where_its_node_stands(self, stage):
-        fine = [world_points(mesh) for mesh in mesh_prims(stage.GetPrimAtPath(f"{ROOM}/desk_2_101/geometry"))]
+        fine = [world_points(mesh) for mesh in mesh_prims(stage.GetPrimAtPath(f"{ROOM}/desk_2_101/desk_2_101_mesh"))]
         for number in (1, 2):
             stage.GetPrimAtPath(f"{ROOM}/desk_{number}_101").GetVariantSet("lod").SetVariantSelection("lod1")
-        assert not stage.GetPrimAtPath(f"{ROOM}/desk_2_101/geometry").IsActive()
-        coarse = [world_points(mesh) for mesh in mesh_prims(stage.GetPrimAtPath(f"{ROOM}/desk_2_101/geometry_lod1"))]
-        assert (len(fine), len(coarse)) == (2, 1)
+        assert not stage.GetPrimAtPath(f"{ROOM}/desk_2_101/desk_2_101_mesh").IsActive()
+        coarse = [world_points(mesh) for mesh in mesh_prims(stage.GetPrimAtPath(f"{ROOM}/desk_2_101/desk_2_101_mesh_lod1"))]
+        assert (len(fine), len(coarse)) == (1, 1)
         low, high = np.concatenate(fine).min(axis=0), np.concatenate(fine).max(axis=0)
         np.testing.assert_allclose(coarse[0].min(axis=0), low + (0, 0.1, 0), atol=1e-4)
         np.testing.assert_allclose(coarse[0].max(axis=0), high + (0, 0.1, 0), atol=1e-4)
@@ -116,8 +122,10 @@ class TestDetail:
     def test_coarse_meshes_are_shared(self, stage):
         for number in (1, 2):
             stage.GetPrimAtPath(f"{ROOM}/desk_{number}_101").GetVariantSet("lod").SetVariantSelection("lod1")
-        first, second = (stage.GetPrimAtPath(f"{ROOM}/desk_{number}_101/geometry_lod1") for number in (1, 2))
-        assert first.IsInstance() and first.GetPrototype() == second.GetPrototype()
+        meshes = [stage.GetPrimAtPath(f"{ROOM}/{path}") for path in ("desk_1_101/desk_1_101_lod1",
+                                                                     "desk_2_101/desk_2_101_mesh_lod1")]
+        assert [mesh.GetInherits().GetAllDirectInherits() for mesh in meshes] \
+            == [["/house_ground/Prototypes/desk_0_lod1"]] * 2
 
 
 def test_detail_and_materials_together(painted, tmp_path):
@@ -130,7 +138,7 @@ def test_detail_and_materials_together(painted, tmp_path):
     stage = converted(painted.write(tmp_path / "ground.glb"), tmp_path / "ground.usdc")
     stage.GetDefaultPrim().GetVariantSet("material").SetVariantSelection("warm")
     stage.GetPrimAtPath(f"{ROOM}/desk_1_101").GetVariantSet("lod").SetVariantSelection("lod1")
-    assert colors(stage, "desk_1_101", "geometry_lod1") == [RED[:3]]
-    assert UsdGeom.Xformable(stage.GetPrimAtPath(f"{ROOM}/desk_1_101/geometry_lod1")).GetLocalTransformation() \
+    assert colors(stage, "desk_1_101", "desk_1_101_lod1") == [RED[:3]]
+    assert UsdGeom.Xformable(stage.GetPrimAtPath(f"{ROOM}/desk_1_101/desk_1_101_lod1")).GetLocalTransformation() \
         == Gf.Matrix4d(1.0)
     assert Usd.ModelAPI(stage.GetDefaultPrim()).GetKind() == "assembly"

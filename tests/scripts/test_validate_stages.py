@@ -64,7 +64,7 @@ WOOD = "/house_ground/Materials/modern_wood/"
     (FLOOR, ("@../shared-textures/", "@/shared-textures/"), "path : it names a file that it may not: '/shared-textures/"),
     (FLOOR, ("#usda 1.0", "#usda"), "file : cannot be opened"),
     (FLOOR, ('upAxis = "Y"', ""), "usd /: usdGeomValidators:StageMetadataChecker"),
-    (FLOOR, ('"MaterialBindingAPI"', '"GeomModelAPI"'), "usd /house_ground/room_101/floor_101/geometry"),
+    (FLOOR, ('"MaterialBindingAPI"', '"GeomModelAPI"'), "usd /house_ground/room_101/floor_101/floor_101"),
 ])
 def test_each_fault_is_found(usd, name, change, expected):
     assert faults_of(usd / name) == []
@@ -73,10 +73,12 @@ def test_each_fault_is_found(usd, name, change, expected):
     assert any(fault.startswith(expected) for fault in faults), faults
 
 
-def test_a_missing_image_of_a_model_is_a_fault_of_the_floors_that_show_it(usd):
+def test_a_missing_image_is_a_fault_of_the_floors_and_models_that_show_it(usd):
     next((usd / "shared-textures").iterdir()).unlink()
     faults = faults_of(usd / "house" / "ground.usda")
-    assert any(fault.startswith("texture /house_ground/room_101/desk_1_101/geometry/Materials") for fault in faults)
+    assert any(fault.startswith("texture /house_ground/Materials/modern_wood/") for fault in faults)
+    model = next((usd / "shared-models").glob("desk_0.*"))
+    assert any(fault.startswith("texture /desk_0/Materials/modern_wood/") for fault in faults_of(model))
 
 
 def test_a_building_is_judged_without_loading_its_floors(usd):

@@ -6,13 +6,12 @@ import time
 from pathlib import Path
 
 import numpy as np
-from pxr import Usd, UsdGeom, UsdValidation
+from pxr import Usd, UsdGeom, UsdShade, UsdValidation
 
 import convert
 from gltf_file import GltfFile
 from usd.floor import Written
 from usd.settings import Settings
-from usd.variants import GEOMETRY
 
 # Metres.
 PLACE_TOLERANCE = 1e-4
@@ -35,6 +34,17 @@ def world_of(prim) -> np.ndarray:
     return np.array(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())).T
 
 
+def geometry_of(prim) -> Usd.Prim:
+    """The finest mesh of a node's prim, or the instance that has it."""
+    return prim.GetChild(prim.GetName()) or prim.GetChild(f"{prim.GetName()}_mesh")
+
+
+def bound_materials(mesh) -> list[UsdShade.Material]:
+    """The materials of a mesh's parts, in the order of the glTF file's primitives."""
+    parts = [child for child in mesh.GetFilteredChildren(Usd.TraverseInstanceProxies()) if child.IsA(UsdGeom.Subset)]
+    return [UsdShade.MaterialBindingAPI(part).ComputeBoundMaterial()[0] for part in parts or [mesh]]
+
+
 def mesh_prims(prim) -> list[Usd.Prim]:
     """The meshes below a prim, through instances."""
     return [each for each in Usd.PrimRange(prim, Usd.TraverseInstanceProxies()) if each.IsA(UsdGeom.Mesh)]
@@ -48,10 +58,24 @@ def world_points(mesh) -> np.ndarray:
     return (points @ matrix[:3, :3].T + matrix[:3, 3])[indices]
 
 
-def node_points(gltf, node) -> list[np.ndarray]:
-    """The same of each primitive of a node of a glTF file."""
-    return [(primitive["positions"] @ node.world[:3, :3].T + node.world[:3, 3])[primitive["triangles"].reshape(-1)]
-            for primitive in gltf.primitives(node.mesh)]
+def node_points(gltf, node) -> np.ndarray:
+    """The same of a node of a glTF file, one primitive after the other."""
+    return np.concatenate([
+        (primitive["positions"] @ node.world[:3, :3].T + node.world[:3, 3])[primitive["triangles"].reshape(-1)]
+        for primitive in gltf.primitives(node.mesh)])
+
+
+def assert_same_parts(mesh, gltf, node):
+    """Its subsets are the primitives, one after the other, with their materials."""
+    primitives, first = gltf.primitives(node.mesh), 0
+    subsets = [UsdGeom.Subset(child) for child in mesh.GetFilteredChildren(Usd.TraverseInstanceProxies())]
+    assert len(subsets) == (len(primitives) if len(primitives) > 1 else 0), node.name
+    for subset, primitive in zip(subsets, primitives):
+        last = first + len(primitive["triangles"])
+        assert list(subset.GetIndicesAttr().Get()) == list(range(first, last))
+        first = last
+    names = [gltf.name_of("materials", primitive["material"]) for primitive in primitives]
+    assert [material.GetPrim().GetDisplayName() for material in bound_materials(mesh)] == names, node.name
 
 
 def assert_same_tree(stage, gltf: GltfFile, turn=np.identity(4)):
@@ -73,18 +97,16 @@ def assert_same_places(stage, gltf: GltfFile, turn=np.identity(4)):
 
 
 def assert_same_meshes(stage, gltf: GltfFile, turn=np.identity(4)):
-    """Every primitive of every node is a mesh with the same corners in the world, and there are no others."""
+    """Every node's mesh is one with the same corners in the world and the same parts, and there are no others."""
     prims = {prim.GetCustomDataByKey("name"): prim for prim in node_prims(stage)}
     known = set()
     for node in gltf.nodes:
         if node.mesh is None:
             continue
-        meshes = mesh_prims(prims[node.name].GetChild(GEOMETRY))
-        expected = [corners @ turn[:3, :3].T for corners in node_points(gltf, node)]
-        assert len(meshes) == len(expected), node.name
-        for mesh, corners in zip(meshes, expected):
-            np.testing.assert_allclose(world_points(mesh), corners, atol=PLACE_TOLERANCE)
-            known.add(mesh.GetPath())
+        (mesh,) = mesh_prims(geometry_of(prims[node.name]))
+        np.testing.assert_allclose(world_points(mesh), node_points(gltf, node) @ turn[:3, :3].T, atol=PLACE_TOLERANCE)
+        assert_same_parts(mesh, gltf, node)
+        known.add(mesh.GetPath())
     assert {mesh.GetPath() for mesh in mesh_prims(stage.GetPseudoRoot())} == known
 
 
