@@ -12,9 +12,9 @@ use super::manifest::{MANIFEST_NAME, write_manifest};
 use super::record::{FileRecord, LevelRecord, Totals};
 use super::sources::{Contents, Found, Sources, manifest_paths};
 use super::state::{
-    JOINING_PREFIX, check_state, create_state, find_runs, lock_state, new_file, remove_runs, state_folder,
+    JOINING_PREFIX, check_state, create_state, find_runs, lock_state, remove_runs, state_folder,
 };
-use crate::disk::{look_inside, open_inside};
+use crate::disk::{look_inside, new_temporary, open_inside};
 use crate::document::{Fault, FaultSeverity, Faults};
 
 /// What became of the records when a run ended.
@@ -120,7 +120,7 @@ impl OutputFolder {
 /// Writes the records to `target` in one step.
 fn write_joined(root: &Path, contents: &Contents<'_>, target: &Path) -> Result<Totals, OutputFault> {
     let fault = |error: io::Error| OutputFault::of(target, "write the manifest", &error);
-    let temporary = new_file(&state_folder(root), JOINING_PREFIX).map_err(fault)?;
+    let temporary = new_temporary(&state_folder(root), JOINING_PREFIX).map_err(fault)?;
     let records = contents.levels.values().filter_map(|found| choose(root, found).transpose());
     let mut out = BufWriter::new(temporary);
     let totals = write_manifest(&mut out, records, &contents.library).map_err(fault)?;

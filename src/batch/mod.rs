@@ -13,7 +13,6 @@ mod job;
 mod join;
 mod journal;
 mod library;
-mod lock;
 mod manifest;
 mod place;
 mod record;
@@ -33,7 +32,6 @@ pub(crate) use hash::{content_hash, file_hash};
 pub use job::{BakeOptions, Format, Shard, TextureOptions};
 pub use join::{Joined, MergeReport, merge};
 pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
-pub(crate) use place::new_result_file;
 pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
 pub use work::{BakeInput, bake};
 

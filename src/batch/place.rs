@@ -3,7 +3,6 @@
 use std::cell::LazyCell;
 use std::fs::{self, File};
 use std::io::{self, Write};
-use std::path::Path;
 
 use tempfile::NamedTempFile;
 
@@ -13,8 +12,8 @@ use super::hash::file_hash;
 use super::join::is_in_place;
 use super::record::{FileRecord, LevelRecord};
 use super::sources::{Sources, Written, manifest_paths};
-use super::state::{RESULT_PREFIX, create_folder, find_runs, lock_state, new_file, state_folder};
-use crate::disk::open_inside;
+use super::state::{RESULT_PREFIX, create_folder, find_runs, lock_state, state_folder};
+use crate::disk::{new_temporary, open_inside};
 
 /// How often a file may appear or vanish under our hands before it is taken for one of others.
 const ATTEMPTS: usize = 5;
@@ -107,7 +106,7 @@ impl OutputFolder {
 
     fn write_temporary<'a>(&self, file: &'a FileRecord, bytes: &[u8]) -> Result<Waiting<'a>, OutputFault> {
         let write = || -> io::Result<NamedTempFile> {
-            let mut temporary = new_file(&self.run, RESULT_PREFIX)?;
+            let mut temporary = new_temporary(&self.run, RESULT_PREFIX)?;
             temporary.write_all(bytes)?;
             Ok(temporary)
         };
@@ -173,12 +172,4 @@ impl OutputFolder {
         let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
         Ok(sources.contents(self.is_forced)?.written)
     }
-}
-
-/// A temporary file that becomes a result when it is persisted, and vanishes if not.
-///
-/// # Errors
-/// If the folder cannot be written.
-pub(crate) fn new_result_file(folder: &Path) -> io::Result<NamedTempFile> {
-    new_file(folder, ".roomwright-")
 }

@@ -3,14 +3,12 @@
 //! A link in the corner could lead to anything, and anybody may put files there. Nothing is therefore opened but regular files
 //! without following links, and nothing is removed but what bears a name that this program gives.
 
-use std::fs::{self, DirEntry, File};
+use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
 use super::fault::{FaultCode, OutputFault};
-use super::lock::{Holder, holder, ignore_unsupported};
+use crate::disk::{Holder, holder, ignore_unsupported, new_temporary, remove_temporaries};
 
 /// The corner, in the output folder.
 const STATE_FOLDER: &str = ".roomwright";
@@ -27,17 +25,11 @@ const ALIVE_NAME: &str = "alive";
 /// The journal in a run folder.
 pub(super) const JOURNAL_NAME: &str = "journal";
 
-/// How temporary files begin: results in run folders, manifests beside them.
-const TEMPORARY_PREFIXES: [&str; 2] = [RESULT_PREFIX, JOINING_PREFIX];
-
 /// How results begin that are not yet in place.
 pub(super) const RESULT_PREFIX: &str = "result-";
 
 /// How manifests begin that are not yet in place.
 pub(super) const JOINING_PREFIX: &str = "joining-";
-
-/// Letters and digits that a temporary name ends with.
-const TEMPORARY_LETTERS: usize = 6;
 
 /// Run folders, by whether their process lives.
 #[derive(Debug, Default)]
@@ -121,11 +113,10 @@ pub(crate) fn find_runs(state: &Path, own: Option<&Path>) -> Result<Runs, Output
         let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
         if is_folder && entry.file_name().to_string_lossy().starts_with(RUN_PREFIX) {
             folders.push(entry.path());
-        } else if is_temporary(&entry) {
-            // Joining needs the lock that we hold: whoever began this file was killed.
-            let _ = fs::remove_file(entry.path());
         }
     }
+    // Joining needs the lock that we hold: whoever began such a file was killed.
+    remove_temporaries(state, JOINING_PREFIX);
     folders.sort();
     let mut runs = Runs::default();
     for folder in folders {
@@ -157,9 +148,7 @@ pub(crate) fn start_run(state: &Path) -> io::Result<(PathBuf, File)> {
 
 /// Deletes what a killed run had begun; what cannot be deleted now is deleted with the run folder later.
 pub(crate) fn drop_temporary_files(run: &Path) {
-    for entry in fs::read_dir(run).into_iter().flatten().filter_map(io::Result::ok).filter(is_temporary) {
-        let _ = fs::remove_file(entry.path());
-    }
+    remove_temporaries(run, RESULT_PREFIX);
 }
 
 /// Deletes run folders with all of theirs; one that holds anything else stays, without a journal.
@@ -180,28 +169,6 @@ pub(crate) fn remove_runs(runs: &[PathBuf]) -> Result<(), OutputFault> {
     Ok(())
 }
 
-/// A temporary file that gets the rights of any new file, not those of a secret.
-///
-/// # Errors
-/// If the folder cannot be written.
-pub(crate) fn new_file(folder: &Path, prefix: &str) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(prefix).rand_bytes(TEMPORARY_LETTERS);
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
-}
-
-/// Whether an entry bears a name that [`new_file`] gives.
-fn is_temporary(entry: &DirEntry) -> bool {
-    let name = entry.file_name();
-    let name = name.to_string_lossy();
-    let is_ending =
-        |rest: &str| rest.len() == TEMPORARY_LETTERS && rest.bytes().all(|byte| byte.is_ascii_alphanumeric());
-    TEMPORARY_PREFIXES.iter().any(|prefix| name.strip_prefix(prefix).is_some_and(is_ending))
-        && entry.file_type().is_ok_and(|kind| kind.is_file())
-}
-
 /// Whether the process of a run folder is at work.
 fn is_alive(state: &Path, run: &Path) -> bool {
     let path = run.join(ALIVE_NAME);
@@ -220,7 +187,7 @@ const PATIENCE_MINUTES: u64 = 15;
 
 /// Whether a file was written to shortly before now, by the clock of its file system, which need not be ours.
 fn was_written_lately(state: &Path, path: &Path) -> bool {
-    let now = new_file(state, JOINING_PREFIX).and_then(|probe| probe.as_file().metadata()?.modified());
+    let now = new_temporary(state, JOINING_PREFIX).and_then(|probe| probe.as_file().metadata()?.modified());
     let written = fs::symlink_metadata(path).and_then(|found| found.modified());
     let (Ok(now), Ok(written)) = (now, written) else { return false };
     let patience = std::time::Duration::from_secs(PATIENCE_MINUTES * 60);

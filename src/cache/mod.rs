@@ -8,20 +8,33 @@ mod others;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 
+use crate::disk::{new_temporary, read_plain, sweep_temporaries};
+
 /// A folder of entries that one state of the program has made. Clones share it; threads and processes may too.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cache {
+    program: Arc<str>,
     folder: Arc<Path>,
+    is_swept: Arc<OnceLock<()>>,
 }
 
 /// Bytes of the hash that an entry begins with.
 const HASH_BYTES: usize = 32;
+
+/// How the names of entries end.
+const ENTRY_ENDING: &str = ".entry";
+
+/// How entries begin that are not yet whole.
+const TEMPORARY_PREFIX: &str = "entry-";
+
+/// The most bytes of an entry that are read: a model with its mesh takes a hundredth of it.
+const LARGEST_ENTRY: u64 = 1 << 28;
 
 /// Tells programs that make backups to leave the folder out (Cache Directory Tagging Specification 0.6).
 const TAG: (&str, &str) = (
@@ -33,7 +46,8 @@ impl Cache {
     /// The entries of `program` (a name for this state of the code) below `root`. Nothing is read or written yet.
     #[must_use]
     pub fn new(root: &Path, program: &str) -> Self {
-        Self { folder: root.join(others::folder_name(program)).into() }
+        let folder = root.join(others::folder_name(program)).into();
+        Self { program: program.into(), folder, is_swept: Arc::default() }
     }
 
     /// The system's folder for what programs may lose; `None` where there is none, as for users without a home.
@@ -51,17 +65,38 @@ impl Cache {
         make: impl FnOnce() -> T,
     ) -> T {
         let Ok(key) = postcard::to_stdvec(key) else { return make() };
-        let path = self.folder.join(format!("{}.entry", hexadecimal(&Sha256::digest(key))));
-        if let Some(kept) = read(&path) {
+        self.is_swept.get_or_init(|| sweep_temporaries(&self.folder, TEMPORARY_PREFIX));
+        if let Some(kept) = self.read(&key) {
             return kept;
         }
         let made = make();
         // Who cannot keep it, makes it again the next time.
-        let _ = self.keep(&path, &made);
+        let _ = self.keep(&key, &made);
         made
     }
 
-    fn keep<T: Serialize>(&self, path: &Path, value: &T) -> io::Result<()> {
+    fn path(&self, key: &[u8]) -> PathBuf {
+        self.folder.join(format!("{}{ENTRY_ENDING}", hexadecimal(&Sha256::digest(key))))
+    }
+
+    /// The hash of an entry. It is of one key and one program: under the name of another entry it is damaged.
+    fn hash(&self, key: &[u8], content: &[u8]) -> [u8; HASH_BYTES] {
+        let mut hash = Sha256::new();
+        for field in [self.program.as_bytes(), key, content] {
+            hash.update((field.len() as u64).to_le_bytes());
+            hash.update(field);
+        }
+        hash.finalize().into()
+    }
+
+    fn read<T: DeserializeOwned>(&self, key: &[u8]) -> Option<T> {
+        let bytes = read_plain(&self.path(key), LARGEST_ENTRY).ok()?;
+        let (hash, content) = bytes.split_at_checked(HASH_BYTES)?;
+        let is_whole = self.hash(key, content) == hash;
+        is_whole.then(|| postcard::from_bytes(content).ok()).flatten()
+    }
+
+    fn keep<T: Serialize>(&self, key: &[u8], value: &T) -> io::Result<()> {
         let content = postcard::to_stdvec(value).map_err(io::Error::other)?;
         if !self.folder.is_dir() {
             fs::create_dir_all(&self.folder)?;
@@ -69,19 +104,12 @@ impl Cache {
             others::remove_oldest(&self.folder)?;
         }
         // Under another name until it is whole: other processes read while this one writes.
-        let mut file = tempfile::NamedTempFile::new_in(&self.folder)?;
-        file.write_all(&Sha256::digest(&content))?;
+        let mut file = new_temporary(&self.folder, TEMPORARY_PREFIX)?;
+        file.write_all(&self.hash(key, &content))?;
         file.write_all(&content)?;
-        file.persist(path)?;
+        file.persist(self.path(key))?;
         Ok(())
     }
-}
-
-fn read<T: DeserializeOwned>(path: &Path) -> Option<T> {
-    let bytes = fs::read(path).ok()?;
-    let (hash, content) = bytes.split_at_checked(HASH_BYTES)?;
-    let is_whole = Sha256::digest(content).as_slice() == hash;
-    is_whole.then(|| postcard::from_bytes(content).ok()).flatten()
 }
 
 fn hexadecimal(bytes: &[u8]) -> String {
@@ -137,6 +165,34 @@ mod tests {
             assert_eq!(kept(&cache, "a"), None, "cut at {at}");
         }
         assert_eq!(kept(&cache, "a"), Some(vec![1.5, -0.0]));
+    }
+
+    #[test]
+    fn entries_that_changed_places_are_damaged() {
+        let root = tempfile::tempdir().unwrap();
+        let [cache, other] = ["1.2.3+a", "1.2.3+b"].map(|program| Cache::new(root.path(), program));
+        let made = |cache: &Cache, key: &str| cache.get_or_make(&key, || key.to_owned());
+        let path = |cache: &Cache, key: &str| cache.path(&postcard::to_stdvec(key).unwrap());
+        for (cache, key) in [(&cache, "a"), (&cache, "b"), (&other, "a")] {
+            made(cache, key);
+        }
+        for (from, to, key) in
+            [(path(&cache, "b"), path(&cache, "a"), "a"), (path(&other, "a"), path(&cache, "a"), "a")]
+        {
+            fs::copy(from, to).unwrap();
+            let found = cache.get_or_make(&key, || "made again".to_owned());
+            assert_eq!(found, "made again");
+        }
+    }
+
+    #[test]
+    fn what_a_killed_run_began_is_swept_away() {
+        let root = tempfile::tempdir().unwrap();
+        let cache = Cache::new(root.path(), PROGRAM);
+        assert_eq!(kept(&cache, "a"), None);
+        fs::write(cache.folder.join("entry-a1B2c3"), "half").unwrap();
+        assert!(kept(&Cache::new(root.path(), PROGRAM), "a").is_some());
+        assert!(!cache.folder.join("entry-a1B2c3").exists());
     }
 
     #[test]

@@ -5,6 +5,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use crate::disk::{read_plain, remove_temporaries};
+
 /// What the name of every folder begins with, so that nothing else below the root is taken for one.
 const PREFIX: &str = "roomwright-";
 
@@ -26,14 +28,32 @@ pub(super) fn remove_oldest(folder: &Path) -> io::Result<()> {
         // Only folders with our own tag are ours to delete: other programs tag theirs by the same file.
         let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX)
             && entry.file_type()?.is_dir()
-            && fs::read(path.join(super::TAG.0)).is_ok_and(|tag| tag == super::TAG.1.as_bytes());
+            && read_plain(&path.join(super::TAG.0), super::TAG.1.len() as u64)
+                .is_ok_and(|tag| tag == super::TAG.1.as_bytes());
         if is_ours && path != folder {
             others.push((entry.metadata()?.modified()?, path));
         }
     }
     others.sort();
     let surplus = others.len().saturating_sub(KEPT);
-    others[..surplus].iter().try_for_each(|(_, path)| fs::remove_dir_all(path))
+    others[..surplus].iter().try_for_each(|(_, path)| remove(path))
+}
+
+/// Removes the folder with all that the program puts into one; with anything else in it, it stays, without a tag.
+fn remove(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        if entry.file_type()?.is_file() && (name.ends_with(super::ENTRY_ENDING) || name == super::TAG.0) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    remove_temporaries(folder, super::TEMPORARY_PREFIX);
+    match fs::remove_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => Ok(()),
+        other => other,
+    }
 }
 
 #[cfg(test)]
@@ -52,11 +72,15 @@ mod tests {
         let made = |number: usize| root.path().join(folder_name(&program(number)));
         for number in 0..6 {
             Cache::new(root.path(), &program(number)).get_or_make(&"key", || number);
+            if number == 0 {
+                fs::create_dir(made(0).join("photos")).unwrap();
+            }
             let time = SystemTime::UNIX_EPOCH + std::time::Duration::from_secs(1_000 + number as u64);
             fs::File::open(made(number)).unwrap().set_modified(time).unwrap();
         }
         let left: Vec<usize> = (0..6).filter(|&number| made(number).is_dir()).collect();
-        assert_eq!(left, [2, 3, 4, 5]);
+        assert_eq!(left, [0, 2, 3, 4, 5], "somebody keeps photos in the oldest");
+        assert_eq!(fs::read_dir(made(0)).unwrap().count(), 1);
         assert!(aliens.iter().all(|alien| alien.is_dir()));
     }
 }

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use super::arguments::{EditsCommand, SourceArguments};
 use super::bake::DEFAULT_SEED;
 use super::exit::Outcome;
-use super::files::{Overwrite, write_text};
 use super::reroll::{Rolled, reroll};
 use super::screen::Screen;
 use super::sources::read_plans_only;
+use super::update::update_text;
 use crate::catalog::load_catalog;
 use crate::document::{Fault, Faults};
 use crate::edits::{
@@ -97,12 +97,13 @@ fn write(found: &Found) -> Result<(), Faults> {
     if found.entries.is_empty() {
         return Ok(());
     }
-    let known = match found.file.exists() {
-        true => Some(read_edits_file(&found.file)?),
-        false => None,
-    };
-    let merged = merge(known, found.entries.clone());
-    write_text(&found.file, &write_edits(&merged), Overwrite::All)
+    update_text(&found.file, || {
+        let known = match found.file.exists() {
+            true => Some(read_edits_file(&found.file)?),
+            false => None,
+        };
+        Ok(write_edits(&merge(known, found.entries.clone())))
+    })
 }
 
 fn report(found: &Found, screen: Screen) {

@@ -1,10 +1,21 @@
 //! Writes single results of a command: whole or not at all, never over an existing file unless told.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
+use tempfile::NamedTempFile;
+
+use crate::disk::{new_temporary, read_regular, sweep_temporaries};
 use crate::document::{Fault, Faults};
+
+/// How files begin that are not yet in place. Hidden, so that nobody takes one for a result.
+const TEMPORARY_PREFIX: &str = ".roomwright-";
+
+/// The most bytes of a file that are read to see whether the program made it.
+const LARGEST_OWN: u64 = 1 << 30;
 
 /// Which existing files may be overwritten.
 #[derive(Clone, Copy, Debug)]
@@ -26,32 +37,72 @@ impl Overwrite {
     fn allows(self, path: &Path) -> bool {
         match self {
             Self::Nothing => false,
-            Self::Own(is_own) => fs::read(path).is_ok_and(|content| is_own(&content)),
+            Self::Own(is_own) => read_regular(path, LARGEST_OWN).is_ok_and(|content| is_own(&content)),
             Self::All => true,
         }
     }
 }
 
-/// Writes a text file.
+/// Writes a text file. What a link leads to is written, and the link stays.
 ///
 /// # Errors
 /// If the file exists and must not be overwritten, or cannot be written.
 pub(crate) fn write_text(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Faults> {
     let fault =
         |error: &io::Error| Faults::from(Fault::of_file(path, format!("cannot write the file: {error}")));
-    let folder = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::create_dir_all(folder).map_err(|error| fault(&error))?;
-    let mut temporary = crate::batch::new_result_file(folder).map_err(|error| fault(&error))?;
+    let target = end_of_links(path)?;
+    if is_stream(&target) {
+        return write_stream(&target, text).map_err(|error| fault(&error));
+    }
+    let folder = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut temporary = temporary_in(folder).map_err(|error| fault(&error))?;
     temporary.write_all(text.as_bytes()).map_err(|error| fault(&error))?;
-    let placed = if overwrite.allows(path) {
-        temporary.persist(path).map(drop).map_err(|failed| failed.error)
+    let placed = if overwrite.allows(&target) {
+        temporary.persist(&target).map(drop).map_err(|failed| failed.error)
     } else {
-        temporary.persist_noclobber(path).map(drop).map_err(|failed| failed.error)
+        temporary.persist_noclobber(&target).map(drop).map_err(|failed| failed.error)
     };
     placed.map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => exists_already(path, overwrite).into(),
         _ => fault(&error),
     })
+}
+
+/// The file that is written: if the path is a link, what it leads to.
+///
+/// # Errors
+/// If that is not there.
+fn end_of_links(path: &Path) -> Result<PathBuf, Faults> {
+    if !path.is_symlink() {
+        return Ok(path.to_owned());
+    }
+    path.canonicalize().map_err(|error| {
+        let fault = Fault::of_file(path, format!("is a link that leads nowhere: {error}"));
+        fault.with_hint("remove the link, or make the file that it leads to").into()
+    })
+}
+
+/// Whether a path is a pipe, a terminal or another device: nothing can be renamed into its place.
+fn is_stream(path: &Path) -> bool {
+    path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
+fn write_stream(path: &Path, text: &str) -> io::Result<()> {
+    let mut stream = fs::File::options().write(true).open(path)?;
+    stream.write_all(text.as_bytes())?;
+    stream.flush()
+}
+
+/// Folders from which this process has removed what killed ones left.
+static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// A temporary file in a folder, which is created where it is missing.
+fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
+    fs::create_dir_all(folder)?;
+    if SWEPT.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.to_owned()) {
+        sweep_temporaries(folder, TEMPORARY_PREFIX);
+    }
+    new_temporary(folder, TEMPORARY_PREFIX)
 }
 
 fn exists_already(path: &Path, overwrite: Overwrite) -> Fault {

@@ -22,6 +22,7 @@ mod room_styles;
 mod screen;
 mod sources;
 mod summary;
+mod update;
 
 use clap::Parser;
 

@@ -1,4 +1,4 @@
-//! Files by names that others chose: looked at before they are opened.
+//! Files among those of others: looked at before they are opened, written beside their place and renamed.
 //!
 //! What later stages may rely on: only regular files are opened, so that a named pipe hangs nobody and a device without end
 //! fills no memory; no more bytes are read than were asked for; and what is reached from a folder by a relative path lies in
@@ -6,7 +6,11 @@
 //! may still put something else; against that the rights of the folder guard, not this program.
 
 mod inside;
+mod lock;
 mod regular;
+mod temporary;
 
 pub(crate) use inside::{look_inside, open_inside, stray_step};
+pub(crate) use lock::{Holder, holder, ignore_unsupported};
 pub(crate) use regular::{read_plain, read_regular};
+pub(crate) use temporary::{new_temporary, remove_temporaries, sweep_temporaries};

@@ -100,3 +100,34 @@ fn the_output_folder_may_be_a_link() {
     baked(&world, 0);
     assert_eq!(world.names("disk/bakes"), ["alpha/1.glb", "alpha/2.glb", "manifest.json"]);
 }
+
+#[test]
+fn an_edits_file_behind_a_link_is_written_and_the_link_stays() {
+    let world = world();
+    world.must(&["bake", "a.yaml"]);
+    let lock =
+        |edits: &str| world.run_bounded(&["edits", "lock", "out/alpha/1.glb", "study", "--edits", edits]);
+    world.write("documents/a.edits.yaml", "version: 1\nedits: []\n");
+    symlink("documents/a.edits.yaml", world.path("a.edits.yaml")).unwrap();
+    let ran = lock("a.edits.yaml");
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert!(world.path("a.edits.yaml").is_symlink());
+    assert!(String::from_utf8(world.read("documents/a.edits.yaml")).unwrap().contains("lock: true"));
+    symlink("nowhere", world.path("b.edits.yaml")).unwrap();
+    let ran = lock("b.edits.yaml");
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("leads nowhere") && ran.stderr.contains("hint"), "{}", ran.stderr);
+    assert!(world.path("b.edits.yaml").is_symlink());
+}
+
+#[test]
+fn a_device_named_as_output_stays_one() {
+    let world = world();
+    symlink("/dev/null", world.path("drawing.svg")).unwrap();
+    for force in [&[][..], &["--force"]] {
+        let ran = world
+            .run_bounded(&[&["draw", "a.yaml", "--level", "1", "--out", "drawing.svg"][..], force].concat());
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    }
+    assert!(world.path("drawing.svg").is_symlink() && !fs::metadata("/dev/null").unwrap().is_file());
+}

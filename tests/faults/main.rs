@@ -11,6 +11,7 @@ mod world;
 mod bounded;
 #[cfg(unix)]
 mod links;
+mod parallel;
 mod records;
 #[cfg(unix)]
 mod special_files;

@@ -1,11 +1,11 @@
-//! File locks: short ones around the joining of records, long ones by which a running bake is known.
+//! File locks, also where there are none.
 
 use std::fs::{File, TryLockError};
 use std::io;
 
-/// Whether somebody holds a long lock.
+/// Whether somebody holds a lock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Holder {
+pub(crate) enum Holder {
     /// A living process.
     Living,
     /// Nobody: its process has ended.
@@ -18,15 +18,15 @@ pub(super) enum Holder {
 ///
 /// # Errors
 /// Everything but the absence of locks.
-pub(super) fn ignore_unsupported(result: io::Result<()>) -> io::Result<()> {
+pub(crate) fn ignore_unsupported(result: io::Result<()>) -> io::Result<()> {
     match result {
         Err(error) if lacks_locks(&error) => Ok(()),
         other => other,
     }
 }
 
-/// Who holds the long lock on a file.
-pub(super) fn holder(file: &File) -> Holder {
+/// Who holds the lock on a file.
+pub(crate) fn holder(file: &File) -> Holder {
     match file.try_lock() {
         Ok(()) => Holder::Gone,
         Err(TryLockError::WouldBlock) => Holder::Living,

@@ -1,0 +1,89 @@
+//! Files on their way: written under a temporary name, then renamed into place, or gone.
+//!
+//! A killed process leaves its temporary file behind. It holds a lock on it for as long as it lives, so that the next one
+//! to write there knows what nobody will finish.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use super::lock::{Holder, holder, ignore_unsupported};
+
+/// Letters and digits that a temporary name ends with.
+const LETTERS: usize = 6;
+
+/// How often a file may be swept away before it is locked.
+const ATTEMPTS: usize = 5;
+
+/// A temporary file that gets the rights of any new file, not those of a secret.
+///
+/// # Errors
+/// If the folder cannot be written.
+pub(crate) fn new_temporary(folder: &Path, prefix: &str) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(prefix).rand_bytes(LETTERS);
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    for _ in 0..ATTEMPTS {
+        let file = builder.tempfile_in(folder)?;
+        ignore_unsupported(file.as_file().lock())?;
+        if file.path().symlink_metadata().is_ok() {
+            return Ok(file);
+        }
+    }
+    Err(io::Error::other("temporary files are removed as soon as they are there"))
+}
+
+/// Deletes the temporary files of a prefix whose processes have ended. What cannot be deleted stays.
+pub(crate) fn sweep_temporaries(folder: &Path, prefix: &str) {
+    for path in temporaries(folder, prefix) {
+        // Held until it is deleted: see `new_temporary`.
+        if let Ok(file) = File::open(&path)
+            && holder(&file) == Holder::Gone
+        {
+            let _ = fs::remove_file(&path);
+        }
+    }
+}
+
+/// Deletes all temporary files of a prefix. What cannot be deleted stays.
+pub(crate) fn remove_temporaries(folder: &Path, prefix: &str) {
+    for path in temporaries(folder, prefix) {
+        let _ = fs::remove_file(path);
+    }
+}
+
+/// Plain files with a name that [`new_temporary`] gives.
+fn temporaries(folder: &Path, prefix: &str) -> Vec<PathBuf> {
+    let is_ending =
+        |rest: &str| rest.len() == LETTERS && rest.bytes().all(|byte| byte.is_ascii_alphanumeric());
+    let entries = fs::read_dir(folder).into_iter().flatten().filter_map(io::Result::ok);
+    let ours = entries.filter(|entry| {
+        let name = entry.file_name();
+        name.to_str().and_then(|name| name.strip_prefix(prefix)).is_some_and(is_ending)
+            && entry.file_type().is_ok_and(|kind| kind.is_file())
+    });
+    ours.map(|entry| entry.path()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_nobody_will_finish_is_swept_away_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let held = new_temporary(folder.path(), "part-").unwrap();
+        for name in ["part-a1B2c3", "part-notes.txt", "other-a1B2c3", "part-a1B2c"] {
+            fs::write(folder.path().join(name), "").unwrap();
+        }
+        fs::create_dir(folder.path().join("part-folder")).unwrap();
+        sweep_temporaries(folder.path(), "part-");
+        assert!(held.path().exists() && !folder.path().join("part-a1B2c3").exists());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 5);
+        remove_temporaries(folder.path(), "part-");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
+    }
+}
