@@ -22,5 +22,6 @@ mod command_line {
     mod readme;
     mod user_models;
     mod verdicts;
+    mod watch;
     mod world;
 }

@@ -11,6 +11,7 @@ use super::room_styles::check_room_styles;
 use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
 use super::summary::{failure_text, summary_json, summary_text, timing_text, where_to_look};
+use super::watch::watch;
 use crate::batch::{
     BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, PROGRAM,
     TextureOptions, bake,
@@ -39,8 +40,13 @@ struct Run {
     has_input_faults: bool,
 }
 
-/// Runs the command.
+/// Runs the command, once or again and again.
 pub(crate) fn run(arguments: BakeArguments, screen: Screen) -> Outcome {
+    if arguments.watch { watch(&arguments, screen) } else { bake_once(arguments, screen) }
+}
+
+/// Bakes.
+pub(super) fn bake_once(arguments: BakeArguments, screen: Screen) -> Outcome {
     // Everything that can be refused is refused before the first second of work.
     if let Err(fault) = OutputFolder::check(&arguments.out) {
         return refuse(screen, &fault);

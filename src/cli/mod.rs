@@ -23,6 +23,7 @@ mod screen;
 mod sources;
 mod summary;
 mod update;
+mod watch;
 
 use clap::Parser;
 

@@ -61,6 +61,9 @@ pub(crate) struct BakeArguments {
     /// Bake share I of N, so that N machines can split the work.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     pub(crate) shard: Option<Shard>,
+    /// Bake again whenever a plan, an edits file or a file of the configuration changes, until Ctrl-C.
+    #[arg(long, requires = "paths")]
+    pub(crate) watch: bool,
     /// How to show progress on stderr.
     #[arg(long, value_enum, default_value = "auto")]
     pub(crate) progress: ProgressWord,

@@ -1,0 +1,75 @@
+//! `bake --watch`: bakes, waits until an input changes, and bakes again.
+//!
+//! The folders of all inputs are watched before a bake reads them, so that no change falls between. Faults end nothing:
+//! the file that has one is an input, too.
+
+mod inputs;
+mod watcher;
+
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::{Duration, Instant};
+
+use super::arguments::BakeArguments;
+use super::bake::bake_once;
+use super::exit::Outcome;
+use super::screen::Screen;
+use crate::document::{Fault, Faults};
+use inputs::Inputs;
+use watcher::{Change, FolderWatcher};
+
+/// Time without a change after which a burst of them is over: editors write a file in several steps.
+const QUIET: Duration = Duration::from_millis(200);
+
+/// Longest burst: inputs that change all the time are baked now and then.
+const LONGEST_BURST: Duration = Duration::from_secs(3);
+
+/// Bakes until Ctrl-C ends the process with exit code 0.
+pub(super) fn watch(arguments: &BakeArguments, screen: Screen) -> Outcome {
+    // Files appear whole or not at all: an interrupted bake leaves nothing that the next one does not take over.
+    let is_handled = ctrlc::set_handler(|| std::process::exit(Outcome::Done as i32)).is_ok();
+    let ended = watch_all(arguments, screen, if is_handled { "; Ctrl-C ends" } else { "" });
+    screen.faults(&ended);
+    Outcome::NotStarted
+}
+
+/// Ends only where nothing can be watched, and says why.
+fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Faults {
+    let mut watcher = FolderWatcher::default();
+    loop {
+        let inputs = Inputs::of(arguments);
+        if inputs.is_empty() {
+            let fault = Fault::of_file(&arguments.sources.paths[0], "is in no folder that can be watched");
+            return fault.with_hint("check the path").into();
+        }
+        let changes = match watcher.watch(&inputs) {
+            Ok(changes) => changes,
+            Err(faults) => return faults,
+        };
+        bake_once(arguments.clone(), screen);
+        screen.note(&format!("Watching {} files and folders{how_to_end}.", inputs.count()));
+        match next_change(changes, &inputs) {
+            Some(name) => screen.note(&format!("{name} changed: baking again.")),
+            None => return Fault::of_file(&arguments.sources.paths[0], "is watched no longer").into(),
+        }
+    }
+}
+
+/// Waits for a change of an input and the end of its burst; the name of the first file that changed, or nothing if nobody
+/// watches any more.
+fn next_change(changes: &Receiver<Change>, inputs: &Inputs) -> Option<String> {
+    let first = loop {
+        match changes.recv().ok()? {
+            Change::Of(path) if inputs.contains(&path) => break inputs.show(&path),
+            Change::Of(_) => {}
+            Change::Unknown => break "something".to_owned(),
+        }
+    };
+    let started = Instant::now();
+    while started.elapsed() < LONGEST_BURST {
+        match changes.recv_timeout(QUIET) {
+            Ok(_) => {}
+            Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => break,
+        }
+    }
+    Some(first)
+}
