@@ -1,4 +1,4 @@
-"""Lamps: what reaches a surface is what the glTF says, worked out from the formulas of UsdLux."""
+"""Lamps: what reaches a surface is what the glTF says, worked out from the formulas of UsdLux without the exposure."""
 
 import math
 
@@ -7,6 +7,7 @@ from pxr import Gf, Usd, UsdGeom, UsdLux
 from usd_reading import assert_same_tree, assert_valid, converted, geometry_of
 
 from gltf_file import GltfFile
+from usd.lights import EXPOSURE
 
 LAMP = "/house_ground/room_101/desk_2_101/lamp_1_101"
 KELVIN = 2700.0
@@ -33,9 +34,10 @@ def luminance(color) -> float:
 
 
 def sphere_candelas(prim) -> float:
-    """Luminous intensity of a sphere: its luminance over the disc that is seen."""
+    """Luminous intensity of a sphere at exposure 0: its luminance over the disc that is seen."""
     light, radius = UsdLux.LightAPI(prim), UsdLux.SphereLight(prim).GetRadiusAttr().Get()
-    nits = light.GetIntensityAttr().Get() * 2.0 ** light.GetExposureAttr().Get() * luminance(color_of(light))
+    assert light.GetExposureAttr().Get() == EXPOSURE, "all lights of a scene are exposed alike"
+    nits = light.GetIntensityAttr().Get() * luminance(color_of(light))
     if light.GetNormalizeAttr().Get():
         nits /= 4.0 * math.pi * radius ** 2
     return nits * math.pi * radius ** 2
@@ -89,6 +91,7 @@ def test_a_sun_has_its_lux(floor, tmp_path):
     light = UsdLux.LightAPI(prim)
     assert prim.GetTypeName() == "DistantLight"
     assert (light.GetIntensityAttr().Get(), light.GetNormalizeAttr().Get()) == (20_000.0, True)
+    assert light.GetExposureAttr().Get() == EXPOSURE
 
 
 def test_a_light_on_a_node_with_a_mesh_is_a_child(floor, tmp_path):
