@@ -10,14 +10,15 @@ Each .glb or .gltf becomes one .usdc (or .usda, or .usdz) beside it, or at the s
   - models as assets, which stand once for all floors in `shared-models`; --self-contained keeps them in each file;
     --instances draws them as instances;
   - materials as UsdPreviewSurface, with textures that stand once in `shared-textures`;
-  - lamps as UsdLux with the same lumens; door leaves with an operation `rotateY:swing` that opens them;
+  - lights as UsdLux with the same lumens; door leaves with an operation `rotateY:swing` that opens them;
   - material variants and levels of detail, where the file has them, as variant sets `material` and `lod`;
   - kinds: level assembly, room group, everything in it component, and what stands on it subcomponent;
   - metres, Y up (or Z with --up-axis Z).
 A folder also gets a `building.usda` for each building, with its floors as payloads at their elevations, and a
 `city.usda` of all buildings at their places. A .usdz holds one floor with everything in it, and there are no stages
 of them. Equal inputs give equal bytes. What an earlier run wrote into the same folder and this one does not (a floor
-that left the bake, another format, models that nothing uses) is removed, if nobody changed it: `converted.json` lists it.
+that left the bake, another format, models that nothing uses) is removed, if nobody changed it: `converted.json` lists
+it.
 
 Needs scripts/requirements.txt. Progress goes to standard error, one line per written file to standard output.
 Exit 0: all written. 1: some failed. 2: nothing could start.
@@ -83,10 +84,9 @@ def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job
         raise FileNotFoundError(f"{path} is no folder, .glb or .gltf")
     base = folder or path.parent
     settings = Settings(
-        root=options.out or base, ending=f".{options.format}", up_axis=options.up_axis,
-        copies_images=options.out is not None, is_self_contained=options.self_contained,
-        has_physics=options.physics, has_instances=options.instances, instanced_below=options.point_instancer,
-        started=started)
+        root=options.out or base, ending=f".{options.format}", up_axis=options.up_axis, started=started,
+        copies_images=options.out is not None, is_self_contained=options.self_contained, has_physics=options.physics,
+        lights_lamps=options.lights, has_instances=options.instances, instanced_below=options.point_instancer)
     return [Job(source, settings.root / source.relative_to(base).with_suffix(settings.ending), settings, folder)
             for source in sources]
 
@@ -156,7 +156,8 @@ def report(removal: Removal) -> None:
     shared = [path for path in removal.removed if path.startswith((f"{MODEL_FOLDER}/", f"{TEXTURE_FOLDER}/"))]
     for path in removal.removed:
         if path not in shared:
-            print(f"convert: removed {printable(path)}, which an earlier run wrote and this one does not", file=sys.stderr)
+            print(f"convert: removed {printable(path)}, which an earlier run wrote and this one does not",
+                  file=sys.stderr)
     if shared:
         print(f"convert: removed {len(shared)} models and images that nothing uses any more", file=sys.stderr)
     for path in removal.kept:
@@ -171,9 +172,12 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
                         help="binary, text, or a package of everything that the floor needs")
     parser.add_argument("--up-axis", choices=("Y", "Z"), default="Y")
     parser.add_argument("--self-contained", action="store_true", help="keep models and textures with each floor")
+    parser.add_argument("--lights", action="store_true",
+                        help="make lights of the lamps of floors that were baked without (`bake --lights physical` is "
+                             "with)")
     parser.add_argument("--instances", action="store_true",
-                        help="mark models as instanceable: renderers then keep each once, and Blender makes an empty and a "
-                             "collection of each")
+                        help="mark models as instanceable: renderers then keep each once, and Blender makes an empty and "
+                             "a collection of each")
     parser.add_argument("--point-instancer", nargs="?", type=float, const=SMALL, metavar="METRES",
                         help="put what is smaller than this in every direction, and has nothing on it, into one "
                              f"PointInstancer a room (default: {SMALL})")

@@ -7,6 +7,7 @@ is where Blender and others look for what users say of a prim (and take numbers,
 from __future__ import annotations
 
 import json
+from functools import cache
 
 from pxr import Gf, Kind, Sdf, Tf, Vt
 
@@ -15,7 +16,6 @@ from gltf_file import Node
 from .specs import Types, apply_schemas, attribute
 
 SIMPLE = {bool, str, int, float}
-PROPERTIES = "userProperties:"
 PROPERTY_TYPES = {bool: Types.Bool, str: Types.String, int: Types.Int, float: Types.Double}
 VECTORS = {2: (Types.Double2, Gf.Vec2d), 3: (Types.Double3, Gf.Vec3d), 4: (Types.Double4, Gf.Vec4d)}
 # Which of a node's extras name it for who trains on pictures: taxonomy and field, by kind.
@@ -50,11 +50,19 @@ def custom_data(node: Node) -> dict:
 
 def write_properties(prim: Sdf.PrimSpec, node: Node) -> None:
     """The name and the extras as attributes of users."""
+    names: set[str] = set()
     for key, value in {"name": node.name, **node.extras}.items():
         kind, value = property_value(str(value) if key == "seed" else value)
-        name = f"{PROPERTIES}{Tf.MakeValidIdentifier(key)}"
-        if value is not None and name not in prim.properties:
-            attribute(prim, name, kind, value).custom = True
+        name = property_name(key)
+        # Keys that become equal: the first stays.
+        if value is not None and name not in names:
+            names.add(name)
+            Sdf.AttributeSpec(prim, name, kind, declaresCustom=True).default = value
+
+
+@cache
+def property_name(key: str) -> str:
+    return f"userProperties:{Tf.MakeValidIdentifier(key)}"
 
 
 def property_value(value) -> tuple:

@@ -96,8 +96,11 @@ class Floor:
     def find_carriers(self) -> set[int]:
         """The nodes with other nodes, or a light of their own, below their prims."""
         written = [node for node in self.gltf.nodes if node.index not in self.instanced and node is not self.root]
-        lit = {node.index for node in self.gltf.nodes if light_of(self.gltf, node) is not None}
+        lit = {node.index for node in self.gltf.nodes if self.light_of(node) is not None}
         return lit | {self.parent_of(node).index for node in written}
+
+    def light_of(self, node: Node) -> dict | None:
+        return light_of(self.gltf, node, self.settings.lights_lamps)
 
     def mesh_name(self, prim: Sdf.PrimSpec, node: Node) -> str:
         """The name of a node's mesh: the node's where it is the only child, which importers join with the node."""
@@ -140,7 +143,7 @@ class Floor:
             write_details(prim, self.mesh_name(prim, node), self.gltf, node, self.geometry.write)
         elif node.mesh is not None:
             self.geometry.write(prim, node.mesh, UNMOVED, self.mesh_name(prim, node))
-        light = light_of(self.gltf, node)
+        light = self.light_of(node)
         if light is not None:
             write_light(prim, light_name(prim.name, node), light, node.extras)
 

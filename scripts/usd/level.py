@@ -28,9 +28,10 @@ def level_of(node: Node) -> Level | None:
     if type(site) is not dict or type(site.get("position", [])) is not list:
         raise GltfError(f"{node.name}: its site {shown(site)} has no position of two numbers")
     east, north = (*site.get("position", []), 0.0, 0.0)[:2]
-    return Level(text(node, "building"), text(node, "level"), number(node.name, "elevation", node.extras.get("elevation")),
-                 (number(node.name, "site.position", east), number(node.name, "site.position", north)),
-                 number(node.name, "site.turn", site.get("turn", 0.0)))
+    elevation = number(node.name, "elevation", node.extras.get("elevation"))
+    position = number(node.name, "site.position", east), number(node.name, "site.position", north)
+    turn = number(node.name, "site.turn", site.get("turn", 0.0))
+    return Level(text(node, "building"), text(node, "level"), elevation, position, turn)
 
 
 def text(node: Node, key: str) -> str:

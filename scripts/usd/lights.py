@@ -1,4 +1,4 @@
-"""Lamps: KHR_lights_punctual to UsdLux.
+"""Lamps: KHR_lights_punctual to UsdLux, and on request lamps whose light a floor only tells of.
 
 A point light of I candela in every direction becomes a sphere of radius r with the same luminous flux 4 pi I. UsdLux
 gives the luminance of a light in nits (openusd.org, UsdLux, "Quantities and Units"): L = intensity * 2^exposure *
@@ -12,9 +12,9 @@ glTF colour does not: lamps that say their lumens and kelvins in their extras ha
 intensity and colour. A spot light is such a sphere in a cone: the glTF intensity is that of the cone's axis, as
 here. A directional light of E lux is a DistantLight with `normalize`, whose intensity is in lux.
 
-Intensities are photometric, pictures are not: renderers show a radiance of 1 as white, and a lamp's light on a wall is some
-30 nits. `exposure` stands between them, as a camera's does: at EXPOSURE a furnished room has its middle grey in Blender and other
-renderers as they are by themselves; whoever has a camera with an exposure of its own sets it to 0.
+Intensities are photometric, pictures are not: renderers show a radiance of 1 as white, and a lamp's light on a wall is
+some 30 nits. `exposure` stands between them, as a camera's does: at EXPOSURE a furnished room is neither dark nor white
+in renderers as they are by themselves; whoever has a camera with an exposure of its own sets it to 0.
 """
 
 from __future__ import annotations
@@ -28,22 +28,24 @@ from gltf_file import GltfFile, Node
 from .specs import Types, apply_schemas, attribute, new_prim
 
 EXTENSION = "KHR_lights_punctual"
+# What a lamp's node says of its light.
+PHOTOMETRIC = {"lumens", "kelvin"}
 # Metres: less than the 2 cm that lights keep from their lamps' boxes, so that no lamp shades its own light.
 RADIUS = 0.015
-# Stops, of every light: 1/32. Blender's Cycles draws the living room of the demo's house 0.52 bright on average then (0 is
-# black, 1 white; 48 samples, all else as Blender has it); 0.92 at 0, 0.73 at -3, 0.31 at -7.
+# Stops, of every light: 1/32. Blender's Cycles draws the living room of the demo's house 0.52 bright on average then (0
+# is black, 1 white; 48 samples, all else as Blender has it); 0.92 at 0, 0.73 at -3, 0.31 at -7.
 EXPOSURE = -5.0
 # Degrees of the sun's disc. A point has sharp shadows in glTF, and so has this nearly.
 SUN_ANGLE = 0.53
 TYPE_NAMES = {"point": "SphereLight", "spot": "SphereLight", "directional": "DistantLight"}
 
 
-def light_of(gltf: GltfFile, node: Node) -> dict | None:
-    """The light of a node, as the file lists it."""
+def light_of(gltf: GltfFile, node: Node, lights_lamps: bool = False) -> dict | None:
+    """The light of a node, as the file lists it, or as a lamp's extras say it where somebody wants lamps lit."""
     used = gltf.entry("nodes", node.index).get("extensions", {}).get(EXTENSION)
-    if used is None:
-        return None
-    return gltf.document["extensions"][EXTENSION]["lights"][used["light"]]
+    if used is not None:
+        return gltf.document["extensions"][EXTENSION]["lights"][used["light"]]
+    return {"type": "point"} if lights_lamps and node.kind == "light" and PHOTOMETRIC <= node.extras.keys() else None
 
 
 def light_name(node_name: str, node: Node) -> str:
@@ -56,7 +58,7 @@ def write_light(parent: Sdf.PrimSpec, name: str, light: dict, extras: dict) -> N
     prim = new_prim(parent, name, TYPE_NAMES[light["type"]])
     is_sun = light["type"] == "directional"
     intensity = light.get("intensity", 1.0) * (1.0 if is_sun else 4.0)
-    if {"lumens", "kelvin"} <= extras.keys() and light["type"] == "point":
+    if PHOTOMETRIC <= extras.keys() and light["type"] == "point":
         intensity = extras["lumens"] / math.pi
         attribute(prim, "inputs:enableColorTemperature", Types.Bool, True)
         attribute(prim, "inputs:colorTemperature", Types.Float, float(extras["kelvin"]))

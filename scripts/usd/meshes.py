@@ -77,7 +77,7 @@ def join(primitives: list[dict]) -> Joined:
 
 
 def join_normals(primitives: list[dict], positions: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, str]:
-    """Primitives without normals are flat (glTF 2.0, 3.7.2.1), which USD leaves to the reader: flat normals are written."""
+    """Primitives without normals are flat (glTF 2.0, 3.7.2.1); USD leaves that to readers, so theirs are written."""
     own = [primitive["normals"] for primitive in primitives]
     if all(normals is not None for normals in own):
         return np.concatenate(own), UsdGeom.Tokens.vertex

@@ -20,6 +20,7 @@ class Settings:
     copies_images: bool = True  # no: images with files of their own are referred to where they are
     is_self_contained: bool = False
     has_physics: bool = False
+    lights_lamps: bool = False  # lamps of floors without lights are lights
     has_instances: bool = False  # each model is drawn by USD's own instances, which some importers make objects of
     # Metres: what is smaller in every direction goes into a PointInstancer; none without.
     instanced_below: float | None = None

@@ -55,7 +55,7 @@ class MaterialVariants:
         return self.changing[mesh]
 
     def bind(self, model: Sdf.PrimSpec, geometry: Sdf.PrimSpec, mesh: int, materials: Materials) -> None:
-        """Binds the parts of a mesh, which is the model's prim or one below; those that change, in variants of the model."""
+        """Binds the parts of a mesh, the model's prim or one below; those that change, in variants of the model."""
         changing = self.of_mesh(mesh)
         own = [primitive["material"] for primitive in self.gltf.primitives(mesh)]
         fixed = [number for number in range(len(own)) if not self.of_primitive(mesh, number)]

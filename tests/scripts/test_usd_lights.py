@@ -60,6 +60,22 @@ def test_a_lamp_has_its_lumens_and_kelvins(floor, tmp_path):
     assert prim.GetParent().GetCustomDataByKey("lumens") == 800.0
 
 
+@pytest.mark.parametrize("lights_lamps", [False, True])
+def test_a_lamp_that_is_no_light_of_the_file_is_one_where_somebody_asks(floor, tmp_path, lights_lamps):
+    parent = floor.document["nodes"].index(floor.find("lamp.1@101"))
+    extras = {"kind": "light", "lumens": 800.0, "kelvin": KELVIN}
+    floor.node("light.lamp.1@101", extras, parent, at=(0, 0.32, 0))
+    source = floor.write(tmp_path / "ground.glb")
+    stage = converted(source, tmp_path / "ground.usda", lights_lamps=lights_lamps)
+    assert_same_tree(stage, GltfFile(source))
+    assert_valid(stage)
+    prim = stage.GetPrimAtPath(f"{LAMP}/light_lamp_1_101/light_lamp_1_101")
+    assert bool(prim) is lights_lamps
+    assert stage.GetPrimAtPath(f"{LAMP}/light_lamp_1_101").GetAttribute("userProperties:lumens").Get() == 800.0
+    if lights_lamps:
+        assert sphere_candelas(prim) * 4 * math.pi == pytest.approx(800.0, rel=1e-4)
+
+
 def test_a_wider_bulb_is_no_brighter(floor, tmp_path):
     add_light(floor, {"type": "point"}, {"kind": "light", "lumens": 800.0, "kelvin": KELVIN})
     _stage, prim = converted_light(floor, tmp_path)
@@ -105,7 +121,7 @@ def test_a_light_on_a_node_with_a_mesh_is_a_child(floor, tmp_path):
 def test_lamps_of_the_program(baked, tmp_path):
     """Their spheres touch nothing: they are smaller than the 2 cm that the program keeps."""
     source = min(baked.rglob("*.glb"), key=lambda file: file.stat().st_size)
-    stage = converted(source, tmp_path / "floor.usdc")
+    stage = converted(source, tmp_path / "floor.usdc", lights_lamps=True)
     lights = [prim for prim in stage.Traverse() if prim.HasAPI(UsdLux.LightAPI)]
     nodes = [node for node in GltfFile(source).nodes if node.kind == "light"]
     assert [prim.GetParent().GetCustomDataByKey("name") for prim in lights] == [node.name for node in nodes] != []
