@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-import re
 from pathlib import Path
 
 from gltf_file import GltfFile
 
-from .naming import LONGEST_NAME
 from .settings import TEXTURE_FOLDER, Settings
 from .writing import is_of_this_run, relative_path, write_bytes
 
-# What the program's own names of textures end in. It stands for the pixels; the file's content decides here.
-PROGRAM_HASH = re.compile(r"\.[0-9a-f]{12}$")
 HASH_LENGTH = 12
 
 
@@ -43,16 +39,10 @@ class Textures:
         return None if self.settings.copies_images else self.gltf.image_file(image)
 
     def copy(self, image: int) -> Path:
-        """Equal content has one file, whatever it was called."""
+        """Equal content has one file, whatever it was called: floors call one image by many names."""
         data, ending = self.gltf.image(image)
-        name = f"{self.stem(image)}.{hashlib.sha256(data).hexdigest()[:HASH_LENGTH]}{ending}"
-        file = self.folder / name
+        file = self.folder / f"{hashlib.sha256(data).hexdigest()[:HASH_LENGTH]}{ending}"
         self.copies.add(file)
         if not is_of_this_run(file, self.settings.started):
             write_bytes(data, file, self.settings.root)
         return file
-
-    def stem(self, image: int) -> str:
-        file = self.gltf.image_file(image)
-        original = self.gltf.name_of("images", image) if file is None else file.stem
-        return re.sub(r"[^A-Za-z0-9._-]+", "_", PROGRAM_HASH.sub("", original)).lstrip(".")[:LONGEST_NAME] or "image"

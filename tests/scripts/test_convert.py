@@ -174,7 +174,8 @@ def test_a_baked_city(baked, tmp_path):
     """Stages of its buildings, a second run that writes the same, and no absolute path."""
     buildings = [folder for folder in ("house", "office") if (baked / folder).is_dir()]
     for folder in [*buildings, "shared-textures"]:
-        shutil.copytree(baked / folder, tmp_path / "in" / folder)
+        if (baked / folder).is_dir():
+            shutil.copytree(baked / folder, tmp_path / "in" / folder)
     for out in ("a", "b"):
         assert convert.main([str(tmp_path / "in"), "--out", str(tmp_path / out)]) == 0
     stage = Usd.Stage.Open(str(tmp_path / "a" / "city.usda"))

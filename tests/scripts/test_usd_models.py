@@ -4,6 +4,7 @@ import time
 
 import numpy as np
 import pytest
+from conftest import build_floor
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade
 from usd_reading import assert_same_meshes, assert_valid, bound_materials, converted, geometry_of, mesh_prims
 
@@ -166,6 +167,13 @@ class TestNormals:
         np.testing.assert_allclose(corners, np.repeat(flat[:, None], corners.shape[1], axis=1), atol=1e-6)
 
 
+def add_bytes(floor, data: bytes) -> int:
+    """A view of a floor's buffer that holds some bytes."""
+    floor.document["bufferViews"].append({"buffer": 0, "byteOffset": len(floor.binary), "byteLength": len(data)})
+    floor.binary += data + b"\0" * (-len(data) % 4)
+    return len(floor.document["bufferViews"]) - 1
+
+
 class TestTextures:
     """Images, their readers, and where they are."""
 
@@ -218,12 +226,31 @@ class TestTextures:
         assert convert.main([str(textured), "--out", str(tmp_path / "usd")]) == 0
         copies = [path for path in (tmp_path / "usd").rglob("*.png")]
         assert [path.read_bytes() for path in copies] == [PNG]
-        assert copies[0].name.startswith("wood.base_color.") and copies[0].parent.name == "shared-textures"
+        assert copies[0].parent.name == "shared-textures"
         model = next((tmp_path / "usd" / "shared-models").glob("desk_0.*"))
         for file, owner in ((tmp_path / "usd" / "house" / "upper.usdc", "/house_ground"), (model, "/desk_0")):
             stage = Usd.Stage.Open(str(file))
             asset = self.file(self.texture(stage, owner))
-            assert asset.path.startswith("../shared-textures/wood") and asset.resolvedPath == str(copies[0])
+            assert asset.path == f"../shared-textures/{copies[0].name}" and asset.resolvedPath == str(copies[0])
+
+    def test_images_inside_the_files_are_taken_out_once_each(self, floor, tmp_path):
+        """Two floors hold the same image, one of them twice, by other names; another image is another file."""
+        other = PNG + b" of another"
+        (tmp_path / "in").mkdir()
+        for name, images in (("ground", [PNG, PNG, other]), ("upper", [other, PNG])):
+            whole = build_floor()
+            whole.document["images"] = [{"name": f"{name}{number}", "mimeType": "image/png",
+                                         "bufferView": add_bytes(whole, data)} for number, data in enumerate(images)]
+            whole.document["textures"] = [{"source": number} for number in range(len(images))]
+            whole.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+            whole.document["materials"][0]["emissiveTexture"] = {"index": 1}
+            whole.document["materials"][0]["normalTexture"] = {"index": len(images) - 1}
+            whole.write(tmp_path / "in" / f"{name}.glb")
+        assert convert.main([str(tmp_path / "in"), "--out", str(tmp_path / "usd"), "--jobs", "1"]) == 0
+        files = list((tmp_path / "usd" / "shared-textures").iterdir())
+        assert sorted(file.read_bytes() for file in files) == sorted([PNG, other])
+        stage = Usd.Stage.Open(str(tmp_path / "usd" / "upper.usdc"))
+        assert open(self.file(self.texture(stage)).resolvedPath, "rb").read() == other
 
     def test_beside_the_source_images_stay_where_they_are(self, textured):
         assert convert.main([str(textured)]) == 0
