@@ -18,5 +18,6 @@ mod plan {
     mod reading;
     mod schema;
     mod support;
+    mod unread;
     mod writing;
 }

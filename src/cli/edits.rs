@@ -15,7 +15,7 @@ use crate::edits::{
     Captured, EDITS_ENDING, RoomEntry, capture, edits_path, lock_objects, merge, read_edits, read_edits_file,
     write_edits,
 };
-use crate::plan::project_settings;
+use crate::plan::{PlanReading, project_settings};
 use crate::read_back::{Survey, parse_survey, read_bytes};
 
 /// New edits, where they go, and what else is to be said.
@@ -71,7 +71,8 @@ fn rolled(
     let paths = vec![plan.to_owned()];
     let run_seed = project_settings(&paths)?.seed.unwrap_or(DEFAULT_SEED);
     let known = load_catalog(&catalog)?.value;
-    let (read, _) = read_plans_only(&SourceArguments { paths, catalog, ..SourceArguments::default() })?;
+    let PlanReading { plan: read, .. } =
+        read_plans_only(&SourceArguments { paths, catalog, ..SourceArguments::default() })?;
     let named: Vec<PathBuf> = [file.to_owned()].into_iter().filter(|file| file.exists()).collect();
     let (mut book, faults) = read_edits(&read, &named, &known);
     if faults.has_errors() {

@@ -7,11 +7,12 @@ use serde_json::json;
 use super::arguments::{ImportArguments, SourceArguments};
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
+use super::import_report;
 use super::screen::{FaultReport, Screen};
 use super::sources::read_plans_only;
 use crate::batch::distinct_names;
 use crate::document::{Fault, Faults};
-use crate::plan::{Level, PlacedBuilding, write_native};
+use crate::plan::{InputReport, Level, PlacedBuilding, PlanReading, write_native};
 
 /// One building and where it goes.
 struct Target<'a> {
@@ -21,9 +22,9 @@ struct Target<'a> {
 
 /// Runs the command.
 pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
-    let ImportArguments { paths, out, force, catalog } = arguments;
+    let ImportArguments { paths, out, force, catalog, report: is_report_wanted } = arguments;
     let read = read_plans_only(&SourceArguments { paths, catalog, ..SourceArguments::default() });
-    let (plan, mut faults) = match read {
+    let PlanReading { plan, mut faults, reports } = match read {
         Ok(read) => read,
         Err(faults) => {
             screen.faults(&faults);
@@ -46,7 +47,8 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
         }
     }
     screen.faults(&faults);
-    report(&written, &faults, screen);
+    let reports = is_report_wanted.then_some(&reports[..]);
+    report(&written, &faults, (reports, screen));
     match written.is_empty() {
         true => Outcome::NotStarted,
         false => Outcome::of_failures(faults.has_errors()),
@@ -71,7 +73,8 @@ fn targets<'a>(buildings: &'a [PlacedBuilding], out: &Path) -> Result<Vec<Target
     }
 }
 
-fn report(written: &[&Target<'_>], faults: &Faults, screen: Screen) {
+/// What was written, and what the readers say of it where that is asked for.
+fn report(written: &[&Target<'_>], faults: &Faults, (reports, screen): (Option<&[InputReport]>, Screen)) {
     let counts = |target: &&Target<'_>| {
         let levels = &target.placed.building.levels;
         let sum = |count: fn(&Level) -> usize| levels.iter().map(count).sum::<usize>();
@@ -85,12 +88,19 @@ fn report(written: &[&Target<'_>], faults: &Faults, screen: Screen) {
         };
         let faults: Vec<_> = faults.0.iter().map(FaultReport::from).collect();
         let buildings: Vec<_> = written.iter().map(building).collect();
-        screen.json(&json!({"buildings": buildings, "faults": faults}));
+        let mut result = json!({"buildings": buildings, "faults": faults});
+        if let Some(reports) = reports {
+            result["report"] = json!(reports);
+        }
+        screen.json(&result);
         return;
     }
     for target in written {
         let (levels, rooms, openings) = counts(target);
         let path = target.path.display();
         screen.note(&format!("{path}: {levels} levels, {rooms} rooms, {openings} openings"));
+    }
+    for report in reports.into_iter().flatten() {
+        screen.result(&import_report::text(report));
     }
 }

@@ -12,7 +12,9 @@ mod exit;
 mod explain;
 mod files;
 mod find_room;
+mod formats;
 mod import;
+mod import_report;
 mod init;
 mod man;
 mod merge;
@@ -46,6 +48,7 @@ pub fn run() -> Outcome {
         Command::Draw(arguments) => draw::run(&arguments, screen),
         Command::Edits { command } => edits::run(command, screen),
         Command::Explain(arguments) => explain::run(&arguments, screen),
+        Command::Formats => formats::run(screen),
         Command::Import(arguments) => import::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),
         Command::Init(arguments) => init::run(&arguments, screen),

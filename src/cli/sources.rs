@@ -8,7 +8,7 @@ use crate::catalog::{Catalog, builtin_files, load_catalog};
 use crate::document::{Fault, Faults, Warned, did_you_mean};
 use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;
-use crate::plan::{Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
+use crate::plan::{Plan, PlanOptions, PlanReading, ProjectSettings, project_settings, read_plans};
 
 /// The project that is baked when no path is given, below `configs/`.
 const DEMO: &str = "demo.yaml";
@@ -60,12 +60,13 @@ pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Sources, Fault
 ///
 /// # Errors
 /// As [`read_sources`].
-pub(crate) fn read_plans_only(arguments: &SourceArguments) -> Result<(Plan, Faults), Faults> {
+pub(crate) fn read_plans_only(arguments: &SourceArguments) -> Result<PlanReading, Faults> {
     let settings = project_settings(&arguments.paths)?;
     let folders: Vec<PathBuf> = settings.catalog.iter().chain(&arguments.catalog).cloned().collect();
     let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
-    let plan = read_some_plans(&arguments.paths, &catalog, &mut faults)?;
-    Ok((plan, faults))
+    let reading = read_plans(&arguments.paths, &PlanOptions { words: &catalog.room_words });
+    faults.merge(reading.faults);
+    if reading.plan.buildings.is_empty() { Err(faults) } else { Ok(PlanReading { faults, ..reading }) }
 }
 
 fn read_some_plans(paths: &[PathBuf], catalog: &Catalog, faults: &mut Faults) -> Result<Plan, Faults> {

@@ -15,6 +15,15 @@ use super::source::Source;
 use super::suggest::did_you_mean;
 use super::tree::{Content, Node};
 
+/// How people write the units that files may name, the file's word first.
+const UNITS: [&[&str]; 5] = [
+    &["m", "metre", "metres", "meter", "meters"],
+    &["cm"],
+    &["mm"],
+    &["ft", "foot", "feet"],
+    &["in", "inch", "inches"],
+];
+
 /// Everything that is wrong with the text, with places; at least one fault.
 ///
 /// Order: by place. Faults of syntax stand alone, for what follows them is guesswork.
@@ -150,12 +159,37 @@ impl Diagnosis<'_> {
         };
         let is_asked = |kind: &&JsonType| **kind != JsonType::Null || expected.len() == 1;
         let names: Vec<&str> = expected.iter().filter(is_asked).map(|kind| type_name(*kind)).collect();
-        let starts_with_digit =
-            found.starts_with("text \"") && found[6..].starts_with(|c: char| c.is_ascii_digit());
         let is_measure = expected.iter().any(|kind| matches!(kind, JsonType::Number | JsonType::Integer));
-        let hint =
-            (starts_with_digit && is_measure).then(|| "write the number alone, without a unit".to_owned());
-        self.add(path, format!("expected {}, found {found}", names.join(" or ")), hint);
+        let measure = match &node.content {
+            Content::Scalar { value: Value::String(text), .. } if is_measure => self.measure_hint(text),
+            _ => None,
+        };
+        self.add(path, format!("expected {}, found {found}", names.join(" or ")), measure);
+    }
+
+    /// What to write for a text that begins with a number: `14ft`, `3,5`, `8' 2"`.
+    fn measure_hint(&self, text: &str) -> Option<String> {
+        let is_digit = |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | ',');
+        let (number, rest) =
+            text.trim().split_at(text.trim().find(|c| !is_digit(c)).unwrap_or(text.trim().len()));
+        let number = number.trim_end_matches(['.', ',']).replace(',', ".");
+        if !number.starts_with(|letter: char| letter.is_ascii_digit()) {
+            return None;
+        }
+        if rest.contains(['\'', '"']) {
+            return Some("write feet and inches as one number: 8' 2\" is 8.167 feet".to_owned());
+        }
+        let asks_unit = self.schema.pointer("/properties/units").is_some();
+        let unit = UNITS.iter().find(|names| names.contains(&rest.trim().to_lowercase().as_str()));
+        Some(match unit {
+            Some(names) if asks_unit => {
+                format!(
+                    "write {number} alone; `units: {}` says what all lengths of the file are in",
+                    names[0]
+                )
+            }
+            _ => format!("write {number} alone, without a unit"),
+        })
     }
 
     fn unknown_word(&mut self, path: &[PathStep], options: &[Value]) {

@@ -1,6 +1,7 @@
 //! The source line of a fault, cut to a width that a terminal shows.
 
 use super::limits::{EXCERPT_LEAD, EXCERPT_WIDTH};
+use super::text::is_unprintable;
 
 /// Marks a line whose beginning was cut.
 const CUT: char = '…';
@@ -13,7 +14,7 @@ pub(super) fn excerpt(text: &str, line: usize, column: usize) -> Option<String> 
     let skipped = if column > EXCERPT_WIDTH { column - 1 - EXCERPT_LEAD } else { 0 };
     let mut shown: String = if skipped > 0 { String::from(CUT) } else { String::new() };
     let rest = line.chars().skip(skipped);
-    shown.extend(rest.take(EXCERPT_WIDTH).map(|letter| if letter.is_control() { ' ' } else { letter }));
+    shown.extend(rest.take(EXCERPT_WIDTH).map(|letter| if is_unprintable(letter) { ' ' } else { letter }));
     Some(shown)
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use super::excerpt::caret_column;
+use super::text::{bounded, printable};
 
 /// One step of a path inside a document: `levels[0].rooms[3].outline`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -32,10 +33,10 @@ pub fn show_path(path: &[PathStep]) -> String {
     let mut shown = String::new();
     for step in path {
         match step {
-            PathStep::Key(key) if shown.is_empty() => shown.push_str(key),
+            PathStep::Key(key) if shown.is_empty() => shown.push_str(&bounded(key)),
             PathStep::Key(key) => {
                 shown.push('.');
-                shown.push_str(key);
+                shown.push_str(&bounded(key));
             }
             PathStep::Index(index) => shown.push_str(&format!("[{index}]")),
         }
@@ -73,7 +74,7 @@ pub enum FaultSeverity {
 }
 
 impl Fault {
-    /// An error about a file as a whole.
+    /// An error about a file as a whole. What cannot be printed is escaped, what is long is cut.
     #[must_use]
     pub fn of_file(file: &Path, message: impl Into<String>) -> Self {
         Self {
@@ -81,7 +82,7 @@ impl Fault {
             position: None,
             line: None,
             path: Vec::new(),
-            message: message.into(),
+            message: bounded(&message.into()),
             hint: None,
             severity: FaultSeverity::Error,
         }
@@ -90,8 +91,17 @@ impl Fault {
     /// The same fault with a hint.
     #[must_use]
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
-        self.hint = Some(hint.into());
+        self.hint = Some(bounded(&hint.into()));
         self
+    }
+
+    /// The same fault with a hint, if there is one.
+    #[must_use]
+    pub fn with_some_hint(self, hint: Option<String>) -> Self {
+        match hint {
+            Some(hint) => self.with_hint(hint),
+            None => self,
+        }
     }
 
     /// The same fault as a warning.
@@ -137,7 +147,7 @@ impl Fault {
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.file.display())?;
+        f.write_str(&printable(&self.file.to_string_lossy()))?;
         if let Some((line, column)) = self.position {
             write!(f, ":{line}:{column}")?;
         }

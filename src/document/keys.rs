@@ -4,7 +4,7 @@
 ///
 /// In YAML without braces these are the words before a colon at the beginning of a line. In braces, as in JSON,
 /// strings are skipped and braces counted; a text that ends too early gives the keys up to there.
-pub(super) fn top_keys(text: &str) -> Vec<String> {
+pub(crate) fn top_keys(text: &str) -> Vec<String> {
     let first = text.lines().find(|line| {
         let line = line.trim_start();
         !(line.is_empty() || line.starts_with(['#', '%']) || line.starts_with("---"))

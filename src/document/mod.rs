@@ -16,6 +16,7 @@ mod limits;
 mod scalar;
 mod source;
 mod suggest;
+mod text;
 mod tree;
 
 #[cfg(test)]
@@ -29,9 +30,11 @@ use serde::de::DeserializeOwned;
 pub use fault::{Fault, FaultSeverity, PathStep, show_path};
 pub use faults::{Faults, Warned};
 pub use format::Format;
+pub(crate) use keys::top_keys;
 pub use limits::FILE_SIZE_LIMIT;
 pub use source::{Source, locate};
 pub use suggest::{did_you_mean, suggest};
+pub use text::{is_unprintable, printable};
 
 /// Reads a YAML or JSON file (by its extension) into a value.
 ///

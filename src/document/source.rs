@@ -95,6 +95,12 @@ impl Source {
         top_keys(&self.text)
     }
 
+    /// Whether the text is a document, whatever it means.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        self.tree().is_ok()
+    }
+
     /// A fault about what stands at a document path: its value if that begins on the line of its key, else
     /// the key; the nearest value around it if there is nothing at the path.
     #[must_use]
@@ -106,7 +112,7 @@ impl Source {
         severity: FaultSeverity,
     ) -> Fault {
         let position = self.tree().as_ref().ok().map(|tree| tree.root.locate(path));
-        Fault { path: path.to_vec(), hint, severity, ..self.fault_at(position, message) }
+        Fault { path: path.to_vec(), severity, ..self.fault_at(position, message) }.with_some_hint(hint)
     }
 
     /// A fault about the key at the end of a document path.
@@ -114,7 +120,7 @@ impl Source {
     pub fn fault_of_key(&self, path: &[PathStep], message: impl Into<String>, hint: Option<String>) -> Fault {
         let tree = self.tree().as_ref().ok();
         let position = tree.map(|tree| tree.root.locate_key(path).unwrap_or_else(|| tree.root.locate(path)));
-        Fault { path: path.to_vec(), hint, ..self.fault_at(position, message) }
+        Fault { path: path.to_vec(), ..self.fault_at(position, message) }.with_some_hint(hint)
     }
 
     /// A fault at a place of the text.

@@ -4,6 +4,9 @@
 /// `rom` with `room`, but not `sofa` with `stove`. Lower suggests nonsense, higher misses swapped letters.
 const LEAST_SIMILARITY: f64 = 0.8;
 
+/// Letters of the longest word that is compared: people mistype words, not pages.
+const LONGEST_WORD: usize = 100;
+
 /// The candidate most like a word, if one is like it at all. Equal ones are settled by the alphabet.
 #[must_use]
 pub fn suggest<I>(word: &str, candidates: I) -> Option<String>
@@ -11,6 +14,9 @@ where
     I: IntoIterator,
     I::Item: AsRef<str>,
 {
+    if word.len() > LONGEST_WORD {
+        return None;
+    }
     let word = word.to_lowercase();
     let score = |candidate: &str| strsim::jaro_winkler(&word, &candidate.to_lowercase());
     let scored =

@@ -178,7 +178,7 @@ fn values_that_are_no_number_are_faults() {
         faults("h.yaml", "version: 1\nrooms:\n- {id: a, kind: kitchen, gap: .inf, window: {sill: 90cm}}\n"),
         [
             "h.yaml:3:31: .inf is not a finite number",
-            "h.yaml:3:52: expected a number, found text \"90cm\" (write the number alone, without a unit)",
+            "h.yaml:3:52: expected a number, found text \"90cm\" (write 90 alone, without a unit)",
         ]
     );
 }

@@ -20,6 +20,7 @@ pub(crate) mod limits;
 mod mirror;
 mod options;
 pub(crate) mod read;
+mod report;
 #[cfg(test)]
 mod sample;
 mod units;
@@ -37,6 +38,10 @@ pub use draft::{
 };
 pub(crate) use mirror::mirror_building;
 pub use options::{PlanOptions, PlanReading, ProjectSettings};
-pub use read::{DrawnPiece, drawn_furniture, native_schema, project_schema, project_settings, read_plans};
+pub use read::{
+    DrawnPiece, READ_FORMATS, ReadFormat, drawn_furniture, native_schema, project_schema, project_settings,
+    read_plans, unread_formats,
+};
+pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};
 pub use write_native::write_native;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{Plan, RoomWords};
+use super::{InputReport, Plan, RoomWords};
 use crate::document::Faults;
 
 /// What reading plans depends on besides the files.
@@ -31,4 +31,6 @@ pub struct PlanReading {
     /// Errors and warnings of all files, sorted by file and place. After an error of a file some of its rooms or
     /// buildings are missing from `plan`.
     pub faults: Faults,
+    /// What became of each input, sorted by path; plans that projects name are not among them.
+    pub reports: Vec<InputReport>,
 }

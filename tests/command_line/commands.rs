@@ -106,6 +106,36 @@ fn an_imported_plan_bakes_to_the_same_rooms() {
 }
 
 #[test]
+fn import_tells_what_was_read_and_left_out() {
+    let world = World::new();
+    let far = "      - {id: far, type: office, rectangle: [0, 50, 5000, 3]}\n    openings:";
+    world.write("a.yaml", plan("alpha", 1).replacen("    openings:", far, 1));
+    let ran = world.run(&["import", "a.yaml", "--out", "b.yaml", "--report"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    for line in
+        ["a.yaml (native)", "rooms     2 of 2: 1 bedroom, 1 study", "1 between two rooms, 1 of one room"]
+    {
+        assert!(ran.stdout.contains(line), "{line}: {}", ran.stdout);
+    }
+    let ran = world.run(&["import", "a.yaml", "--out", "b.yaml", "--report", "--json", "--force"]);
+    let result: serde_json::Value = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!(result["report"][0]["buildings"][0]["levels"][0]["openings"]["read"], 2);
+    assert!(result["faults"][0]["message"].as_str().unwrap().contains("5000 m wide"));
+}
+
+#[test]
+fn formats_lists_what_is_read_and_what_is_not() {
+    let world = World::new();
+    let text = world.must(&["formats"]).stdout;
+    assert!(
+        text.contains("IMDF") && text.contains("level.geojson") && text.contains("a DXF drawing"),
+        "{text}"
+    );
+    let listed: serde_json::Value = serde_json::from_str(&world.must(&["formats", "--json"]).stdout).unwrap();
+    assert!(listed["read"].as_array().unwrap().iter().any(|format| format["name"] == "ifc"));
+}
+
+#[test]
 fn the_catalogue_lists_and_describes() {
     let world = World::new();
     assert!(world.must(&["catalog", "rooms"]).stdout.contains("bedroom"));

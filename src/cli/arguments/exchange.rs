@@ -19,6 +19,9 @@ pub(crate) struct ImportArguments {
     /// Further folders of configuration, for their room words.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
+    /// Tell what was read, attached and left out, level by level; with --json as part of the result.
+    #[arg(long)]
+    pub(crate) report: bool,
 }
 
 /// `merge`.

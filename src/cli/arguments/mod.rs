@@ -77,6 +77,8 @@ pub(crate) enum Command {
     /// Tell why each object of a room is where it is, and why others are missing.
     #[command(after_help = EXIT_CODES)]
     Explain(ExplainArguments),
+    /// List the formats that plans are read in, and those that are not.
+    Formats,
     /// Turn foreign plans into native ones.
     #[command(after_help = EXIT_CODES)]
     Import(ImportArguments),

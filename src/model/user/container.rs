@@ -94,8 +94,14 @@ fn split(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>), Problem> {
     if length.is_none_or(|length| length < 12) {
         return Err(Problem::new("is cut off within its header"));
     }
+    let announced = length.unwrap_or_default() as usize;
+    if announced > bytes.len() {
+        let message =
+            format!("is cut off: it has {} of the {announced} bytes that its header announces", bytes.len());
+        return Err(Problem::new(message));
+    }
     let glb = gltf::Glb::from_slice(bytes)
-        .map_err(|error| Problem::new(format!("is no binary glTF 2.0 file: {error}")))?;
+        .map_err(|error| Problem::new(format!("is no sound binary glTF 2.0 file: {error}")))?;
     Ok((glb.json.into_owned(), glb.bin.map(std::borrow::Cow::into_owned)))
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::native::{LevelOrigins, NativeChecks, ProblemList, Report};
 use crate::document::{Fault, Faults, Source};
-use crate::plan::{Building, BuildingDraft, Problem, Subject, assemble_level, mirror_building};
+use crate::plan::{Building, BuildingDraft, LevelReport, Problem, Subject, assemble_level, mirror_building};
 
 /// A building as it was read, and where from.
 pub(super) struct Drafted {
@@ -33,8 +33,17 @@ pub(super) struct Variation {
     pub(super) style: Option<String>,
 }
 
+/// A building that was put together.
+pub(super) struct Finished {
+    /// Without levels if none could be read.
+    pub(super) building: Building,
+    pub(super) faults: Faults,
+    /// What became of each drafted level.
+    pub(super) levels: Vec<LevelReport>,
+}
+
 /// Assembles all levels. What is wrong with a room or an opening leaves that out and is reported.
-pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> (Building, Faults) {
+pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
     let mut draft = match variation.is_mirrored {
         true => mirror_building(&drafted.draft),
         false => drafted.draft.clone(),
@@ -44,22 +53,26 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> (Building, Fau
     }
     let mut building = Building { name: draft.name, levels: Vec::new() };
     let mut problems = Vec::new();
+    let mut reports = Vec::new();
     for level in draft.levels {
         let checks = NativeChecks::of(&level);
-        let had_rooms = !level.rooms.is_empty();
+        let mut report = LevelReport::of_draft(&level);
+        let drawn = level.openings.iter().map(|opening| opening.id.clone()).collect();
         let (level, mut found) = assemble_level(level);
         if matches!(drafted.provenance, Provenance::Native(..)) {
             checks.run(&level, &mut found);
         }
-        let is_lost = had_rooms && level.rooms.is_empty();
+        let is_lost = report.rooms.drawn > 0 && level.rooms.is_empty();
         if is_lost {
             let message = format!("level \"{}\" has no room that can be read", level.id);
             found.push(Problem::impossible(Subject::Level, message, "it was left out"));
         }
+        report.complete(&level, &found, &drawn);
+        reports.push(report);
         problems.push((level.id.clone(), found));
         building.levels.extend((!is_lost).then_some(level));
     }
-    (building, drafted.provenance.faults(problems))
+    Finished { building, faults: drafted.provenance.faults(problems), levels: reports }
 }
 
 impl Provenance {
@@ -79,7 +92,7 @@ impl Provenance {
             Self::Foreign(file) => {
                 let fault = |level: &str, problem: Problem| {
                     let message = format!("level \"{level}\": {}", problem.message);
-                    let fault = Fault { hint: problem.hint, ..Fault::of_file(file, message) };
+                    let fault = Fault::of_file(file, message).with_some_hint(problem.hint);
                     if problem.is_impossible { fault } else { fault.as_warning() }
                 };
                 let mut faults = Faults::default();

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, suggest};
 use crate::plan::GENERIC_ROOM_TYPE;
 
 /// The first bytes of a file; none if it cannot be read.
@@ -25,6 +25,54 @@ pub(super) fn unknown_words(format: &str, (word, count): (&str, usize)) -> (Stri
     let rooms = if count == 1 { "1 room is".to_owned() } else { format!("{count} rooms are") };
     let message = format!("unknown room word \"{word}\": {rooms} taken as \"{GENERIC_ROOM_TYPE}\"");
     (message, format!("add it under formats.{format} in a room_words.yaml of yours"))
+}
+
+/// The files of a folder of a format.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parts {
+    /// Those without which there is no plan.
+    pub(crate) needed: &'static [&'static str],
+    /// Those that may be there as well.
+    pub(crate) others: &'static [&'static str],
+}
+
+/// What is said of a folder that lacks some files: the fact, and what lies there instead.
+pub(super) fn missing_parts(folder: &Path, parts: Parts) -> (String, String) {
+    missing_files(folder, parts.needed, parts.others)
+}
+
+/// As [`missing_parts`], of files that are worked out.
+pub(super) fn missing_files(folder: &Path, needed: &[&str], others: &[&str]) -> (String, String) {
+    let missing: Vec<&str> = needed.iter().copied().filter(|name| !folder.join(name).is_file()).collect();
+    let names: Vec<String> = missing.iter().map(|name| format!("\"{name}\"")).collect();
+    let fact = format!("has no {}", names.join(" and no "));
+    let mut here = names_here(folder, needed);
+    here.retain(|name| !others.contains(&name.as_str()));
+    let near = missing.iter().filter_map(|name| Some((name, suggest(name, &here)?)));
+    let renamed: Vec<String> = near.map(|(name, here)| format!("\"{here}\" as \"{name}\"")).collect();
+    let hint = match (renamed.is_empty(), here.is_empty()) {
+        (false, _) => format!("perhaps it should be named otherwise: {}", renamed.join(", ")),
+        (true, false) => format!("here lie {}", here.join(", ")),
+        (true, true) => "nothing else of this kind lies here".to_owned(),
+    };
+    (fact, hint)
+}
+
+/// Names of files of a folder with the endings of the needed ones, but for these.
+fn names_here(folder: &Path, needed: &[&str]) -> Vec<String> {
+    /// Names that a hint lists.
+    const MOST: usize = 12;
+    let ending = |name: &str| Path::new(name).extension().map(|ending| ending.to_ascii_lowercase());
+    let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
+    let mut here: Vec<String> = entries
+        .filter(|entry| entry.path().is_file())
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .filter(|name| !needed.contains(&name.as_str()))
+        .filter(|name| needed.iter().any(|needed| ending(needed) == ending(name)))
+        .collect();
+    here.sort();
+    here.truncate(MOST);
+    here
 }
 
 /// A name that reads well in paths: small letters and digits, one `_` for all between.

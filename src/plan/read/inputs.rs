@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::{FOREIGN_FORMATS, ForeignFormat};
+use super::{FOREIGN_FORMATS, ForeignFormat, nothing};
 use crate::document::{Fault, Faults};
 
 /// Deepest folder that is looked into.
@@ -48,7 +48,7 @@ fn find(path: &Path) -> Result<Vec<Input>, Faults> {
         let mut inputs = Vec::new();
         walk(path, 0, &mut inputs)?;
         if inputs.is_empty() {
-            return Err(Fault::of_file(path, "the folder holds no plan").into());
+            return Err(nothing::of_path(path));
         }
         return Ok(inputs);
     }

@@ -3,13 +3,16 @@
 pub(crate) mod archilyse;
 mod finish;
 mod foreign;
+mod formats;
 pub(crate) mod ifc;
 pub(crate) mod imdf;
 mod inputs;
 pub(crate) mod native;
+mod nothing;
 mod project;
 #[cfg(test)]
 mod real_data;
+mod unread;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -17,13 +20,14 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use self::finish::{Drafted, Provenance, Variation, finish};
+use self::finish::{Drafted, Finished, Provenance, Variation, finish};
+pub use self::formats::{READ_FORMATS, ReadFormat, unread_formats};
 pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
 use super::{
-    BuildingDraft, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource, ProjectSettings, RoomWords,
-    SitePlacement,
+    BuildingDraft, BuildingReport, InputReport, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource,
+    ProjectSettings, RoomWords, SitePlacement,
 };
 use crate::document::{Fault, Faults, Source};
 
@@ -36,11 +40,10 @@ pub(crate) struct DraftedBuilding {
     pub(crate) draft: BuildingDraft,
 }
 
-/// A foreign format. To add one, write its file and add a line to [`FOREIGN_FORMATS`].
+/// A foreign format. To add one, write its file and add a line to [`FOREIGN_FORMATS`] and to [`READ_FORMATS`].
 #[derive(Debug)]
 pub(crate) struct ForeignFormat {
-    /// The word in `room_words.yaml` and on the command line.
-    #[allow(dead_code)] // shown where formats are listed
+    /// The word in `room_words.yaml`, and in [`READ_FORMATS`], which tells people of the format.
     pub(crate) name: &'static str,
     /// Whether a file or folder is of this format, from names and the beginning of files.
     pub(crate) recognises: fn(&Path) -> bool,
@@ -87,18 +90,18 @@ pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
 pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
     let (inputs, mut faults) = find_inputs(paths);
     let readings: Vec<_> = inputs.par_iter().map(|input| read_input(input, options.words)).collect();
-    let mut buildings = Vec::new();
-    for (found, found_faults) in readings {
-        buildings.extend(found);
-        faults.merge(found_faults);
+    let (mut buildings, mut reports) = (Vec::new(), Vec::new());
+    for reading in readings {
+        buildings.extend(reading.buildings);
+        faults.merge(reading.faults);
+        reports.extend(reading.report);
     }
     let plan = Plan { buildings: unique(buildings, &mut faults) };
     if plan.buildings.is_empty() && faults.is_empty() {
-        let named = paths.first().cloned().unwrap_or_default();
-        faults.push(Fault::of_file(&named, "no plan was found").with_hint("plans have a key `levels`"));
+        paths.iter().for_each(|path| faults.merge(nothing::of_path(path)));
     }
     faults.sort();
-    PlanReading { plan, faults }
+    PlanReading { plan, faults, reports }
 }
 
 /// What the project files among the paths say about the run: read before the catalogue, which they may extend.
@@ -156,29 +159,56 @@ struct ReadBuilding {
     file: PathBuf,
 }
 
-fn read_input(input: &Input, words: &RoomWords) -> (Vec<ReadBuilding>, Faults) {
-    if input.format.is_none() {
-        let source = match Source::read(&input.path) {
-            Ok(source) => source,
-            Err(faults) => return (Vec::new(), faults),
-        };
-        return match kind_of(&source) {
-            // Projects count when they are named; in a folder their plans stand beside them.
-            Kind::Project if input.is_named => project::read_project(&source, words),
-            Kind::Other | Kind::Project if !input.is_named => (Vec::new(), Faults::default()),
-            _ => finish_all(&input.path, native_drafts(source, words)),
-        };
-    }
-    finish_all(&input.path, read_drafts(&input.path, words))
+/// What an input gives.
+#[derive(Default)]
+struct Reading {
+    buildings: Vec<ReadBuilding>,
+    faults: Faults,
+    /// None of what is no plan, and of projects.
+    report: Option<InputReport>,
 }
 
-fn finish_all(file: &Path, reading: Drafts) -> (Vec<ReadBuilding>, Faults) {
+impl From<Faults> for Reading {
+    fn from(faults: Faults) -> Self {
+        Self { faults, ..Self::default() }
+    }
+}
+
+fn read_input(input: &Input, words: &RoomWords) -> Reading {
+    if let Some(format) = input.format {
+        return finish_all((&input.path, format.name), read_drafts(&input.path, words));
+    }
+    match unread::refusal(&input.path) {
+        Some(fault) if input.is_named => return Faults::from(fault).into(),
+        // In folders and patterns plans stand beside much else.
+        Some(_) => return Reading::default(),
+        None => {}
+    }
+    let source = match Source::read(&input.path) {
+        Ok(source) => source,
+        Err(faults) => return faults.into(),
+    };
+    match kind_of(&source) {
+        // Projects count when they are named; in a folder their plans stand beside them.
+        Kind::Project if input.is_named => {
+            let (buildings, faults) = project::read_project(&source, words);
+            Reading { buildings, faults, report: None }
+        }
+        Kind::Other | Kind::Project if !input.is_named => Reading::default(),
+        Kind::Other if !native::may_be_plan(&source) => Faults::from(nothing::of_text(&source)).into(),
+        _ => finish_all((&input.path, "native"), native_drafts(source, words)),
+    }
+}
+
+fn finish_all((file, format): (&Path, &'static str), reading: Drafts) -> Reading {
     let mut faults = reading.faults;
     let mut buildings = Vec::new();
+    let mut report = InputReport { path: file.to_owned(), format, buildings: Vec::new() };
     let source = Arc::new(PlanSource { plan: file.to_owned(), ..PlanSource::default() });
     for drafted in reading.drafts {
-        let (building, found) = finish(&drafted, &Variation::default());
+        let Finished { building, faults: found, levels } = finish(&drafted, &Variation::default());
         faults.merge(found);
+        report.buildings.push(BuildingReport { id: drafted.id.clone(), levels });
         if building.levels.is_empty() {
             continue;
         }
@@ -190,7 +220,7 @@ fn finish_all(file: &Path, reading: Drafts) -> (Vec<ReadBuilding>, Faults) {
         };
         buildings.push(ReadBuilding { placed, file: file.to_owned() });
     }
-    (buildings, faults)
+    Reading { buildings, faults, report: Some(report) }
 }
 
 /// What a file or folder holds, before it is put together.
@@ -204,9 +234,15 @@ struct Drafts {
 /// Reads a plan of any format.
 fn read_drafts(path: &Path, words: &RoomWords) -> Drafts {
     let Some(format) = FOREIGN_FORMATS.iter().find(|format| (format.recognises)(path)) else {
+        if let Some(fault) = unread::refusal(path) {
+            return Drafts { faults: fault.into(), ..Drafts::default() };
+        }
         return match Source::read(path) {
             Ok(source) if kind_of(&source) == Kind::Project => {
                 Drafts { is_project: true, ..Drafts::default() }
+            }
+            Ok(source) if !native::may_be_plan(&source) => {
+                Drafts { faults: nothing::of_text(&source).into(), ..Drafts::default() }
             }
             Ok(source) => native_drafts(source, words),
             Err(faults) => Drafts { faults, ..Drafts::default() },

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::finish::{Drafted, Variation, finish};
+use super::finish::{Drafted, Finished, Variation, finish};
 use super::native::{
     FILE_NAME_FORBIDDEN, PatternValues, Report, VERSION, check_style, expand_pattern, id_fault, item,
     names_value, step,
@@ -229,7 +229,7 @@ impl Reading<'_> {
         if let Some(building) = self.buildings.get(&key) {
             return Arc::clone(building);
         }
-        let (building, faults) = finish(drafted, &key.2);
+        let Finished { building, faults, .. } = finish(drafted, &key.2);
         // Variations of one draft have the same faults; `sort` drops the repetition.
         self.faults.merge(faults);
         let building = Arc::new(building);

@@ -25,13 +25,17 @@ mod tests;
 use std::path::Path;
 
 use super::ReadResult;
-use super::foreign::head;
+use super::foreign::{Parts, head};
 use crate::plan::RoomWords;
 
 /// The format's word in `room_words.yaml`.
 pub(crate) const NAME: &str = "archilyse";
 /// The file that makes a folder a site.
 const SITE_FILE: &str = "react_planner_projects.json";
+/// The tables without which there is no site, and others of one.
+const NEEDED: [&str; 3] = [SITE_FILE, "areas.json", "floors.json"];
+const OPTIONAL: [&str; 4] = ["plans.json", "buildings.json", "units.json", "unit_areas.json"];
+const PARTS: Parts = Parts { needed: &NEEDED, others: &OPTIONAL };
 /// Bytes at the start of a file that tell what it is.
 const HEAD_SIZE: u64 = 4096;
 /// Keys of the drawing's editor, one of which stands at the start of every drawing and of no native plan.
@@ -46,7 +50,17 @@ pub(crate) fn recognises(path: &Path) -> bool {
     let is_table = path.file_name().is_some_and(|name| name == SITE_FILE);
     let head = head(path, HEAD_SIZE);
     let head = String::from_utf8_lossy(&head);
-    !is_table && EDITOR_KEYS.iter().any(|key| head.contains(key))
+    // A list of drawings is a table of a site.
+    let is_one = head.trim_start_matches('\u{feff}').trim_start().starts_with('{');
+    !is_table && is_one && EDITOR_KEYS.iter().any(|key| head.contains(key))
+}
+
+/// What a folder is that has some tables of a site and not all, and which are needed.
+pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
+    /// Tables that other programs do not name so.
+    const TELLING: usize = 2;
+    let tables = NEEDED.iter().chain(&OPTIONAL).filter(|name| folder.join(name).is_file());
+    (tables.count() >= TELLING).then_some(("the site of a react-planner", PARTS))
 }
 
 /// Reads all buildings of a site, or the one of a drawing.

@@ -8,7 +8,7 @@ use super::level::{Floor, Heights, Naming, level};
 use super::rooms::{RoomTypes, outlined};
 use super::tables::Table;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
-use crate::plan::read::foreign::both;
+use crate::plan::read::foreign::{both, missing_files};
 use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::metres_per_pixel;
 use crate::plan::{BuildingDraft, RoomWords};
@@ -42,9 +42,9 @@ fn areas_file(drawing: &Path) -> Result<PathBuf, Faults> {
     let name = format!("areas_{name}");
     let candidates = [folder.join(&name), folder.join("..").join("areas").join(&name)];
     candidates.into_iter().find(|candidate| candidate.is_file()).ok_or_else(|| {
-        Fault::of_file(drawing, format!("its areas \"{name}\" are missing"))
-            .with_hint("put the file beside the drawing, or into \"../areas\"")
-            .into()
+        let (_, here) = missing_files(folder, &[name.as_str()], &[]);
+        let hint = format!("put the file beside the drawing, or into \"../areas\"; {here}");
+        Fault::of_file(drawing, format!("its areas \"{name}\" are missing")).with_hint(hint).into()
     })
 }
 

@@ -6,15 +6,15 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::SITE_FILE;
 use super::areas::Area;
 use super::drawing::Drawing;
 use super::level::{Floor, Heights, Naming, level};
 use super::rooms::{Outlined, RoomTypes, outlined};
 use super::single::pixel_size;
 use super::tables::Table;
-use crate::document::{FaultSeverity, Faults, PathStep};
-use crate::plan::read::foreign::both;
+use super::{NEEDED, PARTS, SITE_FILE};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep};
+use crate::plan::read::foreign::{both, missing_parts};
 use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::{BuildingDraft, LevelDraft, RoomWords};
 
@@ -75,7 +75,7 @@ struct Site {
 /// A floor that cannot be read is reported and left out.
 pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
     let mut faults = Faults::default();
-    let site = Site::read(folder, &mut faults)?;
+    let site = Site::read(folder, &mut faults).map_err(|found| name_missing(folder, found))?;
     let outlines = outlined(&site.areas, &mut faults);
     let mut types = RoomTypes::new(words);
     let mut buildings: BTreeMap<i64, Vec<(i32, LevelDraft)>> = BTreeMap::new();
@@ -98,6 +98,16 @@ pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
         DraftedBuilding { id, draft: BuildingDraft { name: site.titles.get(&building).cloned(), levels } }
     });
     Found::new(drafted.collect(), faults)
+}
+
+/// The faults of a site, those of all missing files in one that says what lies there instead.
+fn name_missing(folder: &Path, mut faults: Faults) -> Faults {
+    if NEEDED.iter().any(|name| !folder.join(name).is_file()) {
+        faults.0.retain(|fault| fault.file.exists());
+        let (message, hint) = missing_parts(folder, PARTS);
+        faults.push(Fault::of_file(folder, format!("the site {message}")).with_hint(hint));
+    }
+    faults
 }
 
 /// The folder's own name, also where the path is `.`.

@@ -150,7 +150,8 @@ impl Model {
                 None => column + between.chars().count(),
             };
             last = at;
-            faults.push(Fault { hint, severity, ..self.fault_at((line, column), at, message) });
+            let fault = Fault { severity, ..self.fault_at((line, column), at, message) };
+            faults.push(fault.with_some_hint(hint));
         }
         if left_out > 0 {
             let message = format!("{left_out} more faults are not listed");

@@ -20,7 +20,7 @@ use features::{
 };
 
 use super::ReadResult;
-use super::foreign::both;
+use super::foreign::{Parts, both, head};
 use crate::document::Faults;
 use crate::plan::RoomWords;
 
@@ -28,10 +28,40 @@ use crate::plan::RoomWords;
 pub(crate) const NAME: &str = "imdf";
 /// The files without which there is no plan.
 const NEEDED: [&str; 3] = ["level.geojson", "unit.geojson", "building.geojson"];
+/// What else the format has, read or not.
+const OTHERS: [&str; 11] = [
+    "address.geojson",
+    "amenity.geojson",
+    "anchor.geojson",
+    "detail.geojson",
+    "fixture.geojson",
+    "footprint.geojson",
+    "geofence.geojson",
+    "kiosk.geojson",
+    "occupant.geojson",
+    "opening.geojson",
+    "venue.geojson",
+];
 
 /// Whether a folder is of this format.
 pub(crate) fn recognises(path: &Path) -> bool {
     NEEDED.iter().all(|name| path.join(name).is_file())
+}
+
+/// What a folder is that has some of the files and not all, and which are needed.
+pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
+    /// Bytes at the start of a file in which the first feature says what it is.
+    const HEAD_SIZE: u64 = 4096;
+    let entries = std::fs::read_dir(folder).ok()?.filter_map(Result::ok);
+    let mut features = entries.map(|entry| entry.path()).filter(|path| {
+        let is_geojson = path.extension().is_some_and(|extension| {
+            extension.eq_ignore_ascii_case("geojson") || extension.eq_ignore_ascii_case("json")
+        });
+        is_geojson && String::from_utf8_lossy(&head(path, HEAD_SIZE)).contains("\"feature_type\"")
+    });
+    let has_some = NEEDED.iter().any(|name| folder.join(name).is_file());
+    (has_some || features.next().is_some())
+        .then_some(("an IMDF folder", Parts { needed: &NEEDED, others: &OTHERS }))
 }
 
 /// Reads the buildings of a folder that have levels, in the order of their file.

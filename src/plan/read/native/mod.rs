@@ -14,7 +14,7 @@ mod report;
 mod styles;
 mod units;
 
-use crate::document::{Faults, Source};
+use crate::document::{Faults, Source, suggest};
 use crate::plan::{BuildingDraft, RoomWords};
 
 pub(crate) use built::NativeChecks;
@@ -57,6 +57,15 @@ pub(crate) fn read_native(source: &Source, words: &RoomWords) -> Result<NativeDr
     let expand::Expanded { mut draft, origins } = expanded;
     styles::drop_unknown(&mut draft, words);
     if is_usable { Ok(NativeDraft { id, draft, origins, faults }) } else { Err(faults) }
+}
+
+/// Whether a text is to be a plan: it has one of its keys, one much like them, or such errors that none can be told.
+pub(crate) fn may_be_plan(source: &Source) -> bool {
+    const KEYS: [&str; 9] =
+        ["version", "id", "units", "style", "walls", "outlines", "prototypes", "levels", "project"];
+    let keys = source.top_keys();
+    keys.iter().any(|key| KEYS.contains(&key.as_str()) || suggest(key, ["levels", "project"]).is_some())
+        || !source.is_sound()
 }
 
 fn building_id(file: &PlanFile, report: &mut Report<'_>) -> String {

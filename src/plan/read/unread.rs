@@ -1,0 +1,311 @@
+//! Files that are no plans, told by their names: what they look like, and what to do instead.
+
+use std::path::Path;
+
+use super::foreign::head;
+use super::formats::READ_FORMATS;
+use crate::document::{FILE_SIZE_LIMIT, Fault, top_keys};
+
+/// Bytes at the start of a file that tell what it is.
+const HEAD_SIZE: u64 = 64 * 1024;
+
+/// A kind of file that is known and not read.
+pub(crate) struct UnreadKind {
+    /// What people call it.
+    pub(crate) name: &'static str,
+    looks: fn(&Sample) -> bool,
+    /// What to do instead.
+    pub(crate) advice: &'static str,
+}
+
+/// What is looked at of a file.
+struct Sample {
+    /// In small letters.
+    extension: String,
+    head: Vec<u8>,
+    /// The beginning as text, in which every byte that is none is replaced.
+    text: String,
+    /// The outermost keys of the beginning.
+    keys: Vec<String>,
+}
+
+impl Sample {
+    fn of(path: &Path, head: Vec<u8>) -> Self {
+        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        let text = String::from_utf8_lossy(&head).trim_start_matches('\u{feff}').trim_start().to_owned();
+        Self { extension: extension.to_ascii_lowercase(), keys: top_keys(&text), text, head }
+    }
+
+    fn is_of(&self, extensions: &[&str]) -> bool {
+        extensions.contains(&self.extension.as_str())
+    }
+
+    fn begins(&self, signature: &[u8]) -> bool {
+        self.head.starts_with(signature)
+    }
+
+    fn has(&self, keys: &[&str]) -> bool {
+        keys.iter().all(|key| self.keys.iter().any(|known| known == key))
+    }
+
+    /// Whether a JSON text says so, whatever the spaces.
+    fn says(&self, key: &str, value: &str) -> bool {
+        let (key, value) = (format!("\"{key}\""), format!("\"{value}\""));
+        self.text.match_indices(&key).map(|(at, found)| at + found.len()).any(|at| {
+            let rest = self.text[at..].trim_start().strip_prefix(':').map(str::trim_start);
+            rest.is_some_and(|rest| rest.starts_with(&value))
+        })
+    }
+
+    /// Whether the outermost element of an XML text has this name, whatever its prefix.
+    fn is_xml(&self, root: &str) -> bool {
+        self.xml_root().is_some_and(|name| name.eq_ignore_ascii_case(root))
+    }
+
+    fn xml_root(&self) -> Option<&str> {
+        let mut rest = self.text.strip_prefix('<').map(|_| self.text.as_str())?;
+        while let Some(at) = rest.find('<') {
+            rest = &rest[at + 1..];
+            if rest.starts_with(|letter: char| letter.is_alphabetic()) {
+                let end = rest.find(|letter: char| letter.is_whitespace() || matches!(letter, '>' | '/'));
+                let name = &rest[..end.unwrap_or(rest.len())];
+                return Some(name.rsplit(':').next().unwrap_or(name));
+            }
+            // Comments may hold anything.
+            if let Some(comment) = rest.strip_prefix("!--") {
+                rest = &comment[comment.find("-->")?..];
+            }
+        }
+        None
+    }
+
+    fn is_geojson(&self) -> bool {
+        self.says("type", "FeatureCollection") || self.has(&["type", "features"])
+    }
+}
+
+const OTHER_PLANS: &str = "convert it, or write a native plan: docs/guide.md shows one";
+const UNPACK: &str = "unpack it and name the file or folder inside";
+
+/// The kinds that are known, special ones before general ones.
+pub(crate) const UNREAD_KINDS: &[UnreadKind] = &[
+    kind(
+        "a binary glTF file (.glb)",
+        |file| file.begins(b"glTF"),
+        "it is what `bake` writes: `roomwright audit` judges it",
+    ),
+    kind("a Sweet Home 3D home (.sh3d)", |file| file.is_of(&["sh3d"]) || file.is_xml("home"), OTHER_PLANS),
+    kind("IFC in a ZIP archive (.ifczip)", |file| file.is_of(&["ifczip"]), UNPACK),
+    kind("a USD archive (.usdz)", |file| file.is_of(&["usdz"]), "it is what convert.py writes, no plan"),
+    kind("a ZIP archive", |file| file.begins(b"PK\x03\x04") || file.begins(b"PK\x05\x06"), UNPACK),
+    kind(
+        "a compressed file",
+        |file| file.begins(b"\x1f\x8b") || file.begins(b"7z\xbc\xaf") || file.begins(b"BZh"),
+        UNPACK,
+    ),
+    kind(
+        "OpenStreetMap PBF (.pbf)",
+        |file| file.head.get(4..).is_some_and(|rest| rest.starts_with(b"\x0a\x09OSMHeader")),
+        OTHER_PLANS,
+    ),
+    kind("an AutoCAD drawing (.dwg)", |file| file.begins(b"AC10"), OTHER_PLANS),
+    kind("a DXF drawing", is_dxf, OTHER_PLANS),
+    kind("a PDF", |file| file.begins(b"%PDF"), OTHER_PLANS),
+    kind(
+        "a Blender file",
+        |file| file.begins(b"BLENDER"),
+        "export the level with blender_export.py, then audit it",
+    ),
+    kind("an image", is_image, OTHER_PLANS),
+    kind("OpenStreetMap XML (.osm)", |file| file.is_xml("osm"), OTHER_PLANS),
+    kind(
+        "ifcXML",
+        |file| file.is_xml("ifcXML") || file.is_xml("iso_10303_28"),
+        "export it as IFC in the STEP encoding (.ifc)",
+    ),
+    kind("gbXML", |file| file.is_xml("gbXML"), OTHER_PLANS),
+    kind("CityGML", |file| file.is_xml("CityModel"), OTHER_PLANS),
+    kind("an SVG drawing", |file| file.is_xml("svg"), OTHER_PLANS),
+    kind("a web page (HTML)", |file| file.is_xml("html"), OTHER_PLANS),
+    kind("an XML file", |file| file.xml_root().is_some() && file.text.starts_with("<?xml"), OTHER_PLANS),
+    kind(
+        "a dragonfly model (.dfjson)",
+        |file| file.is_of(&["dfjson"]) || file.text.contains("\"unique_stories\""),
+        OTHER_PLANS,
+    ),
+    kind(
+        "a honeybee model (.hbjson)",
+        |file| file.is_of(&["hbjson"]) || (file.says("type", "Model") && file.has(&["identifier"])),
+        OTHER_PLANS,
+    ),
+    kind("CityJSON", |file| file.says("type", "CityJSON") || file.has(&["CityObjects"]), OTHER_PLANS),
+    kind(
+        "a file of an IMDF folder",
+        |file| file.is_geojson() && file.text.contains("\"feature_type\""),
+        "name the folder in which it lies",
+    ),
+    kind(
+        "GeoJSON of the Japanese indoor map (MLIT)",
+        |file| file.is_geojson() && file.text.contains("\"floor_id\""),
+        OTHER_PLANS,
+    ),
+    kind(
+        "GeoJSON of OpenStreetMap indoor tags",
+        |file| file.is_geojson() && file.text.contains("\"indoor\""),
+        OTHER_PLANS,
+    ),
+    kind("GeoJSON", Sample::is_geojson, OTHER_PLANS),
+    kind(
+        "glTF (.gltf)",
+        |file| file.has(&["asset"]) && (file.has(&["scenes"]) || file.has(&["nodes"])),
+        "it is what `bake` writes: `roomwright audit` judges it",
+    ),
+    kind(
+        "the manifest of a bake",
+        |file| file.has(&["manifest", "program"]),
+        "name the plans that were baked",
+    ),
+    kind("a RoomPlan capture", |file| file.has(&["walls", "doors", "windows", "objects"]), OTHER_PLANS),
+    kind(
+        "an edits file",
+        |file| file.has(&["version", "edits"]),
+        "name the plan: the edits beside it are read with it",
+    ),
+    kind("a file of a catalogue", is_catalogue, "name its folder with --catalog"),
+    kind("a table of a react-planner site", is_site_table, "name the folder in which it lies"),
+    kind("the areas of a react-planner drawing", is_areas, "name the drawing beside it, plan_N.json"),
+    kind("a table (CSV)", is_table, OTHER_PLANS),
+];
+
+const fn kind(name: &'static str, looks: fn(&Sample) -> bool, advice: &'static str) -> UnreadKind {
+    UnreadKind { name, looks, advice }
+}
+
+fn is_dxf(file: &Sample) -> bool {
+    let mut lines = file.text.lines().map(str::trim);
+    let is_text = lines.next() == Some("0") && lines.next() == Some("SECTION");
+    is_text || file.is_of(&["dxf"]) || file.begins(b"AutoCAD Binary DXF")
+}
+
+fn is_image(file: &Sample) -> bool {
+    const SIGNATURES: [&[u8]; 6] = [b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"II*\0", b"MM\0*", b"BM"];
+    let is_signed = SIGNATURES.iter().any(|signature| file.begins(signature));
+    // Two letters alone may begin a text.
+    is_signed && file.head.contains(&0)
+}
+
+fn is_catalogue(file: &Sample) -> bool {
+    const KEYS: [&str; 7] =
+        ["classes", "room_types", "styles", "building_styles", "palettes", "formats", "thresholds"];
+    !file.has(&["levels"]) && KEYS.iter().any(|key| file.has(&[key]))
+}
+
+fn is_site_table(file: &Sample) -> bool {
+    let is_list = file.text.starts_with('[');
+    is_list && (file.text.contains("\"plan_id\"") || file.text.contains("\"unit_id\"")) && !is_areas(file)
+}
+
+fn is_areas(file: &Sample) -> bool {
+    file.text.starts_with('[') && file.text.contains("\"scaled_polygon\"")
+}
+
+/// Whether the first lines have as many separators each, and some.
+fn is_table(file: &Sample) -> bool {
+    let count = |separator: char| {
+        let counts: Vec<usize> =
+            file.text.lines().take(3).map(|line| line.matches(separator).count()).collect();
+        counts.len() > 1 && counts[0] > 1 && counts.iter().all(|count| *count == counts[0])
+    };
+    let is_plain = !file.text.starts_with(['{', '[', '#']) && !file.text.contains(": ");
+    file.is_of(&["csv", "tsv"]) || (is_plain && [',', ';', '\t'].into_iter().any(count))
+}
+
+/// What a file is that is no plan; `None` where it may be one.
+pub(super) fn recognise(path: &Path) -> Option<&'static UnreadKind> {
+    recognise_head(path, head(path, HEAD_SIZE))
+}
+
+fn recognise_head(path: &Path, head: Vec<u8>) -> Option<&'static UnreadKind> {
+    let sample = Sample::of(path, head);
+    UNREAD_KINDS.iter().find(|kind| (kind.looks)(&sample))
+}
+
+/// Why a file is not read as a plan, if that shows at its beginning.
+pub(super) fn refusal(path: &Path) -> Option<Fault> {
+    let bytes = head(path, HEAD_SIZE);
+    if bytes.is_empty() {
+        return path
+            .metadata()
+            .is_ok_and(|found| found.is_file() && found.len() == 0)
+            .then(|| Fault::of_file(path, "the file is empty").with_hint(read_are()));
+    }
+    // The limit of size is told by who reads it.
+    let has_zeros = bytes.contains(&0) && path.metadata().is_ok_and(|found| found.len() <= FILE_SIZE_LIMIT);
+    match recognise_head(path, bytes) {
+        Some(kind) => Some(refused(path, kind)),
+        None if has_zeros => {
+            Some(Fault::of_file(path, "is no text, but a file of some program").with_hint(read_are()))
+        }
+        None => None,
+    }
+}
+
+/// The fault of a file of a kind that is not read.
+fn refused(path: &Path, kind: &UnreadKind) -> Fault {
+    let message = format!("looks like {}, which is not read as a plan", kind.name);
+    Fault::of_file(path, message).with_hint(format!("{}; {}", kind.advice, read_are()))
+}
+
+/// What is read, in one line.
+pub(super) fn read_are() -> String {
+    let names: Vec<&str> = READ_FORMATS.iter().map(|format| format.title).collect();
+    format!("read are {} (`roomwright formats`)", names.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(file: &str, text: &str) -> Option<&'static str> {
+        recognise_head(Path::new(file), text.as_bytes().to_vec()).map(|kind| kind.name)
+    }
+
+    #[test]
+    fn files_are_told_by_their_beginnings() {
+        let cases = [
+            ("a.glb", "glTF\u{2}\0\0\0", "a binary glTF file (.glb)"),
+            ("a.dxf", "  0\r\nSECTION\r\n  2\r\nHEADER", "a DXF drawing"),
+            ("a", "0\nSECTION\n", "a DXF drawing"),
+            ("a.zip", "PK\u{3}\u{4}", "a ZIP archive"),
+            ("a.sh3d", "PK\u{3}\u{4}", "a Sweet Home 3D home (.sh3d)"),
+            (
+                "a.xml",
+                "<?xml version='1.0'?>\n<!-- <svg> -->\n<osm version='0.6'>",
+                "OpenStreetMap XML (.osm)",
+            ),
+            ("a.json", "{\"type\" : \"FeatureCollection\", \"features\": []}", "GeoJSON"),
+            ("a.json", "{\"CityObjects\": {}", "CityJSON"),
+            ("a.csv", "a,b\n", "a table (CSV)"),
+            ("a.txt", "id;x;y\n1;2;3\n2;3;4\n", "a table (CSV)"),
+            ("a.yaml", "version: 1\nclasses:\n  a: {}\n", "a file of a catalogue"),
+            ("a.json", "{\"manifest\": 3, \"program\": \"x\", \"levels\": []}", "the manifest of a bake"),
+        ];
+        for (file, text, expected) in cases {
+            assert_eq!(name(file, text), Some(expected), "{file}: {text}");
+        }
+    }
+
+    #[test]
+    fn plans_and_what_may_become_one_are_none_of_them() {
+        for text in [
+            "version: 1\nlevels: []\n",
+            "{\"version\": 1, \"levels\": []}",
+            "version: 1\nproject: {plans: []}\n",
+            "version: 1\nlevel: []\nstyle: a\n",
+            "",
+            "hello, there, you\n",
+        ] {
+            assert_eq!(name("a.yaml", text), None, "{text}");
+        }
+    }
+}
