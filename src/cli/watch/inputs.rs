@@ -7,7 +7,7 @@ use super::super::arguments::BakeArguments;
 use super::super::sources::read_plans_only;
 use crate::document::Faults;
 use crate::edits::edits_path;
-use crate::plan::project_settings;
+use crate::plan::{PlanReading, project_settings};
 
 /// Inputs as the system names them: without links, `.` and `..`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl Inputs {
             project_settings(&sources.paths).map(|settings| settings.catalog).unwrap_or_default();
         of_projects.iter().for_each(|path| inputs.add_tree(path));
         let faults = match read_plans_only(sources) {
-            Ok((plan, faults)) => {
+            Ok(PlanReading { plan, faults, .. }) => {
                 for placed in &plan.buildings {
                     inputs.add_plan(&placed.source.plan);
                 }
