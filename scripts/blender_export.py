@@ -18,7 +18,6 @@ Beyond Blender's own export with custom properties and lights:
 """
 
 import argparse
-import importlib.util
 import json
 import logging
 import os
@@ -45,10 +44,6 @@ bl_info = {
     "category": "Import-Export",
 }
 
-HOW_TO_INSTALL = """Blender's Python module is not installed here. With Python 3.11:
-  python3.11 -m venv .venv-render
-  .venv-render/bin/pip install -r scripts/requirements-render.txt
-  .venv-render/bin/python scripts/blender_export.py ..."""
 # What Blender calls the copy of a piece, whether or not the piece is still there.
 COPY = re.compile(r".+@.+\.\d{3,}")
 # What a parent is called that is no object: these, or one of them with a number or an id.
@@ -363,6 +358,15 @@ def unregister():
 # ------------------------------------------------------------------------------------------ without a window
 
 
+def _without_blender() -> int:
+    """Goes on where Blender's module is, or says how to set it up; an add-on never comes here."""
+    import environment
+
+    environment.require(environment.BLENDER, __name__)
+    print(environment.how_to_set_up(environment.BLENDER, environment.missing(environment.BLENDER)), file=sys.stderr)
+    return 2
+
+
 def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("blend", type=Path, metavar="FILE.blend", help="a saved file with the level in its scene")
@@ -374,9 +378,8 @@ def main(arguments: list[str] | None = None) -> int:
         parser.error(f"--out {options.out}: the name must end in .glb")
     if options.out.exists() and not options.force:
         parser.error(f"{options.out} is there already; --force replaces it")
-    if importlib.util.find_spec("bpy") is None:
-        print(HOW_TO_INSTALL, file=sys.stderr)
-        return 2
+    if bpy is None:
+        return _without_blender()
     if not options.blend.is_file():
         print(f"{options.blend}: no such file", file=sys.stderr)
         return 2

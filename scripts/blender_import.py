@@ -21,7 +21,6 @@ square of the floors.) When something fails, all that was made is removed again.
 import argparse
 import fnmatch
 import hashlib
-import importlib.util
 import json
 import logging
 import math
@@ -56,10 +55,6 @@ bl_info = {
     "category": "Import-Export",
 }
 
-HOW_TO_INSTALL = """Blender's Python module is not installed here. With Python 3.11:
-  python3.11 -m venv .venv-render
-  .venv-render/bin/pip install -r scripts/requirements-render.txt
-  .venv-render/bin/python scripts/blender_import.py ..."""
 # The sub-collections of rooms; those of doors and windows are the level's, because a door belongs to two rooms.
 PARTS = ("shell", "ceiling", "doors and windows", "furniture", "lights")
 # Custom property of collections: building, level, room or one of PARTS.
@@ -834,11 +829,19 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     return options
 
 
+def _without_blender() -> int:
+    """Goes on where Blender's module is, or says how to set it up; an add-on never comes here."""
+    import environment
+
+    environment.require(environment.BLENDER, __name__)
+    print(environment.how_to_set_up(environment.BLENDER, environment.missing(environment.BLENDER)), file=sys.stderr)
+    return 2
+
+
 def main(arguments: list[str] | None = None) -> int:
     options = parse(sys.argv[1:] if arguments is None else arguments)
-    if importlib.util.find_spec("bpy") is None:
-        print(HOW_TO_INSTALL, file=sys.stderr)
-        return 2
+    if bpy is None:
+        return _without_blender()
     try:
         find_floors(options.bakes, options.levels)
         options.save.parent.mkdir(parents=True, exist_ok=True)

@@ -28,6 +28,7 @@ TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr"), "source scr
 PICTURES = Environment(".venv-render", ("numpy", "bpy", "PIL"),
                        "python3.11 -m venv .venv-render && "
                        ".venv-render/bin/pip install -r scripts/requirements-render.txt")
+BLENDER = PICTURES._replace(modules=("bpy",))
 
 
 def require(environment: Environment, name: str) -> None:

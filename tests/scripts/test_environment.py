@@ -50,12 +50,15 @@ def test_the_manual_needs_no_environment(project, script):
 
 
 def test_a_script_goes_on_in_the_environment_that_is_set_up(project):
-    python = project / ".venv" / "bin" / "python"
-    python.parent.mkdir(parents=True)
-    python.write_text('#!/bin/sh\necho "went on: $*"\nexit 7\n')
-    python.chmod(0o755)
+    for folder in (".venv", ".venv-render"):
+        python = project / folder / "bin" / "python"
+        python.parent.mkdir(parents=True)
+        python.write_text(f'#!/bin/sh\necho "{folder}: $*"\nexit 7\n')
+        python.chmod(0o755)
     done = run_bare(project, "validate.py", "out", "--json")
-    assert (done.returncode, done.stdout) == (7, "went on: scripts/validate.py out --json\n")
+    assert (done.returncode, done.stdout) == (7, ".venv: scripts/validate.py out --json\n")
+    done = run_bare(project, "blender_import.py", "out", "--save", "a.blend")
+    assert (done.returncode, done.stdout) == (7, ".venv-render: scripts/blender_import.py out --save a.blend\n")
 
 
 def test_the_command_that_is_named_is_there():
