@@ -36,6 +36,7 @@ fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models
         catalog,
         models: &|class, variant, geometry| models.model(class, variant, geometry),
         textures: None,
+        swatches: None,
         options: SceneOptions::default(),
         seed: SEED,
     });

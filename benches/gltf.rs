@@ -3,10 +3,11 @@
 
 mod floor;
 
+use std::sync::Arc;
+
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use roomwright::gltf::{
-    EncodedModels, LibraryReference, Painting, SharedLibrary, WriteOptions, write_glb, write_glb_with,
-    write_gltf,
+    EncodedModels, Painting, SharedLibrary, SharedModel, WriteOptions, write_glb, write_glb_with, write_gltf,
 };
 use roomwright::scene::build_scene;
 
@@ -15,11 +16,15 @@ fn gltf(criterion: &mut Criterion) {
     let scene = floor.with_input(build_scene);
     let bytes = write_glb(&scene).expect("a floor is small");
     let shared = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())));
-    let library = SharedLibrary::new(shared, |_| Painting::default());
-    let reference = LibraryReference { library: &library, path: "../library.bin" };
-    let options = WriteOptions { library: Some(reference), ..WriteOptions::default() };
+    let file = |number: usize| format!("shared/{number}.bin");
+    let made = |(number, (key, model))| {
+        (key, Arc::new(SharedModel::new(model, |_| Painting::default(), |_| file(number))))
+    };
+    let library: SharedLibrary = shared.enumerate().map(made).collect();
+    let options = WriteOptions { library: Some(&library), ..WriteOptions::default() };
     let sharing = write_glb_with(&scene, options).expect("a floor is small");
-    eprintln!("{} bytes, {} with a shared library of {}", bytes.len(), sharing.len(), library.bytes().len());
+    let beside: usize = library.values().map(|model| model.bytes().len()).sum();
+    eprintln!("{} bytes, {} with {beside} in shared files", bytes.len(), sharing.len());
     let mut group = criterion.benchmark_group("gltf");
     group.throughput(Throughput::Bytes(bytes.len() as u64));
     group.bench_function("hotel floor/glb", |bencher| bencher.iter(|| write_glb(&scene)));

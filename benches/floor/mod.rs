@@ -47,6 +47,7 @@ impl Floor {
             catalog: &self.catalog,
             models: &models,
             textures: None,
+            swatches: None,
             options: SceneOptions::default(),
             seed: SEED,
         })

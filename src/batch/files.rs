@@ -12,8 +12,8 @@ use super::record::FileRecord;
 /// The files of a level with their content, the one to open first.
 pub(crate) struct LevelFiles {
     pub(crate) files: Vec<(FileRecord, Vec<u8>)>,
-    /// Paths in the output folder of the shared images that they show, sorted.
-    pub(crate) images: Vec<String>,
+    /// Paths in the output folder of the shared files that they refer to: models, then images, each sorted.
+    pub(crate) shared: Vec<String>,
 }
 
 /// Encodes a scene in the format of the run.
@@ -23,10 +23,10 @@ pub(crate) struct LevelFiles {
 pub(crate) fn encode(
     workshop: &Workshop<'_>,
     job: &Job<'_>,
-    scene: &Scene,
+    (scene, library): (&Scene, Option<&gltf::SharedLibrary>),
 ) -> Result<LevelFiles, OutputFault> {
     let options = gltf::WriteOptions {
-        library: workshop.library.as_ref().map(super::library::GeometryLibrary::reference),
+        library,
         models: Some(&workshop.encoded),
         flat_normals: workshop.options.flat_normals,
     };
@@ -36,7 +36,7 @@ pub(crate) fn encode(
             let bytes = gltf::write_glb_with(scene, options);
             let path = path(Format::Glb.name());
             let bytes = bytes.map_err(|error| too_large(workshop, &path, &error))?;
-            Ok(LevelFiles { files: vec![with_record(path, bytes)], images: Vec::new() })
+            Ok(LevelFiles { files: vec![with_record(path, bytes)], shared: Vec::new() })
         }
         Format::Gltf => {
             let bin = path("bin");
@@ -46,7 +46,7 @@ pub(crate) fn encode(
             if !bytes.is_empty() {
                 files.push(with_record(bin, bytes));
             }
-            Ok(LevelFiles { files, images: Vec::new() })
+            Ok(LevelFiles { files, shared: Vec::new() })
         }
     }
 }

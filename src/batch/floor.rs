@@ -6,9 +6,9 @@ use crate::audit::{Verdict, judge_room, suggest_places};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
-use crate::gltf::EncodedModels;
+use crate::gltf::{EncodedModels, SharedLibrary};
 use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
-use crate::model::ModelLibrary;
+use crate::model::{ModelLibrary, SwatchedModels};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
 
@@ -18,9 +18,10 @@ use super::fault::{FaultCode, OutputFault};
 use super::files::{LevelFiles, encode};
 use super::folder::OutputFolder;
 use super::job::{BakeOptions, Job};
-use super::library::GeometryLibrary;
+use super::library::{GeometryLibrary, put_models};
 use super::record::{LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
-use super::textures::Textures;
+use super::shared::SharedFiles;
+use super::textures::{Textures, put_images};
 
 /// What all levels of a run share.
 pub(crate) struct Workshop<'a> {
@@ -28,9 +29,12 @@ pub(crate) struct Workshop<'a> {
     pub(crate) options: &'a BakeOptions,
     pub(crate) folder: &'a OutputFolder,
     pub(crate) models: &'a ModelLibrary,
+    /// What makes fewer primitives of models; none where every slot keeps its material.
+    pub(crate) swatched: Option<SwatchedModels>,
     pub(crate) encoded: EncodedModels,
-    pub(crate) library: Option<GeometryLibrary>,
+    pub(crate) library: Option<GeometryLibrary<'a>>,
     pub(crate) textures: Option<Textures>,
+    pub(crate) shared: SharedFiles,
     pub(crate) watch: Stopwatch,
 }
 
@@ -68,11 +72,12 @@ pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<Baked
     // The tree of nodes, and what it becomes.
     let built = catch_bug(|| {
         let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &results));
-        let files = workshop.watch.measure(Stage::Encoding, || encode(workshop, job, &scene))?;
-        let place = |textures: &Textures| textures.put_in_place(&scene, workshop.folder);
-        let images =
-            workshop.watch.measure(Stage::Writing, || workshop.textures.as_ref().map(place).transpose())?;
-        Ok(LevelFiles { images: images.unwrap_or_default(), ..files })
+        let library = workshop.library.as_ref().map(|library| library.of_scene(&scene));
+        let files =
+            workshop.watch.measure(Stage::Encoding, || encode(workshop, job, (&scene, library.as_ref())))?;
+        let shared =
+            workshop.watch.measure(Stage::Writing, || put_shared(workshop, job, &scene, library.as_ref()))?;
+        Ok(LevelFiles { shared, ..files })
     });
     let files = match built {
         Ok(Ok(files)) => files,
@@ -90,6 +95,20 @@ pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<Baked
         misfits: level_misfits(job, results.misfits),
         failures: room_failures(workshop, job, results.failures),
     })
+}
+
+/// Puts what a level shares with others of its building into place.
+fn put_shared(
+    workshop: &Workshop<'_>,
+    job: &Job<'_>,
+    scene: &Scene,
+    library: Option<&SharedLibrary>,
+) -> Result<Vec<String>, OutputFault> {
+    let to = (&workshop.shared, workshop.folder);
+    let mut paths =
+        library.map(|library| put_models(library, job.folder(), to)).transpose()?.unwrap_or_default();
+    paths.extend(put_images(scene, job.folder(), to)?);
+    Ok(paths)
 }
 
 fn bake_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
@@ -149,6 +168,7 @@ fn scene(workshop: &Workshop<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
         models: &|class, variant, geometry| {
             workshop.models.model_in_detail(class, variant, geometry, workshop.options.detail)
         },
+        swatches: workshop.swatched.as_ref(),
         options: workshop.options.scene,
         textures: workshop.textures.as_ref().map(|textures| &textures.library),
         seed: workshop.options.seed,
@@ -183,7 +203,6 @@ impl RoomResults {
 
 fn record(workshop: &Workshop<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &RoomResults) -> LevelRecord {
     let site = job.placed.site;
-    let geometry = workshop.library.as_ref().map(|library| &library.file.path).into_iter();
     let mut record = LevelRecord {
         building: job.placed.id.clone(),
         level: job.level.id.clone(),
@@ -192,7 +211,7 @@ fn record(workshop: &Workshop<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &Ro
         seed: workshop.options.seed,
         site: SiteRecord { position: [site.position.x, site.position.y], turn: site.turn },
         files: files.files.iter().map(|(file, _)| file.clone()).collect(),
-        library: geometry.cloned().chain(files.images.iter().cloned()).collect(),
+        library: files.shared.clone(),
         totals: Totals { rooms: rooms.furnished.len() as u64, ..Totals::default() },
         classes: std::collections::BTreeMap::new(),
         rooms: Vec::new(),

@@ -27,9 +27,9 @@ pub struct BakeOptions {
     pub effort: u32,
     /// Kind of file; default `.glb`.
     pub format: Format,
-    /// Whether floors refer to one library of furniture instead of carrying their own copies; default no.
+    /// Whether the floors of a building refer to shared files of furniture instead of carrying their own copies; default no.
     pub has_shared_library: bool,
-    /// The textures of materials; default small ones in a folder that all floors share.
+    /// The textures of materials; default small ones inside each file.
     pub textures: TextureOptions,
     /// Whether flat faces that nothing is painted on have normals; default yes.
     pub flat_normals: FlatNormals,
@@ -89,13 +89,13 @@ impl Format {
 pub struct TextureOptions {
     /// How finely surfaces are painted; none leaves materials plain.
     pub size: Option<TextureSize>,
-    /// Whether each file holds its own images; else they lie in one folder beside the buildings.
-    pub are_embedded: bool,
+    /// Whether the images lie in one folder beside the floors of a building; else each file holds its own.
+    pub are_shared: bool,
 }
 
 impl Default for TextureOptions {
     fn default() -> Self {
-        Self { size: Some(TextureSize::Small), are_embedded: false }
+        Self { size: Some(TextureSize::Small), are_shared: false }
     }
 }
 
@@ -147,6 +147,11 @@ impl Job<'_> {
     pub(crate) fn key(&self) -> LevelKey {
         (self.placed.id.clone(), self.level.id.clone())
     }
+
+    /// Its building's folder in the output folder.
+    pub(crate) fn folder(&self) -> &str {
+        self.path.split_once('/').map_or("", |(folder, _)| folder)
+    }
 }
 
 /// All levels of the plan, sorted by building id, then level id: whatever order the files were named in,
@@ -190,8 +195,9 @@ fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
     let pixels = options.textures.size.map_or(0, |size| size.pixels() as u64);
     hash.update(pixels.to_le_bytes());
     hash.update([
-        u8::from(options.textures.are_embedded),
-        u8::from(options.scene.has_lights),
+        u8::from(options.textures.are_shared),
+        options.scene.lights as u8,
+        options.scene.parts as u8,
         u8::from(options.scene.has_variants),
         options.detail as u8,
         u8::from(options.flat_normals == FlatNormals::Implied),
@@ -227,6 +233,7 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::plan::SitePlacement;
+    use crate::scene::{Lights, Parts};
 
     pub(crate) fn empty_level(id: &str, digest: u8) -> Level {
         Level {
@@ -289,21 +296,23 @@ pub(crate) mod tests {
             BakeOptions { style: Some("hotel".to_owned()), ..BakeOptions::default() },
             BakeOptions { format: Format::Gltf, ..BakeOptions::default() },
             BakeOptions { has_shared_library: true, ..BakeOptions::default() },
-            showing(SceneOptions { has_lights: false, ..SceneOptions::default() }),
+            showing(SceneOptions { lights: Lights::Physical, ..SceneOptions::default() }),
+            showing(SceneOptions { lights: Lights::Off, ..SceneOptions::default() }),
+            showing(SceneOptions { parts: Parts::Separate, ..SceneOptions::default() }),
             showing(SceneOptions { door_angle: Some(0), ..SceneOptions::default() }),
             showing(SceneOptions { has_variants: true, ..SceneOptions::default() }),
             BakeOptions { detail: Detail::Boxes, ..BakeOptions::default() },
             BakeOptions { flat_normals: FlatNormals::Implied, ..BakeOptions::default() },
             BakeOptions {
-                textures: TextureOptions { size: None, are_embedded: false },
+                textures: TextureOptions { size: None, are_shared: false },
                 ..BakeOptions::default()
             },
             BakeOptions {
-                textures: TextureOptions { size: Some(TextureSize::Large), are_embedded: false },
+                textures: TextureOptions { size: Some(TextureSize::Large), are_shared: false },
                 ..BakeOptions::default()
             },
             BakeOptions {
-                textures: TextureOptions { size: Some(TextureSize::Small), are_embedded: true },
+                textures: TextureOptions { size: Some(TextureSize::Small), are_shared: true },
                 ..BakeOptions::default()
             },
         ];

@@ -1,65 +1,82 @@
-//! The geometry that floors share instead of each carrying a copy.
+//! The geometry that the floors of a building share instead of each carrying a copy: a file for each model in use.
 
-use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use rayon::prelude::*;
-
-use crate::catalog::{Catalog, ClassIndex};
-use crate::gltf::{FlatNormals, LibraryReference, Painting, SharedLibrary};
-use crate::model::{Detail, Model, ModelLibrary, ModelMaterial, TextureUse};
-use crate::scene::ModelKey;
+use crate::catalog::Catalog;
+use crate::gltf::{FlatNormals, Painting, SharedLibrary, SharedModel};
+use crate::model::{Model, ModelMaterial, TextureUse};
+use crate::scene::{ModelKey, Scene};
 use crate::texture::has_relief;
 
 use super::LIBRARY_FOLDER;
 use super::fault::OutputFault;
-use super::files::with_record;
 use super::folder::OutputFolder;
+use super::hash::content_hash;
 use super::job::BakeOptions;
-use super::record::FileRecord;
+use super::shared::SharedFiles;
 
-/// Digits of the content's hash in the library's name.
-const NAME_DIGITS: usize = 16;
+/// Digits of the content's hash in the name of a model's file.
+const NAME_DIGITS: usize = 12;
 
-/// A library that is in place.
-pub(crate) struct GeometryLibrary {
-    /// The file.
-    pub(crate) file: FileRecord,
-    shared: SharedLibrary,
-    /// From the folder of a building.
-    relative_path: String,
+/// The models of a run as floors share them, laid out when a level first shows them.
+pub(crate) struct GeometryLibrary<'a> {
+    catalog: &'a Catalog,
+    options: &'a BakeOptions,
+    known: Mutex<SharedLibrary>,
 }
 
-impl GeometryLibrary {
-    /// How the levels of a building refer to it.
-    pub(crate) fn reference(&self) -> LibraryReference<'_> {
-        LibraryReference { library: &self.shared, path: &self.relative_path }
+impl<'a> GeometryLibrary<'a> {
+    /// Nothing is laid out yet.
+    pub(crate) fn new(catalog: &'a Catalog, options: &'a BakeOptions) -> Self {
+        Self { catalog, options, known: Mutex::default() }
     }
 
-    /// Builds every model that any level may use and writes them to one file. Its content depends on the
-    /// catalogue only, so that processes and shards agree on it; its name tells its content, so that runs
-    /// with other catalogues do not disturb each other.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub(crate) fn create(
-        catalog: &Catalog,
-        models: &ModelLibrary,
-        folder: &OutputFolder,
-        options: &BakeOptions,
-    ) -> Result<Self, OutputFault> {
-        let built = all_models(catalog, models, options.detail);
-        let models = built.iter().map(|(key, model)| (key.clone(), model.as_ref()));
-        let shared = SharedLibrary::new(models, |material| painting(catalog, material, options));
-        let (mut file, bytes) = with_record(String::new(), shared.bytes());
-        let name = format!("{LIBRARY_FOLDER}/{}.bin", &file.sha256[..NAME_DIGITS]);
-        let relative_path = format!("../{name}");
-        file.path = name;
-        folder.announce(std::slice::from_ref(&file))?;
-        folder.place(&file, &bytes)?;
-        folder.record_library_file(&file)?;
-        Ok(Self { file, shared, relative_path })
+    /// The models that a scene shows. A file's bytes and its name depend on the model and the catalogue alone, so that
+    /// processes and shards agree on it, and runs with other catalogues do not disturb each other.
+    pub(crate) fn of_scene(&self, scene: &Scene) -> SharedLibrary {
+        let keyed = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.as_ref()?, &mesh.model)));
+        keyed.map(|(key, model)| (key.clone(), self.shared(key, model))).collect()
     }
+
+    fn shared(&self, key: &ModelKey, model: &Model) -> Arc<SharedModel> {
+        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known().get(key) {
+            return Arc::clone(found);
+        }
+        // Two threads may come here at once: both make the same.
+        let painting = |material: &ModelMaterial| painting(self.catalog, material, self.options);
+        let made = Arc::new(SharedModel::new(model, painting, |bytes| file_name(key, bytes)));
+        known().insert(key.clone(), Arc::clone(&made));
+        made
+    }
+}
+
+/// A folder for each class; the name tells variant and content, which sets of geometry may share.
+fn file_name(key: &ModelKey, bytes: &[u8]) -> String {
+    let hash = content_hash(bytes);
+    let ModelKey { class, variant, .. } = key;
+    format!("{LIBRARY_FOLDER}/{class}/{variant}.{}.bin", &hash[..NAME_DIGITS])
+}
+
+/// Puts the models that a level refers to into place in its building's folder, and gives their paths in the output folder,
+/// sorted.
+///
+/// # Errors
+/// If a file cannot be written.
+pub(crate) fn put_models(
+    library: &SharedLibrary,
+    building: &str,
+    (shared, folder): (&SharedFiles, &OutputFolder),
+) -> Result<Vec<String>, OutputFault> {
+    let mut paths = Vec::with_capacity(library.len());
+    for model in library.values() {
+        let path = format!("{building}/{}", model.path());
+        shared.put(&path, || model.bytes(), folder)?;
+        paths.push(path);
+    }
+    paths.sort();
+    paths.dedup();
+    Ok(paths)
 }
 
 /// What is painted on a material, in any palette.
@@ -77,6 +94,9 @@ fn painting(catalog: &Catalog, material: &ModelMaterial, options: &BakeOptions) 
                 lacks_flat_normals,
             }
         }
+        ModelMaterial::Swatches(_) => {
+            Painting { has_coordinates: true, lacks_flat_normals, ..Painting::default() }
+        }
         ModelMaterial::Own(own) => {
             let normal = own.textures.iter().find(|(purpose, _)| *purpose == TextureUse::Normal);
             Painting {
@@ -87,23 +107,4 @@ fn painting(catalog: &Catalog, material: &ModelMaterial, options: &BakeOptions) 
             }
         }
     }
-}
-
-/// All models in a level of detail, built on as many threads as there are.
-fn all_models(catalog: &Catalog, models: &ModelLibrary, detail: Detail) -> Vec<(ModelKey, Arc<Model>)> {
-    let geometries: BTreeSet<&str> = catalog.styles.values().map(|style| style.geometry.as_str()).collect();
-    let of_class = |class: ClassIndex| {
-        let geometries = geometries.clone();
-        let count = catalog.classes[class].variant_count();
-        (0..count).flat_map(move |variant| {
-            geometries.clone().into_iter().map(move |geometry| (class, variant, geometry))
-        })
-    };
-    let build = |(class, variant, geometry): (ClassIndex, u32, &str)| {
-        let id = catalog.classes[class].id.clone();
-        let key = ModelKey { class: id, variant, geometry: geometry.to_owned() };
-        (key, models.model_in_detail(class, variant, geometry, detail))
-    };
-    let wanted: Vec<(ClassIndex, u32, &str)> = (0..catalog.classes.len()).flat_map(of_class).collect();
-    wanted.into_par_iter().map(build).collect()
 }

@@ -16,6 +16,7 @@ mod library;
 mod manifest;
 mod place;
 mod record;
+mod shared;
 mod sources;
 mod state;
 mod textures;
@@ -35,7 +36,7 @@ pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
 pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
 pub use work::{BakeInput, bake};
 
-/// The folder of geometry that floors share, in the output folder.
+/// The folder of geometry that floors share, beside them.
 pub(crate) const LIBRARY_FOLDER: &str = "shared-geometry";
-/// The folder of textures that floors share, in the output folder.
+/// The folder of textures that floors share, beside them.
 pub(crate) const TEXTURE_FOLDER: &str = "shared-textures";

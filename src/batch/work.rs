@@ -14,14 +14,16 @@ use super::job::{BakeOptions, Job, list_jobs};
 use super::join::is_in_place;
 use super::library::GeometryLibrary;
 use super::record::{FileRecord, Totals};
+use super::shared::SharedFiles;
 use super::sources::{Contents, RecordHead};
 use super::textures::Textures;
 use crate::catalog::Catalog;
 use crate::disk::look_inside;
 use crate::edits::EditBook;
 use crate::gltf::EncodedModels;
-use crate::model::ModelLibrary;
+use crate::model::{ModelLibrary, SwatchedModels};
 use crate::plan::Plan;
+use crate::scene::Parts;
 
 /// What is baked.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +46,7 @@ pub struct BakeInput<'a> {
 /// the number of threads or the order of the plan's buildings.
 ///
 /// # Errors
-/// If the threads cannot be started, or the shared library cannot be written.
+/// If the threads cannot be started.
 pub fn bake(
     input: &BakeInput<'_>,
     folder: &OutputFolder,
@@ -61,17 +63,18 @@ pub fn bake(
 
     // The others are baked.
     let pool = thread_pool(options, folder.root())?;
-    let library = match options.has_shared_library && !open.is_empty() {
-        true => Some(pool.install(|| GeometryLibrary::create(catalog, models, folder, options))?),
-        false => None,
-    };
+    let library = options.has_shared_library.then(|| GeometryLibrary::new(catalog, options));
     let textures = Textures::new(options.textures, options.cache.clone()).filter(|_| !open.is_empty());
     let watch = Stopwatch::default();
     if let Some(textures) = &textures {
         watch.measure(Stage::Scene, || pool.install(|| textures.library.paint_all()));
     }
     let encoded = EncodedModels::default();
-    let workshop = Workshop { catalog, options, folder, models, encoded, library, textures, watch };
+    let shared = SharedFiles::default();
+    let has_swatches = options.scene.parts == Parts::Merged && textures.is_some();
+    let swatched = has_swatches.then(|| SwatchedModels::new(catalog));
+    let workshop =
+        Workshop { catalog, options, folder, models, swatched, encoded, library, textures, shared, watch };
     let tally = work(&pool, &workshop, &open, observer);
 
     // The records become the manifest.

@@ -42,7 +42,7 @@ pub use describe::{Description, describe, style_differences};
 pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub use palette::{MATERIAL_SLOTS, Material, Palette};
-pub(crate) use resolve::srgb_linear;
+pub(crate) use resolve::{srgb_encoded, srgb_linear};
 pub use shape::{Extent, PrismRule, Shape};
 pub use style::{Access, Count, Dado, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
 pub(crate) use variety::KINDS;

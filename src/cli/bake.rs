@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use super::arguments::{BakeArguments, DetailWord, FormatWord, NormalsWord, ProgressWord, TextureWord};
+use super::arguments::{
+    BakeArguments, DetailWord, FormatWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
+};
 use super::exit::Outcome;
 use super::progress::Progress;
 use super::reroll::reroll;
@@ -20,7 +22,7 @@ use crate::cache::Cache;
 use crate::document::Faults;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
-use crate::scene::SceneOptions;
+use crate::scene::{Lights, Parts, SceneOptions};
 use crate::texture::TextureSize;
 
 /// Most failures that are listed one by one.
@@ -98,7 +100,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             FormatWord::Gltf => Format::Gltf,
         },
         has_shared_library: arguments.shared_library,
-        textures: textures(arguments.textures, arguments.embed_textures),
+        textures: textures(arguments.textures, arguments.shared_textures),
         flat_normals: flat_normals(arguments.flat_normals, arguments.textures),
         detail: match arguments.detail {
             DetailWord::Full => Detail::Full,
@@ -106,7 +108,15 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             DetailWord::Boxes => Detail::Boxes,
         },
         scene: SceneOptions {
-            has_lights: !arguments.no_lights,
+            lights: match arguments.lights {
+                LightsWord::Shining => Lights::Shining,
+                LightsWord::Physical => Lights::Physical,
+                LightsWord::None => Lights::Off,
+            },
+            parts: match arguments.parts {
+                PartsWord::Merged => Parts::Merged,
+                PartsWord::Separate => Parts::Separate,
+            },
             door_angle: arguments.door_angle,
             has_variants: arguments.variants,
         },
@@ -131,13 +141,13 @@ fn cache(typed: Option<PathBuf>) -> Option<Cache> {
     Some(Cache::new(&root, PROGRAM))
 }
 
-fn textures(word: TextureWord, are_embedded: bool) -> TextureOptions {
+fn textures(word: TextureWord, are_shared: bool) -> TextureOptions {
     let size = match word {
         TextureWord::None => None,
         TextureWord::Small => Some(TextureSize::Small),
         TextureWord::Large => Some(TextureSize::Large),
     };
-    TextureOptions { size, are_embedded }
+    TextureOptions { size, are_shared }
 }
 
 /// Who leaves out textures wants small files.

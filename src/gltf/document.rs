@@ -10,6 +10,7 @@ use gltf_json::{Asset, Image, Index, Root, Scene as JsonScene, Texture, image};
 use serde::Serialize;
 
 use super::encode::{Painting, encode};
+use super::library::SharedModel;
 use super::light::{LIGHTS, add_lights};
 use super::material::{EMISSIVE_STRENGTH, Images, TRANSMISSION, material};
 use super::mesh::{Accessors, mesh};
@@ -51,7 +52,8 @@ impl Document<'_> {
 
 /// Triangles that one or several meshes show: meshes that differ only in material share accessors.
 struct Source<'l> {
-    is_library: bool,
+    /// The file that holds them, if not the level's own.
+    file: Option<&'l SharedModel>,
     primitives: Cow<'l, [PackedPrimitive]>,
 }
 
@@ -62,11 +64,11 @@ pub(crate) fn build<'s>(scene: &'s Scene, uri: Option<&str>, options: WriteOptio
     let (sources, source_of_mesh) = pack(scene, options, &mut packer);
     let materials = scene.materials.iter().map(|source| material(source, &mut images, &mut packer));
     let mut root = Root { asset: asset(), materials: materials.collect(), ..Root::default() };
-    let mut views = Views::new(&mut root, &packer, uri, options.library);
+    let mut views = Views::new(&mut root, &packer, uri);
     let mut accessors = Accessors::default();
     let accessors: Vec<_> = sources
         .iter()
-        .map(|source| accessors.describe(&mut root, &mut views, source.is_library, &source.primitives))
+        .map(|source| accessors.describe(&mut root, &mut views, source.file, &source.primitives))
         .collect();
     for (scene_mesh, &source) in scene.meshes.iter().zip(&source_of_mesh) {
         root.meshes.push(mesh(scene_mesh, &accessors[source], &scene.variants));
@@ -94,14 +96,13 @@ fn pack<'l>(scene: &Scene, options: WriteOptions<'l>, packer: &mut Packer) -> (V
     for mesh in &scene.meshes {
         let model = Arc::as_ptr(&mesh.model);
         let source = *known.entry(model).or_insert_with(|| {
-            let shared =
-                mesh.key.as_ref().zip(options.library).and_then(|(key, to)| to.library.models.get(key));
+            let shared = mesh.key.as_ref().zip(options.library).and_then(|(key, library)| library.get(key));
             sources.push(match shared {
-                Some(primitives) => Source { is_library: true, primitives: Cow::Borrowed(primitives) },
+                Some(file) => Source { file: Some(file), primitives: Cow::Borrowed(&file.primitives) },
                 None => {
                     let paintings = paintings.remove(&model).unwrap_or_default();
                     let primitives = Cow::Owned(pack_model(mesh, paintings, options, packer));
-                    Source { is_library: false, primitives }
+                    Source { file: None, primitives }
                 }
             });
             sources.len() - 1
@@ -153,7 +154,7 @@ fn add_images(root: &mut Root, views: &mut Views, images: &Images) {
         root.images.push(Image {
             buffer_view,
             mime_type: Some(image::MimeType(source.mime_type.clone())),
-            name: None,
+            name: source.name.clone(),
             uri: source.uri.as_deref().map(percent_encoded),
             extensions: None,
             extras: None,

@@ -1,57 +1,51 @@
-//! Triangles of catalogue models in a file that many levels share.
+//! Triangles of catalogue models in files that many levels share, one file a model.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::encode::{Painting, encode};
 use super::pack::{PackedPrimitive, Packer};
 use crate::model::{Model, ModelMaterial};
 use crate::scene::ModelKey;
 
-/// The triangles of all models that a run may use.
-#[derive(Clone, Debug, Default)]
-pub struct SharedLibrary {
+/// The triangles of one model in a file of their own.
+#[derive(Clone, Debug)]
+pub struct SharedModel {
     pub(crate) packer: Packer,
-    pub(crate) models: BTreeMap<ModelKey, Vec<PackedPrimitive>>,
+    pub(crate) primitives: Vec<PackedPrimitive>,
+    /// Path of the file relative to the level's file, with `/` between folders.
+    pub(crate) path: String,
 }
 
-/// A library as a level refers to it.
-#[derive(Clone, Copy, Debug)]
-pub struct LibraryReference<'a> {
-    /// The triangles.
-    pub library: &'a SharedLibrary,
-    /// Path of its file relative to the level's file, with `/` between folders.
-    pub path: &'a str,
-}
+/// The shared models that a level refers to.
+pub type SharedLibrary = BTreeMap<ModelKey, Arc<SharedModel>>;
 
-impl SharedLibrary {
-    /// Lays the models out in the order of their keys, whatever the order in which they come; of equal keys
-    /// the first counts. Keys that share one model share its bytes. Of each primitive it holds
-    /// what the painting of its material asks for in any level.
-    pub fn new<'m>(
-        models: impl IntoIterator<Item = (ModelKey, &'m Model)>,
+impl SharedModel {
+    /// Lays out a model with what the painting of its materials asks for in any level; `path` says where the file lies,
+    /// seen from a level's file, once its bytes are known.
+    pub fn new(
+        model: &Model,
         painting: impl Fn(&ModelMaterial) -> Painting,
+        path: impl FnOnce(&[u8]) -> String,
     ) -> Self {
-        let mut sorted: BTreeMap<ModelKey, &Model> = BTreeMap::new();
-        for (key, model) in models {
-            sorted.entry(key).or_insert(model);
-        }
         let mut packer = Packer::default();
-        let mut known: BTreeMap<*const Model, Vec<PackedPrimitive>> = BTreeMap::new();
-        let mut packed = BTreeMap::new();
-        for (key, model) in sorted {
-            let primitives = known.entry(std::ptr::from_ref(model)).or_insert_with(|| {
-                packer.model(&encode(model, |index| painting(&model.primitives[index].material)))
-            });
-            packed.insert(key, primitives.clone());
-        }
-        Self { packer, models: packed }
+        let primitives = packer.model(&encode(model, |index| painting(&model.primitives[index].material)));
+        let mut made = Self { packer, primitives, path: String::new() };
+        made.path = path(&made.bytes());
+        made
     }
 
-    /// The bytes of the library's file.
+    /// The bytes of the file.
     #[must_use]
     pub fn bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(self.packer.byte_count());
         self.packer.append_to(&mut bytes);
         bytes
+    }
+
+    /// Where the file lies, seen from a level's file.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        &self.path
     }
 }

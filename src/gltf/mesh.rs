@@ -8,6 +8,7 @@ use gltf_json::validation::{Checked, USize64};
 use gltf_json::{Index, Root, Value};
 
 use super::array::Section;
+use super::library::SharedModel;
 use super::number::short_number;
 use super::pack::{Packed, PackedPrimitive};
 use super::variant::mappings;
@@ -26,22 +27,23 @@ pub(crate) struct PrimitiveAccessors {
 #[derive(Default)]
 pub(crate) struct Accessors {
     /// By file, place, number of elements, and whether bounds are told.
-    known: BTreeMap<(bool, Section, usize, usize, bool), Index<Accessor>>,
+    known: BTreeMap<(Option<String>, Section, usize, usize, bool), Index<Accessor>>,
 }
 
 impl Accessors {
     /// Describes packed primitives.
-    pub(crate) fn describe(
+    pub(crate) fn describe<'l>(
         &mut self,
         root: &mut Root,
-        views: &mut Views<'_>,
-        is_library: bool,
+        views: &mut Views<'l>,
+        file: Option<&'l SharedModel>,
         primitives: &[PackedPrimitive],
     ) -> Vec<PrimitiveAccessors> {
         let mut add = |packed: &Packed| {
-            let key = (is_library, packed.section, packed.offset, packed.count, packed.bounds.is_some());
+            let path = file.map(|file| file.path.clone());
+            let key = (path, packed.section, packed.offset, packed.count, packed.bounds.is_some());
             *self.known.entry(key).or_insert_with(|| {
-                let view = views.section(root, is_library, packed.section);
+                let view = views.section(root, file, packed.section);
                 root.push(accessor(packed, view))
             })
         };

@@ -2,10 +2,9 @@
 //!
 //! - [`write_glb`]: one file that holds everything;
 //! - [`write_gltf`]: the same as text with a `.bin` beside it;
-//! - either with [`WriteOptions`]; with a [`LibraryReference`] among them, the triangles of catalogue models
-//!   stay in a [`SharedLibrary`] file that all levels of a run refer to by relative path. Its bytes are fixed
-//!   before the first level is written, from the models alone, so that levels can be written in any order
-//!   and in parallel.
+//! - either with [`WriteOptions`]; with a [`SharedLibrary`] among them, the triangles of catalogue models are in files
+//!   of their own, one a model, that all levels of a building refer to by relative path. Their bytes depend on the model
+//!   alone, so that levels can be written in any order and in parallel.
 //!
 //! A buffer is laid out in sections, one buffer view each: vectors (positions and normals), tangents, texture
 //! coordinates, indices of one, two and four bytes; then images. Arrays of equal bytes are there once, with one accessor, and
@@ -33,7 +32,7 @@ mod view;
 use std::fmt;
 
 pub use encode::Painting;
-pub use library::{LibraryReference, SharedLibrary};
+pub use library::{SharedLibrary, SharedModel};
 pub use models::EncodedModels;
 pub use options::{FlatNormals, WriteOptions};
 

@@ -1,13 +1,13 @@
 //! What levels are written with.
 
-use super::library::LibraryReference;
+use super::library::SharedLibrary;
 use super::models::EncodedModels;
 
 /// What levels are written with; the default writes a level that stands alone, with all normals.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WriteOptions<'a> {
-    /// Where the triangles of catalogue models are, if not in the level itself.
-    pub library: Option<LibraryReference<'a>>,
+    /// The models whose triangles are in files of their own; those of all others are in the level itself.
+    pub library: Option<&'a SharedLibrary>,
     /// What other levels of the run made of catalogue models. Changes no byte; saves making it again.
     pub models: Option<&'a EncodedModels>,
     /// Whether flat faces have normals.

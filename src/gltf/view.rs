@@ -1,17 +1,20 @@
 //! Buffers and the views into them.
 
+use std::collections::BTreeMap;
+
 use gltf_json::buffer::{Buffer, Stride, Target, View};
 use gltf_json::validation::{Checked, USize64};
 use gltf_json::{Index, Root};
 
 use super::array::Section;
-use super::library::LibraryReference;
+use super::library::SharedModel;
 use super::pack::{Packed, Packer};
 
 /// One view per section and buffer, made when first asked for, so that nothing in the file is unused.
 pub(crate) struct Views<'l> {
     own: BufferViews<'l>,
-    library: Option<BufferViews<'l>>,
+    /// By the path of their file.
+    shared: BTreeMap<&'l str, BufferViews<'l>>,
 }
 
 struct BufferViews<'l> {
@@ -23,22 +26,28 @@ struct BufferViews<'l> {
 
 impl<'l> Views<'l> {
     /// The level's own buffer comes first if it holds anything: a container's data chunk is buffer 0.
-    pub(crate) fn new(
-        root: &mut Root,
-        packer: &'l Packer,
-        uri: Option<&'l str>,
-        library: Option<LibraryReference<'l>>,
-    ) -> Self {
+    pub(crate) fn new(root: &mut Root, packer: &'l Packer, uri: Option<&'l str>) -> Self {
         let mut own = BufferViews::new(packer, uri);
         if packer.byte_count() > 0 {
             own.buffer(root);
         }
-        Self { own, library: library.map(|to| BufferViews::new(&to.library.packer, Some(to.path))) }
+        Self { own, shared: BTreeMap::new() }
     }
 
-    /// The view that holds the elements of an accessor.
-    pub(crate) fn section(&mut self, root: &mut Root, is_library: bool, section: Section) -> Index<View> {
-        let buffer = self.library.as_mut().filter(|_| is_library).unwrap_or(&mut self.own);
+    /// The view that holds the elements of an accessor, in the file of a model or else in the level's own.
+    pub(crate) fn section(
+        &mut self,
+        root: &mut Root,
+        file: Option<&'l SharedModel>,
+        section: Section,
+    ) -> Index<View> {
+        let buffer = match file {
+            Some(file) => self
+                .shared
+                .entry(&file.path)
+                .or_insert_with(|| BufferViews::new(&file.packer, Some(&file.path))),
+            None => &mut self.own,
+        };
         buffer.section(root, section)
     }
 

@@ -48,6 +48,8 @@ impl Primitive {
 pub enum ModelMaterial {
     /// A slot of the style's palette, one of [`crate::catalog::MATERIAL_SLOTS`].
     Slot(&'static str),
+    /// Several slots of the style's palette, sorted: texture coordinates are the places of their swatches.
+    Swatches(Arc<[&'static str]>),
     /// A material of a user's file, shared by all its primitives.
     Own(Arc<OwnMaterial>),
 }
@@ -145,6 +147,8 @@ pub enum TextureUse {
 /// An encoded image.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
+    /// What is in it, for people; users' images keep their file's.
+    pub name: Option<String>,
     /// `image/png` or `image/jpeg`.
     pub mime_type: String,
     /// The file's bytes.

@@ -13,6 +13,7 @@ mod mesh;
 mod recipes;
 mod stand_in;
 mod stored;
+mod swatches;
 mod user;
 
 pub use detail::Detail;
@@ -25,4 +26,6 @@ pub use recipes::{
     GeometrySet, PLAIN, RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_parameters,
     recipe_size,
 };
+pub(crate) use swatches::SWATCHES_PER_SIDE;
+pub use swatches::SwatchedModels;
 pub(crate) use user::{companion_files, model_file_size, unchecked_document};

@@ -31,8 +31,9 @@ pub(crate) fn scene_light(light: &Light) -> SceneLight {
     }
 }
 
-/// The node of a lamp's light, a child of the lamp's node: `light.<id>@<room>`.
-pub(crate) fn light_node(light: &Light, size: Size, (id, room): (&str, &str), index: usize) -> Node {
+/// The node of a lamp's light, a child of the lamp's node: `light.<id>@<room>`. Its extras say the light; `index` is that
+/// of the light in the scene, where viewers are to draw it.
+pub(crate) fn light_node(light: &Light, size: Size, (id, room): (&str, &str), index: Option<usize>) -> Node {
     let place = match light.from {
         LightSide::Below => DVec3::new(0.0, -OUTSIDE, 0.0),
         LightSide::Above => DVec3::new(0.0, size.height + OUTSIDE, 0.0),
@@ -43,7 +44,7 @@ pub(crate) fn light_node(light: &Light, size: Size, (id, room): (&str, &str), in
         translation: Vec3::new(place.x as f32, place.y as f32, place.z as f32),
         rotation: Quat::IDENTITY,
         mesh: None,
-        light: Some(index),
+        light: index,
         extras: Some(Extras::Light { lumens: light.lumens, kelvin: light.kelvin }),
         children: Vec::new(),
     }
@@ -100,7 +101,7 @@ mod tests {
         let light = Light { lumens: 800.0, kelvin: 2700.0, from: LightSide::Above };
         assert!((scene_light(&light).intensity - 63.66).abs() < 0.01);
         let size = Size { width: 0.2, depth: 0.2, height: 0.4 };
-        let node = light_node(&light, size, ("table_lamp.1", "12"), 0);
+        let node = light_node(&light, size, ("table_lamp.1", "12"), None);
         assert_eq!(node.name, "light.table_lamp.1@12");
         assert!(node.translation.y > 0.4);
     }

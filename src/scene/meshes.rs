@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::SceneInput;
 use super::light::{SceneLight, scene_light};
 use super::node::{ModelKey, Node, Scene, SceneMaterial, SceneMesh, SceneVariant};
 use super::shell::Shape;
 use super::tint::Tint;
+use super::{Lights, SceneInput};
 use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
-use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive};
-use crate::texture::TextureLibrary;
+use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
+use crate::texture::{TextureLibrary, swatch_textures};
 
 /// How a room's style looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,14 +45,27 @@ pub(crate) struct MeshTable<'a> {
     /// Kept here too, so that one model is one allocation in a scene whatever the source does.
     built: BTreeMap<(ClassIndex, u32, &'a str), Arc<Model>>,
     textures: Option<&'a TextureLibrary>,
-    has_lights: bool,
+    /// What makes fewer primitives; none where every slot keeps its material.
+    swatches_of: Option<&'a SwatchedModels>,
+    lights_mode: Lights,
     has_variants: bool,
     furniture: BTreeMap<(ClassIndex, u32, Look<'a>), Vec<usize>>,
     shapes: BTreeMap<Shape, (usize, Arc<Model>)>,
     shells: BTreeMap<(usize, &'a str), usize>,
     /// By palette, slot and tint.
     slots: BTreeMap<(&'a str, &'static str, usize), usize>,
+    /// By palette, the number that all slots are tinted by, and whether they give light.
+    swatches: BTreeMap<(&'a str, usize, bool), usize>,
 }
+
+/// How much brighter what gives pure white light is drawn where nothing else lights a room in renderers without surroundings
+/// of their own, as Blender's are at first; what shines more faintly, as shades of cloth do, in proportion. Tuned on rendered
+/// rooms (docs/viewers.md): at half of it Blender's rooms are dim, at twice as much the ceiling around lamps is bleached. Viewers
+/// with surroundings draw lamps white from a strength of about 2 on, so that more does not change them.
+const SHINING_GAIN: f32 = 25.0;
+
+/// Numbers that are looked through for the colours of several slots: palettes with up to four tints a slot repeat after 60.
+const MOST_SWATCHES: u32 = 60;
 
 /// What is drawn where a palette lacks a slot, which a checked catalogue never does: middle grey.
 const NEUTRAL: Material = Material {
@@ -72,7 +85,8 @@ impl<'a> MeshTable<'a> {
             catalog: input.catalog,
             models: input.models,
             textures: input.textures,
-            has_lights: input.options.has_lights,
+            swatches_of: input.swatches,
+            lights_mode: input.options.lights,
             has_variants: input.options.has_variants,
             meshes: Vec::new(),
             materials: Vec::new(),
@@ -82,6 +96,7 @@ impl<'a> MeshTable<'a> {
             shapes: BTreeMap::new(),
             shells: BTreeMap::new(),
             slots: BTreeMap::new(),
+            swatches: BTreeMap::new(),
         }
     }
 
@@ -95,11 +110,16 @@ impl<'a> MeshTable<'a> {
     /// What every slot in use looks like in each palette: a tint goes to the tint of the same number, as far as there
     /// are as many.
     fn variants(&mut self) -> Vec<SceneVariant> {
-        let (catalog, in_use) = (self.catalog, self.slots.clone());
+        let (catalog, slots, swatches) = (self.catalog, self.slots.clone(), self.swatches.clone());
         let variant = |palette: &'a str| {
-            let replacement =
+            let of_slot =
                 |(&(_, slot, number), &material)| (material, self.slot_of_number(palette, slot, number));
-            SceneVariant { name: palette.to_owned(), materials: in_use.iter().map(replacement).collect() }
+            let mut materials: BTreeMap<usize, usize> = slots.iter().map(of_slot).collect();
+            let of_swatches = |(&(_, number, is_lit), &material)| {
+                (material, self.swatches_of_number(palette, number, is_lit))
+            };
+            materials.extend(swatches.iter().map(of_swatches));
+            SceneVariant { name: palette.to_owned(), materials }
         };
         catalog.palettes.keys().map(String::as_str).map(variant).collect()
     }
@@ -117,7 +137,11 @@ impl<'a> MeshTable<'a> {
     pub(crate) fn furniture(&mut self, class: ClassIndex, variant: u32, look: Look<'a>, tint: Tint) -> usize {
         let models = self.models;
         let built = self.built.entry((class, variant, look.geometry));
-        let model = Arc::clone(built.or_insert_with(|| models(class, variant, look.geometry)));
+        let swatches = self.swatches_of;
+        let model = Arc::clone(built.or_insert_with(|| {
+            let model = models(class, variant, look.geometry);
+            swatches.map_or_else(|| Arc::clone(&model), |swatched| swatched.of(&model))
+        }));
         let materials = self.materials_of(&model, look.palette, tint);
         let known = self.furniture.get(&(class, variant, look)).map_or(&[][..], Vec::as_slice);
         if let Some(&mesh) = known.iter().find(|&&mesh| self.meshes[mesh].materials == materials) {
@@ -134,33 +158,52 @@ impl<'a> MeshTable<'a> {
         mesh
     }
 
+    /// What a shape of the shell looks like; equal shapes are built once.
+    pub(crate) fn shape(&mut self, shape: Shape) -> Arc<Model> {
+        self.numbered_shape(shape).1
+    }
+
+    fn numbered_shape(&mut self, shape: Shape) -> (usize, Arc<Model>) {
+        if let Some(known) = self.shapes.get(&shape) {
+            return known.clone();
+        }
+        let made = (self.shapes.len(), Arc::new(shape.build()));
+        self.shapes.insert(shape, made.clone());
+        made
+    }
+
     /// The mesh of a shell part, named after the first node that uses it; `None` if it has no triangles.
     pub(crate) fn shell(&mut self, shape: Shape, palette: &'a str, node: &str) -> Option<usize> {
-        let (number, model) = match self.shapes.get(&shape) {
-            Some((number, model)) => (*number, Arc::clone(model)),
-            None => {
-                let entry = (self.shapes.len(), Arc::new(shape.build()));
-                self.shapes.insert(shape, entry.clone());
-                entry
-            }
-        };
+        let (number, model) = self.numbered_shape(shape);
         if model.primitives.is_empty() {
             return None;
         }
         if let Some(&mesh) = self.shells.get(&(number, palette)) {
             return Some(mesh);
         }
-        let materials = self.materials_of(&model, palette, Tint::default());
-        self.meshes.push(SceneMesh { name: node.to_owned(), model, materials, key: None });
-        let mesh = self.meshes.len() - 1;
+        let model = self.swatches_of.map_or_else(|| Arc::clone(&model), |swatched| swatched.of(&model));
+        let mesh = self.shell_mesh(model, palette, node);
         self.shells.insert((number, palette), mesh);
         Some(mesh)
+    }
+
+    /// The mesh of several shell parts, which no other node shows.
+    pub(crate) fn merged(&mut self, model: Model, palette: &'a str, node: &str) -> usize {
+        let swatched = self.swatches_of.and_then(|swatched| swatched.made(&model));
+        self.shell_mesh(Arc::new(swatched.unwrap_or(model)), palette, node)
+    }
+
+    fn shell_mesh(&mut self, model: Arc<Model>, palette: &'a str, node: &str) -> usize {
+        let materials = self.materials_of(&model, palette, Tint::default());
+        self.meshes.push(SceneMesh { name: node.to_owned(), model, materials, key: None });
+        self.meshes.len() - 1
     }
 
     fn materials_of(&mut self, model: &Model, palette: &'a str, tint: Tint) -> Vec<usize> {
         let primitives = model.primitives.iter();
         let material = |primitive: &Primitive| match &primitive.material {
             ModelMaterial::Slot(slot) => self.slot(palette, slot, tint),
+            ModelMaterial::Swatches(slots) => self.swatches(palette, slots, tint),
             ModelMaterial::Own(own) => self.own(own),
         };
         primitives.map(material).collect()
@@ -175,19 +218,57 @@ impl<'a> MeshTable<'a> {
         let (catalog, materials) = (self.catalog, &mut self.materials);
         let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
         let number = number.min(found.map_or(0, |material| material.tints.len()));
-        let (textures, has_lights) = (self.textures, self.has_lights);
+        let (textures, lights) = (self.textures, self.lights_mode);
         *self.slots.entry((palette, slot, number)).or_insert_with(|| {
-            let mut material = found.cloned().unwrap_or(NEUTRAL);
-            if !has_lights {
-                material.emissive_strength = 1.0;
-            }
             let mut name = format!("{palette}.{slot}");
             if number > 0 {
-                material.base_color = material.tints[number - 1];
                 name += &format!(".{number}");
             }
+            let material = shown(found, number, lights);
             let images = textures.zip(material.texture).map(|(library, surface)| library.textures(surface));
             let textures = images.unwrap_or_default().to_vec();
+            materials.push(SceneMaterial::Slot { name, material, textures });
+            materials.len() - 1
+        })
+    }
+
+    /// The swatches of a palette as an object of a tint shows them. Of the numbers by which its slots have these colours the
+    /// lowest counts, so that objects that look alike share one material.
+    fn swatches(&mut self, palette: &'a str, slots: &[&'static str], tint: Tint) -> usize {
+        let counts: Vec<usize> = slots.iter().map(|slot| self.tint_count(palette, slot)).collect();
+        let is_alike = |number: &u32| {
+            counts.iter().all(|&count| Tint::of_number(*number).pick(count) == tint.pick(count))
+        };
+        let number = (0..MOST_SWATCHES).find(is_alike).unwrap_or(0);
+        let is_lit = slots.iter().any(|slot| {
+            let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(*slot));
+            found.is_some_and(|material| material.emissive != [0.0; 3])
+        });
+        self.swatches_of_number(palette, number as usize, is_lit)
+    }
+
+    fn tint_count(&self, palette: &str, slot: &str) -> usize {
+        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+        found.map_or(0, |material| material.tints.len())
+    }
+
+    /// Those of lamps have an image of their light too.
+    fn swatches_of_number(&mut self, palette: &'a str, number: usize, is_lit: bool) -> usize {
+        let (catalog, lights, materials) = (self.catalog, self.lights_mode, &mut self.materials);
+        *self.swatches.entry((palette, number, is_lit)).or_insert_with(|| {
+            let mut name = format!("{palette}.swatches{}", if is_lit { ".lit" } else { "" });
+            if number > 0 {
+                name += &format!(".{number}");
+            }
+            let tint = Tint::of_number(u32::try_from(number).unwrap_or(0));
+            let of_slot = |slot: &'static str| {
+                let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+                shown(found, tint.pick(found.map_or(0, |material| material.tints.len())), lights)
+            };
+            let white = Material { base_color: [1.0; 4], metallic: 1.0, roughness: 1.0, ..NEUTRAL };
+            let (textures, strength) = swatch_textures(&name, is_lit, of_slot);
+            let emissive = if is_lit { [1.0; 3] } else { [0.0; 3] };
+            let material = Material { emissive, emissive_strength: strength, ..white };
             materials.push(SceneMaterial::Slot { name, material, textures });
             materials.len() - 1
         })
@@ -204,6 +285,23 @@ impl<'a> MeshTable<'a> {
             self.materials.len() - 1
         })
     }
+}
+
+/// A slot of a palette in one of its colours, 0 for its own, as bright as lamps are lit.
+fn shown(slot: Option<&Material>, number: usize, lights: Lights) -> Material {
+    let mut material = slot.cloned().unwrap_or(NEUTRAL);
+    match lights {
+        Lights::Shining if material.emissive_strength > 1.0 => {
+            let brightest = material.emissive.into_iter().fold(0.0, f32::max);
+            material.emissive_strength *= (SHINING_GAIN * brightest).max(1.0);
+        }
+        Lights::Off => material.emissive_strength = 1.0,
+        Lights::Shining | Lights::Physical => {}
+    }
+    if let Some(&tint) = number.checked_sub(1).and_then(|tint| material.tints.get(tint)) {
+        material.base_color = tint;
+    }
+    material
 }
 
 /// The fixed name of a material slot; `fallback` for words that are none.

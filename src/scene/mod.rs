@@ -22,7 +22,7 @@ pub use node::{
     SiteExtras,
 };
 
-pub use options::SceneOptions;
+pub use options::{Lights, Parts, SceneOptions};
 
 pub(crate) use extras::GENERATOR;
 pub(crate) use names::{numbered as object_id, opening as opening_id, parent as parent_id};
@@ -35,6 +35,7 @@ use crate::audit::Verdict;
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::geometry::Point;
 use crate::layout::Furnished;
+use crate::model::SwatchedModels;
 use crate::plan::{Level, SitePlacement};
 use crate::texture::TextureLibrary;
 
@@ -57,6 +58,8 @@ pub struct SceneInput<'a> {
     pub models: &'a ModelSourceFunction<'a>,
     /// What lies on the materials; none for plain colours.
     pub textures: Option<&'a TextureLibrary>,
+    /// What makes fewer primitives of models; none where every slot keeps its own material, as it must without textures.
+    pub swatches: Option<&'a SwatchedModels>,
     /// What is shown beyond rooms and furniture.
     pub options: SceneOptions,
     /// Seed of the run.
@@ -90,8 +93,8 @@ fn openings<'a>(input: &SceneInput<'a>, meshes: &mut MeshTable<'a>) -> Vec<Node>
         let look = Look::of_style(input.catalog, style);
         let finish =
             room.map_or(RoomFinish::PLAIN, |room| RoomFinish::of(input.catalog, &input.level.rooms[room]));
-        let door_angle = input.options.door_angle;
-        opening_node(input.level, opening, &OpeningLook { finish, look, door_angle }, meshes)
+        let SceneOptions { door_angle, parts, .. } = input.options;
+        opening_node(input.level, opening, &OpeningLook { finish, look, door_angle, parts }, meshes)
     };
     input.level.openings.iter().map(node).collect()
 }

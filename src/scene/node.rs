@@ -207,7 +207,8 @@ pub enum Extras {
     },
     /// Floor, ceiling, wall, or a piece of an opening.
     Part {
-        /// `floor`, `ceiling`, `wall`, `skirting`, `column`, `socket`, `switch`; of an opening `threshold`, `frame`, `leaf`, `glass`, `sill`.
+        /// `floor`, `ceiling`, `wall`, `skirting`, `column`, `socket`, `switch`, and `walls`, which shows all of these but
+        /// floor and ceiling where parts are merged; of an opening `threshold`, `frame`, `leaf`, `glass`, `sill`.
         part: &'static str,
         /// Unique in its room or opening; what `parent` of an object names: `floor`, `wall.2`, `leaf.1`.
         id: String,

@@ -8,7 +8,7 @@ use super::meshes::{Look, MeshTable};
 use super::node::{Extras, Node};
 use super::shell::{RoomFinish, room_parts};
 use super::tint::Tint;
-use super::{SceneInput, names};
+use super::{Lights, Parts, SceneInput, names};
 use crate::layout::{Furnished, Parent, Placement};
 
 /// The node of a room: shell parts first, then furniture in the order of its placement.
@@ -19,7 +19,8 @@ pub(crate) fn room_node<'a>(input: &SceneInput<'a>, index: usize, meshes: &mut M
     let finish = RoomFinish::of(input.catalog, room);
     let extras = room_extras(room, furnished, verdict, input.catalog);
     let mut node = Node::at(names::room(&room.id), &ROOM_POSE, None, extras);
-    node.children = room_parts(input.level, room, finish, look, meshes);
+    let is_merged = input.options.parts == Parts::Merged;
+    node.children = room_parts(input.level, room, finish, (look, is_merged), meshes);
     node.children.extend(furniture(input, furnished, &room.id, look, meshes));
     node
 }
@@ -76,9 +77,11 @@ fn light_of(
     room: &str,
     meshes: &mut MeshTable<'_>,
 ) -> Option<Node> {
-    let light = input.catalog.classes[placement.class].light.filter(|_| input.options.has_lights)?;
+    let light =
+        input.catalog.classes[placement.class].light.filter(|_| input.options.lights != Lights::Off)?;
     let id = names::object(input.catalog, placement);
-    Some(light_node(&light, placement.size, (&id, room), meshes.light(&light)))
+    let index = (input.options.lights == Lights::Physical).then(|| meshes.light(&light));
+    Some(light_node(&light, placement.size, (&id, room), index))
 }
 
 /// What stands beside one of its own class goes on with it: a row of bookcases has one tint.

@@ -19,6 +19,11 @@ impl Tint {
         Self(u32::from_le_bytes([a, b, c, d]))
     }
 
+    /// The tint of a number: 0 is the palette's own colour of every slot.
+    pub(crate) fn of_number(number: u32) -> Self {
+        Self(number)
+    }
+
     /// 0 for the palette's own colour, or the number of one of `count` others, all as often.
     pub(crate) fn pick(self, count: usize) -> usize {
         let choices = u32::try_from(count + 1).expect("a palette lists a handful of tints");

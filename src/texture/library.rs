@@ -75,7 +75,8 @@ impl TextureLibrary {
                     Some(format!("{folder}/{}", file_name(surface, purpose, &bytes)))
                 }
             };
-            let image = Image { mime_type: "image/png".to_owned(), bytes, uri };
+            let name = Some(format!("{surface}.{}", purpose_name(purpose)));
+            let image = Image { name, mime_type: "image/png".to_owned(), bytes, uri };
             (purpose, Texture::plain(Arc::new(image), TextureSampler::default()))
         };
         files.into_iter().map(texture).collect()
@@ -85,13 +86,17 @@ impl TextureLibrary {
 /// A name that tells what is in it, and its content, so that runs of other sizes and versions do not disturb each
 /// other.
 fn file_name(surface: &str, purpose: TextureUse, bytes: &[u8]) -> String {
-    let what = match purpose {
+    let what = purpose_name(purpose);
+    let hash: String = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("{surface}.{what}.{}.png", &hash[..NAME_DIGITS])
+}
+
+fn purpose_name(purpose: TextureUse) -> &'static str {
+    match purpose {
         TextureUse::BaseColor => "base_color",
         TextureUse::Normal => "normal",
         _ => "roughness",
-    };
-    let hash: String = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-    format!("{surface}.{what}.{}.png", &hash[..NAME_DIGITS])
+    }
 }
 
 /// The files of a surface by use; normals only where it has relief.

@@ -9,9 +9,11 @@ mod library;
 mod noise;
 mod relief;
 mod surface;
+mod swatches;
 
 pub use library::{TextureLibrary, TextureLocation};
 pub use surface::{SURFACES, has_relief};
+pub(crate) use swatches::swatch_textures;
 
 /// How finely surfaces are painted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -15,7 +15,7 @@ fn bake(world: &World, options: &[&str]) -> String {
 }
 
 fn textures(world: &World) -> Vec<String> {
-    world.names("out").into_iter().filter(|name| name.starts_with("shared-textures/")).collect()
+    world.names("out").into_iter().filter(|name| name.starts_with("house/shared-textures/")).collect()
 }
 
 fn level(world: &World) -> gltf::Gltf {
@@ -33,12 +33,12 @@ fn images(world: &World) -> Vec<Option<String>> {
 
 #[test]
 fn levels_refer_to_shared_textures_by_relative_paths_that_exist() {
-    let world = baked(&["--textures", "small"]);
+    let world = baked(&["--shared-textures"]);
     let (files, images) = (textures(&world), images(&world));
     assert!(!images.is_empty());
     for image in images {
         let path = image.expect("shared images have files of their own");
-        assert!(files.contains(&path.strip_prefix("../").unwrap().to_owned()), "{path}");
+        assert!(files.contains(&format!("house/{path}")), "beside the floor, never above it: {path}");
     }
     let manifest = String::from_utf8(world.contents("out").remove("manifest.json").unwrap()).unwrap();
     assert!(files.iter().all(|file| manifest.contains(file)), "the manifest lists them");
@@ -46,12 +46,12 @@ fn levels_refer_to_shared_textures_by_relative_paths_that_exist() {
 
 #[test]
 fn a_second_bake_keeps_levels_unless_a_texture_is_gone() {
-    let world = baked(&["--textures", "small"]);
+    let world = baked(&["--shared-textures"]);
     let before = world.files("out");
-    assert!(bake(&world, &["--textures", "small"]).contains("Kept 1 level"));
+    assert!(bake(&world, &["--shared-textures"]).contains("Kept 1 level"));
     let first = textures(&world).remove(0);
     std::fs::remove_file(world.path("out").join(&first)).unwrap();
-    bake(&world, &["--textures", "small"]);
+    bake(&world, &["--shared-textures"]);
     assert_eq!(world.files("out"), before);
 }
 
@@ -60,17 +60,7 @@ fn what_is_kept_between_runs_changes_no_byte() {
     let world = World::new();
     world.write("house.yaml", plan("house", 1));
     let bakes = |out: &str, cache: &str| {
-        let options = [
-            "--textures",
-            "small",
-            "--detail",
-            "reduced",
-            "--embed-textures",
-            "--out",
-            out,
-            "--cache",
-            cache,
-        ];
+        let options = ["--textures", "small", "--detail", "reduced", "--out", out, "--cache", cache];
         bake(&world, &options);
         world.files(out)
     };
@@ -88,9 +78,10 @@ fn what_is_kept_between_runs_changes_no_byte() {
 }
 
 #[test]
-fn embedded_textures_leave_one_file() {
-    let world = baked(&["--textures", "small", "--embed-textures"]);
+fn a_file_opens_by_itself_wherever_it_is_sent() {
+    let world = baked(&[]);
     assert!(textures(&world).is_empty());
+    assert!(level(&world).buffers().all(|buffer| matches!(buffer.source(), gltf::buffer::Source::Bin)));
     let images = images(&world);
     assert!(!images.is_empty() && images.iter().all(Option::is_none));
 }
@@ -104,10 +95,21 @@ fn without_textures_there_are_no_images_and_the_file_is_smaller() {
 }
 
 #[test]
-fn lamps_give_light_unless_told_otherwise() {
+fn shades_shine_and_lamps_are_lights_where_somebody_asks_for_candelas() {
     let lights = |world: &World| level(world).nodes().filter(|node| node.light().is_some()).count();
-    assert!(lights(&baked(&[])) > 0);
-    assert_eq!(lights(&baked(&["--no-lights"])), 0);
+    let nodes = |world: &World| {
+        level(world).nodes().filter(|node| node.name().unwrap().starts_with("light.")).count()
+    };
+    let shining = baked(&[]);
+    assert_eq!(
+        lights(&shining),
+        0,
+        "more lights than a viewer can draw leave it black, and candelas make it white"
+    );
+    let physical = baked(&["--lights", "physical"]);
+    assert!(lights(&physical) > 0);
+    assert_eq!((nodes(&shining), nodes(&physical)), (lights(&physical), lights(&physical)));
+    assert_eq!(nodes(&baked(&["--lights", "none"])), 0);
 }
 
 #[test]

@@ -67,6 +67,7 @@ impl Pipeline {
             catalog: &self.catalog,
             models: &|class, variant, geometry| self.models.model(class, variant, geometry),
             textures: None,
+            swatches: None,
             options: SceneOptions::default(),
             seed: self.seed,
         });

@@ -1,18 +1,21 @@
 //! Files, read back with another library.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use gltf::mesh::Semantic;
 use roomwright::catalog::{Material, Size};
 use roomwright::gltf::{
-    GltfError, LibraryReference, Painting, SharedLibrary, WriteOptions, write_glb, write_glb_with,
-    write_gltf, write_gltf_with,
+    GltfError, Painting, SharedLibrary, SharedModel, WriteOptions, write_glb, write_glb_with, write_gltf,
+    write_gltf_with,
 };
 use roomwright::model::{
     Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
 };
 use roomwright::plan::SitePlacement;
-use roomwright::scene::{Node, Scene, SceneInput, SceneMaterial, SceneOptions, build_scene};
+use roomwright::scene::{
+    Lights, ModelKey, Node, Parts, Scene, SceneInput, SceneMaterial, SceneOptions, build_scene,
+};
 
 use crate::fixture::*;
 
@@ -143,44 +146,52 @@ fn meshes_that_differ_in_material_only_share_accessors() {
     assert_ne!(modern.1, warm.1);
 }
 
-fn with_library(library: &SharedLibrary) -> WriteOptions<'_> {
-    let reference = LibraryReference { library, path: "../library.bin" };
-    WriteOptions { library: Some(reference), ..WriteOptions::default() }
+/// A library of all models of a scene, and the bytes of each file by its path.
+fn library_of(scene: &Scene) -> (SharedLibrary, BTreeMap<String, Vec<u8>>) {
+    let keyed = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())));
+    let made = |(key, model): (ModelKey, &Model)| {
+        let path = format!("shared/{}.{}.{}.bin", key.class, key.variant, key.geometry);
+        (key, Arc::new(SharedModel::new(model, |_| Painting::default(), |_| path)))
+    };
+    let library: SharedLibrary = keyed.map(made).collect();
+    let files = library.values().map(|model| (model.path().to_owned(), model.bytes())).collect();
+    (library, files)
+}
+
+/// The bytes of the buffers of a file, its own first.
+fn buffers<'b>(file: &gltf::Gltf, own: &'b [u8], files: &'b BTreeMap<String, Vec<u8>>) -> Vec<&'b [u8]> {
+    let bytes = |buffer: gltf::Buffer<'_>| match buffer.source() {
+        gltf::buffer::Source::Uri(uri) if files.contains_key(uri) => files[uri].as_slice(),
+        _ => own,
+    };
+    file.buffers().map(bytes).collect()
 }
 
 #[test]
-fn a_shared_library_holds_the_models_and_the_level_the_shell() {
+fn shared_files_hold_the_models_that_are_in_use_and_the_level_the_shell() {
     let scene = furnished_scene();
-    let models = || {
-        scene
-            .meshes
-            .iter()
-            .filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())))
-            .collect::<Vec<_>>()
-    };
-    let library = SharedLibrary::new(models(), |_| Painting::default());
-    let reversed = SharedLibrary::new(models().into_iter().rev(), |_| Painting::default());
-    assert_eq!(library.bytes(), reversed.bytes(), "the order of the models does not matter");
-    let options = with_library(&library);
-    let bytes = library.bytes();
+    let (library, files) = library_of(&scene);
+    let options = WriteOptions { library: Some(&library), ..WriteOptions::default() };
 
     let glb = write_glb_with(&scene, options).unwrap();
-    assert!(glb.len() < write_glb(&scene).unwrap().len());
     let file = read(&glb);
-    let second = file.buffers().nth(1).unwrap();
-    assert!(matches!(second.source(), gltf::buffer::Source::Uri("../library.bin")));
-    assert_eq!(second.length(), bytes.len());
-    assert_geometry(&scene, &geometry(&file, &[file.blob.as_ref().unwrap(), &bytes]));
+    let alone = read(&write_glb(&scene).unwrap());
+    assert!(file.blob.as_ref().unwrap().len() < alone.blob.as_ref().unwrap().len());
+    let named: Vec<usize> = file.buffers().skip(1).map(|buffer| buffer.length()).collect();
+    assert_eq!(named.len(), library.len(), "one file a model");
+    assert_eq!(named.iter().sum::<usize>(), files.values().map(Vec::len).sum::<usize>());
+    assert_geometry(&scene, &geometry(&file, &buffers(&file, file.blob.as_ref().unwrap(), &files)));
 
     let (json, bin) = write_gltf_with(&scene, "1.bin", options);
-    assert_geometry(&scene, &geometry(&read(&json), &[&bin, &bytes]));
+    let file = read(&json);
+    assert_geometry(&scene, &geometry(&file, &buffers(&file, &bin, &files)));
 }
 
 #[test]
 fn a_library_that_lacks_a_model_leaves_it_in_the_level() {
     let scene = furnished_scene();
-    let empty = SharedLibrary::new([], |_| Painting::default());
-    let options = with_library(&empty);
+    let empty = SharedLibrary::new();
+    let options = WriteOptions { library: Some(&empty), ..WriteOptions::default() };
     assert_eq!(write_glb_with(&scene, options).unwrap(), write_glb(&scene).unwrap());
 }
 
@@ -193,7 +204,8 @@ const DOT: [u8; 67] = [
 
 /// A box with texture coordinates and a material of its own.
 fn textured_model() -> Model {
-    let image = Arc::new(Image { mime_type: "image/png".to_owned(), bytes: DOT.to_vec(), uri: None });
+    let image =
+        Arc::new(Image { name: None, mime_type: "image/png".to_owned(), bytes: DOT.to_vec(), uri: None });
     let texture = Texture::plain(image, TextureSampler::default());
     let own = OwnMaterial {
         name: "leather".to_owned(),
@@ -231,6 +243,7 @@ fn textured_scene() -> Scene {
         catalog: &catalog,
         models: &|_, _, _| Arc::clone(&model),
         textures: None,
+        swatches: None,
         options: SceneOptions::default(),
         seed: 42,
     })
@@ -240,7 +253,7 @@ fn textured_scene() -> Scene {
 fn lamps_that_are_lit_are_brighter_than_their_colour() {
     let (catalog, level) = (catalog(), two_rooms());
     let model = Arc::new(box_model(Size { width: 0.2, depth: 0.2, height: 0.4 }, "lamp"));
-    let written = |has_lights: bool| {
+    let written = |lights: Lights| {
         let scene = build_scene(&SceneInput {
             level: &level,
             building: "tower",
@@ -250,7 +263,8 @@ fn lamps_that_are_lit_are_brighter_than_their_colour() {
             catalog: &catalog,
             models: &|_, _, _| Arc::clone(&model),
             textures: None,
-            options: SceneOptions { has_lights, ..SceneOptions::default() },
+            swatches: None,
+            options: SceneOptions { lights, ..SceneOptions::default() },
             seed: 42,
         });
         let file = read(&write_glb(&scene).unwrap());
@@ -258,8 +272,11 @@ fn lamps_that_are_lit_are_brighter_than_their_colour() {
         let strengths: Vec<Option<f32>> = lamps.map(|lamp| lamp.emissive_strength()).collect();
         (strengths, file.extensions_used().any(|name| name == "KHR_materials_emissive_strength"))
     };
-    assert_eq!(written(true), (vec![Some(4.0)], true));
-    assert_eq!(written(false), (vec![None], false));
+    assert_eq!(written(Lights::Physical), (vec![Some(4.0)], true));
+    assert_eq!(written(Lights::Off), (vec![None], false));
+    // Where nothing else lights the room, shades have to.
+    let (strengths, is_said) = written(Lights::Shining);
+    assert!(is_said && strengths[0] > Some(4.0), "{strengths:?}");
 }
 
 #[test]
@@ -314,7 +331,8 @@ fn accessors_are_aligned_and_indices_as_long_as_a_mesh_needs() {
         catalog: &catalog,
         models: &|_, _, _| Arc::clone(&model),
         textures: None,
-        options: SceneOptions::default(),
+        swatches: None,
+        options: SceneOptions { parts: Parts::Separate, ..SceneOptions::default() },
         seed: 42,
     });
     let file = read(&write_glb(&scene).unwrap());

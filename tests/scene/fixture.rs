@@ -14,7 +14,7 @@ use roomwright::plan::{
     Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, Room, RoomOpening, SitePlacement, Wall,
     WallKind,
 };
-use roomwright::scene::{Scene, SceneInput, SceneOptions, build_scene};
+use roomwright::scene::{Parts, Scene, SceneInput, SceneOptions, build_scene};
 
 /// Thickness of a wall to the open air, and of one room's half of a wall between rooms.
 pub(crate) const OUTER: f64 = 0.3;
@@ -322,7 +322,9 @@ fn scene_by(catalog: Catalog, level: &Level, furnished: &[Furnished]) -> Scene {
         catalog: &catalog,
         models: &models(&catalog),
         textures: None,
-        options: SceneOptions::default(),
+        swatches: None,
+        // Each part by itself, so that tests can ask for its mesh.
+        options: SceneOptions { parts: Parts::Separate, ..SceneOptions::default() },
         seed: 42,
     })
 }

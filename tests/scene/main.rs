@@ -6,6 +6,7 @@ mod file;
 mod fixture;
 mod leaks;
 mod levels;
+mod merged;
 mod shell;
 mod tree;
 mod triangles;

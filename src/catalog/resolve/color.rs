@@ -32,7 +32,7 @@ pub(crate) fn srgb_linear(encoded: f64) -> f64 {
 }
 
 /// The sRGB transfer function the other way.
-fn srgb_encoded(linear: f64) -> f64 {
+pub(crate) fn srgb_encoded(linear: f64) -> f64 {
     if linear <= KNEE / SLOPE {
         linear * SLOPE
     } else {

@@ -22,7 +22,7 @@ mod words;
 pub(crate) use audit::resolve_audit;
 pub(crate) use building_style::{BuildingStyleWorld, resolve_building_styles};
 pub(crate) use class::{ResolvedClass, resolve_classes};
-pub(crate) use color::{srgb_hex, srgb_linear};
+pub(crate) use color::{srgb_encoded, srgb_hex, srgb_linear};
 pub(crate) use names::Names;
 pub(crate) use palette::resolve_palettes;
 pub(crate) use request::ResolvedProgramme;

@@ -30,15 +30,16 @@ pub(crate) struct BakeArguments {
     /// Kind of file.
     #[arg(long, value_enum, default_value = "glb")]
     pub(crate) format: FormatWord,
-    /// Let floors refer to one library of furniture instead of carrying their own copies.
+    /// Keep furniture once a building, in shared-geometry/ beside its floors, a file for each model in use, instead of once in
+    /// each file.
     #[arg(long)]
     pub(crate) shared_library: bool,
     /// How finely wood, cloth, tiles and other surfaces are painted: 512 or 1024 pixels a metre, or not at all.
     #[arg(long, value_enum, default_value = "small")]
     pub(crate) textures: TextureWord,
-    /// Put the textures into each file; without it, all files share those in OUT/shared-textures.
+    /// Keep textures once a building, in shared-textures/ beside its floors, instead of once in each file.
     #[arg(long)]
-    pub(crate) embed_textures: bool,
+    pub(crate) shared_textures: bool,
     /// Whether flat faces without textures have normals, or leave them to viewers, as the format allows, for almost half the
     /// space [default: implied with --textures none, else written].
     #[arg(long, value_enum)]
@@ -46,9 +47,14 @@ pub(crate) struct BakeArguments {
     /// How finely furniture is modelled: as it is drawn, with about 30 % of the triangles, or as the boxes of its shape.
     #[arg(long, value_enum, default_value = "full")]
     pub(crate) detail: DetailWord,
-    /// Leave out the lights of lamps (KHR_lights_punctual).
-    #[arg(long)]
-    pub(crate) no_lights: bool,
+    /// How lamps are lit: their shades shine, which looks right in all viewers as they are; each is a light in candelas too
+    /// (KHR_lights_punctual), for viewers that are set to such light and can draw many; or not at all.
+    #[arg(long, value_enum, default_value = "shining")]
+    pub(crate) lights: LightsWord,
+    /// Few meshes, which viewers draw in half the time: one for the walls of a room and what is fixed to them, plain parts of a
+    /// piece of furniture in one; or a mesh for every part and a material for every slot of the palette.
+    #[arg(long, value_enum, default_value = "merged")]
+    pub(crate) parts: PartsWord,
     /// How far doors on hinges stand open: 0 is shut [default: as far as the plan lets them].
     #[arg(long, value_name = "DEGREES", value_parser = clap::value_parser!(u16).range(0..=180))]
     pub(crate) door_angle: Option<u16>,
@@ -67,6 +73,26 @@ pub(crate) struct BakeArguments {
     /// How to show progress on stderr.
     #[arg(long, value_enum, default_value = "auto")]
     pub(crate) progress: ProgressWord,
+}
+
+/// The words of `--lights`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LightsWord {
+    /// Shades shine.
+    Shining,
+    /// Lights in candelas as well.
+    Physical,
+    /// Neither.
+    None,
+}
+
+/// The words of `--parts`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PartsWord {
+    /// Few meshes.
+    Merged,
+    /// One for every part.
+    Separate,
 }
 
 /// Kinds of files.

@@ -174,7 +174,7 @@ fn read_images(container: &mut Container) -> Result<Vec<Arc<Image>>, Problem> {
             Problem::new(format!("image {index} is neither PNG nor JPEG"))
                 .with_hint("convert its textures to PNG")
         })?;
-        images.push(Arc::new(Image { mime_type: mime_type.to_owned(), bytes, uri: None }));
+        images.push(Arc::new(Image { name: None, mime_type: mime_type.to_owned(), bytes, uri: None }));
     }
     Ok(images)
 }

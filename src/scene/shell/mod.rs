@@ -8,6 +8,7 @@ mod fitted;
 mod fitting;
 mod frame;
 mod leaf;
+mod merge;
 mod opening;
 mod railing;
 mod room;

@@ -3,6 +3,7 @@
 use super::corner::built_thickness;
 use super::frame::Reveal;
 use super::leaf::{LeafDesign, LeafShape};
+use super::merge::Merged;
 use super::room::{RoomFinish, opening_heights};
 use super::ticks::Ticks;
 use super::{FRAME_SLOT, RAILING_SLOT, SLAB, Shape};
@@ -13,6 +14,7 @@ use crate::scene::extras::opening_extras;
 use crate::scene::meshes::{Look, MeshTable};
 use crate::scene::names;
 use crate::scene::node::{Extras, Node};
+use crate::scene::options::Parts;
 
 /// Depth of an opening that is in no wall.
 const FREE_STANDING: f64 = 0.1;
@@ -28,13 +30,15 @@ pub(crate) struct OpeningLook<'a> {
     pub look: Look<'a>,
     /// Degrees by which leaves stand open; as far as they go where nothing is said.
     pub door_angle: Option<u16>,
+    /// Whether frame, sill and threshold are one mesh.
+    pub parts: Parts,
 }
 
 /// The node of an opening with its pieces. It faces the first room it joins.
 pub(crate) fn opening_node<'a>(
     level: &Level,
     opening: &Opening,
-    &OpeningLook { finish, look, door_angle }: &OpeningLook<'a>,
+    &OpeningLook { finish, look, door_angle, parts }: &OpeningLook<'a>,
     meshes: &mut MeshTable<'a>,
 ) -> Node {
     let facing = opening.sides.first().map_or(opening.along.perp(), |side| wall_of(level, side).normal());
@@ -48,6 +52,7 @@ pub(crate) fn opening_node<'a>(
         design: leaf_design(level, opening, look),
         casing: casing(level, opening),
         door_angle,
+        merged: (parts == Parts::Merged).then(|| Merged::at(pose)),
         meshes,
         nodes: Vec::new(),
     };
@@ -58,7 +63,7 @@ pub(crate) fn opening_node<'a>(
         OpeningKind::OpenBoundary => pieces.threshold(reveal, finish.floor),
         OpeningKind::Window => pieces.window(reveal, opening.sides.len() == 1),
     }
-    let children = pieces.nodes;
+    let children = pieces.finish();
     let mut node = Node::at(name, &pose, None, opening_extras(level, opening));
     node.children = children;
     node
@@ -157,6 +162,8 @@ struct Pieces<'a, 'm, 'n> {
     design: LeafDesign,
     casing: Ticks,
     door_angle: Option<u16>,
+    /// What never moves; none where each piece has its own mesh.
+    merged: Option<Merged>,
     meshes: &'m mut MeshTable<'a>,
     nodes: Vec<Node>,
 }
@@ -224,8 +231,25 @@ impl Pieces<'_, '_, '_> {
     /// Adds a piece unless the opening is too small for it.
     fn piece(&mut self, (part, id): (&'static str, String), pose: &Pose, shape: Shape) {
         let name = names::owned(&id, self.owner);
-        let Some(mesh) = self.meshes.shell(shape, self.palette, &name) else { return };
+        let moves = matches!(part, "leaf" | "glass");
+        let mesh = match self.merged.as_mut().filter(|_| !moves) {
+            Some(merged) => merged.add(shape, pose, self.meshes).then_some(None),
+            None => self.meshes.shell(shape, self.palette, &name).map(Some),
+        };
+        let Some(mesh) = mesh else { return };
         let extras = Extras::Part { part, id, tags: Vec::new(), outline: None, height: None };
-        self.nodes.push(Node::at(name, &pose.relative_to(&self.origin), Some(mesh), extras));
+        self.nodes.push(Node::at(name, &pose.relative_to(&self.origin), mesh, extras));
+    }
+
+    /// The nodes; the frame, or else the first piece that never moves, shows all such pieces.
+    fn finish(mut self) -> Vec<Node> {
+        let is_part = |node: &Node, wanted: &str| matches!(&node.extras, Some(Extras::Part { part, .. }) if *part == wanted);
+        let frame = self.nodes.iter().position(|node| is_part(node, "frame"));
+        let shown = frame.or_else(|| self.nodes.iter().position(|node| node.mesh.is_none()));
+        if let (Some(merged), Some(shown)) = (self.merged, shown) {
+            let node = &mut self.nodes[shown];
+            node.mesh = merged.finish(self.palette, &node.name, self.meshes);
+        }
+        self.nodes
     }
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::corner::{Footprint, footprints};
 use super::fitted::{Fitted, sockets, switches};
 use super::fitting::Fitting;
+use super::merge::Merged;
 use super::opening::casing;
 use super::railing::RailingShape;
 use super::skirting::{self, SkirtingShape};
@@ -73,15 +74,18 @@ const WALL_FOOT: Ticks = Ticks(INSET.0 - SLAB.0);
 const PARALLEL: f64 = 0.02;
 const ROUNDING: f64 = 1e-6;
 
-/// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns, sockets, switches.
+/// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns, sockets, switches; where all but floor
+/// and ceiling are merged, last the one that shows them.
 pub(crate) fn room_parts<'a>(
     level: &Level,
     room: &Room,
     finish: RoomFinish,
-    look: Look<'a>,
+    (look, is_merged): (Look<'a>, bool),
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
-    let mut parts = Parts { room, palette: look.palette, meshes, nodes: Vec::new() };
+    let origin = Pose::on_floor(room.region.outline.corners()[0], 0.0);
+    let merged = is_merged.then(|| Merged::at(origin));
+    let mut parts = RoomParts { room, palette: look.palette, origin, merged, meshes, nodes: Vec::new() };
     parts.slabs(level, finish);
     for (index, footprint) in footprints(room).into_iter().enumerate() {
         parts.wall(level, index, footprint, finish);
@@ -89,17 +93,21 @@ pub(crate) fn room_parts<'a>(
     parts.skirting(level, finish);
     parts.columns(finish.wall);
     parts.fittings(level, finish, GeometrySet::named(look.geometry));
-    parts.nodes
+    parts.finish()
 }
 
-struct Parts<'a, 'm, 'r> {
+struct RoomParts<'a, 'm, 'r> {
     room: &'r Room,
     palette: &'a str,
+    /// Where the node stands that shows what is merged.
+    origin: Pose,
+    /// Walls and what is fixed to them; none where each part has its own mesh.
+    merged: Option<Merged>,
     meshes: &'m mut MeshTable<'a>,
     nodes: Vec<Node>,
 }
 
-impl Parts<'_, '_, '_> {
+impl RoomParts<'_, '_, '_> {
     fn slabs(&mut self, level: &Level, finish: RoomFinish) {
         let region = &self.room.region;
         let anchor = region.outline.corners()[0];
@@ -216,11 +224,32 @@ impl Parts<'_, '_, '_> {
 
     fn part(&mut self, (part, id): (&'static str, String), pose: Pose, shape: Shape) -> &mut Node {
         let name = names::owned(&id, &self.room.id);
-        let mesh = self.meshes.shell(shape, self.palette, &name);
+        let has_own_mesh = matches!(part, "floor" | "ceiling");
+        let mesh = match self.merged.as_mut().filter(|_| !has_own_mesh) {
+            Some(merged) => {
+                merged.add(shape, &pose, self.meshes);
+                None
+            }
+            None => self.meshes.shell(shape, self.palette, &name),
+        };
         let extras = Extras::Part { part, id, tags: Vec::new(), outline: None, height: None };
         self.nodes.push(Node::at(name, &pose, mesh, extras));
         let last = self.nodes.len() - 1;
         &mut self.nodes[last]
+    }
+}
+
+impl RoomParts<'_, '_, '_> {
+    /// The nodes; what is merged is shown by one more after them.
+    fn finish(mut self) -> Vec<Node> {
+        let Some(merged) = self.merged else { return self.nodes };
+        let id = "walls".to_owned();
+        let name = names::owned(&id, &self.room.id);
+        if let Some(mesh) = merged.finish(self.palette, &name, self.meshes) {
+            let extras = Extras::Part { part: "walls", id, tags: Vec::new(), outline: None, height: None };
+            self.nodes.push(Node::at(name, &self.origin, Some(mesh), extras));
+        }
+        self.nodes
     }
 }
 

@@ -115,7 +115,7 @@ fn volume(model: &Model) -> f32 {
 fn own_material(model: &Model) -> &OwnMaterial {
     match &model.primitives[0].material {
         ModelMaterial::Own(own) => own,
-        ModelMaterial::Slot(slot) => panic!("a user's model has its own materials, not {slot}"),
+        other => panic!("a user's model has its own materials, not {other:?}"),
     }
 }
 
