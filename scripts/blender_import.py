@@ -280,7 +280,7 @@ class Document:
         path = self._resource(image["uri"])
         if not path.is_file():
             raise BakeError(f"{self.path}: its texture {path} is missing\n"
-                            "  hint: keep shared-textures/ where it was baked, or bake with --embed-textures")
+                            "  hint: keep shared-textures/ beside the floor, or bake without --shared-textures")
         return str(path)
 
     @property

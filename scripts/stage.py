@@ -18,6 +18,7 @@ from mathutils import Matrix, Vector
 
 from cameras import Camera, hidden_furniture, opening_cuts
 from floor_view import Level, Room
+from wall_parts import split_walls
 
 ENGINES = {"cycles": "CYCLES", "eevee": "BLENDER_EEVEE", "workbench": "BLENDER_WORKBENCH"}
 CUT_COLORS = {"top": (0.02, 0.021, 0.024, 1.0), "dollhouse": (0.12, 0.123, 0.13, 1.0)}
@@ -53,7 +54,8 @@ class Stage:
         bpy.ops.import_scene.gltf(filepath=str(path.resolve()), loglevel=50)
         self.level = level
         self.scene = bpy.context.scene
-        self.objects = list(self.scene.objects)
+        bpy.context.view_layer.update()
+        self.objects = split_walls(list(self.scene.objects), level)
         self.data = {thing: thing.data for thing in self.objects}
         self.caps = {view: _plain_material(f"cut {view}", color) for view, color in CUT_COLORS.items()}
         self.extra_lights: list = []
