@@ -21,3 +21,11 @@ set_up_validator() {
   fi
   node --version
 }
+
+# tests/viewers/node_modules/ from the lock file: three.js, Babylon.js, model-viewer and CesiumJS, 400 MB.
+set_up_viewers() {
+  if ! cmp -s tests/viewers/package-lock.json tests/viewers/node_modules/.lock; then
+    (cd tests/viewers && npm ci --loglevel=error)
+    cp tests/viewers/package-lock.json tests/viewers/node_modules/.lock
+  fi
+}

@@ -3,8 +3,8 @@
 #
 # Sets up what it needs by itself (.venv/ from scripts/requirements.txt, scripts/node_modules/ from the lock
 # file), asks nothing, stops at the first step that fails, and ends with "N passed, N failed".
-# Needs Rust 1.90 or newer, Python 3.11 or newer with venv, Node 20 or newer.
-# ROOMWRIGHT_PYTHON names another Python.
+# Needs Rust 1.90 or newer, Python 3.11 or newer with venv, Node 20 or newer; with Chromium or Google Chrome on the path it
+# opens the demo in browser clients, too. ROOMWRIGHT_PYTHON names another Python, ROOMWRIGHT_CHROMIUM another browser.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/set_up.sh
@@ -85,6 +85,16 @@ walk() {
   grep -q 'remove: true' "$work/walkthrough/plans/house.edits.yaml"
 }
 
+# The demo in browser clients, where there is a browser to open them in.
+viewers() {
+  if ! node tests/viewers/find_chromium.mjs; then
+    echo "skipped: three.js, Babylon.js, model-viewer and CesiumJS need it"
+    return
+  fi
+  set_up_viewers
+  counted env ROOMWRIGHT_BAKED="$work/release" node --test --test-reporter=./tests/viewers/report.mjs tests/viewers/
+}
+
 step "Python environment" set_up_python
 step "Khronos validator" set_up_validator
 step "cargo fmt" checked cargo fmt --check
@@ -98,5 +108,6 @@ step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"
 step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --out "$work/usd"
 step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd"
 step "docs/walkthrough.sh" checked walk
+step "Viewers" viewers
 step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" .venv/bin/python -m pytest -q tests/scripts
 step_name=
