@@ -92,7 +92,7 @@ viewers() {
     return
   fi
   set_up_viewers
-  counted env ROOMWRIGHT_BAKED="$work/release" node --test --test-reporter=./tests/viewers/report.mjs tests/viewers/
+  counted env ROOMWRIGHT_BAKED="$work/release" node --test --test-reporter=./tests/viewers/report.mjs tests/viewers/viewers.test.mjs
 }
 
 step "Python environment" set_up_python

@@ -1,6 +1,6 @@
 // The demo in browser clients at their default settings: bash scripts/test.sh, or
 //
-//   ROOMWRIGHT_BAKED=out node --test tests/viewers/
+//   ROOMWRIGHT_BAKED=out node --test tests/viewers/viewers.test.mjs
 //
 // ROOMWRIGHT_BAKED names a folder that `roomwright bake` wrote the demo into. Without it, or without Chromium, the tests are skipped.
 import assert from 'node:assert/strict';
