@@ -14,6 +14,7 @@ mod command_line {
     mod draw;
     mod edits;
     mod faults;
+    mod former_levels;
     mod guide;
     mod handbook;
     mod init;

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use super::fault::{FaultCode, OutputFault};
 use super::join::Joined;
 use super::record::Totals;
+use super::unplanned::Leftovers;
 use crate::edits::Misfit;
 
 /// One step of a bake. Steps of different levels come in any order, from any thread.
@@ -92,6 +93,8 @@ pub struct BakeReport {
     pub timings: Timings,
     /// Where the records are, or why they could not be joined.
     pub joined: Result<Joined, OutputFault>,
+    /// What earlier bakes left in the folder.
+    pub leftovers: Leftovers,
 }
 
 /// The stages that are timed.

@@ -142,8 +142,7 @@ impl Known {
         let contents = sources.contents(is_forced)?;
         let newest = |(key, mut found): (LevelKey, Vec<Found<'_>>)| {
             let last = found.pop()?;
-            let head = last.head();
-            Some((key, (last.program, head)))
+            Some((key, (last.program, last.head)))
         };
         let levels = contents.levels.into_iter().filter_map(newest).collect();
         let (written, library, faults) = (contents.written, contents.library, contents.faults);

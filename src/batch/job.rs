@@ -15,6 +15,7 @@ use crate::texture::TextureSize;
 use super::file_name::distinct_names;
 use super::hash::FieldHash;
 use super::record::LevelKey;
+use super::unplanned::Unplanned;
 
 /// What a bake depends on besides plan and catalogue.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,6 +42,8 @@ pub struct BakeOptions {
     pub threads: usize,
     /// The share of the levels to bake; default all.
     pub shard: Option<Shard>,
+    /// What becomes of levels in the output folder that the plan does not have; default listed apart.
+    pub unplanned: Unplanned,
     /// Where painted surfaces are kept between runs; default nowhere. Never changes a byte.
     pub cache: Option<Cache>,
 }
@@ -59,6 +62,7 @@ impl Default for BakeOptions {
             scene: SceneOptions::default(),
             threads: 1,
             shard: None,
+            unplanned: Unplanned::default(),
             cache: None,
         }
     }

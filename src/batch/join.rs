@@ -1,20 +1,21 @@
 //! Joins the records of all runs into the manifest: the same bytes, however many processes wrote them.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::fault::{FaultCode, OutputFault};
 use super::folder::OutputFolder;
-use super::hash::file_hash;
 use super::job::Shard;
-use super::manifest::{MANIFEST_NAME, write_manifest};
-use super::record::{FileRecord, LevelRecord, Totals};
+use super::manifest::{Listed, MANIFEST_NAME, without_own_program, write_manifest};
+use super::record::{LevelKey, LevelRecord, Totals};
 use super::sources::{Contents, Found, Sources, manifest_paths};
 use super::state::{
-    JOINING_PREFIX, check_state, create_state, find_runs, lock_state, remove_runs, state_folder,
+    JOINING_PREFIX, Runs, check_state, create_state, find_runs, lock_state, remove_runs, state_folder,
 };
-use crate::disk::{look_inside, new_temporary, open_inside};
+use super::unplanned::{Apart, Leftovers, Unplanned, is_there};
+use crate::disk::new_temporary;
 use crate::document::{Fault, FaultSeverity, Faults};
 
 /// What became of the records when a run ended.
@@ -59,8 +60,10 @@ pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
     }
     let sources = Sources::read(&manifests, &runs.journals())?;
     let mut contents = sources.contents(false)?;
+    contents.settle(root);
     let manifest = root.join(MANIFEST_NAME);
-    let totals = write_joined(root, &contents, &manifest)?;
+    let apart = Apart::of_records(root, &contents, |_| false);
+    let totals = write_joined(root, &contents, &apart, &manifest)?;
     clear(&contents.parts, &runs.abandoned)?;
     // Nobody bakes their levels again now: they are missing.
     let as_error = |fault: Fault| Fault { severity: FaultSeverity::Error, ..fault };
@@ -77,89 +80,107 @@ fn nothing_to_join(root: &Path) -> OutputFault {
     }
 }
 
+/// What was to be baked, as the end of a run asks for it.
+pub(crate) struct Planned<'a> {
+    /// The levels of all shares.
+    pub(crate) levels: BTreeSet<LevelKey>,
+    /// The share of this run.
+    pub(crate) shard: Option<Shard>,
+    /// What becomes of other levels.
+    pub(crate) unplanned: Unplanned,
+    /// Whether all levels of the plan are in place.
+    pub(crate) is_whole: &'a dyn Fn(&Contents<'_>) -> bool,
+}
+
 impl OutputFolder {
     /// Ends the run: moves its records into the manifest, or, for a shard while others are missing, into a
-    /// part of it. `is_whole` says whether all levels of the plan are in place.
+    /// part of it.
     ///
     /// # Errors
     /// If the manifest cannot be written; the records stay where the next run or merge finds them.
-    pub(crate) fn finish(
-        &self,
-        shard: Option<Shard>,
-        is_whole: impl FnOnce(&Contents<'_>) -> bool,
-    ) -> Result<Joined, OutputFault> {
+    pub(crate) fn finish(&self, planned: &Planned<'_>) -> Result<(Joined, Leftovers), OutputFault> {
         let state = state_folder(&self.root);
         let _lock = lock_state(&state)?;
         let mut runs = find_runs(&state, Some(&self.run))?;
         let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
-        let contents = sources.contents(self.is_forced)?;
-        let joined = match shard {
-            Some(shard) if !is_whole(&contents) => {
+        let mut contents = sources.contents(self.is_forced)?;
+        contents.settle(&self.root);
+        let finished = match planned.shard {
+            Some(shard) if !(planned.is_whole)(&contents) => {
                 let part = self.root.join(shard.part_name());
                 let known = part.exists().then(|| part.clone());
                 runs.living.retain(|run| *run == self.run);
                 let own = Sources::read(known.as_slice(), &runs.journals())?;
-                write_joined(&self.root, &own.contents(self.is_forced)?, &part)?;
+                let mut own = own.contents(self.is_forced)?;
+                own.settle(&self.root);
+                write_joined(&self.root, &own, &Apart::default(), &part)?;
                 remove_runs(&runs.abandoned)?;
-                Joined::Part(part)
+                (Joined::Part(part), Leftovers::default())
             }
             _ => {
                 let manifest = self.root.join(MANIFEST_NAME);
-                if self.has_news() || !runs.abandoned.is_empty() || !sources.is_one_manifest() {
-                    write_joined(&self.root, &contents, &manifest)?;
+                let mut apart = self.set_apart(planned, &contents, &runs)?;
+                let mut leftovers = apart.leftovers();
+                if planned.unplanned == Unplanned::Removed {
+                    leftovers = apart.remove(&self.root, &contents)?;
+                    let removed = std::mem::take(&mut apart).levels;
+                    contents.levels.retain(|key, _| !removed.contains(key));
+                }
+                let is_new = self.has_news() || !runs.abandoned.is_empty() || !sources.is_one_manifest();
+                if is_new || !leftovers.is_nothing_removed() || apart != Apart::as_listed(&contents) {
+                    write_joined(&self.root, &contents, &apart, &manifest)?;
                     clear(&contents.parts, &runs.abandoned)?;
                 }
-                Joined::Whole(manifest)
+                (Joined::Whole(manifest), leftovers)
             }
         };
         remove_runs(std::slice::from_ref(&self.run))?;
-        Ok(joined)
+        Ok(finished)
+    }
+
+    /// What is in the folder and was not to be baked, neither by this run nor by those beside it.
+    fn set_apart(
+        &self,
+        planned: &Planned<'_>,
+        contents: &Contents<'_>,
+        runs: &Runs,
+    ) -> Result<Apart, OutputFault> {
+        let is_planned = |key: &LevelKey| planned.levels.contains(key);
+        if planned.unplanned == Unplanned::Listed {
+            return Ok(Apart::of_records(&self.root, contents, is_planned));
+        }
+        let living = runs.living.iter().filter(|run| **run != self.run).cloned().collect();
+        let beside = Runs { living, abandoned: Vec::new() };
+        let beside = Sources::read(&[], &beside.journals())?;
+        Ok(Apart::of_plan(&self.root, contents, &beside.contents(false)?, is_planned))
     }
 }
 
-/// Writes the records to `target` in one step.
-fn write_joined(root: &Path, contents: &Contents<'_>, target: &Path) -> Result<Totals, OutputFault> {
+/// Writes the records to `target` in one step. Levels and files that are set apart are listed apart, as far as they are there.
+fn write_joined(
+    root: &Path,
+    contents: &Contents<'_>,
+    apart: &Apart,
+    target: &Path,
+) -> Result<Totals, OutputFault> {
     let fault = |error: io::Error| OutputFault::of(target, "write the manifest", &error);
     let temporary = new_temporary(&state_folder(root), JOINING_PREFIX).map_err(fault)?;
-    let records = contents.levels.values().filter_map(|found| choose(root, found).transpose());
+    let (former, current): (Vec<_>, Vec<_>) =
+        contents.levels.iter().partition(|(key, _)| apart.levels.contains(*key));
+    let read = |found: &[Found<'_>]| found.iter().map(Found::read).next_back();
+    let former: io::Result<Vec<LevelRecord>> =
+        former.into_iter().filter_map(|(_, found)| read(found)).collect();
+    let former_levels = former.map_err(fault)?.into_iter().map(without_own_program).collect();
+    let listed =
+        Listed { library: &contents.library, former_levels, former_files: apart.files.iter().collect() };
+    let is_whole = |found: &&Found<'_>| found.head.files.iter().all(|file| is_there(root, file));
+    let in_place = current.into_iter().filter_map(|(_, found)| found.last()).filter(is_whole);
     let mut out = BufWriter::new(temporary);
-    let totals = write_manifest(&mut out, records, &contents.library).map_err(fault)?;
+    let totals = write_manifest(&mut out, in_place.map(Found::read), &listed).map_err(fault)?;
     out.flush().map_err(fault)?;
     let temporary = out.into_inner().map_err(|error| fault(error.into_error()))?;
     temporary.persist(target).map_err(|failed| fault(failed.error))?;
     Ok(totals)
-}
-
-/// The record of what lies on the disk: normally the newest. Where runs with different inputs wrote the
-/// same level at the same time, the files say who came last. A level without its file is dropped.
-fn choose(root: &Path, found: &[Found<'_>]) -> io::Result<Option<LevelRecord>> {
-    let heads: Vec<_> = found.iter().map(Found::head).collect();
-    let Some(newest) = heads.last() else { return Ok(None) };
-    let agree = heads.iter().all(|head| head.files == newest.files);
-    let index = if agree {
-        heads.len() - 1
-    } else {
-        heads.iter().rposition(|head| is_in_place(root, &head.files)).unwrap_or(heads.len() - 1)
-    };
-    if !heads[index].files.iter().all(|file| is_there(root, file)) {
-        return Ok(None);
-    }
-    let mut record: LevelRecord = serde_json::from_str(found[index].text.get())?;
-    record.program = Some(found[index].program.clone());
-    Ok(Some(record))
-}
-
-fn is_there(root: &Path, file: &FileRecord) -> bool {
-    look_inside(root, &file.path).is_ok_and(|found| found.is_some())
-}
-
-/// Whether the files have exactly these contents. One of another length is not read.
-pub(crate) fn is_in_place(root: &Path, files: &[FileRecord]) -> bool {
-    let has_content = |file: &FileRecord| -> io::Result<bool> {
-        let Some((opened, found)) = open_inside(root, &file.path)? else { return Ok(false) };
-        Ok(found.len() == file.bytes && file_hash(opened)? == file.sha256)
-    };
-    files.iter().all(|file| has_content(file).unwrap_or(false))
 }
 
 /// Deletes the texts that the manifest now contains.

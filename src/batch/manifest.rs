@@ -46,6 +46,22 @@ pub(crate) struct ManifestText<'a> {
     /// Shared geometry.
     #[serde(default)]
     pub(crate) library: Vec<FileRecord>,
+    /// A [`LevelRecord`] for each level that is in the folder, but no longer in the plan.
+    #[serde(default, borrow)]
+    pub(crate) former_levels: Vec<&'a RawValue>,
+    /// Other files of earlier bakes that no level uses.
+    #[serde(default)]
+    pub(crate) former_files: Vec<FileRecord>,
+}
+
+/// What a manifest lists, its levels apart.
+pub(crate) struct Listed<'a> {
+    /// Shared files by path, also those that no level uses.
+    pub(crate) library: &'a BTreeMap<String, FileRecord>,
+    /// Levels that the plan has no longer.
+    pub(crate) former_levels: Vec<LevelRecord>,
+    /// Other files of earlier bakes that no level uses.
+    pub(crate) former_files: Vec<&'a FileRecord>,
 }
 
 /// Reads a manifest's frame.
@@ -68,26 +84,39 @@ pub(crate) fn parse_manifest(text: &[u8]) -> Result<ManifestText<'_>, String> {
 pub(crate) fn write_manifest<W: Write>(
     out: &mut W,
     records: impl Iterator<Item = io::Result<LevelRecord>>,
-    library: &BTreeMap<String, FileRecord>,
+    listed: &Listed<'_>,
 ) -> io::Result<Totals> {
     write!(out, "{{\n\"manifest\": {MANIFEST_VERSION},\n\"program\": \"{PROGRAM}\",\n\"levels\": [")?;
     let mut totals = Totals::default();
     let mut used = BTreeMap::new();
     for (index, record) in records.enumerate() {
-        let mut record = record?;
-        // The manifest names its own program once; a level names another one only.
-        record.program = record.program.filter(|program| program != PROGRAM);
+        let record = without_own_program(record?);
         totals.add(&record.totals);
-        used.extend(record.library.iter().filter_map(|path| Some((path.clone(), library.get(path)?))));
+        used.extend(record.library.iter().filter_map(|path| Some((path.clone(), listed.library.get(path)?))));
         out.write_all(if index == 0 { b"\n" } else { b",\n" })?;
         write_value(out, &record)?;
     }
     out.write_all(b"\n],\n\"library\": ")?;
     write_value(out, &used.values().collect::<Vec<_>>())?;
+    // Left out where there is none: then the bytes do not depend on the past.
+    if !listed.former_levels.is_empty() {
+        out.write_all(b",\n\"former_levels\": ")?;
+        write_value(out, &listed.former_levels)?;
+    }
+    if !listed.former_files.is_empty() {
+        out.write_all(b",\n\"former_files\": ")?;
+        write_value(out, &listed.former_files)?;
+    }
     out.write_all(b",\n\"totals\": ")?;
     write_value(out, &totals)?;
     out.write_all(b"\n}\n")?;
     Ok(totals)
+}
+
+/// The manifest names its own program once; a level names another one only.
+pub(crate) fn without_own_program(mut record: LevelRecord) -> LevelRecord {
+    record.program = record.program.filter(|program| program != PROGRAM);
+    record
 }
 
 fn write_value<W: Write>(out: &mut W, value: &impl Serialize) -> io::Result<()> {
@@ -206,7 +235,9 @@ pub(crate) mod tests {
 
     fn written(records: &[LevelRecord]) -> String {
         let mut out = Vec::new();
-        write_manifest(&mut out, records.iter().cloned().map(Ok), &BTreeMap::new()).unwrap();
+        let library = BTreeMap::new();
+        let listed = Listed { library: &library, former_levels: Vec::new(), former_files: Vec::new() };
+        write_manifest(&mut out, records.iter().cloned().map(Ok), &listed).unwrap();
         String::from_utf8(out).unwrap()
     }
 

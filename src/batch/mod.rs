@@ -13,6 +13,7 @@ mod job;
 mod join;
 mod journal;
 mod library;
+mod listing;
 mod manifest;
 mod place;
 mod record;
@@ -20,6 +21,7 @@ mod shared;
 mod sources;
 mod state;
 mod textures;
+mod unplanned;
 mod work;
 
 pub(crate) use bug::catch_bug;
@@ -32,8 +34,10 @@ pub use hash::PROGRAM;
 pub(crate) use hash::{content_hash, file_hash};
 pub use job::{BakeOptions, Format, Shard, TextureOptions};
 pub use join::{Joined, MergeReport, merge};
+pub(crate) use listing::{Listing, list_levels};
 pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
 pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
+pub use unplanned::{Leftovers, Unplanned};
 pub use work::{BakeInput, bake};
 
 /// The folder of geometry that floors share, beside them.

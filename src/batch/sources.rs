@@ -3,10 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use super::claim::{FalseClaim, check_file, check_level, check_shared};
@@ -14,6 +13,7 @@ use super::fault::{FaultCode, OutputFault};
 use super::hash::PROGRAM;
 use super::journal::{JournalText, journal_lines};
 use super::manifest::{LARGEST_RECORDS, MANIFEST_NAME, ManifestText, is_part_name, parse_manifest};
+use super::place::is_in_place;
 use super::record::{FileRecord, LevelKey, LevelRecord, Totals};
 use crate::disk::read_plain;
 use crate::document::{Fault, Faults, PathStep, Source};
@@ -31,12 +31,16 @@ type ManifestBytes = Result<Vec<u8>, String>;
 /// What the texts say, borrowed from them.
 #[derive(Default)]
 pub(crate) struct Contents<'a> {
-    /// The records of each level, oldest first, each with the program that wrote it.
+    /// The records of each level, oldest first, each with the program that wrote it; never none.
     pub(crate) levels: BTreeMap<LevelKey, Vec<Found<'a>>>,
     /// Every content that we wrote or were about to write, by path.
     pub(crate) written: Written,
     /// Shared geometry by path.
     pub(crate) library: BTreeMap<String, FileRecord>,
+    /// Levels that no plan had when they were last listed.
+    pub(crate) former: BTreeSet<LevelKey>,
+    /// Shared files that no level used when they were last listed.
+    pub(crate) former_files: Vec<FileRecord>,
     /// The parts of manifests that all this comes from.
     pub(crate) parts: Vec<PathBuf>,
     /// Records that were left out, because they claim what this program does not write.
@@ -59,22 +63,41 @@ pub(crate) struct Content {
 pub(crate) struct Found<'a> {
     /// Who wrote it.
     pub(crate) program: String,
+    /// Its deciding part.
+    pub(crate) head: RecordHead,
     /// A [`super::LevelRecord`].
     pub(crate) text: &'a RawValue,
 }
 
 /// The part of a record that decides whether a level is up to date.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug)]
 pub(crate) struct RecordHead {
     /// Hash of all that it was made from.
     pub(crate) inputs: String,
     /// Its files.
     pub(crate) files: Vec<FileRecord>,
     /// Shared geometry that it needs.
-    #[serde(default)]
     pub(crate) library: Vec<String>,
     /// Its sums.
     pub(crate) totals: Totals,
+}
+
+impl Found<'_> {
+    /// The whole record, which names its program.
+    ///
+    /// # Errors
+    /// None that reading it the first time had not.
+    pub(crate) fn read(&self) -> io::Result<LevelRecord> {
+        let record: LevelRecord = serde_json::from_str(self.text.get())?;
+        Ok(LevelRecord { program: Some(self.program.clone()), ..record })
+    }
+}
+
+impl Content {
+    /// The record of a file with this content.
+    pub(crate) fn of_file(&self, path: &str) -> FileRecord {
+        FileRecord { path: path.to_owned(), sha256: self.sha256.clone(), bytes: self.bytes }
+    }
 }
 
 impl Sources {
@@ -131,9 +154,20 @@ impl<'a> Contents<'a> {
                 Err(claim) => claims.push((vec!["library".into(), index.into()], claim)),
             }
         }
-        for (index, level) in manifest.levels.into_iter().enumerate() {
-            if let Err(claim) = self.add_level(level, &manifest.program) {
-                claims.push((vec!["levels".into(), index.into()], claim));
+        for (index, file) in manifest.former_files.into_iter().enumerate() {
+            match check_file(&file) {
+                Ok(()) => self.add_former_file(file),
+                Err(claim) => claims.push((vec!["former_files".into(), index.into()], claim)),
+            }
+        }
+        let former = manifest.former_levels.into_iter().enumerate().map(|found| ("former_levels", found));
+        let levels = manifest.levels.into_iter().enumerate().map(|found| ("levels", found));
+        for (list, (index, level)) in former.chain(levels) {
+            let added = self.add_level(level, &manifest.program);
+            match added {
+                Ok(key) if list == "former_levels" => drop(self.former.insert(key)),
+                Ok(_) => {}
+                Err(claim) => claims.push((vec![list.into(), index.into()], claim)),
             }
         }
         if path.file_name().and_then(|name| name.to_str()).is_some_and(is_part_name) {
@@ -160,7 +194,7 @@ impl<'a> Contents<'a> {
                 JournalText::Library(file) => {
                     check_shared(&file).map(|()| drop(self.library.insert(file.path.clone(), file)))
                 }
-                JournalText::Level(level) => self.add_level(level, &program),
+                JournalText::Level(level) => self.add_level(level, &program).map(drop),
             };
             if let Err(claim) = added {
                 let fault = claim.fault(&Source::new(path, ""), &[]);
@@ -170,15 +204,33 @@ impl<'a> Contents<'a> {
     }
 
     /// Adds a level; one whose record is refused counts as absent, so that it is baked again.
-    fn add_level(&mut self, text: &'a RawValue, program: &str) -> Result<(), FalseClaim> {
+    fn add_level(&mut self, text: &'a RawValue, program: &str) -> Result<LevelKey, FalseClaim> {
         // The whole record is read, not its head alone: later it must not turn out to be none.
         let record: LevelRecord =
             serde_json::from_str(text.get()).map_err(|error| FalseClaim::unreadable(&error))?;
         check_level(&record)?;
         self.add_files(&record.files);
+        let key = record.key();
+        self.former.remove(&key);
+        let LevelRecord { inputs, files, library, totals, .. } = record;
+        let head = RecordHead { inputs, files, library, totals };
         let program = record.program.unwrap_or_else(|| program.to_owned());
-        self.levels.entry((record.building, record.level)).or_default().push(Found { program, text });
-        Ok(())
+        self.levels.entry(key.clone()).or_default().push(Found { program, head, text });
+        Ok(key)
+    }
+
+    fn add_former_file(&mut self, file: FileRecord) {
+        self.add_files(std::slice::from_ref(&file));
+        self.former_files.push(file);
+    }
+
+    /// Leaves one record of each level: that of what lies on the disk.
+    pub(crate) fn settle(&mut self, root: &Path) {
+        for found in self.levels.values_mut() {
+            let chosen = choose(root, found);
+            found.swap(0, chosen);
+            found.truncate(1);
+        }
     }
 
     fn add_files(&mut self, files: &[FileRecord]) {
@@ -189,11 +241,14 @@ impl<'a> Contents<'a> {
     }
 }
 
-impl Found<'_> {
-    /// The deciding part of the record.
-    pub(crate) fn head(&self) -> RecordHead {
-        serde_json::from_str(self.text.get()).expect("it was read once already")
+/// The position of the record of what lies on the disk: normally the newest. Where runs with different inputs wrote the same
+/// level at the same time, the files say who came last.
+fn choose(root: &Path, found: &[Found<'_>]) -> usize {
+    let newest = found.len().saturating_sub(1);
+    if found.iter().all(|other| other.head.files == found[newest].head.files) {
+        return newest;
     }
+    found.iter().rposition(|found| is_in_place(root, &found.head.files)).unwrap_or(newest)
 }
 
 /// The manifest, then the parts of shards by name.
@@ -221,7 +276,7 @@ fn read_manifest(path: &Path) -> Result<ManifestBytes, OutputFault> {
     }
 }
 
-fn unread(path: &Path, error: &std::io::Error) -> OutputFault {
+fn unread(path: &Path, error: &io::Error) -> OutputFault {
     OutputFault::of(path, "read the records", error)
 }
 

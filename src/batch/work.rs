@@ -11,12 +11,14 @@ use super::floor::{BakedLevel, Workshop, bake_floor};
 use super::folder::OutputFolder;
 use super::hash::PROGRAM;
 use super::job::{BakeOptions, Job, list_jobs};
-use super::join::is_in_place;
+use super::join::Planned;
 use super::library::GeometryLibrary;
+use super::place::is_in_place;
 use super::record::{FileRecord, Totals};
 use super::shared::SharedFiles;
 use super::sources::{Contents, RecordHead};
 use super::textures::Textures;
+use super::unplanned::Leftovers;
 use crate::catalog::Catalog;
 use crate::disk::look_inside;
 use crate::edits::EditBook;
@@ -78,7 +80,14 @@ pub fn bake(
     let tally = work(&pool, &workshop, &open, observer);
 
     // The records become the manifest.
-    let joined = folder.finish(options.shard, |contents| jobs.iter().all(|job| is_recorded(contents, job)));
+    let (joined, leftovers) = folder
+        .finish(&Planned {
+            levels: jobs.iter().map(Job::key).collect(),
+            shard: options.shard,
+            unplanned: options.unplanned,
+            is_whole: &|contents| jobs.iter().all(|job| is_recorded(contents, job)),
+        })
+        .map_or_else(|fault| (Err(fault), Leftovers::default()), |(joined, found)| (Ok(joined), found));
     let mut in_place = tally.totals.clone();
     kept.iter().for_each(|job| in_place.add(&folder.known.levels[&job.key()].1.totals));
     let done = tally.baked + tally.failed_levels;
@@ -93,6 +102,7 @@ pub fn bake(
         bytes: tally.bytes,
         timings: workshop.watch.timings(),
         joined,
+        leftovers,
     })
 }
 
@@ -209,7 +219,7 @@ impl OutputFolder {
 /// Whether the newest record of a level is of these inputs and this program.
 fn is_recorded(contents: &Contents<'_>, job: &Job<'_>) -> bool {
     let newest = contents.levels.get(&job.key()).and_then(|found| found.last());
-    newest.is_some_and(|found| is_up_to_date(&found.program, &found.head(), job))
+    newest.is_some_and(|found| is_up_to_date(&found.program, &found.head, job))
 }
 
 fn is_up_to_date(program: &str, head: &RecordHead, job: &Job<'_>) -> bool {

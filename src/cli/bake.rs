@@ -7,6 +7,7 @@ use super::arguments::{
     BakeArguments, DetailWord, FormatWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
 };
 use super::exit::Outcome;
+use super::leftovers::leftovers_text;
 use super::progress::Progress;
 use super::reroll::reroll;
 use super::room_styles::check_room_styles;
@@ -16,7 +17,7 @@ use super::summary::{failure_text, summary_json, summary_text, timing_text, wher
 use super::watch::watch;
 use crate::batch::{
     BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, PROGRAM,
-    TextureOptions, bake,
+    TextureOptions, Unplanned, bake,
 };
 use crate::cache::Cache;
 use crate::document::Faults;
@@ -122,6 +123,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         },
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
+        unplanned: unplanned(arguments.prune, &sources.faults, screen),
         cache,
     };
     Ok(Run {
@@ -133,6 +135,21 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         is_demo,
         progress: arguments.progress,
     })
+}
+
+/// What becomes of levels that the plans do not have. While a part of them cannot be read, nobody knows which these are.
+fn unplanned(is_pruned: bool, faults: &Faults, screen: Screen) -> Unplanned {
+    match (is_pruned, faults.has_errors()) {
+        (false, false) => Unplanned::SetApart,
+        (true, false) => Unplanned::Removed,
+        (false, true) => Unplanned::Listed,
+        (true, true) => {
+            screen.error(
+                "nothing is pruned while plans have errors: what cannot be read may be what the files are of",
+            );
+            Unplanned::Listed
+        }
+    }
 }
 
 /// Where painted surfaces and models are kept.
@@ -196,6 +213,9 @@ fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
         if run.is_demo {
             screen.result(NEXT_STEPS);
         }
+    }
+    if let Some(text) = leftovers_text(&report.leftovers, &run.out) {
+        screen.note(&text);
     }
     if report.baked > 0 {
         screen.note(&timing_text(&report));

@@ -16,6 +16,7 @@ mod formats;
 mod import;
 mod import_report;
 mod init;
+mod leftovers;
 mod man;
 mod merge;
 mod progress;

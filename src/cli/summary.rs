@@ -7,6 +7,7 @@ use std::time::Duration;
 use indicatif::{HumanBytes, HumanCount};
 use serde_json::{Value, json};
 
+use super::leftovers::leftovers_json;
 use super::screen::FaultReport;
 use crate::audit::{AuditSummary, Code, GradeCounts};
 use crate::batch::{BakeReport, Joined, LevelFailure, LevelMisfit, Stage, Totals};
@@ -115,6 +116,7 @@ pub(crate) fn summary_json(report: &BakeReport, out: &Path) -> Value {
         "totals": report.in_place,
         "failures": report.failures.iter().map(failure_json).collect::<Vec<_>>(),
         "misfits": report.misfits.iter().map(misfit_json).collect::<Vec<_>>(),
+        "leftovers": leftovers_json(&report.leftovers),
     })
 }
 

@@ -108,13 +108,15 @@ fn a_bed_moved_into_the_door_fails_its_room() {
 #[test]
 fn bad_files_are_named_and_the_others_judged() {
     let world = World::new();
-    world.write("a.yaml", plan("alpha", 1));
+    world.write("a.yaml", plan("alpha", 3));
     world.must(&["bake", "a.yaml", "--quiet"]);
-    world.write("out/cut.glb", b"glTF\x02\0\0\0");
+    world.write("out/alpha/2.glb", b"glTF\x02\0\0\0");
+    std::fs::remove_file(world.path("out/alpha/3.glb")).unwrap();
     let ran = world.run(&["audit"]);
     assert_eq!(ran.code, Some(1));
-    assert!(ran.stdout.contains("2 rooms of 1 levels") && ran.stderr.contains("cut.glb"), "{ran:?}");
-    assert_eq!(world.run(&["audit", "out/cut.glb"]).code, Some(2));
+    assert!(ran.stdout.contains("2 rooms of 1 levels"), "{ran:?}");
+    assert!(["alpha/2.glb", "alpha/3.glb"].iter().all(|file| ran.stderr.contains(file)), "{ran:?}");
+    assert_eq!(world.run(&["audit", "out/alpha/2.glb"]).code, Some(2));
     let ran = world.run(&["audit", "nowhere"]);
     assert!(ran.code == Some(2) && ran.stderr.contains("does not exist"), "{ran:?}");
 }

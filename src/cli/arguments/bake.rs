@@ -27,6 +27,10 @@ pub(crate) struct BakeArguments {
     /// Overwrite files that roomwright did not write, or that were changed since.
     #[arg(long)]
     pub(crate) force: bool,
+    /// Remove what earlier bakes left in the folder: files of levels and buildings that the plans no longer have, and shared files
+    /// that no level uses. What somebody changed stays.
+    #[arg(long)]
+    pub(crate) prune: bool,
     /// Kind of file.
     #[arg(long, value_enum, default_value = "glb")]
     pub(crate) format: FormatWord,

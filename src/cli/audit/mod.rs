@@ -24,10 +24,10 @@ const LISTED_FINDINGS: usize = 40;
 
 /// Runs the command. The report is the result: it goes to stdout, faults of the files to stderr.
 pub(crate) fn run(arguments: &AuditArguments, screen: Screen) -> Outcome {
-    let (catalog, files) = match inputs(arguments) {
-        Ok((Warned { value, warnings }, files)) => {
+    let (catalog, files, mut faults) = match inputs(arguments) {
+        Ok((Warned { value, warnings }, files, faults)) => {
             screen.faults(&warnings);
-            (value, files)
+            (value, files, faults)
         }
         Err(faults) => {
             screen.faults(&faults);
@@ -37,7 +37,7 @@ pub(crate) fn run(arguments: &AuditArguments, screen: Screen) -> Outcome {
     // One file a thread, collected in the order of their names.
     let judged: Vec<Result<JudgedLevel, Faults>> =
         files.par_iter().map(|file| judge_file(file, &catalog)).collect();
-    let (mut levels, mut faults) = (Vec::new(), Faults::default());
+    let mut levels = Vec::new();
     for result in judged {
         match result {
             Ok(mut level) => {
@@ -52,10 +52,10 @@ pub(crate) fn run(arguments: &AuditArguments, screen: Screen) -> Outcome {
     outcome(&levels, &faults)
 }
 
-/// The catalogue and the files to judge.
-fn inputs(arguments: &AuditArguments) -> Result<(Warned<Catalog>, Vec<std::path::PathBuf>), Faults> {
-    let files = level_files(&arguments.paths)?;
-    Ok((load_catalog(&arguments.catalog)?, files))
+/// The catalogue, the files to judge, and what is known to be missing or superfluous.
+fn inputs(arguments: &AuditArguments) -> Result<(Warned<Catalog>, Vec<std::path::PathBuf>, Faults), Faults> {
+    let (files, faults) = level_files(&arguments.paths)?;
+    Ok((load_catalog(&arguments.catalog)?, files, faults))
 }
 
 fn totals(levels: &[JudgedLevel]) -> AuditSummary {

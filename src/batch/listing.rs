@@ -1,0 +1,28 @@
+//! The levels of an output folder, as its manifest lists them: for commands that read a bake and write nothing.
+
+use std::path::Path;
+
+use super::manifest::MANIFEST_NAME;
+use super::sources::Sources;
+use crate::document::Faults;
+
+/// What a manifest lists.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Listing {
+    /// The file to open of each level, relative to the folder, in the order of building and level. Levels that are set apart
+    /// are none of them.
+    pub(crate) files: Vec<String>,
+    /// Records that cannot be believed.
+    pub(crate) faults: Faults,
+}
+
+/// What the manifest of a folder lists; `None` where none of ours is.
+pub(crate) fn list_levels(folder: &Path) -> Option<Listing> {
+    let manifest = folder.join(MANIFEST_NAME);
+    manifest.symlink_metadata().ok()?;
+    let sources = Sources::read(&[manifest], &[]).ok()?;
+    let contents = sources.contents(false).ok()?;
+    let current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
+    let main_file = current.filter_map(|(_, found)| Some(found.last()?.head.files.first()?.path.clone()));
+    Some(Listing { files: main_file.collect(), faults: contents.faults })
+}

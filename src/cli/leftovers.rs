@@ -1,0 +1,86 @@
+//! What earlier bakes left in an output folder, for people and for machines.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::batch::Leftovers;
+
+/// Most names in one line.
+const LISTED_NAMES: usize = 5;
+
+/// For people; `None` where nothing was left.
+pub(super) fn leftovers_text(leftovers: &Leftovers, out: &Path) -> Option<String> {
+    let Leftovers { levels, files, removed, changed } = leftovers;
+    let mut lines = Vec::new();
+    if !removed.is_empty() {
+        lines.push(format!(
+            "Removed {} that no plan has any more: {}.",
+            count(removed.len(), "file"),
+            few(removed)
+        ));
+    }
+    if !changed.is_empty() {
+        let (files, names) = (count(changed.len(), "file"), few(changed));
+        lines.push(format!(
+            "warning: {files} of levels that no plan has any more stay, for somebody changed them: {names}"
+        ));
+    }
+    if !levels.is_empty() {
+        let names: Vec<String> =
+            levels.iter().map(|(building, level)| format!("{building}/{level}")).collect();
+        lines.push(format!(
+            "warning: {} in {}, in none of these plans: {}. The files stay; audit and diff do not count them.",
+            count(levels.len(), "level"),
+            out.display(),
+            few(&names)
+        ));
+    }
+    if !files.is_empty() {
+        lines.push(format!("warning: no level uses {}: {}.", count(files.len(), "shared file"), few(files)));
+    }
+    if !levels.is_empty() || !files.is_empty() {
+        lines.push("  hint: `bake` with --prune removes them".to_owned());
+    }
+    (!lines.is_empty()).then(|| lines.join("\n"))
+}
+
+/// For machines.
+pub(super) fn leftovers_json(leftovers: &Leftovers) -> Value {
+    let Leftovers { levels, files, removed, changed } = leftovers;
+    let level = |(building, level): &(String, String)| json!({"building": building, "level": level});
+    let levels: Vec<Value> = levels.iter().map(level).collect();
+    json!({"levels": levels, "files": files, "removed": removed, "changed": changed})
+}
+
+fn count(number: usize, what: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {what}{plural}")
+}
+
+/// The first names, and how many more there are.
+fn few(names: &[String]) -> String {
+    let shown = names.iter().take(LISTED_NAMES).cloned().collect::<Vec<_>>().join(", ");
+    match names.len().saturating_sub(LISTED_NAMES) {
+        0 => shown,
+        more => format!("{shown} and {more} more"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stays_is_named_with_the_flag_that_removes_it() {
+        let levels = (0..7).map(|number| ("house".to_owned(), number.to_string())).collect();
+        let leftovers = Leftovers { levels, ..Leftovers::default() };
+        let text = leftovers_text(&leftovers, Path::new("out")).unwrap();
+        assert!(
+            text.contains("7 levels") && text.contains("house/4 and 2 more") && text.contains("--prune"),
+            "{text}"
+        );
+        assert_eq!(leftovers_text(&Leftovers::default(), Path::new("out")), None);
+        assert_eq!(leftovers_json(&leftovers)["levels"][0]["level"], "0");
+    }
+}
