@@ -6,9 +6,11 @@ export default async function* report(source) {
   const counts = { passed: 0, failed: 0, skipped: 0 };
   for await (const { type, data } of source) {
     if (type === 'test:diagnostic' && data.nesting > 0) yield `  ${data.message}\n`;
-    if (!(type in ENDINGS) || data.details?.type === 'suite' && type === 'test:pass') continue;
+    const isSuite = data.details?.type === 'suite';
+    const isSkipped = data.skip !== undefined;
+    if (!(type in ENDINGS) || isSuite && type === 'test:pass' && !isSkipped) continue;
     yield line(type, data);
-    if (data.details?.type !== 'suite') counts[kind(type, data)] += 1;
+    if (!isSuite || isSkipped) counts[kind(type, data)] += 1;
   }
   yield `\n${counts.passed} passed, ${counts.failed} failed, ${counts.skipped} skipped\n`;
 }
