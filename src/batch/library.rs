@@ -51,11 +51,11 @@ impl<'a> GeometryLibrary<'a> {
     }
 }
 
-/// A folder for each class; the name tells variant and content, which sets of geometry may share.
+/// The name tells class, variant and content, which sets of geometry may share.
 fn file_name(key: &ModelKey, bytes: &[u8]) -> String {
     let hash = content_hash(bytes);
     let ModelKey { class, variant, .. } = key;
-    format!("{LIBRARY_FOLDER}/{class}/{variant}.{}.bin", &hash[..NAME_DIGITS])
+    format!("{LIBRARY_FOLDER}/{class}.{variant}.{}.bin", &hash[..NAME_DIGITS])
 }
 
 /// Puts the models that a level refers to into place in its building's folder, and gives their paths in the output folder,

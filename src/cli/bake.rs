@@ -89,7 +89,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         })?;
         screen.note(&rolled.to_string());
     }
-    let cache = cache(arguments.cache);
+    let cache = cache(arguments.cache.clone());
     sources.models = sources.models.with_cache(cache.clone());
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     let options = BakeOptions {
@@ -108,19 +108,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             DetailWord::Reduced => Detail::Reduced,
             DetailWord::Boxes => Detail::Boxes,
         },
-        scene: SceneOptions {
-            lights: match arguments.lights {
-                LightsWord::Shining => Lights::Shining,
-                LightsWord::Physical => Lights::Physical,
-                LightsWord::None => Lights::Off,
-            },
-            parts: match arguments.parts {
-                PartsWord::Merged => Parts::Merged,
-                PartsWord::Separate => Parts::Separate,
-            },
-            door_angle: arguments.door_angle,
-            has_variants: arguments.variants,
-        },
+        scene: scene_options(&arguments),
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
         unplanned: unplanned(arguments.prune, &sources.faults, screen),
@@ -149,6 +137,22 @@ fn unplanned(is_pruned: bool, faults: &Faults, screen: Screen) -> Unplanned {
             );
             Unplanned::Listed
         }
+    }
+}
+
+fn scene_options(arguments: &BakeArguments) -> SceneOptions {
+    SceneOptions {
+        lights: match arguments.lights {
+            LightsWord::Shining => Lights::Shining,
+            LightsWord::Physical => Lights::Physical,
+            LightsWord::None => Lights::Off,
+        },
+        parts: match arguments.parts {
+            PartsWord::Merged => Parts::Merged,
+            PartsWord::Separate => Parts::Separate,
+        },
+        door_angle: arguments.door_angle,
+        has_variants: arguments.variants,
     }
 }
 

@@ -23,11 +23,13 @@ pub(crate) struct PrimitiveAccessors {
     indices: Index<Accessor>,
 }
 
+/// The path of the file if it is not the level's own, place, number of elements, and whether bounds are told.
+type AccessorKey = (Option<String>, Section, usize, usize, bool);
+
 /// Accessors of a level, each once: what lies in one place, in as many elements, is one.
 #[derive(Default)]
 pub(crate) struct Accessors {
-    /// By file, place, number of elements, and whether bounds are told.
-    known: BTreeMap<(Option<String>, Section, usize, usize, bool), Index<Accessor>>,
+    known: BTreeMap<AccessorKey, Index<Accessor>>,
 }
 
 impl Accessors {
