@@ -1,6 +1,6 @@
 //! A drafted level to a checked one: the same cleaning, walls and attachment for every format.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::attach::{
     NARROWEST_OPENING, Request, attach, attach_pieces, enlist, hang_leaves, open_boundaries, request,
@@ -39,6 +39,8 @@ pub(super) struct Assembly<'a> {
     pub(super) rooms: Vec<Room>,
     /// Index into the draft's rooms, by room.
     pub(super) sources: Vec<usize>,
+    /// Index into `rooms` by id, once they are there.
+    pub(super) places: BTreeMap<&'a str, usize>,
     /// Ids of drafted rooms that were left out: what names them is left out too, without a word of its own.
     pub(super) left_out: BTreeSet<&'a str>,
     /// How many of them exceed the limits of [`super::limits`].
@@ -53,6 +55,7 @@ impl<'a> Assembly<'a> {
             draft,
             rooms: Vec::new(),
             sources: Vec::new(),
+            places: BTreeMap::new(),
             left_out: BTreeSet::new(),
             excess_count: 0,
             problems,

@@ -234,16 +234,17 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
     let (low, high) = holding.fold((f64::NEG_INFINITY, f64::INFINITY), |(low, high), face| {
         (low.max(face.low), high.min(face.high))
     });
-    let mut free = vec![(low, high)];
+    let mut taken_spans = Vec::new();
     for face in chosen {
         let wall = &rooms[face.place.room].walls[face.place.wall];
         let taken = rooms[face.place.room].openings.iter().filter(|entry| entry.wall == face.place.wall);
         for entry in taken {
             let ends = [entry.from, entry.to]
                 .map(|at| (wall.start + wall.direction() * at - request.center).dot(request.along));
-            free = without(&free, ends[0].min(ends[1]), ends[0].max(ends[1]));
+            taken_spans.push((ends[0].min(ends[1]), ends[0].max(ends[1])));
         }
     }
+    let free = gaps((low, high), taken_spans);
     let best = free.into_iter().max_by(|a, b| {
         let (first, second) = (request.overlap(a.0, a.1), request.overlap(b.0, b.1));
         // Of equal gaps the first: `max_by` would take the last.
@@ -267,11 +268,18 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
     Ok((middle - half, middle + half))
 }
 
-fn without(free: &[(f64, f64)], low: f64, high: f64) -> Vec<(f64, f64)> {
-    free.iter()
-        .flat_map(|&(from, to)| [(from, to.min(low)), (from.max(high), to)])
-        .filter(|(from, to)| from < to)
-        .collect()
+/// What spans leave free of a stretch, from its low to its high end.
+fn gaps((low, high): (f64, f64), mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut free = Vec::new();
+    let mut from = low;
+    for (start, end) in spans {
+        free.push((from, start.min(high)));
+        from = from.max(end);
+    }
+    free.push((from, high));
+    free.retain(|(from, to)| from < to);
+    free
 }
 
 fn build(request: &Request, rooms: &[Room], chosen: &[Face], (low, high): (f64, f64)) -> Opening {

@@ -28,6 +28,7 @@ pub(super) fn build_rooms(assembly: &mut Assembly<'_>) {
     let sources = assembly.sources.clone();
     for ((border, &source), number) in borders.into_iter().zip(&sources).zip(numbers) {
         let room = build_room(assembly, source, border, number);
+        assembly.places.insert(draft.rooms[source].id.as_str(), assembly.rooms.len());
         assembly.rooms.push(room);
     }
 }

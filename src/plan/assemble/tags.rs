@@ -1,7 +1,7 @@
 //! Tags that walls carry by what they are (the paper's section 4), besides those of the plan.
 
-use super::Assembly;
 use super::walls::ray_hit;
+use super::{Assembly, WallIndex};
 use crate::plan::{Opening, OpeningKind, Room, Wall, WallKind};
 
 /// Metres that a ray to the opposite wall starts inside the room.
@@ -29,10 +29,13 @@ pub(super) fn tag_walls(assembly: &mut Assembly<'_>, openings: &[Opening]) {
 /// another wet room.
 fn tag_pipes(rooms: &mut [Room]) {
     let is_wet = |room: &Room| WET.contains(&room.room_type.as_str());
+    let places = WallIndex::of(rooms);
     let walls_of = |index: usize, counts: &dyn Fn(&Room) -> bool| -> Vec<usize> {
-        let others = rooms.iter().enumerate().filter(|(other, room)| *other != index && counts(room));
-        let others: Vec<&Wall> = others.flat_map(|(_, room)| &room.walls).collect();
-        let is_shared = |wall: &Wall| others.iter().any(|other| stand_back_to_back(wall, other));
+        let is_shared = |wall: &Wall| {
+            let near = places.near_segment(wall.start, wall.end, BEHIND);
+            let mut others = near.into_iter().filter(|far| far.room != index && counts(&rooms[far.room]));
+            others.any(|far| stand_back_to_back(wall, &rooms[far.room].walls[far.wall]))
+        };
         let walls = rooms[index].walls.iter().enumerate();
         walls.filter(|(_, wall)| is_shared(wall)).map(|(number, _)| number).collect()
     };

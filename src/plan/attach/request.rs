@@ -151,7 +151,7 @@ fn named_rooms(
         .rooms
         .iter()
         .map(|name| {
-            let found = assembly.rooms.iter().position(|room| room.id == *name);
+            let found = assembly.places.get(name.as_str()).copied();
             found.ok_or_else(|| {
                 let fact = format!("opening \"{}\" names the unknown room \"{name}\"", opening.id);
                 let candidates = assembly.rooms.iter().map(|room| room.id.as_str());
@@ -176,7 +176,8 @@ fn on_edge(
     let room = opening.rooms.first().ok_or_else(|| {
         (format!("opening \"{id}\" names an edge but no room"), Some("name the room of the edge".to_owned()))
     })?;
-    let draft = assembly.draft.rooms.iter().find(|draft| draft.id == *room);
+    let place = assembly.places.get(room.as_str());
+    let draft = place.map(|place| &assembly.draft.rooms[assembly.sources[*place]]);
     let outline = draft.map(|draft| draft.outline.as_slice()).unwrap_or_default();
     let Some(&start) = outline.get(edge) else {
         let fact = format!("opening \"{id}\" names edge {edge} of room \"{room}\"");

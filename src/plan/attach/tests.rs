@@ -256,3 +256,11 @@ fn stubs_and_doors_part_an_open_boundary() {
     draft.openings = vec![opening("d", OpeningKind::Passage, at(4.0, 0.5, (0.0, 1.0)), 1.0)];
     assert_eq!(boundaries(draft), [("open:west:east".to_owned(), 2.0)]);
 }
+
+#[test]
+fn gaps_between_spans_in_any_order() {
+    let free = super::gaps((0.0, 10.0), vec![(6.0, 7.0), (-1.0, 1.0), (2.0, 3.0), (2.5, 4.0), (9.0, 12.0)]);
+    assert_eq!(free, [(1.0, 2.0), (4.0, 6.0), (7.0, 9.0)]);
+    assert_eq!(super::gaps((0.0, 10.0), Vec::new()), [(0.0, 10.0)]);
+    assert_eq!(super::gaps((0.0, 10.0), vec![(-5.0, 20.0)]), []);
+}

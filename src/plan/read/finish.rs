@@ -1,7 +1,8 @@
 //! Drafts to a checked building, with problems located in the file they came from.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use super::names::{replace_unprintable, replaced};
 use super::native::{LevelOrigins, NativeChecks, ProblemList, Report};
 use crate::document::{Fault, Faults, Source};
 use crate::plan::{Building, BuildingDraft, LevelReport, Problem, Subject, assemble_level, mirror_building};
@@ -51,6 +52,7 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
     for room in draft.levels.iter_mut().flat_map(|level| &mut level.rooms) {
         room.style = room.style.take().or_else(|| variation.style.clone());
     }
+    let unprintable = replace_unprintable(&mut draft);
     let mut building = Building { name: draft.name, levels: Vec::new() };
     let mut problems = Vec::new();
     let mut reports = Vec::new();
@@ -72,10 +74,21 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
         problems.push((level.id.clone(), found));
         building.levels.extend((!is_lost).then_some(level));
     }
-    Finished { building, faults: drafted.provenance.faults(problems), levels: reports }
+    let mut faults = drafted.provenance.faults(problems);
+    if let Some(found) = unprintable {
+        faults.push(replaced(drafted.provenance.file(), found));
+    }
+    Finished { building, faults, levels: reports }
 }
 
 impl Provenance {
+    fn file(&self) -> &Path {
+        match self {
+            Self::Native(source, _) => source.file(),
+            Self::Foreign(file) => file,
+        }
+    }
+
     /// The problems of the levels, by id, as faults of the file.
     fn faults(&self, problems: Vec<(String, Vec<Problem>)>) -> Faults {
         match self {

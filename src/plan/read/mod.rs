@@ -7,6 +7,7 @@ mod formats;
 pub(crate) mod ifc;
 pub(crate) mod imdf;
 mod inputs;
+mod names;
 pub(crate) mod native;
 mod nothing;
 mod project;

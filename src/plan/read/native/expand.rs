@@ -8,7 +8,7 @@ use super::origins::{LevelOrigins, Origin};
 use super::parts::Scope;
 use super::pattern::{PatternValues, expand, names_value};
 use super::report::{Report, item, step};
-use crate::document::{PathStep, did_you_mean};
+use crate::document::{PathStep, did_you_mean, is_unprintable};
 use crate::geometry::Point;
 use crate::plan::limits::{BUILDING_LEVELS, BUILDING_ROOMS};
 use crate::plan::{BuildingDraft, LevelDraft, OutlineKind};
@@ -277,7 +277,7 @@ pub(crate) fn id_fault(id: &str, forbidden: &[char]) -> Option<String> {
     if id == "." || id == ".." || id != id.trim() {
         return Some(format!("\"{id}\" is no id"));
     }
-    let bad = id.chars().find(|letter| letter.is_control() || forbidden.contains(letter))?;
+    let bad = id.chars().find(|letter| is_unprintable(*letter) || forbidden.contains(letter))?;
     Some(format!("id \"{}\" holds the letter {bad:?}", id.escape_debug()))
 }
 
