@@ -1,6 +1,6 @@
 //! Parts of the shell that never move apart as one mesh.
 
-use glam::{Quat, Vec3};
+use glam::{DQuat, DVec3, Vec3};
 
 use super::Shape;
 use crate::model::{Model, ModelMaterial, Primitive};
@@ -23,7 +23,8 @@ impl Merged {
     pub(crate) fn add(&mut self, shape: Shape, pose: &Pose, meshes: &mut MeshTable<'_>) -> bool {
         let model = meshes.shape(shape);
         let seen = pose.relative_to(&self.origin);
-        let (translation, rotation) = (seen.translation(), seen.rotation());
+        // In double precision, whose turns are the same on every machine: single ones are rounded as its vector unit does.
+        let (translation, rotation) = (seen.translation().as_dvec3(), seen.rotation().as_dquat());
         for primitive in &model.primitives {
             let known = self.primitives.iter().position(|other| other.material == primitive.material);
             let index = known.unwrap_or_else(|| {
@@ -48,13 +49,13 @@ impl Merged {
     }
 }
 
-fn append(to: &mut Primitive, primitive: &Primitive, translation: Vec3, rotation: Quat) {
+fn append(to: &mut Primitive, primitive: &Primitive, translation: DVec3, rotation: DQuat) {
     debug_assert!(!matches!(primitive.material, ModelMaterial::Own(_)), "the shell is made of slots");
     let first = u32::try_from(to.positions.len()).expect("a room has fewer corners");
-    let moved = |corner: &[f32; 3]| (translation + rotation * Vec3::from_array(*corner)).to_array();
-    let turned = |normal: &[f32; 3]| (rotation * Vec3::from_array(*normal)).to_array();
+    let turned = |vector: &[f32; 3]| rotation * Vec3::from_array(*vector).as_dvec3();
+    let moved = |corner: &[f32; 3]| (translation + turned(corner)).as_vec3().to_array();
     to.positions.extend(primitive.positions.iter().map(moved));
-    to.normals.extend(primitive.normals.iter().map(turned));
+    to.normals.extend(primitive.normals.iter().map(|normal| turned(normal).as_vec3().to_array()));
     to.texture_coordinates.extend_from_slice(&primitive.texture_coordinates);
     to.indices.extend(primitive.indices.iter().map(|index| first + index));
 }
