@@ -31,6 +31,8 @@ impl Shading {
 const MOST_UNEVEN: f64 = 1.6;
 /// Crease angle in degrees of what is stretched more.
 const UNEVEN_CREASE: f64 = 40.0;
+/// Cosine of the largest angle between a given normal and a triangle: beyond it, rounding may turn it away.
+const LEAST_FACING: f64 = 0.001;
 
 impl Solid {
     /// A body from triangles that are all oriented alike; turns them all round if they face inwards.
@@ -102,7 +104,8 @@ impl Solid {
     }
 
     /// Stretched about the origin by positive factors; given normals stay at right angles to the surface. Where one
-    /// factor is much larger than another, they would leave the flat triangles too far, and are made anew.
+    /// factor is much larger than another, they would leave the flat triangles too far, and are made anew; so they are
+    /// where a slanting body is stretched so that one looks away from a triangle.
     pub(crate) fn stretched(mut self, by: DVec3) -> Self {
         let is_uneven = by.max_element() > MOST_UNEVEN * by.min_element();
         if is_uneven && matches!(self.shading, Shading::Given(_)) {
@@ -116,7 +119,18 @@ impl Solid {
                 *normal = (*normal / by).normalize();
             }
         }
-        self
+        if self.looks_away() { self.smooth(UNEVEN_CREASE) } else { self }
+    }
+
+    /// Whether a given normal looks away from one of its triangles.
+    fn looks_away(&self) -> bool {
+        let Shading::Given(normals) = &self.shading else { return false };
+        self.triangles.iter().any(|&triangle| {
+            let [a, b, c] = triangle.map(|point| self.points[point]);
+            let face = (b - a).cross(c - a);
+            let least = face.length() * LEAST_FACING;
+            triangle.iter().any(|&point| normals[point].dot(face) < least)
+        })
     }
 
     /// With another crease angle, in degrees.
@@ -177,6 +191,18 @@ mod tests {
             let face = (solid.points[b] - solid.points[a]).cross(solid.points[c] - solid.points[a]);
             assert!(normals[a].dot(face.normalize()) > 0.5);
         }
+    }
+
+    #[test]
+    fn given_normals_that_stretching_turns_away_are_made_anew() {
+        let leaning = |radius: f64| {
+            let board = Bay::new([-0.17, 0.17], [0.0, 0.2], [-0.008, 0.0]);
+            let soft = rounded_box(board, DVec3::new(radius, radius, radius * 0.12), 1).turned_x(-1.3);
+            soft.stretched(DVec3::new(1.0, 1.5, 1.0))
+        };
+        assert!(matches!(leaning(0.004).shading, Shading::Crease(_)));
+        let upright = rounded_box(brick(), DVec3::splat(0.3), 1).stretched(DVec3::new(1.0, 1.5, 1.0));
+        assert!(matches!(upright.shading, Shading::Given(_)));
     }
 }
 

@@ -11,6 +11,8 @@ use crate::model::recipes::parts::{LegKind, across, ball, legs_at_corners, turne
 const LYING: f64 = 0.37;
 /// Metres of a bar's radius.
 const BAR: f64 = 0.014;
+/// Metres that a slanting back goes back at least; in less, its outline would cross itself.
+const LEAST_BACK: f64 = 0.1;
 
 /// A padded bench under a bar with weights: plain, of wood with globes, in a rack with bumper plates, or of thin tubes.
 pub(in super::super) fn exercise_bench(draft: &Draft, builder: &mut Builder) {
@@ -134,7 +136,8 @@ fn racked(builder: &mut Builder) {
 fn reclining(builder: &mut Builder, (pad, frame): (&'static str, &'static str), lying: f64, z: [f64; 2]) {
     let seat = Bay::new([-0.14, 0.14], [lying - 0.06, lying], [z[1] - 0.36, z[1]]);
     builder.cushion(pad, seat, 0.025);
-    let (low, rise) = (seat.low.z - 0.02, (seat.low.z - z[0]) * 0.6);
+    let hinge = seat.low.z.max(z[0] + LEAST_BACK);
+    let (low, rise) = (hinge - 0.02, (hinge - z[0]) * 0.6);
     let back = [
         (low, lying - 0.05),
         (low, lying + 0.012),
