@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::arguments::SourceArguments;
 use crate::catalog::{Catalog, builtin_files, load_catalog};
+use crate::disk::TemporaryFolder;
 use crate::document::{Fault, Faults, Warned, did_you_mean};
 use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;
@@ -76,8 +77,8 @@ fn read_some_plans(paths: &[PathBuf], catalog: &Catalog, faults: &mut Faults) ->
 }
 
 /// The plans inside the program as files, for as long as the answer lives.
-fn extract_demo() -> std::io::Result<tempfile::TempDir> {
-    let folder = tempfile::Builder::new().prefix("roomwright-demo-").tempdir()?;
+fn extract_demo() -> std::io::Result<TemporaryFolder> {
+    let folder = TemporaryFolder::new(&std::env::temp_dir(), "roomwright-demo-")?;
     for file in builtin_files() {
         let path = folder.path().join(file.path);
         if let Some(parent) = path.parent() {

@@ -12,5 +12,5 @@ mod temporary;
 
 pub(crate) use inside::{look_inside, open_inside, stray_step};
 pub(crate) use lock::{Holder, holder, ignore_unsupported};
-pub(crate) use regular::{read_plain, read_regular};
-pub(crate) use temporary::{new_temporary, remove_temporaries, sweep_temporaries};
+pub(crate) use regular::{open_regular, read_plain, read_regular};
+pub(crate) use temporary::{TemporaryFolder, new_temporary, remove_temporaries, sweep_temporaries};

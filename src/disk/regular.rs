@@ -10,7 +10,7 @@ use std::path::Path;
 /// What the system says; [`io::ErrorKind::InvalidInput`] for folders, pipes and devices, [`io::ErrorKind::FileTooLarge`] for
 /// more bytes than `most`, of which none is read then.
 pub(crate) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    let (file, found) = open_found(path, &fs::metadata(path)?)?;
+    let (file, found) = open_regular(path)?;
     read_bounded(file, found.len(), most)
 }
 
@@ -21,6 +21,14 @@ pub(crate) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
 pub(crate) fn read_plain(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let (file, found) = open_found(path, &fs::symlink_metadata(path)?)?;
     read_bounded(file, found.len(), most)
+}
+
+/// Opens a regular file, or one that a link leads to.
+///
+/// # Errors
+/// As [`read_regular`].
+pub(crate) fn open_regular(path: &Path) -> io::Result<(File, Metadata)> {
+    open_found(path, &fs::metadata(path)?)
 }
 
 /// Opens what a look has found, if it is a regular file.

@@ -7,7 +7,7 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempDir};
 
 use super::lock::{Holder, holder, ignore_unsupported};
 
@@ -55,15 +55,69 @@ pub(crate) fn remove_temporaries(folder: &Path, prefix: &str) {
     }
 }
 
+/// The locked file in a temporary folder.
+const ALIVE_NAME: &str = ".roomwright-alive";
+
+/// A folder that goes with all that is in it when this is dropped.
+#[derive(Debug)]
+pub(crate) struct TemporaryFolder {
+    // Dropped first: some systems remove no open file.
+    _alive: File,
+    folder: TempDir,
+}
+
+impl TemporaryFolder {
+    /// Creates one, after it has removed those of its prefix that killed processes have left.
+    ///
+    /// # Errors
+    /// If `root` cannot be written.
+    pub(crate) fn new(root: &Path, prefix: &str) -> io::Result<Self> {
+        sweep_folders(root, prefix);
+        for _ in 0..ATTEMPTS {
+            let folder = tempfile::Builder::new().prefix(prefix).rand_bytes(LETTERS).tempdir_in(root)?;
+            let alive = File::create_new(folder.path().join(ALIVE_NAME))?;
+            ignore_unsupported(alive.lock())?;
+            if folder.path().join(ALIVE_NAME).symlink_metadata().is_ok() {
+                return Ok(Self { _alive: alive, folder });
+            }
+        }
+        Err(io::Error::other("temporary folders are removed as soon as they are there"))
+    }
+
+    /// Where it is.
+    pub(crate) fn path(&self) -> &Path {
+        self.folder.path()
+    }
+}
+
+/// Deletes the temporary folders of a prefix whose processes have ended. One without the locked file is nobody's of ours.
+fn sweep_folders(root: &Path, prefix: &str) {
+    for folder in entries(root, prefix, |kind| kind.is_dir()) {
+        let alive = folder.join(ALIVE_NAME);
+        let is_file = fs::symlink_metadata(&alive).is_ok_and(|found| found.is_file());
+        if is_file
+            && let Ok(file) = File::open(&alive)
+            && holder(&file) == Holder::Gone
+        {
+            let _ = fs::remove_dir_all(&folder);
+        }
+    }
+}
+
 /// Plain files with a name that [`new_temporary`] gives.
 fn temporaries(folder: &Path, prefix: &str) -> Vec<PathBuf> {
+    entries(folder, prefix, |kind| kind.is_file())
+}
+
+/// What has a temporary name and is of a kind.
+fn entries(folder: &Path, prefix: &str, is_kind: impl Fn(fs::FileType) -> bool) -> Vec<PathBuf> {
     let is_ending =
         |rest: &str| rest.len() == LETTERS && rest.bytes().all(|byte| byte.is_ascii_alphanumeric());
     let entries = fs::read_dir(folder).into_iter().flatten().filter_map(io::Result::ok);
     let ours = entries.filter(|entry| {
         let name = entry.file_name();
         name.to_str().and_then(|name| name.strip_prefix(prefix)).is_some_and(is_ending)
-            && entry.file_type().is_ok_and(|kind| kind.is_file())
+            && entry.file_type().is_ok_and(&is_kind)
     });
     ours.map(|entry| entry.path()).collect()
 }
@@ -71,6 +125,25 @@ fn temporaries(folder: &Path, prefix: &str) -> Vec<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn folders_of_killed_processes_go_and_no_others() {
+        let root = tempfile::tempdir().unwrap();
+        let place = |name: &str| root.path().join(name);
+        for name in ["demo-a1B2c3", "demo-d4E5f6", "demo-notes"] {
+            fs::create_dir(place(name)).unwrap();
+            fs::write(place(name).join("plan.yaml"), "").unwrap();
+        }
+        fs::write(place("demo-a1B2c3").join(ALIVE_NAME), "").unwrap();
+        fs::write(place("demo-notes").join(ALIVE_NAME), "").unwrap();
+        let held = TemporaryFolder::new(root.path(), "demo-").unwrap();
+        let own = held.path().to_owned();
+        let _other = TemporaryFolder::new(root.path(), "demo-").unwrap();
+        assert!(!place("demo-a1B2c3").exists() && place("demo-d4E5f6").exists() && own.exists());
+        assert!(place("demo-notes").exists());
+        drop(held);
+        assert!(!own.exists());
+    }
 
     #[test]
     fn what_nobody_will_finish_is_swept_away_and_nothing_else() {

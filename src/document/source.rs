@@ -1,6 +1,5 @@
 //! A file's text, and where things stand in it.
 
-use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -16,6 +15,7 @@ use super::format::{Format, may_be_infinite};
 use super::keys::top_keys;
 use super::limits::FILE_SIZE_LIMIT;
 use super::tree::{Flaw, Position, Tree};
+use crate::disk::open_regular;
 
 /// The text of a file, kept while its meaning is checked. The places of its values are worked out when
 /// the first fault asks for them.
@@ -38,7 +38,7 @@ impl Source {
     /// Reads a file.
     ///
     /// # Errors
-    /// A fault of the file as a whole: missing, a folder, not readable, larger than [`FILE_SIZE_LIMIT`]
+    /// A fault of the file as a whole: missing, a folder, a pipe or device (which might hang), not readable, larger than [`FILE_SIZE_LIMIT`]
     /// (which is found out before reading), not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Faults> {
         let text = read_text(path)?;
@@ -180,16 +180,15 @@ fn read_text(path: &Path) -> Result<String, Faults> {
 /// The bytes of a file without a byte order mark.
 fn read_bytes(path: &Path) -> Result<Vec<u8>, Faults> {
     let refuse = |error: &std::io::Error| Faults::from(unreadable(path, error));
-    let file = File::open(path).map_err(|error| refuse(&error))?;
-    let metadata = file.metadata().map_err(|error| refuse(&error))?;
-    if metadata.is_dir() {
+    if path.is_dir() {
         return Err(Fault::of_file(path, "is a folder, a file is needed here").into());
     }
+    let (file, metadata) = open_regular(path).map_err(|error| refuse(&error))?;
     if metadata.len() > FILE_SIZE_LIMIT {
         return Err(too_large(path, metadata.len()).into());
     }
     let mut bytes = Vec::new();
-    // A pipe tells no size, and a file may grow while it is read.
+    // A file may grow while it is read.
     file.take(FILE_SIZE_LIMIT + 1).read_to_end(&mut bytes).map_err(|error| refuse(&error))?;
     if bytes.len() as u64 > FILE_SIZE_LIMIT {
         return Err(too_large(path, bytes.len() as u64).into());
@@ -204,6 +203,9 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Fault {
         ErrorKind::NotFound => ("there is no such file".to_owned(), "check the path and the working folder"),
         ErrorKind::PermissionDenied => {
             ("no permission to read it".to_owned(), "check the rights of file and folder")
+        }
+        ErrorKind::InvalidInput => {
+            (format!("cannot be read: {error}"), "write what it gives to a file, and name that")
         }
         _ => (format!("cannot be read: {error}"), "check the path"),
     };
@@ -228,6 +230,7 @@ fn not_text(path: &Path, bytes: &[u8], valid: usize) -> Fault {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
+    use std::fs::File;
 
     use super::*;
 

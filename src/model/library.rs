@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use super::recipes::{PLAIN, RecipeInput, build_recipe, build_reduced_recipe, geometry_sets, recipe_names};
 use super::stand_in::stand_in;
 use super::stored::StoredModel;
-use super::user::{UserModel, reduced};
+use super::user::{UserModels, reduced};
 use super::{Detail, Model};
 use crate::cache::Cache;
 use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Shape, Size};
@@ -55,9 +55,10 @@ impl ModelLibrary {
     /// All unknown recipes, and all faults of all model files, in the order of classes.
     pub fn load(catalog: &Catalog) -> Result<Self, Faults> {
         let mut faults = Faults::default();
+        let mut files = UserModels::default();
         let mut classes = Vec::with_capacity(catalog.classes.len());
         for class in &catalog.classes {
-            match source_of(class) {
+            match source_of(class, &mut files) {
                 Ok(source) => classes.push(Entry {
                     id: class.id.clone(),
                     sizes: class.sizes.clone(),
@@ -169,7 +170,7 @@ impl Entry {
     }
 }
 
-fn source_of(class: &Class) -> Result<Source, Faults> {
+fn source_of(class: &Class, files: &mut UserModels) -> Result<Source, Faults> {
     match &class.model {
         ModelSource::Recipe { name, parameters } => {
             if recipe_names().binary_search(&name.as_str()).is_err() {
@@ -180,7 +181,7 @@ fn source_of(class: &Class) -> Result<Source, Faults> {
             Ok(Source::Recipe { name: name.clone(), parameters: parameters.clone(), models })
         }
         ModelSource::File { path, turn } => {
-            let read = UserModel::read(path, *turn)?;
+            let read = files.read(path, *turn)?;
             let mut faults = Faults::default();
             let mut models = Vec::new();
             for &size in &class.sizes {

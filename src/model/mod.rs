@@ -28,4 +28,4 @@ pub use recipes::{
 };
 pub(crate) use swatches::SWATCHES_PER_SIDE;
 pub use swatches::SwatchedModels;
-pub(crate) use user::{companion_files, model_file_size, unchecked_document};
+pub(crate) use user::{MODEL_BYTES_LIMIT, companion_files, model_file_size, unchecked_document};

@@ -69,3 +69,41 @@ fn in_place_of_a_recorded_file() {
         }
     }
 }
+
+#[test]
+fn in_place_of_a_plan_or_a_model() {
+    for make in KINDS {
+        let world = World::new();
+        make(&world.path("plans/a.yaml"));
+        world.write("plans/b.yaml", plan("beta", 1));
+        // In a folder of plans it is none.
+        let ran = world.run_bounded(&["check", "plans"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        for command in [&["check", "plans/a.yaml"], &["bake", "plans/a.yaml"]] {
+            let ran = world.run_bounded(command);
+            assert!(matches!(ran.code, Some(1 | 2)), "{command:?}: {:?} {}", ran.code, ran.stderr);
+            let said = ran.stdout + &ran.stderr;
+            assert!(said.contains("a.yaml"), "{command:?}: {said}");
+        }
+        make(&world.path("mine/classes/crate.glb"));
+        world.write("mine/classes/mine.yaml", CRATE);
+        let ran = world.run_bounded(&["bake", "plans/b.yaml", "--catalog", "mine"]);
+        assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+        assert!(ran.stderr.contains("crate.glb") && ran.stderr.contains("it is a"), "{}", ran.stderr);
+    }
+}
+
+const CRATE: &str = "version: 1\nclasses:\n  crate:\n    label: Crate\n    sizes: [[1, 1, 1]]\n    parents: [{on: floor}]\n    \
+                     model: {file: crate.glb}\n";
+
+/// A model of two gigabytes fits no address space of half as many; one that hundreds of classes name is read once.
+#[test]
+fn a_model_of_gigabytes_is_refused_unread() {
+    let world = World::new();
+    world.write("a.yaml", plan("alpha", 1));
+    world.write("mine/classes/mine.yaml", CRATE);
+    fs::File::create(world.path("mine/classes/crate.glb")).unwrap().set_len(8 << 30).unwrap();
+    let ran = world.run_bounded(&["bake", "a.yaml", "--catalog", "mine"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    assert!(ran.stderr.contains("8192 MB, 128 MB are the most"), "{}", ran.stderr);
+}

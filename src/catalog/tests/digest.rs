@@ -79,3 +79,23 @@ fn it_changes_with_names_and_order_but_not_with_what_is_not_read() {
     write(first.path(), "classes/notes.txt", "not read");
     assert_eq!(digest(&[&first]), before);
 }
+
+#[test]
+fn it_covers_what_a_model_refers_to_that_is_also_part_of_another() {
+    let folder = vase();
+    write(folder.path(), "classes/a.yaml", &VASE.replace("vase", "a"));
+    write(folder.path(), "classes/a.gltf", &MODEL.replace("vase.bin", "vase.gltf"));
+    let before = digest(&[&folder]);
+    write(folder.path(), "classes/vase.bin", "other bytes");
+    assert_ne!(digest(&[&folder]), before);
+}
+
+#[test]
+fn a_model_above_the_limit_is_refused_without_reading_it() {
+    let folder = vase();
+    let file = std::fs::File::create(folder.path().join("classes/vase.bin")).unwrap();
+    // Sparse: to read it would take all memory.
+    file.set_len(1 << 40).unwrap();
+    let faults = load_above_base(&[folder.path().to_owned()]).unwrap_err();
+    assert!(faults.to_string().contains("128 MB are the most"), "{faults}");
+}

@@ -17,10 +17,12 @@ mod resource;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 pub(crate) use container::{companion_files, unchecked_document};
 pub(super) use reduce::reduced;
+pub(crate) use resource::MODEL_BYTES_LIMIT;
 
 use super::Model;
 use crate::catalog::Size;
@@ -49,6 +51,24 @@ impl UserModel {
     /// Proportions that differ by more than a quarter.
     pub(super) fn fitted(&self, class: &str, size: Size) -> Result<Model, Faults> {
         fit::fit(&self.model, class, size).map_err(|problem| problem.in_file(&self.path).into())
+    }
+}
+
+/// The models of files, each file read once in each turn, however many classes name it.
+#[derive(Debug, Default)]
+pub(super) struct UserModels {
+    /// By path and turn, whose bits are compared.
+    read: BTreeMap<(PathBuf, u64), Result<UserModel, Faults>>,
+}
+
+impl UserModels {
+    /// The model of a file; see [`UserModel::read`].
+    ///
+    /// # Errors
+    /// Those of [`UserModel::read`], each time.
+    pub(super) fn read(&mut self, path: &Path, turn: f64) -> Result<&UserModel, Faults> {
+        let read = self.read.entry((path.to_owned(), turn.to_bits()));
+        read.or_insert_with(|| UserModel::read(path, turn)).as_ref().map_err(Clone::clone)
     }
 }
 

@@ -6,10 +6,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::problem::Problem;
+use crate::disk::{open_regular, read_regular};
 
 /// The most bytes of one model with everything it refers to: a scanned armchair with three 4K textures has 40 MB.
 /// Larger ones would be copied into every floor that uses them.
-pub(super) const MODEL_BYTES_LIMIT: u64 = 128 << 20;
+pub(crate) const MODEL_BYTES_LIMIT: u64 = 128 << 20;
 
 /// Reads what a model refers to, and counts its bytes.
 #[derive(Debug)]
@@ -28,9 +29,9 @@ impl Resources {
     pub(super) fn read_file(&mut self, path: &Path) -> Result<Vec<u8>, Problem> {
         let unreadable =
             |error: std::io::Error| Problem::new(format!("\"{}\" cannot be read: {error}", path.display()));
-        let length = std::fs::metadata(path).map_err(unreadable)?.len();
-        self.count(length)?;
-        std::fs::read(path).map_err(unreadable)
+        let (_, found) = open_regular(path).map_err(unreadable)?;
+        self.count(found.len())?;
+        read_regular(path, MODEL_BYTES_LIMIT).map_err(unreadable)
     }
 
     /// The bytes that a URI stands for.

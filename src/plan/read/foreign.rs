@@ -1,16 +1,16 @@
 //! What the readers of foreign formats share.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use crate::disk::open_regular;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, suggest};
 use crate::plan::GENERIC_ROOM_TYPE;
 
-/// The first bytes of a file; none if it cannot be read.
+/// The first bytes of a file; none if it cannot be read or is none, as a pipe, which might hang.
 pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(size).read_to_end(&mut bytes));
+    let read = open_regular(path).and_then(|(file, _)| file.take(size).read_to_end(&mut bytes));
     if read.is_ok() { bytes } else { Vec::new() }
 }
 
