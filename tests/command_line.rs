@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot set up its folder fails
 
 mod command_line {
+    mod answers;
     mod audit;
     mod cache;
     mod ci_example;
@@ -17,6 +18,7 @@ mod command_line {
     mod former_levels;
     mod guide;
     mod handbook;
+    mod hostile_words;
     mod init;
     mod looks;
     mod output_folder;

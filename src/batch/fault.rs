@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::document::printable;
+
 /// Something about the output that stopped the run or one level of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputFault {
@@ -109,7 +111,7 @@ impl OutputFault {
 
 impl fmt::Display for OutputFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.message)
+        write!(f, "{}: {}", printable(&self.path.display().to_string()), self.message)
     }
 }
 

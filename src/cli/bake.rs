@@ -1,6 +1,6 @@
 //! `bake`: what was typed to a run, then the run.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::arguments::{
@@ -17,10 +17,11 @@ use super::summary::{failure_text, summary_json, summary_text, timing_text, wher
 use super::watch::watch;
 use crate::batch::{
     BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, PROGRAM,
-    TextureOptions, Unplanned, bake,
+    TextureOptions, Unplanned, bake, record_plans,
 };
 use crate::cache::Cache;
-use crate::document::Faults;
+use crate::document::{Fault, Faults};
+use crate::edits::distinct_misfits;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
 use crate::scene::{Lights, Parts, SceneOptions};
@@ -28,6 +29,9 @@ use crate::texture::TextureSize;
 
 /// Most failures that are listed one by one.
 const LISTED_FAILURES: usize = 20;
+
+/// Endings of what somebody may expect `--out` to be.
+const RESULT_ENDINGS: [&str; 7] = ["glb", "gltf", "usd", "usda", "usdc", "usdz", "zip"];
 
 /// Seed of runs for which nobody names one.
 pub(crate) const DEFAULT_SEED: u64 = 1;
@@ -37,6 +41,7 @@ struct Run {
     sources: Sources,
     options: BakeOptions,
     out: PathBuf,
+    cache_root: Option<PathBuf>,
     is_forced: bool,
     is_demo: bool,
     progress: ProgressWord,
@@ -51,6 +56,10 @@ pub(crate) fn run(arguments: BakeArguments, screen: Screen) -> Outcome {
 /// Bakes.
 pub(super) fn bake_once(arguments: BakeArguments, screen: Screen) -> Outcome {
     // Everything that can be refused is refused before the first second of work.
+    if let Some(fault) = file_as_folder(&arguments.out) {
+        screen.faults(&fault.into());
+        return Outcome::NotStarted;
+    }
     if let Err(fault) = OutputFolder::check(&arguments.out) {
         return refuse(screen, &fault);
     }
@@ -65,6 +74,17 @@ pub(super) fn bake_once(arguments: BakeArguments, screen: Screen) -> Outcome {
         }
         Err(fault) => refuse(screen, &fault),
     }
+}
+
+/// A fault if the output folder is called like a file that somebody may expect instead.
+fn file_as_folder(out: &Path) -> Option<Fault> {
+    let ending = out.extension()?.to_str()?.to_ascii_lowercase();
+    let is_file_name = RESULT_ENDINGS.contains(&ending.as_str()) && !out.is_dir();
+    is_file_name.then(|| {
+        let hint = format!("name a folder, for example --out {}", out.with_extension("").display());
+        Fault::of_file(out, "is the name of a file; a bake writes a file for each level into a folder")
+            .with_hint(hint)
+    })
 }
 
 /// From what was typed to what it means.
@@ -83,13 +103,14 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
     screen.faults(&sources.faults);
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
     for room in &arguments.reroll {
-        let rolled = reroll(&sources.plan, &mut sources.edits, seed, room).map_err(|faults| {
+        let rolled = reroll(&sources.plan, &mut sources.edits, seed, room, "--reroll").map_err(|faults| {
             screen.faults(&faults);
             Outcome::NotStarted
         })?;
         screen.note(&rolled.to_string());
     }
-    let cache = cache(arguments.cache.clone());
+    let cache_root = cache_root(arguments.cache.clone());
+    let cache = cache_root.as_deref().map(|root| Cache::new(root, PROGRAM));
     sources.models = sources.models.with_cache(cache.clone());
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     let options = BakeOptions {
@@ -119,6 +140,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         sources,
         options,
         out: arguments.out,
+        cache_root,
         is_forced: arguments.force,
         is_demo,
         progress: arguments.progress,
@@ -156,10 +178,9 @@ fn scene_options(arguments: &BakeArguments) -> SceneOptions {
     }
 }
 
-/// Where painted surfaces and models are kept.
-fn cache(typed: Option<PathBuf>) -> Option<Cache> {
-    let root = typed.or_else(Cache::default_root).filter(|root| root.as_os_str() != "none")?;
-    Some(Cache::new(&root, PROGRAM))
+/// Where painted surfaces, models and notes are kept, if anywhere.
+pub(super) fn cache_root(typed: Option<PathBuf>) -> Option<PathBuf> {
+    typed.or_else(Cache::default_root).filter(|root| root.as_os_str() != "none")
 }
 
 fn textures(word: TextureWord, are_shared: bool) -> TextureOptions {
@@ -205,6 +226,11 @@ fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
         Err(fault) => return refuse(screen, &fault),
     };
     progress.finish(&report);
+    // The demo's plans are gone when the program ends.
+    if let Some(cache) = run.cache_root.as_ref().filter(|_| !run.is_demo) {
+        // Where nothing can be noted, `edits` asks for the file.
+        let _ = record_plans(cache, &run.out, plan);
+    }
     let elapsed = started.elapsed();
 
     show_failures(&report, screen);
@@ -262,12 +288,12 @@ fn show_listed(faults: &Faults, screen: Screen) {
     }
 }
 
+/// Each misfit once, however many rooms one line of an edits file is for.
 fn show_misfits(report: &BakeReport, screen: Screen) {
-    for LevelMisfit { misfit, .. } in report.misfits.iter().take(LISTED_FAILURES) {
-        screen.faults(&misfit.fault.clone().into());
-    }
-    if report.misfits.len() > LISTED_FAILURES {
-        let more = report.misfits.len() - LISTED_FAILURES;
+    let told = distinct_misfits(report.misfits.iter().map(|LevelMisfit { misfit, .. }| misfit));
+    screen.faults(&Faults(told.0.iter().take(LISTED_FAILURES).cloned().collect()));
+    if told.0.len() > LISTED_FAILURES {
+        let more = told.0.len() - LISTED_FAILURES;
         screen.error(&format!("… and {more} more edits that do not fit; --json lists all"));
     }
 }

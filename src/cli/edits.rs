@@ -3,14 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use super::arguments::{EditsCommand, SourceArguments};
-use super::bake::DEFAULT_SEED;
+use super::bake::{DEFAULT_SEED, cache_root};
 use super::exit::Outcome;
 use super::reroll::{Rolled, reroll};
 use super::screen::Screen;
 use super::sources::read_plans_only;
 use super::update::update_text;
+use crate::batch::{distinct_names, recorded_plan};
 use crate::catalog::load_catalog;
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, printable};
 use crate::edits::{
     Captured, EDITS_ENDING, RoomEntry, capture, edits_path, lock_objects, merge, read_edits, read_edits_file,
     write_edits,
@@ -41,17 +42,18 @@ pub(crate) fn run(command: EditsCommand, screen: Screen) -> Outcome {
 
 fn find(command: EditsCommand) -> Result<Found, Faults> {
     match command {
-        EditsCommand::Capture { old, edited, edits, catalog } => {
+        EditsCommand::Capture { old, edited, edits, cache, catalog } => {
             let catalog = load_catalog(&catalog)?.value;
             let (before, after) = (survey(&old)?, survey(&edited)?);
             let Captured { entries, notes } = capture(&before, &after, &catalog, &edited)?;
-            Ok(Found { file: file_of(edits, &after), entries, notes })
+            Ok(Found { file: file_of(edits, cache, &old, &after)?, entries, notes })
         }
-        EditsCommand::Lock { floor, room, objects, edits } => {
+        EditsCommand::Lock { floor, room, objects, edits, cache } => {
             let survey = survey(&floor)?;
             let entry =
                 lock_objects(&survey, &room, &objects).map_err(|message| Fault::of_file(&floor, message))?;
-            Ok(Found { file: file_of(edits, &survey), entries: vec![entry], notes: Faults::default() })
+            let file = file_of(edits, cache, &floor, &survey)?;
+            Ok(Found { file, entries: vec![entry], notes: Faults::default() })
         }
         EditsCommand::Reroll { plan, room, to, edits, catalog } => {
             let file = edits.unwrap_or_else(|| edits_path(&plan));
@@ -78,7 +80,7 @@ fn rolled(
     if faults.has_errors() {
         return Err(faults);
     }
-    let Rolled { names: [building, level, room], seed } = reroll(&read, &mut book, run_seed, room)?;
+    let Rolled { names: [building, level, room], seed } = reroll(&read, &mut book, run_seed, room, "ROOM")?;
     let seed = Some(to.unwrap_or(seed));
     Ok(RoomEntry { building: Some(building), level, room, seed, ..RoomEntry::default() })
 }
@@ -87,10 +89,33 @@ fn survey(path: &Path) -> Result<Survey, Faults> {
     Ok(parse_survey(path, &read_bytes(path)?)?)
 }
 
-/// The file that was named, else one in this folder that is called after the building.
-fn file_of(named: Option<PathBuf>, survey: &Survey) -> PathBuf {
-    let name = crate::batch::distinct_names(&[survey.building.as_str()]).remove(0);
-    named.unwrap_or_else(|| PathBuf::from(name + EDITS_ENDING))
+/// The file that was named, else the one beside the plan or project that a floor was baked from.
+///
+/// # Errors
+/// If nobody knows the plan.
+fn file_of(
+    named: Option<PathBuf>,
+    cache: Option<PathBuf>,
+    floor: &Path,
+    survey: &Survey,
+) -> Result<PathBuf, Faults> {
+    if let Some(named) = named {
+        return Ok(named);
+    }
+    let noted = cache_root(cache).and_then(|cache| recorded_plan(&cache, floor, &survey.building));
+    let Some(plan) = noted else {
+        let fault =
+            Fault::of_file(floor, format!("the plan of building \"{}\" is not known", survey.building));
+        let name = distinct_names(&[survey.building.as_str()]).remove(0) + EDITS_ENDING;
+        let hint = format!(
+            "name a floor where `roomwright bake` wrote it, or the file beside the plan: --edits plans/{name}"
+        );
+        return Err(fault.with_hint(hint).into());
+    };
+    let file = edits_path(&plan);
+    let here = std::env::current_dir().and_then(|here| here.canonicalize());
+    let below_here = here.ok().and_then(|here| Some(file.strip_prefix(here).ok()?.to_owned()));
+    Ok(below_here.unwrap_or(file))
 }
 
 /// Adds the edits to what the file says already.
@@ -122,13 +147,10 @@ fn report(found: &Found, screen: Screen) {
         let seed = entry.seed.map(|seed| format!("seed {seed}"));
         let objects = entry.objects.keys().cloned();
         let what: Vec<String> = seed.into_iter().chain(objects).collect();
-        screen.result(&format!("{}/{}: {}", entry.level, entry.room, what.join(", ")));
+        screen.result(&printable(&format!("{}/{}: {}", entry.level, entry.room, what.join(", "))));
     }
     screen.result(&match entries.is_empty() {
         true => "Nothing was changed.".to_owned(),
-        false => format!(
-            "Written to {}: bakes make these edits where it stands beside the plan, or with --edits.",
-            file.display()
-        ),
+        false => format!("Written to {}: every bake of its plan makes these edits.", file.display()),
     });
 }

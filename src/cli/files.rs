@@ -48,8 +48,7 @@ impl Overwrite {
 /// # Errors
 /// If the file exists and must not be overwritten, or cannot be written.
 pub(crate) fn write_text(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Faults> {
-    let fault =
-        |error: &io::Error| Faults::from(Fault::of_file(path, format!("cannot write the file: {error}")));
+    let fault = |error: &io::Error| Faults::from(not_written(path, error));
     let target = end_of_links(path)?;
     if is_stream(&target) {
         return write_stream(&target, text).map_err(|error| fault(&error));
@@ -103,6 +102,22 @@ fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
         sweep_temporaries(folder, TEMPORARY_PREFIX);
     }
     new_temporary(folder, TEMPORARY_PREFIX)
+}
+
+fn not_written(path: &Path, error: &io::Error) -> Fault {
+    let hint = match error.kind() {
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+            "choose another place, or give yourself the right to write there"
+        }
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "free some space and run the command again"
+        }
+        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists | io::ErrorKind::IsADirectory => {
+            "a file is in the way of a folder, or the other way round: choose another path"
+        }
+        _ => "see the system's message, or choose another path",
+    };
+    Fault::of_file(path, format!("cannot write the file: {error}")).with_hint(hint)
 }
 
 fn exists_already(path: &Path, overwrite: Overwrite) -> Fault {

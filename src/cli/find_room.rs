@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::document::{Fault, Faults, did_you_mean};
+use crate::document::{Fault, Faults, did_you_mean, suggest};
 use crate::plan::{Level, PlacedBuilding, Room};
 
 /// Rooms that are listed where several could be meant.
@@ -17,6 +17,8 @@ pub(crate) struct Wanted<'w> {
     pub(crate) building: Option<&'w str>,
     /// The level, if that is said.
     pub(crate) level: Option<&'w str>,
+    /// Where the room stands on the command line, for messages.
+    pub(crate) argument: &'static str,
 }
 
 /// A room in its building.
@@ -73,36 +75,47 @@ pub(crate) fn find_room<'a>(
         (0..level.rooms.len()).map(move |room| Found { placed, level, room })
     };
     let all: Vec<Found<'a>> = in_levels.into_iter().flat_map(of_level).collect();
-    choose(wanted.room, &all)
+    choose(wanted, &all)
 }
 
-fn choose<'a>(words: &str, all: &[Found<'a>]) -> Result<Found<'a>, Faults> {
+fn choose<'a>(wanted: Wanted<'_>, all: &[Found<'a>]) -> Result<Found<'a>, Faults> {
+    let words = wanted.room;
     let mut found: Vec<&Found<'a>> = all.iter().filter(|found| found.is_called(words)).collect();
     if found.is_empty() {
         found = all.iter().filter(|found| found.room().name.as_deref() == Some(words)).collect();
     }
     match found.as_slice() {
         [found] => Ok(**found),
-        [] => {
-            let known = all.iter().flat_map(|found| {
-                let name = found.room().name.clone();
-                [Some(found.room().id.clone()), Some(found.ids().join("/")), name].into_iter().flatten()
-            });
-            Err(unknown("room", words, known.collect()))
-        }
+        [] => Err(no_room(wanted, all).into()),
         several => {
             let message = format!("{} rooms are called \"{words}\"", several.len());
             let ids: Vec<String> =
                 several.iter().take(MOST_LISTED).map(|found| found.ids().join("/")).collect();
             let hint = format!("write it in full: {}", ids.join(", "));
-            Err(Fault::of_file(Path::new("ROOM"), message).with_hint(hint).into())
+            Err(Fault::of_file(Path::new(wanted.argument), message).with_hint(hint).into())
         }
     }
 }
 
+/// Suggests a room of similar id or name, or names all by their shortest ids if they are few.
+fn no_room(wanted: Wanted<'_>, all: &[Found<'_>]) -> Fault {
+    let message = match wanted.room {
+        "" => "which room?".to_owned(),
+        words => format!("no room \"{words}\""),
+    };
+    // `stdy` is compared with ids of rooms, `ground/stdy` with those of levels and rooms.
+    let depth = wanted.room.matches('/').count().min(2);
+    let ids: Vec<String> = all.iter().map(|found| found.ids()[2 - depth..].join("/")).collect();
+    let names = all.iter().filter_map(|found| found.room().name.clone());
+    let near = suggest(wanted.room, ids.iter().cloned().chain(names));
+    let hint =
+        near.map(|near| format!("did you mean \"{near}\"?")).or_else(|| did_you_mean(wanted.room, ids));
+    let fault = Fault::of_file(Path::new(wanted.argument), message);
+    fault.with_hint(hint.unwrap_or_else(|| "`roomwright draw` shows the rooms of a plan".to_owned()))
+}
+
 fn unknown(what: &str, id: &str, known: Vec<String>) -> Faults {
-    let place = if what == "room" { "ROOM".to_owned() } else { format!("--{what}") };
-    let fault = Fault::of_file(Path::new(&place), format!("no {what} \"{id}\""));
+    let fault = Fault::of_file(Path::new(&format!("--{what}")), format!("no {what} \"{id}\""));
     match did_you_mean(id, known) {
         Some(hint) => fault.with_hint(hint).into(),
         None => fault.into(),

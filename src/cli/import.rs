@@ -11,7 +11,7 @@ use super::import_report;
 use super::screen::{FaultReport, Screen};
 use super::sources::read_plans_only;
 use crate::batch::distinct_names;
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, printable};
 use crate::plan::{InputReport, Level, PlacedBuilding, PlanReading, write_native};
 
 /// One building and where it goes.
@@ -98,7 +98,7 @@ fn report(written: &[&Target<'_>], faults: &Faults, (reports, screen): (Option<&
     for target in written {
         let (levels, rooms, openings) = counts(target);
         let path = target.path.display();
-        screen.note(&format!("{path}: {levels} levels, {rooms} rooms, {openings} openings"));
+        screen.note(&printable(&format!("{path}: {levels} levels, {rooms} rooms, {openings} openings")));
     }
     for report in reports.into_iter().flatten() {
         screen.result(&import_report::text(report));

@@ -26,6 +26,7 @@ mod screen;
 mod sources;
 mod summary;
 mod update;
+mod usage;
 mod watch;
 
 use clap::Parser;
@@ -38,7 +39,10 @@ use screen::Screen;
 #[must_use]
 pub fn run() -> Outcome {
     crate::batch::collect_panics();
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return usage::show(error),
+    };
     let screen = Screen { is_quiet: arguments.manner.quiet, is_json: arguments.manner.json };
     match arguments.command.unwrap_or_else(demo) {
         Command::Bake(arguments) => bake::run(arguments, screen),

@@ -10,6 +10,7 @@ use serde_json::json;
 use super::arguments::ProgressWord;
 use super::summary::failure_json;
 use crate::batch::{BakeReport, Event, Stage, Totals};
+use crate::document::printable_json;
 
 /// Time between two plain lines.
 const PLAIN_INTERVAL: Duration = Duration::from_secs(5);
@@ -151,7 +152,7 @@ fn finished_json(report: &BakeReport, elapsed: Duration) -> serde_json::Value {
 
 /// Stderr that nobody reads any more is no reason to stop a bake.
 fn print_line(line: &str) {
-    let _ = writeln!(std::io::stderr().lock(), "{line}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", printable_json(line));
 }
 
 #[cfg(test)]

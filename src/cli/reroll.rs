@@ -31,8 +31,9 @@ pub(crate) fn reroll(
     edits: &mut EditBook,
     run_seed: u64,
     named: &str,
+    argument: &'static str,
 ) -> Result<Rolled, Faults> {
-    let wanted = Wanted { room: named, building: None, level: None };
+    let wanted = Wanted { room: named, building: None, level: None, argument };
     let [building, level, room] = find_room(&plan.buildings, wanted)?.ids().map(str::to_owned);
     let own = edits.level(&building, &level).and_then(|edits| edits.room(&room)?.seed);
     let seed = own.unwrap_or(run_seed).wrapping_add(1);

@@ -1,10 +1,13 @@
 //! The two streams: results to stdout, everything else to stderr.
+//!
+//! Names, words and ids come from files that anybody may have written. Whatever is printed goes through here, where
+//! characters that a terminal or a service for continuous integration would obey are made visible instead.
 
 use std::io::{self, Write};
 
 use serde::Serialize;
 
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, printable_json, printable_lines};
 
 /// What goes where.
 #[derive(Clone, Copy, Debug)]
@@ -19,12 +22,13 @@ impl Screen {
     /// Writes a result to stdout, with a newline. A reader that has gone away is no error.
     pub(crate) fn result(self, text: &str) {
         let mut out = io::stdout().lock();
-        let _ = writeln!(out, "{text}").and_then(|()| out.flush());
+        let _ = writeln!(out, "{}", printable_lines(text)).and_then(|()| out.flush());
     }
 
     /// Writes a result for machines to stdout.
     pub(crate) fn json(self, value: &impl Serialize) {
-        self.result(&serde_json::to_string_pretty(value).expect("reports are plain data"));
+        let document = serde_json::to_string_pretty(value).expect("reports are plain data");
+        self.result(&printable_json(&document));
     }
 
     /// Tells people something on stderr, unless they asked for quiet.
@@ -37,7 +41,7 @@ impl Screen {
     /// Tells people what went wrong, on stderr.
     #[expect(clippy::unused_self, reason = "one way to print, from a screen")]
     pub(crate) fn error(self, text: &str) {
-        let _ = writeln!(io::stderr().lock(), "{text}");
+        let _ = writeln!(io::stderr().lock(), "{}", printable_lines(text));
     }
 
     /// Shows errors, and warnings unless quiet, each with place, line and hint.

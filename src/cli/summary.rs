@@ -11,6 +11,7 @@ use super::leftovers::leftovers_json;
 use super::screen::FaultReport;
 use crate::audit::{AuditSummary, Code, GradeCounts};
 use crate::batch::{BakeReport, Joined, LevelFailure, LevelMisfit, Stage, Totals};
+use crate::document::printable;
 
 /// The summary for people.
 pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
@@ -147,8 +148,9 @@ pub(crate) fn failure_json(failure: &LevelFailure) -> Value {
 pub(crate) fn failure_text(failure: &LevelFailure) -> String {
     let LevelFailure { building, level, room, code, message, hint, seed } = failure;
     let room = room.as_ref().map(|room| format!("/{room}")).unwrap_or_default();
+    let place = printable(&format!("{building}/{level}{room}"));
     let hint = hint.as_ref().map(|hint| format!("\n  hint: {hint}")).unwrap_or_default();
-    format!("error[{}]: {building}/{level}{room} (seed {seed}): {message}{hint}", code.name())
+    format!("error[{}]: {place} (seed {seed}): {}{hint}", code.name(), printable(message))
 }
 
 #[cfg(test)]

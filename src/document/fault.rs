@@ -136,7 +136,7 @@ impl Fault {
             report.push_str(&format!("\n  {number} | {line}\n  {margin} | {indent}^"));
         }
         if !self.path.is_empty() {
-            report.push_str(&format!("\n  in {}", show_path(&self.path)));
+            report.push_str(&format!("\n  in {}", bounded(&show_path(&self.path))));
         }
         if let Some(hint) = &self.hint {
             report.push_str(&format!("\n  hint: {hint}"));

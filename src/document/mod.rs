@@ -18,6 +18,7 @@ mod source;
 mod suggest;
 mod text;
 mod tree;
+mod xml;
 
 #[cfg(test)]
 mod tests;
@@ -34,7 +35,9 @@ pub(crate) use keys::top_keys;
 pub use limits::FILE_SIZE_LIMIT;
 pub use source::{Source, locate};
 pub use suggest::{did_you_mean, suggest};
-pub use text::{is_unprintable, printable};
+pub(crate) use text::bounded;
+pub use text::{is_unprintable, printable, printable_json, printable_lines};
+pub use xml::xml_text;
 
 /// Reads a YAML or JSON file (by its extension) into a value.
 ///

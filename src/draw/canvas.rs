@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::document::xml_text;
 use crate::geometry::{Point, bounds_overlap};
 
 /// Pixels per metre of a house; large levels are drawn smaller.
@@ -185,7 +186,7 @@ impl Canvas {
         let common = format!(
             "x=\"{x}\" y=\"{y}\" dy=\"0.35em\" font-size=\"{size}\" text-anchor=\"{anchor}\"{weight}{turn}"
         );
-        let text = escape(text);
+        let text = xml_text(text);
         if style.has_halo {
             self.raw(&format!(
                 "<text {common} fill=\"#fff\" stroke=\"#fff\" stroke-width=\"3\" stroke-opacity=\"0.8\">{text}</text>"
@@ -251,11 +252,4 @@ fn extent(at: Point, text: &str, style: TextStyle) -> (Point, Point) {
     } else {
         (at - Point::new(before, half), at + Point::new(length - before, half))
     }
-}
-
-fn escape(text: &str) -> String {
-    // XML knows no other control characters, not even escaped.
-    let is_allowed = |letter: &char| !letter.is_control();
-    let clean: String = text.chars().filter(is_allowed).collect();
-    clean.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

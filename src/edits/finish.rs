@@ -67,13 +67,17 @@ pub fn finish(
     }
     let Edited { furnished, mut misfits, touched } = apply(level, &judged.furnished, edits, catalog);
     let verdict = judge(&furnished);
+    let mut told: Vec<&Finding> = Vec::new();
     for (id, edit_id) in &touched {
-        let concerns = |finding: &&Finding| {
-            finding.severity == Severity::Failed && finding.objects.iter().any(|object| object == id)
+        // A finding about two edited objects is told once.
+        let is_news = |finding: &&Finding| {
+            let is_about = finding.objects.iter().any(|object| object == id);
+            finding.severity == Severity::Failed && is_about && !told.contains(finding)
         };
         if let (Some(finding), Some(edit)) =
-            (verdict.findings.iter().find(concerns), edits.objects.get(edit_id))
+            (verdict.findings.iter().find(is_news), edits.objects.get(edit_id))
         {
+            told.push(finding);
             let Finding { code, objects, measured, threshold, .. } = finding;
             let message = format!(
                 "{id} stands where the edit wants it, but the room fails: {} of {}, {}, threshold {threshold}",

@@ -1,6 +1,6 @@
 //! Objects of a floor as they stand, to edits that keep them there.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::file::{ObjectEntry, RoomEntry};
 use super::standing::{Floor, moved, own_keys, turned};
@@ -15,7 +15,10 @@ pub fn lock_objects(survey: &Survey, room: &str, ids: &[String]) -> Result<RoomE
     let floor = Floor::new(survey, own_keys(survey));
     let here = || (0..floor.objects.len()).filter(|&index| floor.room(index).is_some_and(|own| own == room));
     if here().next().is_none() {
-        return Err(format!("there is no furniture in a room \"{room}\""));
+        let rooms: BTreeSet<&str> =
+            (0..floor.objects.len()).filter_map(|index| floor.room(index)).map(String::as_str).collect();
+        let rooms = rooms.into_iter().collect::<Vec<_>>().join(", ");
+        return Err(format!("there is no furniture in a room \"{room}\", but in {rooms}"));
     }
     let known: BTreeMap<&str, usize> =
         here().map(|index| (floor.objects[index].id.as_str(), index)).collect();

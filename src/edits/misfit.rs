@@ -1,6 +1,8 @@
 //! Edits that do not fit.
 
-use crate::document::Fault;
+use std::collections::BTreeMap;
+
+use crate::document::{Fault, Faults};
 
 /// An edit that does not fit the room as it is arranged now. It stays in its file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,4 +25,22 @@ impl Misfit {
         let fault = Fault { message: message.into(), ..mark.clone() }.with_hint(hint).as_warning();
         Self { fault, is_made: true }
     }
+}
+
+/// The faults of misfits in their order, each once: one line of an edits file may be for the rooms of many buildings.
+pub fn distinct_misfits<'m>(misfits: impl IntoIterator<Item = &'m Misfit>) -> Faults {
+    let mut counts: Vec<(&Fault, usize)> = Vec::new();
+    let mut places: BTreeMap<(String, bool), usize> = BTreeMap::new();
+    for Misfit { fault, .. } in misfits {
+        let place = *places.entry((fault.to_string(), fault.is_error())).or_insert(counts.len());
+        match counts.get_mut(place) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((fault, 1)),
+        }
+    }
+    let told = counts.into_iter().map(|(fault, count)| match count {
+        1 => fault.clone(),
+        _ => Fault { message: format!("{} (in {count} rooms)", fault.message), ..fault.clone() },
+    });
+    Faults(told.collect())
 }

@@ -33,6 +33,6 @@ pub use file::{EditsFile, ObjectEntry, RoomEntry, edits_schema};
 pub use finish::{Finished, finish, furnish_edited};
 pub use locked::lock_objects;
 pub use merge::merge;
-pub use misfit::Misfit;
+pub use misfit::{Misfit, distinct_misfits};
 pub use read::{EDITS_ENDING, edits_path, read_edits, read_edits_file};
 pub use write::write_edits;

@@ -148,7 +148,7 @@ fn what_is_locked_stays_under_another_seed() {
     let world = world("");
     bake(&world, &[]);
     let before = translation(&level(&world, "out", 1), "desk.1@study");
-    world.must(&["edits", "lock", "out/house/1.gltf", "study", "desk.1"]);
+    world.must(&["edits", "lock", "out/house/1.gltf", "study", "desk.1", "--edits", "house.edits.yaml"]);
     bake(&world, &["--seed", "2", "--no-edits", "--out", "other"]);
     bake(&world, &["--seed", "2", "--out", "locked"]);
     assert_ne!(translation(&level(&world, "other", 1), "desk.1@study"), before);
@@ -175,7 +175,8 @@ fn what_an_editor_changed_is_captured_and_baked_again() {
         let room = nodes.iter_mut().find(|node| node["name"] == "room:study").unwrap();
         room["children"].as_array_mut().unwrap().push(json!(index));
     });
-    let ran = world.must(&["edits", "capture", "out/house/1.gltf", "edited/1.gltf"]);
+    let ran =
+        world.must(&["edits", "capture", "out/house/1.gltf", "edited/1.gltf", "--edits", "house.edits.yaml"]);
     // The chair and the drawers belong to the desk, but do not move with it: nobody moved them.
     assert!(ran.stdout.contains("1/study: desk.1, drawer_unit.1, office_chair.1, plant.2"), "{}", ran.stdout);
     let ran = bake(&world, &["--out", "again"]);
@@ -187,8 +188,111 @@ fn what_an_editor_changed_is_captured_and_baked_again() {
     let (before, after) = (chair(&level(&world, "out", 1)), chair(&again));
     assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 2e-4), "{before:?} {after:?}");
     // Nothing is left to capture.
-    let ran = world.must(&["edits", "capture", "again/house/1.gltf", "again/house/1.gltf"]);
+    let ran = world.must(&[
+        "edits",
+        "capture",
+        "again/house/1.gltf",
+        "again/house/1.gltf",
+        "--edits",
+        "house.edits.yaml",
+    ]);
     assert_eq!(ran.stdout, "Nothing was changed.\n");
+}
+
+/// Runs the command with a folder of the world for what is kept between runs.
+fn must_with_notes(world: &World, arguments: &[&str]) -> String {
+    let output = world.command(arguments).env("ROOMWRIGHT_CACHE", world.path("notes")).output().unwrap();
+    let said = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+    assert!(output.status.success(), "{arguments:?}: {said}");
+    said
+}
+
+#[test]
+fn what_is_captured_goes_beside_the_plan_or_project_that_was_baked() {
+    let world = World::new();
+    world.write("plans/house.yaml", plan("house", 1));
+    world.write(
+        "sites/row.yaml",
+        "version: 1\nproject:\n  plans: [{plan: ../plans/house.yaml, id: \"row-{n}\", count: 2}]\n",
+    );
+    let rolled = |input: &str, seed: &str, out: &str| {
+        must_with_notes(&world, &["bake", input, "--effort", "1", "--seed", seed, "--out", out, "--no-edits"])
+    };
+    rolled("plans", "1", "out");
+    rolled("plans", "2", "other");
+    let said = must_with_notes(&world, &["edits", "capture", "out/house/1.glb", "other/house/1.glb"]);
+    assert!(said.contains("Written to plans/house.edits.yaml"), "{said}");
+    assert!(world.must(&["check", "plans"]).stdout.contains("0 errors, 0 warnings"));
+    rolled("sites/row.yaml", "1", "row");
+    let said = must_with_notes(&world, &["edits", "lock", "row/row-2/1.glb", "bed"]);
+    assert!(said.contains("Written to sites/row.edits.yaml"), "{said}");
+    let is_edits = |name: &String| name.ends_with(".edits.yaml");
+    let written: Vec<String> = world.names(".").into_iter().filter(is_edits).collect();
+    assert_eq!(written, ["plans/house.edits.yaml", "sites/row.edits.yaml"]);
+}
+
+#[test]
+fn an_output_folder_is_the_same_wherever_its_plans_lie() {
+    let world = World::new();
+    world.write("plans/house.yaml", plan("house", 1));
+    world.write("far/away/plans/house.yaml", plan("house", 1));
+    for (input, out) in [("plans", "out"), ("far/away/plans", "other")] {
+        must_with_notes(&world, &["bake", input, "--effort", "1", "--out", out]);
+    }
+    assert!(world.contents("out") == world.contents("other"));
+}
+
+#[test]
+fn where_no_bake_noted_the_plan_the_file_is_asked_for() {
+    let world = World::new();
+    world.write("plans/house.yaml", plan("house", 1));
+    must_with_notes(&world, &["bake", "plans", "--effort", "1"]);
+    world.write("mail/1.glb", world.read("out/house/1.glb"));
+    for (floor, cache) in
+        [("mail/1.glb", "notes"), ("out/house/1.glb", "none"), ("out/house/1.glb", "nowhere")]
+    {
+        let ran = world.run(&["edits", "lock", floor, "bed", "--cache", cache]);
+        assert_eq!(ran.code, Some(2));
+        assert!(
+            ran.stderr.contains("the plan of building \"house\" is not known")
+                && ran.stderr.contains("--edits plans/house.edits.yaml"),
+            "{}",
+            ran.stderr
+        );
+    }
+    world.must(&["edits", "lock", "mail/1.glb", "bed", "--edits", "mine.yaml"]);
+}
+
+#[test]
+fn one_finding_about_two_locked_objects_is_told_once() {
+    let locks = "desk.1: {lock: true, at: [6, 2]}\n    bookshelf.1: {lock: true, at: [6, 2.1]}";
+    let world = world(&study(locks));
+    let ran = bake(&world, &[]);
+    let collisions = ran.stderr.matches("collision of bookshelf.1 and desk.1").count();
+    assert_eq!(collisions, 1, "{}", ran.stderr);
+}
+
+#[test]
+fn an_edit_for_many_buildings_that_cannot_be_made_is_told_once_with_their_number() {
+    let world = world(&study("desk.9: {at: [1, 1]}"));
+    world.write("row.yaml", "version: 1\nproject:\n  plans: [{plan: house.yaml, count: 3}]\n");
+    let ran = world.run(&["bake", "row.yaml", "--effort", "1"]);
+    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.stderr.matches("there is no desk.9").count(), 1, "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("(in 3 rooms)") && ran.stdout.contains("could not be made: 3."),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn a_drawing_tells_of_edits_that_cannot_be_made() {
+    let world = world(&study("desk.9: {at: [1, 1]}"));
+    let ran = world.run(&["draw", "house.yaml", "--effort", "1", "--out", "house.svg"]);
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.stderr.contains("house.edits.yaml:6:13: there is no desk.9"), "{}", ran.stderr);
+    assert!(world.path("house.svg").exists());
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! What the same rooms look like: textures, lights, levels of detail, doors, variants.
 
+use std::collections::BTreeMap;
+
 use super::world::{World, plan};
 
 /// A folder with two furnished rooms, baked with these options.
@@ -66,7 +68,12 @@ fn what_is_kept_between_runs_changes_no_byte() {
     };
     let plain = bakes("plain", "none");
     assert!(bakes("first", "cache") == plain);
-    let kept = world.contents("cache");
+    // Beside the entries are notes where plans lie, one for each output folder.
+    let kept_entries = || {
+        let is_note = |name: &str| name.starts_with("plans/");
+        world.contents("cache").into_iter().filter(|(name, _)| !is_note(name)).collect::<BTreeMap<_, _>>()
+    };
+    let kept = kept_entries();
     let entries = || kept.keys().filter(|name| name.ends_with(".entry"));
     assert!(entries().count() > 20, "{kept:?}");
     // One entry is damaged, one is gone: both are made again, the others are read.
@@ -74,7 +81,7 @@ fn what_is_kept_between_runs_changes_no_byte() {
     world.write(&format!("cache/{damaged}"), &kept[damaged][..40]);
     std::fs::remove_file(world.path(&format!("cache/{gone}"))).unwrap();
     assert!(bakes("second", "cache") == plain);
-    assert!(world.contents("cache") == kept);
+    assert!(kept_entries() == kept);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::number::whole_number;
 use super::{FurnishArguments, SourceArguments};
 use crate::batch::Shard;
 
@@ -18,9 +19,9 @@ pub(crate) struct BakeArguments {
     #[arg(short, long, value_name = "DIR", default_value = "out")]
     pub(crate) out: PathBuf,
     /// Threads to work with [default: one per core]. Never changes a byte of the output.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u16>(1..=1024))]
     pub(crate) threads: Option<u16>,
-    /// Folder that keeps painted surfaces and models between runs, or `none`; it may be deleted at any time. Never changes a
+    /// Folder that keeps painted surfaces and models between runs, and notes where plans lie, or `none`; it may be deleted at any time. Never changes a
     /// byte of the output [default: roomwright/ in the system's folder for caches].
     #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
     pub(crate) cache: Option<PathBuf>,
@@ -60,7 +61,7 @@ pub(crate) struct BakeArguments {
     #[arg(long, value_enum, default_value = "merged")]
     pub(crate) parts: PartsWord,
     /// How far doors on hinges stand open: 0 is shut [default: as far as the plan lets them].
-    #[arg(long, value_name = "DEGREES", value_parser = clap::value_parser!(u16).range(0..=180))]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = whole_number::<u16>(0..=180))]
     pub(crate) door_angle: Option<u16>,
     /// Let viewers choose among all palettes (KHR_materials_variants).
     #[arg(long)]

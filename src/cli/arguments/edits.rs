@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Subcommand;
 
+use super::number::whole_number;
+
 /// The commands of `edits`. Each adds to the edits file and keeps what it says.
 #[derive(Clone, Debug, Subcommand)]
 pub(crate) enum EditsCommand {
@@ -15,9 +17,12 @@ pub(crate) enum EditsCommand {
         /// The same floor, changed and exported again with its custom properties.
         #[arg(value_name = "EDITED")]
         edited: PathBuf,
-        /// The edits file [default: BUILDING.edits.yaml in this folder].
+        /// The edits file [default: NAME.edits.yaml beside the plan or project that OLD was baked from].
         #[arg(long, value_name = "FILE")]
         edits: Option<PathBuf>,
+        /// Folder in which bakes note where their plans lie.
+        #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
+        cache: Option<PathBuf>,
         /// Further folders of configuration.
         #[arg(long, value_name = "DIR")]
         catalog: Vec<PathBuf>,
@@ -33,9 +38,12 @@ pub(crate) enum EditsCommand {
         /// Ids of the objects; all of the room if none is named.
         #[arg(value_name = "OBJECT")]
         objects: Vec<String>,
-        /// The edits file [default: BUILDING.edits.yaml in this folder].
+        /// The edits file [default: NAME.edits.yaml beside the plan or project that FLOOR was baked from].
         #[arg(long, value_name = "FILE")]
         edits: Option<PathBuf>,
+        /// Folder in which bakes note where their plans lie.
+        #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
+        cache: Option<PathBuf>,
     },
     /// Give a room another seed, for this and all later bakes.
     Reroll {
@@ -46,7 +54,7 @@ pub(crate) enum EditsCommand {
         #[arg(value_name = "ROOM")]
         room: String,
         /// This seed, not the next one.
-        #[arg(long, value_name = "N")]
+        #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u64>(0..=u64::MAX))]
         to: Option<u64>,
         /// The edits file [default: NAME.edits.yaml beside the plan].
         #[arg(long, value_name = "FILE")]

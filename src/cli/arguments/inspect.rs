@@ -86,9 +86,9 @@ pub(crate) struct ExplainArguments {
     /// A plan, project or folder of plans.
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
-    /// The room: [BUILDING/][LEVEL/]ROOM, or its name.
+    /// The room: [BUILDING/][LEVEL/]ROOM, or its name; without it, the answer names the rooms.
     #[arg(value_name = "ROOM")]
-    pub(crate) room: String,
+    pub(crate) room: Option<String>,
     /// Building of the room, where several have one of that id.
     #[arg(long, value_name = "ID")]
     pub(crate) building: Option<String>,

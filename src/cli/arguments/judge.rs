@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::number::{degrees, metres, whole_number};
 use crate::cli::diff::ANY;
 use crate::diff::{Kind, Tolerance};
 
@@ -37,10 +38,10 @@ pub(crate) struct DiffArguments {
     #[arg(long, value_name = "KIND,…", value_delimiter = ',', value_parser = kind_words())]
     pub(crate) fail_on: Vec<String>,
     /// Metres up to which a thing has not moved, grown or shrunk.
-    #[arg(long, value_name = "METRES", default_value_t = Tolerance::default().metres, value_parser = parse_tolerance)]
+    #[arg(long, value_name = "METRES", default_value_t = Tolerance::default().metres, allow_negative_numbers = true, value_parser = metres)]
     pub(crate) move_tolerance: f64,
     /// Degrees up to which a thing has not turned.
-    #[arg(long, value_name = "DEGREES", default_value_t = Tolerance::default().degrees, value_parser = parse_tolerance)]
+    #[arg(long, value_name = "DEGREES", default_value_t = Tolerance::default().degrees, allow_negative_numbers = true, value_parser = degrees)]
     pub(crate) turn_tolerance: f64,
     /// Read every file: do not take one of the recorded length that is older than its manifest for what was recorded.
     #[arg(long)]
@@ -49,13 +50,13 @@ pub(crate) struct DiffArguments {
     #[arg(long, conflicts_with = "json")]
     pub(crate) markdown: bool,
     /// Bytes of Markdown at most; what does not fit is counted. GitHub takes 65,536 characters.
-    #[arg(long, value_name = "BYTES", default_value_t = 60_000, requires = "markdown")]
+    #[arg(long, value_name = "BYTES", default_value_t = 60_000, requires = "markdown", value_parser = whole_number::<usize>(0..=u64::MAX))]
     pub(crate) markdown_limit: usize,
     /// Write one page with pictures of the changed rooms, before and after, that needs nothing else.
     #[arg(long, value_name = "FILE")]
     pub(crate) html: Option<PathBuf>,
     /// Rooms that the page shows at most.
-    #[arg(long, value_name = "N", default_value_t = 100, requires = "html")]
+    #[arg(long, value_name = "N", default_value_t = 100, requires = "html", value_parser = whole_number::<usize>(0..=u64::MAX))]
     pub(crate) html_rooms: usize,
     /// Write pictures of the changed rooms into this folder, before and after.
     #[arg(long, value_name = "DIR")]
@@ -71,9 +72,4 @@ pub(crate) struct DiffArguments {
 /// The words of `--fail-on`.
 fn kind_words() -> clap::builder::PossibleValuesParser {
     Kind::ALL.into_iter().map(Kind::name).chain([ANY]).collect::<Vec<_>>().into()
-}
-
-fn parse_tolerance(text: &str) -> Result<f64, String> {
-    let number: Option<f64> = text.parse().ok();
-    number.filter(|number| (0.0..1e6).contains(number)).ok_or_else(|| "give a number from 0 on".to_owned())
 }

@@ -5,6 +5,7 @@ mod edits;
 mod exchange;
 mod inspect;
 mod judge;
+mod number;
 mod setup;
 mod sources;
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::number::whole_number;
 use crate::best::DEFAULT_EFFORT;
 
 /// Where plans and configuration come from.
@@ -35,12 +36,12 @@ pub(crate) struct EditArguments {
 #[derive(Clone, Debug, Args)]
 pub(crate) struct FurnishArguments {
     /// Seed of all rooms; another number gives other rooms [default: the project's, or 1].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u64>(0..=u64::MAX))]
     pub(crate) seed: Option<u64>,
     /// Style of rooms whose plan names none [default: the project's, or `default`].
     #[arg(long, value_name = "NAME")]
     pub(crate) style: Option<String>,
     /// Furnish a room up to K times, until the audit finds nothing, and keep the best.
-    #[arg(long, value_name = "K", default_value_t = DEFAULT_EFFORT, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "K", default_value_t = DEFAULT_EFFORT, allow_negative_numbers = true, value_parser = whole_number::<u32>(1..=1000))]
     pub(crate) effort: u32,
 }

@@ -60,7 +60,8 @@ fn levels_below(folder: &Path, faults: &mut Faults) -> Result<BTreeSet<PathBuf>,
         files.extend(levels_below(&bake, faults)?);
     }
     if files.is_empty() {
-        Err(Fault::of_file(folder, "holds no level: no .glb or .gltf file"))
+        let fault = Fault::of_file(folder, "holds no level: no .glb or .gltf file");
+        Err(fault.with_hint("`roomwright bake PLAN --out DIR` writes them"))
     } else {
         Ok(files)
     }

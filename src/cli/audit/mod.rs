@@ -72,7 +72,7 @@ fn show(arguments: &AuditArguments, screen: Screen, levels: &[JudgedLevel], faul
             "levels": levels,
             "faults": faults.0.iter().map(FaultReport::from).collect::<Vec<_>>(),
         }));
-    } else if !screen.is_quiet {
+    } else if !screen.is_quiet && !levels.is_empty() {
         let most = if arguments.all { usize::MAX } else { LISTED_FINDINGS };
         screen.result(&text::report(levels, &totals, most));
     }

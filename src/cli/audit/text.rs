@@ -2,6 +2,7 @@
 
 use crate::audit::{AuditSummary, Finding, Severity};
 use crate::cli::summary::audit_lines;
+use crate::document::printable;
 
 use super::judge::{JudgedLevel, JudgedRoom};
 
@@ -40,8 +41,13 @@ pub(crate) fn report(levels: &[JudgedLevel], totals: &AuditSummary, most: usize)
 fn level_line(level: &JudgedLevel) -> String {
     let totals = &level.totals;
     let grades = totals.grades;
-    let mut line =
-        format!("{}: {} none, {} minor, {} failed", level.file, grades.none, grades.minor, grades.failed);
+    let mut line = format!(
+        "{}: {} none, {} minor, {} failed",
+        printable(&level.file),
+        grades.none,
+        grades.minor,
+        grades.failed
+    );
     if let Some(mean) = totals.score.mean() {
         line.push_str(&format!(", score {mean}"));
     }
@@ -57,7 +63,7 @@ fn finding_line(level: &JudgedLevel, room: &JudgedRoom, finding: &Finding) -> St
         Severity::Failed => "failed",
     };
     let measure = finding.measure();
-    format!(
+    let line = format!(
         "  {severity} {}/{}/{} ({}): {} {}: {}, threshold {}",
         level.building,
         level.level,
@@ -67,5 +73,6 @@ fn finding_line(level: &JudgedLevel, room: &JudgedRoom, finding: &Finding) -> St
         finding.objects.join(", "),
         measure.show(finding.measured),
         measure.show(finding.threshold),
-    )
+    );
+    printable(&line)
 }

@@ -5,14 +5,15 @@ mod page;
 mod signature;
 mod target;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::arguments::DrawArguments;
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
 use super::screen::Screen;
-use super::sources::{Sources, read_sources, run_style};
-use crate::document::Faults;
+use super::sources::{read_sources, run_style};
+use crate::document::{Faults, printable};
+use crate::edits::distinct_misfits;
 use chosen::{chosen_levels, pages};
 use page::draw_page;
 use signature::{is_own_drawing, sign};
@@ -34,12 +35,16 @@ fn prepare_and_draw(arguments: &DrawArguments, screen: Screen) -> Result<Outcome
     let levels = chosen_levels(arguments, &sources)?;
     let pages = pages(levels, arguments.sheet || target.is_one_file());
     let jobs = target.jobs(&pages, arguments.sheet)?;
-    let written = jobs.into_iter().map(|(page, path)| {
-        let svg = sign(draw_page(arguments, &sources, style.as_deref(), page));
-        show_or_write(&svg, path, arguments.force, screen)
-    });
-    let failed: Vec<bool> = written.map(|one| show_written(one, screen)).collect();
-    Ok(outcome(&failed, &sources))
+    let (mut failed, mut misfits) = (Vec::new(), Vec::new());
+    for (page, path) in jobs {
+        let (svg, found) = draw_page(arguments, &sources, style.as_deref(), page);
+        let written = show_or_write(&sign(svg), path, arguments.force, screen);
+        failed.push(show_written(written, screen));
+        misfits.extend(found);
+    }
+    let misfits = distinct_misfits(&misfits);
+    screen.faults(&misfits);
+    Ok(outcome(&failed, sources.faults.has_errors() || misfits.has_errors()))
 }
 
 /// Prints a drawing, or writes it if it has a path.
@@ -65,7 +70,7 @@ fn show_or_write(
 fn show_written(written: Result<Option<PathBuf>, Faults>, screen: Screen) -> bool {
     match written {
         Ok(path) => {
-            path.iter().for_each(|path: &PathBuf| screen.note(&Path::display(path).to_string()));
+            path.iter().for_each(|path: &PathBuf| screen.note(&printable(&path.display().to_string())));
             false
         }
         Err(faults) => {
@@ -75,9 +80,9 @@ fn show_written(written: Result<Option<PathBuf>, Faults>, screen: Screen) -> boo
     }
 }
 
-fn outcome(failed: &[bool], sources: &Sources) -> Outcome {
+fn outcome(failed: &[bool], has_faults: bool) -> Outcome {
     match failed.iter().all(|failed| *failed) {
         true => Outcome::NotStarted,
-        false => Outcome::of_failures(sources.faults.has_errors() || failed.contains(&true)),
+        false => Outcome::of_failures(has_faults || failed.contains(&true)),
     }
 }

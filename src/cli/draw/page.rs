@@ -7,22 +7,25 @@ use super::super::bake::DEFAULT_SEED;
 use super::super::sources::Sources;
 use super::chosen::{Page, Subject};
 use crate::audit::Finding;
-use crate::best::Judged;
 use crate::catalog::Catalog;
 use crate::draw::{Drawing, draw_level, draw_levels};
-use crate::edits::furnish_edited;
+use crate::edits::{Finished, Misfit, furnish_edited};
 use crate::layout::{FurnishOptions, Furnished};
 
-/// The furnished rooms of a level and the findings in each.
-type Judgement = (Vec<Furnished>, Vec<Vec<Finding>>);
+/// The furnished rooms of a level, and the findings and the edits that do not fit in each.
+struct Judgement {
+    furnished: Vec<Furnished>,
+    findings: Vec<Vec<Finding>>,
+    misfits: Vec<Misfit>,
+}
 
-/// Furnishes levels as `bake` does and draws them.
+/// Furnishes levels as `bake` does and draws them; edits that do not fit come beside the drawing.
 pub(super) fn draw_page(
     arguments: &DrawArguments,
     sources: &Sources,
     style: Option<&str>,
     page: &Page<'_>,
-) -> String {
+) -> (String, Vec<Misfit>) {
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
     let furnish = |&subject: &Subject<'_>| furnish_level(arguments, sources, (seed, style), subject);
     let judged: Vec<Judgement> = page.iter().map(furnish).collect();
@@ -31,24 +34,25 @@ pub(super) fn draw_page(
         .zip(&judged)
         .map(|(subject, judgement)| drawing(arguments, &sources.catalog, seed, (*subject, judgement)))
         .collect();
-    match drawings.as_slice() {
+    let svg = match drawings.as_slice() {
         [one] => draw_level(one),
         several => draw_levels(several),
-    }
+    };
+    (svg, judged.into_iter().flat_map(|level| level.misfits).collect())
 }
 
 fn drawing<'a>(
     arguments: &DrawArguments,
     catalog: &'a Catalog,
     seed: u64,
-    ((placed, level), (furnished, findings)): (Subject<'a>, &'a Judgement),
+    ((placed, level), judged): (Subject<'a>, &'a Judgement),
 ) -> Drawing<'a> {
     Drawing {
         building: &placed.id,
         site: placed.site,
         level,
-        furnished,
-        findings,
+        furnished: &judged.furnished,
+        findings: &judged.findings,
         catalog,
         seed,
         has_clearances: arguments.clearances,
@@ -67,7 +71,13 @@ fn furnish_level(
     let run = FurnishOptions::new(seed, &placed.id).with_style(style);
     let edits = sources.edits.level(&placed.id, &level.id);
     let furnish =
-        |room| furnish_edited((level, room), &sources.catalog, &run, arguments.furnish.effort, edits).judged;
-    let judged = |judged: Judged| (judged.furnished, judged.verdict.findings);
-    rooms.map(furnish).map(judged).unzip()
+        |room| furnish_edited((level, room), &sources.catalog, &run, arguments.furnish.effort, edits);
+    let finished: Vec<Finished> = rooms.map(furnish).collect();
+    let mut judgement = Judgement { furnished: Vec::new(), findings: Vec::new(), misfits: Vec::new() };
+    for Finished { judged, misfits } in finished {
+        judgement.furnished.push(judged.furnished);
+        judgement.findings.push(judged.verdict.findings);
+        judgement.misfits.extend(misfits);
+    }
+    judgement
 }

@@ -36,9 +36,10 @@ pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
         screen.faults(&sources.faults);
         let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
         let wanted = Wanted {
-            room: &arguments.room,
+            room: arguments.room.as_deref().unwrap_or_default(),
             building: arguments.building.as_deref(),
             level: arguments.level.as_deref(),
+            argument: "ROOM",
         };
         let found = find_room(&sources.plan.buildings, wanted)?;
         let subject = subject(arguments, &sources, found, style.as_deref());

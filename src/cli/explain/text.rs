@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::audit::Finding;
 use crate::catalog::Side;
+use crate::document::printable;
 use crate::layout::{MissingStory, ObjectStory, Parent, Placement, Refusal, SearchStory, Wish};
 use crate::scene::opening_id;
 
@@ -37,15 +38,9 @@ fn heading(subject: &Subject<'_>) -> String {
     let room = found.room();
     let room_type = subject.sources.catalog.room_types.get(&room.room_type);
     let label = room_type.map_or(room.room_type.as_str(), |room_type| &room_type.label);
-    let mut text = format!(
-        "{} / {} / {}: {label}, {:.1} m²\n  seed {}, style {}\n",
-        found.placed.id,
-        found.level.id,
-        room.id,
-        room.region.area(),
-        subject.seed,
-        furnished.style
-    );
+    let name = printable(&format!("{} / {} / {}: {label}", found.placed.id, found.level.id, room.id));
+    let area = room.region.area();
+    let mut text = format!("{name}, {area:.1} m²\n  seed {}, style {}\n", subject.seed, furnished.style);
     let explanation = &subject.explanation;
     if explanation.attempts == 0 {
         return text + "  rooms of this type are not furnished\n";
@@ -70,7 +65,7 @@ fn heading(subject: &Subject<'_>) -> String {
 
 fn object(subject: &Subject<'_>, story: &ObjectStory, placement: &Placement) -> String {
     let label = &subject.sources.catalog.classes[placement.class].label;
-    let mut text = format!("{}  {label}\n", story.id);
+    let mut text = printable(&format!("{}  {label}", story.id)) + "\n";
     let (at, angle) = (placement.position, placement.angle.to_degrees().round().rem_euclid(360.0));
     fact(&mut text, "stands", &stands(subject, placement));
     let up =
@@ -99,7 +94,7 @@ fn show_finding(finding: &Finding, own_id: &str) -> String {
 }
 
 fn fact(text: &mut String, name: &str, fact: &str) {
-    let _ = writeln!(text, "  {name:<9}{fact}");
+    let _ = writeln!(text, "  {name:<9}{}", printable(fact));
 }
 
 /// What an object stands on or at, by the parent's side.

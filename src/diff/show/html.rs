@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::lines::{Line, lines};
-use super::markdown::html_escaped;
 use super::{counted, kinds, name, sentence, sign};
 use crate::diff::picture::RoomPictures;
 use crate::diff::report::{LevelDiff, Presence, Report, RoomDiff};
+use crate::document::xml_text;
 use crate::draw::MarkKind;
 
 /// How much a page shows.
@@ -48,9 +48,9 @@ pub fn html(
          <meta name=\"viewport\" content=\"width=device-width\">\n<title>Furniture: what changed</title>\n\
          <style>\n{STYLE}\n</style>\n</head>\n<body>\n<h1>Furniture: what changed</h1>\n\
          <p><code>{}</code> → <code>{}</code></p>\n<p>{}</p>\n",
-        html_escaped(&report.old),
-        html_escaped(&report.new),
-        html_escaped(&sentence(report))
+        xml_text(&report.old),
+        xml_text(&report.new),
+        xml_text(&sentence(report))
     );
     push_counts(&mut page, report);
     push_troubles(&mut page, report);
@@ -60,7 +60,7 @@ pub fn html(
     let _ = write!(
         page,
         "<hr>\n<p>{}, structure {}; moved from {} m, turned from {}°.</p>\n</body>\n</html>\n",
-        html_escaped(&report.program),
+        xml_text(&report.program),
         report.diff,
         report.tolerance.metres,
         report.tolerance.degrees
@@ -80,15 +80,13 @@ fn push_counts(page: &mut String, report: &Report) {
 
 fn push_troubles(page: &mut String, report: &Report) {
     for trouble in &report.troubles {
-        let hint = trouble
-            .hint
-            .as_ref()
-            .map_or_else(String::new, |hint| format!("<br>hint: {}", html_escaped(hint)));
-        let (file, message) = (html_escaped(&trouble.file), html_escaped(&trouble.message));
+        let hint =
+            trouble.hint.as_ref().map_or_else(String::new, |hint| format!("<br>hint: {}", xml_text(hint)));
+        let (file, message) = (xml_text(&trouble.file), xml_text(&trouble.message));
         let _ = writeln!(page, "<p class=\"bad\">Cannot be read: <code>{file}</code>: {message}{hint}</p>");
     }
     for (path, state) in &report.shared {
-        let _ = writeln!(page, "<p>{} shared file <code>{}</code></p>", sign(*state), html_escaped(path));
+        let _ = writeln!(page, "<p>{} shared file <code>{}</code></p>", sign(*state), xml_text(path));
     }
 }
 
@@ -100,7 +98,7 @@ fn push_levels(page: &mut String, report: &Report, limits: HtmlLimits) {
     page.push_str("<table>\n<tr><th></th><th>level</th><th>rooms</th><th>changes</th></tr>\n");
     let below = shown_rooms(report, limits.rooms).len();
     for (index, level) in report.levels.iter().take(limits.levels).enumerate() {
-        let title = html_escaped(&name(level));
+        let title = xml_text(&name(level));
         let title = if index < below { format!("<a href=\"#level-{index}\">{title}</a>") } else { title };
         let changes = level.all_changes().count();
         let _ = writeln!(
@@ -138,7 +136,7 @@ fn push_rooms(
     most: usize,
 ) {
     for (index, (level, shown)) in report.levels.iter().zip(shown_rooms(report, most)).enumerate() {
-        let _ = writeln!(page, "<h2 id=\"level-{index}\">{}</h2>", html_escaped(&name(level)));
+        let _ = writeln!(page, "<h2 id=\"level-{index}\">{}</h2>", xml_text(&name(level)));
         if level.state == Presence::Unreadable {
             page.push_str("<p class=\"bad\">Cannot be compared.</p>\n");
         }
@@ -171,7 +169,7 @@ fn rooms_of(report: &Report) -> usize {
 }
 
 fn push_room(page: &mut String, room: &RoomDiff, pictures: Option<&RoomPictures>) {
-    let (id, room_type) = (html_escaped(&room.room), html_escaped(&room.room_type));
+    let (id, room_type) = (xml_text(&room.room), xml_text(&room.room_type));
     let class = class_of(sign(room.state));
     let _ = writeln!(
         page,
@@ -193,16 +191,13 @@ fn push_lines(page: &mut String, lines: &[Line]) {
     }
     page.push_str("<ul>\n");
     for Line { sign, subject, text } in lines {
-        let subject = if subject.is_empty() {
-            String::new()
-        } else {
-            format!("<code>{}</code> ", html_escaped(subject))
-        };
+        let subject =
+            if subject.is_empty() { String::new() } else { format!("<code>{}</code> ", xml_text(subject)) };
         let _ = writeln!(
             page,
             "<li><span class=\"{}\">{sign}</span> {subject}{}</li>",
             class_of(sign),
-            html_escaped(text)
+            xml_text(text)
         );
     }
     page.push_str("</ul>\n");

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::lines::{Line, lines};
 use super::{counted, kinds, name, sentence, sign};
 use crate::diff::report::{LevelDiff, Report};
+use crate::document::{printable, xml_text};
 
 /// Lines of a room or level that are shown; the others are counted.
 const MOST_LINES: usize = 20;
@@ -60,7 +61,7 @@ fn level_block(level: &LevelDiff) -> String {
     let mut text = format!(
         "\n<details><summary>{} <code>{}</code>{rooms}</summary>\n\n",
         sign(level.state),
-        html_escaped(&name(level))
+        xml_text(&name(level))
     );
     push_lines(&mut text, &lines(&level.changes), "");
     for room in &level.rooms {
@@ -84,16 +85,5 @@ fn push_lines(text: &mut String, lines: &[Line], indent: &str) {
 
 /// A text in which nothing means anything but itself.
 fn code(text: &str) -> String {
-    let clean: String = text
-        .chars()
-        .map(|letter| if letter.is_control() { ' ' } else { letter })
-        .collect::<String>()
-        .replace('`', "'");
-    format!("`{clean}`")
-}
-
-/// A text between tags.
-pub(super) fn html_escaped(text: &str) -> String {
-    let clean: String = text.chars().filter(|letter| !letter.is_control()).collect();
-    clean.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    format!("`{}`", printable(text).replace('`', "'"))
 }

@@ -54,7 +54,10 @@ fn sign(state: Presence) -> &'static str {
     }
 }
 
-/// Building and level, as people read them.
+/// Building and level, as people read them; a file that cannot be read names neither.
 fn name(level: &LevelDiff) -> String {
+    if level.building.is_empty() && level.level.is_empty() {
+        return "one of the files".to_owned();
+    }
     format!("{} / {}", level.building, level.level)
 }

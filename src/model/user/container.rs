@@ -92,21 +92,26 @@ fn split(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>), Problem> {
     // The reader subtracts the header from the length without looking.
     let length = bytes.get(8..12).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
     if length.is_none_or(|length| length < 12) {
-        return Err(Problem::new("is cut off within its header"));
+        return Err(Problem::new("is cut off within its header").with_hint(DAMAGED_HINT));
     }
     let announced = length.unwrap_or_default() as usize;
     if announced > bytes.len() {
         let message =
             format!("is cut off: it has {} of the {announced} bytes that its header announces", bytes.len());
-        return Err(Problem::new(message));
+        return Err(Problem::new(message).with_hint(DAMAGED_HINT));
     }
-    let glb = gltf::Glb::from_slice(bytes)
-        .map_err(|error| Problem::new(format!("is no sound binary glTF 2.0 file: {error}")))?;
+    let glb = gltf::Glb::from_slice(bytes).map_err(|error| {
+        Problem::new(format!("is no sound binary glTF 2.0 file: {error}")).with_hint(DAMAGED_HINT)
+    })?;
     Ok((glb.json.into_owned(), glb.bin.map(std::borrow::Cow::into_owned)))
 }
 
+const DAMAGED_HINT: &str =
+    "the file is cut off or damaged: copy it again, or write it anew where it comes from";
+
 fn not_json(error: serde_json::Error) -> Problem {
-    Problem::new(format!("is no glTF document: {error}"))
+    let hint = "a .glb begins with the letters glTF, a .gltf is JSON: is this another kind of file, or an empty one?";
+    Problem::new(format!("is no glTF document: {error}")).with_hint(hint)
 }
 
 fn parse(text: &[u8]) -> Result<Root, Problem> {
