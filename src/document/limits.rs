@@ -4,8 +4,9 @@
 /// file beyond it is a mistake (a mesh, a log, an image) or an attack, and is refused before it is read.
 pub const FILE_SIZE_LIMIT: u64 = 512 * 1024 * 1024;
 
-/// Deepest nesting of lists and mappings. Formats here need about ten; `serde_json` refuses 128.
-pub(super) const DEPTH_LIMIT: usize = 100;
+/// Deepest nesting of lists and mappings. Formats here need about ten; `serde_json` refuses 128. Without optimisation a level
+/// takes up to 22 kB of stack, of which threads have 2 MB.
+pub(super) const DEPTH_LIMIT: usize = 48;
 
 /// Values of a document after aliases are copied out, in the tree that locates faults and in YAML. Above
 /// it a file's first fault is reported alone. A value of the tree takes about 100 bytes.
