@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::check::{check_programmes, find_depths};
 use super::digest::finish_digest;
 use super::read::{Definitions, Files};
-use super::report::Report;
+use super::report::{Promised, Report};
 use super::resolve::{
     BuildingStyleWorld, Names, StyleWorld, resolve_audit, resolve_building_styles, resolve_classes,
     resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
@@ -32,6 +32,29 @@ pub fn load_catalog(extra_folders: &[PathBuf]) -> Result<Warned<Catalog>, Faults
         files.add_folder(folder);
     }
     load_files(&files)
+}
+
+/// As [`load_catalog`], but with the catalogue as far as it goes, for reading on in search of faults. What faulty files may
+/// define counts as known to its room words.
+pub(crate) fn load_catalog_so_far(extra_folders: &[PathBuf]) -> (Catalog, Faults) {
+    let mut files = Files::default();
+    files.add_builtin();
+    for folder in extra_folders {
+        files.add_folder(folder);
+    }
+    let (definitions, mut report) = files.parse();
+    let mut catalog = resolve(&definitions, &files, &mut report);
+    let words = &mut catalog.room_words;
+    match report.promised {
+        Promised::Everything => words.accept_everything(),
+        Promised::Words(promised) => {
+            words.known.extend(promised.iter().cloned());
+            words.styles.extend(promised);
+        }
+    }
+    let mut faults = report.faults;
+    faults.sort();
+    (catalog, faults)
 }
 
 /// From files to the catalogue.

@@ -1,5 +1,6 @@
 //! Folders of configuration to files, and files to definitions.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
@@ -10,7 +11,7 @@ use super::file::{
     BuildingStyleEntry, ClassEntry, ClassFile, PaletteEntry, PaletteFile, RoomFile, RoomTypeEntry, StyleEntry,
 };
 use super::file::{StyleFile, WordsFile};
-use super::report::{Report, Spot};
+use super::report::{Promised, Report, Spot};
 use super::table::{Definition, Extends, Table};
 use crate::document::{Fault, Faults, Source};
 
@@ -43,6 +44,8 @@ const MISNAMED_FOLDERS: [(&str, &str); 8] = [
     ("room_types", "rooms"),
     ("style", "styles"),
 ];
+/// The key of classes under which they name the groups that they are of.
+const GROUPS_KEY: &str = "groups";
 /// The file of room words, whatever its extension.
 const WORDS_FILE: &str = "room_words";
 /// The extensions that are read; everything else below the folders is left alone.
@@ -131,13 +134,17 @@ impl Files {
     /// All files as definitions, and the faults found so far.
     pub(crate) fn parse(&self) -> (Definitions, Report<'_>) {
         let mut faults = self.faults.clone();
-        let parsed: Vec<Option<Parsed>> = self
-            .places
-            .iter()
-            .zip(&self.sources)
-            .map(|(place, source)| parse(place.kind, source).map_err(|new| faults.merge(new)).ok())
-            .collect();
-        let mut report = Report::new(&self.sources, faults);
+        let mut promised =
+            if faults.has_errors() { Promised::Everything } else { Promised::Words(BTreeSet::new()) };
+        let mut parsed: Vec<Option<Parsed>> = Vec::with_capacity(self.places.len());
+        for (place, source) in self.places.iter().zip(&self.sources) {
+            let found = parse(place.kind, source).map_err(|new| {
+                faults.merge(new);
+                promised.add(source.promised_words(GROUPS_KEY));
+            });
+            parsed.push(found.ok());
+        }
+        let mut report = Report::new(&self.sources, faults, promised);
         let mut definitions = Definitions::default();
         for (source, (place, parsed)) in self.places.iter().zip(parsed).enumerate() {
             if let Some(parsed) = parsed {

@@ -1,5 +1,7 @@
 //! Where a value is written, and the faults found so far.
 
+use std::collections::BTreeSet;
+
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean};
 
 /// A place in one of the files that were read.
@@ -37,21 +39,49 @@ impl Spot {
     }
 }
 
+/// What files with faults may define: names that are not known otherwise, but not reported either.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Promised {
+    /// These names; none where all files are sound.
+    Words(BTreeSet<String>),
+    /// Any name: the text of a file could not be read, or is no YAML.
+    Everything,
+}
+
+impl Promised {
+    /// Adds what a file with faults may define.
+    pub(crate) fn add(&mut self, words: Option<Vec<String>>) {
+        match (self, words) {
+            (Self::Words(known), Some(words)) => known.extend(words),
+            (promised, _) => *promised = Self::Everything,
+        }
+    }
+
+    fn has(&self, word: &str) -> bool {
+        match self {
+            Self::Words(words) => words.contains(word),
+            Self::Everything => true,
+        }
+    }
+
+    fn is_nothing(&self) -> bool {
+        matches!(self, Self::Words(words) if words.is_empty())
+    }
+}
+
 /// Collects the faults of all files.
 pub(crate) struct Report<'a> {
     sources: &'a [Source],
     /// Everything found so far.
     pub(crate) faults: Faults,
-    /// Whether every file could be read. If not, a name that is not known may stand in a broken file, and
-    /// is not reported.
-    is_complete: bool,
+    /// What files with faults may define.
+    pub(crate) promised: Promised,
 }
 
 impl<'a> Report<'a> {
     /// Goes on from the faults of reading.
-    pub(crate) fn new(sources: &'a [Source], faults: Faults) -> Self {
-        let is_complete = !faults.has_errors();
-        Self { sources, faults, is_complete }
+    pub(crate) fn new(sources: &'a [Source], faults: Faults, promised: Promised) -> Self {
+        Self { sources, faults, promised }
     }
 
     /// Something is wrong.
@@ -77,7 +107,7 @@ impl<'a> Report<'a> {
         word: &str,
         candidates: impl IntoIterator<Item = &'c str> + Clone,
     ) {
-        if self.is_complete {
+        if !self.promised.has(word) {
             let hint = did_you_mean(word, candidates);
             self.add(spot, format!("unknown {what} \"{word}\""), hint, FaultSeverity::Error);
         }
@@ -90,7 +120,7 @@ impl<'a> Report<'a> {
 
     /// Something is wrong with the configuration as a whole.
     pub(crate) fn error_of_all(&mut self, fault: Fault) {
-        if self.is_complete {
+        if self.promised.is_nothing() {
             self.faults.push(fault);
         }
     }

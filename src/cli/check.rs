@@ -6,20 +6,16 @@ use super::arguments::CheckArguments;
 use super::exit::Outcome;
 use super::room_styles::check_room_styles;
 use super::screen::{FaultReport, Screen};
-use super::sources::{Sources, read_sources, run_style};
+use super::sources::{Sources, run_style, survey_sources};
 use crate::document::Faults;
 
 /// Runs the command. The report is the result: it goes to stdout.
 pub(crate) fn run(arguments: &CheckArguments, screen: Screen) -> Outcome {
-    let (read, faults) = match read_sources(&arguments.sources) {
-        Ok(mut sources) => {
-            let mut faults = std::mem::take(&mut sources.faults);
-            faults.merge(check_room_styles(&sources.plan, &sources.catalog));
-            faults.merge(run_style(arguments.style.as_ref(), &sources).err().unwrap_or_default());
-            (Some(sources), faults)
-        }
-        Err(faults) => (None, faults),
-    };
+    let (read, mut faults) = survey_sources(&arguments.sources);
+    if let Some(sources) = &read {
+        faults.merge(check_room_styles(&sources.plan, &sources.catalog));
+        faults.merge(run_style(arguments.style.as_ref(), sources).err().unwrap_or_default());
+    }
     if screen.is_json {
         screen.json(&report(read.as_ref(), &faults));
     } else {

@@ -7,7 +7,7 @@ pub enum Outcome {
     Done = 0,
     /// Some inputs failed; the rest is done.
     SomeFailed = 1,
-    /// Nothing could start.
+    /// Nothing could start, or the result was lost.
     NotStarted = 2,
 }
 
@@ -16,21 +16,23 @@ pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  everything was done
   1  some inputs failed; the rest is done
-  2  nothing could start: bad arguments, no readable input, no output folder";
+  2  nothing could start: bad arguments, no readable input, no output folder; or the result is lost,
+     for standard output takes nothing (a full disk)";
 
 /// For the help page of `audit`.
 pub(crate) const AUDIT_EXIT_CODES: &str = "\
 Exit codes:
   0  every room was judged, and none fails
   1  some rooms fail, or could not be judged
-  2  nothing could be judged: bad arguments, bad configuration, no readable file";
+  2  nothing could be judged: bad arguments, bad configuration, no readable file; or the
+     report is lost";
 
 /// For the help page of `diff`.
 pub(crate) const DIFF_EXIT_CODES: &str = "\
 Exit codes:
   0  no difference of the kinds asked for with --fail-on
   1  differences of these kinds
-  2  something could not be compared: no manifest, an unreadable file; the rest is";
+  2  something could not be compared: no manifest, an unreadable file; the rest is; or the report is lost";
 
 impl Outcome {
     /// The worse of two.

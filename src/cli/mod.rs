@@ -33,12 +33,17 @@ use clap::Parser;
 
 use arguments::{Arguments, Command};
 pub use exit::Outcome;
-use screen::Screen;
+use screen::{Screen, is_result_lost};
 
-/// Runs the command line of this process.
+/// Runs the command line of this process. Whatever else went well: a result that was lost is a failure.
 #[must_use]
 pub fn run() -> Outcome {
     crate::batch::collect_panics();
+    let outcome = run_command();
+    if is_result_lost() { outcome.and(Outcome::NotStarted) } else { outcome }
+}
+
+fn run_command() -> Outcome {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return usage::show(error),

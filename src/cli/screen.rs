@@ -4,10 +4,28 @@
 //! characters that a terminal or a service for continuous integration would obey are made visible instead.
 
 use std::io::{self, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Serialize;
 
 use crate::document::{Fault, Faults, printable_json, printable_lines};
+
+/// Whether a result was lost on its way to stdout; this process has one.
+static IS_RESULT_LOST: AtomicBool = AtomicBool::new(false);
+
+/// Takes note of how printing a result ended, and says on stderr if it was lost. A reader that has gone away is no error: it has
+/// seen what it wanted.
+pub(crate) fn printed(ended: io::Result<()>) {
+    let Err(error) = ended.and_then(|()| io::stdout().flush()) else { return };
+    if error.kind() != io::ErrorKind::BrokenPipe && !IS_RESULT_LOST.swap(true, Ordering::Relaxed) {
+        let _ = writeln!(io::stderr().lock(), "standard output: the result cannot be written: {error}");
+    }
+}
+
+/// Whether a result was lost.
+pub(crate) fn is_result_lost() -> bool {
+    IS_RESULT_LOST.load(Ordering::Relaxed)
+}
 
 /// What goes where.
 #[derive(Clone, Copy, Debug)]
@@ -19,10 +37,9 @@ pub(crate) struct Screen {
 }
 
 impl Screen {
-    /// Writes a result to stdout, with a newline. A reader that has gone away is no error.
+    /// Writes a result to stdout, with a newline.
     pub(crate) fn result(self, text: &str) {
-        let mut out = io::stdout().lock();
-        let _ = writeln!(out, "{}", printable_lines(text)).and_then(|()| out.flush());
+        printed(writeln!(io::stdout().lock(), "{}", printable_lines(text)));
     }
 
     /// Writes a result for machines to stdout.

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::arguments::SourceArguments;
-use crate::catalog::{Catalog, builtin_files, load_catalog};
+use crate::catalog::{Catalog, builtin_files, load_catalog, load_catalog_so_far};
 use crate::disk::TemporaryFolder;
 use crate::document::{Fault, Faults, Warned, did_you_mean};
 use crate::edits::{EditBook, read_edits};
@@ -55,6 +55,45 @@ pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Sources, Fault
     };
     faults.merge(edit_faults);
     Ok(Sources { catalog, models, plan, edits, settings, faults })
+}
+
+/// As [`read_sources`], but where that ends at the faults of some files, the others are read all the same: all faults of all
+/// files come back at once.
+pub(crate) fn survey_sources(arguments: &SourceArguments) -> (Option<Sources>, Faults) {
+    match read_sources(arguments) {
+        Ok(mut sources) => {
+            let faults = std::mem::take(&mut sources.faults);
+            (Some(sources), faults)
+        }
+        Err(mut faults) => {
+            faults.merge(all_faults(arguments));
+            faults.sort();
+            (None, faults)
+        }
+    }
+}
+
+fn all_faults(arguments: &SourceArguments) -> Faults {
+    let (settings, mut faults) = match project_settings(&arguments.paths) {
+        Ok(settings) => (Some(settings), Faults::default()),
+        Err(faults) => (None, faults),
+    };
+    let of_projects = settings.iter().flat_map(|settings| &settings.catalog);
+    let folders: Vec<PathBuf> = of_projects.chain(&arguments.catalog).cloned().collect();
+    let (mut catalog, found) = load_catalog_so_far(&folders);
+    let is_whole = !found.has_errors();
+    faults.merge(found);
+    if settings.is_none() {
+        // Folders of configuration may be missing.
+        catalog.room_words.accept_everything();
+    }
+    faults.merge(ModelLibrary::load(&catalog).err().unwrap_or_default());
+    let reading = read_plans(&arguments.paths, &PlanOptions { words: &catalog.room_words });
+    faults.merge(reading.faults);
+    if is_whole && !arguments.edits.no_edits {
+        faults.merge(read_edits(&reading.plan, &arguments.edits.files, &catalog).1);
+    }
+    faults
 }
 
 /// Reads plans for which no furniture is needed; the catalogue says what their words mean.

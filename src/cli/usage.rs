@@ -6,12 +6,13 @@ use std::path::Path;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::exit::Outcome;
+use super::screen::printed;
 use crate::document::bounded;
 
-/// Shows what clap has to say, with what was typed made harmless and short. A reader that has gone away is no error.
+/// Shows what clap has to say, with what was typed made harmless and short.
 pub(super) fn show(mut error: clap::Error) -> Outcome {
     if !error.use_stderr() {
-        let _ = error.print();
+        printed(error.print());
         return Outcome::Done;
     }
     let hint = plan_in_place_of_command(&error).unwrap_or_default();

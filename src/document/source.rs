@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 
 use super::diagnose::diagnose;
 use super::excerpt::excerpt;
@@ -141,6 +142,24 @@ impl Source {
         let start = *starts.get(number.checked_sub(1)?)?;
         let rest = &self.text[start..];
         (!rest.is_empty() || number == 1).then_some(rest)
+    }
+
+    /// The words that a text may define although it has faults: the keys below its outermost ones, and what stands under
+    /// `key` in their values. None if it is not known what the text says.
+    pub(crate) fn promised_words(&self, key: &str) -> Option<Vec<String>> {
+        let root = self.tree().as_ref().ok()?.root.to_value();
+        let tables = root.as_object()?.values().filter_map(Value::as_object);
+        let mut words = Vec::new();
+        for (id, definition) in tables.flatten() {
+            words.push(id.clone());
+            match definition.get(key) {
+                Some(Value::Array(items)) => {
+                    words.extend(items.iter().filter_map(Value::as_str).map(str::to_owned));
+                }
+                found => words.extend(found.and_then(Value::as_str).map(str::to_owned)),
+            }
+        }
+        Some(words)
     }
 
     /// The tree of the text, or the reason why there is none.

@@ -231,3 +231,32 @@ fn a_folder_of_configuration_that_is_missing() {
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("nowhere"), "{}", ran.stderr);
 }
+
+#[test]
+fn check_tells_all_faults_of_all_files_in_one_round() {
+    let world = World::new();
+    let class = |id: &str, body: &str| format!("version: 1\nclasses:\n  {id}: {{{body}}}\n");
+    world.write("mine/classes/wrong_key.yaml", class("tall_desk", "extends: desk, colour: red"));
+    world.write("mine/classes/no_base.yaml", class("low_desk", "extends: dsek"));
+    world.write("mine/classes/child.yaml", class("taller_desk", "extends: tall_desk"));
+    world.write(
+        "mine/rooms/den.yaml",
+        "version: 1\nroom_types:\n  den:\n    extends: study\n    programme:\n    - {class: dragon}\n    - {class: tall_desk}\n",
+    );
+    world.write("plans/alpha.yaml", plan("alpha", 1).replace("type: study", "type: stduy"));
+    world.write("plans/beta.yaml", plan("beta", 1).replace("    height: 3\n", "    heigth: 3\n"));
+    let ran = world.run(&["check", "plans", "--catalog", "mine"]);
+    assert_eq!(ran.code, Some(1));
+    for (file, fault) in [
+        ("mine/classes/wrong_key.yaml", "unknown key \"colour\""),
+        ("mine/classes/no_base.yaml", "unknown class \"dsek\""),
+        ("mine/rooms/den.yaml", "\"dragon\""),
+        ("plans/alpha.yaml", "unknown room type \"stduy\""),
+        ("plans/beta.yaml", "\"heigth\""),
+    ] {
+        let is_told = ran.stdout.lines().any(|line| line.starts_with(file) && line.contains(fault));
+        assert!(is_told, "{file} {fault} is missing in:\n{}", ran.stdout);
+    }
+    assert!(!ran.stdout.contains("tall_desk\""), "what a faulty file defines is known:\n{}", ran.stdout);
+    assert!(ran.stdout.contains(" 5 errors, 0 warnings"), "{}", ran.stdout);
+}

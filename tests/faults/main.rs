@@ -11,6 +11,7 @@ mod world;
 mod bounded;
 #[cfg(unix)]
 mod links;
+mod lost_output;
 mod parallel;
 mod records;
 #[cfg(unix)]

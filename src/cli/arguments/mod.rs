@@ -6,6 +6,8 @@ mod exchange;
 mod inspect;
 mod judge;
 mod number;
+#[cfg(test)]
+mod pages;
 mod setup;
 mod sources;
 
