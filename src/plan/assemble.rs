@@ -11,6 +11,7 @@ use super::limits::{COORDINATE, LEVEL_OPENINGS, STOREY_HEIGHT, WALL_THICKNESS};
 use super::{LeafDraft, Level, LevelDraft, Opening, OpeningKind, Problem, Room, Subject};
 
 mod extents;
+mod free;
 mod index;
 mod obstacles;
 mod overlaps;
@@ -18,12 +19,15 @@ mod problems;
 #[cfg(test)]
 mod properties;
 mod rooms;
+#[cfg(test)]
+mod scaling;
 mod tags;
 #[cfg(test)]
 mod tests;
 mod walls;
 
-pub(super) use index::{OutlineIndex, WallIndex, WallPlace};
+use free::OpeningIds;
+pub(super) use index::{BoxIndex, OutlineIndex, WallIndex, WallPlace};
 pub(super) use walls::ray_hit;
 
 /// Metres from floor to floor where a draft names no usable height.
@@ -128,7 +132,7 @@ fn check_level(draft: &mut LevelDraft, problems: &mut Vec<Problem>) {
 fn place_openings(assembly: &mut Assembly<'_>, solids: &OutlineIndex) -> Vec<Opening> {
     let draft = assembly.draft;
     let index = WallIndex::of(&assembly.rooms);
-    let mut ids = BTreeSet::new();
+    let mut ids = OpeningIds::default();
     let mut numbers: Vec<usize> = Vec::new();
     if draft.openings.len() > LEVEL_OPENINGS {
         let count = draft.openings.len();
@@ -141,7 +145,7 @@ fn place_openings(assembly: &mut Assembly<'_>, solids: &OutlineIndex) -> Vec<Ope
             assembly.problems.push(problems::of_lost_room(number, &opening.id, room));
             continue;
         }
-        if opening.id.is_empty() || !ids.insert(opening.id.clone()) {
+        if opening.id.is_empty() || !ids.claim(&opening.id) {
             assembly.problems.push(problems::duplicate(Subject::Opening(number), "opening", &opening.id));
         } else {
             numbers.push(number);
@@ -170,7 +174,7 @@ fn place_opening(
     assembly: &mut Assembly<'_>,
     number: usize,
     index: &WallIndex,
-    ids: &mut BTreeSet<String>,
+    ids: &mut OpeningIds,
 ) -> Result<Vec<Opening>, Problem> {
     let draft = &assembly.draft.openings[number];
     let subject = Subject::Opening(number);
@@ -186,7 +190,7 @@ fn place_opening(
     }
     for (copy, piece) in pieces.iter_mut().enumerate() {
         if copy > 0 {
-            piece.id = free_id(&request.id, ids);
+            piece.id = ids.copy_of(&request.id);
         }
         piece.leaves = hang_leaves(piece, &assembly.rooms, &draft.leaf);
         enlist(piece, number, &mut assembly.rooms);
@@ -204,29 +208,17 @@ fn place_boundary(
     assembly: &mut Assembly<'_>,
     mut boundary: Request,
     index: &WallIndex,
-    ids: &mut BTreeSet<String>,
+    ids: &mut OpeningIds,
 ) -> Option<Opening> {
     let opening = attach(&boundary, &assembly.rooms, index).ok()?;
-    if !ids.insert(boundary.id.clone()) {
-        boundary.id = free_id(&boundary.id, ids);
+    if !ids.claim(&boundary.id) {
+        boundary.id = ids.copy_of(&boundary.id);
     }
     enlist(&opening, usize::MAX, &mut assembly.rooms);
     Some(Opening { id: boundary.id, ..opening })
 }
 
-/// The id with the first number from 2 that is free; it is taken at once.
-fn free_id(base: &str, ids: &mut BTreeSet<String>) -> String {
-    let mut copy = 2;
-    loop {
-        let id = format!("{base}:{copy}");
-        if ids.insert(id.clone()) {
-            return id;
-        }
-        copy += 1;
-    }
-}
-
-/// Numbers the openings by the draft's order and fills the rooms' lists anew, sorted by wall and place.
+/// Numbers the openings by the draft's order and fills the rooms' lists anew.
 fn number_openings(assembly: &mut Assembly<'_>, mut placed: Vec<(usize, Opening)>) -> Vec<Opening> {
     placed.sort_by_key(|(number, _)| *number);
     let mut openings: Vec<Opening> = placed.into_iter().map(|(_, opening)| opening).collect();
@@ -237,7 +229,6 @@ fn number_openings(assembly: &mut Assembly<'_>, mut placed: Vec<(usize, Opening)
         enlist(opening, number, &mut assembly.rooms);
     }
     for (number, room) in assembly.rooms.iter_mut().enumerate() {
-        room.openings.sort_by(|a, b| a.wall.cmp(&b.wall).then(a.from.total_cmp(&b.from)));
         part_neighbours(number, room, &mut openings);
     }
     openings

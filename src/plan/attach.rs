@@ -36,6 +36,8 @@ const PARALLEL_SINE: f64 = 0.26;
 const LEAST_SHARE: f64 = 0.8;
 /// A room behind a door that shows this share of it is the one the door leads to: the door moves along.
 const LEAST_PARTNER_SHARE: f64 = 0.5;
+/// Walls that are looked at for an opening.
+const MOST_FACES: usize = 256;
 /// Windows may be cut down to this share where a door stands beside them.
 const LEAST_WINDOW_SHARE: f64 = 0.4;
 /// Metres of the narrowest opening.
@@ -128,17 +130,20 @@ fn split(request: &Request, rooms: &[Room], index: &WallIndex, pieces: &mut Vec<
     }
 }
 
-/// Enters an opening into the lists of its rooms.
+/// Enters an opening into the lists of its rooms, which are sorted by wall and place.
 pub(super) fn enlist(opening: &Opening, number: usize, rooms: &mut [Room]) {
     for side in &opening.sides {
         let entry = RoomOpening { opening: number, wall: side.wall, from: side.from, to: side.to };
-        rooms[side.room].openings.push(entry);
+        let entries = &mut rooms[side.room].openings;
+        let place = entries.partition_point(|other| (other.wall, other.from) <= (entry.wall, entry.from));
+        entries.insert(place, entry);
     }
 }
 
 fn faces_near(request: &Request, rooms: &[Room], index: &WallIndex) -> Vec<Face> {
     let half = request.along * request.width.min(REACH * 2.0) / 2.0;
-    let near = index.near_segment(request.center - half, request.center + half, REACH);
+    let ends = (request.center - half, request.center + half);
+    let near = index.some_near(ends, REACH, MOST_FACES);
     let left = request.along.perp();
     near.into_iter()
         .filter(|place| rooms[place.room].room_type != HOLLOW_ROOM_TYPE)
@@ -237,8 +242,7 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
     let mut taken_spans = Vec::new();
     for face in chosen {
         let wall = &rooms[face.place.room].walls[face.place.wall];
-        let taken = rooms[face.place.room].openings.iter().filter(|entry| entry.wall == face.place.wall);
-        for entry in taken {
+        for entry in near_entries(request, &rooms[face.place.room], face) {
             let ends = [entry.from, entry.to]
                 .map(|at| (wall.start + wall.direction() * at - request.center).dot(request.along));
             taken_spans.push((ends[0].min(ends[1]), ends[0].max(ends[1])));
@@ -266,6 +270,23 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
     }
     let middle = 0f64.clamp(low + half, (high - half).max(low + half));
     Ok((middle - half, middle + half))
+}
+
+/// The openings of a wall that an opening may meet, and the next one on either side: of the others none is beside it.
+fn near_entries<'a>(request: &Request, room: &'a Room, face: &Face) -> &'a [RoomOpening] {
+    let number = face.place.wall;
+    let first = room.openings.partition_point(|entry| entry.wall < number);
+    let count = room.openings[first..].partition_point(|entry| entry.wall == number);
+    let entries = &room.openings[first..first + count];
+    let wall = &room.walls[number];
+    // The ends of the opening, seen along the wall: they are parallel, or nearly so.
+    let (start, slope) =
+        ((wall.start - request.center).dot(request.along), wall.direction().dot(request.along));
+    let ends = [-request.width / 2.0, request.width / 2.0].map(|end| (end - start) / slope);
+    let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+    let before = entries.partition_point(|entry| entry.to <= low).saturating_sub(1);
+    let behind = entries.partition_point(|entry| entry.from < high);
+    &entries[before..entries.len().min(behind + 1)]
 }
 
 /// What spans leave free of a stretch, from its low to its high end.

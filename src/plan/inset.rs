@@ -8,6 +8,7 @@
 
 use geo::{BooleanOps, unary_union};
 
+use super::assemble::BoxIndex;
 use super::clean::{Ring, clean_ring, largest_part, mean_width, meeting_point, to_points, to_surface};
 use crate::geometry::{Point, Polygon};
 
@@ -40,51 +41,41 @@ pub(super) fn inset_rooms(rooms: Vec<CenterRoom>, depth: f64) -> Vec<CenterRoom>
     if depth <= 0.0 {
         return rooms;
     }
-    let borders: Vec<Borders> = rooms.iter().map(Borders::of).collect();
-    let shared: Vec<Vec<bool>> = (0..rooms.len()).map(|room| shared_edges(room, &borders)).collect();
+    let borders: Vec<Vec<Edge>> = rooms.iter().map(edges_of).collect();
+    let index = BoxIndex::of(borders.iter().enumerate().flat_map(|(room, edges)| {
+        let edges = edges.iter().enumerate();
+        edges.map(move |(edge, (start, end))| (start.min(*end), start.max(*end), (room, edge)))
+    }));
+    let shared: Vec<Vec<bool>> = (0..rooms.len()).map(|room| shared_edges(room, &borders, &index)).collect();
     rooms.into_iter().zip(shared).map(|(room, shared)| inset_room(room, &shared, depth)).collect()
 }
 
-/// The borders of a room in the order of [`crate::geometry::Region::borders`], and their bounding box.
-struct Borders {
-    low: Point,
-    high: Point,
-    edges: Vec<(Point, Point)>,
+type Edge = (Point, Point);
+
+/// The borders of a room in the order of [`crate::geometry::Region::borders`].
+fn edges_of(room: &CenterRoom) -> Vec<Edge> {
+    let holes = room.holes.iter().flat_map(|hole| hole.edges().map(|(a, b)| (b, a)));
+    room.ring.polygon.edges().chain(holes).collect()
 }
 
-impl Borders {
-    fn of(room: &CenterRoom) -> Self {
-        let (low, high) = room.ring.polygon.bounds();
-        let holes = room.holes.iter().flat_map(|hole| hole.edges().map(|(a, b)| (b, a)));
-        Self { low, high, edges: room.ring.polygon.edges().chain(holes).collect() }
-    }
-
-    fn is_near(&self, other: &Self) -> bool {
-        (self.low - SHARED_DISTANCE).cmple(other.high).all()
-            && (other.low - SHARED_DISTANCE).cmple(self.high).all()
-    }
-}
-
-fn shared_edges(room: usize, borders: &[Borders]) -> Vec<bool> {
+fn shared_edges(room: usize, borders: &[Vec<Edge>], index: &BoxIndex<(usize, usize)>) -> Vec<bool> {
     let own = &borders[room];
-    let others: Vec<&Borders> = borders
-        .iter()
-        .enumerate()
-        .filter(|&(index, other)| index != room && own.is_near(other))
-        .map(|(_, other)| other)
-        .collect();
-    let mut shared: Vec<bool> = own
-        .edges
-        .iter()
-        .map(|&edge| others.iter().any(|other| other.edges.iter().any(|&far| is_shared(edge, far))))
-        .collect();
+    let is_shared_by_any = |&(start, end): &Edge| {
+        let (low, high) = (start.min(end) - SHARED_DISTANCE, start.max(end) + SHARED_DISTANCE);
+        let mut others = index.meeting(low, high).filter(|(other, _)| *other != room);
+        others.any(|(other, edge)| is_shared((start, end), borders[other][edge]))
+    };
+    let mut shared: Vec<bool> = own.iter().map(is_shared_by_any).collect();
     // One straight wall has one face, also where it is part outer, part inner wall.
-    let count = room_loop(&own.edges);
-    for _ in 0..count {
+    let count = room_loop(own);
+    let mut is_settled = false;
+    while !is_settled {
+        is_settled = true;
         for index in 0..count {
             let next = (index + 1) % count;
-            if is_straight_on(own.edges[index], own.edges[next]) && shared[index] != shared[next] {
+            if is_straight_on(own[index], own[next]) && shared[index] != shared[next] {
                 (shared[index], shared[next]) = (true, true);
+                is_settled = false;
             }
         }
     }
@@ -92,17 +83,17 @@ fn shared_edges(room: usize, borders: &[Borders]) -> Vec<bool> {
 }
 
 /// How many of the first edges form the closed outline.
-fn room_loop(edges: &[(Point, Point)]) -> usize {
+fn room_loop(edges: &[Edge]) -> usize {
     edges.iter().position(|&(_, end)| end == edges[0].0).map_or(edges.len(), |last| last + 1)
 }
 
-fn is_straight_on((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+fn is_straight_on((a, b): Edge, (c, d): Edge) -> bool {
     let (first, second) = ((b - a).normalize_or_zero(), (d - c).normalize_or_zero());
     first.dot(second) > 0.0 && first.perp_dot(second).abs() < SHARED_SINE
 }
 
 /// Whether the edges run in opposite directions on one line for a while.
-fn is_shared((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+fn is_shared((a, b): Edge, (c, d): Edge) -> bool {
     let along = (b - a).normalize_or_zero();
     let far = (d - c).normalize_or_zero();
     if along.dot(far) > 0.0 || along.perp_dot(far).abs() > SHARED_SINE {
@@ -178,12 +169,9 @@ fn move_loop(corners: &[Point], depths: &[f64]) -> Option<Vec<Point>> {
 
 /// Takes strips along the shared edges off the room: slower, but niches may vanish.
 fn cut_strips(room: &CenterRoom, depths: &[f64]) -> Option<CenterRoom> {
-    let borders = Borders::of(room);
-    let count = borders.edges.len();
-    let strips: Vec<geo::Polygon<f64>> = (0..count)
-        .filter(|&index| depths[index] > 0.0)
-        .filter_map(|index| strip(borders.edges[index], depths[index]))
-        .collect();
+    let edges = edges_of(room).into_iter().zip(depths);
+    let strips: Vec<geo::Polygon<f64>> =
+        edges.filter(|(_, depth)| **depth > 0.0).filter_map(|(edge, depth)| strip(edge, *depth)).collect();
     let surface = to_surface(&room.ring.polygon, &room.holes);
     let (part, rest) = largest_part(surface.difference(&unary_union(strips.iter())))?;
     let ring = clean_ring(&to_points(part.exterior()), &[]).ok()?;
@@ -199,7 +187,7 @@ fn cut_strips(room: &CenterRoom, depths: &[f64]) -> Option<CenterRoom> {
 }
 
 /// The piece of wall on the inside of an edge, longer than the edge so that corners are filled.
-fn strip((a, b): (Point, Point), depth: f64) -> Option<geo::Polygon<f64>> {
+fn strip((a, b): Edge, depth: f64) -> Option<geo::Polygon<f64>> {
     let along = (b - a).normalize_or_zero();
     let inwards = along.perp() * depth;
     // Not quite the full depth: the strip must not reach past the neighbour's own strip.
@@ -211,7 +199,7 @@ fn strip((a, b): (Point, Point), depth: f64) -> Option<geo::Polygon<f64>> {
 
 /// Finds for each edge of the cut room the edge of the centre line from which it comes.
 fn trace(polygon: &Polygon, origin: &Ring, depths: &[f64]) -> Vec<Option<usize>> {
-    let comes_from = |(a, b): (Point, Point), (start, end): (Point, Point), depth: f64| {
+    let comes_from = |(a, b): Edge, (start, end): Edge, depth: f64| {
         let along = (end - start).normalize_or_zero();
         let middle = a.midpoint(b) - start;
         let offset = along.perp_dot(middle);

@@ -6,7 +6,38 @@ use rstar::{AABB, RTree};
 use crate::geometry::{Point, Polygon};
 use crate::plan::Room;
 
-type Box<T> = GeomWithData<Rectangle<[f64; 2]>, T>;
+type Boxed<T> = GeomWithData<Rectangle<[f64; 2]>, T>;
+
+/// Things by bounding box.
+#[derive(Debug)]
+pub(in crate::plan) struct BoxIndex<T>(RTree<Boxed<T>>);
+
+impl<T: Copy + Ord> BoxIndex<T> {
+    /// Indexes things by the low and the high corner of their boxes; what is nowhere is left out.
+    pub(in crate::plan) fn of(boxes: impl Iterator<Item = (Point, Point, T)>) -> Self {
+        let boxes = boxes.filter(|(low, high, _)| low.is_finite() && high.is_finite());
+        Self(RTree::bulk_load(boxes.map(|(low, high, thing)| boxed(low, high, thing)).collect()))
+    }
+
+    /// The things whose box meets the box from `low` to `high`, sorted.
+    pub(in crate::plan) fn near(&self, low: Point, high: Point) -> Vec<T> {
+        let mut things: Vec<T> = self.meeting(low, high).collect();
+        // The tree's own order depends on how it was built; later ties must not.
+        things.sort_unstable();
+        things
+    }
+
+    /// As [`BoxIndex::near`] in the tree's own order, which is the same for the same boxes; not looked further than asked.
+    pub(in crate::plan) fn meeting(&self, low: Point, high: Point) -> impl Iterator<Item = T> {
+        let envelope = AABB::from_corners(low.to_array(), high.to_array());
+        self.0.locate_in_envelope_intersecting(&envelope).map(|item| item.data)
+    }
+
+    /// Adds a thing.
+    pub(in crate::plan) fn add(&mut self, low: Point, high: Point, thing: T) {
+        self.0.insert(boxed(low, high, thing));
+    }
+}
 
 /// A wall of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,55 +49,58 @@ pub(in crate::plan) struct WallPlace {
 }
 
 /// All walls of a level by bounding box.
-pub(in crate::plan) struct WallIndex(RTree<Box<WallPlace>>);
+pub(in crate::plan) struct WallIndex(BoxIndex<WallPlace>);
 
 impl WallIndex {
     /// Indexes the walls of all rooms.
     pub(in crate::plan) fn of(rooms: &[Room]) -> Self {
         let boxes = rooms.iter().enumerate().flat_map(|(room, value)| {
             value.walls.iter().enumerate().map(move |(wall, piece)| {
-                boxed(piece.start.min(piece.end), piece.start.max(piece.end), WallPlace { room, wall })
+                (piece.start.min(piece.end), piece.start.max(piece.end), WallPlace { room, wall })
             })
         });
-        Self(RTree::bulk_load(boxes.collect()))
+        Self(BoxIndex::of(boxes))
+    }
+
+    /// As [`WallIndex::near_segment`]; of more than `most` walls those that the tree names first, which are the same for the
+    /// same walls. So many lie at one place only where rooms are drawn upon each other.
+    pub(in crate::plan) fn some_near(
+        &self,
+        (start, end): (Point, Point),
+        reach: f64,
+        most: usize,
+    ) -> Vec<WallPlace> {
+        let all = self.0.meeting(start.min(end) - reach, start.max(end) + reach);
+        let mut places: Vec<WallPlace> = all.take(most).collect();
+        places.sort_unstable();
+        places
     }
 
     /// The walls whose bounding box comes within `reach` metres of that of a segment, sorted.
     pub(in crate::plan) fn near_segment(&self, start: Point, end: Point, reach: f64) -> Vec<WallPlace> {
-        let (low, high) = (start.min(end) - reach, start.max(end) + reach);
-        let envelope = AABB::from_corners(low.to_array(), high.to_array());
-        let mut places: Vec<WallPlace> =
-            self.0.locate_in_envelope_intersecting(&envelope).map(|item| item.data).collect();
-        // The tree's own order depends on how it was built; later ties must not.
-        places.sort_unstable();
-        places
+        self.0.near(start.min(end) - reach, start.max(end) + reach)
     }
 }
 
 /// Outlines by bounding box.
 pub(in crate::plan) struct OutlineIndex {
     outlines: Vec<Polygon>,
-    tree: RTree<Box<usize>>,
+    index: BoxIndex<usize>,
 }
 
 impl OutlineIndex {
     /// Indexes outlines.
     pub(in crate::plan) fn of(outlines: Vec<Polygon>) -> Self {
-        let boxes = outlines.iter().enumerate().map(|(index, outline)| {
+        let index = BoxIndex::of(outlines.iter().enumerate().map(|(index, outline)| {
             let (low, high) = outline.bounds();
-            boxed(low, high, index)
-        });
-        let tree = RTree::bulk_load(boxes.collect());
-        Self { outlines, tree }
+            (low, high, index)
+        }));
+        Self { outlines, index }
     }
 
     /// The outlines whose bounding box meets the box from `low` to `high`, in their order.
     pub(in crate::plan) fn near(&self, low: Point, high: Point) -> Vec<&Polygon> {
-        let envelope = AABB::from_corners(low.to_array(), high.to_array());
-        let mut found: Vec<usize> =
-            self.tree.locate_in_envelope_intersecting(&envelope).map(|item| item.data).collect();
-        found.sort_unstable();
-        found.into_iter().map(|index| &self.outlines[index]).collect()
+        self.index.near(low, high).into_iter().map(|index| &self.outlines[index]).collect()
     }
 
     /// Whether there is none.
@@ -75,6 +109,6 @@ impl OutlineIndex {
     }
 }
 
-fn boxed<T>(low: Point, high: Point, data: T) -> Box<T> {
-    GeomWithData::new(Rectangle::from_corners(low.to_array(), high.to_array()), data)
+fn boxed<T>(low: Point, high: Point, thing: T) -> Boxed<T> {
+    GeomWithData::new(Rectangle::from_corners(low.to_array(), high.to_array()), thing)
 }

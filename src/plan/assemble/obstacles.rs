@@ -2,7 +2,7 @@
 
 use geo::BooleanOps;
 
-use super::{Assembly, problems};
+use super::{Assembly, BoxIndex, problems};
 use crate::geometry::Polygon;
 use crate::plan::clean::{clean_ring, to_polygon, to_surface};
 use crate::plan::{Obstacle, Problem, Room, Subject};
@@ -13,6 +13,10 @@ const SMALLEST_PIECE: f64 = 1e-4;
 /// Gives each room the pieces of columns inside its region.
 pub(super) fn place_obstacles(assembly: &mut Assembly<'_>) {
     let draft = assembly.draft;
+    let index = BoxIndex::of(assembly.rooms.iter().enumerate().map(|(number, room)| {
+        let (low, high) = room.region.outline.bounds();
+        (low, high, number)
+    }));
     for (number, obstacle) in draft.obstacles.iter().enumerate() {
         let subject = Subject::Obstacle(number);
         let outline = match clean_ring(&obstacle.outline, &[]).map(|ring| ring.polygon) {
@@ -34,7 +38,9 @@ pub(super) fn place_obstacles(assembly: &mut Assembly<'_>) {
             continue;
         }
         let mut is_inside = false;
-        for room in &mut assembly.rooms {
+        let (low, high) = outline.bounds();
+        for room in index.near(low, high) {
+            let room = &mut assembly.rooms[room];
             for piece in pieces(&outline, room) {
                 is_inside = true;
                 room.obstacles.push(Obstacle { outline: piece, height: height.min(room.height) });
@@ -48,11 +54,6 @@ pub(super) fn place_obstacles(assembly: &mut Assembly<'_>) {
 }
 
 fn pieces(outline: &Polygon, room: &Room) -> Vec<Polygon> {
-    let (low, high) = outline.bounds();
-    let (room_low, room_high) = room.region.outline.bounds();
-    if !(low.cmple(room_high).all() && room_low.cmple(high).all()) {
-        return Vec::new();
-    }
     let surface = to_surface(&room.region.outline, &room.region.holes);
     let inside = surface.intersection(&to_surface(outline, &[]));
     inside.0.iter().filter_map(to_polygon).filter(|piece| piece.area() >= SMALLEST_PIECE).collect()

@@ -1,8 +1,10 @@
 //! Rooms that lie on each other.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use geo::{Area, BooleanOps};
 
-use super::Assembly;
+use super::{Assembly, BoxIndex};
 use crate::geometry::{Point, Polygon};
 use crate::plan::clean::{separate_holes, to_surface};
 use crate::plan::inset::CenterRoom;
@@ -12,22 +14,38 @@ use crate::plan::{Problem, Subject};
 const LARGEST_SLIP: f64 = 0.02;
 /// A room that lies in another with this share of its area is one drawn inside it.
 const ENCLOSED_SHARE: f64 = 0.9;
+/// Larger rooms whose boxes meet that of a room and which are compared with it: more of them are rooms drawn over each
+/// other many times, for which all pairs would take hours.
+const COMPARED: usize = 256;
+/// Larger rooms on which a room is said to lie.
+const REPORTED: usize = 8;
 
-/// Cuts a room that is drawn inside another out of it, with a warning.
+/// Cuts rooms that are drawn inside another out of it, with a warning.
 ///
 /// `borders` are in the order of `assembly.sources`.
 pub(super) fn cut_enclosed(assembly: &mut Assembly<'_>, borders: &mut [CenterRoom]) {
-    for overlap in overlaps(borders) {
-        if overlap.area >= borders[overlap.small].ring.polygon.area() * ENCLOSED_SHARE {
-            let hole = borders[overlap.small].ring.polygon.clone();
-            cut(&mut borders[overlap.large], hole);
-            let [inner, outer] = [overlap.small, overlap.large].map(|room| assembly.sources[room]);
-            let id = |source: usize| &assembly.draft.rooms[source].id;
-            let (small, large, area) = (id(inner), id(outer), overlap.area);
-            let fact = format!("room \"{small}\" lies on {area:.2} m² of room \"{large}\"");
-            let hint = Some("it was cut out of the other room");
-            assembly.problems.push(Problem::warning(Subject::Room(inner), fact, hint));
-        }
+    let mut enclosed = overlaps(borders);
+    enclosed.retain(|pair| pair.area >= borders[pair.small].ring.polygon.area() * ENCLOSED_SHARE);
+    let mut larger: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+    let mut cuts: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+    for &Overlap { large, small, area } in &enclosed {
+        larger.entry(small).or_default().insert(large);
+        cuts.entry(large).or_default().insert(small);
+        let source = assembly.sources[small];
+        let id = |room: usize| &assembly.draft.rooms[assembly.sources[room]].id;
+        let fact = format!("room \"{}\" lies on {area:.2} m² of room \"{}\"", id(small), id(large));
+        let hint = Some("it was cut out of the other room");
+        assembly.problems.push(Problem::warning(Subject::Room(source), fact, hint));
+    }
+    let outlines: BTreeMap<usize, Polygon> =
+        larger.keys().map(|&room| (room, borders[room].ring.polygon.clone())).collect();
+    for (room, rooms_in_it) in cuts {
+        // What lies in one of these goes with that one.
+        let goes_with_another = |small: &usize| !larger[small].is_disjoint(&rooms_in_it);
+        let own = rooms_in_it.iter().filter(|small| !goes_with_another(small));
+        let holes = borders[room].holes.iter().cloned().chain(own.map(|small| outlines[small].clone()));
+        let cleaned = separate_holes(borders[room].ring.clone(), holes.collect());
+        borders[room] = CenterRoom { ring: cleaned.ring, holes: cleaned.holes };
     }
 }
 
@@ -43,13 +61,6 @@ pub(super) fn report_overlaps(assembly: &mut Assembly<'_>, borders: &[CenterRoom
     }
 }
 
-fn cut(room: &mut CenterRoom, hole: Polygon) {
-    let mut holes = room.holes.clone();
-    holes.push(hole);
-    let cleaned = separate_holes(room.ring.clone(), holes);
-    *room = CenterRoom { ring: cleaned.ring, holes: cleaned.holes };
-}
-
 /// Two rooms, by index, and the square metres they share.
 struct Overlap {
     large: usize,
@@ -57,33 +68,60 @@ struct Overlap {
     area: f64,
 }
 
-/// All pairs of rooms that share floor, by the smaller and then the larger index.
+/// The pairs of rooms that share floor, by the smaller and then the larger index; of each room those with larger ones,
+/// [`REPORTED`] at most.
 fn overlaps(borders: &[CenterRoom]) -> Vec<Overlap> {
-    let bounds: Vec<(Point, Point)> = borders.iter().map(|room| room.ring.polygon.bounds()).collect();
+    let floors: Vec<Floor<'_>> = borders.iter().map(Floor::of).collect();
+    // From the largest on; of equals the first in the plan is taken to be the larger.
     let mut order: Vec<usize> = (0..borders.len()).collect();
-    order.sort_by(|&a, &b| bounds[a].0.x.total_cmp(&bounds[b].0.x));
-    let mut pairs = Vec::new();
-    for (place, &room) in order.iter().enumerate() {
-        // Sorted from west to east: nobody after the first that begins east of this room touches it.
-        let reached = order[place + 1..].iter().take_while(|&&other| bounds[other].0.x < bounds[room].1.x);
-        for &other in reached {
-            let size = bounds[room].1.min(bounds[other].1) - bounds[room].0.max(bounds[other].0);
-            if size.min_element() > 0.0 && size.x * size.y > LARGEST_SLIP {
-                pairs.push((room.min(other), room.max(other)));
-            }
-        }
+    order.sort_by(|&a, &b| floors[b].area.total_cmp(&floors[a].area).then(a.cmp(&b)));
+    let mut larger = BoxIndex::of(std::iter::empty());
+    let mut found = Vec::new();
+    for small in order {
+        let (low, high) = floors[small].bounds;
+        let overlap = |large: usize| {
+            let area = floors[large.min(small)].shared_with(&floors[large.max(small)]);
+            (area > LARGEST_SLIP).then_some(Overlap { large, small, area })
+        };
+        found.extend(larger.meeting(low, high).take(COMPARED).filter_map(overlap).take(REPORTED));
+        larger.add(low, high, small);
     }
-    pairs.sort_unstable();
-    let overlap = |(first, second): (usize, usize)| {
-        let area = shared_area(&borders[first], &borders[second]);
-        let is_first_larger = borders[first].ring.polygon.area() >= borders[second].ring.polygon.area();
-        let (large, small) = if is_first_larger { (first, second) } else { (second, first) };
-        (area > LARGEST_SLIP).then_some(Overlap { large, small, area })
-    };
-    pairs.into_iter().filter_map(overlap).collect()
+    found.sort_by_key(|pair| (pair.large.min(pair.small), pair.large.max(pair.small)));
+    found
 }
 
-fn shared_area(first: &CenterRoom, second: &CenterRoom) -> f64 {
-    let surface = |room: &CenterRoom| to_surface(&room.ring.polygon, &room.holes);
-    surface(first).intersection(&surface(second)).unsigned_area()
+/// A room to be compared with others.
+struct Floor<'a> {
+    room: &'a CenterRoom,
+    /// Square metres of its outline.
+    area: f64,
+    bounds: (Point, Point),
+    /// Its holes by place: a floor that is drawn around all rooms has one for each.
+    holes: BoxIndex<usize>,
+}
+
+impl<'a> Floor<'a> {
+    fn of(room: &'a CenterRoom) -> Self {
+        let outline = &room.ring.polygon;
+        let holes = BoxIndex::of(room.holes.iter().enumerate().map(|(number, hole)| {
+            let (low, high) = hole.bounds();
+            (low, high, number)
+        }));
+        Self { room, area: outline.area(), bounds: outline.bounds(), holes }
+    }
+
+    /// Square metres on which both lie.
+    fn shared_with(&self, other: &Self) -> f64 {
+        let size = self.bounds.1.min(other.bounds.1) - self.bounds.0.max(other.bounds.0);
+        if size.min_element() <= 0.0 || size.x * size.y <= LARGEST_SLIP {
+            return 0.0;
+        }
+        self.surface_within(other.bounds).intersection(&other.surface_within(self.bounds)).unsigned_area()
+    }
+
+    /// What it covers, without the holes that do not reach into a box.
+    fn surface_within(&self, (low, high): (Point, Point)) -> geo::Polygon<f64> {
+        let holes = self.holes.near(low, high).into_iter().map(|hole| self.room.holes[hole].clone());
+        to_surface(&self.room.ring.polygon, &holes.collect::<Vec<Polygon>>())
+    }
 }

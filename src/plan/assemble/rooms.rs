@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::extents::{is_hopeless, refuse_excess, refuse_far, refuse_surplus};
+use super::free::FreeNumbers;
 use super::overlaps::{cut_enclosed, report_overlaps};
 use super::walls::bare_walls;
 use super::{Assembly, SLAB_THICKNESS, problems};
@@ -118,18 +119,10 @@ fn room_numbers(assembly: &mut Assembly<'_>) -> Vec<u32> {
         }
         numbers.push(number);
     }
+    let mut free = FreeNumbers::beside(taken);
     let with_sources = numbers.into_iter().zip(&assembly.sources);
-    with_sources
-        .map(|(number, &source)| {
-            number.unwrap_or_else(|| {
-                let mut free = u32::try_from(source).unwrap_or(u32::MAX).saturating_add(1);
-                while !taken.insert(free) {
-                    free = free.wrapping_add(1);
-                }
-                free
-            })
-        })
-        .collect()
+    let usual = |source: usize| u32::try_from(source).unwrap_or(u32::MAX).saturating_add(1);
+    with_sources.map(|(number, &source)| number.unwrap_or_else(|| free.take(usual(source)))).collect()
 }
 
 fn build_room(assembly: &mut Assembly<'_>, source: usize, border: CenterRoom, number: u32) -> Room {

@@ -12,6 +12,8 @@ const SHAFT: &str = "shaft";
 const WET: [&str; 6] = ["bathroom", "kitchen", "kitchen_dining", "kitchenette", "laundry", "toilet"];
 /// Metres from the face of a wall up to which something is right behind it: the wall and its cladding.
 const BEHIND: f64 = 0.6;
+/// Walls that are looked at behind one.
+const MOST_BEHIND: usize = 1024;
 /// Metres that two walls must have in common to stand back to back: less holds no pipe.
 const LEAST_SHARED: f64 = 0.1;
 /// Cosine between the normals of walls that stand back to back.
@@ -32,7 +34,7 @@ fn tag_pipes(rooms: &mut [Room]) {
     let places = WallIndex::of(rooms);
     let walls_of = |index: usize, counts: &dyn Fn(&Room) -> bool| -> Vec<usize> {
         let is_shared = |wall: &Wall| {
-            let near = places.near_segment(wall.start, wall.end, BEHIND);
+            let near = places.some_near((wall.start, wall.end), BEHIND, MOST_BEHIND);
             let mut others = near.into_iter().filter(|far| far.room != index && counts(&rooms[far.room]));
             others.any(|far| stand_back_to_back(wall, &rooms[far.room].walls[far.wall]))
         };
@@ -84,10 +86,10 @@ fn tag_room(room: &mut Room, openings: &[Opening]) {
             tags[opposite].push("opposite_door");
         }
     }
-    for (index, tags) in tags.iter_mut().enumerate() {
-        if !room.openings.iter().any(|entry| entry.wall == index) {
-            tags.push("blind");
-        }
+    let mut is_blind = vec![true; room.walls.len()];
+    room.openings.iter().for_each(|entry| is_blind[entry.wall] = false);
+    for (tags, _) in tags.iter_mut().zip(is_blind).filter(|(_, blind)| *blind) {
+        tags.push("blind");
     }
     if let Some(longest) = longest_wall(room) {
         tags[longest].push("longest");

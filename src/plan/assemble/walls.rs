@@ -8,6 +8,9 @@ use crate::plan::{LevelDraft, Room, Wall, WallKind};
 const THICKEST_INNER_WALL: f64 = 0.6;
 /// Metres between the rays of a wall.
 const RAY_INTERVAL: f64 = 0.5;
+/// Walls that are looked at behind one, and more of them for each of its rays.
+const MOST_BEHIND: usize = 256;
+const MOST_BEHIND_RAY: usize = 16;
 /// Metres that a ray starts inside the room, so that a face shared with the neighbour is hit.
 const RAY_BACKSTEP: f64 = 0.02;
 /// Cosine between a ray and the wall it may hit: no grazing hits.
@@ -80,9 +83,10 @@ struct Backing {
 
 fn backing_of(rooms: &[Room], index: &WallIndex, place: WallPlace) -> Backing {
     let wall = &rooms[place.room].walls[place.wall];
-    let near = index.near_segment(wall.start, wall.end, THICKEST_INNER_WALL);
     let outwards = -wall.normal();
     let origins = ray_origins(wall);
+    let most = MOST_BEHIND + MOST_BEHIND_RAY * origins.len();
+    let near = index.some_near((wall.start, wall.end), THICKEST_INNER_WALL, most);
     let gaps: Vec<f64> = origins
         .iter()
         .filter_map(|&origin| {

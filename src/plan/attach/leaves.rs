@@ -43,11 +43,7 @@ pub(in crate::plan) fn hang_leaves(opening: &Opening, rooms: &[Room], draft: &Le
         LeafDraft::Automatic => automatic(&frames, rooms),
         LeafDraft::Points(drawn) => as_drawn(&frames, drawn).unwrap_or_else(|| automatic(&frames, rooms)),
         LeafDraft::Swing { hinge_left, into, count, angle } => {
-            let room = into.as_ref().map(|name| rooms.iter().position(|room| room.id == *name));
-            let frame = frames.iter().find(|frame| match room {
-                Some(room) => room.is_some() && frame.room == room,
-                None => frame.room.is_none(),
-            });
+            let frame = frames.iter().find(|frame| frame.room.map(|room| &rooms[room].id) == into.as_ref());
             let angle = if angle.is_finite() { angle.clamp(ANGLES.0, ANGLES.1) } else { USUAL_ANGLE };
             frame.map_or_else(|| automatic(&frames, rooms), |frame| frame.leaves(*hinge_left, *count, angle))
         }

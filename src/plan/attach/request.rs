@@ -8,6 +8,8 @@ use crate::plan::{OpeningDraft, OpeningKind, OpeningPlace};
 
 /// Without a direction of its own an opening takes that of a wall within this many metres.
 const NEAREST_WALL: f64 = 1.0;
+/// Problems up to which a like name is looked for: nobody reads as many, and each is compared with all names.
+const HINTED: usize = 200;
 /// Metres of an open boundary that both rooms must share.
 const SHORTEST_BOUNDARY: f64 = 0.3;
 
@@ -154,7 +156,8 @@ fn named_rooms(
             let found = assembly.places.get(name.as_str()).copied();
             found.ok_or_else(|| {
                 let fact = format!("opening \"{}\" names the unknown room \"{name}\"", opening.id);
-                let candidates = assembly.rooms.iter().map(|room| room.id.as_str());
+                let compared = if assembly.problems.len() < HINTED { assembly.rooms.len() } else { 0 };
+                let candidates = assembly.rooms[..compared].iter().map(|room| room.id.as_str());
                 let near = candidates.max_by(|a, b| {
                     strsim::jaro(a, name).total_cmp(&strsim::jaro(b, name)).then_with(|| b.cmp(a))
                 });

@@ -6,6 +6,7 @@ use geo::{BooleanOps, Buffer, Distance, Euclidean, unary_union};
 use super::surface::to_points;
 use super::{Ring, RingFault, clean_ring, largest_part, refuse_sliver, to_surface};
 use crate::geometry::{Point, Polygon};
+use crate::plan::assemble::BoxIndex;
 
 /// Square metres of the smallest hole: a pipe's casing; smaller ones are drawing noise.
 const SMALLEST_HOLE: f64 = 0.005;
@@ -77,10 +78,19 @@ pub(in crate::plan) fn separate_holes(outline: Ring, holes: Vec<Polygon>) -> Cle
 fn are_apart(outline: &Polygon, holes: &[Polygon]) -> bool {
     let surfaces: Vec<_> = holes.iter().map(|hole| to_surface(hole, &[])).collect();
     let border = to_surface(outline, &[]).exterior().clone();
+    let places = BoxIndex::of(holes.iter().enumerate().map(|(index, hole)| {
+        let (low, high) = hole.bounds();
+        (low, high, index)
+    }));
+    let near = |index: usize| {
+        let (low, high) = holes[index].bounds();
+        let others = places.meeting(low - TOUCHING, high + TOUCHING);
+        others.filter(move |other| *other < index)
+    };
     surfaces.iter().enumerate().all(|(index, surface)| {
         outline.contains(holes[index].corners()[0])
             && Euclidean.distance(surface.exterior(), &border) > TOUCHING
-            && surfaces[..index].iter().all(|other| Euclidean.distance(surface, other) > TOUCHING)
+            && near(index).all(|other| Euclidean.distance(surface, &surfaces[other]) > TOUCHING)
     })
 }
 

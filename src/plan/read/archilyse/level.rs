@@ -1,8 +1,9 @@
 //! One drawing and its areas to a level.
 
 use super::areas::{Area, Outline};
-use super::drawing::{Drawing, Fixture, Hole, Sweep, metres, outer_ring};
+use super::drawing::{Drawing, Hole, Sweep, metres, outer_ring};
 use crate::geometry::{Point, Polygon};
+use crate::plan::assemble::BoxIndex;
 use crate::plan::units::CENTIMETRE;
 use crate::plan::{
     Leaf, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind,
@@ -89,11 +90,23 @@ pub(super) fn level(floor: &Floor<'_>, naming: &mut Naming<'_>) -> LevelDraft {
 
 /// The columns that stand free in an area; most are part of a wall, or cut out of the area already.
 fn columns(outlines: Vec<Vec<Point>>, floor: &Floor<'_>) -> Vec<ObstacleDraft> {
-    let areas: Vec<&Outline> = floor.areas.iter().flat_map(|(_, outlines)| outlines).collect();
+    let areas: Vec<(Polygon, &Outline)> = floor
+        .areas
+        .iter()
+        .flat_map(|(_, outlines)| outlines)
+        .filter_map(|outline| Some((Polygon::new(&outline.outer).ok()?, outline)))
+        .collect();
+    let places = BoxIndex::of(areas.iter().enumerate().map(|(number, (outer, _))| {
+        let (low, high) = outer.bounds();
+        (low, high, number)
+    }));
     let stands_free = |column: &Vec<Point>| {
         let middle = column.iter().sum::<Point>() / column.len().max(1) as f64;
         let encloses = |ring: &Vec<Point>| Polygon::new(ring).is_ok_and(|ring| ring.contains(middle));
-        areas.iter().any(|area| encloses(&area.outer) && !area.holes.iter().any(encloses))
+        places.meeting(middle, middle).any(|number| {
+            let (outer, area) = &areas[number];
+            outer.contains(middle) && !area.holes.iter().any(encloses)
+        })
     };
     let free = outlines.into_iter().filter(stands_free);
     free.map(|outline| ObstacleDraft { outline, height: None }).collect()
@@ -101,6 +114,13 @@ fn columns(outlines: Vec<Vec<Point>>, floor: &Floor<'_>) -> Vec<ObstacleDraft> {
 
 fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
     let fixtures = floor.drawing.fixtures(floor.pixel);
+    let baths = fixtures.iter().filter(|fixture| matches!(fixture.kind.as_str(), "bathtub" | "shower"));
+    let baths: Vec<Point> = baths.map(|fixture| fixture.center).collect();
+    let places = BoxIndex::of(baths.iter().enumerate().map(|(number, bath)| (*bath, *bath, number)));
+    let has_bath = |room: &Polygon| {
+        let (low, high) = room.bounds();
+        places.meeting(low, high).any(|number| room.contains(baths[number]))
+    };
     let mut rooms = Vec::new();
     for (area, outlines) in &floor.areas {
         for (part, outline) in outlines.iter().enumerate() {
@@ -112,7 +132,7 @@ fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
                 id,
                 name,
                 dwelling,
-                room_type: (naming.room_type)(area, is_toilet(area, outline, &fixtures)),
+                room_type: (naming.room_type)(area, is_toilet(area, outline, &has_bath)),
                 outline: outline.outer.clone(),
                 holes: outline.holes.clone(),
                 height: Some(floor.heights.wall),
@@ -123,12 +143,9 @@ fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
     rooms
 }
 
-fn is_toilet(area: &Area, outline: &Outline, fixtures: &[Fixture]) -> bool {
-    let Ok(polygon) = Polygon::new(&outline.outer) else { return false };
-    let has_bath = fixtures.iter().any(|fixture| {
-        matches!(fixture.kind.as_str(), "bathtub" | "shower") && polygon.contains(fixture.center)
-    });
-    area.area_type == "BATHROOM" && polygon.area() < LARGEST_TOILET && !has_bath
+fn is_toilet(area: &Area, outline: &Outline, has_bath: &dyn Fn(&Polygon) -> bool) -> bool {
+    let is_small = |room: &Polygon| room.area() < LARGEST_TOILET && !has_bath(room);
+    area.area_type == "BATHROOM" && Polygon::new(&outline.outer).is_ok_and(|room| is_small(&room))
 }
 
 /// `None` for kinds that are no openings.

@@ -59,9 +59,12 @@ impl<'a> RoomTypes<'a> {
 
     /// One warning per unknown word, at its first area.
     pub(super) fn warnings(&self, areas: &Table<Area>) -> Faults {
+        let mut places: BTreeMap<i64, usize> = BTreeMap::new();
+        for (index, area) in areas.rows() {
+            places.entry(area.id).or_insert(index);
+        }
         let warning = |(word, &(id, count)): (&String, &(i64, usize))| -> Fault {
-            let index =
-                areas.rows().find(|(_, area)| area.id == id).map(|(index, _)| index).unwrap_or_default();
+            let index = places.get(&id).copied().unwrap_or_default();
             unknown_word(&areas.source, &[index.into(), "area_type".into()], NAME, (word, count))
         };
         Faults(self.unknown.iter().map(warning).collect())

@@ -76,7 +76,12 @@ struct Site {
 pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
     let mut faults = Faults::default();
     let site = Site::read(folder, &mut faults).map_err(|found| name_missing(folder, found))?;
-    let outlines = outlined(&site.areas, &mut faults);
+    let mut outlines: BTreeMap<i64, Outlined<'_>> = BTreeMap::new();
+    for (area, parts) in outlined(&site.areas, &mut faults) {
+        if let Some(plan) = area.plan_id {
+            outlines.entry(plan).or_default().push((area, parts));
+        }
+    }
     let mut types = RoomTypes::new(words);
     let mut buildings: BTreeMap<i64, Vec<(i32, LevelDraft)>> = BTreeMap::new();
     for (index, floor) in site.floors.rows() {
@@ -149,7 +154,7 @@ impl Site {
     fn level(
         &self,
         (row, floor): (usize, &FloorRow),
-        outlines: &Outlined<'_>,
+        outlines: &BTreeMap<i64, Outlined<'_>>,
         types: &mut RoomTypes<'_>,
     ) -> Result<LevelDraft, Faults> {
         let mut projects = self.projects.rows();
@@ -163,10 +168,9 @@ impl Site {
         let drawing = &project.data;
         let path = [PathStep::from(place), "data".into(), "scale".into()];
         let pixel = pixel_size(&self.projects.source, drawing.scale, &path)?;
-        let mine = outlines.iter().filter(|(area, _)| area.plan_id == Some(floor.plan_id));
+        let areas = outlines.get(&floor.plan_id).cloned().unwrap_or_default();
         let heights = self.heights.get(&floor.plan_id).copied().unwrap_or_default();
-        let floor =
-            Floor { drawing, pixel, areas: mine.cloned().collect(), heights, number: floor.floor_number };
+        let floor = Floor { drawing, pixel, areas, heights, number: floor.floor_number };
         let mut naming = Naming {
             room_type: &mut |area, is_toilet| types.of(area, is_toilet),
             apartment: &|area| self.apartments.get(&area.id).cloned(),

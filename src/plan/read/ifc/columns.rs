@@ -10,6 +10,7 @@ use super::model::{Entity, Read};
 use super::placement::Geometry;
 use super::relations::Relations;
 use crate::geometry::{Point, Polygon};
+use crate::plan::assemble::BoxIndex;
 use crate::plan::clean::to_simple;
 use crate::plan::{ObstacleDraft, RoomDraft};
 
@@ -66,9 +67,10 @@ impl Products<'_> {
         for storey in storeys.iter_mut().filter(|storey| storey.has_unread_walls) {
             storey.draft.wall_outlines.clear();
         }
+        let places: Vec<BoxIndex<usize>> = storeys.iter().map(Storey::rooms_by_place).collect();
         for product in self.all(&COLUMNS) {
             match self.outlines(&product) {
-                Ok(outlines) => outlines.iter().for_each(|outline| columns(storeys, outline)),
+                Ok(outlines) => outlines.iter().for_each(|outline| columns(storeys, &places, outline)),
                 Err(trouble) => {
                     model.warn(trouble.id, format!("a column: {}", trouble.message), "it was left out")
                 }
@@ -103,6 +105,13 @@ impl Products<'_> {
 }
 
 impl Storey {
+    fn rooms_by_place(&self) -> BoxIndex<usize> {
+        BoxIndex::of(self.draft.rooms.iter().enumerate().map(|(number, room)| {
+            let (low, high) = bounds(&room.outline);
+            (low, high, number)
+        }))
+    }
+
     /// Whether something stands where people walk on this storey.
     fn is_in_the_way(&self, footprint: &Footprint) -> bool {
         // A bare outline stands on its storey, as high as that is.
@@ -112,10 +121,13 @@ impl Storey {
 }
 
 /// Enters a column into the storeys on which it stands in a room; most are part of a wall.
-fn columns(storeys: &mut [Storey], column: &Footprint) {
-    for storey in storeys.iter_mut().filter(|storey| storey.is_in_the_way(column)) {
+fn columns(storeys: &mut [Storey], places: &[BoxIndex<usize>], column: &Footprint) {
+    let here = storeys.iter_mut().zip(places).filter(|(storey, _)| storey.is_in_the_way(column));
+    let (low, high) = bounds(&column.outer);
+    for (storey, places) in here {
         storey.draft.wall_outlines.extend(Some(column.outer.clone()).filter(|_| !storey.has_unread_walls));
-        let Some(room) = storey.draft.rooms.iter().find(|room| reaches_into(room, &column.outer)) else {
+        let mut rooms = places.near(low, high).into_iter().map(|room| &storey.draft.rooms[room]);
+        let Some(room) = rooms.find(|room| reaches_into(room, &column.outer)) else {
             continue;
         };
         let ceiling = room.height.map_or(f64::INFINITY, |height| storey.floor + height);
@@ -124,16 +136,13 @@ fn columns(storeys: &mut [Storey], column: &Footprint) {
     }
 }
 
+fn bounds(ring: &[Point]) -> (Point, Point) {
+    let low = ring.iter().fold(Point::INFINITY, |low, corner| low.min(*corner));
+    (low, ring.iter().fold(Point::NEG_INFINITY, |high, corner| high.max(*corner)))
+}
+
 fn reaches_into(room: &RoomDraft, column: &[Point]) -> bool {
     let middle = column.iter().sum::<Point>() / column.len().max(1) as f64;
-    let bounds = |ring: &[Point]| {
-        let low = ring.iter().fold(Point::INFINITY, |low, corner| low.min(*corner));
-        (low, ring.iter().fold(Point::NEG_INFINITY, |high, corner| high.max(*corner)))
-    };
-    let ((low, high), (room_low, room_high)) = (bounds(column), bounds(&room.outline));
-    if !(low.cmple(room_high).all() && room_low.cmple(high).all()) {
-        return false;
-    }
     let Some(outline) = to_simple(&room.outline) else { return false };
     let holes: Vec<Polygon> = room.holes.iter().filter_map(|hole| to_simple(hole)).collect();
     let places = column.iter().map(|corner| middle.lerp(*corner, WITHIN)).chain([middle]);

@@ -29,7 +29,7 @@ const EMPTY_WORDS: [&str; 2] = ["room", "unspecified"];
 
 /// All buildings with levels, and warnings for unknown words and lost features.
 pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
-    let mut translation = Translation { archive, words, unknown: BTreeMap::new(), faults: Faults::default() };
+    let mut translation = Translation::of(archive, words);
     translation.report_strays();
     let mut buildings = Vec::new();
     let mut ids = BTreeSet::new();
@@ -58,19 +58,49 @@ fn building_id(name: Option<&str>, own: &str, taken: &mut BTreeSet<String>) -> S
 struct Translation<'a> {
     archive: &'a Archive,
     words: &'a RoomWords,
+    /// By building; a level of several buildings belongs to the first it names.
+    levels: BTreeMap<&'a str, Vec<&'a Feature<LevelProperties>>>,
+    /// With their places in the file, by level.
+    units: BTreeMap<&'a str, Vec<(usize, &'a Feature<UnitProperties>)>>,
+    /// By level.
+    openings: BTreeMap<&'a str, Vec<&'a Feature<OpeningProperties>>>,
+    /// Whether no opening has a leaf: then the map's maker left the editor's preset alone.
+    is_open_preset: bool,
     /// word → (place of its first unit, how many).
     unknown: BTreeMap<String, (usize, usize)>,
     faults: Faults,
 }
 
 impl<'a> Translation<'a> {
-    /// The levels of a building, lowest first; a level of several buildings belongs to the first it names.
-    fn levels_of(&self, building: &str) -> Vec<&'a Feature<LevelProperties>> {
-        let is_mine = |level: &&Feature<LevelProperties>| {
-            let first = level.properties.building_ids.as_ref().and_then(|ids| ids.first());
-            first.is_some_and(|first| first == building)
+    fn of(archive: &'a Archive, words: &'a RoomWords) -> Self {
+        let openings = archive.openings.as_ref().map(|table| table.features.as_slice()).unwrap_or_default();
+        let mut all = Self {
+            archive,
+            words,
+            levels: BTreeMap::new(),
+            units: BTreeMap::new(),
+            openings: BTreeMap::new(),
+            is_open_preset: openings.iter().all(|opening| door_kind(opening) == Some("open")),
+            unknown: BTreeMap::new(),
+            faults: Faults::default(),
         };
-        let mut levels: Vec<_> = self.archive.levels.features.iter().filter(is_mine).collect();
+        for level in &archive.levels.features {
+            if let Some(building) = first_building(level) {
+                all.levels.entry(building).or_default().push(level);
+            }
+        }
+        for (index, unit) in archive.units.features.iter().enumerate() {
+            all.units.entry(unit.properties.level_id.as_str()).or_default().push((index, unit));
+        }
+        for opening in openings {
+            all.openings.entry(opening.properties.level_id.as_str()).or_default().push(opening);
+        }
+        all
+    }
+
+    /// The levels of a building, lowest first.
+    fn levels_of(&self, building: &str) -> Vec<&'a Feature<LevelProperties>> {
+        let mut levels = self.levels.get(building).cloned().unwrap_or_default();
         levels.sort_by_key(|level| level.properties.ordinal);
         levels
     }
@@ -98,8 +128,7 @@ impl<'a> Translation<'a> {
     }
 
     fn level(&mut self, level: &Feature<LevelProperties>, id: String, plane: &LocalPlane) -> LevelDraft {
-        let units = self.archive.units.features.iter().enumerate();
-        let units: Vec<_> = units.filter(|(_, unit)| unit.properties.level_id == level.id).collect();
+        let units = self.units.get(level.id.as_str()).cloned().unwrap_or_default();
         let rooms = units.into_iter().flat_map(|(index, unit)| self.rooms(index, unit, plane)).collect();
         LevelDraft {
             id,
@@ -146,10 +175,7 @@ impl<'a> Translation<'a> {
     }
 
     fn openings(&self, level: &str, plane: &LocalPlane) -> Vec<OpeningDraft> {
-        let Some(openings) = &self.archive.openings else { return Vec::new() };
-        let mine = openings.features.iter().filter(|opening| opening.properties.level_id == level);
-        // Where all openings have no leaf, the map's maker left the editor's preset alone.
-        let is_preset = openings.features.iter().all(|opening| door_kind(opening) == Some("open"));
+        let mine = self.openings.get(level).into_iter().flatten();
         mine.filter_map(|opening| {
             let Some(Geometry::LineString { coordinates }) = &opening.geometry else { return None };
             let line = points(coordinates, plane);
@@ -158,7 +184,7 @@ impl<'a> Translation<'a> {
             Some(OpeningDraft {
                 id: opening.id.clone(),
                 kind: match door_kind(opening) {
-                    Some("open") if !is_preset => OpeningKind::Passage,
+                    Some("open") if !self.is_open_preset => OpeningKind::Passage,
                     _ if width > WIDEST_DOOR => OpeningKind::Passage,
                     Some("sliding" | "movablepartition" | "shutter") => OpeningKind::SlidingDoor,
                     _ => OpeningKind::Door,
@@ -180,8 +206,7 @@ impl<'a> Translation<'a> {
         let known: BTreeSet<&str> =
             archive.buildings.features.iter().map(|building| building.id.as_str()).collect();
         let homed = |level: &&Feature<LevelProperties>| {
-            let first = level.properties.building_ids.as_ref().and_then(|ids| ids.first());
-            first.is_some_and(|first| known.contains(first.as_str()))
+            first_building(level).is_some_and(|first| known.contains(first))
         };
         let levels: BTreeSet<&str> =
             archive.levels.features.iter().filter(homed).map(|level| level.id.as_str()).collect();
@@ -220,6 +245,10 @@ impl<'a> Translation<'a> {
             self.faults.push(unknown_word(source, &path, NAME, (word, *count)));
         }
     }
+}
+
+fn first_building(level: &Feature<LevelProperties>) -> Option<&str> {
+    level.properties.building_ids.as_ref()?.first().map(String::as_str)
 }
 
 fn stray(what: &str, id: &str) -> String {

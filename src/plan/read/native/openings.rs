@@ -6,7 +6,7 @@ use super::file::{HandWord, OpeningAt, OpeningFile, OpeningWord};
 use super::parts::Scope;
 use super::pattern::expand;
 use super::report::{Report, item, step};
-use crate::document::{PathStep, did_you_mean};
+use crate::document::PathStep;
 use crate::geometry::Point;
 use crate::plan::{LeafDraft, OpeningDraft, OpeningKind, OpeningPlace};
 
@@ -78,7 +78,7 @@ impl OpeningReader<'_, '_> {
             self.report.warning(path, message, Some("it was left out too".to_owned()));
         } else if found.is_none() {
             let own = scope.rooms.iter().map(|room| &room.id);
-            let hint = did_you_mean(name, self.parts.names.keys().chain(own));
+            let hint = self.report.did_you_mean(name, self.parts.names.keys().chain(own));
             self.report.error(path, format!("unknown room \"{name}\""), hint);
         }
         found

@@ -1,6 +1,9 @@
 //! Collects the faults of one file by document path.
 
-use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean};
+
+/// Faults up to which a like name is looked for: nobody reads as many, and each is compared with all names.
+const HINTED: usize = 200;
 
 /// The faults found so far, and where places are looked up.
 pub(crate) struct Report<'a> {
@@ -34,6 +37,15 @@ impl<'a> Report<'a> {
     /// Something to look at.
     pub(crate) fn warning(&mut self, path: &[PathStep], message: impl Into<String>, hint: Option<String>) {
         self.faults.push(self.source.fault(path, message, hint, FaultSeverity::Warning));
+    }
+
+    /// A hint for an unknown name, while there are few faults.
+    pub(crate) fn did_you_mean<I>(&self, name: &str, candidates: I) -> Option<String>
+    where
+        I: IntoIterator + Clone,
+        I::Item: AsRef<str>,
+    {
+        if self.faults.0.len() < HINTED { did_you_mean(name, candidates) } else { None }
     }
 
     /// Whether the file is of no use.
