@@ -40,6 +40,7 @@ impl TestRoom {
             height: 3.0,
             rooms: vec![room(region)],
             openings: Vec::new(),
+            left_out: Vec::new(),
             digest: [0; 32],
         };
         Self { level, catalog: catalog(), placements: Vec::new(), removals: Vec::new(), requested: None }
@@ -192,6 +193,7 @@ fn catalog() -> Catalog {
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),
+        plausible: crate::catalog::Plausible::default(),
         share: crate::catalog::Share::default(),
         density: (0.0, 1.0),
         finish: Finish {

@@ -214,6 +214,7 @@ fn record(workshop: &Workshop<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &Ro
         library: files.shared.clone(),
         totals: Totals { rooms: rooms.furnished.len() as u64, ..Totals::default() },
         classes: std::collections::BTreeMap::new(),
+        left_out: job.level.left_out.clone(),
         rooms: Vec::new(),
     };
     for room in 0..rooms.furnished.len() {

@@ -221,6 +221,7 @@ pub(crate) mod tests {
             library: Vec::new(),
             totals: Totals { rooms: 2, requested: 5, placed: 4, removed: 1, audit, ..Totals::default() },
             classes: BTreeMap::from([("bed".to_owned(), 1), ("chair".to_owned(), 3)]),
+            left_out: Vec::new(),
             rooms: vec![RoomRecord {
                 room: "12".to_owned(),
                 grade: Some(Grade::Minor),

@@ -31,6 +31,9 @@ pub struct LevelRecord {
     pub totals: Totals,
     /// Objects by class id.
     pub classes: BTreeMap<String, u64>,
+    /// What the plan draws and the level does not have, in words, for it is wrong there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<String>,
     /// Rooms with something missing or found, in the plan's order.
     pub rooms: Vec<RoomRecord>,
 }

@@ -45,7 +45,7 @@ pub(crate) use load::load_catalog_so_far;
 pub use palette::{MATERIAL_SLOTS, Material, Palette};
 pub(crate) use resolve::{srgb_encoded, srgb_linear};
 pub use shape::{Extent, PrismRule, Shape};
-pub use style::{Access, Count, Dado, Era, Finish, Request, RoomType, Style, Untidiness, WEALTH};
+pub use style::{Access, Count, Dado, Era, Finish, Plausible, Request, RoomType, Style, Untidiness, WEALTH};
 pub(crate) use variety::KINDS;
 pub use variety::{SHAPES, Variety};
 

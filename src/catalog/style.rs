@@ -23,12 +23,30 @@ pub struct RoomType {
     pub excludes: Vec<String>,
     /// Square metres that such rooms usually have, least and most.
     pub area: (f64, f64),
+    /// Sizes beyond which a plan is asked whether they are meant.
+    pub plausible: Plausible,
     /// Lowest and highest share of the floor that furniture covers.
     pub density: (f64, f64),
     /// Material slots of floor, wall and ceiling.
     pub finish: Finish,
     /// Which rooms' furniture looks alike where no building style tells it.
     pub share: Share,
+}
+
+/// What rooms of a type may be without a question, least and most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plausible {
+    /// Square metres of floor.
+    pub area: (f64, f64),
+    /// Metres from floor to ceiling.
+    pub height: (f64, f64),
+}
+
+impl Default for Plausible {
+    /// Whatever can be read.
+    fn default() -> Self {
+        Self { area: (0.0, f64::INFINITY), height: (0.0, f64::INFINITY) }
+    }
 }
 
 /// Materials of the shell, and what is fitted to its walls.

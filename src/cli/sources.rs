@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::arguments::SourceArguments;
+use super::plausible::check_plausible;
 use crate::catalog::{Catalog, builtin_files, load_catalog, load_catalog_so_far};
 use crate::disk::TemporaryFolder;
 use crate::document::{Fault, Faults, Warned, did_you_mean};
@@ -54,6 +55,7 @@ pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Sources, Fault
         false => read_edits(&plan, &arguments.edits.files, &catalog),
     };
     faults.merge(edit_faults);
+    faults.merge(check_plausible(&plan, &catalog));
     Ok(Sources { catalog, models, plan, edits, settings, faults })
 }
 

@@ -161,6 +161,7 @@ fn alone(level: &Level, room: usize) -> Level {
         height: level.height,
         rooms: vec![with_thickness(level, room)],
         openings: openings.collect(),
+        left_out: Vec::new(),
         digest: level.digest,
     }
 }

@@ -24,6 +24,7 @@ fn catalog() -> Catalog {
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),
+        plausible: crate::catalog::Plausible::default(),
         share: crate::catalog::Share::default(),
         density: (0.0, 1.0),
         finish: crate::catalog::Finish {

@@ -82,6 +82,7 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         programme: programme.iter().map(request).collect(),
         excludes: Vec::new(),
         area: (0.0, 1e6),
+        plausible: crate::catalog::Plausible::default(),
         share: crate::catalog::Share::default(),
         density: (0.2, 0.4),
         finish,
@@ -158,6 +159,7 @@ pub(super) fn level(corners: &[(f64, f64)]) -> Level {
         height: 3.0,
         rooms: vec![room],
         openings: vec![door],
+        left_out: Vec::new(),
         digest: [0; 32],
     }
 }

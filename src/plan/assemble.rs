@@ -95,7 +95,8 @@ pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
     let Assembly { rooms, problems, .. } = assembly;
     let LevelDraft { id, name, elevation, height, .. } = draft;
     let name = if name.is_empty() { id.clone() } else { name };
-    let mut level = Level { id, name, elevation, height, rooms, openings, digest: [0; 32] };
+    let mut level =
+        Level { id, name, elevation, height, rooms, openings, left_out: Vec::new(), digest: [0; 32] };
     level.digest = level_digest(&level);
     (level, problems)
 }

@@ -70,7 +70,9 @@ pub struct Level {
     pub rooms: Vec<Room>,
     /// Doors, windows, passages and open boundaries; ids are unique in the level.
     pub openings: Vec<Opening>,
-    /// SHA-256 of everything above: equal for equal levels, whatever file they came from.
+    /// What the plan draws and the level does not have, in words, for it is wrong there; empty where nothing was left out.
+    pub left_out: Vec<String>,
+    /// SHA-256 of everything above but `left_out`: equal for equal levels, whatever file they came from.
     pub digest: [u8; 32],
 }
 

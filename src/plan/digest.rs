@@ -8,7 +8,7 @@ use crate::geometry::{Point, Polygon};
 /// Changes whenever the byte form below does, so that old fingerprints never match by chance.
 const FORM: &str = "roomwright level 2";
 
-/// SHA-256 of everything in the level but its `digest`.
+/// SHA-256 of everything in the level but its `digest` and what was left out of it.
 ///
 /// The byte form: numbers as little-endian IEEE 754 with one zero, lists and texts with their length before them.
 pub(super) fn level_digest(level: &Level) -> [u8; 32] {

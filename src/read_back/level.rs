@@ -43,6 +43,7 @@ pub(super) fn read(nodes: &[Node], problems: &mut Vec<Problem>) -> Result<EmptyL
             height,
             rooms: Vec::new(),
             openings: Vec::new(),
+            left_out: Vec::new(),
             digest: [0; 32],
         },
         room_nodes: Vec::new(),

@@ -260,3 +260,75 @@ fn check_tells_all_faults_of_all_files_in_one_round() {
     assert!(!ran.stdout.contains("tall_desk\""), "what a faulty file defines is known:\n{}", ran.stdout);
     assert!(ran.stdout.contains(" 5 errors, 0 warnings"), "{}", ran.stdout);
 }
+
+/// A plan of one room, a door on its wall, and openings besides.
+fn one_room(room: &str, height: f64, openings: &str) -> String {
+    format!(
+        "version: 1\nid: odd\nlevels:\n- id: \"1\"\n  height: {}\n  rooms:\n  - {{{room}, height: {height}}}\n  openings:\n  \
+         - {{kind: door, id: front, at: [2, 0]}}\n{openings}",
+        height + 0.3
+    )
+}
+
+#[test]
+fn implausible_rooms_are_questioned_and_baked_all_the_same() {
+    let world = World::new();
+    for (room, height, question) in [
+        ("id: a, type: bedroom, rectangle: [0, 0, 4, 4]", 9.0, "a bedroom that is 9.0 m high"),
+        ("id: a, type: bathroom, rectangle: [0, 0, 14, 12]", 2.6, "a bathroom of 168.0 m²"),
+        ("id: a, type: childrens_room, rectangle: [0, 0, 14, 12]", 2.6, "a childrens_room of 168.0 m²"),
+        ("id: a, type: office, rectangle: [0, 0, 300, 300]", 3.0, "an office of 90000.0 m²"),
+    ] {
+        world.write("odd.yaml", one_room(room, height, ""));
+        let ran = world.must(&["check", "odd.yaml"]);
+        assert!(ran.stdout.contains(&format!("odd/1/a: warning: {question}")), "{}", ran.stdout);
+        assert!(
+            ran.stdout.contains("0 errors, 1 warnings") && ran.stdout.contains("hint: "),
+            "{}",
+            ran.stdout
+        );
+    }
+    world.write("odd.yaml", one_room("id: a, type: bedroom, rectangle: [0, 0, 4, 4]", 9.0, ""));
+    let ran = world.must(&["bake", "odd.yaml", "--effort", "1"]);
+    assert!(ran.stderr.contains("a bedroom that is 9.0 m high"), "{}", ran.stderr);
+    world.write(
+        "high/rooms/own.yaml",
+        "version: 1\nroom_types:\n  bedroom: {extends: bedroom, plausible: {height: [2, 10]}}\n",
+    );
+    let ran = world.must(&["check", "odd.yaml", "--catalog", "high"]);
+    assert!(ran.stdout.contains("0 errors, 0 warnings"), "{}", ran.stdout);
+}
+
+#[test]
+fn rooms_of_many_floors_are_questioned_once() {
+    let world = World::new();
+    let text = plan("tower", 3).replace("    height: 3\n", "    height: 9\n");
+    assert_ne!(text, plan("tower", 3));
+    world.write("tower.yaml", text);
+    let ran = world.must(&["check", "tower.yaml"]);
+    let questions = ran.stdout.lines().filter(|line| line.contains("m high")).count();
+    let named = ran.stdout.matches("more rooms of the building").count();
+    assert!(questions > 0 && questions == named && questions < 4, "{}", ran.stdout);
+}
+
+#[test]
+fn a_door_on_no_wall_is_noted_in_the_manifest_of_the_floor_without_it() {
+    let world = World::new();
+    let room = "id: a, type: bedroom, rectangle: [0, 0, 4, 4]";
+    let note = |world: &World| {
+        let manifest: serde_json::Value = serde_json::from_slice(&world.read("out/manifest.json")).unwrap();
+        manifest["levels"][0]["left_out"].clone()
+    };
+    world.write("odd.yaml", one_room(room, 2.6, ""));
+    world.must(&["bake", "odd.yaml", "--effort", "1"]);
+    assert!(note(&world).is_null());
+    world.write("odd.yaml", one_room(room, 2.6, "  - {kind: door, id: lost, at: [30, 30]}\n"));
+    let ran = world.run(&["bake", "odd.yaml", "--effort", "1"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    let noted = note(&world);
+    assert_eq!(noted.as_array().map(Vec::len), Some(1), "{noted}");
+    assert_eq!(noted[0], "no wall within 1 m of opening \"lost\"");
+    world.write("odd.yaml", one_room(room, 2.6, ""));
+    world.must(&["bake", "odd.yaml", "--effort", "1"]);
+    assert!(note(&world).is_null(), "the level is no longer kept as it was");
+}

@@ -62,6 +62,7 @@ pub(crate) fn level(rooms: Vec<Room>) -> Level {
         height: 3.2,
         rooms,
         openings: Vec::new(),
+        left_out: Vec::new(),
         digest: [0; 32],
     }
 }
@@ -195,6 +196,7 @@ pub(crate) fn catalog() -> Catalog {
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),
+        plausible: roomwright::catalog::Plausible::default(),
         share: roomwright::catalog::Share::default(),
         density: (0.2, 0.4),
         finish,

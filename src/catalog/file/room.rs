@@ -36,6 +36,8 @@ pub(crate) struct RoomTypeEntry {
     pub(crate) furnish: Option<bool>,
     /// Square metres that such rooms usually have; default [0, 1000000].
     pub(crate) area: Option<Pair>,
+    /// What a room may be without a question; merged key by key.
+    pub(crate) plausible: Option<PlausibleEntry>,
     /// Lowest and highest share of the floor that furniture covers; default [0, 1].
     pub(crate) density: Option<Pair>,
     /// Classes and groups that contradict it.
@@ -55,6 +57,16 @@ impl Extends for RoomTypeEntry {
     fn base(&self) -> Option<&str> {
         self.extends.as_deref()
     }
+}
+
+/// Sizes beyond which a plan is asked whether they are meant.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PlausibleEntry {
+    /// Square metres, least and most; default [0, 1000000].
+    pub(crate) area: Option<Pair>,
+    /// Metres from floor to ceiling, least and most; default [0, 50].
+    pub(crate) height: Option<Pair>,
 }
 
 /// Material slots of the shell, and what is fitted to its walls.

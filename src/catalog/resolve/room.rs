@@ -6,10 +6,10 @@ use super::names::{NamedClasses, Names};
 use super::number::{AREA, DISTANCE, Quantity, SHARE};
 use super::request::{ResolvedProgramme, resolve_programme};
 use super::resolve_label;
-use crate::catalog::file::RoomTypeEntry;
+use crate::catalog::file::{Pair, RoomTypeEntry};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{Dado, Finish, MATERIAL_SLOTS, RoomType, Share};
+use crate::catalog::{Dado, Finish, MATERIAL_SLOTS, Plausible, RoomType, Share};
 
 /// Metres of wall for each socket where nothing is said, and what may be said besides 0.
 const SOCKET_INTERVAL: f64 = 3.0;
@@ -67,6 +67,7 @@ fn resolve_room_type(
         programme: programme.requests.clone(),
         excludes,
         area,
+        plausible: resolve_plausible(chain, report),
         density,
         finish: resolve_finish(chain, report),
         share: chain
@@ -74,6 +75,21 @@ fn resolve_room_type(
             .map_or(Share::Building, |found| (*found.value).into()),
     };
     ResolvedRoomType { room_type, programme, excluded }
+}
+
+/// Key by key from the nearest definition that says something.
+fn resolve_plausible(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Plausible {
+    let mut pair = |quantity: Quantity, get: fn(&RoomTypeEntry) -> Option<&Pair>| {
+        let found = chain.find("plausible", get)?;
+        Some(quantity.check_pair(found.value.both(), &found.spot.key(quantity.name), report))
+    };
+    let everything = Plausible::default();
+    let area = Quantity { name: "area", unit: " m²", range: AREA };
+    Plausible {
+        area: pair(area, |entry| entry.plausible.as_ref()?.area.as_ref()).unwrap_or(everything.area),
+        height: pair(Quantity::metres("height", DISTANCE), |entry| entry.plausible.as_ref()?.height.as_ref())
+            .unwrap_or(everything.height),
+    }
 }
 
 fn resolve_excludes(

@@ -60,7 +60,7 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
         let checks = NativeChecks::of(&level);
         let mut report = LevelReport::of_draft(&level);
         let drawn = level.openings.iter().map(|opening| opening.id.clone()).collect();
-        let (level, mut found) = assemble_level(level);
+        let (mut level, mut found) = assemble_level(level);
         if matches!(drafted.provenance, Provenance::Native(..)) {
             checks.run(&level, &mut found);
         }
@@ -69,6 +69,8 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
             let message = format!("level \"{}\" has no room that can be read", level.id);
             found.push(Problem::impossible(Subject::Level, message, "it was left out"));
         }
+        let errors = found.iter().filter(|problem| problem.is_error);
+        level.left_out = errors.map(|problem| problem.message.clone()).collect();
         report.complete(&level, &found, &drawn);
         reports.push(report);
         problems.push((level.id.clone(), found));
