@@ -19,8 +19,12 @@ where
     }
     let word = word.to_lowercase();
     let score = |candidate: &str| strsim::jaro_winkler(&word, &candidate.to_lowercase());
-    let scored =
-        candidates.into_iter().map(|candidate| (score(candidate.as_ref()), candidate.as_ref().to_owned()));
+    // A front_door is a door, whatever the letters before it.
+    let is_kind = |candidate: &str| word.ends_with(&format!("_{}", candidate.to_lowercase()));
+    let similarity = |candidate: &str| if is_kind(candidate) { 1.0 } else { score(candidate) };
+    let scored = candidates
+        .into_iter()
+        .map(|candidate| (similarity(candidate.as_ref()), candidate.as_ref().to_owned()));
     scored
         .filter(|(score, _)| *score >= LEAST_SIMILARITY)
         .max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| b.1.cmp(&a.1)))
@@ -57,6 +61,7 @@ mod tests {
         assert_eq!(suggest("kitchin", words).as_deref(), Some("kitchen"));
         assert_eq!(suggest("Bedrom", words).as_deref(), Some("bedroom"));
         assert_eq!(suggest("xyz", words), None);
+        assert_eq!(suggest("front_door", ["window", "door"]).as_deref(), Some("door"));
     }
 
     #[test]

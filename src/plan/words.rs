@@ -29,6 +29,13 @@ impl RoomWords {
         self.styles.is_empty() || self.styles.contains(style)
     }
 
+    /// The room type that a word stands for in any format: `hallway` is a corridor.
+    pub(crate) fn meant(&self, word: &str) -> Option<&str> {
+        let plain = word.to_lowercase().replace(['_', '-'], " ");
+        let found = self.words.values().find_map(|table| table.get(plain.trim()))?;
+        self.known.contains(found).then_some(found.as_str())
+    }
+
     /// The room type of a word in a format, or `None` where the table has no entry.
     #[must_use]
     pub fn room_type(&self, format: &str, word: &str) -> Option<&str> {

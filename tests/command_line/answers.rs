@@ -157,3 +157,42 @@ fn files_that_are_missing_folders_or_closed() {
     assert_eq!(world.read("file"), b"");
     assert!(Path::new(&world.path("plans/house.yaml")).exists());
 }
+
+#[test]
+fn words_for_rooms_and_doors_in_several_languages_are_understood() {
+    let world = World::new();
+    for (typed, meant) in [
+        ("hallway", "corridor"),
+        ("kinderzimmer", "childrens_room"),
+        ("salle_de_bain", "bathroom"),
+        ("dormitorio", "bedroom"),
+        ("soggiorno", "living_room"),
+        ("woonkamer", "living_room"),
+        ("kjøkken", "kitchen"),
+        ("łazienka", "bathroom"),
+        ("cozinha", "kitchen"),
+        ("genkan", "corridor"),
+        ("open_plan_living", "living_kitchen"),
+    ] {
+        world.write("a.yaml", plan("alpha", 1).replace("type: study", &format!("type: {typed}")));
+        let expected = [format!("unknown room type \"{typed}\""), format!("did you mean \"{meant}\"?")];
+        answered(&world, &["check", "a.yaml"], 1, &expected.each_ref().map(String::as_str));
+    }
+    world.write("a.yaml", plan("alpha", 1).replace("kind: door", "kind: front_door"));
+    answered(&world, &["check", "a.yaml"], 1, &["front_door", "did you mean \"door\"?"]);
+}
+
+#[test]
+fn an_open_kitchen_is_furnished_to_live_and_to_cook_in() {
+    let world = World::new();
+    world.write(
+        "a.yaml",
+        "version: 1\nid: flat\nlevels:\n- id: \"1\"\n  height: 2.8\n  rooms:\n  - {id: main, type: living_kitchen, rectangle: [0, 0, 8, 5]}\n  openings:\n  - {kind: door, at: [7, 0]}\n  - {kind: window, at: [2, 5], width: 1.6}\n",
+    );
+    world.must(&["bake", "a.yaml"]);
+    let manifest: serde_json::Value = serde_json::from_slice(&world.read("out/manifest.json")).unwrap();
+    let classes = &manifest["levels"][0]["classes"];
+    for class in ["cooker", "fridge", "sink_unit", "lounge_sofa", "dining_table", "dining_chair"] {
+        assert!(classes[class].as_u64() > Some(0), "{class}: {classes}");
+    }
+}

@@ -110,7 +110,8 @@ impl Check<'_, '_> {
         let known = &self.words.known;
         if !known.is_empty() && !known.contains(&room.room_type) {
             let message = format!("unknown room type \"{}\"", room.room_type);
-            let hint = did_you_mean(&room.room_type, known);
+            let meant = self.words.meant(&room.room_type).map(|meant| format!("did you mean \"{meant}\"?"));
+            let hint = meant.or_else(|| did_you_mean(&room.room_type, known));
             self.report.error(&step(path, "type"), message, hint);
         }
         let what = format!("room \"{}\"", room.id);
