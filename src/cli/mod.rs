@@ -40,6 +40,7 @@ use screen::{Screen, is_result_lost};
 #[must_use]
 pub fn run() -> Outcome {
     crate::batch::collect_panics();
+    tell_of_large_files();
     let outcome = run_command();
     if is_result_lost() { outcome.and(Outcome::NotStarted) } else { outcome }
 }
@@ -73,4 +74,11 @@ fn run_command() -> Outcome {
 fn demo() -> Command {
     let typed = Arguments::parse_from(["roomwright", "bake"]);
     typed.command.expect("a command was given")
+}
+
+/// A file that may not grow further (`ulimit -f`) is an error of the write; by itself it would kill the process without a word.
+fn tell_of_large_files() {
+    // Where the signal cannot be taken, it kills as it did.
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
 }

@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::diagnose::diagnose;
-use super::excerpt::excerpt;
+use super::excerpt::Lines;
 use super::fault::{Fault, FaultSeverity, PathStep};
 use super::faults::Faults;
 use super::format::{Format, may_be_infinite};
@@ -25,15 +25,14 @@ pub struct Source {
     file: PathBuf,
     text: String,
     tree: OnceLock<Result<Tree, Flaw>>,
-    /// The byte at which each line begins.
-    starts: OnceLock<Vec<usize>>,
+    lines: OnceLock<Lines>,
 }
 
 impl Source {
     /// A text in memory; `file` is its name in messages and tells the format.
     #[must_use]
     pub fn new(file: &Path, text: &str) -> Self {
-        Self { file: file.to_owned(), text: text.to_owned(), tree: OnceLock::new(), starts: OnceLock::new() }
+        Self { file: file.to_owned(), text: text.to_owned(), tree: OnceLock::new(), lines: OnceLock::new() }
     }
 
     /// Reads a file.
@@ -43,7 +42,7 @@ impl Source {
     /// (which is found out before reading), not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Faults> {
         let text = read_text(path)?;
-        Ok(Self { file: path.to_owned(), text, tree: OnceLock::new(), starts: OnceLock::new() })
+        Ok(Self { file: path.to_owned(), text, tree: OnceLock::new(), lines: OnceLock::new() })
     }
 
     /// As [`Source::read`], for formats that are older than UTF-8: bytes that are none are taken as ISO 8859-1, with
@@ -60,7 +59,7 @@ impl Source {
                 (text, fault.with_hint("all its bytes above 0x7f were taken as ISO 8859-1").into())
             }
         };
-        Ok((Self { file: path.to_owned(), text, tree: OnceLock::new(), starts: OnceLock::new() }, faults))
+        Ok((Self { file: path.to_owned(), text, tree: OnceLock::new(), lines: OnceLock::new() }, faults))
     }
 
     /// The name of the file.
@@ -129,19 +128,9 @@ impl Source {
     /// A fault at a place of the text.
     #[must_use]
     pub fn fault_at(&self, position: Option<(usize, usize)>, message: impl Into<String>) -> Fault {
-        let line = position.and_then(|(line, column)| excerpt(self.line(line)?, 1, column));
+        let lines = || self.lines.get_or_init(|| Lines::new(&self.text));
+        let line = position.and_then(|(line, column)| lines().excerpt(&self.text, line, column));
         Fault { position, line, ..Fault::of_file(&self.file, message) }
-    }
-
-    /// A line from 1. The beginnings of lines are looked up once, for a file may have a fault in each.
-    fn line(&self, number: usize) -> Option<&str> {
-        let starts = self.starts.get_or_init(|| {
-            let newlines = memchr::memchr_iter(b'\n', self.text.as_bytes()).map(|newline| newline + 1);
-            std::iter::once(0).chain(newlines).collect()
-        });
-        let start = *starts.get(number.checked_sub(1)?)?;
-        let rest = &self.text[start..];
-        (!rest.is_empty() || number == 1).then_some(rest)
     }
 
     /// The words that a text may define although it has faults: the keys below its outermost ones, and what stands under

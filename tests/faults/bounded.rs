@@ -15,9 +15,14 @@ const MEMORY: u32 = 6_000_000;
 impl World {
     /// As [`World::run`], in limited time and memory.
     pub(crate) fn run_bounded(&self, arguments: &[&str]) -> Ran {
+        self.run_within(&format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\""), arguments)
+    }
+
+    /// As [`World::run`], in limited time, by a line of shell that starts `"$0" "$@"`.
+    pub(crate) fn run_within(&self, shell: &str, arguments: &[&str]) -> Ran {
         let inner = self.command(arguments);
         let mut command = Command::new("sh");
-        command.args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")]).arg(inner.get_program());
+        command.args(["-c", shell]).arg(inner.get_program());
         command.args(inner.get_args()).current_dir(self.path(".")).stdin(Stdio::null());
         for (key, value) in inner.get_envs() {
             command.env(key, value.unwrap_or_default());

@@ -9,9 +9,16 @@ mod world;
 
 #[cfg(unix)]
 mod bounded;
+mod cached;
+mod clocks;
+#[cfg(target_os = "linux")]
+mod limits;
 #[cfg(unix)]
 mod links;
 mod lost_output;
+#[path = "../fuzz/mutate.rs"]
+mod mutate;
+mod names;
 mod parallel;
 mod records;
 #[cfg(unix)]

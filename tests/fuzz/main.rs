@@ -20,9 +20,9 @@ use resources::Watch;
 use targets::{TARGETS, Target};
 
 /// Inputs of a target, unless `ROOMWRIGHT_FUZZ_COUNT` says otherwise.
-const COUNT: u64 = 600;
+const COUNT: u64 = 300;
 /// Of one whose every input reads the whole catalogue.
-const SLOW_COUNT: u64 = 60;
+const SLOW_COUNT: u64 = 40;
 /// The most bytes of an input.
 const LARGEST: usize = 1 << 20;
 /// The most megabytes that reading an input may take.

@@ -164,8 +164,8 @@ impl Scene {
         };
         let found: [Vec<String>; 2] = [differing(&left, &self.whole), differing(&self.whole, &left)];
         assert_eq!(found, <[Vec<String>; 2]>::default(), "{}: found, and expected", self.kind.name);
-        let is_kept = |name: &String| name.ends_with(".entry") || name.ends_with("CACHEDIR.TAG");
-        let cached = self.world.contents("cache").into_keys().filter(|name| !is_kept(name));
+        let is_begun = |name: &String| name.contains("/entry-") || name.contains("/note-");
+        let cached = self.world.contents("cache").into_keys().filter(is_begun);
         assert_eq!(cached.collect::<Vec<_>>(), Vec::<String>::new(), "{}", self.kind.name);
     }
 
