@@ -25,6 +25,7 @@ import json
 import logging
 import math
 import os
+import re
 import struct
 import sys
 import tempfile
@@ -32,7 +33,7 @@ import time
 import uuid
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from urllib.parse import quote, unquote
 
 try:
@@ -55,6 +56,9 @@ bl_info = {
     "category": "Import-Export",
 }
 
+# The folders beside OUT/<building>/ that floors share, and how absolute URIs begin (scripts/resources.py).
+SHARED_FOLDERS = ("shared-textures", "shared-geometry", "shared-models")
+SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 # The sub-collections of rooms; those of doors and windows are the level's, because a door belongs to two rooms.
 PARTS = ("shell", "ceiling", "doors and windows", "furniture", "lights")
 # Custom property of collections: building, level, room or one of PARTS.
@@ -137,7 +141,10 @@ def _list_files(path: Path) -> list[tuple[Path, tuple[str, str] | None]]:
     if manifest.is_file():
         try:
             levels = json.loads(manifest.read_bytes())["levels"]
-            return [(path / one["files"][0]["path"], (one["building"], one["level"])) for one in levels]
+            names = [(one["files"][0]["path"], (one["building"], one["level"])) for one in levels]
+            if any(".." in Path(name).parts or Path(name).is_absolute() for name, _ in names):
+                raise ValueError("a file of it lies elsewhere")
+            return [(path / name, level) for name, level in names]
         except (ValueError, KeyError, TypeError, IndexError, OSError) as error:
             raise BakeError(f"{manifest}: is no manifest that roomwright wrote ({error!r})") from error
     files = sorted(one for one in path.rglob("*") if one.suffix.lower() in (".glb", ".gltf")
@@ -198,14 +205,28 @@ class Document:
         self.mesh_keys = [self._mesh_key(mesh) for mesh in self.json.get("meshes", [])]
 
     def _resource(self, uri: str) -> Path:
-        return (self.path.parent / unquote(uri)).resolve()
+        """The file of a URI: below the floor's folder or in the shared ones beside it, reached by no link that leads out, as
+        scripts/resources.py has it, which an add-on of one file cannot call."""
+        folder = Path(os.path.abspath(self.path)).parent.resolve()
+        roots = (folder, *(folder.parent / name for name in SHARED_FOLDERS))
+        path = unquote(uri, errors="surrogateescape") if isinstance(uri, str) else ""
+        is_path = path and not (SCHEME.match(uri) or path.startswith("/") or PureWindowsPath(path).anchor
+                                or "\\" in path or "\0" in path)
+        joined = Path(os.path.normpath(folder / path)) if is_path else folder
+        places = (joined, joined.resolve()) if any(joined.is_relative_to(root) for root in roots) else ()
+        if joined == folder or not places or not any(places[1].is_relative_to(root) for root in roots):
+            raise BakeError(f"{self.path}: names the file {uri!r:.120}, which is not in the folder of the floor\n"
+                            "  hint: keep the file beside the floor")
+        if joined.exists() and not joined.is_file():
+            raise BakeError(f"{self.path}: names {uri!r:.120}, which is no regular file")
+        return places[1]
 
     def _buffer(self, index: int) -> bytes:
         uri = self.json["buffers"][index].get("uri")
-        path = self.path if uri is None else self._resource(uri)
-        if uri is not None and uri.startswith("data:"):
+        if isinstance(uri, str) and uri.startswith("data:"):
             raise BakeError(f"{self.path}: has a buffer in its text, which nothing here writes; open it with "
                             "File > Import > glTF")
+        path = self.path if uri is None else self._resource(uri)
         if path not in self._shared:
             data = path.read_bytes()
             if uri is None:  # the second chunk of the file itself

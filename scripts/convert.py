@@ -27,6 +27,7 @@ Exit 0: all written. 1: some failed. 2: nothing could start.
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import sys
 import time
@@ -41,7 +42,7 @@ from pxr import Tf
 
 from gltf_file import GltfError, GltfFile
 from progress import Progress
-from resources import printable
+from resources import ResourceError, printable, read_file
 from usd.assembly import write_assemblies
 from usd.floor import Written, convert_floor
 from usd.record import Asked, Entry, Removal, digest_of, path_from, renew
@@ -77,7 +78,9 @@ def convert_file(job: Job) -> Written | str:
 def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job]:
     """The files of one argument."""
     if path.is_dir():
-        sources, folder = sorted(file for file in path.rglob("*") if file.suffix.lower() in SCENE_ENDINGS), path
+        former = former_files(path)
+        sources = sorted(file for file in path.rglob("*") if file.suffix.lower() in SCENE_ENDINGS and file not in former)
+        folder = path
     elif path.exists() and path.suffix.lower() in SCENE_ENDINGS:
         sources, folder = [path], None
     else:
@@ -89,6 +92,21 @@ def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job
         lights_lamps=options.lights, has_instances=options.instances, instanced_below=options.point_instancer)
     return [Job(source, settings.root / source.relative_to(base).with_suffix(settings.ending), settings, folder)
             for source in sources]
+
+
+def former_files(folder: Path) -> set[Path]:
+    """The floors that manifests list apart, because no plan has their levels any more."""
+    former = set()
+    for manifest in sorted(folder.rglob("manifest.json")):
+        try:
+            levels = json.loads(read_file(manifest)).get("former_levels", [])
+            former |= {manifest.parent / file["path"] for level in levels for file in level["files"]}
+        except (ResourceError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
+            continue  # `validate.py` says what is wrong with it
+    gone = sorted(file for file in former if file.suffix.lower() in SCENE_ENDINGS and file.exists())
+    for file in gone:
+        print(f"convert: {printable(str(file))} is left out: no plan has its level any more", file=sys.stderr)
+    return former
 
 
 def refuse_equal_targets(jobs: list[Job]) -> None:

@@ -57,12 +57,13 @@ impl AuditSummary {
 
     /// Adds the counts of another part of the run.
     pub fn merge(&mut self, other: &Self) {
-        self.grades.none += other.grades.none;
-        self.grades.minor += other.grades.minor;
-        self.grades.failed += other.grades.failed;
+        self.grades.none = self.grades.none.saturating_add(other.grades.none);
+        self.grades.minor = self.grades.minor.saturating_add(other.grades.minor);
+        self.grades.failed = self.grades.failed.saturating_add(other.grades.failed);
         for (own, others) in [(&mut self.findings, &other.findings), (&mut self.given, &other.given)] {
             for (&code, &count) in others {
-                *own.entry(code).or_insert(0) += count;
+                let sum = own.entry(code).or_insert(0);
+                *sum = sum.saturating_add(count);
             }
         }
         self.score.merge(other.score);
@@ -71,7 +72,7 @@ impl AuditSummary {
     /// How many rooms were judged.
     #[must_use]
     pub fn room_count(&self) -> u64 {
-        self.grades.none + self.grades.minor + self.grades.failed
+        self.grades.none.saturating_add(self.grades.minor).saturating_add(self.grades.failed)
     }
 }
 
@@ -106,8 +107,8 @@ impl ScoreSum {
     }
 
     fn merge(&mut self, other: Self) {
-        self.rooms += other.rooms;
-        self.ten_thousandths += other.ten_thousandths;
+        self.rooms = self.rooms.saturating_add(other.rooms);
+        self.ten_thousandths = self.ten_thousandths.saturating_add(other.ten_thousandths);
     }
 
     /// How many rooms have a score: those that were asked for furniture.

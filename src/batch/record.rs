@@ -86,15 +86,15 @@ fn is_zero(count: &u64) -> bool {
 }
 
 impl Totals {
-    /// Adds another sum.
+    /// Adds another sum. Counts that somebody has written into a manifest may be as large as they like.
     pub fn add(&mut self, other: &Self) {
-        self.rooms += other.rooms;
-        self.requested += other.requested;
-        self.placed += other.placed;
-        self.removed += other.removed;
+        self.rooms = self.rooms.saturating_add(other.rooms);
+        self.requested = self.requested.saturating_add(other.requested);
+        self.placed = self.placed.saturating_add(other.placed);
+        self.removed = self.removed.saturating_add(other.removed);
         self.audit.merge(&other.audit);
-        self.misfits += other.misfits;
-        self.broken += other.broken;
+        self.misfits = self.misfits.saturating_add(other.misfits);
+        self.broken = self.broken.saturating_add(other.broken);
     }
 }
 

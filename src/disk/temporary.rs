@@ -90,6 +90,25 @@ impl TemporaryFolder {
     }
 }
 
+impl Drop for TemporaryFolder {
+    fn drop(&mut self) {
+        remove_content(self.path());
+    }
+}
+
+/// Deletes all in a temporary folder but the locked file: a process that is killed meanwhile leaves a folder that is still
+/// known as one of ours. What cannot be deleted stays.
+fn remove_content(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().filter_map(io::Result::ok) {
+        let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        let _ = match entry.file_name() == ALIVE_NAME {
+            true => Ok(()),
+            false if is_folder => fs::remove_dir_all(entry.path()),
+            false => fs::remove_file(entry.path()),
+        };
+    }
+}
+
 /// Deletes the temporary folders of a prefix whose processes have ended. One without the locked file is nobody's of ours.
 fn sweep_folders(root: &Path, prefix: &str) {
     for folder in entries(root, prefix, |kind| kind.is_dir()) {
@@ -99,6 +118,7 @@ fn sweep_folders(root: &Path, prefix: &str) {
             && let Ok(file) = File::open(&alive)
             && holder(&file) == Holder::Gone
         {
+            remove_content(&folder);
             let _ = fs::remove_dir_all(&folder);
         }
     }

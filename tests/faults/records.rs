@@ -113,3 +113,20 @@ fn diff_opens_nothing_outside_its_folders() {
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("outside its folder") && ran.stderr.contains("../victim"), "{}", ran.stderr);
 }
+
+#[test]
+fn counts_beyond_all_numbers_are_added_up_all_the_same() {
+    let world = world();
+    let mut manifest: serde_json::Value = serde_json::from_slice(&world.read("out/manifest.json")).unwrap();
+    for level in 0..2 {
+        for count in ["rooms", "requested", "placed", "removed", "none", "minor", "failed"] {
+            manifest["levels"][level]["totals"][count] = u64::MAX.into();
+        }
+        manifest["levels"][level]["totals"]["score"] =
+            serde_json::json!({"rooms": u64::MAX, "sum": 1e300, "mean": 1});
+    }
+    world.write("out/manifest.json", manifest.to_string());
+    let ran = world.must(&["merge", "out"]);
+    assert!(ran.stdout.contains(&u64::MAX.to_string()), "{}", ran.stdout);
+    assert_eq!(world.run(&["diff", "out", "out"]).code, Some(0));
+}

@@ -35,7 +35,7 @@ impl Draw {
 }
 
 /// Numbers at the edges of what can be written and meant.
-const NUMBERS: [&str; 22] = [
+const NUMBERS: [&str; 23] = [
     "0",
     "-0",
     "-1",
@@ -56,6 +56,7 @@ const NUMBERS: [&str; 22] = [
     "4294967295",
     "9007199254740993",
     "-9223372036854775809",
+    "18446744073709551615",
     "123456.789",
     "3.0000000000000004",
 ];

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import os
 
 import numpy as np
 import pytest
@@ -139,6 +140,34 @@ class TestCommand:
     def test_without_blender_it_says_how_to_install_it(self, bake, tmp_path, capsys):
         assert blender_import.main([str(bake), "--save", str(tmp_path / "house.blend")]) == 2
         assert "requirements-render.txt" in capsys.readouterr().err
+
+
+class TestFilesThatAFloorNames:
+    @pytest.mark.parametrize("uri", [
+        "../secret.png", "/etc/passwd", "%2e%2e/secret.png", "file:///etc/passwd", "https://example.org/a.png", "C:/a.png",
+        "a\\..\\b.png", "", ".", "\0", "link.png", "pipe.png", 7, None])
+    def test_are_in_its_folder_and_no_links_that_lead_out(self, tmp_path, uri):
+        folder = tmp_path / "out" / "house"
+        folder.mkdir(parents=True)
+        (tmp_path / "out" / "secret.png").write_bytes(b"secret")
+        (folder / "link.png").symlink_to(tmp_path / "out" / "secret.png")
+        os.mkfifo(folder / "pipe.png")
+        file = folder / "1.gltf"
+        file.write_text(json.dumps({"asset": {}, "images": [{"uri": uri}], "buffers": [{"uri": uri, "byteLength": 6}]}))
+        with pytest.raises(BakeError, match="not in the folder of the floor|is no regular file"):
+            blender_import.Document(file, {}).image_key(0)
+
+    def test_may_be_below_it_or_in_the_shared_folders_beside_it(self, tmp_path):
+        folder = tmp_path / "out" / "house"
+        for name in ("house/shared-textures/a b.png", "shared-textures/b.png"):
+            (tmp_path / "out" / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / "out" / name).write_bytes(PNG)
+        file = folder / "1.gltf"
+        uris = ["shared-textures/a%20b.png", "../shared-textures/b.png"]
+        file.write_text(json.dumps({"asset": {}, "images": [{"uri": uri} for uri in uris]}))
+        document = blender_import.Document(file, {})
+        assert [document.image_key(index) for index in (0, 1)] == [
+            str((folder / "shared-textures/a b.png").resolve()), str((tmp_path / "out/shared-textures/b.png").resolve())]
 
 
 def world_matrices() -> dict:

@@ -1,5 +1,6 @@
 """What convert.py writes, read back through the composed stage and compared with the glTF."""
 
+import json
 import shutil
 
 import numpy as np
@@ -187,3 +188,15 @@ def test_a_baked_city(baked, tmp_path):
     for file in (tmp_path / "a").rglob("*.usd*"):
         for path in filter(None, Sdf.Layer.FindOrOpen(str(file)).GetCompositionAssetDependencies()):
             assert path.startswith(("./", "../")), f"{file} refers to {path}"
+
+
+def test_levels_that_no_plan_has_any_more_are_left_out(floor, tmp_path, capsys):
+    bake = tmp_path / "bake"
+    (bake / "house").mkdir(parents=True)
+    for name in ("ground", "gone"):
+        floor.write(bake / "house" / f"{name}.glb")
+    former = [{"files": [{"path": "house/gone.glb", "bytes": 1, "sha256": ""}]}]
+    (bake / "manifest.json").write_text(json.dumps({"levels": [], "former_levels": former}))
+    assert convert.main([str(bake), "--out", str(tmp_path / "usd")]) == 0
+    assert (tmp_path / "usd/house/ground.usdc").exists() and not (tmp_path / "usd/house/gone.usdc").exists()
+    assert "gone.glb is left out" in capsys.readouterr().err
