@@ -25,7 +25,7 @@ pub struct Source {
     file: PathBuf,
     text: String,
     tree: OnceLock<Result<Tree, Flaw>>,
-    lines: OnceLock<Lines>,
+    lines: OnceLock<Box<Lines>>,
 }
 
 impl Source {
@@ -128,7 +128,7 @@ impl Source {
     /// A fault at a place of the text.
     #[must_use]
     pub fn fault_at(&self, position: Option<(usize, usize)>, message: impl Into<String>) -> Fault {
-        let lines = || self.lines.get_or_init(|| Lines::new(&self.text));
+        let lines = || self.lines.get_or_init(|| Box::new(Lines::new(&self.text)));
         let line = position.and_then(|(line, column)| lines().excerpt(&self.text, line, column));
         Fault { position, line, ..Fault::of_file(&self.file, message) }
     }

@@ -25,6 +25,9 @@ fn bake(world: &World, out: &str) {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
+/// What becomes of an entry, by its number, and the bytes of the next.
+type Damage = fn(usize, &mut Vec<u8>, &[u8]);
+
 /// In each entry another bit, then other lengths, then each under the name of the next.
 #[test]
 fn damaged_entries_change_no_byte_and_are_made_anew() {
@@ -33,7 +36,7 @@ fn damaged_entries_change_no_byte_and_are_made_anew() {
     bake(&world, "whole");
     let whole = world.files("whole");
     let before = kept(&world);
-    let damages: [fn(usize, &mut Vec<u8>, &[u8]); 4] = [
+    let damages: [Damage; 4] = [
         |index, bytes, _| {
             let place = index * 7919 % bytes.len();
             bytes[place] ^= 1 << (index % 8);
