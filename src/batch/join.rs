@@ -45,7 +45,10 @@ pub struct MergeReport {
 /// # Errors
 /// If there is no such folder, no bake has written into it, it cannot be written, or it holds a manifest that is not ours.
 pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
-    fs::read_dir(root).map_err(|error| OutputFault::of(root, "open the output folder", &error))?;
+    fs::read_dir(root).map_err(|error| OutputFault {
+        hint: Some("name the folder that `roomwright bake --out` wrote into".to_owned()),
+        ..OutputFault::of(root, "open the output folder", &error)
+    })?;
     check_state(root)?;
     let is_new = fs::symlink_metadata(state_folder(root)).is_err();
     if is_new && manifest_paths(root)?.is_empty() {

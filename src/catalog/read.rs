@@ -111,7 +111,11 @@ impl Files {
         let mut keys = Vec::new();
         if let Err((folder, error)) = list_files(folder, "", &mut keys) {
             let fault = Fault::of_file(&folder, format!("cannot be listed: {error}"));
-            self.faults.push(fault.with_hint("check the path and the rights of the folder"));
+            let hint = match folder.is_file() {
+                true => "name the folder that holds classes/, rooms/, styles/ or palettes/",
+                false => "check the path and the rights of the folder",
+            };
+            self.faults.push(fault.with_hint(hint));
             return;
         }
         keys.sort();
@@ -194,7 +198,11 @@ pub(crate) fn add_to_digest(hasher: &mut Sha256, bytes: &[u8]) {
 }
 
 fn nothing_found(folder: &Path) -> Fault {
-    Fault::of_file(folder, "this folder holds no configuration").as_warning().with_hint(
+    let fault = Fault::of_file(folder, "this folder holds no configuration").as_warning();
+    if FOLDERS.iter().any(|(name, _)| folder.ends_with(name)) {
+        return fault.with_hint("name the folder that it lies in");
+    }
+    fault.with_hint(
         "definitions stand in YAML or JSON files below classes/, rooms/, styles/ and palettes/, in room_words.yaml and audit.yaml",
     )
 }

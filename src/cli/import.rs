@@ -14,6 +14,9 @@ use crate::batch::distinct_names;
 use crate::document::{Fault, Faults, printable};
 use crate::plan::{InputReport, Level, PlacedBuilding, PlanReading, write_native};
 
+/// Endings of files that somebody may expect instead of YAML.
+const OTHER_ENDINGS: [&str; 9] = ["json", "geojson", "dxf", "dwg", "ifc", "svg", "glb", "gltf", "zip"];
+
 /// One building and where it goes.
 struct Target<'a> {
     placed: &'a PlacedBuilding,
@@ -57,6 +60,9 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
 
 /// A file for each building: `out` itself if it is named like a plan, else a file in it.
 fn targets<'a>(buildings: &'a [PlacedBuilding], out: &Path) -> Result<Vec<Target<'a>>, Faults> {
+    if let Some(fault) = other_format(out) {
+        return Err(fault.into());
+    }
     let is_file = out.extension().is_some_and(|extension| extension == "yaml" || extension == "yml");
     match buildings {
         [placed] if is_file => Ok(vec![Target { placed, path: out.to_owned() }]),
@@ -71,6 +77,16 @@ fn targets<'a>(buildings: &'a [PlacedBuilding], out: &Path) -> Result<Vec<Target
             Ok(buildings.iter().zip(names).map(|(placed, path)| Target { placed, path }).collect())
         }
     }
+}
+
+/// A fault if the result is called like a file of another format than the one that is written.
+fn other_format(out: &Path) -> Option<Fault> {
+    let ending = out.extension()?.to_str()?.to_ascii_lowercase();
+    let is_other = OTHER_ENDINGS.contains(&ending.as_str()) && !out.is_dir();
+    is_other.then(|| {
+        let hint = format!("write --out {}, or name a folder", out.with_extension("yaml").display());
+        Fault::of_file(out, format!("plans are written as YAML, not as .{ending}")).with_hint(hint)
+    })
 }
 
 /// What was written, and what the readers say of it where that is asked for.

@@ -18,8 +18,8 @@ use super::tree::{Content, Node};
 /// How people write the units that files may name, the file's word first.
 const UNITS: [&[&str]; 5] = [
     &["m", "metre", "metres", "meter", "meters"],
-    &["cm"],
-    &["mm"],
+    &["cm", "centimetre", "centimetres", "centimeter", "centimeters"],
+    &["mm", "millimetre", "millimetres", "millimeter", "millimeters"],
     &["ft", "foot", "feet"],
     &["in", "inch", "inches"],
 ];
@@ -91,7 +91,9 @@ impl Diagnosis<'_> {
                 }
             }
             ValidationErrorKind::Required { property } => {
-                self.add(&path, format!("key {property} is missing"), None);
+                let is_version = property == "version" && path.is_empty();
+                let hint = is_version.then(|| "begin the file with `version: 1`".to_owned());
+                self.add(&path, format!("key {property} is missing"), hint);
             }
             ValidationErrorKind::Type { kind } => self.wrong_type(&path, &types(kind)),
             ValidationErrorKind::Enum { .. } | ValidationErrorKind::Constant { .. } => {
@@ -160,11 +162,14 @@ impl Diagnosis<'_> {
         let is_asked = |kind: &&JsonType| **kind != JsonType::Null || expected.len() == 1;
         let names: Vec<&str> = expected.iter().filter(is_asked).map(|kind| type_name(*kind)).collect();
         let is_measure = expected.iter().any(|kind| matches!(kind, JsonType::Number | JsonType::Integer));
-        let measure = match &node.content {
+        let hint = match &node.content {
             Content::Scalar { value: Value::String(text), .. } if is_measure => self.measure_hint(text),
+            Content::Mapping(_) if *expected == [JsonType::Array] && self.is_yaml() => {
+                Some("write the items of a list one below the other, each behind `- `".to_owned())
+            }
             _ => None,
         };
-        self.add(path, format!("expected {}, found {found}", names.join(" or ")), measure);
+        self.add(path, format!("expected {}, found {found}", names.join(" or ")), hint);
     }
 
     /// What to write for a text that begins with a number: `14ft`, `3,5`, `8' 2"`.
@@ -188,6 +193,7 @@ impl Diagnosis<'_> {
                     names[0]
                 )
             }
+            _ if rest.is_empty() => format!("write {number} without quotes"),
             _ => format!("write {number} alone, without a unit"),
         })
     }
@@ -202,8 +208,14 @@ impl Diagnosis<'_> {
         }
         let (word, listed) = (plain_text(&found), candidates.join(", "));
         let one_only = candidates.len() == 1;
-        let hint =
-            if one_only { Some(format!("it must be {listed}")) } else { did_you_mean(&word, &candidates) };
+        let lower = word.to_lowercase();
+        let unit = UNITS.iter().find(|names| names.contains(&lower.as_str())).map(|names| names[0]);
+        let unit = unit.filter(|unit| candidates.iter().any(|known| known == unit));
+        let hint = match unit {
+            Some(unit) => Some(format!("did you mean \"{unit}\"?")),
+            None if one_only => Some(format!("it must be {listed}")),
+            None => did_you_mean(&word, &candidates),
+        };
         self.add(path, format!("unknown value {found}"), hint);
     }
 

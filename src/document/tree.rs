@@ -82,7 +82,10 @@ impl Tree {
                 position: place(error.marker()),
                 path: builder.path(),
                 message: error.info().to_string(),
-                hint: Some("is an indent, a bracket or a quote missing here or above?"),
+                hint: Some(match error.info().contains("tab") {
+                    true => "indent with spaces, not tabs",
+                    false => "is an indent, a bracket or a quote missing here or above?",
+                }),
             })?;
             builder.take(event, place(&span.start))?;
         }

@@ -196,3 +196,49 @@ fn an_open_kitchen_is_furnished_to_live_and_to_cook_in() {
         assert!(classes[class].as_u64() > Some(0), "{class}: {classes}");
     }
 }
+
+#[test]
+fn slips_in_a_first_plan_get_a_hint_that_mends_them() {
+    let world = World::new();
+    let good = plan("alpha", 1);
+    for (from, to, expected) in [
+        ("version: 1\n", "", "begin the file with `version: 1`"),
+        ("version: 1\n", "version: 1\nunits: feet\n", "did you mean \"ft\"?"),
+        ("version: 1\n", "version: 1\nunits: millimeters\n", "did you mean \"mm\"?"),
+        ("height: 3\n", "height: 3m\n", "write 3 alone"),
+    ] {
+        assert!(good.contains(from), "{good}");
+        world.write("a.yaml", good.replacen(from, to, 1));
+        answered(&world, &["check", "a.yaml"], 1, &["a.yaml:", "hint: ", expected]);
+    }
+    world.write("a.yaml", "version: 1\nlevels:\n- id: g\n\theight: 3\n");
+    answered(&world, &["check", "a.yaml"], 1, &["found a tab", "spaces, not tabs"]);
+    world.write("a.yaml", "version: 1\nlevels:\n  ground: {rooms: []}\n");
+    answered(&world, &["check", "a.yaml"], 1, &["expected a list, found a mapping", "each behind `- `"]);
+}
+
+#[test]
+fn folders_and_files_in_each_others_place() {
+    let world = world();
+    answered(
+        &world,
+        &["import", "plans", "--out", "x.dxf"],
+        2,
+        &["x.dxf: plans are written as YAML", "--out x.yaml"],
+    );
+    assert!(!world.path("x.dxf").exists());
+    answered(
+        &world,
+        &["merge", "nowhere"],
+        2,
+        &["nowhere: cannot", "the folder that `roomwright bake --out` wrote into"],
+    );
+    world.write("mine/classes/a.yaml", "version: 1\nclasses:\n  tall_desk: {extends: desk}\n");
+    answered(
+        &world,
+        &["check", "plans", "--catalog", "mine/classes"],
+        0,
+        &["name the folder that it lies in"],
+    );
+    answered(&world, &["check", "plans", "--catalog", "mine/classes/a.yaml"], 1, &["that holds classes/"]);
+}
