@@ -70,13 +70,14 @@ fn status(key: &str) -> Option<u64> {
     line.trim().trim_end_matches(" kB").parse().ok()
 }
 
-#[test]
-#[cfg(target_os = "linux")]
-fn memory_that_is_taken_and_given_back_is_seen() {
-    let mut watch = Watch::default();
-    let spent = watch.spent(|| assert_eq!(std::hint::black_box(vec![1_u8; 64 << 20]).len(), 64 << 20));
+/// That memory which is taken and given back is seen. No test of its own: tests run side by side in one process, whose
+/// memory this counts.
+pub(crate) fn check_that_memory_is_seen() {
+    const MEGABYTES: usize = 64;
     if resident_after_reset().is_none() {
-        return println!("skipped: this system does not tell the peak");
+        return println!("memory is not looked at: this system does not tell the peak");
     }
-    assert!(spent.megabytes >= 60, "{spent:?}");
+    let take = || assert_eq!(std::hint::black_box(vec![1_u8; MEGABYTES << 20]).len(), MEGABYTES << 20);
+    let spent = Watch::default().spent(take);
+    assert!(spent.megabytes >= MEGABYTES as u64 - 4, "{spent:?}");
 }
