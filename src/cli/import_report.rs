@@ -16,6 +16,9 @@ fn add_level(level: &LevelReport, lines: &mut Vec<String>) {
     lines.push(format!("    level {}", level.id));
     let types: Vec<String> = level.room_types.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
     lines.push(format!("      rooms     {}: {}", share(level.rooms), types.join(", ")));
+    if level.guessed > 0 {
+        lines.push(format!("      guessed   {} rooms whose words are unknown", level.guessed));
+    }
     let (between, outside) = (level.between_rooms, level.to_outside);
     let openings = share(level.openings);
     lines.push(format!("      openings  {openings}: {between} between two rooms, {outside} of one room"));
@@ -45,6 +48,7 @@ mod tests {
             id: "ground".to_owned(),
             rooms: Share { drawn: 3, read: 2 },
             room_types: [("office".to_owned(), 2)].into(),
+            guessed: 1,
             openings: Share { drawn: 1, read: 1 },
             between_rooms: 1,
             notes: vec!["room \"x\" is 5000 m wide".to_owned()],
@@ -56,7 +60,7 @@ mod tests {
             buildings: vec![BuildingReport { id: "a".to_owned(), levels: vec![level] }],
         };
         let expected = "a.ifc (ifc)\n  building a\n    level ground\n      rooms     2 of 3: 2 office\n      \
-                        openings  1 of 1: 1 between two rooms, 0 of one room\n      note      room \"x\" is 5000 m wide";
+                        guessed   1 rooms whose words are unknown\n      openings  1 of 1: 1 between two rooms, 0 of one room\n      note      room \"x\" is 5000 m wide";
         assert_eq!(text(&report), expected);
     }
 }

@@ -67,6 +67,8 @@ pub struct RoomDraft {
     pub name: Option<String>,
     /// Id of a room type.
     pub room_type: String,
+    /// What the plan calls it, where no table knows the word: then its type is guessed.
+    pub unknown_word: Option<String>,
     /// Id of a style or building style.
     pub style: Option<String>,
     /// The flat or other unit that it is part of, if the plan says: equal for rooms of a level that belong together.

@@ -15,6 +15,7 @@ mod building;
 mod clean;
 mod digest;
 mod draft;
+mod guess;
 mod inset;
 pub(crate) mod limits;
 mod mirror;
@@ -36,6 +37,7 @@ pub use draft::{
     BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,
     RoomDraft, Subject,
 };
+pub use guess::GuessRule;
 pub(crate) use mirror::mirror_building;
 pub use options::{PlanOptions, PlanReading, ProjectSettings};
 pub use read::{

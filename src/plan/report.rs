@@ -36,6 +36,8 @@ pub struct LevelReport {
     pub rooms: Share,
     /// How many rooms of each type were read.
     pub room_types: BTreeMap<String, usize>,
+    /// Rooms whose words no table knows and whose types were guessed.
+    pub guessed: usize,
     /// Openings that the input draws, and those that lie in a wall. A window along several walls counts once.
     pub openings: Share,
     /// Openings between two rooms.

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::GuessRule;
+
 /// Maps each format's room words to room types. Filled from `configs/room_words.yaml` and the user's own
 /// additions, so that a new word needs no code.
 #[derive(Clone, Debug, Default)]
@@ -12,9 +14,13 @@ pub struct RoomWords {
     pub styles: BTreeSet<String>,
     /// format → word (lower case) → room type.
     pub words: BTreeMap<String, BTreeMap<String, String>>,
+    /// What rooms with other words are, by what they look like: the first rule that fits counts.
+    pub guesses: Vec<GuessRule>,
+    /// Kinds of buildings, by the room types that tell them.
+    pub families: BTreeMap<String, BTreeSet<String>>,
 }
 
-/// The room type that unknown words become, with a warning.
+/// The room type of rooms with unknown words for which no guess fits.
 pub const GENERIC_ROOM_TYPE: &str = "generic";
 
 impl RoomWords {

@@ -1,11 +1,12 @@
 //! `configs/room_words.yaml`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::FormatVersion;
+use crate::plan::GuessRule;
 
 /// The room words of plan formats and the room types that they mean.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -16,4 +17,10 @@ pub(crate) struct WordsFile {
     pub(crate) version: FormatVersion,
     /// Plan format, then word (in any case), then room type. Later folders add to earlier ones.
     pub(crate) formats: BTreeMap<String, BTreeMap<String, String>>,
+    /// What rooms with other words are: the first rule that fits counts. Those of later folders come before earlier ones.
+    #[serde(default)]
+    pub(crate) guesses: Vec<GuessRule>,
+    /// Kinds of buildings: those of room types to which most known rooms of a building belong.
+    #[serde(default)]
+    pub(crate) families: BTreeMap<String, BTreeSet<String>>,
 }

@@ -17,8 +17,9 @@ pub(crate) fn resolve_words<'a>(
     let is_abstract = |id: &str| room_types.get(id).is_some_and(|definition| definition.entry.is_abstract);
     let known = room_types.ids().filter(|id| !is_abstract(id)).map(str::to_owned).collect();
     let styles = styles.map(str::to_owned).collect();
-    let mut words = RoomWords { known, styles, words: BTreeMap::new() };
+    let mut words = RoomWords { known, styles, ..RoomWords::default() };
     for (source, file) in files {
+        add_guesses(&mut words, (*source, file), report);
         for (format, table) in &file.formats {
             let spot = Spot { source: *source, path: vec!["formats".into()] }.key(format);
             let merged = words.words.entry(format.clone()).or_default();
@@ -35,6 +36,19 @@ pub(crate) fn resolve_words<'a>(
         }
     }
     words
+}
+
+/// Adds the rules of a file before those of the files before it.
+fn add_guesses(words: &mut RoomWords, (source, file): (usize, &WordsFile), report: &mut Report<'_>) {
+    let spot = Spot { source, path: vec!["guesses".into()] };
+    for (index, rule) in
+        file.guesses.iter().enumerate().filter(|(_, rule)| !words.known.contains(&rule.read_as))
+    {
+        let candidates = words.known.iter().map(String::as_str);
+        report.unknown(&spot.item(Some(index)).key("read_as"), "room type", &rule.read_as, candidates);
+    }
+    words.guesses.splice(0..0, file.guesses.iter().cloned());
+    words.families.extend(file.families.clone());
 }
 
 /// The words as written, without those that differ from another only in case.

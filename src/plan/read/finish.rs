@@ -5,7 +5,11 @@ use std::path::{Path, PathBuf};
 use super::names::{replace_unprintable, replaced};
 use super::native::{LevelOrigins, NativeChecks, ProblemList, Report};
 use crate::document::{Fault, Faults, Source};
-use crate::plan::{Building, BuildingDraft, LevelReport, Problem, Subject, assemble_level, mirror_building};
+use crate::plan::guess::{family_of, guess_rooms};
+use crate::plan::{
+    Building, BuildingDraft, Level, LevelDraft, LevelReport, Problem, RoomWords, Subject, assemble_level,
+    mirror_building,
+};
 
 /// A building as it was read, and where from.
 pub(super) struct Drafted {
@@ -44,7 +48,7 @@ pub(super) struct Finished {
 }
 
 /// Assembles all levels. What is wrong with a room or an opening leaves that out and is reported.
-pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
+pub(super) fn finish(drafted: &Drafted, variation: &Variation, words: &RoomWords) -> Finished {
     let mut draft = match variation.is_mirrored {
         true => mirror_building(&drafted.draft),
         false => drafted.draft.clone(),
@@ -53,6 +57,7 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
         room.style = room.style.take().or_else(|| variation.style.clone());
     }
     let unprintable = replace_unprintable(&mut draft);
+    let family = family_of(&draft, words);
     let mut building = Building { name: draft.name, levels: Vec::new() };
     let mut problems = Vec::new();
     let mut reports = Vec::new();
@@ -60,7 +65,8 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
         let checks = NativeChecks::of(&level);
         let mut report = LevelReport::of_draft(&level);
         let drawn = level.openings.iter().map(|opening| opening.id.clone()).collect();
-        let (mut level, mut found) = assemble_level(level);
+        let (mut level, mut found, guessed) = assemble_guessed(level, (words, family));
+        report.guessed = guessed;
         if matches!(drafted.provenance, Provenance::Native(..)) {
             checks.run(&level, &mut found);
         }
@@ -81,6 +87,24 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation) -> Finished {
         faults.push(replaced(drafted.provenance.file(), found));
     }
     Finished { building, faults, levels: reports }
+}
+
+/// As [`assemble_level`], with guesses for rooms whose words nobody knows, and how many these are. Assembled anew with
+/// them: what a room is decides where doors open and which walls have pipes.
+fn assemble_guessed(
+    mut draft: LevelDraft,
+    judged_by: (&RoomWords, Option<&str>),
+) -> (Level, Vec<Problem>, usize) {
+    if draft.rooms.iter().all(|room| room.unknown_word.is_none()) {
+        let (level, problems) = assemble_level(draft);
+        return (level, problems, 0);
+    }
+    let (level, _) = assemble_level(draft.clone());
+    let guesses = guess_rooms(&mut draft, &level, judged_by);
+    let (level, mut problems) = assemble_level(draft);
+    let count = guesses.len();
+    problems.extend(guesses);
+    (level, problems, count)
 }
 
 impl Provenance {

@@ -14,6 +14,25 @@ pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
     if read.is_ok() { bytes } else { Vec::new() }
 }
 
+/// What a room is by its word.
+#[derive(Clone, Debug)]
+pub(super) struct TypeOfWord {
+    /// The room type; that of generic rooms for a word that the table does not know.
+    pub(super) room_type: String,
+    /// The word, if the table does not know it.
+    pub(super) unknown_word: Option<String>,
+}
+
+impl TypeOfWord {
+    pub(super) fn known(room_type: &str) -> Self {
+        Self { room_type: room_type.to_owned(), unknown_word: None }
+    }
+
+    pub(super) fn unknown(word: &str) -> Self {
+        Self { room_type: GENERIC_ROOM_TYPE.to_owned(), unknown_word: Some(word.to_owned()) }
+    }
+}
+
 /// A room word that the table does not know: a warning at its first place.
 pub(super) fn unknown_word(source: &Source, path: &[PathStep], format: &str, word: (&str, usize)) -> Fault {
     let (message, hint) = unknown_words(format, word);
@@ -23,7 +42,7 @@ pub(super) fn unknown_word(source: &Source, path: &[PathStep], format: &str, wor
 /// Fact and hint about a room word that the table does not know.
 pub(super) fn unknown_words(format: &str, (word, count): (&str, usize)) -> (String, String) {
     let rooms = if count == 1 { "1 room is".to_owned() } else { format!("{count} rooms are") };
-    let message = format!("unknown room word \"{word}\": {rooms} taken as \"{GENERIC_ROOM_TYPE}\"");
+    let message = format!("unknown room word \"{word}\": {rooms} guessed by shape and neighbours");
     (message, format!("add it under formats.{format} in a room_words.yaml of yours"))
 }
 

@@ -12,7 +12,7 @@ pub(crate) mod native;
 mod nothing;
 mod project;
 #[cfg(test)]
-mod real_data;
+pub(super) mod real_data;
 mod unread;
 
 use std::collections::BTreeMap;
@@ -177,7 +177,7 @@ impl From<Faults> for Reading {
 
 fn read_input(input: &Input, words: &RoomWords) -> Reading {
     if let Some(format) = input.format {
-        return finish_all((&input.path, format.name), read_drafts(&input.path, words));
+        return finish_all((&input.path, format.name), read_drafts(&input.path, words), words);
     }
     match unread::refusal(&input.path) {
         Some(fault) if input.is_named => return Faults::from(fault).into(),
@@ -197,17 +197,17 @@ fn read_input(input: &Input, words: &RoomWords) -> Reading {
         }
         Kind::Other | Kind::Project if !input.is_named => Reading::default(),
         Kind::Other if !native::may_be_plan(&source) => Faults::from(nothing::of_text(&source)).into(),
-        _ => finish_all((&input.path, "native"), native_drafts(source, words)),
+        _ => finish_all((&input.path, "native"), native_drafts(source, words), words),
     }
 }
 
-fn finish_all((file, format): (&Path, &'static str), reading: Drafts) -> Reading {
+fn finish_all((file, format): (&Path, &'static str), reading: Drafts, words: &RoomWords) -> Reading {
     let mut faults = reading.faults;
     let mut buildings = Vec::new();
     let mut report = InputReport { path: file.to_owned(), format, buildings: Vec::new() };
     let source = Arc::new(PlanSource { plan: file.to_owned(), ..PlanSource::default() });
     for drafted in reading.drafts {
-        let Finished { building, faults: found, levels } = finish(&drafted, &Variation::default());
+        let Finished { building, faults: found, levels } = finish(&drafted, &Variation::default(), words);
         faults.merge(found);
         report.buildings.push(BuildingReport { id: drafted.id.clone(), levels });
         if building.levels.is_empty() {

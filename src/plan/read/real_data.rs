@@ -6,7 +6,7 @@ use crate::document::parse_document;
 use crate::plan::RoomWords;
 
 /// A folder of the shared floor plans, or `None` with a printed reason where it is absent.
-pub(super) fn folder(name: &str) -> Option<PathBuf> {
+pub(in crate::plan) fn folder(name: &str) -> Option<PathBuf> {
     let path = PathBuf::from("../shared/data/floorplans").join(name);
     if path.is_dir() {
         return Some(path);

@@ -4,6 +4,7 @@ use super::areas::{Area, Outline};
 use super::drawing::{Drawing, Hole, Sweep, metres, outer_ring};
 use crate::geometry::{Point, Polygon};
 use crate::plan::assemble::BoxIndex;
+use crate::plan::read::foreign::TypeOfWord;
 use crate::plan::units::CENTIMETRE;
 use crate::plan::{
     Leaf, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind,
@@ -48,7 +49,7 @@ impl Heights {
 /// A room's type and title, found by the caller from the area's word.
 pub(super) struct Naming<'a> {
     /// The room type of an area, knowing whether it is a guest toilet.
-    pub(super) room_type: &'a mut dyn FnMut(&Area, bool) -> String,
+    pub(super) room_type: &'a mut dyn FnMut(&Area, bool) -> TypeOfWord,
     /// The apartment that an area belongs to.
     pub(super) apartment: &'a dyn Fn(&Area) -> Option<String>,
 }
@@ -128,11 +129,14 @@ fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
             let kind = area.area_type.to_lowercase().replace('_', " ");
             let dwelling = (naming.apartment)(area);
             let name = dwelling.as_ref().map(|apartment| format!("{kind}, {apartment}"));
+            let is_toilet = is_toilet(area, outline, &has_bath);
+            let TypeOfWord { room_type, unknown_word } = (naming.room_type)(area, is_toilet);
             rooms.push(RoomDraft {
                 id,
                 name,
                 dwelling,
-                room_type: (naming.room_type)(area, is_toilet(area, outline, &has_bath)),
+                room_type,
+                unknown_word,
                 outline: outline.outer.clone(),
                 holes: outline.holes.clone(),
                 height: Some(floor.heights.wall),

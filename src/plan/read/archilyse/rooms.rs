@@ -6,8 +6,8 @@ use super::NAME;
 use super::areas::{Area, Outline};
 use super::tables::Table;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep};
-use crate::plan::read::foreign::unknown_word;
-use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
+use crate::plan::RoomWords;
+use crate::plan::read::foreign::{TypeOfWord, unknown_word};
 
 /// The room type of guest toilets, which the format does not tell from bathrooms.
 const TOILET_TYPE: &str = "toilet";
@@ -45,16 +45,16 @@ impl<'a> RoomTypes<'a> {
     }
 
     /// The type of an area's word, or that of generic rooms, with a warning to come.
-    pub(super) fn of(&mut self, area: &Area, is_toilet: bool) -> String {
+    pub(super) fn of(&mut self, area: &Area, is_toilet: bool) -> TypeOfWord {
         if is_toilet && self.words.known.contains(TOILET_TYPE) {
-            return TOILET_TYPE.to_owned();
+            return TypeOfWord::known(TOILET_TYPE);
         }
         let word = area.area_type.as_str();
         if let Some(found) = self.words.room_type(NAME, word) {
-            return found.to_owned();
+            return TypeOfWord::known(found);
         }
         self.unknown.entry(word.to_owned()).or_insert((area.id, 0)).1 += 1;
-        GENERIC_ROOM_TYPE.to_owned()
+        TypeOfWord::unknown(word)
     }
 
     /// One warning per unknown word, at its first area.

@@ -311,7 +311,7 @@ fn broken_files_give_faults_with_their_place() {
 fn unknown_words_are_warnings() {
     let faults = broken("\"BALCONY\"", "\"SAUNA\"");
     assert_eq!(faults.0.len(), 1);
-    let message = "unknown room word \"SAUNA\": 2 rooms are taken as \"generic\"";
+    let message = "unknown room word \"SAUNA\": 2 rooms are guessed by shape and neighbours";
     assert_eq!((faults.0[0].message.as_str(), faults.0[0].is_error()), (message, false));
 }
 

@@ -8,7 +8,7 @@ use super::model::Entity;
 use super::placement::Geometry;
 use super::rooms::{Naming, Space, space};
 use crate::geometry::Point;
-use crate::plan::read::foreign::slug;
+use crate::plan::read::foreign::{TypeOfWord, slug};
 use crate::plan::{LeafDraft, LevelDraft, OpeningPlace, OutlineKind};
 
 /// Metres of slab between the highest ceiling and what is above, where no storey says more.
@@ -41,7 +41,7 @@ impl Storey {
         geometry: &Geometry<'_>,
         frame: &DAffine3,
         (storey, spaces): (&Entity, &[Entity]),
-        room_type: &dyn Fn(&Entity) -> String,
+        room_type: &dyn Fn(&Entity) -> TypeOfWord,
     ) -> Self {
         let model = geometry.model;
         let mut naming = Naming { taken: BTreeSet::new(), room_type };

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use super::NAME;
 use super::model::{Entity, Model};
-use crate::plan::read::foreign::unknown_words;
-use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
+use crate::plan::RoomWords;
+use crate::plan::read::foreign::{TypeOfWord, unknown_words};
 
 /// Where a space says what it is: `LongName`, `Name`, `ObjectType`.
 const PLACES: [usize; 3] = [7, 2, 4];
@@ -24,15 +24,16 @@ impl<'a> RoomTypes<'a> {
     }
 
     /// The type of a space, or that of generic rooms, with a warning to come.
-    pub(super) fn of(&self, space: &Entity) -> String {
+    pub(super) fn of(&self, space: &Entity) -> TypeOfWord {
         let texts: Vec<Vec<String>> =
             PLACES.iter().filter_map(|place| space.text(*place)).map(plain_words).collect();
         if let Some(found) = texts.iter().find_map(|words| self.known(words)) {
-            return found;
+            return TypeOfWord::known(&found);
         }
         let said = texts.into_iter().find(|words| !words.is_empty()).unwrap_or_default().join(" ");
+        let read = TypeOfWord::unknown(&said);
         self.unknown.borrow_mut().entry(said).or_insert((space.id, 0)).1 += 1;
-        GENERIC_ROOM_TYPE.to_owned()
+        read
     }
 
     /// The room type of the longest run of words that the table knows; of equals the last, which mostly carries the sense

@@ -8,6 +8,7 @@ use super::footprint::{Footprint, footprints};
 use super::model::{Entity, Read};
 use super::placement::Geometry;
 use crate::plan::RoomDraft;
+use crate::plan::read::foreign::TypeOfWord;
 
 /// A space on its storey.
 pub(super) struct Space {
@@ -30,12 +31,13 @@ pub(super) fn space(
         return Err(space.trouble("its body covers no floor"));
     };
     let id = naming.id(space);
-    let room_type = (naming.room_type)(space);
+    let TypeOfWord { room_type, unknown_word } = (naming.room_type)(space);
     let name = space.text(7).or(space.text(2)).map(str::to_owned);
     let rooms = parts.into_iter().enumerate().map(|(part, footprint)| RoomDraft {
         id: if part == 0 { id.clone() } else { format!("{id}.{}", part + 1) },
         name: name.clone(),
         room_type: room_type.clone(),
+        unknown_word: unknown_word.clone(),
         outline: footprint.outer,
         holes: footprint.holes,
         // A bare outline says nothing about its height.
@@ -48,7 +50,7 @@ pub(super) fn space(
 /// Ids of the rooms of a level, and their types.
 pub(super) struct Naming<'a> {
     pub(super) taken: BTreeSet<String>,
-    pub(super) room_type: &'a dyn Fn(&Entity) -> String,
+    pub(super) room_type: &'a dyn Fn(&Entity) -> TypeOfWord,
 }
 
 impl Naming<'_> {

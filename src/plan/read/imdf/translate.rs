@@ -6,12 +6,12 @@ use super::features::{Feature, Geometry, LevelProperties, OpeningProperties, Uni
 use super::place::{outlines, plane_of, points};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
-use crate::plan::read::foreign::{slug, unknown_word};
+use crate::plan::read::foreign::{TypeOfWord, slug, unknown_word};
 use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
-    BuildingDraft, GENERIC_ROOM_TYPE, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace,
-    OutlineKind, RoomDraft, RoomWords,
+    BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
+    RoomWords,
 };
 
 /// Metres from floor to floor; the format never says, and public buildings are higher than flats.
@@ -145,7 +145,7 @@ impl<'a> Translation<'a> {
     }
 
     fn rooms(&mut self, index: usize, unit: &Feature<UnitProperties>, plane: &LocalPlane) -> Vec<RoomDraft> {
-        let room_type = self.room_type(index, unit);
+        let TypeOfWord { room_type, unknown_word } = self.room_type(index, unit);
         let occupant = self.archive.occupants.get(&unit.id);
         let name =
             label(unit.properties.name.as_ref()).or_else(|| occupant.and_then(|tenant| tenant.name.clone()));
@@ -154,6 +154,7 @@ impl<'a> Translation<'a> {
             id: if part == 0 { unit.id.clone() } else { format!("{}.{}", unit.id, part + 1) },
             name: name.clone(),
             room_type: room_type.clone(),
+            unknown_word: unknown_word.clone(),
             outline: outline.outer,
             holes: outline.holes,
             ..RoomDraft::default()
@@ -161,17 +162,17 @@ impl<'a> Translation<'a> {
         rooms.collect()
     }
 
-    fn room_type(&mut self, index: usize, unit: &Feature<UnitProperties>) -> String {
+    fn room_type(&mut self, index: usize, unit: &Feature<UnitProperties>) -> TypeOfWord {
         let word = unit.properties.category.as_str();
         let tenant = self.archive.occupants.get(&unit.id).and_then(|tenant| tenant.category.as_deref());
         let own = self.words.room_type(NAME, word);
         let lent = tenant.and_then(|category| self.words.room_type(NAME, category));
         let found = if EMPTY_WORDS.contains(&word) { lent.or(own) } else { own.or(lent) };
         if let Some(found) = found {
-            return found.to_owned();
+            return TypeOfWord::known(found);
         }
         self.unknown.entry(word.to_owned()).or_insert((index, 0)).1 += 1;
-        GENERIC_ROOM_TYPE.to_owned()
+        TypeOfWord::unknown(word)
     }
 
     fn openings(&self, level: &str, plane: &LocalPlane) -> Vec<OpeningDraft> {

@@ -85,6 +85,7 @@ impl Scope<'_> {
             number: room.number,
             name: room.name.clone(),
             room_type: room.room_type.clone(),
+            unknown_word: None,
             style: room.style.as_ref().or(self.style).cloned(),
             dwelling: room.dwelling.as_deref().or(self.instance_id()).map(str::to_owned),
             outline: self.outline(room.outline.as_deref(), room.rectangle),
