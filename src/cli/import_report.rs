@@ -17,7 +17,11 @@ fn add_level(level: &LevelReport, lines: &mut Vec<String>) {
     let types: Vec<String> = level.room_types.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
     lines.push(format!("      rooms     {}: {}", share(level.rooms), types.join(", ")));
     if level.guessed > 0 {
-        lines.push(format!("      guessed   {} rooms whose words are unknown", level.guessed));
+        let rooms = match level.guessed {
+            1 => "1 room whose word is unknown".to_owned(),
+            count => format!("{count} rooms whose words are unknown"),
+        };
+        lines.push(format!("      guessed   {rooms}"));
     }
     let (between, outside) = (level.between_rooms, level.to_outside);
     let openings = share(level.openings);
@@ -60,7 +64,7 @@ mod tests {
             buildings: vec![BuildingReport { id: "a".to_owned(), levels: vec![level] }],
         };
         let expected = "a.ifc (ifc)\n  building a\n    level ground\n      rooms     2 of 3: 2 office\n      \
-                        guessed   1 rooms whose words are unknown\n      openings  1 of 1: 1 between two rooms, 0 of one room\n      note      room \"x\" is 5000 m wide";
+                        guessed   1 room whose word is unknown\n      openings  1 of 1: 1 between two rooms, 0 of one room\n      note      room \"x\" is 5000 m wide";
         assert_eq!(text(&report), expected);
     }
 }
