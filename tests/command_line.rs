@@ -23,6 +23,7 @@ mod command_line {
     mod looks;
     mod output_folder;
     mod readme;
+    mod unknown_words;
     mod user_models;
     mod verdicts;
     mod watch;

@@ -3,6 +3,8 @@
 //! Every reader fills a [`LevelDraft`]; `assemble` turns it into a [`super::Level`], so that attachment,
 //! wall thickness and corner cleaning are written once for all formats.
 
+use std::collections::BTreeSet;
+
 use crate::geometry::Point;
 
 use super::building::OpeningKind;
@@ -67,8 +69,10 @@ pub struct RoomDraft {
     pub name: Option<String>,
     /// Id of a room type.
     pub room_type: String,
-    /// What the plan calls it, where no table knows the word: then its type is guessed.
+    /// What the plan calls it, where that word tells no type: then its type is guessed.
     pub unknown_word: Option<String>,
+    /// Kinds of fixtures that the plan draws in it, in small letters: they tell what it is where its word does not.
+    pub fixtures: BTreeSet<String>,
     /// Id of a style or building style.
     pub style: Option<String>,
     /// The flat or other unit that it is part of, if the plan says: equal for rooms of a level that belong together.

@@ -1,11 +1,12 @@
 //! The room words of plan formats.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use crate::catalog::file::{RoomTypeEntry, WordsFile};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Table;
-use crate::plan::RoomWords;
+use crate::plan::{GuessRule, RoomWords};
 
 /// Merges the tables of all folders word by word, later ones first.
 pub(crate) fn resolve_words<'a>(
@@ -38,17 +39,45 @@ pub(crate) fn resolve_words<'a>(
     words
 }
 
-/// Adds the rules of a file before those of the files before it.
+/// Adds the kinds of buildings of a file, and its rules before those of the files before it.
 fn add_guesses(words: &mut RoomWords, (source, file): (usize, &WordsFile), report: &mut Report<'_>) {
+    words.families.extend(file.families.clone());
+    let spot = Spot { source, path: vec!["families".into()] };
+    for (family, types) in &file.families {
+        let unknown = types.iter().filter(|kind| !words.known.contains(*kind));
+        unknown.for_each(|kind| unknown_type(words, &spot.key(family), kind, report));
+    }
     let spot = Spot { source, path: vec!["guesses".into()] };
-    for (index, rule) in
-        file.guesses.iter().enumerate().filter(|(_, rule)| !words.known.contains(&rule.read_as))
-    {
-        let candidates = words.known.iter().map(String::as_str);
-        report.unknown(&spot.item(Some(index)).key("read_as"), "room type", &rule.read_as, candidates);
+    for (index, rule) in file.guesses.iter().enumerate() {
+        check_rule(words, &spot.index(index), rule, report);
     }
     words.guesses.splice(0..0, file.guesses.iter().cloned());
-    words.families.extend(file.families.clone());
+}
+
+/// Reports names that nothing defines, and ranges in which nothing lies.
+fn check_rule(words: &RoomWords, spot: &Spot, rule: &GuessRule, report: &mut Report<'_>) {
+    if !words.known.contains(&rule.read_as) {
+        unknown_type(words, &spot.key("read_as"), &rule.read_as, report);
+    }
+    for (index, kind) in
+        rule.above_or_below.iter().enumerate().filter(|(_, kind)| !words.known.contains(*kind))
+    {
+        unknown_type(words, &spot.key("above_or_below").index(index), kind, report);
+    }
+    for (index, family) in
+        rule.building.iter().enumerate().filter(|(_, family)| !words.families.contains_key(*family))
+    {
+        let candidates = words.families.keys().map(String::as_str);
+        report.unknown(&spot.key("building").index(index), "family of buildings", family, candidates);
+    }
+    let is_empty = |[low, high]: [f64; 2]| low.partial_cmp(&high).is_none_or(Ordering::is_gt);
+    for (key, _) in rule.ranges().into_iter().filter(|(_, range)| is_empty(*range)) {
+        report.error_with_hint(&spot.key(key), "nothing lies in this range", "write [least, most]");
+    }
+}
+
+fn unknown_type(words: &RoomWords, spot: &Spot, kind: &str, report: &mut Report<'_>) {
+    report.unknown(spot, "room type", kind, words.known.iter().map(String::as_str));
 }
 
 /// The words as written, without those that differ from another only in case.

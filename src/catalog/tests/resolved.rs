@@ -266,6 +266,39 @@ fn room_words_are_merged_word_by_word() {
 }
 
 #[test]
+fn rules_for_guesses_come_before_those_of_earlier_folders() {
+    let rules =
+        |kind: &str| format!("version: 1\nformats: {{}}\nguesses: [{{read_as: {kind}, area: [1, 2]}}]\n");
+    let catalog = load(&[("room_words.yaml", &rules("office")), ("room_words.yml", &rules("generic"))]);
+    let kinds: Vec<&str> = catalog.room_words.guesses.iter().map(|rule| rule.read_as.as_str()).collect();
+    assert_eq!(kinds[..2], ["generic", "office"]);
+}
+
+#[test]
+fn rules_for_guesses_name_only_what_there_is() {
+    let rules = "version: 1\nformats: {}\nfamilies: {farm: [barn]}\nguesses:\n  - {read_as: stable}\n  \
+                 - {read_as: office, building: [farn], above_or_below: [hayloft], area: [9, 2], doors: [3, 1]}\n";
+    let folder = folder(&[("room_words.yaml", rules)]);
+    let Err(faults) = load_above_base(&[folder.path().to_owned()]) else { panic!("all of it is wrong") };
+    let faults: Vec<String> = faults
+        .0
+        .iter()
+        .map(|fault| format!("{}: {}", crate::document::show_path(&fault.path), fault.message))
+        .collect();
+    assert_eq!(
+        faults,
+        [
+            "families.farm: unknown room type \"barn\"",
+            "guesses[0].read_as: unknown room type \"stable\"",
+            "guesses[1].building[0]: unknown family of buildings \"farn\"",
+            "guesses[1].above_or_below[0]: unknown room type \"hayloft\"",
+            "guesses[1].area: nothing lies in this range",
+            "guesses[1].doors: nothing lies in this range",
+        ]
+    );
+}
+
+#[test]
 fn origins_name_the_last_file() {
     let folder =
         folder(&[("classes/deep/a.yaml", "version: 1\nclasses: {table: {extends: table, looks: 2}}\n")]);

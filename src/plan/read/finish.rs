@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::names::{replace_unprintable, replaced};
 use super::native::{LevelOrigins, NativeChecks, ProblemList, Report};
 use crate::document::{Fault, Faults, Source};
-use crate::plan::guess::{family_of, guess_rooms};
+use crate::plan::guess::Guessing;
 use crate::plan::{
     Building, BuildingDraft, Level, LevelDraft, LevelReport, Problem, RoomWords, Subject, assemble_level,
     mirror_building,
@@ -57,15 +57,15 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation, words: &RoomWords
         room.style = room.style.take().or_else(|| variation.style.clone());
     }
     let unprintable = replace_unprintable(&mut draft);
-    let family = family_of(&draft, words);
+    let mut guessing = Guessing::of(&draft, words);
     let mut building = Building { name: draft.name, levels: Vec::new() };
     let mut problems = Vec::new();
     let mut reports = Vec::new();
-    for level in draft.levels {
+    for (place, level) in draft.levels.into_iter().enumerate() {
         let checks = NativeChecks::of(&level);
         let mut report = LevelReport::of_draft(&level);
         let drawn = level.openings.iter().map(|opening| opening.id.clone()).collect();
-        let (mut level, mut found, guessed) = assemble_guessed(level, (words, family));
+        let (mut level, mut found, guessed) = assemble_guessed(level, place, guessing.as_mut());
         report.guessed = guessed;
         if matches!(drafted.provenance, Provenance::Native(..)) {
             checks.run(&level, &mut found);
@@ -89,20 +89,21 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation, words: &RoomWords
     Finished { building, faults, levels: reports }
 }
 
-/// As [`assemble_level`], with guesses for rooms whose words nobody knows, and how many these are. Assembled anew with
-/// them: what a room is decides where doors open and which walls have pipes.
+/// As [`assemble_level`], with guesses for rooms whose words nobody knows, and how many these are. Such a level is assembled
+/// anew with them: what a room is decides where doors open and which walls have pipes.
 fn assemble_guessed(
     mut draft: LevelDraft,
-    judged_by: (&RoomWords, Option<&str>),
+    place: usize,
+    guessing: Option<&mut Guessing<'_>>,
 ) -> (Level, Vec<Problem>, usize) {
-    if draft.rooms.iter().all(|room| room.unknown_word.is_none()) {
+    let is_known = draft.rooms.iter().all(|room| room.unknown_word.is_none());
+    let Some(guessing) = guessing.filter(|_| !is_known) else {
         let (level, problems) = assemble_level(draft);
         return (level, problems, 0);
-    }
+    };
     let (level, _) = assemble_level(draft.clone());
-    let guesses = guess_rooms(&mut draft, &level, judged_by);
+    let (count, guesses) = guessing.guess(&mut draft, (place, &level));
     let (level, mut problems) = assemble_level(draft);
-    let count = guesses.len();
     problems.extend(guesses);
     (level, problems, count)
 }

@@ -1,11 +1,15 @@
 //! What the readers of foreign formats share.
 
+use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
 
 use crate::disk::open_regular;
-use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, suggest};
+use crate::document::{Faults, suggest};
 use crate::plan::GENERIC_ROOM_TYPE;
+
+/// Unknown room words that are told one by one.
+const TOLD_WORDS: usize = 20;
 
 /// The first bytes of a file; none if it cannot be read or is none, as a pipe, which might hang.
 pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
@@ -17,33 +21,46 @@ pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
 /// What a room is by its word.
 #[derive(Clone, Debug)]
 pub(super) struct TypeOfWord {
-    /// The room type; that of generic rooms for a word that the table does not know.
+    /// The room type; that of generic rooms until it is guessed.
     pub(super) room_type: String,
-    /// The word, if the table does not know it.
+    /// The word, if it tells no type: the table does not know it, or says that it means no more than a room.
     pub(super) unknown_word: Option<String>,
 }
 
 impl TypeOfWord {
-    pub(super) fn known(room_type: &str) -> Self {
-        Self { room_type: room_type.to_owned(), unknown_word: None }
+    /// Of a word that the table takes for this type.
+    pub(super) fn known(word: &str, room_type: &str) -> Self {
+        match room_type {
+            GENERIC_ROOM_TYPE => Self::unknown(word),
+            _ => Self { room_type: room_type.to_owned(), unknown_word: None },
+        }
     }
 
+    /// Of a word that the table does not know.
     pub(super) fn unknown(word: &str) -> Self {
         Self { room_type: GENERIC_ROOM_TYPE.to_owned(), unknown_word: Some(word.to_owned()) }
     }
 }
 
-/// A room word that the table does not know: a warning at its first place.
-pub(super) fn unknown_word(source: &Source, path: &[PathStep], format: &str, word: (&str, usize)) -> Fault {
-    let (message, hint) = unknown_words(format, word);
-    source.fault(path, message, Some(hint), FaultSeverity::Warning)
-}
-
-/// Fact and hint about a room word that the table does not know.
-pub(super) fn unknown_words(format: &str, (word, count): (&str, usize)) -> (String, String) {
-    let rooms = if count == 1 { "1 room is".to_owned() } else { format!("{count} rooms are") };
-    let message = format!("unknown room word \"{word}\": {rooms} guessed by shape and neighbours");
-    (message, format!("add it under formats.{format} in a room_words.yaml of yours"))
+/// Fact and hint about each room word that the table does not know, at its first place; of many words the last counts the
+/// others. `unknown` holds the first place of a word, and how many rooms have it.
+pub(super) fn unknown_words<'a, P>(
+    format: &'a str,
+    unknown: &'a BTreeMap<String, (P, usize)>,
+) -> impl Iterator<Item = (&'a P, String, String)> {
+    let told = unknown.iter().take(TOLD_WORDS);
+    let told = told.map(|(word, (place, count))| (place, format!("unknown room word \"{word}\""), *count));
+    let others = || unknown.values().skip(TOLD_WORDS);
+    let words = match others().count() {
+        1 => "1 more unknown room word".to_owned(),
+        count => format!("{count} more unknown room words"),
+    };
+    let count = others().map(|(_, count)| count).sum();
+    told.chain(others().next().map(|(place, _)| (place, words, count))).map(move |(place, words, count)| {
+        let rooms = if count == 1 { "1 room is".to_owned() } else { format!("{count} rooms are") };
+        let message = format!("{words}: {rooms} guessed by shape and neighbours");
+        (place, message, format!("add it under formats.{format} in a room_words.yaml of yours"))
+    })
 }
 
 /// The files of a folder of a format.
@@ -116,5 +133,26 @@ pub(super) fn both<A, B>(first: Result<A, Faults>, second: Result<B, Faults>) ->
             faults.merge(second.err().unwrap_or_default());
             Err(faults)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thousands_of_unknown_words_are_counted_rather_than_told_one_by_one() {
+        let words = |count: usize| -> BTreeMap<String, (usize, usize)> {
+            (0..count).map(|number| (format!("w{number:04}"), (number, 2))).collect()
+        };
+        let told = |count: usize| -> Vec<String> {
+            unknown_words("ifc", &words(count)).map(|(_, message, _)| message).collect()
+        };
+        assert_eq!(told(5000).len(), TOLD_WORDS + 1);
+        let last = told(5000).pop().expect("a message");
+        assert_eq!(last, "4980 more unknown room words: 9960 rooms are guessed by shape and neighbours");
+        assert!(told(21)[20].starts_with("1 more unknown room word: 2 rooms"));
+        assert_eq!(told(20).len(), 20);
+        assert!(told(0).is_empty());
     }
 }

@@ -1,9 +1,9 @@
 //! The shared real plans for tests; they are not part of the project.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::document::parse_document;
-use crate::plan::RoomWords;
+use crate::plan::{BuildingDraft, RoomWords};
 
 /// A folder of the shared floor plans, or `None` with a printed reason where it is absent.
 pub(in crate::plan) fn folder(name: &str) -> Option<PathBuf> {
@@ -13,6 +13,12 @@ pub(in crate::plan) fn folder(name: &str) -> Option<PathBuf> {
     }
     println!("skipped: {} is absent", path.display());
     None
+}
+
+/// The drafts of all buildings of a plan in one of the shared folders.
+pub(in crate::plan) fn drafts(path: &Path, words: &RoomWords) -> Vec<BuildingDraft> {
+    let reading = super::read_drafts(path, words);
+    reading.drafts.into_iter().map(|drafted| drafted.draft).collect()
 }
 
 /// The project's own table of room words.

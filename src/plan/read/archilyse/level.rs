@@ -1,8 +1,10 @@
 //! One drawing and its areas to a level.
 
+use std::collections::BTreeSet;
+
 use super::areas::{Area, Outline};
 use super::drawing::{Drawing, Hole, Sweep, metres, outer_ring};
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Point, Polygon, Region};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::read::foreign::TypeOfWord;
 use crate::plan::units::CENTIMETRE;
@@ -21,6 +23,8 @@ const EXTERIOR_THICKNESS: f64 = 0.35;
 const INTERIOR_THICKNESS: f64 = 0.12;
 /// A bathroom below this many square metres without tub and shower is a guest toilet.
 const LARGEST_TOILET: f64 = 3.0;
+/// Fixtures that a guest toilet lacks.
+const BATHS: [&str; 2] = ["bathtub", "shower"];
 
 /// Heights in metres where the drawing says none.
 #[derive(Clone, Copy, Debug)]
@@ -114,14 +118,7 @@ fn columns(outlines: Vec<Vec<Point>>, floor: &Floor<'_>) -> Vec<ObstacleDraft> {
 }
 
 fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
-    let fixtures = floor.drawing.fixtures(floor.pixel);
-    let baths = fixtures.iter().filter(|fixture| matches!(fixture.kind.as_str(), "bathtub" | "shower"));
-    let baths: Vec<Point> = baths.map(|fixture| fixture.center).collect();
-    let places = BoxIndex::of(baths.iter().enumerate().map(|(number, bath)| (*bath, *bath, number)));
-    let has_bath = |room: &Polygon| {
-        let (low, high) = room.bounds();
-        places.meeting(low, high).any(|number| room.contains(baths[number]))
-    };
+    let fixtures = Fixtures::of(floor);
     let mut rooms = Vec::new();
     for (area, outlines) in &floor.areas {
         for (part, outline) in outlines.iter().enumerate() {
@@ -129,7 +126,8 @@ fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
             let kind = area.area_type.to_lowercase().replace('_', " ");
             let dwelling = (naming.apartment)(area);
             let name = dwelling.as_ref().map(|apartment| format!("{kind}, {apartment}"));
-            let is_toilet = is_toilet(area, outline, &has_bath);
+            let fixtures = fixtures.kinds_in(outline);
+            let is_toilet = is_toilet(area, outline, &fixtures);
             let TypeOfWord { room_type, unknown_word } = (naming.room_type)(area, is_toilet);
             rooms.push(RoomDraft {
                 id,
@@ -137,6 +135,7 @@ fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
                 dwelling,
                 room_type,
                 unknown_word,
+                fixtures,
                 outline: outline.outer.clone(),
                 holes: outline.holes.clone(),
                 height: Some(floor.heights.wall),
@@ -147,9 +146,38 @@ fn rooms(floor: &Floor<'_>, naming: &mut Naming<'_>) -> Vec<RoomDraft> {
     rooms
 }
 
-fn is_toilet(area: &Area, outline: &Outline, has_bath: &dyn Fn(&Polygon) -> bool) -> bool {
-    let is_small = |room: &Polygon| room.area() < LARGEST_TOILET && !has_bath(room);
-    area.area_type == "BATHROOM" && Polygon::new(&outline.outer).is_ok_and(|room| is_small(&room))
+/// The fixtures of a floor by place.
+struct Fixtures {
+    kinds: Vec<(Point, String)>,
+    places: BoxIndex<usize>,
+}
+
+impl Fixtures {
+    fn of(floor: &Floor<'_>) -> Self {
+        let fixtures = floor.drawing.fixtures(floor.pixel).into_iter();
+        let kinds: Vec<(Point, String)> =
+            fixtures.map(|fixture| (fixture.center, fixture.kind.to_lowercase())).collect();
+        let points = kinds.iter().enumerate().map(|(number, (center, _))| (*center, *center, number));
+        let places = BoxIndex::of(points);
+        Self { kinds, places }
+    }
+
+    /// What stands in an outline; nothing if that is none.
+    fn kinds_in(&self, outline: &Outline) -> BTreeSet<String> {
+        let Ok(outer) = Polygon::new(&outline.outer) else { return BTreeSet::new() };
+        let holes: Vec<Polygon> = outline.holes.iter().filter_map(|hole| Polygon::new(hole).ok()).collect();
+        let (low, high) = outer.bounds();
+        let room = Region { outline: outer, holes };
+        let near = self.places.meeting(low, high).map(|number| &self.kinds[number]);
+        near.filter(|(center, _)| room.contains(*center)).map(|(_, kind)| kind.clone()).collect()
+    }
+}
+
+fn is_toilet(area: &Area, outline: &Outline, fixtures: &BTreeSet<String>) -> bool {
+    let is_small = |room: Polygon| room.area() < LARGEST_TOILET;
+    area.area_type == "BATHROOM"
+        && !BATHS.iter().any(|bath| fixtures.contains(*bath))
+        && Polygon::new(&outline.outer).is_ok_and(is_small)
 }
 
 /// `None` for kinds that are no openings.

@@ -7,7 +7,7 @@ use super::areas::{Area, Outline};
 use super::tables::Table;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep};
 use crate::plan::RoomWords;
-use crate::plan::read::foreign::{TypeOfWord, unknown_word};
+use crate::plan::read::foreign::{TypeOfWord, unknown_words};
 
 /// The room type of guest toilets, which the format does not tell from bathrooms.
 const TOILET_TYPE: &str = "toilet";
@@ -44,29 +44,30 @@ impl<'a> RoomTypes<'a> {
         Self { words, unknown: BTreeMap::new() }
     }
 
-    /// The type of an area's word, or that of generic rooms, with a warning to come.
+    /// The type of an area's word; for an unknown one a warning comes later.
     pub(super) fn of(&mut self, area: &Area, is_toilet: bool) -> TypeOfWord {
-        if is_toilet && self.words.known.contains(TOILET_TYPE) {
-            return TypeOfWord::known(TOILET_TYPE);
-        }
         let word = area.area_type.as_str();
+        if is_toilet && self.words.known.contains(TOILET_TYPE) {
+            return TypeOfWord::known(word, TOILET_TYPE);
+        }
         if let Some(found) = self.words.room_type(NAME, word) {
-            return TypeOfWord::known(found);
+            return TypeOfWord::known(word, found);
         }
         self.unknown.entry(word.to_owned()).or_insert((area.id, 0)).1 += 1;
         TypeOfWord::unknown(word)
     }
 
-    /// One warning per unknown word, at its first area.
+    /// Warnings for unknown words, at their first areas.
     pub(super) fn warnings(&self, areas: &Table<Area>) -> Faults {
         let mut places: BTreeMap<i64, usize> = BTreeMap::new();
         for (index, area) in areas.rows() {
             places.entry(area.id).or_insert(index);
         }
-        let warning = |(word, &(id, count)): (&String, &(i64, usize))| -> Fault {
-            let index = places.get(&id).copied().unwrap_or_default();
-            unknown_word(&areas.source, &[index.into(), "area_type".into()], NAME, (word, count))
+        let warning = |(id, message, hint): (&i64, String, String)| -> Fault {
+            let index = places.get(id).copied().unwrap_or_default();
+            let path = [index.into(), "area_type".into()];
+            areas.source.fault(&path, message, Some(hint), FaultSeverity::Warning)
         };
-        Faults(self.unknown.iter().map(warning).collect())
+        Faults(unknown_words(NAME, &self.unknown).map(warning).collect())
     }
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use super::NAME;
 use super::model::{Entity, Model};
-use crate::plan::RoomWords;
 use crate::plan::read::foreign::{TypeOfWord, unknown_words};
+use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
 
 /// Where a space says what it is: `LongName`, `Name`, `ObjectType`.
 const PLACES: [usize; 3] = [7, 2, 4];
@@ -23,14 +23,15 @@ impl<'a> RoomTypes<'a> {
         Self { words, unknown: RefCell::default() }
     }
 
-    /// The type of a space, or that of generic rooms, with a warning to come.
+    /// The type of a space; for unknown words a warning comes later.
     pub(super) fn of(&self, space: &Entity) -> TypeOfWord {
         let texts: Vec<Vec<String>> =
             PLACES.iter().filter_map(|place| space.text(*place)).map(plain_words).collect();
-        if let Some(found) = texts.iter().find_map(|words| self.known(words)) {
-            return TypeOfWord::known(&found);
-        }
+        let found = most_telling(texts.iter().filter_map(|words| self.known(words)));
         let said = texts.into_iter().find(|words| !words.is_empty()).unwrap_or_default().join(" ");
+        if let Some(found) = found {
+            return TypeOfWord::known(&said, found);
+        }
         let read = TypeOfWord::unknown(&said);
         self.unknown.borrow_mut().entry(said).or_insert((space.id, 0)).1 += 1;
         read
@@ -38,22 +39,26 @@ impl<'a> RoomTypes<'a> {
 
     /// The room type of the longest run of words that the table knows; of equals the last, which mostly carries the sense
     /// ("kitchen store").
-    fn known(&self, words: &[String]) -> Option<String> {
+    fn known(&self, words: &[String]) -> Option<&'a str> {
         // Names of rooms are short; what goes on for long is a remark.
         const LONGEST: usize = 12;
         let words = &words[..words.len().min(LONGEST)];
         let runs = (1..=words.len()).rev().flat_map(|length| words.windows(length).rev());
-        let mut types = runs.filter_map(|run| self.words.room_type(NAME, &run.join(" ")));
-        types.next().map(str::to_owned)
+        most_telling(runs.filter_map(|run| self.words.room_type(NAME, &run.join(" "))))
     }
 
-    /// One warning for each unknown word, at its first space.
+    /// Warnings for unknown words, at their first spaces.
     pub(super) fn warn(&self, model: &Model) {
-        for (word, (id, count)) in self.unknown.borrow().iter() {
-            let (message, hint) = unknown_words(NAME, (word, *count));
+        for (id, message, hint) in unknown_words(NAME, &self.unknown.borrow()) {
             model.warn(*id, message, &hint);
         }
     }
+}
+
+/// The first type, but that of generic rooms only where there is no other: an "office space" is an office.
+fn most_telling<'a>(types: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let types: Vec<&str> = types.collect();
+    types.iter().find(|kind| **kind != GENERIC_ROOM_TYPE).or(types.first()).copied()
 }
 
 /// The words of a text in lower case, without numbers: "Bedroom 2.04" is a bedroom.
@@ -81,13 +86,16 @@ mod tests {
             ("room", "room"),
             ("kitchen", "kitchen"),
             ("store", "storeroom"),
+            ("space", "generic"),
         ];
         let table = table.map(|(word, kind)| (word.to_owned(), kind.to_owned()));
         let words = RoomWords { words: [(NAME.to_owned(), table.into())].into(), ..RoomWords::default() };
         let types = RoomTypes::new(&words);
         let known = |text: &str| types.known(&plain_words(text));
-        assert_eq!(known("Large Living Room 3").as_deref(), Some("living_room"));
-        assert_eq!(known("Kitchen store").as_deref(), Some("storeroom"));
+        assert_eq!(known("Large Living Room 3"), Some("living_room"));
+        assert_eq!(known("Kitchen store"), Some("storeroom"));
+        assert_eq!(known("Kitchen space"), Some("kitchen"), "a space is no more than a room");
+        assert_eq!(known("Space 12"), Some("generic"));
         assert_eq!(known("Planetarium"), None);
     }
 }

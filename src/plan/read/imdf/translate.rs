@@ -6,12 +6,12 @@ use super::features::{Feature, Geometry, LevelProperties, OpeningProperties, Uni
 use super::place::{outlines, plane_of, points};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
-use crate::plan::read::foreign::{TypeOfWord, slug, unknown_word};
+use crate::plan::read::foreign::{TypeOfWord, slug, unknown_words};
 use crate::plan::read::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
-    BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
-    RoomWords,
+    BuildingDraft, GENERIC_ROOM_TYPE, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace,
+    OutlineKind, RoomDraft, RoomWords,
 };
 
 /// Metres from floor to floor; the format never says, and public buildings are higher than flats.
@@ -24,8 +24,6 @@ const EXTERIOR_THICKNESS: f64 = 0.4;
 const DOOR_HEAD: f64 = 2.1;
 /// Metres of the widest door; wider openings have no leaf.
 const WIDEST_DOOR: f64 = 2.4;
-/// Words that say no more than "a room"; then the tenant's category is asked.
-const EMPTY_WORDS: [&str; 2] = ["room", "unspecified"];
 
 /// All buildings with levels, and warnings for unknown words and lost features.
 pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
@@ -167,9 +165,10 @@ impl<'a> Translation<'a> {
         let tenant = self.archive.occupants.get(&unit.id).and_then(|tenant| tenant.category.as_deref());
         let own = self.words.room_type(NAME, word);
         let lent = tenant.and_then(|category| self.words.room_type(NAME, category));
-        let found = if EMPTY_WORDS.contains(&word) { lent.or(own) } else { own.or(lent) };
+        // The tenant is asked where the word says no more than "a room".
+        let found = if own == Some(GENERIC_ROOM_TYPE) { lent.or(own) } else { own.or(lent) };
         if let Some(found) = found {
-            return TypeOfWord::known(found);
+            return TypeOfWord::known(word, found);
         }
         self.unknown.entry(word.to_owned()).or_insert((index, 0)).1 += 1;
         TypeOfWord::unknown(word)
@@ -240,11 +239,12 @@ impl<'a> Translation<'a> {
     }
 
     fn report_unknown_words(&mut self) {
-        for (word, (index, count)) in &self.unknown {
+        let source = &self.archive.units.source;
+        let warnings = unknown_words(NAME, &self.unknown).map(|(index, message, hint)| {
             let path = [PathStep::from("features"), (*index).into(), "properties".into(), "category".into()];
-            let source = &self.archive.units.source;
-            self.faults.push(unknown_word(source, &path, NAME, (word, *count)));
-        }
+            source.fault(&path, message, Some(hint), FaultSeverity::Warning)
+        });
+        self.faults.0.extend(warnings);
     }
 }
 

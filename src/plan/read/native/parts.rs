@@ -86,6 +86,7 @@ impl Scope<'_> {
             name: room.name.clone(),
             room_type: room.room_type.clone(),
             unknown_word: None,
+            fixtures: BTreeSet::new(),
             style: room.style.as_ref().or(self.style).cloned(),
             dwelling: room.dwelling.as_deref().or(self.instance_id()).map(str::to_owned),
             outline: self.outline(room.outline.as_deref(), room.rectangle),
