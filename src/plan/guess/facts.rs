@@ -15,7 +15,7 @@ const CLOSET: f64 = 1.5;
 /// Share of a room's border that is a railing where it lies in the open air.
 const RAILED_SHARE: f64 = 0.2;
 /// Metres of width below which the width is a reason worth telling.
-const NARROW: f64 = 1.5;
+const NARROW: f64 = 2.0;
 
 /// What is known of a room.
 pub(super) struct Facts<'a> {
