@@ -12,11 +12,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{BuildingDraft, Level, LevelDraft, Problem, RoomWords, Subject};
+use super::{BuildingDraft, Level, LevelDraft, Problem, RoomDraft, RoomWords, Subject};
 use facts::Surroundings;
 use stack::Stack;
 
-/// Guesses of a building that are told one by one; of the others a level tells how many became what.
+/// Guesses of an input that are told one by one; of the others a level tells how many became what.
 const TOLD_GUESSES: usize = 20;
 /// What is said with every guess.
 const HINT: &str = "guessed by shape and neighbours: name the type if it is another";
@@ -62,34 +62,45 @@ impl GuessRule {
     }
 }
 
-/// The family to which most rooms with known words belong; of equals the first by name.
+/// The family to which most rooms belong whose words are known or whose fixtures tell what they are; of equals the first
+/// by name.
 fn family_of<'a>(draft: &BuildingDraft, words: &'a RoomWords) -> Option<&'a str> {
+    let told_by = |room: &RoomDraft| {
+        let mut rules = words.guesses.iter().filter(|rule| rule.building.is_empty());
+        let rule = rules.find(|rule| rule.fixtures.iter().any(|kind| room.fixtures.contains(kind)));
+        rule.map(|rule| rule.read_as.as_str())
+    };
     let rooms = draft.levels.iter().flat_map(|level| &level.rooms);
-    let known: Vec<&str> =
-        rooms.filter(|room| room.unknown_word.is_none()).map(|room| room.room_type.as_str()).collect();
+    let known: Vec<&str> = rooms
+        .filter_map(|room| match &room.unknown_word {
+            None => Some(room.room_type.as_str()),
+            Some(_) => told_by(room),
+        })
+        .collect();
     let count = |types: &BTreeSet<String>| known.iter().filter(|kind| types.contains(**kind)).count();
     let counts = words.families.iter().map(|(family, types)| (family.as_str(), count(types)));
     let most = counts.reduce(|best, next| if next.1 > best.1 { next } else { best })?;
     (most.1 > 0).then_some(most.0)
 }
 
-/// By what the rooms of a building are guessed, and how many guesses were told.
+/// By what the rooms of a building are guessed.
 pub(super) struct Guessing<'a> {
     words: &'a RoomWords,
     family: Option<&'a str>,
     stack: Stack,
-    told: usize,
+    /// Guesses of the input that were told so far.
+    told: &'a mut usize,
 }
 
 impl<'a> Guessing<'a> {
     /// None for a building whose words are all known.
-    pub(super) fn of(draft: &BuildingDraft, words: &'a RoomWords) -> Option<Self> {
+    pub(super) fn of(draft: &BuildingDraft, words: &'a RoomWords, told: &'a mut usize) -> Option<Self> {
         let mut rooms = draft.levels.iter().flat_map(|level| &level.rooms);
         rooms.any(|room| room.unknown_word.is_some()).then(|| Self {
             words,
             family: family_of(draft, words),
             stack: Stack::of(draft),
-            told: 0,
+            told,
         })
     }
 
@@ -115,11 +126,11 @@ impl<'a> Guessing<'a> {
                 room.room_type.clone_from(&rule.read_as);
             }
             count += 1;
-            if self.told == TOLD_GUESSES {
+            if *self.told >= TOLD_GUESSES {
                 *others.entry(room.room_type.clone()).or_default() += 1;
                 continue;
             }
-            self.told += 1;
+            *self.told += 1;
             let word = if word.is_empty() { String::new() } else { format!(" ({word})") };
             let fact =
                 format!("room \"{}\"{word}: read as {}: {}", room.id, room.room_type, facts.in_words());

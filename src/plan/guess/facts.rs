@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::GuessRule;
+use crate::document::printable;
 use crate::geometry::Polygon;
 use crate::plan::clean::mean_width;
 use crate::plan::{Level, OpeningKind, Room, Wall, WallKind};
@@ -146,5 +147,5 @@ impl Facts<'_> {
 }
 
 fn joined(names: &BTreeSet<impl AsRef<str>>) -> String {
-    names.iter().map(AsRef::as_ref).collect::<Vec<&str>>().join(" and ")
+    printable(&names.iter().map(AsRef::as_ref).collect::<Vec<&str>>().join(" and "))
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::*;
 use crate::catalog::load_catalog;
 use crate::plan::read::real_data::{drafts, folder};
-use crate::plan::sample::{at, level, neighbours, opening, points, rectangle};
+use crate::plan::sample::{at, growth, level, neighbours, opening, points, rectangle};
 use crate::plan::{OpeningDraft, OpeningKind, RoomDraft, assemble_level};
 
 fn words() -> RoomWords {
@@ -22,7 +22,7 @@ fn read(rooms: Vec<RoomDraft>, openings: Vec<OpeningDraft>, building: Option<&st
     let (level, _) = assemble_level(draft.clone());
     let (words, stack) = (words(), Stack::default());
     let (_, problems) =
-        Guessing { words: &words, family: building, stack, told: 0 }.guess(&mut draft, (0, &level));
+        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, (0, &level));
     let last = draft.rooms.last().expect("a room");
     (last.room_type.clone(), problems.last().map(|problem| problem.message.clone()).unwrap_or_default())
 }
@@ -126,7 +126,7 @@ fn what_has_a_railing_lies_in_the_open() {
         draft.railings = vec![points(&[(0.0, -2.15), (4.0, -2.15), (4.0, -2.05), (0.0, -2.05)])];
         let (level, _) = assemble_level(draft.clone());
         let (words, stack) = (words(), Stack::default());
-        Guessing { words: &words, family: building, stack, told: 0 }.guess(&mut draft, (0, &level));
+        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, (0, &level));
         assert_eq!(draft.rooms[1].room_type, kind);
     }
 }
@@ -142,6 +142,8 @@ fn a_building_is_what_most_of_its_known_rooms_are() {
     assert_eq!(family_of(&building(&rooms), &words()), Some("school"));
     rooms.iter_mut().for_each(|room| room.unknown_word = Some("Zxq".to_owned()));
     assert_eq!(family_of(&building(&rooms), &words()), None);
+    rooms[0].fixtures = ["kitchen".to_owned()].into();
+    assert_eq!(family_of(&building(&rooms), &words()), Some("home"), "a kitchen is drawn");
 }
 
 /// A building of levels with rooms of these types, in a row, and how the last room of the first level is read.
@@ -149,7 +151,8 @@ fn read_in_tower(levels: Vec<Vec<RoomDraft>>) -> (String, String) {
     let levels = levels.into_iter().map(|rooms| level(rooms, Vec::new())).collect();
     let draft = BuildingDraft { name: None, levels };
     let words = words();
-    let mut guessing = Guessing::of(&draft, &words).expect("a word is unknown");
+    let mut told = 0;
+    let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
     let mut first = draft.levels[0].clone();
     let (_, problems) = guessing.guess(&mut first, (0, &assemble_level(draft.levels[0].clone()).0));
     (first.rooms.last().expect("a room").room_type.clone(), problems[0].message.clone())
@@ -214,21 +217,67 @@ fn thousands_of_guesses_are_counted_rather_than_told_one_by_one() {
     };
     let draft = BuildingDraft { name: None, levels: vec![row(0.0), row(5.0)] };
     let words = words();
-    let mut guessing = Guessing::of(&draft, &words).expect("a word is unknown");
-    let told: Vec<(usize, Vec<Problem>)> = (draft.levels.iter().enumerate())
+    let mut told = 0;
+    let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
+    let guesses: Vec<(usize, Vec<Problem>)> = (draft.levels.iter().enumerate())
         .map(|(place, level)| guessing.guess(&mut level.clone(), (place, &assemble_level(level.clone()).0)))
         .collect();
     assert_eq!(
-        told.iter().map(|(count, problems)| (*count, problems.len())).collect::<Vec<_>>(),
+        guesses.iter().map(|(count, problems)| (*count, problems.len())).collect::<Vec<_>>(),
         [(500, TOLD_GUESSES + 1), (500, 1)]
     );
-    assert_eq!(told[1].1[0].message, "500 more rooms with unknown words: read as 500 office");
+    assert_eq!(guesses[1].1[0].message, "500 more rooms with unknown words: read as 500 office");
+}
+
+#[test]
+fn all_buildings_of_an_input_share_the_guesses_that_are_told() {
+    let house = BuildingDraft {
+        name: None,
+        levels: vec![level(vec![stranger("a", (0.0, 0.0), (4.0, 4.0))], Vec::new())],
+    };
+    let words = words();
+    let mut told = 0;
+    let messages: Vec<String> = (0..=TOLD_GUESSES)
+        .map(|_| {
+            let mut draft = house.levels[0].clone();
+            let assembled = assemble_level(draft.clone()).0;
+            let mut guessing = Guessing::of(&house, &words, &mut told).expect("a word is unknown");
+            guessing.guess(&mut draft, (0, &assembled)).1[0].message.clone()
+        })
+        .collect();
+    assert!(messages[..TOLD_GUESSES].iter().all(|message| message.starts_with("room \"a\" (Zxq): read as")));
+    assert_eq!(messages[TOLD_GUESSES], "1 more room with an unknown word: read as 1 office");
+}
+
+#[test]
+fn time_to_guess_grows_with_the_number_of_rooms() {
+    let words = words();
+    let tower = |rooms: usize| {
+        let room = |index: usize| stranger(&format!("r{index}"), (index as f64 * 4.0, 0.0), (3.9, 4.0));
+        let levels: Vec<LevelDraft> = [0, 1]
+            .map(|place| {
+                let mut level = level((0..rooms).map(room).collect(), Vec::new());
+                let known = level.rooms.iter_mut().filter(|_| place == 1);
+                known.for_each(|room| room.unknown_word = None);
+                level
+            })
+            .into();
+        let assembled = assemble_level(levels[0].clone()).0;
+        (BuildingDraft { name: None, levels }, assembled)
+    };
+    let guess = |(draft, assembled): (BuildingDraft, Level)| {
+        let mut told = 0;
+        let mut guessing = Guessing::of(&draft, &words, &mut told).expect("words are unknown");
+        guessing.guess(&mut draft.levels[0].clone(), (0, &assembled));
+    };
+    let power = growth((200, 8), 1.3, tower, guess);
+    assert!(power < 1.3, "time grows with the power {power:.2}");
 }
 
 #[test]
 fn a_building_whose_words_are_known_has_nothing_to_guess() {
     let draft = BuildingDraft { name: None, levels: vec![level(neighbours(), Vec::new())] };
-    assert!(Guessing::of(&draft, &words()).is_none());
+    assert!(Guessing::of(&draft, &words(), &mut 0).is_none());
 }
 
 /// What people do in rooms of a type: guesses need not tell an office from a meeting room.
@@ -260,7 +309,7 @@ fn guessed_uses(draft: &BuildingDraft, words: &RoomWords, step: usize) -> (usize
             blind.levels.iter_mut().flat_map(|level| level.rooms.iter_mut().skip(first).step_by(step));
         rooms.for_each(|room| room.unknown_word = Some("Zxq".to_owned()));
         let mut guessing =
-            Guessing { words, family: family_of(draft, words), stack: Stack::of(&blind), told: 0 };
+            Guessing { words, family: family_of(draft, words), stack: Stack::of(&blind), told: &mut 0 };
         for (place, (mut level, assembled)) in blind.levels.into_iter().zip(&levels).enumerate() {
             guessing.guess(&mut level, (place, assembled));
             let rooms = draft.levels[place].rooms.iter().zip(&level.rooms);

@@ -47,8 +47,14 @@ pub(super) struct Finished {
     pub(super) levels: Vec<LevelReport>,
 }
 
-/// Assembles all levels. What is wrong with a room or an opening leaves that out and is reported.
-pub(super) fn finish(drafted: &Drafted, variation: &Variation, words: &RoomWords) -> Finished {
+/// Assembles all levels. What is wrong with a room or an opening leaves that out and is reported. `told` counts the guesses
+/// of the input that are told one by one.
+pub(super) fn finish(
+    drafted: &Drafted,
+    variation: &Variation,
+    words: &RoomWords,
+    told: &mut usize,
+) -> Finished {
     let mut draft = match variation.is_mirrored {
         true => mirror_building(&drafted.draft),
         false => drafted.draft.clone(),
@@ -57,7 +63,7 @@ pub(super) fn finish(drafted: &Drafted, variation: &Variation, words: &RoomWords
         room.style = room.style.take().or_else(|| variation.style.clone());
     }
     let unprintable = replace_unprintable(&mut draft);
-    let mut guessing = Guessing::of(&draft, words);
+    let mut guessing = Guessing::of(&draft, words, told);
     let mut building = Building { name: draft.name, levels: Vec::new() };
     let mut problems = Vec::new();
     let mut reports = Vec::new();

@@ -206,8 +206,10 @@ fn finish_all((file, format): (&Path, &'static str), reading: Drafts, words: &Ro
     let mut buildings = Vec::new();
     let mut report = InputReport { path: file.to_owned(), format, buildings: Vec::new() };
     let source = Arc::new(PlanSource { plan: file.to_owned(), ..PlanSource::default() });
+    let mut told = 0;
     for drafted in reading.drafts {
-        let Finished { building, faults: found, levels } = finish(&drafted, &Variation::default(), words);
+        let Finished { building, faults: found, levels } =
+            finish(&drafted, &Variation::default(), words, &mut told);
         faults.merge(found);
         report.buildings.push(BuildingReport { id: drafted.id.clone(), levels });
         if building.levels.is_empty() {

@@ -27,6 +27,7 @@ fn names_of(level: &mut LevelDraft, mend: &mut impl FnMut(&mut String, char)) {
         mend(&mut room.id, '_');
         room.name.iter_mut().for_each(|name| mend(name, ' '));
         room.dwelling.iter_mut().for_each(|name| mend(name, ' '));
+        room.unknown_word.iter_mut().for_each(|word| mend(word, ' '));
     }
     for opening in &mut level.openings {
         mend(&mut opening.id, '_');
@@ -54,14 +55,16 @@ mod tests {
         let room = RoomDraft {
             id: "a\n::warning::b".to_owned(),
             name: Some("Ba\u{fffe}th".to_owned()),
+            unknown_word: Some("x\ny".to_owned()),
             ..RoomDraft::default()
         };
         let level = LevelDraft { id: "ground".to_owned(), rooms: vec![room], ..LevelDraft::default() };
         let mut draft = BuildingDraft { name: Some("Haus".to_owned()), levels: vec![level] };
         let found = replace_unprintable(&mut draft);
-        assert_eq!(found, Some(("a\\n::warning::b".to_owned(), 1)));
+        assert_eq!(found, Some(("a\\n::warning::b".to_owned(), 2)));
         let room = &draft.levels[0].rooms[0];
         assert_eq!((room.id.as_str(), room.name.as_deref()), ("a_::warning::b", Some("Ba th")));
+        assert_eq!(room.unknown_word.as_deref(), Some("x y"));
         assert_eq!(replace_unprintable(&mut draft), None);
     }
 }

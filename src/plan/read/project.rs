@@ -229,7 +229,7 @@ impl Reading<'_> {
         if let Some(building) = self.buildings.get(&key) {
             return Arc::clone(building);
         }
-        let Finished { building, faults, .. } = finish(drafted, &key.2, self.words);
+        let Finished { building, faults, .. } = finish(drafted, &key.2, self.words, &mut 0);
         // Variations of one draft have the same faults; `sort` drops the repetition.
         self.faults.merge(faults);
         let building = Arc::new(building);

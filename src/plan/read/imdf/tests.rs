@@ -9,6 +9,7 @@ use crate::document::Faults;
 use crate::geometry::Point;
 use crate::plan::read::DraftedBuilding;
 use crate::plan::read::real_data::{folder, words};
+use crate::plan::sample::growth;
 use crate::plan::{LevelDraft, OpeningPlace, assemble_level};
 
 fn university() -> Option<Vec<DraftedBuilding>> {
@@ -151,4 +152,40 @@ fn coordinates_that_are_no_degrees_are_refused() {
     }
     let faults = read(folder.path(), &words()).unwrap_err();
     assert!(faults.0.iter().any(|fault| fault.message.contains("nowhere on Earth")), "{faults}");
+}
+
+/// The archive `campus` with this many levels, of one unit and one opening each.
+fn write_levels(count: usize) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["building", "level", "unit", "opening"] {
+        let path = Path::new("tests/cases/plan_import/campus").join(name).with_extension("geojson");
+        let text = std::fs::read_to_string(path).unwrap();
+        let mut table: serde_json::Value = serde_json::from_str(&text).unwrap();
+        if name != "building" {
+            let feature = |number: usize| {
+                let mut feature = table["features"][0].clone();
+                feature["id"] = format!("{name}-{number}").into();
+                let own = if name == "level" { "ordinal" } else { "level_id" };
+                feature["properties"][own] =
+                    if name == "level" { number.into() } else { format!("level-{number}").into() };
+                feature
+            };
+            table["features"] = (0..count).map(feature).collect();
+        }
+        std::fs::write(folder.path().join(name).with_extension("geojson"), table.to_string()).unwrap();
+    }
+    folder
+}
+
+#[test]
+fn time_to_read_grows_with_the_number_of_levels() {
+    const STEEPEST: f64 = 1.3;
+    let words = words();
+    let run = |folder: tempfile::TempDir| {
+        let found = read(folder.path(), &words).unwrap_or_else(|faults| panic!("{faults}"));
+        let levels = &found.buildings[0].draft.levels;
+        assert!(levels.iter().all(|level| (level.rooms.len(), level.openings.len()) == (1, 1)));
+    };
+    let power = growth((250, 8), STEEPEST, write_levels, run);
+    assert!(power < STEEPEST, "time grows with the power {power:.2} of the levels");
 }
