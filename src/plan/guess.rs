@@ -42,8 +42,9 @@ pub struct GuessRule {
     /// Fixtures, one of which the plan draws in it, by the plan's words.
     #[serde(default)]
     pub fixtures: Vec<String>,
-    /// Whether the level draws any fixtures.
-    pub fixtures_drawn: Option<bool>,
+    /// Fixtures of which the level draws none at all: where it does, a room without one is something else.
+    #[serde(default)]
+    pub none_on_level: Vec<String>,
     /// Room types, one of which a known room has that lies at the same place on the next level above or below.
     #[serde(default)]
     pub above_or_below: Vec<String>,
@@ -113,8 +114,9 @@ impl<'a> Guessing<'a> {
     ) -> (usize, Vec<Problem>) {
         let rooms: BTreeMap<&str, usize> =
             level.rooms.iter().enumerate().map(|(index, room)| (room.id.as_str(), index)).collect();
-        let draws_fixtures = draft.rooms.iter().any(|room| !room.fixtures.is_empty());
-        let surroundings = Surroundings::of(level, self.family, draws_fixtures);
+        let fixtures: BTreeSet<String> =
+            draft.rooms.iter().flat_map(|room| &room.fixtures).cloned().collect();
+        let surroundings = Surroundings::of(level, self.family, &fixtures);
         let mut problems = Vec::new();
         let mut others: BTreeMap<String, usize> = BTreeMap::new();
         let mut count = 0;

@@ -29,8 +29,8 @@ pub(super) struct Facts<'a> {
     leads_to: usize,
     is_railed: bool,
     fixtures: &'a BTreeSet<String>,
-    /// Whether any room of the level has some.
-    draws_fixtures: bool,
+    /// Those of all rooms of the level.
+    level_fixtures: &'a BTreeSet<String>,
     /// Types of the rooms above and below.
     stacked: BTreeSet<&'a str>,
     building: Option<&'a str>,
@@ -41,17 +41,17 @@ pub(super) struct Surroundings<'a> {
     level: &'a Level,
     building: Option<&'a str>,
     draws_windows: bool,
-    draws_fixtures: bool,
+    fixtures: &'a BTreeSet<String>,
     is_doored: bool,
 }
 
 impl<'a> Surroundings<'a> {
-    pub(super) fn of(level: &'a Level, building: Option<&'a str>, draws_fixtures: bool) -> Self {
+    pub(super) fn of(level: &'a Level, building: Option<&'a str>, fixtures: &'a BTreeSet<String>) -> Self {
         let rooms: Vec<&Room> = level.rooms.iter().filter(|room| room.region.area() >= CLOSET).collect();
         let reached = rooms.iter().filter(|room| !ways(level, room).is_empty()).count();
         let draws_windows = level.openings.iter().any(|opening| opening.kind == OpeningKind::Window);
         let is_doored = reached as f64 >= rooms.len() as f64 * DOORED_SHARE;
-        Self { level, building, draws_windows, draws_fixtures, is_doored }
+        Self { level, building, draws_windows, fixtures, is_doored }
     }
 
     pub(super) fn facts(
@@ -77,7 +77,7 @@ impl<'a> Surroundings<'a> {
             leads_to: others.len(),
             is_railed: railed > border * RAILED_SHARE,
             fixtures,
-            draws_fixtures: self.draws_fixtures,
+            level_fixtures: self.fixtures,
             stacked,
             building: self.building,
         }
@@ -116,7 +116,7 @@ impl Facts<'_> {
             && counts(rule.doors, self.doors)
             && counts(rule.leads_to, Some(self.leads_to))
             && rule.railing.is_none_or(|railing| railing == self.is_railed)
-            && rule.fixtures_drawn.is_none_or(|drawn| drawn == self.draws_fixtures)
+            && !rule.none_on_level.iter().any(|name| self.level_fixtures.contains(name))
             && one_of(&rule.fixtures, &|name| self.fixtures.contains(name))
             && one_of(&rule.above_or_below, &|name| self.stacked.contains(name))
             && one_of(&rule.building, &|name| self.building == Some(name))

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::DAffine3;
 
 use super::columns::{self, Own, Products};
+use super::fixtures::note_fixtures;
 use super::furniture::{self, DrawnPiece};
 use super::level::{Storey, shift, stack};
 use super::model::{Entity, Model};
@@ -50,6 +51,7 @@ pub(super) fn buildings(
             storeys.push(Storey::read(&geometry, &frame, (storey, &own), &|space| types.of(space)));
         }
         stack(&mut storeys);
+        note_fixtures(model, &relations, words, &mut storeys);
         let own = own.remove(&home.id).unwrap_or_default();
         let products = Products { geometry: &geometry, relations: &relations, frame, own: &own };
         products.stand(&mut storeys);

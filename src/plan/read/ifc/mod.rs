@@ -16,6 +16,7 @@
 mod building;
 mod columns;
 mod curve;
+mod fixtures;
 mod footprint;
 mod furniture;
 mod level;

@@ -62,7 +62,7 @@ fn most_telling<'a>(types: impl Iterator<Item = &'a str>) -> Option<&'a str> {
 }
 
 /// The words of a text in lower case, without numbers: "Bedroom 2.04" is a bedroom.
-fn plain_words(text: &str) -> Vec<String> {
+pub(super) fn plain_words(text: &str) -> Vec<String> {
     let words = text.split(|letter: char| !letter.is_alphanumeric());
     let words = words.filter(|word| !word.is_empty() && !word.chars().any(char::is_numeric));
     words.map(str::to_lowercase).collect()

@@ -10,7 +10,9 @@ use crate::document::Faults;
 use crate::geometry::{Point, Polygon};
 use crate::plan::read::real_data::{folder, words};
 use crate::plan::read::{DraftedBuilding, ReadResult};
-use crate::plan::{LeafDraft, Level, LevelDraft, OpeningKind, OpeningPlace, assemble_level};
+use crate::plan::{
+    GuessRule, LeafDraft, Level, LevelDraft, OpeningKind, OpeningPlace, RoomWords, assemble_level,
+};
 
 const VILLA: &str = "tests/cases/plan_import/villa/villa.ifc";
 
@@ -154,6 +156,25 @@ fn rooms_without_a_wall_between_them_are_open_to_each_other() {
     assert!(messages(&faults).iter().any(|message| message.contains("a wall is not read")), "{faults}");
     let (level, _) = assemble_level(buildings[0].draft.levels.remove(0));
     assert_eq!(open(&level), 0);
+}
+
+#[test]
+fn what_stands_in_a_space_of_an_unknown_word_is_noted() {
+    let shower = "#900=IFCFURNISHINGELEMENT('0f',$,'Shower Tray:80 x 80',$,$,$,$,$);\n\
+                  #901=IFCRELCONTAINEDINSPATIALSTRUCTURE('0g',$,$,$,(#900),#150);\n#150=";
+    let rule = GuessRule { fixtures: vec!["shower".to_owned()], ..GuessRule::default() };
+    let words = RoomWords { guesses: vec![rule], ..words() };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("villa.ifc");
+    let text = std::fs::read_to_string(VILLA).unwrap().replacen("#150=", shower, 1);
+    std::fs::write(&path, text).unwrap();
+    let found = read(&path, &words).unwrap();
+    let rooms = found.buildings.iter().flat_map(|found| &found.draft.levels).flat_map(|level| &level.rooms);
+    let noted: Vec<(&str, Vec<&str>)> = rooms
+        .filter(|room| !room.fixtures.is_empty())
+        .map(|room| (room.id.as_str(), room.fixtures.iter().map(String::as_str).collect()))
+        .collect();
+    assert_eq!(noted, [("103", vec!["shower"])], "words that no rule asks for are left");
 }
 
 #[test]
