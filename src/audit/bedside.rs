@@ -2,7 +2,7 @@
 
 use super::clearances::zone;
 use super::finding::{Code, Finding};
-use super::fit::can_hold;
+use super::fit::{Held, can_hold};
 use super::groups::BED;
 use super::subject::{Body, Subject};
 
@@ -21,8 +21,13 @@ pub(crate) fn judge(subject: &Subject<'_>, floor: &Floor, findings: &mut Vec<Fin
     for bed in beds {
         let reached =
             [Side::Left, Side::Right].into_iter().filter(|&side| is_reached(subject, &walk, bed, side));
-        if reached.count() == 1 && can_hold(subject, bed.placement.class) {
-            findings.push(Finding::new(Code::Bedside, vec![bed.id.clone()], 1.0, 2.0));
+        if reached.count() != 1 {
+            continue;
+        }
+        let is_possible = can_hold(subject, bed.placement.class);
+        if is_possible != Held::No {
+            let finding = Finding::new(Code::Bedside, vec![bed.id.clone()], 1.0, 2.0);
+            findings.push(finding.if_possible(is_possible));
         }
     }
 }

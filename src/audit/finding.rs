@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::fit::Held;
+
 /// A fault of a furnished room.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
@@ -15,13 +17,30 @@ pub struct Finding {
     pub measured: f64,
     /// The threshold that it breaks.
     pub threshold: f64,
+    /// Whether it was not searched further if the plan leaves another choice: the finding then counts as if it did.
+    #[serde(skip_serializing_if = "is_false")]
+    pub not_searched_further: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
+fn is_false(word: &bool) -> bool {
+    !word
 }
 
 impl Finding {
     /// A finding of a kind; sorts the objects.
     pub(crate) fn new(code: Code, mut objects: Vec<String>, measured: f64, threshold: f64) -> Self {
         objects.sort_unstable();
-        Self { code, severity: code.severity(), objects, measured, threshold }
+        Self { code, severity: code.severity(), objects, measured, threshold, not_searched_further: false }
+    }
+
+    /// The same finding after a search for whether the plan leaves another choice.
+    pub(crate) fn if_possible(self, is_possible: Held) -> Self {
+        match is_possible {
+            Held::Yes => self,
+            Held::No => self.given(),
+            Held::Unknown => Self { not_searched_further: true, ..self },
+        }
     }
 
     /// The same finding where the plan leaves no other choice.

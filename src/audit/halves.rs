@@ -2,7 +2,7 @@
 
 use super::convex::{area, half};
 use super::finding::{Code, Finding};
-use super::fit::has_room_beside;
+use super::fit::{Held, has_room_beside};
 use super::subject::{Body, Subject};
 use crate::geometry::{Point, Polygon};
 
@@ -39,7 +39,7 @@ fn crowd(subject: &Subject<'_>, standing: &[&Body<'_>], line: (Point, Point)) ->
     let on_right = standing.iter().filter(|body| share_right_of(body, line) >= 1.0);
     let largest = on_right.max_by(|a, b| box_area(a).total_cmp(&box_area(b)).then(b.id.cmp(&a.id)))?;
     let is_better = 1.0 - (share - box_area(largest) / all) <= limit;
-    (is_better && has_room_beside(subject, largest, line)).then(|| (share, largest.id.clone()))
+    (is_better && has_room_beside(subject, largest, line) == Held::Yes).then(|| (share, largest.id.clone()))
 }
 
 fn box_area(body: &Body<'_>) -> f64 {

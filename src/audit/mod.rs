@@ -7,6 +7,7 @@
 mod access;
 mod bare;
 mod bedside;
+mod budget;
 mod clearances;
 mod collision;
 mod containment;
@@ -18,6 +19,7 @@ mod finding;
 mod fit;
 mod groups;
 mod halves;
+mod known;
 mod measure;
 mod programme;
 mod reach;
@@ -45,10 +47,13 @@ pub use score::Score;
 pub use summary::{AuditSummary, GradeCounts, ScoreSum};
 pub use verdict::{DoorRate, Verdict};
 
+use std::rc::Rc;
+
 use crate::catalog::Catalog;
 use crate::layout::{Furnished, Suggestion};
 use crate::plan::Level;
 
+use known::RoomKnowledge;
 use subject::Subject;
 use sweep::{Bounds, touching_pairs};
 use zone::{NearPair, Zone};
@@ -62,22 +67,6 @@ pub fn audit_room(level: &Level, room: usize, furnished: &Furnished, catalog: &C
     judge_room(level, room, furnished, catalog).findings
 }
 
-/// Where the pieces could stand that a room misses and cannot do without, beside whatever else it cannot do without:
-/// places found in the empty room, for [`crate::layout::furnish_alternative`]. Empty where nothing is missing or no
-/// such places were found.
-///
-/// # Panics
-/// As [`judge_room`].
-#[must_use]
-pub fn suggest_places(
-    level: &Level,
-    room: usize,
-    furnished: &Furnished,
-    catalog: &Catalog,
-) -> Vec<Suggestion> {
-    programme::suggest(&Subject::new(level, room, furnished, catalog))
-}
-
 /// Judges one furnished room.
 ///
 /// `room` is an index into `level.rooms`, `furnished` what the layout made of it.
@@ -86,46 +75,112 @@ pub fn suggest_places(
 /// If `furnished` names a class, parent, wall or opening that does not exist.
 #[must_use]
 pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Verdict {
-    let subject = Subject::new(level, room, furnished, catalog);
+    RoomAudit::new(level, room, catalog).judge(furnished)
+}
+
+/// Judges several arrangements of one room; what it finds out about the empty room for one of them it knows for the others.
+/// No answer depends on what was asked before.
+#[derive(Debug)]
+pub struct RoomAudit<'a> {
+    level: &'a Level,
+    room: usize,
+    catalog: &'a Catalog,
+    known: Rc<RoomKnowledge>,
+}
+
+impl<'a> RoomAudit<'a> {
+    /// `room` is an index into `level.rooms`.
+    #[must_use]
+    pub fn new(level: &'a Level, room: usize, catalog: &'a Catalog) -> Self {
+        Self { level, room, catalog, known: Rc::default() }
+    }
+
+    /// Judges one arrangement.
+    ///
+    /// # Panics
+    /// As [`judge_room`].
+    #[must_use]
+    pub fn judge(&self, furnished: &Furnished) -> Verdict {
+        let subject = self.subject(furnished);
+        let verdict = judge(&subject);
+        self.count(&subject);
+        verdict
+    }
+
+    /// Where the pieces could stand that the room misses and cannot do without, beside whatever else it cannot do without:
+    /// places found in the empty room, for [`crate::layout::furnish_alternative`]. Empty where nothing is missing or no
+    /// such places were found.
+    ///
+    /// # Panics
+    /// As [`judge_room`].
+    #[must_use]
+    pub fn suggest_places(&self, furnished: &Furnished) -> Vec<Suggestion> {
+        let subject = self.subject(furnished);
+        let suggestions = programme::suggest(&subject);
+        self.count(&subject);
+        suggestions
+    }
+
+    /// Steps that were made so far to find out what the empty room could hold, the same on every machine.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.known.steps.get()
+    }
+
+    fn count(&self, subject: &Subject<'_>) {
+        self.known.steps.set(self.known.steps.get() + subject.budget.made());
+    }
+
+    fn subject<'s>(&self, furnished: &'s Furnished) -> Subject<'s>
+    where
+        'a: 's,
+    {
+        Subject::new(self.level, self.room, furnished, self.catalog).knowing(&self.known)
+    }
+}
+
+fn judge(subject: &Subject<'_>) -> Verdict {
     let mut findings = Vec::new();
     // The physical faults that one body can have by itself.
-    containment::judge(&subject, &mut findings);
-    support::judge(&subject, &mut findings);
+    containment::judge(subject, &mut findings);
+    support::judge(subject, &mut findings);
     // What two bodies, or a body and a zone that people need, do to each other.
-    let zones = all_zones(&subject);
-    let (collisions, hits) = near_pairs(&subject, &zones);
-    collision::judge(&subject, &collisions, &mut findings);
-    doors::judge(&subject, &hits, &mut findings);
-    clearances::judge(&subject, &zones, &hits, &mut findings);
-    let comfort = tight::takings(&subject, &zones, &hits);
-    tight::judge(&subject, &comfort, &mut findings);
-    windows::judge(&subject, &hits, &mut findings);
-    screens::judge(&subject, &hits, &mut findings);
-    wet_room::judge(&subject, &hits, &mut findings);
+    let zones = all_zones(subject);
+    let (collisions, hits) = near_pairs(subject, &zones);
+    collision::judge(subject, &collisions, &mut findings);
+    doors::judge(subject, &hits, &mut findings);
+    clearances::judge(subject, &zones, &hits, &mut findings);
+    let comfort = tight::takings(subject, &zones, &hits);
+    tight::judge(subject, &comfort, &mut findings);
+    windows::judge(subject, &hits, &mut findings);
+    screens::judge(subject, &hits, &mut findings);
+    wet_room::judge(subject, &hits, &mut findings);
     // Ways through the room.
-    let floor = reach::floor(&subject);
+    let floor = reach::floor(subject);
     let rates = floor.map_or_else(Vec::new, |floor| {
-        bedside::judge(&subject, &floor, &mut findings);
-        reach::judge(&subject, &floor, &zones, &mut findings)
+        bedside::judge(subject, &floor, &mut findings);
+        reach::judge(subject, &floor, &zones, &mut findings)
     });
-    access::judge(&subject, &zones, &mut findings);
+    access::judge(subject, &zones, &mut findings);
     // How things stand to each other and in the whole.
-    facing::judge(&subject, &mut findings);
-    crooked::judge(&subject, &mut findings);
-    halves::judge(&subject, &mut findings);
+    facing::judge(subject, &mut findings);
+    crooked::judge(subject, &mut findings);
+    halves::judge(subject, &mut findings);
     // What should be there and is not.
-    programme::judge(&subject, &mut findings);
-    sparse::judge(&subject, &mut findings);
-    bare::judge(&subject, &mut findings);
+    programme::judge(subject, &mut findings);
+    sparse::judge(subject, &mut findings);
+    bare::judge(subject, &mut findings);
     findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
     // Two pieces in each other's way are one finding.
     findings.dedup_by(|a, b| a.code == b.code && !a.objects.is_empty() && a.objects == b.objects);
     let score = score::score(
-        &subject,
+        subject,
         &score::Measured { zones: &zones, hits: &hits, comfort: &comfort, rates: &rates },
     );
-    let door =
-        |(door, rate): (usize, f64)| DoorRate { door: format!("door:{}", level.openings[door].id), rate };
+    let door = |(door, rate): (usize, f64)| DoorRate {
+        door: format!("door:{}", subject.level.openings[door].id),
+        rate,
+    };
     Verdict { findings, score, walkable: rates.into_iter().map(door).collect() }
 }
 

@@ -6,7 +6,7 @@ use crate::catalog::{Class, ClassIndex, Count, ParentName, Request};
 use crate::layout::Suggestion;
 
 use super::finding::{Code, Finding};
-use super::fit::can_hold;
+use super::fit::{Held, can_hold};
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
 use super::together::{Together, place_together};
@@ -14,42 +14,69 @@ use super::together::{Together, place_together};
 /// Judges a room against its programme.
 pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     for class in missing_classes(subject) {
-        if can_hold(subject, class) {
-            let (rest, asked) =
-                (resting(subject, &[class]), resting(subject, &[class]) + removed(subject, class));
-            let objects = vec![subject.catalog.classes[class].id.clone()];
-            let finding = Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked));
-            findings.push(if can_hold_beside_others(subject, class) { finding } else { finding.given() });
+        let alone = can_hold(subject, class);
+        if alone == Held::No {
+            continue;
         }
+        let (rest, asked) =
+            (resting(subject, &[class]), resting(subject, &[class]) + removed(subject, class));
+        let objects = vec![subject.catalog.classes[class].id.clone()];
+        let finding = Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked));
+        findings.push(finding.if_possible(hold_beside_others(subject, class)));
     }
     let (requested, limit) = (subject.furnished.requested, subject.rules().fulfilment.resting);
     let share = f64::from(count(subject.bodies.len())) / f64::from(requested.max(1));
     if requested > 0 && share < limit - ROUNDING {
         let finding = Finding::new(Code::Unfulfilled, Vec::new(), share, limit);
         // A file that is read back may ask for less than it misses.
-        let impossible = impossible_pieces(subject);
-        let possible =
-            f64::from(count(subject.bodies.len())) / f64::from(requested.saturating_sub(impossible).max(1));
-        findings.push(if possible < limit - ROUNDING { finding } else { finding.given() });
+        let share_without = |impossible: u32| {
+            f64::from(count(subject.bodies.len())) / f64::from(requested.saturating_sub(impossible).max(1))
+        };
+        let Impossible { known, unknown } = impossible_pieces(subject);
+        findings.push(finding.if_possible(if share_without(known) >= limit - ROUNDING {
+            Held::No
+        } else if share_without(known + unknown) >= limit - ROUNDING {
+            Held::Unknown
+        } else {
+            Held::Yes
+        }));
     }
 }
 
-/// How many of the missing pieces the empty room has no place for.
-fn impossible_pieces(subject: &Subject<'_>) -> u32 {
+/// Missing pieces that the empty room has no place for.
+struct Impossible {
+    known: u32,
+    /// Those of which the search was given up.
+    unknown: u32,
+}
+
+fn impossible_pieces(subject: &Subject<'_>) -> Impossible {
     let mut missing: BTreeMap<ClassIndex, u32> = BTreeMap::new();
     for removal in &subject.furnished.removals {
         *missing.entry(removal.class).or_insert(0) += 1;
     }
-    let has_no_place =
-        |class: ClassIndex| stands_by_itself(&subject.catalog.classes[class]) && !can_hold(subject, class);
-    missing.into_iter().filter(|&(class, _)| has_no_place(class)).map(|(_, pieces)| pieces).sum()
+    let mut impossible = Impossible { known: 0, unknown: 0 };
+    let stands = |class: &ClassIndex| stands_by_itself(&subject.catalog.classes[*class]);
+    for (class, pieces) in missing.into_iter().filter(|(class, _)| stands(class)) {
+        match can_hold(subject, class) {
+            Held::Yes => {}
+            Held::No => impossible.known += pieces,
+            Held::Unknown => impossible.unknown += pieces,
+        }
+    }
+    impossible
 }
 
-/// Whether the empty room can hold a class together with whatever else it cannot do without. Where that takes too
-/// long to find out, the answer is yes.
-fn can_hold_beside_others(subject: &Subject<'_>, missing: ClassIndex) -> bool {
-    !stands_by_itself(&subject.catalog.classes[missing])
-        || !matches!(place_together(subject, &needed_beside(subject, missing)), Together::TooMuch)
+/// Whether the empty room can hold a class together with whatever else it cannot do without.
+fn hold_beside_others(subject: &Subject<'_>, missing: ClassIndex) -> Held {
+    if !stands_by_itself(&subject.catalog.classes[missing]) {
+        return Held::Yes;
+    }
+    match place_together(subject, &needed_beside(subject, missing)) {
+        Together::Fit(_) => Held::Yes,
+        Together::TooMuch => Held::No,
+        Together::Unknown => Held::Unknown,
+    }
 }
 
 /// Places for the first required class that is missing though the room can hold it, and for whatever else the room

@@ -1,5 +1,7 @@
 //! `unreachable`: a door, or a side of an object that is used, that people cannot walk to; and the walkable
 //! rate of every door.
+//!
+//! Widths are known to a cell of the floor: 5 cm, in rooms whose box has more than 28,000 m² 10, above 112,000 m² 15.
 
 use crate::geometry::Solid;
 use crate::walk::{CELL, Floor, Goal};

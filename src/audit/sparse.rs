@@ -1,7 +1,7 @@
 //! `sparse`: much less furniture on the floor than the style and the type of the room ask for.
 
 use super::finding::{Code, Finding};
-use super::fit::can_hold;
+use super::fit::{Held, can_hold};
 use super::programme::programme;
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
@@ -22,12 +22,12 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     let share = standing.fold(0.0, |sum, body| sum + body.footprint_area()) / area;
     if share < least - ROUNDING {
         let finding = Finding::new(Code::Sparse, Vec::new(), share, least);
-        findings.push(if has_room_for_more(subject, area) { finding } else { finding.given() });
+        findings.push(finding.if_possible(has_room_for_more(subject, area)));
     }
 }
 
 /// Whether the empty room could hold some standing piece of its programme.
-fn has_room_for_more(subject: &Subject<'_>, area: f64) -> bool {
+fn has_room_for_more(subject: &Subject<'_>, area: f64) -> Held {
     let lines = programme(subject).into_iter().filter(|line| (line.area.0..=line.area.1).contains(&area));
     let mut classes: Vec<ClassIndex> = lines.flat_map(|line| &line.classes).copied().collect();
     classes.sort_unstable();
@@ -38,7 +38,7 @@ fn has_room_for_more(subject: &Subject<'_>, area: f64) -> bool {
             matches!(rule.parent, ParentName::Floor | ParentName::Wall) && rule.elevation.0 == 0.0
         })
     };
-    classes.into_iter().filter(stands).any(|class| can_hold(subject, class))
+    Held::any(classes.into_iter().filter(stands).map(|class| can_hold(subject, class)))
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! What the audit looks at: one room with the bodies that stand in it.
 
+use std::rc::Rc;
+
 use glam::DVec3;
 
 use crate::catalog::{AuditRules, Catalog, Class, DEFAULT_STYLE, Style};
@@ -7,8 +9,11 @@ use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, solids};
 use crate::plan::{Level, Room};
 
+use super::budget::Budget;
 use super::convex::area;
+use super::known::RoomKnowledge;
 use super::sweep::Bounds;
+use super::thresholds::MOST_STEPS;
 
 /// One furnished room.
 pub(crate) struct Subject<'a> {
@@ -22,6 +27,10 @@ pub(crate) struct Subject<'a> {
     pub(crate) catalog: &'a Catalog,
     /// One per placement, in its order.
     pub(crate) bodies: Vec<Body<'a>>,
+    /// What was found out about the empty room.
+    pub(crate) known: Rc<RoomKnowledge>,
+    /// What is left for finding out more.
+    pub(crate) budget: Budget,
 }
 
 /// One placed object and the space that it fills.
@@ -42,7 +51,13 @@ impl<'a> Subject<'a> {
     /// Builds the bodies of a furnished room.
     pub(crate) fn new(level: &'a Level, room: usize, furnished: &'a Furnished, catalog: &'a Catalog) -> Self {
         let bodies = furnished.placements.iter().map(|placement| Body::new(placement, catalog)).collect();
-        Self { level, room: &level.rooms[room], furnished, catalog, bodies }
+        let (known, budget) = (Rc::default(), Budget::new(MOST_STEPS));
+        Self { level, room: &level.rooms[room], furnished, catalog, bodies, known, budget }
+    }
+
+    /// The same with what is known about the room.
+    pub(crate) fn knowing(self, known: &Rc<RoomKnowledge>) -> Self {
+        Self { known: Rc::clone(known), ..self }
     }
 
     /// The thresholds.

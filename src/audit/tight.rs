@@ -41,7 +41,7 @@ pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], findings: &mut Ve
         let body = &subject.bodies[owner];
         let objects = vec![body.id.clone(), taking.blocker.clone()];
         let finding = Finding::new(Code::TightUse, objects, taking.free, clearance(taking).good);
-        if can_hold_comfortably(subject, body) { finding } else { finding.given() }
+        finding.if_possible(can_hold_comfortably(subject, body))
     }));
 }
 

@@ -6,7 +6,7 @@ use crate::layout::Suggestion;
 use crate::walk::{EmptyWalks, Floor, Goal};
 
 use super::convex::penetration;
-use super::fit::{Footprint, Space, Stand};
+use super::fit::{Footprint, Stand, Stands, free_stands};
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
 
@@ -16,10 +16,13 @@ const MOST_TESTS: u32 = 1_000_000;
 const MOST_ARRANGEMENTS: u32 = 100;
 /// Square metres of floor on which ways are looked at before the question is given up: of 10 m², two thousand times.
 const MOST_FLOOR: f64 = 20_000.0;
+/// Cells of a floor in the time of one other step of the budget.
+const CELLS_A_STEP: u64 = 8;
 /// The share of the places to go on by: the golden section meets all parts of a list early.
 const STRIDE: f64 = 0.618_033_988_749_894_9;
 
 /// What is known about pieces in an empty room.
+#[derive(Clone, Debug)]
 pub(crate) enum Together {
     /// They fit, each at its place; ways to doors and to all used sides stay open.
     Fit(Vec<Suggestion>),
@@ -32,22 +35,33 @@ pub(crate) enum Together {
 /// Whether one piece of each class, in its smallest size and with its smallest clearances, fits on the empty floor
 /// at the same time. Clearances may share space.
 pub(crate) fn place_together(subject: &Subject<'_>, classes: &[ClassIndex]) -> Together {
-    let space = Space::empty(subject);
-    let choice = |&class: &ClassIndex| Choice::new(subject, &space, class);
-    let choices: Vec<Choice<'_>> = classes.iter().map(choice).collect();
+    let search = || search(subject, classes).unwrap_or(Together::Unknown);
+    let answer = subject.known.together.answer(classes.to_vec(), &subject.budget, search);
+    answer.unwrap_or(Together::Unknown)
+}
+
+/// The search of [`place_together`]; nothing where the budget is spent.
+fn search(subject: &Subject<'_>, classes: &[ClassIndex]) -> Option<Together> {
+    let choices: Option<Vec<Choice<'_>>> = classes.iter().map(|&class| Choice::new(subject, class)).collect();
+    let choices = choices?;
     let open: Vec<Open<'_>> =
         choices.iter().map(|choice| Open { choice, stands: choice.stands().collect() }).collect();
     let rules = &subject.rules().walking;
     let floor = Floor::new((subject.level, subject.room), rules, core::iter::empty());
     let empty = floor.as_ref().map(|floor| EmptyWalks::new(floor, rules));
     let quick = Search::new(subject, empty.as_ref(), MOST_ARRANGEMENTS);
-    match (quick.answer(&open), &empty) {
+    let answer = match (quick.answer(&open), &empty) {
         (Together::Unknown, Some(empty)) if empty.join_all_doors() => {
             let most = (MOST_FLOOR / subject.room.region.area()) as u32;
             Search { is_careful: true, ..Search::new(subject, Some(empty), most) }.answer(&open)
         }
         (answer, _) => answer,
-    }
+    };
+    let knows_all_places = choices.iter().all(|choice| choice.places.are_all);
+    Some(match answer {
+        Together::TooMuch if !knows_all_places => Together::Unknown,
+        answer => answer,
+    })
 }
 
 /// A piece with all the places that it has in the empty room.
@@ -55,22 +69,24 @@ struct Choice<'c> {
     index: ClassIndex,
     class: &'c Class,
     size: Size,
-    stands: Vec<Stand>,
+    places: Stands,
 }
 
 impl<'c> Choice<'c> {
-    fn new(subject: &Subject<'c>, space: &Space<'_, '_>, index: ClassIndex) -> Self {
+    /// Nothing where the budget does not suffice to find its places.
+    fn new(subject: &Subject<'c>, index: ClassIndex) -> Option<Self> {
         let class = &subject.catalog.classes[index];
         let area = |size: &&Size| size.width * size.depth;
         let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
         let size = *smallest.expect("a class has a size");
-        Self { index, class, size, stands: space.free_stands(class, size) }
+        Some(Self { index, class, size, places: free_stands(subject, index, size)? })
     }
 
     /// All places, those along walls first, neighbours far from each other.
     fn stands(&self) -> impl Iterator<Item = &Stand> {
-        let at_walls = self.stands.partition_point(|stand| stand.spot.wall.is_some());
-        let (at_walls, inside) = self.stands.split_at(at_walls);
+        let stands = &self.places.stands;
+        let at_walls = stands.partition_point(|stand| stand.spot.wall.is_some());
+        let (at_walls, inside) = stands.split_at(at_walls);
         spread(at_walls).chain(spread(inside))
     }
 }
@@ -180,12 +196,15 @@ impl<'s, 'a> Search<'s, 'a> {
     /// The places of a piece that agree with another's.
     fn left_beside(&mut self, open: &Open<'s>, stand: &Stand) -> Open<'s> {
         self.tests += u32::try_from(open.stands.len()).unwrap_or(MOST_TESTS);
+        self.subject.budget.spend(open.stands.len() as u64);
         let stands = open.stands.iter().copied().filter(|other| agree(stand, other)).collect();
         Open { choice: open.choice, stands }
     }
 
     fn is_given_up(&self) -> bool {
-        self.tests > MOST_TESTS || self.arrangements >= self.most_arrangements
+        self.tests > MOST_TESTS
+            || self.arrangements >= self.most_arrangements
+            || self.subject.budget.is_overdrawn()
     }
 
     /// Whether people get to all doors and to the pieces that have places.
@@ -193,8 +212,9 @@ impl<'s, 'a> Search<'s, 'a> {
         self.arrangements += 1;
         let rules = &self.subject.rules().walking;
         let solids: Vec<Solid> = self.placed.iter().map(|(choice, stand)| body(choice, stand)).collect();
-        let floor = Floor::new((self.subject.level, self.subject.room), rules, solids.iter());
-        let Some((floor, empty)) = floor.as_ref().zip(self.empty) else { return true };
+        let Some(empty) = self.empty else { return true };
+        let floor = &empty.floor().with(rules, solids.iter());
+        self.subject.budget.spend(floor.cell_count() as u64 / CELLS_A_STEP);
         let sides = self.placed.iter().flat_map(|(choice, stand)| {
             let clearances = choice.class.clearances.iter().zip(&stand.parts[1..]);
             clearances.filter(|(clearance, _)| clearance.minimum >= rules.narrow_person).map(|(_, part)| part)
@@ -297,8 +317,7 @@ mod tests {
         let room = corridor(0.2);
         let furnished = room.furnished();
         let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
-        let space = Space::empty(&subject);
-        let choice = Choice::new(&subject, &space, room.catalog.class_index("chest").unwrap());
+        let choice = Choice::new(&subject, room.catalog.class_index("chest").unwrap()).unwrap();
         let open = [Open { choice: &choice, stands: choice.stands().collect() }];
         let rules = &subject.rules().walking;
         let floor = Floor::new((subject.level, subject.room), rules, core::iter::empty()).unwrap();

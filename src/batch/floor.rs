@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
-use crate::audit::{Verdict, judge_room, suggest_places};
+use crate::audit::{RoomAudit, Verdict};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
 use crate::gltf::{EncodedModels, SharedLibrary};
-use crate::layout::{FurnishOptions, Furnished, furnish_alternative};
+use crate::layout::{FurnishOptions, Furnished, furnish_counted};
 use crate::model::{ModelLibrary, SwatchedModels};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
@@ -127,15 +127,15 @@ fn furnish_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoo
     let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
     let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
     let run = edits.map_or(run, |edits| edits.options(run, &locks));
-    let judge =
-        |furnished: &Furnished| watch.measure(Stage::Audit, || judge_room(level, room, furnished, catalog));
+    let audit = RoomAudit::new(level, room, catalog);
+    let judge = |furnished: &Furnished| watch.measure(Stage::Audit, || audit.judge(furnished));
     let judged = best_of(
         options.effort,
         |alternative| {
-            watch.measure(Stage::Layout, || furnish_alternative(level, room, catalog, &run, alternative))
+            watch.measure(Stage::Layout, || furnish_counted(level, room, catalog, &run, alternative))
         },
         judge,
-        |furnished| watch.measure(Stage::Audit, || suggest_places(level, room, furnished, catalog)),
+        |furnished| watch.measure(Stage::Audit, || audit.suggest_places(furnished)),
     );
     let Finished { judged: Judged { furnished, verdict, .. }, misfits } = match edits {
         Some(edits) => finish(level, judged, edits, catalog, judge),

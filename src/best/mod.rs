@@ -6,9 +6,9 @@
 
 use core::cmp::Ordering;
 
-use crate::audit::{Code, Finding, Severity, Verdict, judge_room, suggest_places};
+use crate::audit::{Code, Finding, RoomAudit, Severity, Verdict};
 use crate::catalog::Catalog;
-use crate::layout::{Alternative, FurnishOptions, Furnished, Suggestion, furnish_alternative};
+use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, Suggestion, furnish_counted};
 use crate::plan::Level;
 
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: see the README.
@@ -16,6 +16,9 @@ pub const DEFAULT_EFFORT: u32 = 16;
 
 /// How many alternatives in a row may bring nothing better where only pieces are missing that nobody misses.
 const PATIENCE: u32 = 3;
+
+/// Steps of the layout ([`Counted`]) after which no further alternative begins. Fewer lose rooms that come out well late.
+const MOST_STEPS: u64 = 1_000_000;
 
 /// How often a room is furnished at most with the places that the audit suggests.
 const SUGGESTED_ALTERNATIVES: u32 = 3;
@@ -44,11 +47,12 @@ pub fn furnish_best(
     options: &FurnishOptions<'_>,
     effort: u32,
 ) -> Judged {
+    let audit = RoomAudit::new(level, room, catalog);
     best_of(
         effort,
-        |alternative| furnish_alternative(level, room, catalog, options, alternative),
-        |furnished| judge_room(level, room, furnished, catalog),
-        |furnished| suggest_places(level, room, furnished, catalog),
+        |alternative| furnish_counted(level, room, catalog, options, alternative),
+        |furnished| audit.judge(furnished),
+        |furnished| audit.suggest_places(furnished),
     )
 }
 
@@ -58,22 +62,25 @@ pub fn furnish_best(
 /// for which the audit sees a place, a few more follow in which that place is tried first.
 pub fn best_of(
     effort: u32,
-    mut furnish: impl FnMut(&Alternative) -> Furnished,
+    mut furnish: impl FnMut(&Alternative) -> Counted,
     mut judge: impl FnMut(&Furnished) -> Verdict,
     mut suggest: impl FnMut(&Furnished) -> Vec<Suggestion>,
 ) -> Judged {
-    let mut make = |alternative: Alternative| {
-        let furnished = furnish(&alternative);
+    let mut steps = 0;
+    let mut make = |alternative: Alternative, steps: &mut u64| {
+        let Counted { furnished, steps: made } = furnish(&alternative);
+        *steps += made;
         let verdict = judge(&furnished);
         Judged { furnished, verdict, alternative }
     };
-    let mut best = make(Alternative::default());
+    let mut best = make(Alternative::default(), &mut steps);
     let mut in_vain = 0;
     for number in 1..effort {
-        if best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE) {
+        let is_enough = best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE);
+        if is_enough || steps >= MOST_STEPS {
             break;
         }
-        let next = make(Alternative::numbered(number));
+        let next = make(Alternative::numbered(number), &mut steps);
         if next.is_better_than(&best) {
             (best, in_vain) = (next, 0);
         } else {
@@ -88,7 +95,7 @@ pub fn best_of(
         if suggestions.is_empty() {
             break;
         }
-        best = best.or_better(make(Alternative { number, suggestions }));
+        best = best.or_better(make(Alternative { number, suggestions }, &mut steps));
     }
     best
 }
@@ -142,7 +149,15 @@ mod tests {
     use crate::geometry::Point;
     use crate::layout::{Removal, RemovalReason};
 
-    fn empty(_: &Alternative) -> Furnished {
+    fn empty(_: &Alternative) -> Counted {
+        counted(nothing())
+    }
+
+    fn counted(furnished: Furnished) -> Counted {
+        Counted { furnished, steps: 1 }
+    }
+
+    fn nothing() -> Furnished {
         Furnished {
             room: 0,
             seed: 0,
@@ -176,9 +191,9 @@ mod tests {
 
     #[test]
     fn a_room_without_findings_that_lacks_a_piece_is_not_tried_for_ever() {
-        let lacking = |alternative: &Alternative| Furnished {
-            removals: vec![Removal { class: 0, reason: RemovalReason::NoPlace, is_required: false }],
-            ..empty(alternative)
+        let lacking = |_: &Alternative| {
+            let removals = vec![Removal { class: 0, reason: RemovalReason::NoPlace, is_required: false }];
+            counted(Furnished { removals, ..nothing() })
         };
         let mut judged = 0;
         let judge = |_: &Furnished| {
@@ -197,9 +212,9 @@ mod tests {
 
     #[test]
     fn a_room_that_misses_what_the_audit_sees_a_place_for_is_furnished_around_that_place() {
-        let furnish = |alternative: &Alternative| Furnished {
-            requested: u32::from(!alternative.suggestions.is_empty()),
-            ..empty(alternative)
+        let furnish = |alternative: &Alternative| {
+            let requested = u32::from(!alternative.suggestions.is_empty());
+            counted(Furnished { requested, ..nothing() })
         };
         let judge = |furnished: &Furnished| {
             let finding = Finding::new(Code::MissingRequired, Vec::new(), 0.0, 1.0);

@@ -12,6 +12,19 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Whether one part reaches to all four sides of the box, so that it holds the disc around the box's middle.
+    #[must_use]
+    pub fn fills_its_box(&self) -> bool {
+        let is_low = |extent: &Extent| extent.share <= 0.0 && extent.offset <= 0.0;
+        let is_high = |extent: &Extent| extent.share >= 1.0 && extent.offset >= 0.0;
+        match self {
+            Self::Box | Self::Disc => true,
+            Self::Prisms(parts) => parts
+                .iter()
+                .any(|part| part.low[..2].iter().all(is_low) && part.high[..2].iter().all(is_high)),
+        }
+    }
+
     /// Whether what stands on its top stands on a disc and not on a rectangle.
     #[must_use]
     pub fn is_round_on_top(&self) -> bool {

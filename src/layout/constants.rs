@@ -27,6 +27,8 @@ pub(crate) const SCAN_DIRECTIONS: usize = 4;
 pub(crate) const SAME_DIRECTION: f64 = 0.02;
 /// Metres between the points of a scan along a wall.
 pub(crate) const WALL_STEP: f64 = 0.03;
+/// Points of such a scan along all walls of a room at most; from 300 m of wall on they lie farther apart.
+pub(crate) const WALL_POINTS: f64 = 10_000.0;
 /// Metres between the points of a scan over a table top or shelf.
 pub(crate) const SURFACE_STEP: f64 = 0.08;
 /// Metres from the end of a free stretch of wall within which a piece slides flush to the end: nobody leaves a
@@ -90,5 +92,15 @@ pub(crate) const ALTERNATIVES_WITH_TAGS: u32 = 4;
 /// Times while there is none of what the room cannot do without or a way is closed: a bathroom of 3 m² has few good
 /// arrangements.
 pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
+/// Steps of one alternative after which no further attempt begins, each about a tenth of a microsecond. Fewer lose rooms
+/// that come out well late, more make rooms slow in which something has no place.
+pub(crate) const MOST_STEPS: u64 = 1_000_000;
+/// Steps of testing one place against everything in the room.
+pub(crate) const STEPS_A_TEST: u64 = 3;
+/// Steps of proposing poses at one side of a parent, and of scoring a place.
+pub(crate) const STEPS_A_PROPOSAL: u64 = 6;
+/// Cells of a floor that are looked at in the time of one step, and cells over which ways are looked for.
+pub(crate) const CELLS_A_STEP: u64 = 16;
+pub(crate) const CELLS_OF_WAYS_A_STEP: u64 = 2;
 /// Share of the requested pieces that may be missing before another attempt.
 pub(crate) const MISSING_SHARE: f64 = 0.1;

@@ -13,7 +13,7 @@ mod obstacles;
 
 use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
 use super::body::{Pose, append_solids, box_solid, clearance_solid};
-use super::constants::{CONTACT_TOLERANCE, HUNG_ELEVATION, THIN_DEPTH};
+use super::constants::{CONTACT_TOLERANCE, HUNG_ELEVATION, STEPS_A_TEST, THIN_DEPTH};
 use super::furnished::RemovalReason;
 use super::lock::Lock;
 use super::programme::Piece;
@@ -62,6 +62,8 @@ pub(crate) struct Environment<'a> {
     kept_free_grid: Grid,
     /// Room for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
+    /// What was done so far.
+    steps: Cell<u64>,
 }
 
 /// A stretch of the room's outline or of a hole.
@@ -180,6 +182,7 @@ impl<'a> Environment<'a> {
             roof_grid: Grid::new(low, high),
             kept_free_grid,
             scratch: Cell::default(),
+            steps: Cell::default(),
             surroundings,
         };
         for solid in environment.surroundings.columns.clone() {
@@ -206,8 +209,23 @@ impl<'a> Environment<'a> {
         classes.iter().flat_map(|&class| self.resting[class].iter().copied())
     }
 
+    /// Counts work, in steps of about a tenth of a microsecond.
+    pub(crate) fn count_steps(&self, steps: u64) {
+        self.steps.set(self.steps.get() + steps);
+    }
+
+    /// What was done so far, in the same steps.
+    pub(crate) fn steps(&self) -> u64 {
+        self.steps.get()
+    }
+
     /// Why an agent cannot stand at a place, or `None` if it can. Cheap questions first.
     pub(crate) fn obstruction(&self, agent: AgentIndex, place: &Place) -> Option<RemovalReason> {
+        self.count_steps(1);
+        if self.is_cut_through(agent, place) {
+            return Some(RemovalReason::Outside);
+        }
+        self.count_steps(STEPS_A_TEST);
         let whole = box_solid(self.agents[agent].size, &place.pose);
         let height = self.surroundings.room.height;
         if whole.low < -CONTACT_TOLERANCE || whole.high > height + CONTACT_TOLERANCE {

@@ -7,6 +7,7 @@ use super::agent::{AgentIndex, ParentPart};
 use super::body::Pose;
 use super::constants::{
     CANDIDATES_BUILT_IN, CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE,
+    STEPS_A_PROPOSAL,
 };
 use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
@@ -123,6 +124,7 @@ impl Choice {
             let score = if self.is_first_best && !self.is_guest {
                 Score { value: 0.0, is_spoilt: false, is_tight: false }
             } else {
+                view.environment.count_steps(STEPS_A_PROPOSAL);
                 rules::score(view.environment, view.agent, &place)
             };
             if self.is_guest && score.is_poor() {

@@ -1,9 +1,11 @@
 //! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
 
 use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
-use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening};
+use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
-use super::constants::{DOOR_APPROACH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WINDOW_STRIP};
+use super::constants::{
+    DOOR_APPROACH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WALL_POINTS, WALL_STEP, WINDOW_STRIP,
+};
 use super::environment::Border;
 
 /// Radians of the sectors of [`Swings::Exact`]: the polygon around the arc of a leaf of 1.5 m is then half a millimetre
@@ -32,6 +34,8 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) kept_free: Vec<Solid>,
     /// Convex pieces of the columns.
     pub(crate) columns: Vec<Solid>,
+    /// Metres between the points of a scan along walls.
+    pub(crate) wall_step: f64,
     /// Strips before windows, from a little over the sill to the head: tall pieces avoid them.
     pub(crate) window_strips: Vec<Solid>,
 }
@@ -49,6 +53,7 @@ impl<'a> Surroundings<'a> {
                 .iter()
                 .flat_map(|column| convex_parts(&column.outline, column.height))
                 .collect(),
+            wall_step: WALL_STEP.max(room.walls.iter().map(Wall::length).sum::<f64>() / WALL_POINTS),
             window_strips: Vec::new(),
         };
         for side in &room.openings {

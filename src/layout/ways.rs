@@ -10,7 +10,7 @@ use crate::walk::{Floor, Goal, Way, blocked_ways, is_in_the_way};
 
 use super::agent::{AgentIndex, State};
 use super::arrange::arrange;
-use super::constants::{CONTACT_TOLERANCE, WAY_ROUNDS};
+use super::constants::{CELLS_A_STEP, CELLS_OF_WAYS_A_STEP, CONTACT_TOLERANCE, WAY_ROUNDS};
 use super::environment::Environment;
 use super::furnished::RemovalReason;
 use super::lock::is_locked;
@@ -109,6 +109,8 @@ fn closed_ways(
     empty: impl FnOnce() -> Option<Floor>,
 ) -> Vec<ClosedWay> {
     let Some(floor) = floor else { return Vec::new() };
+    let cells = floor.cell_count() as u64;
+    environment.count_steps(cells / CELLS_A_STEP);
     let walking = &environment.catalog.audit.walking;
     let areas = environment.used_areas(walking.narrow_person, walking.body_height);
     let areas = areas.map(|(owner, solid)| (Some(owner), Goal::Area(solid.footprint())));
@@ -116,6 +118,9 @@ fn closed_ways(
     let (owners, goals): (Vec<Option<AgentIndex>>, Vec<Goal<'_>>) = doors.chain(areas).unzip();
     let empty = || empty().expect("a door of the furnished room is one of the empty room");
     let ways = blocked_ways(&floor, empty, rules, &goals);
+    if !ways.is_empty() {
+        environment.count_steps(cells / CELLS_OF_WAYS_A_STEP);
+    }
     ways.into_iter().map(|way| ClosedWay { owner: owners[way.goal], way }).collect()
 }
 

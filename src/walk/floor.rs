@@ -7,15 +7,18 @@ use crate::catalog::{AccessRules, AuditRules, WalkingRules};
 use crate::geometry::{DisjointSets, Point, Solid, distance_to_convex, edges};
 use crate::plan::{Level, Room, RoomOpening};
 
-use super::raster::{CELL, Raster, least_distance, reach};
+use super::raster::{Raster, cell_around};
 
 /// The floor of a room with what stands on it.
+#[derive(Clone)]
 pub(crate) struct Floor {
     pub(super) raster: Raster,
     /// As [`Raster::distances`] gives them, to the widest disc that is asked for.
     pub(super) distances: Vec<u16>,
     /// One per walkable opening.
     doors: Vec<Doorway>,
+    /// Cells up to which distances are exact.
+    reach: u16,
 }
 
 /// How far a door reaches, in metres from the wall's inner face.
@@ -25,6 +28,14 @@ struct DoorDepth {
     behind: f64,
     /// Who has the middle so far before it, or less, is at the door.
     before: f64,
+}
+
+impl DoorDepth {
+    /// The same on a floor of cells: half a cell may be missing on either side.
+    fn with_cells(self, cell: f64) -> Self {
+        let behind = if self.behind > 0.0 { self.behind + 2.0 * cell } else { 0.0 };
+        Self { behind, before: self.before + cell }
+    }
 }
 
 /// What people walk to.
@@ -37,6 +48,7 @@ pub(crate) enum Goal<'g> {
 }
 
 /// An opening that people walk through.
+#[derive(Clone)]
 struct Doorway {
     /// Index into the level's openings.
     opening: usize,
@@ -74,7 +86,7 @@ impl Floor {
     ) -> Option<Self> {
         let widest = rules.person.max(rules.narrow_person).max(rules.robot);
         // Somebody on a threshold stands half behind it.
-        let doors = DoorDepth { behind: rules.person / 2.0 + 2.0 * CELL, before: CELL };
+        let doors = DoorDepth { behind: rules.person / 2.0, before: 0.0 };
         Self::for_disc(place, rules, (widest, doors), solids)
     }
 
@@ -86,7 +98,7 @@ impl Floor {
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
         let AccessRules { turning, walkway } = rules.access;
-        let doors = DoorDepth { behind: 0.0, before: walkway / 2.0 + CELL };
+        let doors = DoorDepth { behind: 0.0, before: walkway / 2.0 };
         Self::for_disc(place, &rules.walking, (turning.max(walkway), doors), solids)
     }
 
@@ -102,12 +114,13 @@ impl Floor {
         if places.is_empty() {
             return None;
         }
-        let behind = depth.behind;
         let (low, high) = room.region.outline.bounds();
-        let mut raster = Raster::new((low - Point::splat(behind), high + Point::splat(behind)));
+        let cell = cell_around(high - low);
+        let DoorDepth { behind, before } = depth.with_cells(cell);
+        let mut raster = Raster::new((low - Point::splat(behind), high + Point::splat(behind)), cell);
         raster.paint(&room.region.borders().collect::<Vec<_>>(), true);
         for place in &places {
-            raster.paint(&strip(room, place, -behind, CELL.min(behind)), true);
+            raster.paint(&strip(room, place, -behind, cell.min(behind)), true);
         }
         for column in &room.obstacles {
             raster.paint(&column.outline.edges().collect::<Vec<_>>(), false);
@@ -115,8 +128,25 @@ impl Floor {
         for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
         }
-        let doors = places.iter().map(|place| Doorway::new(room, place, depth.before, &raster)).collect();
-        Some(Self { distances: raster.distances(reach(widest)), raster, doors })
+        let doors = places.iter().map(|place| Doorway::new(room, place, (-cell, before), &raster)).collect();
+        let reach = raster.reach(widest);
+        Some(Self { distances: raster.distances(reach), raster, doors, reach })
+    }
+
+    /// This floor with some solids more: what [`Floor::new`] makes of all of them, with work for the cells near the new
+    /// ones only.
+    pub(crate) fn with<'s>(&self, rules: &WalkingRules, solids: impl Iterator<Item = &'s Solid>) -> Self {
+        let Self { mut raster, mut distances, doors, reach } = self.clone();
+        for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
+            let blocked = raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
+            raster.lower_distances(&mut distances, &blocked, reach);
+        }
+        Self { raster, distances, doors, reach }
+    }
+
+    /// Number of cells.
+    pub(crate) fn cell_count(&self) -> usize {
+        self.raster.len()
     }
 
     /// The doors, as indices into the level's openings.
@@ -129,7 +159,7 @@ impl Floor {
     /// Runs of cells are joined to those of the row before that they touch, sideways or across a corner. Doors
     /// join all runs on their threshold: who leaves by a wide opening may come in again at its other end.
     pub(crate) fn walk(&self, diameter: f64) -> Walk<'_> {
-        let (runs, rows) = self.runs(least_distance(diameter));
+        let (runs, rows) = self.runs(self.raster.least_distance(diameter));
         let mut joined = DisjointSets::new(self.doors.len() + runs.len());
         let number = |run: usize| self.doors.len() + run;
         for three in rows.windows(3) {
@@ -193,9 +223,10 @@ fn strip(room: &Room, place: &RoomOpening, from: f64, to: f64) -> Vec<(Point, Po
 }
 
 impl Doorway {
-    fn new(room: &Room, place: &RoomOpening, depth: f64, raster: &Raster) -> Self {
+    /// `(from, to)` is where its threshold lies, in metres from the wall's inner face.
+    fn new(room: &Room, place: &RoomOpening, (from, to): (f64, f64), raster: &Raster) -> Self {
         let mut threshold = Vec::new();
-        raster.spans(&strip(room, place, -CELL, depth), |span| threshold.push(span));
+        raster.spans(&strip(room, place, from, to), |span| threshold.push(span));
         Self { opening: place.opening, threshold }
     }
 }
@@ -310,7 +341,7 @@ impl Walk<'_> {
     /// The places where a wider disc may be, among those that this one gets to from some door, row by row; where it gets
     /// in by no door, among all.
     pub(crate) fn wide_places(&self, diameter: f64) -> impl Iterator<Item = Point> + '_ {
-        let least = least_distance(diameter);
+        let least = self.floor.raster.least_distance(diameter);
         let is_entered = self.runs.iter().any(|run| self.doors.contains(&run.group));
         let runs = self.runs.iter().filter(move |run| !is_entered || self.doors.contains(&run.group));
         let cells = runs.flat_map(|run| run.cells.clone());

@@ -1,38 +1,46 @@
-//! A floor as cells of 5 cm, each with its distance to the nearest obstacle.
+//! A floor as cells of 5 cm, in the largest rooms of 10 or 15, each with its distance to the nearest obstacle.
 
 use core::ops::Range;
 
 use crate::geometry::Point;
 
-/// Metres from cell to cell.
+/// Metres from cell to cell, but in the largest rooms.
 pub(crate) const CELL: f64 = 0.05;
+
+/// Cells of a floor at most: those of a box of 28,000 m². Around larger rooms cells are twice as wide, or three times, as
+/// they need be. A cell takes 40 bytes while ways are looked for, so that all of them take 450 MB; the largest room that
+/// is read has cells of 15 cm.
+const MOST_CELLS: f64 = 11_200_000.0;
 
 /// Metres by which cells are shifted against the room's corner, no whole millimetres: faces of walls and furniture, which
 /// are, then do not run through the middles of a row, where rounding would decide whether it is free.
 const OFF_GRID: f64 = 0.012_34;
 
-/// Metres by which a disc may seem too wide for a passage because of the cells: half of the step between
+/// Cells by which a disc may seem too wide for a passage because of the cells: half of the step between
 /// cells along a diagonal. With it, a passage as wide as the disc is passed whatever its direction.
-const SLACK: f64 = 0.35 * CELL;
+const SLACK: f64 = 0.35;
 
 /// Cells of the largest radius whose squares are counted: 7.5 m, more than anybody needs to pass.
 const MOST_REACH: u16 = 150;
 
 /// A grid of free and blocked cells. The outermost cells are always blocked.
+#[derive(Clone)]
 pub(crate) struct Raster {
     /// Middle of the first cell.
     low: Point,
+    /// Metres from cell to cell.
+    cell: f64,
     columns: usize,
     is_free: Vec<bool>,
 }
 
 impl Raster {
-    /// A grid around a box, all of it blocked.
-    pub(crate) fn new((low, high): (Point, Point)) -> Self {
-        let low = low - Point::splat(2.0 * CELL + OFF_GRID);
-        let size = (high - low) / CELL + Point::splat(3.0);
+    /// A grid of cells of a width around a box, all of it blocked.
+    pub(crate) fn new((low, high): (Point, Point), cell: f64) -> Self {
+        let low = low - Point::splat(2.0 * cell + OFF_GRID);
+        let size = (high - low) / cell + Point::splat(3.0);
         let (columns, rows) = (size.x as usize, size.y as usize);
-        Self { low, columns, is_free: vec![false; columns * rows] }
+        Self { low, cell, columns, is_free: vec![false; columns * rows] }
     }
 
     /// Number of cells in a row.
@@ -48,14 +56,16 @@ impl Raster {
     /// The middle of a cell.
     pub(crate) fn middle(&self, cell: usize) -> Point {
         let (row, column) = (cell / self.columns, cell % self.columns);
-        self.low + Point::new(column as f64, row as f64) * CELL
+        self.low + Point::new(column as f64, row as f64) * self.cell
     }
 
-    /// Marks the cells whose middles lie inside some rings; where rings overlap, every second one counts.
-    pub(crate) fn paint(&mut self, edges: &[(Point, Point)], is_free: bool) {
+    /// Marks the cells whose middles lie inside some rings; where rings overlap, every second one counts. Returns them,
+    /// row by row.
+    pub(crate) fn paint(&mut self, edges: &[(Point, Point)], is_free: bool) -> Vec<Range<usize>> {
         let mut spans = Vec::new();
         self.spans(edges, |span| spans.push(span));
-        spans.into_iter().for_each(|span| self.is_free[span].fill(is_free));
+        spans.iter().for_each(|span| self.is_free[span.clone()].fill(is_free));
+        spans
     }
 
     /// Calls `visit` with the cells whose middles lie inside some rings, row by row; never with none.
@@ -66,8 +76,8 @@ impl Raster {
             });
         let rows = self.len() / self.columns;
         let mut crossings: Vec<f64> = Vec::new();
-        for row in index_after(low - self.low.y, rows)..index_after(high - self.low.y, rows) {
-            let y = self.low.y + row as f64 * CELL;
+        for row in self.index_after(low - self.low.y, rows)..self.index_after(high - self.low.y, rows) {
+            let y = self.low.y + row as f64 * self.cell;
             let crossed = edges.iter().filter(|(start, end)| (start.y > y) != (end.y > y));
             crossings.clear();
             crossings.extend(
@@ -75,7 +85,7 @@ impl Raster {
             );
             crossings.sort_unstable_by(f64::total_cmp);
             for pair in crossings.chunks_exact(2) {
-                let column = |x: f64| row * self.columns + index_after(x - self.low.x, self.columns);
+                let column = |x: f64| row * self.columns + self.index_after(x - self.low.x, self.columns);
                 let span = column(pair[0])..column(pair[1]);
                 if !span.is_empty() {
                     visit(span);
@@ -105,6 +115,24 @@ impl Raster {
         squares
     }
 
+    /// What becomes of [`Raster::distances`] when the cells of some spans are blocked too.
+    pub(crate) fn lower_distances(&self, distances: &mut [u16], blocked: &[Range<usize>], reach: u16) {
+        let (rows, columns) = (self.len() / self.columns, self.columns);
+        for span in blocked {
+            let (row, from, to) = (span.start / columns, span.start % columns, (span.end - 1) % columns);
+            let reach = usize::from(reach);
+            for near in row.saturating_sub(reach)..(row + reach + 1).min(rows) {
+                let above = near.abs_diff(row) as u16;
+                let (left, right) = (from.saturating_sub(reach), (to + reach + 1).min(columns));
+                let squares = &mut distances[near * columns..][left..right];
+                for (column, square) in (left..right).zip(squares) {
+                    let aside = (from.saturating_sub(column)).max(column.saturating_sub(to)) as u16;
+                    *square = (*square).min(above * above + aside * aside);
+                }
+            }
+        }
+    }
+
     /// The distance of every cell to the nearest blocked one of its column, at most `most`, squared.
     fn column_squares(&self, most: u16) -> Vec<u16> {
         let columns = self.columns;
@@ -122,23 +150,29 @@ impl Raster {
         steps.iter_mut().for_each(|step| *step *= *step);
         steps
     }
+
+    /// The first index whose cell middle lies at or after `metres` from the first, at most `count`.
+    fn index_after(&self, metres: f64, count: usize) -> usize {
+        // Numbers below zero become zero.
+        ((metres / self.cell).ceil() as usize).min(count)
+    }
+
+    /// The least distance, as [`Raster::distances`] gives it, of cells where a disc of a diameter may be.
+    pub(crate) fn least_distance(&self, diameter: f64) -> u16 {
+        let radius = (diameter / 2.0 - SLACK * self.cell).max(0.0) / self.cell;
+        ((radius * radius).ceil() as u16).max(1)
+    }
+
+    /// Cells from the middle to the edge of a disc of a diameter, rounded up.
+    pub(crate) fn reach(&self, diameter: f64) -> u16 {
+        ((diameter / 2.0 / self.cell).ceil() as u16).min(MOST_REACH)
+    }
 }
 
-/// The first index whose cell middle lies at or after `metres` from the first, at most `count`.
-fn index_after(metres: f64, count: usize) -> usize {
-    // Numbers below zero become zero.
-    ((metres / CELL).ceil() as usize).min(count)
-}
-
-/// The least distance, as [`Raster::distances`] gives it, of cells where a disc of a diameter may be.
-pub(crate) fn least_distance(diameter: f64) -> u16 {
-    let radius = (diameter / 2.0 - SLACK).max(0.0) / CELL;
-    ((radius * radius).ceil() as u16).max(1)
-}
-
-/// Cells from the middle to the edge of a disc of a diameter, rounded up.
-pub(crate) fn reach(diameter: f64) -> u16 {
-    ((diameter / 2.0 / CELL).ceil() as u16).min(MOST_REACH)
+/// Metres from cell to cell for a floor of a size in metres.
+pub(crate) fn cell_around(size: Point) -> f64 {
+    let cells = (size.x / CELL) * (size.y / CELL);
+    CELL * (cells / MOST_CELLS).sqrt().ceil().max(1.0)
 }
 
 #[cfg(test)]
@@ -151,7 +185,7 @@ mod tests {
     }
 
     fn room(size: (f64, f64)) -> Raster {
-        let mut raster = Raster::new((Point::ZERO, size.into()));
+        let mut raster = Raster::new((Point::ZERO, size.into()), CELL);
         raster.paint(&edges((0.0, 0.0), size), true);
         raster
     }
@@ -198,12 +232,13 @@ mod tests {
         for shift in 0..10 {
             let shift = f64::from(shift) / 10.0 * CELL;
             let widest = |width: f64| {
-                let mut raster = Raster::new((Point::ZERO, Point::new(2.0, 3.0)));
+                let mut raster = Raster::new((Point::ZERO, Point::new(2.0, 3.0)), CELL);
                 raster.paint(&edges((0.1, 0.5 + shift), (1.5, width)), true);
-                raster.distances(reach(0.45)).into_iter().max().unwrap()
+                (raster.distances(raster.reach(0.45)).into_iter().max().unwrap(), raster.least_distance(0.45))
             };
-            assert!(widest(0.451) >= least_distance(0.45), "shifted by {shift}");
-            assert!(widest(0.399) < least_distance(0.45), "shifted by {shift}");
+            let passes = |(distance, least): (u16, u16)| distance >= least;
+            assert!(passes(widest(0.451)), "shifted by {shift}");
+            assert!(!passes(widest(0.399)), "shifted by {shift}");
         }
     }
 
@@ -215,9 +250,34 @@ mod tests {
             let corners = [start, start + along * 2.0, start + along * 2.0 + along.perp() * 0.45];
             let polygon =
                 Polygon::new(&[corners[0], corners[1], corners[2], start + along.perp() * 0.45]).unwrap();
-            let mut raster = Raster::new(polygon.bounds());
+            let mut raster = Raster::new(polygon.bounds(), CELL);
             raster.paint(&polygon.edges().collect::<Vec<_>>(), true);
-            assert!(raster.distances(reach(0.45)).into_iter().max().unwrap() >= least_distance(0.45));
+            let widest = raster.distances(raster.reach(0.45)).into_iter().max().unwrap();
+            assert!(widest >= raster.least_distance(0.45));
         }
+    }
+
+    #[test]
+    fn rooms_of_ordinary_size_have_cells_of_five_centimetres_and_the_largest_no_more_cells_than_others() {
+        let cell = |width: f64, depth: f64| (cell_around(Point::new(width, depth)) * 100.0).round();
+        assert_eq!([cell(1.0, 1.0), cell(30.0, 20.0), cell(160.0, 170.0)], [5.0; 3]);
+        assert_eq!([cell(300.0, 300.0), cell(500.0, 500.0), cell(1000.0, 250.0)], [10.0, 15.0, 15.0]);
+        let raster = Raster::new((Point::ZERO, Point::splat(500.0)), cell_around(Point::splat(500.0)));
+        assert!((raster.len() as f64) < 1.01 * MOST_CELLS, "{}", raster.len());
+    }
+
+    #[test]
+    fn distances_to_new_obstacles_are_those_of_asking_all_again() {
+        let mut raster = room((3.0, 2.0));
+        raster.paint(&edges((0.3, 0.4), (0.1, 0.5)), false);
+        let reach = 6;
+        let mut distances = raster.distances(reach);
+        for (low, size) in [((1.0, 0.2), (0.35, 0.45)), ((2.6, 1.5), (0.4, 0.5)), ((1.2, 0.5), (0.1, 0.1))] {
+            let blocked = raster.paint(&edges(low, size), false);
+            raster.lower_distances(&mut distances, &blocked, reach);
+        }
+        let near = |distance: u16| distance.min(reach * reach + 1);
+        let all_again: Vec<u16> = raster.distances(reach).into_iter().map(near).collect();
+        assert_eq!(distances.into_iter().map(near).collect::<Vec<u16>>(), all_again);
     }
 }

@@ -1,14 +1,12 @@
 //! Ways that furniture closes, and where.
 
 use core::cell::OnceCell;
-use core::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 use crate::catalog::WalkingRules;
 use crate::geometry::Point;
 
 use super::floor::{Floor, Goal, Walk};
-use super::raster::least_distance;
+use super::queue::CellQueue;
 
 /// A way that is too narrow in some places.
 pub(crate) struct Way {
@@ -58,6 +56,11 @@ impl<'f> EmptyWalks<'f> {
         Self { wide: empty.walk(rules.person), narrow: empty.walk(rules.narrow_person) }
     }
 
+    /// The floor without furniture.
+    pub(crate) fn floor(&self) -> &'f Floor {
+        self.wide.floor
+    }
+
     /// Whether people get from every door to every other. Only then is a way that some furniture closes closed with more
     /// furniture too, for it never depends on the furniture which door counts as the main one.
     pub(crate) fn join_all_doors(&self) -> bool {
@@ -80,7 +83,11 @@ impl<'f> EmptyWalks<'f> {
     }
 }
 
-const NOWHERE: usize = usize::MAX;
+const NOWHERE: u32 = u32::MAX;
+
+fn number(cell: usize) -> u32 {
+    u32::try_from(cell).expect("floors have fewer than 2^32 cells")
+}
 
 /// The ways from a door to everywhere that ask furniture for least room (E. Dijkstra 1959, on cells): cells where
 /// the disc may be cost nothing, others what their distance lacks.
@@ -94,41 +101,50 @@ struct Ways<'f> {
     /// By cell; beyond all others where no way leads.
     costs: Vec<u32>,
     /// The cell before, or [`NOWHERE`] at the door.
-    came_from: Vec<usize>,
+    came_from: Vec<u32>,
 }
 
 impl<'f> Ways<'f> {
     fn new((empty, walk): (Walk<'f>, Walk<'f>), home: usize) -> Self {
         let cell_count = walk.floor.distances.len();
-        let least = least_distance(walk.diameter);
+        let least = walk.floor.raster.least_distance(walk.diameter);
         let (costs, came_from) = (vec![u32::MAX; cell_count], vec![NOWHERE; cell_count]);
         let mut ways = Self { empty, walk, least, costs, came_from };
-        let mut waiting = BinaryHeap::new();
+        let mut waiting = CellQueue::new(cell_count, least);
         let walk = &ways.walk;
-        for cell in
-            walk.cells(walk.group(home)).chain(walk.threshold(home)).filter(|&cell| ways.is_possible(cell))
-        {
-            waiting.push(Reverse((ways.cost(cell), cell)));
+        let starts = walk.cells(walk.group(home)).chain(walk.threshold(home));
+        let starts: Vec<usize> = starts.filter(|&cell| ways.is_possible(cell)).collect();
+        for &cell in &starts {
+            ways.costs[cell] = ways.cost(cell);
         }
-        for &Reverse((cost, cell)) in &waiting {
-            ways.costs[cell] = cost;
+        // Nearly all of a floor lies where ways begin, and where all around is free too, none begins.
+        let begins = |&cell: &usize| {
+            ways.costs[cell] > 0 || ways.around(cell).into_iter().any(|next| ways.costs[next] > 0)
+        };
+        for cell in starts.into_iter().filter(begins) {
+            waiting.push(ways.costs[cell], cell);
         }
         ways.spread(waiting);
         ways
     }
 
-    fn spread(&mut self, mut waiting: BinaryHeap<Reverse<(u32, usize)>>) {
+    /// The cells around one where a disc may be, which is never at the edge of the grid.
+    fn around(&self, cell: usize) -> [usize; 8] {
         let columns = self.walk.floor.raster.columns();
-        while let Some(Reverse((known, cell))) = waiting.pop() {
+        let (before, after) = (cell - columns, cell + columns);
+        [before - 1, before, before + 1, cell - 1, cell + 1, after - 1, after, after + 1]
+    }
+
+    fn spread(&mut self, mut waiting: CellQueue) {
+        while let Some((known, cell)) = waiting.pop() {
             if known > self.costs[cell] {
                 continue;
             }
-            // Cells where a disc may be are never at the edge of the grid.
-            for next in [cell - columns, cell, cell + columns].into_iter().flat_map(|row| row - 1..=row + 1) {
+            for next in self.around(cell) {
                 let total = known + self.cost(next);
-                if self.is_possible(next) && total < self.costs[next] {
-                    (self.costs[next], self.came_from[next]) = (total, cell);
-                    waiting.push(Reverse((total, next)));
+                if total < self.costs[next] && self.is_possible(next) {
+                    (self.costs[next], self.came_from[next]) = (total, number(cell));
+                    waiting.push(total, next);
                 }
             }
         }
@@ -150,9 +166,11 @@ impl<'f> Ways<'f> {
             Goal::Area(area) => self.empty.touching(area),
         };
         let reached = ends.into_iter().filter(|&cell| self.costs[cell] < u32::MAX);
-        let end = reached.min_by_key(|&cell| (self.costs[cell], cell)).unwrap_or(NOWHERE);
-        let before = |&cell: &usize| Some(self.came_from[cell]).filter(|&before| before != NOWHERE);
-        let cells = core::iter::successors(Some(end).filter(|&end| end != NOWHERE), before);
+        let end = reached.min_by_key(|&cell| (self.costs[cell], cell));
+        let before = |&cell: &usize| {
+            Some(self.came_from[cell]).filter(|&before| before != NOWHERE).map(|before| before as usize)
+        };
+        let cells = core::iter::successors(end, before);
         let narrow = cells.filter(|&cell| self.cost(cell) > 0);
         let narrows = narrow.map(|cell| self.walk.floor.raster.middle(cell)).collect();
         Way { goal: index, width: self.walk.diameter, narrows }

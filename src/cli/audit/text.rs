@@ -63,8 +63,9 @@ fn finding_line(level: &JudgedLevel, room: &JudgedRoom, finding: &Finding) -> St
         Severity::Failed => "failed",
     };
     let measure = finding.measure();
+    let remark = if finding.not_searched_further { ", not searched further" } else { "" };
     let line = format!(
-        "  {severity} {}/{}/{} ({}): {} {}: {}, threshold {}",
+        "  {severity} {}/{}/{} ({}): {} {}: {}, threshold {}{remark}",
         level.building,
         level.level,
         room.room,

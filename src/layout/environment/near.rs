@@ -1,10 +1,10 @@
 //! What is near a region: bodies, borders and what is kept free, for those who weigh a place.
 
-use crate::geometry::{Point, Solid};
+use crate::geometry::{Point, Solid, nearest_on_segment};
 use crate::layout::agent::AgentIndex;
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
 
-use super::{Border, Environment, ROOM};
+use super::{Border, Environment, Place, ROOM};
 
 impl Environment<'_> {
     /// Calls `visit` with every body that meets a region, relatives of nobody excepted.
@@ -31,6 +31,24 @@ impl Environment<'_> {
                 visit(solid);
             }
         });
+    }
+
+    /// Whether a border comes nearer to the middle of an agent than any of its own edges: whatever its shape, it is
+    /// outside then. Seen without making the shape, which is what most of a scan meets.
+    pub(super) fn is_cut_through(&self, agent: AgentIndex, place: &Place) -> bool {
+        let (shape, size) = (&self.class(agent).shape, self.agents[agent].size);
+        if !shape.fills_its_box() {
+            return false;
+        }
+        // By twice the tolerance, so that the exact test, which rounds otherwise, agrees.
+        let radius = size.width.min(size.depth) / 2.0 - 2.0 * CONTACT_TOLERANCE;
+        let (middle, around) = (place.pose.position, Point::splat(radius));
+        radius > 0.0
+            && self.border_grid.any((middle - around, middle + around), |index| {
+                let border = &self.borders[index as usize];
+                let nearest = nearest_on_segment(middle, (border.start, border.end));
+                nearest.distance_squared(middle) < radius * radius
+            })
     }
 
     /// Calls `visit` with every border of the room near a region.

@@ -16,6 +16,7 @@ use crate::catalog::{Class, ParentRule, Side, Size};
 
 use super::agent::{AgentIndex, ParentPart};
 use super::body::Pose;
+use super::constants::STEPS_A_PROPOSAL;
 use super::environment::Environment;
 use super::seed::{RoomKey, Stream};
 
@@ -40,6 +41,7 @@ pub(crate) struct View<'a> {
 
 /// Appends the poses that an agent would take at a side of a parent, best first.
 pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    view.environment.count_steps(STEPS_A_PROPOSAL);
     if let (Some(grid), ParentPart::Floor | ParentPart::Ceiling) = (&view.class.grid, view.parent) {
         return grid::propose(view, grid, key, poses);
     }

@@ -7,7 +7,6 @@ use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
 use crate::layout::constants::{
     CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, COVER_MARGIN, SEAT_DEPTH, SNAP_DISTANCE, TRIALS_PER_WALL,
-    WALL_STEP,
 };
 use crate::layout::environment::Border;
 use crate::layout::seed::Stream;
@@ -41,7 +40,7 @@ pub(super) fn scan(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mu
     let mut free = Intervals::new(strip.half, strip.wall.length() - strip.half);
     strip.block_openings(&mut free);
     for &(from, to) in free.as_slice() {
-        let steps = ((to - from) / WALL_STEP).ceil();
+        let steps = ((to - from) / view.environment.surroundings.wall_step).ceil();
         let at = |step: u32| from + (to - from) * f64::from(step) / steps.max(1.0);
         poses.extend((0..=steps as u32).map(|step| strip.pose(at(step))));
     }

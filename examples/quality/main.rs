@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --example quality -- [--seeds N] [--random N [--first N] [--draw FOLDER]] [--catalog FOLDER]
-//!     [--style STYLE] [--type TYPE]… [--beside CLASS CLASS] [--details] PLAN…
+//!     [--style STYLE] [--type TYPE]… [--beside CLASS CLASS] [--details] [--slowest N] PLAN…
 //! ```
 //! A PLAN is a file or folder as `bake` takes it; `--random` adds rooms of random shape, size, type and style, those of
 //! `tests/properties`. Nothing is written but the drawings asked for with `--draw`.
@@ -24,8 +24,11 @@ use roomwright::geometry::{Convex, Point, direction};
 use roomwright::layout::{FurnishOptions, Furnished, Placement};
 use roomwright::plan::{Level, PlanOptions, SitePlacement, read_plans};
 
-#[path = "../tests/properties/rooms.rs"]
+use slowest::Slowest;
+
+#[path = "../../tests/properties/rooms.rs"]
 mod rooms;
+mod slowest;
 
 #[derive(Parser)]
 #[command(about = "Audits plans over many seeds")]
@@ -62,6 +65,9 @@ struct Arguments {
     /// Also list findings and missing pieces by class.
     #[arg(long)]
     details: bool,
+    /// Also list so many rooms that took longest; the times are those of one room when RAYON_NUM_THREADS is 1.
+    #[arg(long, default_value_t = 0)]
+    slowest: usize,
 }
 
 impl Arguments {
@@ -85,6 +91,7 @@ struct Tally {
     with_neighbours: u64,
     /// Counts of findings and of missing pieces by what they concern.
     details: BTreeMap<String, u64>,
+    slowest: Slowest,
 }
 
 impl Tally {
@@ -95,9 +102,9 @@ impl Tally {
         options: &FurnishOptions<'_>,
         arguments: &Arguments,
     ) -> Self {
-        let judged = furnish_best(level, room, catalog, options, arguments.effort);
+        let (judged, timed) = slowest::furnish((level, room), catalog, options, arguments.effort);
         let furnished = judged.furnished;
-        let mut tally = Self::default();
+        let mut tally = Self { slowest: Slowest::of(timed, arguments.slowest), ..Self::default() };
         if furnished.requested == 0 {
             return tally;
         }
@@ -149,6 +156,7 @@ impl Tally {
         self.placed += other.placed;
         self.with_first += other.with_first;
         self.with_neighbours += other.with_neighbours;
+        self.slowest = self.slowest.join(other.slowest);
         for (key, count) in other.details {
             *self.details.entry(key).or_default() += count;
         }
@@ -208,6 +216,7 @@ fn print_line(name: &str, tally: Tally, arguments: &Arguments) {
         details.sort_by_key(|(text, count)| (std::cmp::Reverse(*count), text.clone()));
         details.iter().for_each(|(text, count)| println!("    {count:6} {text}"));
     }
+    tally.slowest.print();
 }
 
 /// Random rooms, each with a seed of its own; the same number is always the same room.
@@ -225,7 +234,9 @@ fn measure_random(catalog: &Catalog, arguments: &Arguments) -> Tally {
             if let Some(folder) = &arguments.draw {
                 draw_random(folder, number, &level, catalog, (&options, arguments.effort));
             }
-            Tally::of(&level, 0, catalog, &options, arguments)
+            let mut tally = Tally::of(&level, 0, catalog, &options, arguments);
+            tally.slowest.name(&format!("--first {number} --random 1"));
+            tally
         })
     };
     sketches.par_iter().enumerate().filter_map(tally).reduce(Tally::default, Tally::join)

@@ -1,0 +1,76 @@
+//! The borders of a room and of its columns, with a broad phase where they are many.
+
+use crate::geometry::{Grid, Point, bounds_overlap, nearest_on_segment};
+
+use super::super::subject::Subject;
+
+/// Borders from which on a grid finds those near a place faster than looking at each.
+const MANY: usize = 32;
+/// Metres around a place in which the nearest border is looked for, where there are many.
+const REACH: f64 = 1.0;
+
+/// The edges of a room's outline, holes and columns.
+pub(super) struct Borders {
+    edges: Vec<(Point, Point)>,
+    grid: Option<Grid>,
+}
+
+impl Borders {
+    pub(super) fn new(subject: &Subject<'_>) -> Self {
+        let columns = subject.room.obstacles.iter().flat_map(|column| column.outline.edges());
+        let edges: Vec<(Point, Point)> = subject.room.region.borders().chain(columns).collect();
+        let (low, high) = subject.room.region.outline.bounds();
+        let grid = (edges.len() > MANY).then(|| {
+            let mut grid = Grid::new(low, high);
+            for (number, &(start, end)) in (0..).zip(&edges) {
+                grid.insert(number, (start.min(end), start.max(end)));
+            }
+            grid
+        });
+        Self { edges, grid }
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.edges.len()
+    }
+
+    /// Metres from a point to the nearest border, or less where that is farther than [`REACH`]; and how many borders
+    /// were looked at.
+    pub(super) fn distance(&self, point: Point) -> (f64, u64) {
+        let to_edge = |&edge: &(Point, Point)| point.distance_squared(nearest_on_segment(point, edge));
+        let Some(grid) = &self.grid else {
+            let nearest = self.edges.iter().map(to_edge).fold(f64::INFINITY, f64::min);
+            return (nearest.sqrt(), self.edges.len() as u64);
+        };
+        let (mut nearest, mut looked_at) = (REACH * REACH, 0);
+        grid.each((point - Point::splat(REACH), point + Point::splat(REACH)), |number| {
+            looked_at += 1;
+            nearest = nearest.min(to_edge(&self.edges[number as usize]));
+        });
+        (nearest.sqrt(), looked_at)
+    }
+
+    /// Whether a border whose box meets some bounds, or comes as near as `margin`, answers yes; and how many were
+    /// looked at.
+    pub(super) fn any_near(
+        &self,
+        bounds: (Point, Point),
+        margin: f64,
+        question: impl Fn((Point, Point)) -> bool,
+    ) -> (bool, u64) {
+        let is_it = |(a, b): (Point, Point)| {
+            bounds_overlap((a.min(b), a.max(b)), bounds, -margin) && question((a, b))
+        };
+        let Some(grid) = &self.grid else {
+            return (self.edges.iter().any(|&edge| is_it(edge)), self.edges.len() as u64);
+        };
+        let mut looked_at = 0;
+        let around = (bounds.0 - Point::splat(margin), bounds.1 + Point::splat(margin));
+        let found = grid.any(around, |number| {
+            looked_at += 1;
+            is_it(self.edges[number as usize])
+        });
+        (found, looked_at)
+    }
+}

@@ -1,0 +1,232 @@
+//! Whether an empty room could hold a piece: what separates a fault of the layout from a room too small.
+//!
+//! All of it is paid from the budget of the judgement ([`super::budget`]): where that is spent, the answer is that
+//! nothing is known.
+
+mod borders;
+mod footprint;
+mod space;
+mod spots;
+
+pub(crate) use footprint::Footprint;
+pub(crate) use space::Space;
+pub(crate) use spots::Spot;
+
+use std::rc::Rc;
+
+use crate::catalog::{Class, ClassIndex, Clearance, Size};
+use crate::geometry::Point;
+
+use super::subject::{Body, Subject};
+use super::thresholds::FIT_STEP;
+use footprint::{bounds_of, lowest_underside, needed_boxes};
+use spots::Trial;
+
+/// Places that are asked for at most before they are taken more coarsely: those of the largest rooms that people live
+/// in. Each is some hundred bytes where the piece may stand.
+const MOST_SPOTS: f64 = 400_000.0;
+
+/// Whether a room has a place for something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Held {
+    /// It has.
+    Yes,
+    /// It has not.
+    No,
+    /// The search was given up.
+    Unknown,
+}
+
+/// A piece where it could stand.
+#[derive(Debug)]
+pub(crate) struct Stand {
+    /// Where.
+    pub(crate) spot: Spot,
+    /// Its footprint, then those of its clearances.
+    pub(crate) parts: Vec<Footprint>,
+    /// The box around them.
+    pub(crate) bounds: (Point, Point),
+}
+
+/// The free places of a piece.
+#[derive(Clone, Debug)]
+pub(crate) struct Stands {
+    /// Those along the walls first.
+    pub(crate) stands: Rc<Vec<Stand>>,
+    /// Whether there is none between them: else they were taken more coarsely.
+    pub(crate) are_all: bool,
+}
+
+/// Whether some size of a class, with its smallest clearances, fits somewhere on the empty floor: clear of
+/// walls, columns and door zones, and with its back to a solid stretch of wall if it can stand in no other
+/// way. Positions are tried every [`FIT_STEP`]; "no" may miss a fit without slack, "yes" never errs.
+pub(crate) fn can_hold(subject: &Subject<'_>, class: ClassIndex) -> Held {
+    let search = || {
+        let class = &subject.catalog.classes[class];
+        let empty = Space::empty(subject);
+        class.sizes.iter().any(|&size| empty.holds(class, size, |clearance| clearance.minimum))
+    };
+    Held::of(subject.known.held.answer(class, &subject.budget, search))
+}
+
+/// The same for one body with its good clearances.
+pub(crate) fn can_hold_comfortably(subject: &Subject<'_>, body: &Body<'_>) -> Held {
+    let size = body.placement.size;
+    let search = || Space::empty(subject).holds(body.class, size, |clearance| clearance.good);
+    let bits = [size.width, size.depth, size.height].map(f64::to_bits);
+    Held::of(subject.known.held_comfortably.answer((body.placement.class, bits), &subject.budget, search))
+}
+
+/// Whether a body could stand, with its smallest clearances, among the others on one side of a line: to the
+/// left of a direction from a point.
+pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point)) -> Held {
+    let among =
+        subject.bodies.iter().filter(|other| other.low() < body.high() && !other.placement.is_covering());
+    let bodies = among.flat_map(|other| &other.solids).collect();
+    let space = Space::empty(subject).beside(bodies, line);
+    let is_held = space.holds(body.class, body.placement.size, |clearance| clearance.minimum);
+    Held::of((is_held || !subject.budget.is_overdrawn()).then_some(is_held))
+}
+
+/// All free places for the smallest size of a class with its smallest clearances; nothing where the budget is spent.
+pub(crate) fn free_stands(subject: &Subject<'_>, class: ClassIndex, size: Size) -> Option<Stands> {
+    let search = || Space::empty(subject).free_stands(&subject.catalog.classes[class], size);
+    subject.known.stands.answer(class, &subject.budget, search)
+}
+
+impl Held {
+    fn of(answer: Option<bool>) -> Self {
+        match answer {
+            Some(true) => Self::Yes,
+            Some(false) => Self::No,
+            None => Self::Unknown,
+        }
+    }
+
+    /// Whether any of some questions, asked until one is answered yes, is.
+    pub(crate) fn any(answers: impl Iterator<Item = Self>) -> Self {
+        let mut known = Self::No;
+        for answer in answers {
+            match answer {
+                Self::Yes => return Self::Yes,
+                Self::Unknown => known = Self::Unknown,
+                Self::No => {}
+            }
+        }
+        known
+    }
+}
+
+impl Space<'_, '_> {
+    fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
+        let boxes = needed_boxes(class, size, depth_of);
+        lowest_underside(class) + size.height <= self.subject.room.height
+            && self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP }, |_, _| true)
+    }
+
+    fn free_stands(&self, class: &Class, size: Size) -> Stands {
+        let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
+        let coarseness = (self.spot_count(class) / MOST_SPOTS).sqrt().ceil().max(1.0);
+        let mut stands = Vec::new();
+        self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP * coarseness }, |spot, parts| {
+            let parts: Vec<Footprint> =
+                parts.iter().map(|part| part.footprint.moved(spot.position)).collect();
+            stands.push(Stand {
+                spot,
+                bounds: bounds_of(parts.iter().flat_map(|part| &part.corners)),
+                parts,
+            });
+            false
+        });
+        Stands { stands: Rc::new(stands), are_all: coarseness == 1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::testing::{TestRoom, at};
+    use crate::catalog::Side;
+    use crate::geometry::{Polygon, direction};
+    use crate::plan::{FRAME_WIDTH, Obstacle, OpeningKind};
+
+    fn holds(room: &TestRoom, class: &str) -> bool {
+        let furnished = room.furnished();
+        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
+        can_hold(&subject, room.catalog.class_index(class).unwrap()) == Held::Yes
+    }
+
+    #[test]
+    fn a_chest_needs_its_own_size() {
+        assert!(holds(&TestRoom::rectangle(1.01, 1.01), "chest"));
+        assert!(!holds(&TestRoom::rectangle(0.99, 3.0), "chest"));
+    }
+
+    #[test]
+    fn a_desk_needs_its_clearance_too() {
+        assert!(holds(&TestRoom::rectangle(1.52, 1.52), "desk"));
+        assert!(!holds(&TestRoom::rectangle(1.45, 1.45), "desk"));
+    }
+
+    #[test]
+    fn a_clearance_wholly_behind_a_wall_is_not_in_the_room() {
+        let mut room = TestRoom::rectangle(1.6, 2.0);
+        let chest = room.catalog.class_index("chest").unwrap();
+        let desk = room.catalog.class_index("desk").unwrap();
+        let beside = room.catalog.classes[desk].clearances[0];
+        for side in [Side::Left, Side::Right, Side::Front, Side::Back] {
+            room.catalog.classes[chest].clearances.push(Clearance { side, minimum: 0.31, ..beside });
+        }
+        assert!(!holds(&room, "chest"));
+        let mut wide = TestRoom::rectangle(1.7, 2.0);
+        wide.catalog = room.catalog;
+        assert!(holds(&wide, "chest"));
+    }
+
+    #[test]
+    fn a_door_or_a_column_takes_the_room() {
+        let mut room = TestRoom::rectangle(1.6, 1.1);
+        assert!(holds(&room, "chest"));
+        room.open(0, OpeningKind::Passage, (0.4, 1.2), (0.0, 2.0));
+        assert!(!holds(&room, "chest"));
+        let mut room = TestRoom::rectangle(1.6, 1.1);
+        let outline = Polygon::rectangle(at(0.7, 0.4), at(0.2, 0.2));
+        room.level.rooms[0].obstacles.push(Obstacle { outline, height: 2.5 });
+        assert!(!holds(&room, "chest"));
+    }
+
+    #[test]
+    fn the_frame_of_a_door_takes_a_little_of_the_walls_beside_it() {
+        let beside_door = |depth: f64| {
+            let mut room = TestRoom::rectangle(1.01, depth);
+            room.open(1, OpeningKind::Passage, (0.1, 0.9), (0.0, 2.0));
+            room
+        };
+        assert!(holds(&beside_door(0.9 + FRAME_WIDTH + 1.01), "chest"));
+        assert!(!holds(&beside_door(0.9 + 1.01), "chest"));
+    }
+
+    #[test]
+    fn a_picture_needs_a_wall_beside_the_window() {
+        let mut room = TestRoom::rectangle(3.0, 3.0);
+        assert!(holds(&room, "picture"));
+        let picture = room.catalog.class_index("picture").unwrap();
+        room.catalog.classes[picture].parents[0].elevation = (2.1, 2.2);
+        assert!(!holds(&room, "picture"), "half a metre under the ceiling at 2.5 m is too little");
+        room.catalog.classes[picture].parents[0].elevation = (1.2, 2.2);
+        assert!(holds(&room, "picture"));
+        for wall in 0..4 {
+            room.open(wall, OpeningKind::Window, (0.2, 2.8), (0.9, 2.2));
+        }
+        assert!(!holds(&room, "picture"));
+    }
+
+    #[test]
+    fn a_slanted_room_is_tried_along_its_own_walls() {
+        let turn = direction(0.5);
+        let corners = [(0.0, 0.0), (1.02, 0.0), (1.02, 1.02), (0.0, 1.02)]
+            .map(|(x, y)| turn.rotate(Point::new(x, y)))
+            .map(|corner| (corner.x, corner.y));
+        assert!(holds(&TestRoom::outline(&corners), "chest"));
+    }
+}

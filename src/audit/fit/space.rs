@@ -1,0 +1,155 @@
+//! Where a piece may stand on the floor of a room.
+
+use crate::geometry::{Point, Solid, bounds_overlap};
+use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, RoomOpening};
+
+use super::super::convex::{clip_segment, middle, penetration};
+use super::super::doors;
+use super::super::subject::Subject;
+use super::super::thresholds::ROUNDING;
+use super::borders::Borders;
+use super::footprint::{Footprint, Part, bounds_of};
+
+/// Metres that boxes must be apart for their contents to be: more than rounding makes of contact.
+const APART: f64 = 1e-9;
+/// Edges of polygons that a point is compared with in the time of one other step.
+const EDGES_A_STEP: u64 = 4;
+
+/// Where a piece may stand.
+pub(crate) struct Space<'s, 'a> {
+    pub(super) subject: &'s Subject<'a>,
+    borders: Borders,
+    /// Corners of what no piece may stand in: the ways through the doors, and their frames, each with the box around it.
+    door_zones: Vec<(Vec<Point>, (Point, Point))>,
+    /// The boxes around the columns.
+    columns: Vec<(Point, Point)>,
+    /// Bodies whose footprints the piece and its clearances keep clear of.
+    bodies: Vec<&'s Solid>,
+    /// The piece stays to the left of this line: a point and a direction of unit length.
+    line: Option<(Point, Point)>,
+}
+
+/// What the frames of doors and passages take of the floor.
+fn frames(subject: &Subject<'_>) -> impl Iterator<Item = Vec<Point>> {
+    let kind = |place: &RoomOpening| subject.level.openings[place.opening].kind;
+    subject.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
+        let wall = &subject.room.walls[place.wall];
+        let at = |along: f64| wall.start + wall.direction() * along;
+        let (start, end) = (at(place.from - FRAME_WIDTH), at(place.to + FRAME_WIDTH));
+        let outward = wall.normal() * FRAME_DEPTH;
+        vec![start, end, end + outward, start + outward]
+    })
+}
+
+impl<'s, 'a> Space<'s, 'a> {
+    /// The room without furniture.
+    pub(crate) fn empty(subject: &'s Subject<'a>) -> Self {
+        let passages = doors::zones(subject).into_iter().map(|zone| zone.base);
+        let zones = passages.chain(frames(subject));
+        Self {
+            subject,
+            borders: Borders::new(subject),
+            door_zones: zones.map(|zone| (bounds_of(zone.iter()), zone)).map(|(a, b)| (b, a)).collect(),
+            columns: subject.room.obstacles.iter().map(|column| column.outline.bounds()).collect(),
+            bodies: Vec::new(),
+            line: None,
+        }
+    }
+
+    /// The same on one side of a line, among some bodies.
+    pub(super) fn beside(self, bodies: Vec<&'s Solid>, line: (Point, Point)) -> Self {
+        Self { bodies, line: Some(line), ..self }
+    }
+
+    fn spend(&self, steps: u64) {
+        self.subject.budget.spend(steps);
+    }
+
+    /// Metres around a place within which a piece of these parts cannot stand either, where that is seen without looking
+    /// at the whole piece: a border is nearer to the middle of a part than any of its edges, or the middle is outside.
+    pub(super) fn blocked_around(&self, parts: &[Part], position: Point) -> Option<f64> {
+        /// Metres by which a border enters a part for certain.
+        const SLACK: f64 = 2.0 * ROUNDING;
+        if let Some(depth) = self.depth_behind_line(position).filter(|&depth| depth > 0.0) {
+            return Some(depth - SLACK);
+        }
+        parts.iter().find_map(|part| {
+            let middle = position + part.middle;
+            let (distance, looked_at) = self.borders.distance(middle);
+            self.spend(looked_at);
+            if distance < part.radius - SLACK {
+                Some(part.radius - SLACK - distance)
+            } else if self.contains(middle) {
+                None
+            } else {
+                Some(distance - SLACK)
+            }
+        })
+    }
+
+    fn contains(&self, point: Point) -> bool {
+        self.spend(1 + self.borders.len() as u64 / EDGES_A_STEP);
+        self.subject.room.region.contains(point)
+    }
+
+    /// Whether a piece of these parts, the first its body, may stand at a place.
+    pub(super) fn is_free(&self, parts: &[Part], position: Point) -> bool {
+        // The middle decides most positions; the rest is asked only where it is inside.
+        !self.crosses_line(&[position])
+            && self.contains(position)
+            && parts.iter().enumerate().all(|(number, part)| {
+                let footprint = part.footprint.moved(position);
+                let is_body = number == 0;
+                self.is_clear(&footprint)
+                    && self.is_inside(&footprint)
+                    && !(is_body && (self.blocks_a_door(&footprint) || self.crosses_line(&footprint.corners)))
+            })
+    }
+
+    fn is_inside(&self, footprint: &Footprint) -> bool {
+        // A corner may lie on a border, where it is neither in nor out.
+        let middle = middle(&footprint.corners);
+        self.contains(middle) && !self.is_in_column(middle) && !self.is_crossed(footprint)
+    }
+
+    fn is_in_column(&self, point: Point) -> bool {
+        self.spend(self.columns.len() as u64 / EDGES_A_STEP);
+        let is_near = |(low, high): &(Point, Point)| low.cmple(point).all() && point.cmple(*high).all();
+        let mut columns = self.columns.iter().zip(&self.subject.room.obstacles);
+        columns.any(|(bounds, column)| is_near(bounds) && column.outline.contains(point))
+    }
+
+    /// Whether a border runs through a footprint. Nearly all borders are far away, which their boxes tell.
+    fn is_crossed(&self, footprint: &Footprint) -> bool {
+        let crosses = |border| clip_segment(&footprint.corners, border, ROUNDING / 2.0).is_some();
+        let (is_crossed, looked_at) = self.borders.any_near(footprint.bounds, ROUNDING, crosses);
+        self.spend(looked_at);
+        is_crossed
+    }
+
+    fn is_clear(&self, footprint: &Footprint) -> bool {
+        self.spend(self.bodies.len() as u64);
+        let meets = |body: &&Solid| {
+            bounds_overlap(body.bounds, footprint.bounds, 0.0)
+                && penetration(body.footprint(), &footprint.corners) > 0.0
+        };
+        !self.bodies.iter().any(meets)
+    }
+
+    /// Metres that a point lies to the right of the line.
+    fn depth_behind_line(&self, point: Point) -> Option<f64> {
+        self.line.map(|(from, along)| -along.perp_dot(point - from))
+    }
+
+    fn crosses_line(&self, corners: &[Point]) -> bool {
+        corners.iter().any(|&corner| self.depth_behind_line(corner).is_some_and(|depth| depth > 0.0))
+    }
+
+    fn blocks_a_door(&self, footprint: &Footprint) -> bool {
+        self.spend(self.door_zones.len() as u64);
+        let meets = |(zone, bounds): &(Vec<Point>, (Point, Point))| {
+            bounds_overlap(*bounds, footprint.bounds, -APART) && penetration(zone, &footprint.corners) > 0.0
+        };
+        self.door_zones.iter().any(meets)
+    }
+}
