@@ -33,6 +33,8 @@ mod support;
 mod sweep;
 #[cfg(test)]
 pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
 mod thresholds;
 mod tight;
 mod together;

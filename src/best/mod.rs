@@ -184,6 +184,21 @@ mod tests {
     }
 
     #[test]
+    fn no_alternative_begins_when_the_steps_of_a_room_are_spent() {
+        let mut made = 0;
+        let furnish = |_: &Alternative| {
+            made += 1;
+            Counted { furnished: nothing(), steps: MOST_STEPS / 3 }
+        };
+        let judge = |_: &Furnished| Verdict {
+            findings: vec![Finding::new(Code::Sparse, Vec::new(), 0.0, 1.0)],
+            ..Verdict::default()
+        };
+        let _ = best_of(16, furnish, judge, |_| Vec::new());
+        assert_eq!(made, 4);
+    }
+
+    #[test]
     fn the_first_room_without_a_finding_ends_the_search() {
         assert_eq!(judged(8, &[(0, 0)]), (0, 1));
         assert_eq!(judged(8, &[(0, 2), (0, 0)]), (1, 2));

@@ -407,3 +407,20 @@ fn who_has_a_suggestion_stands_there_and_others_keep_off() {
     };
     assert!(furnished.placements.iter().any(is_there));
 }
+
+#[test]
+fn what_has_no_place_in_a_corridor_of_any_length_takes_a_bounded_number_of_steps() {
+    let mut catalog = catalog(&[(4, Count::Fixed(1))], Untidiness::default());
+    for room_type in catalog.room_types.values_mut() {
+        room_type.programme[0].is_required = true;
+    }
+    let steps = |length: f64| {
+        let level = level(&[(0.0, 0.0), (length, 0.0), (length, 0.3), (0.0, 0.3)]);
+        let options = FurnishOptions::new(1, "test");
+        let counted = furnish_counted(&level, 0, &catalog, &options, &Alternative::default());
+        assert_eq!(counted.furnished.placements, []);
+        counted.steps
+    };
+    let (short, long) = (steps(300.0), steps(900.0));
+    assert!(long < short * 5 / 4, "{short} steps, then {long}");
+}
