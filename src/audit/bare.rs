@@ -5,15 +5,12 @@ use super::groups::DISPLAY;
 use super::subject::{Body, Subject};
 use super::thresholds::ROUNDING;
 use crate::catalog::Side;
-use crate::layout::Parent;
 
 /// Judges the surfaces of a room together: one empty worktop among several is in order.
 pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     let surfaces = subject.bodies.iter().enumerate().filter(|(_, body)| is_surface(body));
-    let carries = |surface: usize| {
-        let mut placements = subject.furnished.placements.iter();
-        placements.any(|one| one.parent == Parent::Object(surface) && one.side == Side::Above)
-    };
+    let is_on_top = |object: usize| subject.bodies[object].placement.side == Side::Above;
+    let carries = |surface: usize| subject.children(surface).any(is_on_top);
     let (carrying, empty): (Vec<_>, Vec<_>) = surfaces.partition(|&(surface, _)| carries(surface));
     let all = carrying.len() + empty.len();
     let limit = subject.rules().fulfilment.carrying;

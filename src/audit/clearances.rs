@@ -145,7 +145,7 @@ fn is_relative(subject: &Subject<'_>, owner: usize, side: Side, body: usize) -> 
         placement.parent == Parent::Object(owner) && (is_out_of_the_way || placement.side == side)
     };
     subject.descends_from(owner, body)
-        || (owner + 1..=body).any(|object| is_welcome_child(object) && subject.descends_from(body, object))
+        || subject.ancestors(body).take_while(|&object| object > owner).any(is_welcome_child)
 }
 
 /// Whether something hangs flat on a wall, where nobody walks into it.

@@ -56,17 +56,15 @@ fn off_table(seat: &Body<'_>, table: &Body<'_>) -> f64 {
 /// Whether seats stand at a desk, but none at a side that people use.
 fn is_used_from_behind(subject: &Subject<'_>, (index, desk): (usize, &Body<'_>)) -> bool {
     let used = |side: Side| desk.class.clearances.iter().any(|one| one.side == side && one.allows_children);
-    let is_seat = |body: &&Body<'_>| body.placement.parent == Parent::Object(index) && body.is_in(SEAT);
-    let mut seats = subject.bodies.iter().filter(is_seat).peekable();
+    let children = subject.children(index).map(|child| &subject.bodies[child]);
+    let mut seats = children.filter(|body| body.is_in(SEAT)).peekable();
     seats.peek().is_some() && !seats.any(|seat| used(seat.placement.side))
 }
 
 /// Whether a mirror whose class may hang over others (a basin) has none of them below it.
 fn hangs_over_nothing(subject: &Subject<'_>, mirror: &Body<'_>) -> bool {
-    let below: Vec<usize> = mirror
-        .class
-        .parents
-        .iter()
+    let rules = mirror.class.parents.iter();
+    let below: Vec<usize> = rules
         .filter_map(|rule| if let ParentName::Classes(classes) = &rule.parent { Some(classes) } else { None })
         .flatten()
         .copied()
@@ -79,8 +77,9 @@ fn hangs_over_nothing(subject: &Subject<'_>, mirror: &Body<'_>) -> bool {
         let reach = mirror.placement.size.depth;
         across <= body.placement.size.width / 2.0 && forth <= body.placement.size.depth / 2.0 + reach
     };
-    let belongs = |body: &&Body<'_>| below.contains(&body.placement.class);
-    mirror.is_in(MIRROR) && !below.is_empty() && !subject.bodies.iter().filter(belongs).any(is_under)
+    let nearest = |&class: &usize| subject.nearest_of(class, mirror.placement.position);
+    let is_over_some = || below.iter().flat_map(nearest).any(|body| is_under(&subject.bodies[body]));
+    mirror.is_in(MIRROR) && !below.is_empty() && !is_over_some()
 }
 
 #[cfg(test)]

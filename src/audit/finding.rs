@@ -49,6 +49,26 @@ impl Finding {
     }
 }
 
+/// Findings of a kind that begin with the same object at most.
+const MOST_OF_ONE: usize = 32;
+
+/// Leaves out further findings of those that begin with the same object: what lies in a heap of copies meets hundreds.
+/// They are sorted by code and objects.
+pub(crate) fn bound(findings: &mut Vec<Finding>) {
+    let mut kept: Vec<Finding> = Vec::with_capacity(findings.len());
+    let mut count = 0;
+    for finding in findings.drain(..) {
+        let begins_alike =
+            |last: &Finding| last.code == finding.code && last.objects.first() == finding.objects.first();
+        let is_further = !finding.objects.is_empty() && kept.last().is_some_and(begins_alike);
+        count = if is_further { count + 1 } else { 1 };
+        if count <= MOST_OF_ONE {
+            kept.push(finding);
+        }
+    }
+    *findings = kept;
+}
+
 /// The kinds of findings; the words are part of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -218,6 +238,21 @@ impl Grade {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_meets_hundreds_is_told_with_some_of_them() {
+        let meets = |code, a: usize, b: usize| {
+            Finding::new(code, vec![format!("a.{a:04}"), format!("b.{b:04}")], 0.1, 0.001)
+        };
+        let mut findings: Vec<Finding> =
+            (0..3).flat_map(|a| (0..100).map(move |b| meets(Code::Collision, a, b))).collect();
+        findings.push(meets(Code::BlockedUse, 2, 0));
+        bound(&mut findings);
+        assert_eq!(findings.len(), 3 * MOST_OF_ONE + 1);
+        let mut without_objects = vec![Finding::new(Code::Sparse, Vec::new(), 0.1, 0.2); 2 * MOST_OF_ONE];
+        bound(&mut without_objects);
+        assert_eq!(without_objects.len(), 2 * MOST_OF_ONE);
+    }
 
     #[test]
     fn the_worst_finding_is_the_grade() {

@@ -7,6 +7,7 @@
 mod access;
 mod bare;
 mod bedside;
+mod bounds;
 mod budget;
 mod clearances;
 mod collision;
@@ -21,6 +22,7 @@ mod groups;
 mod halves;
 mod known;
 mod measure;
+mod near;
 mod programme;
 mod reach;
 mod relations;
@@ -30,7 +32,6 @@ mod sparse;
 mod subject;
 mod summary;
 mod support;
-mod sweep;
 #[cfg(test)]
 pub(crate) mod testing;
 #[cfg(test)]
@@ -56,8 +57,8 @@ use crate::layout::{Furnished, Suggestion};
 use crate::plan::Level;
 
 use known::RoomKnowledge;
+use near::MOST_NEAR;
 use subject::Subject;
-use sweep::{Bounds, touching_pairs};
 use zone::{NearPair, Zone};
 
 /// The findings of [`judge_room`].
@@ -175,6 +176,7 @@ fn judge(subject: &Subject<'_>) -> Verdict {
     findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
     // Two pieces in each other's way are one finding.
     findings.dedup_by(|a, b| a.code == b.code && !a.objects.is_empty() && a.objects == b.objects);
+    finding::bound(&mut findings);
     let score = score::score(
         subject,
         &score::Measured { zones: &zones, hits: &hits, comfort: &comfort, rates: &rates },
@@ -198,19 +200,17 @@ fn all_zones(subject: &Subject<'_>) -> Vec<Zone> {
 /// Pairs of bodies whose boxes touch, and pairs of a zone and a body whose boxes touch. A rug is floor for all but other
 /// rugs.
 fn near_pairs<'z>(subject: &Subject<'_>, zones: &'z [Zone]) -> (Vec<(usize, usize)>, Vec<NearPair<'z>>) {
-    let body_count = subject.bodies.len();
-    let bodies = subject.bodies.iter().map(|body| body.bounds);
-    let boxes: Vec<Bounds> = bodies.chain(zones.iter().map(Zone::bounds)).collect();
-    let (mut collisions, mut hits) = (Vec::new(), Vec::new());
+    let boxes = || subject.bodies.iter().map(|body| body.bounds);
+    let near = subject.near_boxes();
     let is_covering = |body: usize| subject.bodies[body].placement.is_covering();
-    for (a, b) in touching_pairs(&boxes) {
-        if b < body_count {
-            if is_covering(a) == is_covering(b) {
-                collisions.push((a, b));
-            }
-        } else if a < body_count && !is_covering(a) {
-            hits.push((&zones[b - body_count], a));
-        }
+    let mut collisions = near.touching_pairs(boxes());
+    collisions.retain(|&(a, b)| is_covering(a) == is_covering(b));
+    let mut hits: Vec<(usize, usize)> = Vec::new();
+    for (number, zone) in zones.iter().enumerate() {
+        let bodies = near.touching(&zone.bounds()).take(MOST_NEAR);
+        hits.extend(bodies.filter(|&body| !is_covering(body)).map(|body| (body, number)));
     }
-    (collisions, hits)
+    // By body, whatever order they were found in.
+    hits.sort_unstable();
+    (collisions, hits.into_iter().map(|(body, zone)| (&zones[zone], body)).collect())
 }

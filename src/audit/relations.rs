@@ -1,13 +1,15 @@
 //! How many of the wishes of the classes about others are met; a term of the score, no finding.
 //!
 //! The audit's own statement of what `relations` in `configs/classes/` mean. Distances are between the middles,
-//! less half of the smaller side of each.
+//! less half of the smaller side of each. Of a class with many objects the nearest ([`super::near`]) are asked.
+
+use std::collections::BTreeSet;
 
 use super::score::weighted_mean;
 use super::subject::{Body, Subject};
 use super::windows;
 use super::zone::{NearPair, Purpose};
-use crate::catalog::{ClassIndex, ParentName, Relation, RelationKind};
+use crate::catalog::{ParentName, Relation, RelationKind};
 use crate::geometry::{Point, nearest_on_segment};
 use crate::plan::OpeningKind;
 
@@ -49,20 +51,15 @@ impl Thing {
 /// The room as wishes see it.
 struct Known<'s, 'a> {
     subject: &'s Subject<'a>,
-    /// Indices of the bodies by class.
-    by_class: Vec<(ClassIndex, usize)>,
     /// Indices of the bodies that take the light of a window.
-    before_windows: Vec<usize>,
+    before_windows: BTreeSet<usize>,
 }
 
 impl<'s, 'a> Known<'s, 'a> {
     fn new(subject: &'s Subject<'a>, hits: &[NearPair<'_>]) -> Self {
-        let bodies = subject.bodies.iter().enumerate();
-        let mut by_class: Vec<_> = bodies.map(|(index, body)| (body.placement.class, index)).collect();
-        by_class.sort_unstable();
         let lit = hits.iter().filter(|(zone, _)| matches!(zone.purpose, Purpose::Light(_)));
         let before = lit.filter(|(zone, body)| windows::is_before(subject, zone, &subject.bodies[*body]));
-        Self { subject, by_class, before_windows: before.map(|&(_, body)| body).collect() }
+        Self { subject, before_windows: before.map(|&(_, body)| body).collect() }
     }
 
     /// How far a wish of a body is met, from 0 to 1; `None` where what it is about is not there.
@@ -90,10 +87,9 @@ impl<'s, 'a> Known<'s, 'a> {
         match name {
             ParentName::Classes(classes) => {
                 for &class in classes {
-                    let from = self.by_class.partition_point(|&(other, _)| other < class);
-                    let of_class = self.by_class[from..].iter().take_while(|&&(other, _)| other == class);
-                    let others = of_class.filter(|&&(_, index)| index != own);
-                    others.for_each(|&(_, index)| visit(Thing::of_body(&bodies[index])));
+                    let others = self.subject.nearest_of(class, position);
+                    let others = others.into_iter().filter(|&index| index != own);
+                    others.for_each(|index| visit(Thing::of_body(&bodies[index])));
                 }
             }
             ParentName::Window | ParentName::Door => {

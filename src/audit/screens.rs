@@ -1,8 +1,10 @@
 //! `tv_position`: a screen that nobody sees from a seat or bed, or one before a window.
 
+use super::bounds::Bounds;
 use super::convex::clip_segment;
 use super::finding::{Code, Finding};
 use super::groups::{BED, SCREEN, SEAT, SLEEPING};
+use super::near::NearPoints;
 use super::subject::{Body, Subject};
 use super::windows::is_before;
 use super::zone::{NearPair, Purpose};
@@ -13,14 +15,16 @@ const EYES_IN_BED: f64 = 0.5;
 
 /// Judges every screen.
 pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
+    let viewers = subject.bodies.iter().enumerate().filter(|(_, body)| is_viewer(body));
+    let viewers = NearPoints::new(viewers.map(|(index, body)| (index, body.placement.position)));
     for (index, screen) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(SCREEN)) {
-        let viewers = subject.bodies.iter().enumerate().filter(|(_, body)| is_viewer(body));
-        let diagonal = diagonal(screen);
-        if !viewers.clone().any(|viewer| sees(subject, viewer, (index, screen))) {
-            let nearest =
-                viewers.map(|(_, body)| body.placement.position.distance(screen.placement.position));
+        let (position, diagonal) = (screen.placement.position, diagonal(screen));
+        let mut nearest = viewers.nearest(position).into_iter();
+        let sees = |viewer: usize| sees(subject, (viewer, &subject.bodies[viewer]), (index, screen));
+        if !nearest.any(sees) {
+            let place = |viewer: usize| subject.bodies[viewer].placement.position;
             // Without any seat the screen is infinitely far away, for which JSON has no number.
-            let nearest = nearest.reduce(f64::min).map_or(0.0, |distance| distance / diagonal);
+            let nearest = viewers.distance(position, place).map_or(0.0, |distance| distance / diagonal);
             let farthest = subject.rules().screens.farthest;
             findings.push(Finding::new(Code::TvPosition, vec![screen.id.clone()], nearest, farthest));
         }
@@ -88,8 +92,12 @@ fn is_hidden(
             .iter()
             .any(|&end| subject.descends_from(body, end) || subject.descends_from(end, body))
     };
-    let third = subject.bodies.iter().enumerate().filter(|&(body, _)| !is_part(body));
-    let mut solids = third.flat_map(|(_, body)| &body.solids);
+    let ends = |height: f64| Bounds { low: sight.0.extend(height), high: sight.0.extend(height) };
+    let ends = ends(rules.sight_low).union(ends(rules.sight_high));
+    let far = sight.1.extend(rules.sight_low);
+    let around = ends.union(Bounds { low: far, high: far });
+    let third = subject.near_boxes().touching(&around).filter(|&body| !is_part(body));
+    let mut solids = third.flat_map(|body| &subject.bodies[body].solids);
     solids.any(|solid| {
         solid.high > rules.sight_low
             && solid.low < rules.sight_high

@@ -1,18 +1,21 @@
 //! What the audit looks at: one room with the bodies that stand in it.
 
+use core::cell::OnceCell;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use glam::DVec3;
 
-use crate::catalog::{AuditRules, Catalog, Class, DEFAULT_STYLE, Style};
+use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, DEFAULT_STYLE, Style};
 use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, solids};
 use crate::plan::{Level, Room};
 
+use super::bounds::Bounds;
 use super::budget::Budget;
 use super::convex::area;
 use super::known::RoomKnowledge;
-use super::sweep::Bounds;
+use super::near::{NearBoxes, NearPoints};
 use super::thresholds::MOST_STEPS;
 
 /// One furnished room.
@@ -31,6 +34,12 @@ pub(crate) struct Subject<'a> {
     pub(crate) known: Rc<RoomKnowledge>,
     /// What is left for finding out more.
     pub(crate) budget: Budget,
+    /// Objects with those that belong to them, by index, sorted.
+    children: Vec<(usize, usize)>,
+    /// The boxes around the bodies.
+    near_boxes: OnceCell<NearBoxes>,
+    /// The bodies of each class.
+    by_class: OnceCell<BTreeMap<ClassIndex, NearPoints>>,
 }
 
 /// One placed object and the space that it fills.
@@ -51,8 +60,25 @@ impl<'a> Subject<'a> {
     /// Builds the bodies of a furnished room.
     pub(crate) fn new(level: &'a Level, room: usize, furnished: &'a Furnished, catalog: &'a Catalog) -> Self {
         let bodies = furnished.placements.iter().map(|placement| Body::new(placement, catalog)).collect();
-        let (known, budget) = (Rc::default(), Budget::new(MOST_STEPS));
-        Self { level, room: &level.rooms[room], furnished, catalog, bodies, known, budget }
+        let parents = furnished.placements.iter().enumerate();
+        let child = |(index, placement): (usize, &Placement)| match placement.parent {
+            Parent::Object(parent) => Some((parent, index)),
+            _ => None,
+        };
+        let mut children: Vec<(usize, usize)> = parents.filter_map(child).collect();
+        children.sort_unstable();
+        Self {
+            level,
+            room: &level.rooms[room],
+            furnished,
+            catalog,
+            bodies,
+            known: Rc::default(),
+            budget: Budget::new(MOST_STEPS),
+            children,
+            near_boxes: OnceCell::new(),
+            by_class: OnceCell::new(),
+        }
     }
 
     /// The same with what is known about the room.
@@ -76,19 +102,44 @@ impl<'a> Subject<'a> {
         self.bodies.iter().filter(|body| !body.placement.is_covering()).flat_map(|body| &body.solids)
     }
 
+    /// The boxes around the bodies, by index.
+    pub(crate) fn near_boxes(&self) -> &NearBoxes {
+        self.near_boxes.get_or_init(|| NearBoxes::new(self.bodies.iter().map(|body| body.bounds)))
+    }
+
+    /// The bodies of a class that are nearest to a place, by index, so many as [`NearPoints::nearest`] tells.
+    pub(crate) fn nearest_of(&self, class: ClassIndex, place: Point) -> Vec<usize> {
+        let by_class = self.by_class.get_or_init(|| {
+            let mut places: BTreeMap<ClassIndex, Vec<(usize, Point)>> = BTreeMap::new();
+            for (index, body) in self.bodies.iter().enumerate() {
+                places.entry(body.placement.class).or_default().push((index, body.placement.position));
+            }
+            places.into_iter().map(|(class, places)| (class, NearPoints::new(places.into_iter()))).collect()
+        });
+        by_class.get(&class).map(|bodies| bodies.nearest(place)).unwrap_or_default()
+    }
+
+    /// The objects that belong to another directly.
+    pub(crate) fn children(&self, object: usize) -> impl Iterator<Item = usize> {
+        let from = self.children.partition_point(|&(parent, _)| parent < object);
+        self.children[from..]
+            .iter()
+            .take_while(move |&&(parent, _)| parent == object)
+            .map(|&(_, child)| child)
+    }
+
+    /// An object, what it rests on, what that rests on, and so on.
+    pub(crate) fn ancestors(&self, object: usize) -> impl Iterator<Item = usize> {
+        core::iter::successors(Some(object), |&current| match self.bodies[current].placement.parent {
+            // A parent is always an earlier placement, so this walk ends.
+            Parent::Object(parent) if parent < current => Some(parent),
+            _ => None,
+        })
+    }
+
     /// Whether `object` is `ancestor` or rests on it, directly or over others.
     pub(crate) fn descends_from(&self, object: usize, ancestor: usize) -> bool {
-        let mut current = object;
-        loop {
-            if current == ancestor {
-                return true;
-            }
-            match self.bodies[current].placement.parent {
-                // A parent is always an earlier placement, so this walk ends.
-                Parent::Object(parent) if parent < current => current = parent,
-                _ => return false,
-            }
-        }
+        self.ancestors(object).take_while(|&one| one >= ancestor).any(|one| one == ancestor)
     }
 }
 

@@ -8,6 +8,7 @@ use crate::audit::thresholds::MOST_STEPS;
 use crate::audit::together::{Together, place_together};
 use crate::audit::{Code, RoomAudit, Severity, judge};
 use crate::geometry::{Point, direction};
+use crate::layout::Parent;
 
 /// Teeth a metre wide that hang from a corridor a metre wide; no chest of a metre fits in.
 fn comb(teeth: u32, depth: f64) -> TestRoom {
@@ -38,8 +39,9 @@ fn a_search_that_is_given_up_leaves_the_finding_and_says_so() {
     let room = lacking_a_chest(comb(3, 4.0));
     let furnished = room.furnished();
     let findings = |steps: u64| {
-        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
-        let findings = judge(&Subject { budget: Budget::new(steps), ..subject }).findings;
+        let mut subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
+        subject.budget = Budget::new(steps);
+        let findings = judge(&subject).findings;
         findings.into_iter().filter(|one| one.code == Code::MissingRequired).collect::<Vec<_>>()
     };
     assert_eq!(findings(MOST_STEPS), [], "no chest fits in");
@@ -60,8 +62,8 @@ fn what_was_searched_to_the_end_says_nothing_of_the_search() {
 fn a_question_about_a_hall_of_any_size_and_shape_costs_no_more_than_the_budget() {
     for room in [comb(300, 300.0), atrium(170.0), TestRoom::rectangle(0.99, 1000.0)] {
         let furnished = room.furnished();
-        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
-        let subject = Subject { budget: Budget::new(100_000), ..subject };
+        let mut subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
+        subject.budget = Budget::new(100_000);
         let held = can_hold(&subject, room.catalog.class_index("chest").unwrap());
         assert!(subject.budget.made() < 110_000, "{}", subject.budget.made());
         assert_eq!(held == Held::Unknown, subject.budget.is_overdrawn());
@@ -94,4 +96,49 @@ fn no_verdict_depends_on_those_before_it() {
     let steps = audit.steps();
     let _ = audit.judge(&room.furnished());
     assert_eq!(audit.steps(), steps, "all of it is known");
+}
+
+/// A hall with so many tables, each with a stool that belongs to it: in rows, or all at one place.
+fn hall(tables: u32, is_heap: bool) -> TestRoom {
+    let columns = f64::from(tables).sqrt().ceil();
+    let mut room = TestRoom::rectangle(columns * 3.0, columns * 3.0);
+    room.open(0, crate::plan::OpeningKind::Door, (0.3, 1.2), (0.0, 2.0));
+    for number in 0..tables {
+        let (row, column) = ((f64::from(number) / columns).floor(), f64::from(number) % columns);
+        let place = if is_heap { (2.0, 2.0) } else { (1.0 + 3.0 * column, 1.0 + 3.0 * row) };
+        let table = room.stand("desk", Point::new(place.0, place.1));
+        room.add("stool", Point::new(place.0, place.1 - 0.6), Parent::Object(table));
+    }
+    room
+}
+
+/// The least of some times, in seconds.
+fn time_of(work: impl Fn()) -> f64 {
+    let once = |_| {
+        let started = std::time::Instant::now();
+        work();
+        started.elapsed().as_secs_f64()
+    };
+    (0..4).map(once).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn eight_times_the_pieces_are_judged_in_little_more_than_eight_times_as_long() {
+    for is_heap in [false, true] {
+        let judge = |tables: u32| {
+            let room = hall(tables, is_heap);
+            let furnished = room.furnished();
+            time_of(|| drop(crate::audit::judge_room(&room.level, 0, &furnished, &room.catalog)))
+        };
+        let ratio = judge(800) / judge(100);
+        // 8^1.3 is 15, of which a busy machine may make some more; 8 squared is 64.
+        assert!(ratio < 25.0, "{ratio}, heap: {is_heap}");
+    }
+}
+
+#[test]
+fn findings_of_a_heap_grow_as_its_pieces_do() {
+    let count = |tables: u32| hall(tables, true).audit().len();
+    let (few, many) = (count(50), count(200));
+    assert!(few > 100 && many < 5 * few, "{few}, then {many}");
 }

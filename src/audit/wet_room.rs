@@ -40,8 +40,9 @@ pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut
             findings.push(Finding::new(Code::WetRoom, objects, zone.free_depth(other), depth));
         }
     }
+    let cookers: Vec<&Body<'_>> = subject.bodies.iter().filter(|body| body.is_in(COOKING)).collect();
     for toilet in subject.bodies.iter().filter(|body| body.is_in(TOILET)) {
-        if let Some((what, distance)) = kitchen_before(subject, toilet) {
+        if let Some((what, distance)) = kitchen_before(subject, &cookers, toilet) {
             findings.push(Finding::new(Code::WetRoom, vec![toilet.id.clone(), what], distance, distance));
         }
     }
@@ -49,17 +50,14 @@ pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut
 
 /// The open kitchen that a toilet faces: a cooker in the same room, or an opening without a door to a room
 /// that one cooks in; with the metres up to it.
-fn kitchen_before(subject: &Subject<'_>, toilet: &Body<'_>) -> Option<(String, f64)> {
+fn kitchen_before(subject: &Subject<'_>, cookers: &[&Body<'_>], toilet: &Body<'_>) -> Option<(String, f64)> {
     let (from, along) = (toilet.placement.position, toilet.front());
     let ahead = |point: Point| {
         let offset = point - from;
         let aside = offset.perp_dot(along).abs();
         (offset.dot(along) > 0.0 && aside <= offset.dot(along)).then_some(offset.length())
     };
-    let cooker = subject.bodies.iter().find_map(|body| {
-        let distance = ahead(body.placement.position).filter(|_| body.is_in(COOKING))?;
-        Some((body.id.clone(), distance))
-    });
+    let cooker = cookers.iter().find_map(|body| Some((body.id.clone(), ahead(body.placement.position)?)));
     let through = || {
         subject.room.openings.iter().find_map(|place| {
             let wall = &subject.room.walls[place.wall];

@@ -2,9 +2,9 @@
 
 use crate::geometry::{Point, Solid, nearest_on_segment};
 
+use super::bounds::Bounds;
 use super::convex::{intersection, middle, penetration};
 use super::subject::{Body, Subject};
-use super::sweep::Bounds;
 
 /// An upright convex prism that people need.
 pub(crate) struct Zone {

@@ -7,12 +7,17 @@
 //! 4. the same class, the nearest pairs first, of any distance: it moved and has another number;
 //! 5. another class at nearly the same place, on or at the same kind of thing: it was swapped for another one.
 //!
+//! In rooms with thousands of things of a class, most of which would be paired with the same few, the last of rule 4 are
+//! paired in the order of their places in the file ([`super::nearest`]).
+//!
 //! What is left came or went. After a room was furnished anew, pairs by 3 and 4 say how much furniture moved, not
 //! which chair it was.
 
 use std::collections::BTreeMap;
 
 use glam::DVec3;
+
+use super::nearest::{Rule, pairs};
 
 /// What is known about a thing.
 #[derive(Clone, Debug)]
@@ -35,9 +40,6 @@ pub(super) enum Rules {
     Fixed,
 }
 
-/// Pairs that are compared with all others, at most; beyond, things of a class are paired in order of their ids.
-const MOST_PAIRS: usize = 4_000_000;
-
 /// The matched pairs, each side by index.
 pub(super) struct Matches {
     /// By old thing: the new one.
@@ -57,15 +59,17 @@ pub(super) fn match_up(old: &[Item<'_>], new: &[Item<'_>], same_place: f64, rule
         });
         matches.join(index, found);
     }
-    let is_class = |a: &Item<'_>, b: &Item<'_>| a.class == b.class;
-    matches.join_nearest(old, new, |a, b| is_class(a, b).then_some(same_place));
+    matches.join_of_class(old, new, same_place);
     for (index, item) in old.iter().enumerate() {
         matches.join(index, twin(item));
     }
     if rules == Rules::All {
-        matches.join_nearest(old, new, |a, b| is_class(a, b).then_some(f64::INFINITY));
-        let is_swap = |a: &Item<'_>, b: &Item<'_>| !is_class(a, b) && a.on == b.on;
-        matches.join_nearest(old, new, |a, b| is_swap(a, b).then(|| a.reach.min(b.reach)));
+        matches.join_of_class(old, new, f64::INFINITY);
+        let is_swap = |a: &Item<'_>, b: &Item<'_>, distance: f64| {
+            a.class != b.class && a.on == b.on && distance <= a.reach.min(b.reach)
+        };
+        let left = matches.left();
+        matches.join_all(pairs(old, new, left, &Rule { reach: |a: &Item<'_>| a.reach, is_pair: is_swap }));
     }
     matches
 }
@@ -79,47 +83,32 @@ impl Matches {
         }
     }
 
-    /// Joins what is left, the nearest pairs first, equally near ones in the order of their places in the lists.
-    /// `limit` is the distance up to which two may be a pair.
-    fn join_nearest(
-        &mut self,
-        old: &[Item<'_>],
-        new: &[Item<'_>],
-        limit: impl Fn(&Item<'_>, &Item<'_>) -> Option<f64>,
-    ) {
+    /// Joins what is left of the same class, up to a distance.
+    fn join_of_class(&mut self, old: &[Item<'_>], new: &[Item<'_>], most: f64) {
+        let (left_old, left_new) = self.left();
+        let mut classes: BTreeMap<&str, (Vec<usize>, Vec<usize>)> = BTreeMap::new();
+        for index in left_old {
+            classes.entry(old[index].class).or_default().0.push(index);
+        }
+        for index in left_new {
+            classes.entry(new[index].class).or_default().1.push(index);
+        }
+        for (_, left) in classes.into_iter().filter(|(_, (old, new))| !old.is_empty() && !new.is_empty()) {
+            let rule = Rule { reach: |_: &Item<'_>| most, is_pair: |_: &Item<'_>, _: &Item<'_>, _| true };
+            self.join_all(pairs(old, new, left, &rule));
+        }
+    }
+
+    fn join_all(&mut self, pairs: Vec<(usize, usize)>) {
+        pairs.into_iter().for_each(|(old, new)| self.join(old, Some(new)));
+    }
+
+    /// What has no pair yet.
+    fn left(&self) -> (Vec<usize>, Vec<usize>) {
         let left = |taken: &[Option<usize>]| -> Vec<usize> {
             taken.iter().enumerate().filter(|(_, pair)| pair.is_none()).map(|(index, _)| index).collect()
         };
-        let (left_old, left_new) = (left(&self.new_of), left(&self.old_of));
-        if left_old.len().saturating_mul(left_new.len()) > MOST_PAIRS {
-            return self.join_in_order(old, new, (left_old, left_new), limit);
-        }
-        let pairs = left_old.iter().flat_map(|&a| left_new.iter().map(move |&b| (a, b)));
-        let near = pairs.filter_map(|(a, b)| {
-            let distance = old[a].place.distance(new[b].place);
-            (distance <= limit(&old[a], &new[b])?).then_some((distance, a, b))
-        });
-        let mut near: Vec<(f64, usize, usize)> = near.collect();
-        near.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-        near.into_iter().for_each(|(_, a, b)| self.join(a, Some(b)));
-    }
-
-    /// Joins each with the first that may be its pair.
-    fn join_in_order(
-        &mut self,
-        old: &[Item<'_>],
-        new: &[Item<'_>],
-        (left_old, mut left_new): (Vec<usize>, Vec<usize>),
-        limit: impl Fn(&Item<'_>, &Item<'_>) -> Option<f64>,
-    ) {
-        for a in left_old {
-            let found = left_new.iter().position(|&b| {
-                limit(&old[a], &new[b]).is_some_and(|most| old[a].place.distance(new[b].place) <= most)
-            });
-            if let Some(found) = found {
-                self.join(a, Some(left_new.remove(found)));
-            }
-        }
+        (left(&self.new_of), left(&self.old_of))
     }
 }
 

@@ -9,6 +9,7 @@ mod change;
 mod kind;
 mod levels;
 mod matching;
+mod nearest;
 mod objects;
 mod openings;
 mod pairs;

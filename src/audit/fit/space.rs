@@ -1,6 +1,6 @@
 //! Where a piece may stand on the floor of a room.
 
-use crate::geometry::{Point, Solid, bounds_overlap};
+use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, RoomOpening};
 
 use super::super::convex::{clip_segment, middle, penetration};
@@ -25,6 +25,8 @@ pub(crate) struct Space<'s, 'a> {
     columns: Vec<(Point, Point)>,
     /// Bodies whose footprints the piece and its clearances keep clear of.
     bodies: Vec<&'s Solid>,
+    /// Where they are.
+    body_grid: Option<Grid>,
     /// The piece stays to the left of this line: a point and a direction of unit length.
     line: Option<(Point, Point)>,
 }
@@ -52,13 +54,19 @@ impl<'s, 'a> Space<'s, 'a> {
             door_zones: zones.map(|zone| (bounds_of(zone.iter()), zone)).map(|(a, b)| (b, a)).collect(),
             columns: subject.room.obstacles.iter().map(|column| column.outline.bounds()).collect(),
             bodies: Vec::new(),
+            body_grid: None,
             line: None,
         }
     }
 
     /// The same on one side of a line, among some bodies.
     pub(super) fn beside(self, bodies: Vec<&'s Solid>, line: (Point, Point)) -> Self {
-        Self { bodies, line: Some(line), ..self }
+        let (low, high) = self.subject.room.region.outline.bounds();
+        let mut grid = Grid::new(low, high);
+        for (number, body) in (0..).zip(&bodies) {
+            grid.insert(number, body.bounds);
+        }
+        Self { bodies, body_grid: Some(grid), line: Some(line), ..self }
     }
 
     fn spend(&self, steps: u64) {
@@ -128,12 +136,16 @@ impl<'s, 'a> Space<'s, 'a> {
     }
 
     fn is_clear(&self, footprint: &Footprint) -> bool {
-        self.spend(self.bodies.len() as u64);
-        let meets = |body: &&Solid| {
+        let Some(grid) = &self.body_grid else { return true };
+        let mut looked_at = 0;
+        let is_met = grid.any(footprint.bounds, |number| {
+            let body = self.bodies[number as usize];
+            looked_at += 1;
             bounds_overlap(body.bounds, footprint.bounds, 0.0)
                 && penetration(body.footprint(), &footprint.corners) > 0.0
-        };
-        !self.bodies.iter().any(meets)
+        });
+        self.spend(looked_at);
+        !is_met
     }
 
     /// Metres that a point lies to the right of the line.

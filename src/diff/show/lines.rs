@@ -1,6 +1,6 @@
 //! Changes as lines: one for each object, whatever became of it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diff::change::{Change, FindingWorth, Worth};
 use crate::diff::kind::Kind;
@@ -21,18 +21,24 @@ pub(super) struct Line {
 
 /// The lines of a room or a level: about itself, then objects, then what is missing and found.
 pub(super) fn lines(changes: &[Change]) -> Vec<Line> {
-    let companions = companions(changes);
+    let told: BTreeSet<&str> =
+        changes.iter().filter(|change| is_of_object(change.kind)).map(|change| change.id.as_str()).collect();
+    let companions = companions(changes, &told);
     let mut lines = Vec::new();
     let mut objects: Vec<(&str, Vec<&Change>)> = Vec::new();
+    let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     let mut renumbered = 0_u64;
     for change in changes {
         match change.kind {
             Kind::Renumbered => renumbered += 1,
-            _ if carrier(change, changes).is_some() => {}
-            kind if is_of_object(kind) => match objects.iter_mut().find(|(id, _)| *id == change.id) {
-                Some((_, own)) => own.push(change),
-                None => objects.push((&change.id, vec![change])),
-            },
+            _ if carrier(change, &told).is_some() => {}
+            kind if is_of_object(kind) => {
+                let place = *places.entry(&change.id).or_insert(objects.len());
+                if place == objects.len() {
+                    objects.push((&change.id, Vec::new()));
+                }
+                objects[place].1.push(change);
+            }
             _ => lines.push(line(change)),
         }
     }
@@ -54,20 +60,20 @@ fn is_of_object(kind: Kind) -> bool {
 }
 
 /// The object that carried another one, if that has a line of its own.
-fn carrier<'a>(change: &'a Change, changes: &[Change]) -> Option<&'a str> {
-    let with = change.with.as_deref()?;
-    changes.iter().any(|other| other.id == with && is_of_object(other.kind)).then_some(with)
+fn carrier<'a>(change: &'a Change, told: &BTreeSet<&str>) -> Option<&'a str> {
+    change.with.as_deref().filter(|with| told.contains(with))
 }
 
 /// What each object carried with it, by the object that nothing else carried.
-fn companions(changes: &[Change]) -> BTreeMap<&str, Vec<&str>> {
+fn companions<'a>(changes: &'a [Change], told: &BTreeSet<&str>) -> BTreeMap<&'a str, Vec<&'a str>> {
+    /// Deeper than people stack things, and where carriers run in a circle, deep enough.
+    const DEEPEST: usize = 64;
     let above: BTreeMap<&str, &str> =
-        changes.iter().filter_map(|change| Some((change.id.as_str(), carrier(change, changes)?))).collect();
+        changes.iter().filter_map(|change| Some((change.id.as_str(), carrier(change, told)?))).collect();
     let mut companions: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for &id in above.keys() {
-        // No deeper than there are objects, even where the carriers run in a circle.
         let chain = std::iter::successors(above.get(id), |above_it| above.get(**above_it));
-        if let Some(last) = chain.take(above.len()).last() {
+        if let Some(last) = chain.take(DEEPEST).last() {
             companions.entry(last).or_default().push(id);
         }
     }
