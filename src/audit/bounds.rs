@@ -20,4 +20,9 @@ impl Bounds {
     pub(crate) fn union(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
+
+    /// Whether it contains nothing.
+    pub(crate) fn is_empty(&self) -> bool {
+        !self.low.cmple(self.high).all()
+    }
 }

@@ -20,7 +20,7 @@ pub(crate) struct NearBoxes {
 
 impl NearBoxes {
     pub(crate) fn new(boxes: impl Iterator<Item = Bounds>) -> Self {
-        let filled = boxes.enumerate().filter(|(_, bounds)| bounds.low.cmple(bounds.high).all());
+        let filled = boxes.enumerate().filter(|(_, bounds)| !bounds.is_empty());
         let entries = filled.map(|(index, bounds)| {
             let corners = (bounds.low.to_array(), bounds.high.to_array());
             GeomWithData::new(Rectangle::from_corners(corners.0, corners.1), index)
@@ -28,10 +28,13 @@ impl NearBoxes {
         Self { tree: RTree::bulk_load(entries.collect()) }
     }
 
-    /// The boxes that share a point with another, in no order that means anything.
+    /// The boxes that share a point with another, in no order that means anything; none touches an empty one.
     pub(crate) fn touching(&self, bounds: &Bounds) -> impl Iterator<Item = usize> + use<'_> {
-        let envelope = AABB::from_corners(bounds.low.to_array(), bounds.high.to_array());
-        self.tree.locate_in_envelope_intersecting(&envelope).map(|entry| entry.data)
+        // Of an empty box the corners are swapped, which the tree would take for the box between them.
+        let around =
+            (!bounds.is_empty()).then(|| AABB::from_corners(bounds.low.to_array(), bounds.high.to_array()));
+        let found = around.map(|around| self.tree.locate_in_envelope_intersecting(&around));
+        found.into_iter().flatten().map(|entry| entry.data)
     }
 
     /// All pairs of boxes that touch, as `(lower index, higher index)`, sorted; of a box that touches more than

@@ -421,6 +421,8 @@ fn what_has_no_place_in_a_corridor_of_any_length_takes_a_bounded_number_of_steps
         assert_eq!(counted.furnished.placements, []);
         counted.steps
     };
-    let (short, long) = (steps(300.0), steps(900.0));
-    assert!(long < short * 5 / 4, "{short} steps, then {long}");
+    for length in [300.0, 1000.0, 3000.0] {
+        let steps = steps(length);
+        assert!(steps < 2 * MOST_STEPS, "{length} m: {steps} steps");
+    }
 }

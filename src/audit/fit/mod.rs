@@ -18,12 +18,13 @@ use crate::catalog::{Class, ClassIndex, Clearance, Size};
 use crate::geometry::Point;
 
 use super::subject::{Body, Subject};
-use super::thresholds::FIT_STEP;
+use super::thresholds::{FIT_STEP, MOST_STEPS};
 use footprint::{bounds_of, lowest_underside, needed_boxes};
 use spots::Trial;
 
 /// Places that are asked for at most before they are taken more coarsely: those of the largest rooms that people live
-/// in. Each is some hundred bytes where the piece may stand.
+/// in. Each is some hundred bytes where the piece may stand. Fewer where the room has so many borders that half of the
+/// budget would not suffice.
 const MOST_SPOTS: f64 = 400_000.0;
 
 /// Whether a room has a place for something.
@@ -126,7 +127,8 @@ impl Space<'_, '_> {
 
     fn free_stands(&self, class: &Class, size: Size) -> Stands {
         let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
-        let coarseness = (self.spot_count(class) / MOST_SPOTS).sqrt().ceil().max(1.0);
+        let most = MOST_SPOTS.min((MOST_STEPS / 2 / self.steps_a_spot(boxes.len())) as f64);
+        let coarseness = (self.spot_count(class) / most).sqrt().ceil().max(1.0);
         let mut stands = Vec::new();
         self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP * coarseness }, |spot, parts| {
             let parts: Vec<Footprint> =

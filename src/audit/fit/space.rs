@@ -73,6 +73,13 @@ impl<'s, 'a> Space<'s, 'a> {
         self.subject.budget.spend(steps);
     }
 
+    /// About what one place of a piece of so many parts takes: for each, whether its middle is inside, twice, and whether
+    /// a border is near.
+    pub(super) fn steps_a_spot(&self, parts: usize) -> u64 {
+        let inside = 1 + self.borders.len() as u64 / EDGES_A_STEP;
+        parts as u64 * (2 * inside + EDGES_A_STEP)
+    }
+
     /// Metres around a place within which a piece of these parts cannot stand either, where that is seen without looking
     /// at the whole piece: a border is nearer to the middle of a part than any of its edges, or the middle is outside.
     pub(super) fn blocked_around(&self, parts: &[Part], position: Point) -> Option<f64> {
