@@ -110,6 +110,7 @@ pub fn furnish(
         },
         |furnished| measure(audit, || room_audit.judge(furnished)),
         |furnished| measure(suggesting, || room_audit.suggest_places(furnished)),
+        || room_audit.steps(),
     );
     timed.steps.1 = room_audit.steps();
     (judged, timed)

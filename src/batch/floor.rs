@@ -136,6 +136,7 @@ fn furnish_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoo
         },
         judge,
         |furnished| watch.measure(Stage::Audit, || audit.suggest_places(furnished)),
+        || audit.steps(),
     );
     let Finished { judged: Judged { furnished, verdict, .. }, misfits } = match edits {
         Some(edits) => finish(level, judged, edits, catalog, judge),

@@ -94,7 +94,7 @@ pub(crate) const ALTERNATIVES_WITH_TAGS: u32 = 4;
 pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
 /// Steps of one alternative after which no further attempt begins, each about a tenth of a microsecond. Fewer lose rooms
 /// that come out well late, more make rooms slow in which something has no place.
-pub(crate) const MOST_STEPS: u64 = 1_000_000;
+pub(crate) const MOST_STEPS: u64 = 400_000;
 /// Steps of testing one place against everything in the room.
 pub(crate) const STEPS_A_TEST: u64 = 3;
 /// Steps of proposing poses at one side of a parent, and of scoring a place.

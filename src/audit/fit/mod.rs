@@ -129,18 +129,26 @@ impl Space<'_, '_> {
         let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
         let most = MOST_SPOTS.min((MOST_STEPS / 2 / self.steps_a_spot(boxes.len())) as f64);
         let coarseness = (self.spot_count(class) / most).sqrt().ceil().max(1.0);
+        let trial = Trial { class, size, boxes: &boxes, step: FIT_STEP * coarseness };
+        let stands = self.stands_of(&trial);
+        // Places that a coarse net misses are few.
+        if stands.is_empty() && coarseness > 1.0 {
+            let stands = Rc::new(self.stands_of(&Trial { step: FIT_STEP, ..trial }));
+            return Stands { stands, are_all: true };
+        }
+        Stands { stands: Rc::new(stands), are_all: coarseness == 1.0 }
+    }
+
+    fn stands_of(&self, trial: &Trial<'_>) -> Vec<Stand> {
         let mut stands = Vec::new();
-        self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP * coarseness }, |spot, parts| {
+        self.any_free(trial, |spot, parts| {
             let parts: Vec<Footprint> =
                 parts.iter().map(|part| part.footprint.moved(spot.position)).collect();
-            stands.push(Stand {
-                spot,
-                bounds: bounds_of(parts.iter().flat_map(|part| &part.corners)),
-                parts,
-            });
+            let bounds = bounds_of(parts.iter().flat_map(|part| &part.corners));
+            stands.push(Stand { spot, bounds, parts });
             false
         });
-        Stands { stands: Rc::new(stands), are_all: coarseness == 1.0 }
+        stands
     }
 }
 
