@@ -256,7 +256,8 @@ def _shaders(material) -> list:
 
 def _is_clear(shader) -> bool:
     inputs = shader.inputs
-    return inputs["Transmission Weight"].default_value > 0.5 and not inputs["Alpha"].is_linked
+    is_seen_through = inputs["Transmission Weight"].default_value > 0.5 or inputs["Alpha"].default_value < 0.5
+    return is_seen_through and not inputs["Alpha"].is_linked
 
 
 def thin_glass() -> None:
