@@ -106,34 +106,36 @@ mod tests {
     #[test]
     fn cells_come_as_from_a_heap_of_costs_and_cells() {
         for (cell_count, dearest) in [(1, 0), (64, 3), (65, 3), (5000, 18), (300_000, 75)] {
-            let (mut queue, mut heap) = (CellQueue::new(cell_count, dearest), BinaryHeap::new());
-            let mut draw = 1_u64;
-            let mut next = |most: u64| {
-                draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-                (draw >> 33) % most
-            };
-            let mut known = 0;
-            let mut waiting = std::collections::BTreeSet::new();
-            for _ in 0..2000 {
-                let cost = known + next(u64::from(dearest) + 1) as u32;
-                let cell = next(cell_count as u64) as usize;
-                if waiting.insert((cost, cell)) {
-                    queue.push(cost, cell);
-                    heap.push(Reverse((cost, cell)));
-                }
-                if next(3) == 0 {
-                    let popped = queue.pop();
-                    assert_eq!(popped, heap.pop().map(|Reverse(first)| first));
-                    known = popped.map_or(known, |(cost, cell)| {
-                        waiting.remove(&(cost, cell));
-                        cost
-                    });
-                }
-            }
-            while let Some(Reverse(first)) = heap.pop() {
-                assert_eq!(queue.pop(), Some(first));
-            }
-            assert_eq!(queue.pop(), None);
+            compare_with_heap(cell_count, dearest);
         }
+    }
+
+    fn compare_with_heap(cell_count: usize, dearest: u16) {
+        let (mut queue, mut heap) = (CellQueue::new(cell_count, dearest), BinaryHeap::new());
+        let mut draw = 1_u64;
+        let mut next = |most: u64| {
+            draw = draw.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (draw >> 33) % most
+        };
+        let mut known = 0;
+        let mut waiting = std::collections::BTreeSet::new();
+        for _ in 0..2000 {
+            let cost = known + next(u64::from(dearest) + 1) as u32;
+            let cell = next(cell_count as u64) as usize;
+            if waiting.insert((cost, cell)) {
+                queue.push(cost, cell);
+                heap.push(Reverse((cost, cell)));
+            }
+            if next(3) == 0 {
+                let popped = queue.pop();
+                assert_eq!(popped, heap.pop().map(|Reverse(first)| first));
+                popped.iter().for_each(|first| _ = waiting.remove(first));
+                known = popped.map_or(known, |(cost, _)| cost);
+            }
+        }
+        while let Some(Reverse(first)) = heap.pop() {
+            assert_eq!(queue.pop(), Some(first));
+        }
+        assert_eq!(queue.pop(), None);
     }
 }

@@ -75,14 +75,13 @@ impl Space<'_, '_> {
                     return false;
                 }
                 number += 1;
-                match self.blocked_around(parts, position) {
-                    Some(metres) => number += (metres / step) as u32,
-                    None => {
-                        let spot = Spot { position, angle, wall: None };
-                        if self.is_free(parts, position) && is_it(spot, parts) {
-                            return true;
-                        }
-                    }
+                if let Some(metres) = self.blocked_around(parts, position) {
+                    number += (metres / step) as u32;
+                    continue;
+                }
+                let spot = Spot { position, angle, wall: None };
+                if self.is_free(parts, position) && is_it(spot, parts) {
+                    return true;
                 }
             }
         }
