@@ -21,6 +21,9 @@ const PATIENCE: u32 = 3;
 /// random rooms, 91.25 % have no finding with so many, 91.34 % with half as many again, which takes the slowest rooms
 /// half as long again.
 const MOST_STEPS: u64 = 700_000;
+
+/// The same while the best room fails.
+const MOST_STEPS_OF_FAILING: u64 = 2_000_000;
 /// Steps of the audit ([`RoomAudit::steps`]) in the time of one of the layout.
 const AUDIT_STEPS_A_STEP: u64 = 40;
 
@@ -84,7 +87,7 @@ pub fn best_of(
     let mut in_vain = 0;
     for number in 1..effort {
         let is_enough = best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE);
-        if is_enough || steps + audit_steps() / AUDIT_STEPS_A_STEP >= MOST_STEPS {
+        if is_enough || steps + audit_steps() / AUDIT_STEPS_A_STEP >= best.most_steps() {
             break;
         }
         let next = make(Alternative::numbered(number), &mut steps);
@@ -117,6 +120,12 @@ impl Judged {
     fn has_no_findings(&self) -> bool {
         let (failed, minor, _) = self.flaws();
         failed + minor == 0
+    }
+
+    /// Steps after which no further alternative begins.
+    fn most_steps(&self) -> u64 {
+        let (failed, _, _) = self.flaws();
+        if failed > 0 { MOST_STEPS_OF_FAILING } else { MOST_STEPS }
     }
 
     /// Whether it fails for want of a piece.

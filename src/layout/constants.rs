@@ -95,6 +95,8 @@ pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
 /// Steps of one alternative after which no further attempt begins, each about a tenth of a microsecond. Fewer lose rooms
 /// that come out well late, more make rooms slow in which something has no place.
 pub(crate) const MOST_STEPS: u64 = 400_000;
+/// The same while a way is closed, which another attempt nearly always opens: halls of many seats take longest.
+pub(crate) const MOST_STEPS_FOR_WAYS: u64 = 3_000_000;
 /// Steps of testing one place against everything in the room.
 pub(crate) const STEPS_A_TEST: u64 = 3;
 /// Steps of proposing poses at one side of a parent, and of scoring a place.

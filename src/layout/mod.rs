@@ -55,7 +55,9 @@ use crate::plan::{Level, OpeningKind, Room};
 
 use agent::{Agent, AgentIndex, State};
 use choice::Series;
-use constants::{ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE, MOST_STEPS};
+use constants::{
+    ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE, MOST_STEPS, MOST_STEPS_FOR_WAYS,
+};
 use environment::Environment;
 use programme::Site;
 use seed::RoomKey;
@@ -197,7 +199,7 @@ impl Task<'_> {
         };
         let mut best = attempt(0);
         let (mut number, mut steps) = (1, best.told.steps);
-        while number < best.deserved_attempts(alternative.number) && steps < MOST_STEPS {
+        while number < best.deserved_attempts(alternative.number) && steps < best.most_steps() {
             let next = attempt(number);
             steps += next.told.steps;
             if next.lack() < best.lack() {
@@ -269,6 +271,11 @@ impl<T> Attempt<T> {
         let classes: BTreeSet<ClassIndex> = required().map(|removal| removal.class).collect();
         let without_any = classes.into_iter().filter(|&class| !is_there(class)).count();
         [without_any, self.closed_ways, required().count(), self.furnished.removals.len()]
+    }
+
+    /// Steps after which no further attempt begins.
+    fn most_steps(&self) -> u64 {
+        if self.closed_ways > 0 { MOST_STEPS_FOR_WAYS } else { MOST_STEPS }
     }
 
     /// How many attempts the room deserves.
