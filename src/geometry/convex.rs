@@ -18,6 +18,8 @@ pub struct Convex {
     count: usize,
     /// Opposite edges are parallel, so that half of the normals suffice.
     is_symmetric: bool,
+    /// Metres of the radius of the disc that it stands for, if that is round.
+    radius: Option<f64>,
 }
 
 impl Convex {
@@ -30,7 +32,7 @@ impl Convex {
         corners[1] = center + along - across;
         corners[2] = center + along + across;
         corners[3] = center - along + across;
-        Self { corners, count: 4, is_symmetric: true }
+        Self { corners, count: 4, is_symmetric: true, radius: None }
     }
 
     /// The polygon around an ellipse with half axes `half`, `axis` along the first.
@@ -55,7 +57,8 @@ impl Convex {
             (LONG, -SHORT),
         ];
         let corners = UNIT.map(|(x, y)| center + axis * (x * half.x) + axis.perp() * (y * half.y));
-        Self { corners, count: DISC_CORNERS, is_symmetric: true }
+        let radius = (half.x == half.y).then_some(half.x);
+        Self { corners, count: DISC_CORNERS, is_symmetric: true, radius }
     }
 
     /// A convex polygon from its counter-clockwise corners.
@@ -67,7 +70,7 @@ impl Convex {
         assert!((3..=DISC_CORNERS).contains(&points.len()), "a convex footprint has 3 to 12 corners");
         let mut corners = [Point::ZERO; DISC_CORNERS];
         corners[..points.len()].copy_from_slice(points);
-        Self { corners, count: points.len(), is_symmetric: false }
+        Self { corners, count: points.len(), is_symmetric: false, radius: None }
     }
 
     /// The corners, counter-clockwise.
@@ -114,12 +117,39 @@ impl Convex {
     /// Whether two polygons overlap by more than `tolerance` metres along every separating axis.
     #[must_use]
     pub fn overlaps(&self, other: &Self, tolerance: f64) -> bool {
+        let told = self.is_met_by_disc(other, tolerance).or_else(|| other.is_met_by_disc(self, tolerance));
+        if let Some(overlaps) = told {
+            return overlaps;
+        }
         let apart = |normal: Point| {
             let (low, high) = self.project(normal);
             let (other_low, other_high) = other.project(normal);
             is_at_most(high.min(other_high) - low.max(other_low), tolerance, normal)
         };
         !self.normals().any(apart) && (self.is_aligned_with(other) || !other.normals().any(apart))
+    }
+
+    /// [`Convex::overlaps`] of a rectangle and a round disc, where the circles in and around its corners tell: nearly
+    /// always, and in a tenth of the time.
+    fn is_met_by_disc(&self, disc: &Self, tolerance: f64) -> Option<bool> {
+        /// The circle around the corners, by that within: 1 / cos 15°.
+        const AROUND: f64 = 1.035_276_180_410_083;
+        /// Metres within which the exact test decides, far more than rounding.
+        const CLOSE: f64 = 1e-7;
+        let radius = disc.radius.filter(|_| self.is_symmetric && self.count == 4)?;
+        let from_corner = (disc.corners[0] + disc.corners[DISC_CORNERS / 2]) / 2.0 - self.corners[0];
+        let sides = [self.corners[1] - self.corners[0], self.corners[3] - self.corners[0]];
+        let lengths = sides.map(Point::length);
+        let beyond = |side: usize| {
+            let along = from_corner.dot(sides[side]) / lengths[side];
+            (-along).max(along - lengths[side]).max(0.0)
+        };
+        let distance = Point::new(beyond(0), beyond(1)).length();
+        if distance > radius * AROUND - tolerance.min(0.0) + CLOSE {
+            return Some(false);
+        }
+        let thinnest = lengths[0].min(lengths[1]).min(radius - distance);
+        (thinnest > tolerance + CLOSE).then_some(true)
     }
 
     /// Whether both are rectangles of the same directions, as most furniture of a room is: one's normals are the other's.
@@ -237,5 +267,32 @@ mod tests {
         assert!(!body.is_entered_by(Point::new(-2.0, 0.5), Point::new(2.0, 0.5), 1e-3));
         assert!(body.is_entered_by(Point::new(-2.0, 0.4), Point::new(2.0, 0.4), 1e-3));
         assert!(!body.is_entered_by(Point::new(0.6, 0.0), Point::new(2.0, 0.0), 1e-3));
+    }
+
+    #[test]
+    fn circles_tell_of_discs_what_all_axes_tell() {
+        let all_axes = |a: &Convex, b: &Convex, tolerance: f64| {
+            let plain = |shape: &Convex| Convex { radius: None, ..*shape };
+            plain(a).overlaps(&plain(b), tolerance)
+        };
+        let (mut told, mut met) = (0, 0);
+        for number in 0..4000 {
+            let at = |step: f64| (f64::from(number) * step).rem_euclid(1.0);
+            let place = Point::new(at(0.618_034), at(0.414_214)) * 2.0 - 1.0;
+            let half = Point::new(at(0.732_051), at(0.236_068)).max(Point::splat(1e-3));
+            let rectangle = Convex::rectangle(place, half, Point::from_angle(at(0.302_776) * 7.0));
+            let disc = Convex::disc(Point::ZERO, Point::splat(0.3), Point::from_angle(at(0.162_278)));
+            for tolerance in [-0.01, 0.0, 5e-4, 0.01] {
+                let expected = all_axes(&rectangle, &disc, tolerance);
+                assert_eq!(rectangle.overlaps(&disc, tolerance), expected, "{number} {tolerance}");
+                assert_eq!(disc.overlaps(&rectangle, tolerance), expected, "{number} {tolerance}");
+                told += usize::from(rectangle.is_met_by_disc(&disc, tolerance).is_some());
+                met += usize::from(expected);
+            }
+        }
+        assert!(told > 15_000 && met > 4_000 && met < 12_000, "{told} {met}");
+        let flat = Convex::rectangle(Point::ZERO, Point::new(0.5, 0.0), Point::X);
+        let disc = Convex::disc(Point::ZERO, Point::splat(0.3), Point::X);
+        assert_eq!(flat.overlaps(&disc, 5e-4), all_axes(&flat, &disc, 5e-4));
     }
 }

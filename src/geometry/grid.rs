@@ -1,11 +1,13 @@
 //! A uniform grid over a room: the broad phase of collision and containment.
 
-use super::Point;
+use super::{Convex, Point, edges};
 
 /// Metres of a cell; about the size of one piece of furniture, so that most bodies lie in one to four cells.
 const CELL: f64 = 1.0;
 /// Cells along one axis at most; larger halls get larger cells.
 const MAXIMUM_CELLS: usize = 64;
+/// Metres that rounding may shift the edge of a cell, and far more.
+const ROUNDING: f64 = 1e-6;
 const NONE: u32 = u32::MAX;
 
 /// Items by the cells that their bounding boxes touch. Items are numbers of the caller's; an item may be
@@ -110,6 +112,47 @@ impl Grid {
             false
         });
     }
+
+    /// The same for every item whose cells meet a convex polygon: far fewer than meet its box, where it is the strip
+    /// along a slanted wall.
+    pub fn each_under(&self, base: &Convex, mut visit: impl FnMut(u32)) {
+        let (left, right, bottom, top) = self.cells(base.bounds());
+        for row in bottom..=top {
+            // Cells of the border hold what lies outside, too.
+            let low = if row == 0 { f64::NEG_INFINITY } else { self.bottom_of(row) };
+            let high = if row + 1 == self.rows { f64::INFINITY } else { self.bottom_of(row + 1) };
+            let Some((from, to)) = extent_between(base, (low - ROUNDING, high + ROUNDING)) else { continue };
+            let (from, to) = (self.column_of(from - ROUNDING), self.column_of(to + ROUNDING));
+            for column in from.max(left)..=to.min(right) {
+                self.items(row * self.columns + column).for_each(&mut visit);
+            }
+        }
+    }
+
+    fn bottom_of(&self, row: usize) -> f64 {
+        self.origin.y + row as f64 / self.scale.y
+    }
+
+    fn column_of(&self, x: f64) -> usize {
+        (((x - self.origin.x) * self.scale.x).max(0.0) as usize).min(self.columns - 1)
+    }
+}
+
+/// Lowest and highest x of what a polygon has between two heights of the plan; `None` where it has nothing there.
+fn extent_between(base: &Convex, (low, high): (f64, f64)) -> Option<(f64, f64)> {
+    let mut extent = None;
+    for (a, b) in edges(base.corners()) {
+        let (lower, upper) = if a.y <= b.y { (a, b) } else { (b, a) };
+        if upper.y < low || lower.y > high {
+            continue;
+        }
+        let at = |y: f64| lower.x + (upper.x - lower.x) * ((y - lower.y) / (upper.y - lower.y));
+        let start = if lower.y < low { at(low) } else { lower.x };
+        let end = if upper.y > high { at(high) } else { upper.x };
+        let (from, to) = extent.unwrap_or((start, start));
+        extent = Some((start.min(end).min(from), start.max(end).max(to)));
+    }
+    extent
 }
 
 #[cfg(test)]
@@ -137,5 +180,30 @@ mod tests {
         let mut grid = Grid::new(Point::ZERO, Point::splat(4.0));
         grid.insert(1, (Point::splat(-3.0), Point::splat(-2.0)));
         assert!(grid.any((Point::splat(-5.0), Point::splat(-1.0)), |item| item == 1));
+    }
+
+    #[test]
+    fn under_a_slanted_strip_is_all_that_it_meets_and_little_else() {
+        let mut grid = Grid::new(Point::ZERO, Point::splat(20.0));
+        let box_of = |item: u32| {
+            let low = Point::new(f64::from(item % 23), f64::from(item / 23)) - 1.5;
+            (low, low + 0.6)
+        };
+        (0..23 * 23).for_each(|item| grid.insert(item, box_of(item)));
+        for turn in 0..12 {
+            let axis = Point::from_angle(f64::from(turn) * 0.27);
+            let strip = Convex::rectangle(Point::new(10.0, 9.5), Point::new(11.0, 0.3), axis);
+            let mut found = std::collections::BTreeSet::new();
+            grid.each_under(&strip, |item| {
+                found.insert(item);
+            });
+            let is_met = |&item: &u32| {
+                let (low, high) = box_of(item);
+                Convex::rectangle((low + high) / 2.0, (high - low) / 2.0, Point::X).overlaps(&strip, 0.0)
+            };
+            let met: Vec<u32> = (0..23 * 23).filter(is_met).collect();
+            assert!(met.len() > 10 && met.iter().all(|item| found.contains(item)), "turn {turn}");
+            assert!(found.len() < 140, "turn {turn}: {}", found.len());
+        }
     }
 }

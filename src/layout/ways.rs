@@ -22,6 +22,7 @@ use super::turning::has_required;
 /// Clears the ways that resting agents close, and keeps them free from then on. Returns how many stay closed, or do not
 /// only because pieces were left out.
 pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
+    let mut kept = BTreeSet::new();
     for _ in 0..WAY_ROUNDS {
         let ways = all_closed_ways(environment);
         let in_the_way = who_goes(environment, &ways);
@@ -31,7 +32,9 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
         for ClosedWay { way, .. } in &ways {
             let half = Point::splat(way.width / 2.0);
             let height = environment.catalog.audit.walking.body_height;
-            for &place in &way.narrows {
+            // Many ways lead through one gap.
+            let bits = |place: &Point| [place.x, place.y, way.width].map(f64::to_bits);
+            for &place in way.narrows.iter().filter(|place| kept.insert(bits(place))) {
                 environment.keep_free(Solid::new(Convex::disc(place, half, Point::X), 0.0, height));
             }
         }

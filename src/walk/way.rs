@@ -1,6 +1,6 @@
 //! Ways that furniture closes, and where.
 
-use core::cell::OnceCell;
+use core::cell::{LazyCell, OnceCell};
 
 use crate::catalog::WalkingRules;
 use crate::geometry::Point;
@@ -35,11 +35,13 @@ pub(crate) fn blocked_ways(
         return Vec::new();
     }
     let empty = empty();
-    let narrow = Ways::new((empty.walk(rules.narrow_person), floor.walk(rules.narrow_person)), home);
-    let wide = Ways::new((empty.walk(rules.person), walk), home);
+    let wide = Passage::new((empty.walk(rules.person), walk), home);
+    let narrow = LazyCell::new(|| {
+        Passage::new((empty.walk(rules.narrow_person), floor.walk(rules.narrow_person)), home)
+    });
     let way = |&(index, goal): &(usize, Goal<'_>)| {
-        let ways = [&wide, &narrow].into_iter().find(|ways| ways.empty.reaches(home, goal))?;
-        (!ways.walk.reaches(home, goal)).then(|| ways.way_to(index, goal))
+        let passage = if wide.is_possible(goal) { &wide } else { &*narrow };
+        (passage.is_possible(goal) && !passage.is_open(goal)).then(|| passage.way_to(index, goal))
     };
     missed.iter().filter_map(way).collect()
 }
@@ -83,49 +85,84 @@ impl<'f> EmptyWalks<'f> {
     }
 }
 
+/// Where people of one width get to from a door.
+struct Passage<'f> {
+    /// What the empty room allows.
+    empty: Walk<'f>,
+    /// What the furnished room allows.
+    walk: Walk<'f>,
+    home: usize,
+    /// The least distance of cells where the disc may be.
+    least: u16,
+    /// Made where a way is asked for: it takes longer than all else.
+    routes: OnceCell<Routes>,
+}
+
+/// The ways from a door to everywhere that ask furniture for least room.
+struct Routes {
+    /// What the way to a cell lacks, by cell; beyond all others where no way leads.
+    costs: Vec<u32>,
+    /// The cell before, or [`NOWHERE`] at the door.
+    came_from: Vec<u32>,
+}
+
 const NOWHERE: u32 = u32::MAX;
 
 fn number(cell: usize) -> u32 {
     u32::try_from(cell).expect("floors have fewer than 2^32 cells")
 }
 
-/// The ways from a door to everywhere that ask furniture for least room (E. Dijkstra 1959, on cells): cells where
-/// the disc may be cost nothing, others what their distance lacks.
-struct Ways<'f> {
-    /// What the empty room allows.
-    empty: Walk<'f>,
-    /// What the furnished room allows.
-    walk: Walk<'f>,
-    /// The least distance of cells where the disc may be.
-    least: u16,
-    /// By cell; beyond all others where no way leads.
-    costs: Vec<u32>,
-    /// The cell before, or [`NOWHERE`] at the door.
-    came_from: Vec<u32>,
-}
-
-impl<'f> Ways<'f> {
+impl<'f> Passage<'f> {
     fn new((empty, walk): (Walk<'f>, Walk<'f>), home: usize) -> Self {
-        let cell_count = walk.floor.distances.len();
         let least = walk.floor.raster.least_distance(walk.diameter);
-        let (costs, came_from) = (vec![u32::MAX; cell_count], vec![NOWHERE; cell_count]);
-        let mut ways = Self { empty, walk, least, costs, came_from };
-        let mut waiting = CellQueue::new(cell_count, least);
-        let walk = &ways.walk;
-        let starts = walk.cells(walk.group(home)).chain(walk.threshold(home));
-        let starts: Vec<usize> = starts.filter(|&cell| ways.is_possible(cell)).collect();
+        Self { empty, walk, home, least, routes: OnceCell::new() }
+    }
+
+    /// Whether the empty room has a way to a goal.
+    fn is_possible(&self, goal: Goal<'_>) -> bool {
+        self.empty.reaches(self.home, goal)
+    }
+
+    /// Whether the furnished room has one.
+    fn is_open(&self, goal: Goal<'_>) -> bool {
+        self.walk.reaches(self.home, goal)
+    }
+
+    /// The ways from the door to everywhere (E. Dijkstra 1959, on cells): cells where the disc may be cost nothing, others
+    /// what their distance lacks.
+    fn routes(&self) -> Routes {
+        let cell_count = self.walk.floor.distances.len();
+        let mut routes = Routes { costs: vec![u32::MAX; cell_count], came_from: vec![NOWHERE; cell_count] };
+        let starts = self.walk.cells(self.walk.group(self.home)).chain(self.walk.threshold(self.home));
+        let starts: Vec<usize> = starts.filter(|&cell| self.allows(cell)).collect();
         for &cell in &starts {
-            ways.costs[cell] = ways.cost(cell);
+            routes.costs[cell] = self.cost(cell);
         }
         // Nearly all of a floor lies where ways begin, and where all around is free too, none begins.
-        let begins = |&cell: &usize| {
-            ways.costs[cell] > 0 || ways.around(cell).into_iter().any(|next| ways.costs[next] > 0)
-        };
+        let costs = &routes.costs;
+        let begins =
+            |&cell: &usize| costs[cell] > 0 || self.around(cell).into_iter().any(|next| costs[next] > 0);
+        let mut waiting = CellQueue::new(cell_count, self.least);
         for cell in starts.into_iter().filter(begins) {
-            waiting.push(ways.costs[cell], cell);
+            waiting.push(costs[cell], cell);
         }
-        ways.spread(waiting);
-        ways
+        self.spread(waiting, &mut routes);
+        routes
+    }
+
+    fn spread(&self, mut waiting: CellQueue, routes: &mut Routes) {
+        while let Some((known, cell)) = waiting.pop() {
+            if known > routes.costs[cell] {
+                continue;
+            }
+            for next in self.around(cell) {
+                let total = known + self.cost(next);
+                if total < routes.costs[next] && self.allows(next) {
+                    (routes.costs[next], routes.came_from[next]) = (total, number(cell));
+                    waiting.push(total, next);
+                }
+            }
+        }
     }
 
     /// The cells around one where a disc may be, which is never at the edge of the grid.
@@ -135,40 +172,27 @@ impl<'f> Ways<'f> {
         [before - 1, before, before + 1, cell - 1, cell + 1, after - 1, after, after + 1]
     }
 
-    fn spread(&mut self, mut waiting: CellQueue) {
-        while let Some((known, cell)) = waiting.pop() {
-            if known > self.costs[cell] {
-                continue;
-            }
-            for next in self.around(cell) {
-                let total = known + self.cost(next);
-                if total < self.costs[next] && self.is_possible(next) {
-                    (self.costs[next], self.came_from[next]) = (total, number(cell));
-                    waiting.push(total, next);
-                }
-            }
-        }
-    }
-
     /// What of its distance a cell lacks.
     fn cost(&self, cell: usize) -> u32 {
         u32::from(self.least.saturating_sub(self.walk.floor.distances[cell]))
     }
 
-    fn is_possible(&self, cell: usize) -> bool {
+    /// Whether the disc may be at a cell of the empty room.
+    fn allows(&self, cell: usize) -> bool {
         self.empty.floor.distances[cell] >= self.least
     }
 
     /// The cheapest way to a goal of an index.
     fn way_to(&self, index: usize, goal: Goal<'_>) -> Way {
+        let Routes { costs, came_from } = self.routes.get_or_init(|| self.routes());
         let ends: Vec<usize> = match goal {
             Goal::Door(door) => self.walk.threshold(door).collect(),
             Goal::Area(area) => self.empty.touching(area),
         };
-        let reached = ends.into_iter().filter(|&cell| self.costs[cell] < u32::MAX);
-        let end = reached.min_by_key(|&cell| (self.costs[cell], cell));
+        let reached = ends.into_iter().filter(|&cell| costs[cell] < u32::MAX);
+        let end = reached.min_by_key(|&cell| (costs[cell], cell));
         let before = |&cell: &usize| {
-            Some(self.came_from[cell]).filter(|&before| before != NOWHERE).map(|before| before as usize)
+            Some(came_from[cell]).filter(|&before| before != NOWHERE).map(|before| before as usize)
         };
         let cells = core::iter::successors(end, before);
         let narrow = cells.filter(|&cell| self.cost(cell) > 0);

@@ -149,9 +149,9 @@ impl Environment<'_> {
 
     /// Calls `visit` with every region that is good to have free and meets another.
     pub(crate) fn each_comfort(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
-        self.clearance_grid.each(region.bounds, |index| {
+        self.clearance_grid.each_under(&region.base, |index| {
             let comfort = &self.clearances[index as usize].comfort;
-            if comfort.overlaps(region, CLEARANCE_TOLERANCE) {
+            if region.overlaps(comfort, CLEARANCE_TOLERANCE) {
                 visit(comfort);
             }
         });
@@ -160,10 +160,10 @@ impl Environment<'_> {
     /// Calls `visit` with every place of a seat in a region, and, for a region where a seat will stand, with every
     /// other clearance too.
     pub(crate) fn each_claim(&self, region: &Solid, is_seat: bool, mut visit: impl FnMut(&Solid)) {
-        self.clearance_grid.each(region.bounds, |index| {
+        self.clearance_grid.each_under(&region.base, |index| {
             let other = &self.clearances[index as usize];
             let claimed = other.seat.as_ref().or(is_seat.then_some(&other.solid));
-            if let Some(claimed) = claimed.filter(|solid| solid.overlaps(region, CLEARANCE_TOLERANCE)) {
+            if let Some(claimed) = claimed.filter(|solid| region.overlaps(solid, CLEARANCE_TOLERANCE)) {
                 visit(claimed);
             }
         });

@@ -9,9 +9,10 @@ use super::{Border, Environment, Place, ROOM};
 impl Environment<'_> {
     /// Calls `visit` with every body that meets a region, relatives of nobody excepted.
     pub(crate) fn each_obstacle(&self, region: &Solid, mut visit: impl FnMut(&Solid, bool)) {
-        self.body_grid.each(region.bounds, |index| {
+        self.body_grid.each_under(&region.base, |index| {
             let body = &self.bodies[index as usize];
-            if body.solid.overlaps(region, CONTACT_TOLERANCE) {
+            // The sides of a region along a wall are what most bodies lie apart from: they are asked first.
+            if region.overlaps(&body.solid, CONTACT_TOLERANCE) {
                 visit(&body.solid, body.is_flat);
             }
         });
@@ -19,15 +20,15 @@ impl Environment<'_> {
 
     /// Calls `visit` with every door's way and clearance that meets a region.
     pub(crate) fn each_kept_free(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
-        self.kept_free_grid.each(region.bounds, |index| {
+        self.kept_free_grid.each_under(&region.base, |index| {
             let solid = &self.surroundings.kept_free[index as usize];
-            if solid.overlaps(region, CONTACT_TOLERANCE) {
+            if region.overlaps(solid, CONTACT_TOLERANCE) {
                 visit(solid);
             }
         });
-        self.clearance_grid.each(region.bounds, |index| {
+        self.clearance_grid.each_under(&region.base, |index| {
             let solid = &self.clearances[index as usize].solid;
-            if solid.overlaps(region, CLEARANCE_TOLERANCE) {
+            if region.overlaps(solid, CLEARANCE_TOLERANCE) {
                 visit(solid);
             }
         });
@@ -53,7 +54,7 @@ impl Environment<'_> {
 
     /// Calls `visit` with every border of the room near a region.
     pub(crate) fn each_border(&self, region: &Solid, mut visit: impl FnMut(&Border)) {
-        self.border_grid.each(region.bounds, |index| visit(&self.borders[index as usize]));
+        self.border_grid.each_under(&region.base, |index| visit(&self.borders[index as usize]));
     }
 
     /// Calls `visit` with every part of a resting agent near a place, and its owner.
