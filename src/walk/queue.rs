@@ -46,13 +46,14 @@ impl CellQueue {
         }
     }
 
-    /// The cheapest cell with the cost that it was put in with; each time it was put in, unless twice at one cost.
-    pub(super) fn pop(&mut self) -> Option<(u32, usize)> {
+    /// The cheapest cell with the cost that it was put in with, if that is `most` at most; each time it was put in, unless
+    /// twice at one cost.
+    pub(super) fn pop_up_to(&mut self, most: u32) -> Option<(u32, usize)> {
         loop {
             if let Some(cell) = self.take_first() {
                 return Some((self.cost, cell));
             }
-            if self.later_count == 0 {
+            if self.later_count == 0 || self.cost >= most {
                 return None;
             }
             self.cost += 1;
@@ -61,6 +62,11 @@ impl CellQueue {
             self.later_count -= cells.len();
             cells.iter().for_each(|&cell| self.insert(cell as usize));
         }
+    }
+
+    /// Whether no cell waits.
+    pub(super) fn is_empty(&self) -> bool {
+        self.later_count == 0 && self.layers.last().is_none_or(|root| root[0] == 0)
     }
 
     fn insert(&mut self, cell: usize) {
@@ -127,15 +133,26 @@ mod tests {
                 heap.push(Reverse((cost, cell)));
             }
             if next(3) == 0 {
-                let popped = queue.pop();
+                let popped = queue.pop_up_to(u32::MAX);
                 assert_eq!(popped, heap.pop().map(|Reverse(first)| first));
                 popped.iter().for_each(|first| _ = waiting.remove(first));
                 known = popped.map_or(known, |(cost, _)| cost);
             }
         }
         while let Some(Reverse(first)) = heap.pop() {
-            assert_eq!(queue.pop(), Some(first));
+            assert_eq!(queue.pop_up_to(u32::MAX), Some(first));
         }
-        assert_eq!(queue.pop(), None);
+        assert_eq!(queue.pop_up_to(u32::MAX), None);
+    }
+
+    #[test]
+    fn what_costs_more_waits() {
+        let mut queue = CellQueue::new(100, 10);
+        queue.push(3, 7);
+        queue.push(5, 2);
+        assert_eq!((queue.pop_up_to(2), queue.pop_up_to(4)), (None, Some((3, 7))));
+        queue.push(4, 9);
+        assert_eq!((queue.pop_up_to(4), queue.pop_up_to(4), queue.is_empty()), (Some((4, 9)), None, false));
+        assert_eq!((queue.pop_up_to(5), queue.pop_up_to(9), queue.is_empty()), (Some((5, 2)), None, true));
     }
 }

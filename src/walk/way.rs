@@ -1,6 +1,6 @@
 //! Ways that furniture closes, and where.
 
-use core::cell::{LazyCell, OnceCell};
+use core::cell::{LazyCell, OnceCell, RefCell};
 
 use crate::catalog::WalkingRules;
 use crate::geometry::Point;
@@ -94,12 +94,16 @@ struct Passage<'f> {
     home: usize,
     /// The least distance of cells where the disc may be.
     least: u16,
-    /// Made where a way is asked for: it takes longer than all else.
-    routes: OnceCell<Routes>,
+    /// Made where a way is asked for, and as far as that leads: it takes longer than all else.
+    routes: OnceCell<RefCell<Routes>>,
 }
 
-/// The ways from a door to everywhere that ask furniture for least room.
+/// The ways from a door that ask furniture for least room.
 struct Routes {
+    /// Cells from which ways may lead on.
+    waiting: CellQueue,
+    /// All ways that lack so much at most are known.
+    known: u32,
     /// What the way to a cell lacks, by cell; beyond all others where no way leads.
     costs: Vec<u32>,
     /// The cell before, or [`NOWHERE`] at the door.
@@ -128,40 +132,57 @@ impl<'f> Passage<'f> {
         self.walk.reaches(self.home, goal)
     }
 
-    /// The ways from the door to everywhere (E. Dijkstra 1959, on cells): cells where the disc may be cost nothing, others
-    /// what their distance lacks.
+    /// The ways from the door (E. Dijkstra 1959, on cells) before the first step: cells where the disc may be cost nothing,
+    /// others what their distance lacks.
     fn routes(&self) -> Routes {
         let cell_count = self.walk.floor.distances.len();
-        let mut routes = Routes { costs: vec![u32::MAX; cell_count], came_from: vec![NOWHERE; cell_count] };
+        let (mut costs, came_from) = (vec![u32::MAX; cell_count], vec![NOWHERE; cell_count]);
         let starts = self.walk.cells(self.walk.group(self.home)).chain(self.walk.threshold(self.home));
         let starts: Vec<usize> = starts.filter(|&cell| self.allows(cell)).collect();
         for &cell in &starts {
-            routes.costs[cell] = self.cost(cell);
+            costs[cell] = self.cost(cell);
         }
         // Nearly all of a floor lies where ways begin, and where all around is free too, none begins.
-        let costs = &routes.costs;
         let begins =
             |&cell: &usize| costs[cell] > 0 || self.around(cell).into_iter().any(|next| costs[next] > 0);
         let mut waiting = CellQueue::new(cell_count, self.least);
         for cell in starts.into_iter().filter(begins) {
             waiting.push(costs[cell], cell);
         }
-        self.spread(waiting, &mut routes);
-        routes
+        Routes { waiting, known: 0, costs, came_from }
     }
 
-    fn spread(&self, mut waiting: CellQueue, routes: &mut Routes) {
-        while let Some((known, cell)) = waiting.pop() {
-            if known > routes.costs[cell] {
+    /// Goes on with all ways that lack so much at most.
+    fn spread(&self, routes: &mut Routes, most: u32) {
+        let Routes { waiting, known, costs, came_from } = routes;
+        while let Some((cost, cell)) = waiting.pop_up_to(most) {
+            if cost > costs[cell] {
                 continue;
             }
             for next in self.around(cell) {
-                let total = known + self.cost(next);
-                if total < routes.costs[next] && self.allows(next) {
-                    (routes.costs[next], routes.came_from[next]) = (total, number(cell));
+                let total = cost + self.cost(next);
+                if total < costs[next] && self.allows(next) {
+                    (costs[next], came_from[next]) = (total, number(cell));
                     waiting.push(total, next);
                 }
             }
+        }
+        *known = most;
+    }
+
+    /// The cell among some that the cheapest way leads to, of equals the first in the grid.
+    fn nearest(&self, routes: &mut Routes, ends: &[usize]) -> Option<usize> {
+        self.spread(routes, routes.known);
+        loop {
+            let cheapest = ends.iter().map(|&end| (routes.costs[end], end)).min()?;
+            if cheapest.0 <= routes.known {
+                return Some(cheapest.1);
+            }
+            if routes.waiting.is_empty() {
+                return (cheapest.0 < u32::MAX).then_some(cheapest.1);
+            }
+            let most = if cheapest.0 < u32::MAX { cheapest.0 } else { routes.known + u32::from(self.least) };
+            self.spread(routes, most);
         }
     }
 
@@ -184,15 +205,14 @@ impl<'f> Passage<'f> {
 
     /// The cheapest way to a goal of an index.
     fn way_to(&self, index: usize, goal: Goal<'_>) -> Way {
-        let Routes { costs, came_from } = self.routes.get_or_init(|| self.routes());
         let ends: Vec<usize> = match goal {
             Goal::Door(door) => self.walk.threshold(door).collect(),
             Goal::Area(area) => self.empty.touching(area),
         };
-        let reached = ends.into_iter().filter(|&cell| costs[cell] < u32::MAX);
-        let end = reached.min_by_key(|&cell| (costs[cell], cell));
+        let mut routes = self.routes.get_or_init(|| RefCell::new(self.routes())).borrow_mut();
+        let end = self.nearest(&mut routes, &ends);
         let before = |&cell: &usize| {
-            Some(came_from[cell]).filter(|&before| before != NOWHERE).map(|before| before as usize)
+            Some(routes.came_from[cell] as usize).filter(|&before| before != NOWHERE as usize)
         };
         let cells = core::iter::successors(end, before);
         let narrow = cells.filter(|&cell| self.cost(cell) > 0);
