@@ -18,12 +18,12 @@ pub const DEFAULT_EFFORT: u32 = 16;
 const PATIENCE: u32 = 3;
 
 /// Steps of the layout ([`Counted`]) and of the audit's searches after which no further alternative begins. Of 10,432
-/// random rooms, 91.25 % have no finding with so many, 91.34 % with half as many again, which takes the slowest rooms
-/// half as long again.
+/// random rooms, 91.3 % have no finding with so many, and 91.5 % without a limit, where the slowest takes fifty times as
+/// long.
 const MOST_STEPS: u64 = 700_000;
 
 /// The same while the best room fails.
-const MOST_STEPS_OF_FAILING: u64 = 2_000_000;
+const MOST_STEPS_OF_FAILING: u64 = 1_600_000;
 /// Steps of the audit ([`RoomAudit::steps`]) in the time of one of the layout.
 const AUDIT_STEPS_A_STEP: u64 = 40;
 
