@@ -19,6 +19,8 @@ pub mod draw;
 pub mod edits;
 pub mod geometry;
 pub mod gltf;
+#[cfg(test)]
+mod growth;
 pub mod handbook;
 pub mod layout;
 pub mod model;

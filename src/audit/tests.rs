@@ -8,7 +8,8 @@ use crate::audit::thresholds::MOST_STEPS;
 use crate::audit::together::{Together, place_together};
 use crate::audit::{Code, RoomAudit, Severity, judge};
 use crate::geometry::{Point, direction};
-use crate::layout::Parent;
+use crate::growth::growth;
+use crate::layout::{Furnished, Parent};
 
 /// Teeth a metre wide that hang from a corridor a metre wide; no chest of a metre fits in.
 fn comb(teeth: u32, depth: f64) -> TestRoom {
@@ -111,27 +112,19 @@ fn hall(tables: u32, is_heap: bool) -> TestRoom {
     room
 }
 
-/// The least of some times, in seconds.
-fn time_of(work: impl Fn()) -> f64 {
-    let once = |_| {
-        let started = std::time::Instant::now();
-        work();
-        started.elapsed().as_secs_f64()
-    };
-    (0..2).map(once).fold(f64::INFINITY, f64::min)
-}
-
 #[test]
-fn eight_times_the_pieces_are_judged_in_little_more_than_eight_times_as_long() {
+fn the_time_of_a_verdict_grows_as_the_pieces_do() {
     for is_heap in [false, true] {
-        let judge = |tables: u32| {
-            let room = hall(tables, is_heap);
-            let furnished = room.furnished();
-            time_of(|| drop(crate::audit::judge_room(&room.level, 0, &furnished, &room.catalog)))
+        let furnish = |tables: usize| {
+            let room = hall(u32::try_from(tables).unwrap(), is_heap);
+            (room.furnished(), room)
         };
-        // 8^1.3 is 15, of which a busy machine may make some more, but not each time; 8 squared is 64.
-        let is_near = |_| judge(480) / judge(60) < 20.0;
-        assert!((0..5).any(is_near), "heap: {is_heap}");
+        let judge = |(furnished, room): (Furnished, TestRoom)| {
+            drop(crate::audit::judge_room(&room.level, 0, &furnished, &room.catalog));
+        };
+        // From where a heap has as many neighbours as are looked at.
+        let power = growth((480, 4), 1.3, furnish, judge);
+        assert!(power < 1.3, "heap: {is_heap}: {power}");
     }
 }
 

@@ -364,17 +364,9 @@ mod tests {
     #[test]
     fn many_keys_of_a_mapping_take_time_by_their_number() {
         let text = |count: usize| (0..count).map(|key| format!("k{key}: 1\n")).collect::<String>();
-        let time = |text: &str| {
-            let once = |_| {
-                let start = std::time::Instant::now();
-                assert!(Tree::parse(text).unwrap().flaws.is_empty());
-                start.elapsed()
-            };
-            (0..5).map(once).min().unwrap().as_secs_f64()
-        };
-        // Eight times as many keys: 8^1.3 = 15, comparing all with all 64.
-        let ratio = time(&text(16_000)) / time(&text(2_000));
-        assert!(ratio < 25.0, "{ratio}");
+        let parse = |text: String| assert!(Tree::parse(&text).unwrap().flaws.is_empty());
+        let power = crate::growth::growth((2_000, 8), 1.3, text, parse);
+        assert!(power < 1.3, "{power}");
     }
 
     #[test]

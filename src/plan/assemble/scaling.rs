@@ -1,6 +1,7 @@
 //! Time grows with the size of a plan by a power of 1.3 at most: twice the rooms take less than two and a half times as long.
 
-use crate::plan::sample::{at, growth, level, opening, points, rectangle};
+use crate::growth::growth;
+use crate::plan::sample::{at, level, opening, points, rectangle};
 use crate::plan::{LevelDraft, ObstacleDraft, OpeningKind, OutlineKind, RoomDraft, assemble_level};
 
 /// Power of the size by which time may grow.

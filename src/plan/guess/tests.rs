@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use super::*;
 use crate::catalog::load_catalog;
+use crate::growth::growth;
 use crate::plan::read::real_data::{drafts, folder};
-use crate::plan::sample::{at, growth, level, neighbours, opening, points, rectangle};
+use crate::plan::sample::{at, level, neighbours, opening, points, rectangle};
 use crate::plan::{OpeningDraft, OpeningKind, RoomDraft, assemble_level};
 
 fn words() -> RoomWords {

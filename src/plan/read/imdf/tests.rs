@@ -7,9 +7,9 @@ use geo::{Distance, Euclidean};
 use super::{read, recognises};
 use crate::document::Faults;
 use crate::geometry::Point;
+use crate::growth::growth;
 use crate::plan::read::DraftedBuilding;
 use crate::plan::read::real_data::{folder, words};
-use crate::plan::sample::growth;
 use crate::plan::{LevelDraft, OpeningPlace, assemble_level};
 
 fn university() -> Option<Vec<DraftedBuilding>> {
