@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import multiprocessing
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 
 DIED = "the process that read it died"
+# No copies of this process: USD has threads of its own, and a copy waits for ever for a lock that one of them held.
+FRESH = multiprocessing.get_context("forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn")
 
 
 def outcomes(work: Callable, items: Sequence, processes: int) -> Iterator:
     """What `work` gives for each item, in their order, or the exception that it raised."""
-    with ProcessPoolExecutor(max_workers=max(1, min(processes, len(items)))) as pool:
+    with ProcessPoolExecutor(max(1, min(processes, len(items))), mp_context=FRESH) as pool:
         futures = [pool.submit(work, item) for item in items]
         for future, item in zip(futures, items):
             outcome = outcome_of(future)
@@ -21,7 +24,7 @@ def outcomes(work: Callable, items: Sequence, processes: int) -> Iterator:
 
 def alone(work: Callable, item) -> object:
     """The outcome of work in a process of its own."""
-    with ProcessPoolExecutor(max_workers=1) as pool:
+    with ProcessPoolExecutor(1, mp_context=FRESH) as pool:
         outcome = outcome_of(pool.submit(work, item))
     return RuntimeError(DIED) if isinstance(outcome, BrokenProcessPool) else outcome
 

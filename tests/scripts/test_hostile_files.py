@@ -207,6 +207,21 @@ def dies_at_two(number: int) -> int:
     return number
 
 
+HERE = []
+
+
+def test_workers_are_no_copies_whose_locks_nobody_opens():
+    from workers import outcomes
+
+    HERE.append("a lock that a thread of this process holds")
+    assert list(outcomes(what_is_here, [1, 2], 2)) == [[], []]
+    HERE.clear()
+
+
+def what_is_here(_number: int) -> list[str]:
+    return HERE
+
+
 # --- mutations: nothing is raised, written elsewhere, or takes long, whatever stands in a file ---
 
 
