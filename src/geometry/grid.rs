@@ -116,7 +116,12 @@ impl Grid {
     /// The same for every item whose cells meet a convex polygon: far fewer than meet its box, where it is the strip
     /// along a slanted wall.
     pub fn each_under(&self, base: &Convex, mut visit: impl FnMut(u32)) {
-        let (left, right, bottom, top) = self.cells(base.bounds());
+        let bounds = base.bounds();
+        let (left, right, bottom, top) = self.cells(bounds);
+        if left == right || bottom == top {
+            // Along an axis, as most walls run, the box is the strip.
+            return self.each(bounds, visit);
+        }
         for row in bottom..=top {
             // Cells of the border hold what lies outside, too.
             let low = if row == 0 { f64::NEG_INFINITY } else { self.bottom_of(row) };

@@ -1,9 +1,9 @@
 //! The image of a palette's plain colours: a square of one pixel for each slot.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use super::encode::png;
-use super::surface::sample;
+use super::surface::{SURFACES, sample};
 use crate::catalog::{MATERIAL_SLOTS, Material, srgb_encoded};
 use crate::model::{Image, SWATCHES_PER_SIDE, Texture, TextureSampler, TextureUse};
 
@@ -23,7 +23,7 @@ pub(crate) fn swatch_textures(
     let strongest = materials.iter().flat_map(light).fold(1.0, f32::max);
     let mut images = [Vec::new(), Vec::new(), Vec::new()];
     for one in &materials {
-        let (shade, rough) = one.texture.map_or((1.0, 1.0), average);
+        let (shade, rough) = one.texture.map_or((1.0, 1.0), known_average);
         let encoded = |linear: f32, factor: f64| byte(srgb_encoded(f64::from(linear) * factor));
         let [red, green, blue, _] = one.base_color;
         images[0].extend([red, green, blue].map(|channel| encoded(channel, shade)));
@@ -47,6 +47,14 @@ fn texture(name: String, mut pixels: Vec<u8>) -> Texture {
     let bytes = png(&pixels, SWATCHES_PER_SIDE, 3);
     let image = Image { name: Some(name), mime_type: "image/png".to_owned(), bytes, uri: None };
     Texture::plain(Arc::new(image), TextureSampler::default())
+}
+
+/// [`average`], taken once a run: each level has swatches, which would sample every surface anew.
+fn known_average(surface: &str) -> (f64, f64) {
+    static AVERAGES: LazyLock<Vec<(f64, f64)>> =
+        LazyLock::new(|| SURFACES.iter().map(|surface| average(surface)).collect());
+    let index = SURFACES.iter().position(|&known| known == surface);
+    index.map_or_else(|| average(surface), |index| AVERAGES[index])
 }
 
 /// Mean shade, linear, and mean roughness of a surface.
