@@ -37,13 +37,12 @@ impl Grid {
     }
 
     fn cells(&self, (low, high): (Point, Point)) -> (usize, usize, usize, usize) {
-        let cell = |value: f64, count: usize| (value.max(0.0) as usize).min(count - 1);
         let (low, high) = ((low - self.origin) * self.scale, (high - self.origin) * self.scale);
         (
-            cell(low.x, self.columns),
-            cell(high.x, self.columns),
-            cell(low.y, self.rows),
-            cell(high.y, self.rows),
+            index_of(low.x, self.columns),
+            index_of(high.x, self.columns),
+            index_of(low.y, self.rows),
+            index_of(high.y, self.rows),
         )
     }
 
@@ -127,7 +126,8 @@ impl Grid {
             let low = if row == 0 { f64::NEG_INFINITY } else { self.bottom_of(row) };
             let high = if row + 1 == self.rows { f64::INFINITY } else { self.bottom_of(row + 1) };
             let Some((from, to)) = extent_between(base, (low - ROUNDING, high + ROUNDING)) else { continue };
-            let (from, to) = (self.column_of(from - ROUNDING), self.column_of(to + ROUNDING));
+            let column_of = |x: f64| index_of((x - self.origin.x) * self.scale.x, self.columns);
+            let (from, to) = (column_of(from - ROUNDING), column_of(to + ROUNDING));
             for column in from.max(left)..=to.min(right) {
                 self.items(row * self.columns + column).for_each(&mut visit);
             }
@@ -137,10 +137,11 @@ impl Grid {
     fn bottom_of(&self, row: usize) -> f64 {
         self.origin.y + row as f64 / self.scale.y
     }
+}
 
-    fn column_of(&self, x: f64) -> usize {
-        (((x - self.origin.x) * self.scale.x).max(0.0) as usize).min(self.columns - 1)
-    }
+/// The row or column of a place in cells, of so many; what lies outside is in the first or the last.
+fn index_of(place: f64, count: usize) -> usize {
+    (place.max(0.0) as usize).min(count - 1)
 }
 
 /// Lowest and highest x of what a polygon has between two heights of the plan; `None` where it has nothing there.

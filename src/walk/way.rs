@@ -132,8 +132,8 @@ impl<'f> Passage<'f> {
         self.walk.reaches(self.home, goal)
     }
 
-    /// The ways from the door (E. Dijkstra 1959, on cells) before the first step: cells where the disc may be cost nothing,
-    /// others what their distance lacks.
+    /// The ways from the door that lack nothing (E. Dijkstra 1959, on cells): cells where the disc may be cost nothing, others
+    /// what their distance lacks.
     fn routes(&self) -> Routes {
         let cell_count = self.walk.floor.distances.len();
         let (mut costs, came_from) = (vec![u32::MAX; cell_count], vec![NOWHERE; cell_count]);
@@ -149,7 +149,9 @@ impl<'f> Passage<'f> {
         for cell in starts.into_iter().filter(begins) {
             waiting.push(costs[cell], cell);
         }
-        Routes { waiting, known: 0, costs, came_from }
+        let mut routes = Routes { waiting, known: 0, costs, came_from };
+        self.spread(&mut routes, 0);
+        routes
     }
 
     /// Goes on with all ways that lack so much at most.
@@ -172,7 +174,6 @@ impl<'f> Passage<'f> {
 
     /// The cell among some that the cheapest way leads to, of equals the first in the grid.
     fn nearest(&self, routes: &mut Routes, ends: &[usize]) -> Option<usize> {
-        self.spread(routes, routes.known);
         loop {
             let cheapest = ends.iter().map(|&end| (routes.costs[end], end)).min()?;
             if cheapest.0 <= routes.known {
