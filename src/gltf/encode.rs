@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::array::{Array, Section};
 use super::flatness::{is_flat, split};
-use super::join::{has_colors, joined, joined_with_coordinates};
+use super::join::{has_colors, joined};
 use super::tangent::tangents;
-use crate::model::{Model, ModelMaterial, Primitive};
+use crate::model::{Model, Primitive};
 
 /// What is written of a primitive beyond positions and triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -57,15 +57,12 @@ pub(crate) fn encode(model: &Model, painting: impl Fn(usize) -> Painting) -> Vec
 fn encode_primitive(source: usize, primitive: &Primitive, painting: Painting) -> Vec<EncodedPrimitive> {
     let is_mapped = primitive.texture_coordinates.len() == primitive.positions.len();
     if painting.has_coordinates && is_mapped {
-        // No corner of recipes and shell is double, but those of plain parts were to be joined.
-        return match primitive.material {
-            ModelMaterial::Swatches(_) => vec![arrays(source, &joined_with_coordinates(primitive), painting)],
-            _ => vec![arrays(source, primitive, painting)],
-        };
+        return vec![arrays(source, primitive, painting)];
     }
     let plain = Painting { has_coordinates: false, has_tangents: false, ..painting };
+    // With their normals, one corner in two hundred of recipes and shell is double: not worth the search.
     if !painting.lacks_flat_normals {
-        return vec![arrays(source, &joined(primitive, true), plain)];
+        return vec![arrays(source, primitive, plain)];
     }
     let without = |part: &Primitive| arrays(source, &joined(part, false), plain);
     let with = |part: &Primitive| {

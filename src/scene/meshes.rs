@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::light::{SceneLight, scene_light};
 use super::node::{ModelKey, Node, Scene, SceneMaterial, SceneMesh, SceneVariant};
-use super::shell::Shape;
+use super::shell::{MergedKey, Shape};
 use super::tint::Tint;
 use super::{Lights, SceneInput};
 use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
@@ -52,6 +52,7 @@ pub(crate) struct MeshTable<'a> {
     furniture: BTreeMap<(ClassIndex, u32, Look<'a>), Vec<usize>>,
     shapes: BTreeMap<Shape, (usize, Arc<Model>)>,
     shells: BTreeMap<(usize, &'a str), usize>,
+    merged: BTreeMap<(MergedKey, &'a str), usize>,
     /// By palette, slot and tint.
     slots: BTreeMap<(&'a str, &'static str, usize), usize>,
     /// By palette, the number that all slots are tinted by, and whether they give light.
@@ -95,6 +96,7 @@ impl<'a> MeshTable<'a> {
             furniture: BTreeMap::new(),
             shapes: BTreeMap::new(),
             shells: BTreeMap::new(),
+            merged: BTreeMap::new(),
             slots: BTreeMap::new(),
             swatches: BTreeMap::new(),
         }
@@ -158,12 +160,8 @@ impl<'a> MeshTable<'a> {
         mesh
     }
 
-    /// What a shape of the shell looks like; equal shapes are built once.
-    pub(crate) fn shape(&mut self, shape: Shape) -> Arc<Model> {
-        self.numbered_shape(shape).1
-    }
-
-    fn numbered_shape(&mut self, shape: Shape) -> (usize, Arc<Model>) {
+    /// The number of a shape of the shell and what it looks like; equal shapes have one number and are built once.
+    pub(crate) fn shape(&mut self, shape: Shape) -> (usize, Arc<Model>) {
         if let Some(known) = self.shapes.get(&shape) {
             return known.clone();
         }
@@ -174,7 +172,7 @@ impl<'a> MeshTable<'a> {
 
     /// The mesh of a shell part, named after the first node that uses it; `None` if it has no triangles.
     pub(crate) fn shell(&mut self, shape: Shape, palette: &'a str, node: &str) -> Option<usize> {
-        let (number, model) = self.numbered_shape(shape);
+        let (number, model) = self.shape(shape);
         if model.primitives.is_empty() {
             return None;
         }
@@ -187,10 +185,21 @@ impl<'a> MeshTable<'a> {
         Some(mesh)
     }
 
-    /// The mesh of several shell parts, which no other node shows.
-    pub(crate) fn merged(&mut self, model: Model, palette: &'a str, node: &str) -> usize {
+    /// The mesh of several shell parts in a palette, named after the first node that shows it.
+    pub(crate) fn merged(
+        &mut self,
+        key: (MergedKey, &'a str),
+        node: &str,
+        build: impl FnOnce() -> Model,
+    ) -> usize {
+        if let Some(&mesh) = self.merged.get(&key) {
+            return mesh;
+        }
+        let model = build();
         let swatched = self.swatches_of.and_then(|swatched| swatched.made(&model));
-        self.shell_mesh(Arc::new(swatched.unwrap_or(model)), palette, node)
+        let mesh = self.shell_mesh(Arc::new(swatched.unwrap_or(model)), key.1, node);
+        self.merged.insert(key, mesh);
+        mesh
     }
 
     fn shell_mesh(&mut self, model: Arc<Model>, palette: &'a str, node: &str) -> usize {

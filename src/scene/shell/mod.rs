@@ -1,7 +1,7 @@
 //! Floors, walls with their openings, and what stands in them.
 //!
 //! Each part is described by a [`Shape`] in whole ticks in its own node's frame, then built; rooms that are
-//! equal but for their place share meshes.
+//! equal but for their place share meshes, also where parts are merged.
 
 mod corner;
 mod fitted;
@@ -19,6 +19,7 @@ mod ticks;
 mod wall;
 mod window;
 
+pub(crate) use merge::MergedKey;
 pub(crate) use opening::{OpeningLook, opening_node};
 pub(crate) use room::{RoomFinish, room_parts};
 
