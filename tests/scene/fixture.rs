@@ -311,10 +311,10 @@ pub(crate) fn models(catalog: &Catalog) -> impl Fn(ClassIndex, u32, &str) -> Arc
 
 /// The scene of a level with the small catalogue.
 pub(crate) fn scene(level: &Level, furnished: &[Furnished]) -> Scene {
-    scene_by(catalog(), level, furnished)
+    scene_by(catalog(), level, furnished, Parts::Separate)
 }
 
-fn scene_by(catalog: Catalog, level: &Level, furnished: &[Furnished]) -> Scene {
+fn scene_by(catalog: Catalog, level: &Level, furnished: &[Furnished], parts: Parts) -> Scene {
     build_scene(&SceneInput {
         level,
         building: "tower",
@@ -325,16 +325,23 @@ fn scene_by(catalog: Catalog, level: &Level, furnished: &[Furnished]) -> Scene {
         models: &models(&catalog),
         textures: None,
         swatches: None,
-        // Each part by itself, so that tests can ask for its mesh.
-        options: SceneOptions { parts: Parts::Separate, ..SceneOptions::default() },
+        options: SceneOptions { parts, ..SceneOptions::default() },
         seed: 42,
     })
 }
 
 /// The scene of a level without furniture.
 pub(crate) fn bare_scene(level: &Level) -> Scene {
-    let furnished: Vec<Furnished> = (0..level.rooms.len()).map(|room| furnished(room, Vec::new())).collect();
-    scene(level, &furnished)
+    scene(level, &empty(level))
+}
+
+/// The scene of a level without furniture, what never moves apart in one mesh.
+pub(crate) fn merged_scene(level: &Level) -> Scene {
+    scene_by(catalog(), level, &empty(level), Parts::Merged)
+}
+
+fn empty(level: &Level) -> Vec<Furnished> {
+    (0..level.rooms.len()).map(|room| furnished(room, Vec::new())).collect()
 }
 
 /// A square column.
@@ -345,6 +352,5 @@ pub(crate) fn column(center: Point, half: f64, height: f64) -> Obstacle {
 
 /// The scene of a level without furniture, by another catalogue.
 pub(crate) fn scene_of(level: &Level, catalog: &Catalog) -> Scene {
-    let empty: Vec<Furnished> = (0..level.rooms.len()).map(|room| furnished(room, Vec::new())).collect();
-    scene_by(catalog.clone(), level, &empty)
+    scene_by(catalog.clone(), level, &empty(level), Parts::Separate)
 }

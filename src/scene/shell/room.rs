@@ -132,14 +132,24 @@ impl RoomParts<'_, '_, '_> {
                 gaps: holes.iter().map(|hole| (hole.from, hole.to)).collect(),
                 slot: RAILING_SLOT,
             }),
-            WallKind::Railing(height) => wall_shape(wall, footprint, Ticks::of(height), holes, finish),
-            WallKind::Solid => wall_shape(wall, footprint, storey_end(level, self.room).walls, holes, finish),
+            WallKind::Railing(height) => {
+                self.body(wall_shape(wall, footprint, Ticks::of(height), holes, finish))
+            }
+            WallKind::Solid => {
+                let top = storey_end(level, self.room).walls;
+                self.body(wall_shape(wall, footprint, top, holes, finish))
+            }
         };
         let tags = wall.tags.clone();
         let node = self.part(("wall", names::numbered("wall", index)), pose, shape);
         if let Some(Extras::Part { tags: of_node, .. }) = &mut node.extras {
             *of_node = tags;
         }
+    }
+
+    /// A wall by itself, or one of a mesh.
+    fn body(&self, wall: WallShape) -> Shape {
+        Shape::Wall(if self.merged.is_some() { wall.apart() } else { wall })
     }
 
     /// The holes of a wall, not above the ceiling.
@@ -288,8 +298,8 @@ fn main_direction(walls: &[Wall]) -> Point {
     if x < Ticks(0) || (x == Ticks(0) && y < Ticks(0)) { -longest.1 } else { longest.1 }
 }
 
-fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finish: RoomFinish) -> Shape {
-    Shape::Wall(WallShape {
+fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finish: RoomFinish) -> WallShape {
+    WallShape {
         length: Ticks::of(wall.length()),
         outer_from: Ticks::of(print.outer_from),
         outer_to: Ticks::of(print.outer_to),
@@ -300,7 +310,7 @@ fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finis
         slot: finish.wall,
         outer_slot: if wall.is_exterior { FACADE_SLOT } else { finish.wall },
         dado: finish.dado,
-    })
+    }
 }
 
 /// Lower and upper edge of the hole of an opening. Where one walks, the hole goes through the floor's

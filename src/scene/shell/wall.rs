@@ -52,6 +52,10 @@ pub(crate) struct Hole {
     pub high: Ticks,
 }
 
+/// How much shorter walls of one mesh are at each end: more than what tools take for one corner when they join those of a mesh
+/// (Blender: 0.1 mm), so that each wall stays a closed body that can be cut and filled.
+const SEAM: Ticks = Ticks(20);
+
 /// A cut through the wall: where it meets the inner and the outer face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cut {
@@ -60,6 +64,20 @@ struct Cut {
 }
 
 impl WallShape {
+    /// The same wall a little shorter at both ends, its middle where it was: it shares no corner with its neighbours.
+    pub(crate) fn apart(self) -> Self {
+        let seam = SEAM.min(Ticks(self.length.0 / 4));
+        let length = self.length - seam - seam;
+        let inside = |u: Ticks| (u - seam).clamp(Ticks(0), length);
+        let hole = |hole: Hole| Hole { from: inside(hole.from), to: inside(hole.to), ..hole };
+        Self {
+            length,
+            outer_to: self.outer_from.max(self.outer_to - seam - seam),
+            holes: self.holes.into_iter().map(hole).collect(),
+            ..self
+        }
+    }
+
     /// The wall as a grid of cells between cuts and heights; faces stand where a filled cell meets none, so
     /// that the body is closed and no face touches another one's middle. The second part is the outer face, the
     /// third the lower inner face, where their material is another one.
