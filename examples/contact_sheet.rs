@@ -12,7 +12,7 @@ use roomwright::catalog::{Palette, load_catalog};
 use roomwright::gltf::write_glb;
 use roomwright::model::{Model, ModelMaterial, PLAIN, RecipeInput, build_recipe, recipe_names, recipe_size};
 use roomwright::scene::{Node, Scene, SceneMaterial, SceneMesh};
-use roomwright::texture::{TextureLibrary, TextureLocation, TextureSize};
+use roomwright::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
 
 /// Metres between neighbouring models.
 const GAP: f64 = 0.2;
@@ -88,7 +88,10 @@ impl<'a> Sheet<'a> {
         let Self { palette, scene, textures, slots } = self;
         *slots.entry(*slot).or_insert_with(|| {
             let material = palette.materials[*slot].clone();
-            let textures = material.texture.map_or(&[][..], |surface| textures.textures(surface)).to_vec();
+            let textures = material
+                .texture
+                .map_or(&[][..], |surface| textures.textures(surface, SurfaceUse::Room))
+                .to_vec();
             scene.materials.push(SceneMaterial::Slot { name: (*slot).to_owned(), material, textures });
             scene.materials.len() - 1
         })

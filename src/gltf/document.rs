@@ -9,7 +9,7 @@ use gltf_json::validation::Checked;
 use gltf_json::{Asset, Image, Index, Root, Scene as JsonScene, Texture, image};
 use serde::Serialize;
 
-use super::encode::{Painting, encode};
+use super::encode::{Corners, Painting, encode};
 use super::library::SharedModel;
 use super::light::{LIGHTS, add_lights};
 use super::material::{EMISSIVE_STRENGTH, Images, TRANSMISSION, material};
@@ -121,7 +121,10 @@ fn pack_model(
 ) -> Vec<PackedPrimitive> {
     match options.models.filter(|_| mesh.is_shared()) {
         Some(models) => packer.model(&models.get(&mesh.model, paintings)),
-        None => packer.model(&encode(&mesh.model, |index| paintings[index])),
+        None => {
+            let corners = if mesh.is_shared() { Corners::Joined } else { Corners::Kept };
+            packer.model(&encode(&mesh.model, corners, |index| paintings[index]))
+        }
     }
 }
 

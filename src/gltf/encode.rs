@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::array::{Array, Section};
 use super::flatness::{is_flat, split};
-use super::join::{has_colors, joined};
+use super::join::{has_colors, joined, joined_with_coordinates};
 use super::tangent::tangents;
-use crate::model::{Model, Primitive};
+use crate::model::{Model, ModelMaterial, Primitive};
 
 /// What is written of a primitive beyond positions and triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,22 +47,49 @@ impl EncodedPrimitive {
 /// About as many bytes as JSON takes to describe one more primitive.
 const BYTES_OF_PRIMITIVE: usize = 350;
 
+/// What becomes of corners that agree in all that is written of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Corners {
+    /// They become one: a twelfth of those of furniture, which is encoded once a run.
+    Joined,
+    /// They are left where they keep normals: one in two hundred of a shell, which is encoded for each level.
+    Kept,
+}
+
 /// The triangles of a model, with what the painting of each primitive, by index, asks for.
-pub(crate) fn encode(model: &Model, painting: impl Fn(usize) -> Painting) -> Vec<EncodedPrimitive> {
+pub(crate) fn encode(
+    model: &Model,
+    corners: Corners,
+    painting: impl Fn(usize) -> Painting,
+) -> Vec<EncodedPrimitive> {
     let primitives = model.primitives.iter().enumerate();
-    primitives.flat_map(|(source, primitive)| encode_primitive(source, primitive, painting(source))).collect()
+    let encoded = primitives
+        .flat_map(|(source, primitive)| encode_primitive(source, (primitive, corners), painting(source)));
+    encoded.collect()
 }
 
 /// One, or one with and one without normals where this is shorter.
-fn encode_primitive(source: usize, primitive: &Primitive, painting: Painting) -> Vec<EncodedPrimitive> {
+fn encode_primitive(
+    source: usize,
+    (primitive, corners): (&Primitive, Corners),
+    painting: Painting,
+) -> Vec<EncodedPrimitive> {
     let is_mapped = primitive.texture_coordinates.len() == primitive.positions.len();
+    let is_joined = corners == Corners::Joined;
     if painting.has_coordinates && is_mapped {
-        return vec![arrays(source, primitive, painting)];
+        // No corner that shows a texture is double, but those of plain parts were to be joined.
+        let is_plain = matches!(primitive.material, ModelMaterial::Swatches(_));
+        return match is_joined && is_plain {
+            true => vec![arrays(source, &joined_with_coordinates(primitive), painting)],
+            false => vec![arrays(source, primitive, painting)],
+        };
     }
     let plain = Painting { has_coordinates: false, has_tangents: false, ..painting };
-    // With their normals, one corner in two hundred of recipes and shell is double: not worth the search.
     if !painting.lacks_flat_normals {
-        return vec![arrays(source, primitive, plain)];
+        return match is_joined {
+            true => vec![arrays(source, &joined(primitive, true), plain)],
+            false => vec![arrays(source, primitive, plain)],
+        };
     }
     let without = |part: &Primitive| arrays(source, &joined(part, false), plain);
     let with = |part: &Primitive| {

@@ -12,23 +12,36 @@ pub(super) fn has_colors(primitive: &Primitive) -> bool {
 /// The same triangles without texture coordinates, where corners that agree in all that is left are one: in position and
 /// colour, and in normals if there are to be any. They keep their order; those of no triangle are left out.
 pub(super) fn joined(primitive: &Primitive, has_normals: bool) -> Primitive {
+    joined_by(primitive, has_normals, false)
+}
+
+/// The same triangles with their first texture coordinates, where corners that agree in everything are one.
+pub(super) fn joined_with_coordinates(primitive: &Primitive) -> Primitive {
+    joined_by(primitive, true, true)
+}
+
+fn joined_by(primitive: &Primitive, has_normals: bool, has_coordinates: bool) -> Primitive {
     let has_colors = has_colors(primitive);
     let mut is_used = vec![false; primitive.positions.len()];
     primitive.indices.iter().for_each(|&index| is_used[index as usize] = true);
-    let mut known: HashMap<[u32; 10], u32> = HashMap::with_capacity(primitive.positions.len());
+    let mut known: HashMap<[u32; 12], u32> = HashMap::with_capacity(primitive.positions.len());
     let mut made = Primitive { material: primitive.material.clone(), ..Primitive::default() };
     let mut new = vec![0; primitive.positions.len()];
     for corner in (0..new.len()).filter(|&corner| is_used[corner]) {
         let position = primitive.positions[corner];
         let normal = if has_normals { primitive.normals[corner] } else { [0.0; 3] };
         let color = if has_colors { primitive.colors[corner] } else { [0.0; 4] };
-        new[corner] = *known.entry(key(position, normal, color)).or_insert_with(|| {
+        let place = if has_coordinates { primitive.texture_coordinates[corner] } else { [0.0; 2] };
+        new[corner] = *known.entry(key((position, normal), color, place)).or_insert_with(|| {
             made.positions.push(position);
             if has_normals {
                 made.normals.push(normal);
             }
             if has_colors {
                 made.colors.push(color);
+            }
+            if has_coordinates {
+                made.texture_coordinates.push(place);
             }
             u32::try_from(made.positions.len() - 1).expect("not more corners than there were")
         });
@@ -38,9 +51,9 @@ pub(super) fn joined(primitive: &Primitive, has_normals: bool) -> Primitive {
 }
 
 /// Numbers that are equal bit by bit, so that nothing changes.
-fn key(position: [f32; 3], normal: [f32; 3], color: [f32; 4]) -> [u32; 10] {
-    let mut key = [0; 10];
-    let numbers = position.into_iter().chain(normal).chain(color);
+fn key((position, normal): ([f32; 3], [f32; 3]), color: [f32; 4], place: [f32; 2]) -> [u32; 12] {
+    let mut key = [0; 12];
+    let numbers = position.into_iter().chain(normal).chain(color).chain(place);
     key.iter_mut().zip(numbers).for_each(|(place, number)| *place = number.to_bits());
     key
 }

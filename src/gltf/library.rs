@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::encode::{Painting, encode};
+use super::encode::{Corners, Painting, encode};
 use super::pack::{PackedPrimitive, Packer};
 use crate::model::{Model, ModelMaterial};
 use crate::scene::ModelKey;
@@ -29,7 +29,8 @@ impl SharedModel {
         path: impl FnOnce(&[u8]) -> String,
     ) -> Self {
         let mut packer = Packer::default();
-        let primitives = packer.model(&encode(model, |index| painting(&model.primitives[index].material)));
+        let painting = |index: usize| painting(&model.primitives[index].material);
+        let primitives = packer.model(&encode(model, Corners::Joined, painting));
         let mut made = Self { packer, primitives, path: String::new() };
         made.path = path(&made.bytes());
         made

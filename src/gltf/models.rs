@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-use super::encode::{EncodedPrimitive, Painting, encode};
+use super::encode::{Corners, EncodedPrimitive, Painting, encode};
 use crate::model::Model;
 
 /// Models as arrays, made once for all levels that show them. Threads may share it.
@@ -30,7 +30,7 @@ impl EncodedModels {
         }
         drop(read);
         // Two threads may come here at once: both make the same.
-        let primitives: Arc<[EncodedPrimitive]> = encode(model, |index| key.1[index]).into();
+        let primitives: Arc<[EncodedPrimitive]> = encode(model, Corners::Joined, |index| key.1[index]).into();
         let made = Encoded { _model: Arc::clone(model), primitives: Arc::clone(&primitives) };
         self.known.write().unwrap_or_else(PoisonError::into_inner).insert(key, made);
         primitives

@@ -1,6 +1,6 @@
 //! Meshes and materials of a scene, each once.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::light::{SceneLight, scene_light};
@@ -10,7 +10,7 @@ use super::tint::Tint;
 use super::{Lights, SceneInput};
 use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
-use crate::texture::{TextureLibrary, swatch_textures};
+use crate::texture::{SurfaceUse, TextureLibrary, swatch_textures};
 
 /// How a room's style looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -105,8 +105,29 @@ impl<'a> MeshTable<'a> {
     /// The scene of a tree, its meshes, materials and lights in the order of first use.
     pub(crate) fn finish(mut self, root: Node) -> Scene {
         let variants = if self.has_variants { self.variants() } else { Vec::new() };
+        self.paint(&variants);
         let Self { meshes, materials, lights, .. } = self;
         Scene { root, meshes, materials, lights, variants }
+    }
+
+    /// Gives each slot the images of its surface, now that it is known whether that is seen on more than furniture.
+    fn paint(&mut self, variants: &[SceneVariant]) {
+        let Some(library) = self.textures else { return };
+        let shell = self.meshes.iter().filter(|mesh| mesh.key.is_none());
+        let shown = shell.flat_map(|mesh| &mesh.materials).flat_map(|material| {
+            let others = variants.iter().filter_map(|variant| variant.materials.get(material));
+            others.chain([material])
+        });
+        let of_rooms: BTreeSet<&'static str> =
+            shown.filter_map(|&material| self.materials[material].surface()).collect();
+        for one in &mut self.materials {
+            let surface = one.surface();
+            if let (SceneMaterial::Slot { textures, .. }, Some(surface)) = (one, surface) {
+                let is_of_room = of_rooms.contains(surface);
+                let covered = if is_of_room { SurfaceUse::Room } else { SurfaceUse::Furniture };
+                *textures = library.textures(surface, covered).to_vec();
+            }
+        }
     }
 
     /// What every slot in use looks like in each palette: a tint goes to the tint of the same number, as far as there
@@ -227,16 +248,14 @@ impl<'a> MeshTable<'a> {
         let (catalog, materials) = (self.catalog, &mut self.materials);
         let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
         let number = number.min(found.map_or(0, |material| material.tints.len()));
-        let (textures, lights) = (self.textures, self.lights_mode);
+        let lights = self.lights_mode;
         *self.slots.entry((palette, slot, number)).or_insert_with(|| {
             let mut name = format!("{palette}.{slot}");
             if number > 0 {
                 name += &format!(".{number}");
             }
             let material = shown(found, number, lights);
-            let images = textures.zip(material.texture).map(|(library, surface)| library.textures(surface));
-            let textures = images.unwrap_or_default().to_vec();
-            materials.push(SceneMaterial::Slot { name, material, textures });
+            materials.push(SceneMaterial::Slot { name, material, textures: Vec::new() });
             materials.len() - 1
         })
     }

@@ -94,6 +94,14 @@ impl SceneMaterial {
             Self::Own(own) => &own.textures,
         }
     }
+
+    /// The surface that its slot is painted with.
+    pub(crate) fn surface(&self) -> Option<&'static str> {
+        match self {
+            Self::Slot { material, .. } => material.texture,
+            Self::Own(_) => None,
+        }
+    }
 }
 
 /// One node; its place is relative to its parent.

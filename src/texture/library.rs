@@ -5,10 +5,10 @@ use std::sync::{Arc, OnceLock};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
-use super::TextureSize;
 use super::encode::png;
 use super::relief::normals;
 use super::surface::{SURFACES, Sample, has_relief, sample};
+use super::{SurfaceUse, TextureSize};
 use crate::cache::Cache;
 use crate::catalog::srgb_linear;
 use crate::model::{Image, Texture, TextureSampler, TextureUse};
@@ -23,14 +23,18 @@ pub enum TextureLocation {
     Beside(String),
 }
 
-/// The images of all surfaces in one size, painted when first asked for and then shared.
+/// The images of all surfaces, painted when first asked for and then shared.
 #[derive(Debug)]
 pub struct TextureLibrary {
     size: TextureSize,
     location: TextureLocation,
     cache: Option<Cache>,
-    surfaces: Vec<OnceLock<Vec<(TextureUse, Texture)>>>,
+    /// For rooms, then for furniture alone where that has images of its own.
+    surfaces: Vec<[OnceLock<Painted>; 2]>,
 }
+
+/// The images of a surface by use.
+type Painted = Vec<(TextureUse, Texture)>;
 
 /// Digits of the content's hash in the name of an image's file.
 const NAME_DIGITS: usize = 12;
@@ -39,7 +43,7 @@ impl TextureLibrary {
     /// A library that has painted nothing yet.
     #[must_use]
     pub fn new(size: TextureSize, location: TextureLocation) -> Self {
-        Self { size, location, cache: None, surfaces: SURFACES.iter().map(|_| OnceLock::new()).collect() }
+        Self { size, location, cache: None, surfaces: SURFACES.iter().map(|_| Default::default()).collect() }
     }
 
     /// The same library that looks for its images in a cache before it paints them, and keeps them there.
@@ -48,22 +52,26 @@ impl TextureLibrary {
         Self { cache, ..self }
     }
 
-    /// Base colour, normals where it has relief, and roughness of a surface; none for an unknown name.
-    pub fn textures(&self, surface: &str) -> &[(TextureUse, Texture)] {
+    /// Base colour, normals where it has relief, and roughness of a surface; none for an unknown name. Images inside files are
+    /// half as wide on furniture alone: each file carries its own. Shared ones have one size.
+    pub fn textures(&self, surface: &str, covered: SurfaceUse) -> &[(TextureUse, Texture)] {
         let Some(index) = SURFACES.iter().position(|&name| name == surface) else { return &[] };
-        self.surfaces[index].get_or_init(|| self.paint(SURFACES[index]))
+        let is_half = covered == SurfaceUse::Furniture && self.location == TextureLocation::Embedded;
+        let pixels = self.size.pixels() / if is_half { 2 } else { 1 };
+        self.surfaces[index][usize::from(is_half)].get_or_init(|| self.paint(SURFACES[index], pixels))
     }
 
     /// Paints all surfaces at once, on as many threads as there are: painted on demand, the first level would wait for one
     /// after the other, and all other levels for it.
     pub fn paint_all(&self) {
         SURFACES.par_iter().for_each(|surface| {
-            let _ = self.textures(surface);
+            for covered in [SurfaceUse::Room, SurfaceUse::Furniture] {
+                let _ = self.textures(surface, covered);
+            }
         });
     }
 
-    fn paint(&self, surface: &'static str) -> Vec<(TextureUse, Texture)> {
-        let pixels = self.size.pixels();
+    fn paint(&self, surface: &'static str, pixels: usize) -> Painted {
         let files = match &self.cache {
             Some(cache) => cache.get_or_make(&("surface", surface, pixels), || images(surface, pixels)),
             None => images(surface, pixels),
@@ -154,6 +162,8 @@ fn stepped_roughness(value: f64) -> u8 {
 mod tests {
     use super::*;
 
+    use SurfaceUse::{Furniture, Room};
+
     /// Bytes of the images of a surface that a floor with a dozen surfaces can afford.
     const MOST_BYTES: usize = 420_000;
 
@@ -166,7 +176,7 @@ mod tests {
         let library = library(TextureSize::Small);
         let mut total = 0;
         for surface in SURFACES {
-            let textures = library.textures(surface);
+            let textures = library.textures(surface, Room);
             let bytes: usize = textures.iter().map(|(_, texture)| texture.image.bytes.len()).sum();
             assert_eq!(textures.len(), if has_relief(surface) { 3 } else { 2 }, "{surface}");
             assert!(bytes < MOST_BYTES, "{surface} takes {bytes} bytes");
@@ -189,20 +199,34 @@ mod tests {
     #[test]
     fn paths_are_relative_and_tell_content() {
         let library = library(TextureSize::Small);
-        let (_, texture) = &library.textures("tile")[0];
+        let (_, texture) = &library.textures("tile", Room)[0];
         let uri = texture.image.uri.as_deref().unwrap();
         assert!(uri.starts_with("../textures/tile.base_color.") && uri.ends_with(".png"), "{uri}");
         let embedded = TextureLibrary::new(TextureSize::Small, TextureLocation::Embedded);
-        assert_eq!(embedded.textures("tile")[0].1.image.uri, None);
-        assert_eq!(embedded.textures("tile")[0].1.image.bytes, texture.image.bytes);
+        assert_eq!(embedded.textures("tile", Room)[0].1.image.uri, None);
+        assert_eq!(embedded.textures("tile", Room)[0].1.image.bytes, texture.image.bytes);
+    }
+
+    #[test]
+    fn images_inside_files_are_smaller_on_furniture() {
+        let bytes = |location: TextureLocation, covered: SurfaceUse| {
+            let library = TextureLibrary::new(TextureSize::Small, location);
+            let textures = library.textures("leather", covered);
+            textures.iter().map(|(_, texture)| texture.image.bytes.len()).sum::<usize>()
+        };
+        let embedded = [Room, Furniture].map(|covered| bytes(TextureLocation::Embedded, covered));
+        assert!(3 * embedded[1] < embedded[0], "{embedded:?}");
+        let beside =
+            [Room, Furniture].map(|covered| bytes(TextureLocation::Beside("textures".to_owned()), covered));
+        assert_eq!(beside, [embedded[0]; 2]);
     }
 
     #[test]
     fn equal_requests_share_one_image_and_unknown_surfaces_have_none() {
         let library = library(TextureSize::Small);
-        let image = |index: usize| Arc::clone(&library.textures("tile")[index].1.image);
+        let image = |index: usize| Arc::clone(&library.textures("tile", Room)[index].1.image);
         assert!(Arc::ptr_eq(&image(0), &image(0)));
-        assert!(library.textures("marzipan").is_empty());
+        assert!(library.textures("marzipan", Room).is_empty());
     }
 
     #[test]

@@ -35,3 +35,12 @@ impl TextureSize {
         }
     }
 }
+
+/// What a surface covers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceUse {
+    /// Floors, walls and what else belongs to a room: large and near.
+    Room,
+    /// Nothing but furniture, of which one sees small pieces.
+    Furniture,
+}
