@@ -22,6 +22,7 @@ mod command_line {
     mod init;
     mod looks;
     mod output_folder;
+    mod pinned;
     mod readme;
     mod unknown_words;
     mod user_models;
