@@ -1,4 +1,5 @@
-//! The tuning constants of the layout, in one place.
+//! The tuning constants of the layout, in one place. What the audit calls a fault is no constant: the layout reads it from
+//! the catalogue as the audit does ([`crate::catalog::AuditRules`]).
 
 /// Metres that bodies may overlap before it counts as a collision: contact must pass, and the audit's limit
 /// is 1 mm. Larger lets bodies sink into each other, smaller makes touching bodies collide by rounding.
@@ -36,26 +37,12 @@ pub(crate) const SURFACE_STEP: f64 = 0.08;
 pub(crate) const SNAP_DISTANCE: f64 = 0.25;
 /// Metres by which a curtain may be wider and higher than its window.
 pub(crate) const COVER_MARGIN: f64 = 0.45;
-/// Depth in metres of the free space before a door, at most (a narrower door keeps its own width).
-pub(crate) const DOOR_APPROACH: f64 = 0.8;
-/// Depth in metres of the free space along an open boundary.
-pub(crate) const OPEN_BOUNDARY_APPROACH: f64 = 0.3;
-/// Depth in metres of the strip before a window that tall pieces avoid.
-pub(crate) const WINDOW_STRIP: f64 = 0.5;
-/// Metres over the sill from which a piece counts as tall.
-pub(crate) const SILL_MARGIN: f64 = 0.1;
-/// Depth in metres up to which a wall-hung piece does not stand in the way of people.
-pub(crate) const THIN_DEPTH: f64 = 0.15;
-/// Underside in metres from which a piece counts as wall-hung.
-pub(crate) const HUNG_ELEVATION: f64 = 0.3;
 /// Metres over its parent from which a piece hangs and needs a wall, and how far that may be behind it.
 pub(crate) const HANGING_GAP: f64 = 0.008;
 /// Metres from the front edge of a surface at which things at the front lie.
 pub(crate) const FRONT_MARGIN: f64 = 0.04;
 /// Share of a score lost by standing before a window.
 pub(crate) const WINDOW_PENALTY: f64 = 2.0;
-/// Metres up to which a piece is too narrow to darken a window.
-pub(crate) const NARROW_WIDTH: f64 = 0.6;
 /// Share of a score lost by taking the place of a seat, or by leaving none for one's own.
 pub(crate) const SEAT_PENALTY: f64 = 3.0;
 /// Metres before a table or desk that a seat takes with somebody on it.

@@ -13,7 +13,7 @@ mod obstacles;
 
 use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
 use super::body::{Pose, append_solids, box_solid, clearance_solid};
-use super::constants::{CONTACT_TOLERANCE, HUNG_ELEVATION, STEPS_A_TEST, THIN_DEPTH};
+use super::constants::{CONTACT_TOLERANCE, STEPS_A_TEST};
 use super::furnished::RemovalReason;
 use super::lock::Lock;
 use super::programme::Piece;
@@ -333,7 +333,7 @@ impl<'a> Environment<'a> {
         let (class, size) = (self.class(agent), self.agents[agent].size);
         let mut parts = Vec::new();
         append_solids(&mut parts, &class.shape, size, &place.pose);
-        let is_flat = is_flat(size, place);
+        let is_flat = self.is_flat(size, place);
         let first = self.bodies.len();
         // What lies flat on the floor is in nobody's way.
         for solid in parts.into_iter().filter(|_| !lies_flat(size, place)) {
@@ -369,14 +369,15 @@ impl<'a> Environment<'a> {
         };
         2.0 * Agent::half_extent(self.agents[agent].size, place.pose.right, along)
     }
-}
 
-/// Whether something hangs flat on a wall or opening, where nobody walks into it, or lies flat on the floor.
-fn is_flat(size: Size, place: &Place) -> bool {
-    let hangs_flat = matches!(place.parent, ParentPart::Wall(_) | ParentPart::Opening(_))
-        && size.depth <= THIN_DEPTH
-        && place.pose.elevation >= HUNG_ELEVATION;
-    hangs_flat || lies_flat(size, place)
+    /// Whether something hangs flat on a wall or opening, where nobody walks into it, or lies flat on the floor.
+    fn is_flat(&self, size: Size, place: &Place) -> bool {
+        let rules = &self.catalog.audit.clearances;
+        let hangs_flat = matches!(place.parent, ParentPart::Wall(_) | ParentPart::Opening(_))
+            && size.depth <= rules.flat_depth
+            && place.pose.elevation >= rules.flat_elevation;
+        hangs_flat || lies_flat(size, place)
+    }
 }
 
 fn item(index: usize) -> u32 {

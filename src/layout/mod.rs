@@ -174,7 +174,7 @@ impl Task<'_> {
         lock::add_pieces(&mut pieces, options.locks, catalog);
         let is_suggested = !alternative.suggestions.is_empty();
         let swings = if is_suggested { Swings::Exact } else { Swings::Simple };
-        let surroundings = Surroundings::new(level, plan, swings);
+        let surroundings = Surroundings::new(level, plan, &catalog.audit, swings);
         let mut urgency = vec![0; pieces.len()];
         let mut attempt = |number: u32| {
             let mut environment = Environment::new(catalog, surroundings.clone(), &pieces);

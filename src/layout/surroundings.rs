@@ -1,11 +1,10 @@
 //! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
 
+use crate::catalog::AuditRules;
 use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
-use super::constants::{
-    DOOR_APPROACH, OPEN_BOUNDARY_APPROACH, SILL_MARGIN, WALL_POINTS, WALL_STEP, WINDOW_STRIP,
-};
+use super::constants::{WALL_POINTS, WALL_STEP};
 use super::environment::Border;
 
 /// Radians of the sectors of [`Swings::Exact`]: the polygon around the arc of a leaf of 1.5 m is then half a millimetre
@@ -41,8 +40,8 @@ pub(crate) struct Surroundings<'a> {
 }
 
 impl<'a> Surroundings<'a> {
-    /// Works out the surroundings of a room.
-    pub(crate) fn new(level: &'a Level, room: &'a Room, swings: Swings) -> Self {
+    /// Works out the surroundings of a room; what has to stay free is what the audit asks for.
+    pub(crate) fn new(level: &'a Level, room: &'a Room, rules: &AuditRules, swings: Swings) -> Self {
         let mut surroundings = Self {
             level,
             room,
@@ -57,7 +56,7 @@ impl<'a> Surroundings<'a> {
             window_strips: Vec::new(),
         };
         for side in &room.openings {
-            surroundings.add_opening(&level.openings[side.opening], side, swings);
+            surroundings.add_opening(&level.openings[side.opening], side, (rules, swings));
         }
         surroundings
     }
@@ -80,17 +79,18 @@ impl<'a> Surroundings<'a> {
         stretches
     }
 
-    fn add_opening(&mut self, opening: &Opening, side: &RoomOpening, swings: Swings) {
+    fn add_opening(&mut self, opening: &Opening, side: &RoomOpening, (rules, swings): (&AuditRules, Swings)) {
         let strip = |depth, margin, low, high| wall_strip(self.room, side, (depth, margin), (low, high));
         match opening.kind {
             OpeningKind::Window => {
-                self.window_strips.push(strip(WINDOW_STRIP, 0.0, opening.bottom + SILL_MARGIN, opening.top));
+                let from = opening.bottom + rules.windows.over_sill;
+                self.window_strips.push(strip(rules.windows.depth, 0.0, from, opening.top));
             }
             OpeningKind::OpenBoundary => {
-                self.kept_free.push(strip(OPEN_BOUNDARY_APPROACH, 0.0, 0.0, opening.top));
+                self.kept_free.push(strip(rules.doors.open_boundary_depth, 0.0, 0.0, opening.top));
             }
             OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage => {
-                let depth = DOOR_APPROACH.min(side.to - side.from);
+                let depth = rules.doors.approach_depth.min(side.to - side.from);
                 self.kept_free.push(strip(depth, 0.0, 0.0, opening.top));
                 self.kept_free.push(strip(FRAME_DEPTH, FRAME_WIDTH, 0.0, opening.top));
                 let wall = &self.room.walls[side.wall];

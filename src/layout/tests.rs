@@ -190,8 +190,35 @@ fn assert_free(level: &Level, catalog: &Catalog, furnished: &Furnished) {
         };
         assert!(a.footprint().iter().all(|corner| inside(&corner)), "outside in seed {}", furnished.seed);
     }
-    let swing = Surroundings::new(level, &level.rooms[0], Swings::Simple).kept_free;
+    let swing = Surroundings::new(level, &level.rooms[0], &catalog.audit, Swings::Simple).kept_free;
     assert!(all.iter().all(|a| swing.iter().all(|region| !a.overlaps(region, 1e-3))), "door blocked");
+}
+
+/// Metres between an open side of a room and the nearest body, over many seeds.
+fn nearest_to_the_open_side(catalog: &Catalog) -> f64 {
+    let mut level = level(WIDE);
+    let open = &mut level.openings[0];
+    (open.kind, open.width, open.leaves) = (OpeningKind::OpenBoundary, 6.0, Vec::new());
+    let (from, to) = (0.0, 6.0);
+    level.rooms[0].openings[0] = RoomOpening { opening: 0, wall: 0, from, to };
+    let bodies = (0..40).flat_map(|seed| {
+        let furnished = run(&level, catalog, seed);
+        let on_floor = furnished.placements.into_iter().filter(|one| one.elevation < 2.0);
+        on_floor.flat_map(|one| solids(&catalog.classes[one.class], &one)).collect::<Vec<_>>()
+    });
+    let low = bodies.map(|solid| solid.bounds.0.y);
+    low.fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn layouts_obey_the_figures_of_the_audit() {
+    let mut catalog = catalog(OFFICE, Untidiness::default());
+    let usual = nearest_to_the_open_side(&catalog);
+    let asked = catalog.audit.doors.open_boundary_depth;
+    assert!(usual >= asked - 1e-3 && usual < 2.0 * asked, "{usual}");
+    catalog.audit.doors.open_boundary_depth = 2.0 * asked;
+    let wider = nearest_to_the_open_side(&catalog);
+    assert!(wider >= 2.0 * asked - 1e-3, "{wider}");
 }
 
 #[test]

@@ -4,11 +4,9 @@ use crate::catalog::{Clearance, Shape, Size};
 use crate::geometry::Solid;
 use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::{Pose, box_solid, clearance_solid};
-use crate::layout::constants::{
-    CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, OPEN_BOUNDARY_APPROACH, RUG_HEIGHT, SEAT_DEPTH,
-};
+use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT, SEAT_DEPTH};
 
-use super::{Border, Environment, Place, Probe, ROOM, is_flat, item};
+use super::{Border, Environment, Place, Probe, ROOM, item};
 
 /// Where a child's seat stands in a clearance that allows one.
 pub(super) fn seat(clearance: &Clearance, size: Size, pose: &Pose) -> Option<Solid> {
@@ -28,7 +26,7 @@ impl Environment<'_> {
                 && probe.meets(&region.solid, CLEARANCE_TOLERANCE)
                 && !(region.allows_children && self.descends(probe.place.parent, region.owner))
         };
-        let is_flat = is_flat(self.agents[probe.agent].size, probe.place);
+        let is_flat = self.is_flat(self.agents[probe.agent].size, probe.place);
         self.kept_free_grid.any(bounds, is_in_a_door)
             || (!is_flat && self.clearance_grid.any(bounds, is_in_a_clearance))
     }
@@ -73,12 +71,13 @@ impl Environment<'_> {
     /// relatives and what hangs flat on a wall.
     pub(crate) fn has_clearances(&self, agent: AgentIndex, place: &Place, is_good: bool) -> bool {
         let (class, size) = (self.class(agent), self.agents[agent].size);
+        let kept_by_next_room = self.catalog.audit.doors.open_boundary_depth;
         class.clearances.iter().all(|clearance| {
             let depth = if is_good { clearance.good } else { clearance.minimum };
             let solid = clearance_solid(clearance, size, &place.pose, depth);
             // Where the wall is open it may reach across the strip that the next room keeps free.
             let within = || {
-                let depth = (depth - OPEN_BOUNDARY_APPROACH).max(CLEARANCE_TOLERANCE);
+                let depth = (depth - kept_by_next_room).max(CLEARANCE_TOLERANCE);
                 self.lies_inside(&clearance_solid(clearance, size, &place.pose, depth), CLEARANCE_TOLERANCE)
             };
             let is_walled = |border: &Border| !border.is_open;
@@ -129,7 +128,7 @@ impl Environment<'_> {
         let (class, size) = (self.class(agent), self.agents[agent].size);
         let whole = box_solid(size, &place.pose);
         let seats = class.clearances.iter().filter_map(|clearance| seat(clearance, size, &place.pose));
-        !is_flat(size, place)
+        !self.is_flat(size, place)
             && core::iter::once(whole).chain(seats).any(|solid| {
                 self.clearance_grid.any(solid.bounds, |index| {
                     let region = &self.clearances[index as usize];

@@ -10,7 +10,7 @@ use crate::layout::furnished::RemovalReason;
 use crate::layout::rules::{Ground, weigh};
 use crate::layout::trace::Obstacle;
 
-use super::{Body, Border, Environment, Place, Probe, ROOM, is_flat};
+use super::{Body, Border, Environment, Place, Probe, ROOM};
 
 impl Environment<'_> {
     /// What stands in the way of an agent at a place that was refused for a reason. The first so many of the
@@ -84,7 +84,7 @@ impl Environment<'_> {
                 found.insert(opening.map_or(Obstacle::Way, Obstacle::Opening));
             }
         }
-        let is_flat = is_flat(self.agents[probe.agent].size, probe.place);
+        let is_flat = self.is_flat(self.agents[probe.agent].size, probe.place);
         let resting = (0..self.agents.len()).filter(|&owner| self.agents[owner].rest().is_some());
         for owner in resting.filter(|&owner| owner != probe.agent && !is_flat) {
             let regions = &self.clearances[self.agents[owner].clearances.clone()];

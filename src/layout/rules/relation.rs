@@ -7,8 +7,7 @@ use crate::geometry::Point;
 use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::{Pose, box_solid};
 use crate::layout::constants::{
-    BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, NARROW_WIDTH, RUN_LENGTH, SEAT_PENALTY, TIGHT_PENALTY,
-    WINDOW_PENALTY,
+    BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, RUN_LENGTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
 };
 use crate::layout::environment::{Environment, Place};
 use crate::plan::OpeningKind;
@@ -302,7 +301,7 @@ fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place:
         return false;
     }
     let size = environment.agents[agent].size;
-    if size.width.max(size.depth) < NARROW_WIDTH {
+    if size.width.max(size.depth) < environment.catalog.audit.windows.slim_width {
         return false;
     }
     let body = box_solid(size, &place.pose);
