@@ -1,6 +1,5 @@
 //! What a recipe is asked for.
 
-use super::table::Recipe;
 use crate::catalog::Size;
 use crate::model::kit::Sampler;
 
@@ -52,7 +51,11 @@ pub struct RecipeInput<'a> {
 
 /// A [`RecipeInput`] on its way through a recipe.
 pub(crate) struct Draft<'a> {
-    pub(crate) recipe: &'static Recipe,
+    /// Name of the recipe.
+    pub(crate) name: &'static str,
+    /// Its parameters with their defaults.
+    pub(crate) defaults: &'static [(&'static str, f64)],
+    /// What it is asked for.
     pub(crate) input: &'a RecipeInput<'a>,
 }
 
@@ -64,7 +67,7 @@ const LEAST_PIECE: f64 = 0.25;
 impl Draft<'_> {
     /// The stream of this look.
     pub(crate) fn sampler(&self) -> Sampler {
-        Sampler::new(self.recipe.name, self.input.look)
+        Sampler::new(self.name, self.input.look)
     }
 
     /// The geometry set that is asked for.
@@ -80,8 +83,7 @@ impl Draft<'_> {
     /// Value of a parameter; its default where it is not given or no number.
     pub(crate) fn parameter(&self, name: &str) -> f64 {
         let given = self.input.parameters.iter().find(|(key, value)| key == name && value.is_finite());
-        let default =
-            || self.recipe.parameters.iter().find(|(key, _)| *key == name).map_or(0.0, |pair| pair.1);
+        let default = || self.defaults.iter().find(|(key, _)| *key == name).map_or(0.0, |pair| pair.1);
         given.map_or_else(default, |pair| pair.1)
     }
 
@@ -112,7 +114,7 @@ mod tests {
     fn with_draft<T>(parameters: &[(String, f64)], check: impl Fn(&Draft) -> T) -> T {
         let size = Size { width: 1.6, depth: 0.8, height: 0.74 };
         let input = RecipeInput { size, look: 0, geometry: "plain", parameters };
-        check(&Draft { recipe: find("desk").unwrap(), input: &input })
+        check(&find("desk").unwrap().draft(&input))
     }
 
     #[test]

@@ -53,10 +53,14 @@ impl Recipe {
 
     /// The parts before they are fitted to the box.
     pub(crate) fn parts(&'static self, input: &RecipeInput) -> Builder {
-        let draft = Draft { recipe: self, input };
         let mut builder = Builder::new(self.drawn_size(input.size));
-        (self.parts)(&draft, &mut builder);
+        (self.parts)(&self.draft(input), &mut builder);
         builder
+    }
+
+    /// What its function is given.
+    pub(crate) fn draft<'a>(&'static self, input: &'a RecipeInput<'a>) -> Draft<'a> {
+        Draft { name: self.name, defaults: self.parameters, input }
     }
 
     fn drawn_size(&self, size: Size) -> Size {
