@@ -152,7 +152,7 @@ class Order:
         return bool(chain) and (above == room or self._extras(above).get("id") in chain)
 
     def _name(self, number: int) -> str:
-        """The name that roomwright gives: README.md, "The output"."""
+        """The name that roomwright gives: docs/output.md, "Nodes"."""
         extras, name = self._extras(number), self.nodes[number].get("name", "")
         kind, room = extras.get("kind"), self._above(number, "room")
         room_id = self._extras(room).get("room") if room is not None else None

@@ -11,7 +11,7 @@ use crate::catalog::Catalog;
 use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, Suggestion, furnish_counted};
 use crate::plan::Level;
 
-/// How often a room is furnished at most where nothing else is said. Chosen by measurement: see the README.
+/// How often a room is furnished at most where nothing else is said. Chosen by measurement: `docs/figures.md`, "Effort".
 pub const DEFAULT_EFFORT: u32 = 16;
 
 /// How many alternatives in a row may bring nothing better where only pieces are missing that nobody misses.

@@ -64,7 +64,7 @@ fn read_node(document: &Root, index: usize, parent: Option<usize>, problems: &mu
         Ok(extras) => extras,
         Err(message) => {
             let problem = Problem::new(&name, format!("has extras that cannot be read: {message}"));
-            problems.push(problem.with_hint("README.md, \"The output\", tells what they hold"));
+            problems.push(problem.with_hint("docs/output.md, \"Extras\", lists what they hold"));
             Some(Extras::Broken)
         }
     });

@@ -1,4 +1,5 @@
-//! The commands of the README work as they are written, in their order, from the folder of a newcomer.
+//! The commands of the README and of the pages that it leads to work as they are written, in their order, from the folder of a
+//! newcomer.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,8 +9,20 @@ use super::world::World;
 
 const README: &str = include_str!("../../README.md");
 
-/// The heading before the commands that set the project up; `scripts/test.sh` runs those.
+/// The heading after the commands that set the project up; `scripts/test.sh` runs those.
 const FIRST_HEADING: &str = "\n## Use\n";
+
+/// The page that lists every command.
+const COMMANDS: &str = include_str!("../../docs/commands.md");
+
+/// The pages that go on from each other: later ones take what the commands of earlier ones wrote.
+const PAGES: [&str; 5] = [
+    COMMANDS,
+    include_str!("../../docs/output.md"),
+    include_str!("../../docs/audit.md"),
+    include_str!("../../docs/diff.md"),
+    include_str!("../../docs/usd.md"),
+];
 
 /// The project's folder.
 fn project() -> &'static Path {
@@ -17,8 +30,7 @@ fn project() -> &'static Path {
 }
 
 /// The lines of indented code blocks that are commands, without their comments.
-fn commands() -> Vec<&'static str> {
-    let (_, text) = README.split_once(FIRST_HEADING).unwrap();
+fn commands(text: &'static str) -> Vec<&'static str> {
     let lines = text.lines().filter_map(|line| line.strip_prefix("    "));
     let lines = lines.filter(|line| line.starts_with("roomwright ") || line.starts_with("python "));
     lines.map(|line| line.split_once(" #").map_or(line, |(command, _)| command).trim_end()).collect()
@@ -116,32 +128,48 @@ impl Newcomer {
     }
 }
 
-#[test]
-#[cfg(unix)]
-fn every_command_of_the_readme_runs_as_it_is_written() {
+/// Runs commands one after the other from a newcomer's folder, in which they make files.
+fn run_all(commands: &[&str], made: &[&str]) {
     let newcomer = Newcomer::new();
     let mut skipped: BTreeMap<&str, String> = BTreeMap::new();
-    for line in commands() {
+    for line in commands {
         if let Err(reason) = newcomer.run(line) {
             println!("skipped: {line}: {reason}");
             skipped.insert(line, reason);
         }
     }
     assert!(skipped.keys().all(|line| line.starts_with("python ")), "{skipped:?}");
-    for made in [
+    for file in made {
+        assert!(newcomer.world.path(file).exists(), "{file}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn every_command_of_the_readme_runs_as_it_is_written() {
+    let (_, text) = README.split_once(FIRST_HEADING).unwrap();
+    let made =
+        ["out/house/upper.glb", "campus/manifest.json", "house.svg", "again/manifest.json", "diff.html"];
+    run_all(&commands(text), &made);
+}
+
+#[test]
+#[cfg(unix)]
+fn every_command_of_the_pages_runs_as_it_is_written() {
+    let lines: Vec<&str> = PAGES.iter().flat_map(|page| commands(page)).collect();
+    let made = [
         "out/house/ground.glb",
         "house.svg",
         "drawings/house/upper.svg",
         "diff.html",
         "page.html",
         "man/roomwright.1",
-    ] {
-        assert!(newcomer.world.path(made).exists(), "{made}");
-    }
+    ];
+    run_all(&lines, &made);
 }
 
 #[test]
-fn the_readme_names_every_command() {
+fn the_page_of_commands_names_every_command() {
     let world = World::new();
     let help = world.must(&["--help"]).stdout;
     let (_, list) = help.split_once("Commands:\n").unwrap();
@@ -153,6 +181,6 @@ fn the_readme_names_every_command() {
         .collect();
     assert!(names.len() > 10, "{names:?}");
     for name in names.into_iter().filter(|name| *name != "help") {
-        assert!(README.contains(&format!("roomwright {name}")), "{name}");
+        assert!(COMMANDS.contains(&format!("roomwright {name}")), "{name}");
     }
 }
