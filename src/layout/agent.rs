@@ -4,12 +4,9 @@ use crate::catalog::{Side, Size};
 use crate::geometry::Point;
 
 use super::body::Pose;
-use super::environment::Place;
 use super::furnished::RemovalReason;
+use super::place::{AgentIndex, ParentPart, Place};
 use super::programme::Piece;
-
-/// Index into [`super::environment::Environment::agents`].
-pub(crate) type AgentIndex = usize;
 
 /// One piece of furniture.
 #[derive(Clone, Debug)]
@@ -69,23 +66,6 @@ impl Rest {
     pub(crate) fn place(&self) -> Place {
         Place { pose: self.pose, parent: self.parent, side: self.side }
     }
-}
-
-/// A resting agent or a part of the room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ParentPart {
-    /// The floor.
-    Floor,
-    /// The ceiling.
-    Ceiling,
-    /// A wall by index into the room's walls.
-    Wall(usize),
-    /// An opening by index into the room's openings.
-    Opening(usize),
-    /// A column by index into the room's obstacles.
-    Column(usize),
-    /// A resting agent.
-    Agent(AgentIndex),
 }
 
 impl Agent {

@@ -4,14 +4,16 @@ use core::cmp::Reverse;
 
 use crate::catalog::Size;
 
-use super::agent::{Agent, AgentIndex, State};
+use super::agent::{Agent, State};
 use super::constants::SEARCH_ROUNDS;
-use super::environment::{Environment, Place};
+use super::environment::Environment;
 use super::furnished::RemovalReason;
-use super::lock::locked_place;
+use super::locked::locked_place;
+use super::place::AgentIndex;
+use super::place::Place;
 use super::search::{Care, Found, search};
 use super::seed::RoomKey;
-use super::suggestion::{self, suggestion};
+use super::suggested::{self, suggestion};
 
 /// Lets all searching agents act until each rests or is removed.
 pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
@@ -81,7 +83,7 @@ fn take_suggestion(environment: &mut Environment<'_>, agent: AgentIndex) -> Opti
     let has_size = |&variant: &u32| class.size(variant) == suggested.size;
     let variant = sizes_by(environment, agent, area).into_iter().find(has_size)?;
     take_size(environment, agent, variant);
-    let place = suggestion::place(environment, agent, &suggested);
+    let place = suggested::place(environment, agent, &suggested);
     if place.is_none() {
         take_size(environment, agent, drawn);
     }

@@ -3,6 +3,7 @@
 use crate::catalog::{Class, Clearance, PrismRule, Shape, Side, Size};
 use crate::geometry::{Convex, Point, Solid, direction};
 
+use super::constants::SEAT_DEPTH;
 use super::furnished::Placement;
 
 /// Where an object stands.
@@ -115,4 +116,10 @@ pub(crate) fn clearance_solid(clearance: &Clearance, size: Size, pose: &Pose, de
     let along = out.perp().abs() * width + out.abs() * (depth / 2.0);
     let base = Convex::rectangle(center, along, pose.right);
     Solid::new(base, pose.elevation, pose.elevation + clearance.height)
+}
+
+/// Where a child's seat stands in a clearance that allows one.
+pub(crate) fn seat(clearance: &Clearance, size: Size, pose: &Pose) -> Option<Solid> {
+    let depth = clearance.minimum.min(SEAT_DEPTH);
+    clearance.allows_children.then(|| clearance_solid(clearance, size, pose, depth))
 }

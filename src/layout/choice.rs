@@ -1,6 +1,6 @@
 //! The style that a room is furnished in.
 
-use super::FurnishOptions;
+use super::options::FurnishOptions;
 use super::seed::shared_draw;
 use crate::catalog::{BuildingStyle, Catalog, Class, DEFAULT_STYLE, Share, Style};
 use crate::plan::{Level, Room};

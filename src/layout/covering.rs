@@ -6,12 +6,14 @@
 use crate::catalog::{Access, Class, Clearance, Side, Size};
 use crate::geometry::{Point, Solid};
 
-use super::agent::{AgentIndex, ParentPart, Rest, State};
+use super::agent::{Rest, State};
 use super::arrange::{area, sizes_by, take_size};
 use super::body::{Pose, box_solid};
 use super::constants::CONTACT_TOLERANCE;
-use super::environment::{Environment, Place};
+use super::environment::Environment;
 use super::furnished::RemovalReason;
+use super::place::Place;
+use super::place::{AgentIndex, ParentPart};
 
 /// Metres by which a rug is wider than what stands on its middle, on either side.
 const OVERHANG: f64 = 0.25;
@@ -45,7 +47,7 @@ pub(crate) fn lay(environment: &mut Environment<'_>) {
 
 /// Under the first piece that it has room under, in the largest size that has; nowhere where wheels would catch in it.
 fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, Place)> {
-    if environment.access == Access::Wheelchair {
+    if environment.brief.style.access == Access::Wheelchair {
         return None;
     }
     let class = environment.class(agent);

@@ -2,26 +2,24 @@
 
 use std::cell::{Cell, OnceCell, RefCell};
 
-use crate::catalog::{Access, Catalog, Class, ClassIndex, Shape, Side, Size};
+use crate::catalog::{Class, ClassIndex, Shape, Side, Size};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 
 mod clearances;
 mod covering;
 mod hanging;
 mod near;
+mod notes;
 mod obstacles;
 
-use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
-use super::body::{Pose, append_solids, box_solid, clearance_solid};
+use super::agent::{Agent, Rest, State};
+use super::body::{append_solids, box_solid, clearance_solid, seat};
+use super::brief::Brief;
 use super::constants::{CONTACT_TOLERANCE, STEPS_A_TEST};
 use super::furnished::RemovalReason;
-use super::lock::Lock;
-use super::programme::Piece;
-use super::suggestion::Suggestion;
-use super::surroundings::Surroundings;
+use super::place::{AgentIndex, ParentPart, Place};
+use super::surroundings::{Border, KeptFree};
 use super::trace::Trace;
-use covering::lies_flat;
-
 /// Owner of what belongs to the room and not to an agent.
 const ROOM: AgentIndex = AgentIndex::MAX;
 
@@ -30,26 +28,18 @@ const FIXED_GROUP: &str = "fixed";
 
 /// The room with its agents.
 pub(crate) struct Environment<'a> {
-    /// The classes.
-    pub(crate) catalog: &'a Catalog,
-    /// The fixed part.
-    pub(crate) surroundings: Surroundings<'a>,
+    /// What is fixed for the room.
+    pub(crate) brief: &'a Brief<'a>,
     /// All agents, in the order of the programme.
     pub(crate) agents: Vec<Agent>,
     /// Resting agents by class (section 4: "lists according to their type").
     pub(crate) resting: Vec<Vec<AgentIndex>>,
-    /// Where somebody says that agents fit.
-    pub(crate) suggestions: Vec<Suggestion>,
-    /// Who stands where somebody put it.
-    pub(crate) locks: &'a [Lock],
     /// What the agents meet on their search, where somebody wants to know.
     pub(crate) trace: Option<RefCell<Trace>>,
     /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
     pub(crate) is_exhausted: Vec<bool>,
     /// Whether walls that carry the right tag come first.
     pub(crate) heeds_tags: bool,
-    /// Who gets about in the room.
-    pub(crate) access: Access,
     borders: Vec<Border>,
     border_grid: Grid,
     bodies: Vec<Body>,
@@ -59,30 +49,13 @@ pub(crate) struct Environment<'a> {
     /// Boxes of agents that leave room under or beside their solid parts, a table's.
     roofs: Vec<(Solid, AgentIndex)>,
     roof_grid: Grid,
+    /// Those of the openings, and the ways that were found closed.
+    kept_free: Vec<KeptFree>,
     kept_free_grid: Grid,
     /// Room for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
     /// What was done so far.
     steps: Cell<u64>,
-}
-
-/// A stretch of the room's outline or of a hole.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Border {
-    /// Index of its wall.
-    pub(crate) wall: usize,
-    /// Where it begins.
-    pub(crate) start: Point,
-    /// Where it ends.
-    pub(crate) end: Point,
-    /// Whether nothing stands there: bodies stay inside all the same, people walk across.
-    pub(crate) is_open: bool,
-}
-
-impl Border {
-    fn bounds(&self) -> (Point, Point) {
-        (self.start.min(self.end), self.start.max(self.end))
-    }
 }
 
 /// A solid part of an agent or column.
@@ -136,56 +109,52 @@ impl Probe<'_> {
     }
 }
 
-/// A place that an agent considers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
-    /// Where it would stand.
-    pub(crate) pose: Pose,
-    /// On or beside what.
-    pub(crate) parent: ParentPart,
-    /// On which side of it.
-    pub(crate) side: Side,
+/// What differs between the attempts at a room.
+pub(crate) struct Start<'u> {
+    /// By agent, in how many earlier attempts the room missed it.
+    pub(crate) urgency: &'u [u32],
+    /// Whether walls that carry the right tag come first.
+    pub(crate) heeds_tags: bool,
+    /// Whether it is noted what agents meet on their search.
+    pub(crate) is_traced: bool,
 }
 
 impl<'a> Environment<'a> {
     /// An environment without resting agents.
-    pub(crate) fn new(catalog: &'a Catalog, surroundings: Surroundings<'a>, pieces: &[Piece]) -> Self {
-        let region = &surroundings.room.region;
-        let (low, high) = region.outline.bounds();
-        let borders = surroundings.borders();
-        let mut border_grid = Grid::new(low, high);
-        for (index, border) in borders.iter().enumerate() {
-            border_grid.insert(item(index), border.bounds());
-        }
-        let mut kept_free_grid = Grid::new(low, high);
-        for (index, solid) in surroundings.kept_free.iter().enumerate() {
-            kept_free_grid.insert(item(index), solid.bounds);
-        }
-        let agent = |piece: &Piece| Agent::new(*piece, catalog.classes[piece.class].size(piece.variant));
+    pub(crate) fn new(brief: &'a Brief<'a>, start: &Start<'_>) -> Self {
+        let Brief { catalog, surroundings, pieces, .. } = brief;
+        let (low, high) = surroundings.room.region.outline.bounds();
+        let grid_of = |all: &mut dyn Iterator<Item = (Point, Point)>| {
+            let mut grid = Grid::new(low, high);
+            all.enumerate().for_each(|(index, bounds)| grid.insert(item(index), bounds));
+            grid
+        };
+        let (borders, kept_free) = (surroundings.borders(), surroundings.kept_free.clone());
+        let agents = pieces.iter().zip(start.urgency).map(|(piece, &urgency)| {
+            let size = catalog.classes[piece.class].size(piece.variant);
+            Agent { urgency, ..Agent::new(*piece, size) }
+        });
         let mut environment = Self {
-            catalog,
-            agents: pieces.iter().map(agent).collect(),
+            brief,
+            agents: agents.collect(),
             resting: vec![Vec::new(); catalog.classes.len()],
-            suggestions: Vec::new(),
-            locks: &[],
-            trace: None,
+            trace: start.is_traced.then(|| RefCell::new(Trace::new(pieces.len()))),
             is_exhausted: vec![false; catalog.classes.len()],
-            heeds_tags: true,
-            access: Access::default(),
+            heeds_tags: start.heeds_tags,
+            border_grid: grid_of(&mut borders.iter().map(Border::bounds)),
             borders,
-            border_grid,
             bodies: Vec::with_capacity(pieces.len() * 2),
             body_grid: Grid::new(low, high),
             clearances: Vec::new(),
             clearance_grid: Grid::new(low, high),
             roofs: Vec::new(),
             roof_grid: Grid::new(low, high),
-            kept_free_grid,
+            kept_free_grid: grid_of(&mut kept_free.iter().map(|region| region.solid.bounds)),
+            kept_free,
             scratch: Cell::default(),
             steps: Cell::default(),
-            surroundings,
         };
-        for solid in environment.surroundings.columns.clone() {
+        for &solid in &surroundings.columns {
             environment.push_body(Body { solid, owner: ROOM, is_flat: false });
         }
         environment
@@ -193,12 +162,18 @@ impl<'a> Environment<'a> {
 
     /// The class of an agent.
     pub(crate) fn class(&self, agent: AgentIndex) -> &'a Class {
-        &self.catalog.classes[self.agents[agent].piece.class]
+        &self.brief.catalog.classes[self.agents[agent].piece.class]
     }
 
     /// Whether an agent's class is built in.
     pub(crate) fn is_built_in(&self, agent: AgentIndex) -> bool {
         self.class(agent).groups.iter().any(|group| group == FIXED_GROUP)
+    }
+
+    /// Whether an agent, or one that stands on it or belongs to it, is required.
+    pub(crate) fn has_required(&self, agent: AgentIndex) -> bool {
+        let agent = &self.agents[agent];
+        agent.piece.is_required || agent.children.iter().any(|&child| self.has_required(child))
     }
 
     /// Resting agents of some classes, in the order of those classes, then of coming to rest.
@@ -227,7 +202,7 @@ impl<'a> Environment<'a> {
         }
         self.count_steps(STEPS_A_TEST);
         let whole = box_solid(self.agents[agent].size, &place.pose);
-        let height = self.surroundings.room.height;
+        let height = self.brief.surroundings.room.height;
         if whole.low < -CONTACT_TOLERANCE || whole.high > height + CONTACT_TOLERANCE {
             return Some(RemovalReason::Outside);
         }
@@ -266,7 +241,7 @@ impl<'a> Environment<'a> {
 
     fn lies_inside(&self, solid: &Solid, tolerance: f64) -> bool {
         !self.is_entered(solid, tolerance, |_| true)
-            && self.surroundings.room.region.contains(solid.base.center())
+            && self.brief.surroundings.room.region.contains(solid.base.center())
     }
 
     /// Whether a border of some kind runs through a solid.
@@ -336,7 +311,7 @@ impl<'a> Environment<'a> {
         let is_flat = self.is_flat(size, place);
         let first = self.bodies.len();
         // What lies flat on the floor is in nobody's way.
-        for solid in parts.into_iter().filter(|_| !lies_flat(size, place)) {
+        for solid in parts.into_iter().filter(|_| !place.lies_flat(size)) {
             self.push_body(Body { solid, owner: agent, is_flat });
         }
         let first_clearance = self.clearances.len();
@@ -344,7 +319,7 @@ impl<'a> Environment<'a> {
             let solid = clearance_solid(clearance, size, &place.pose, clearance.minimum);
             let comfort =
                 clearance_solid(clearance, size, &place.pose, clearance.good.max(clearance.minimum));
-            let seat = clearances::seat(clearance, size, &place.pose);
+            let seat = seat(clearance, size, &place.pose);
             self.clearance_grid.insert(item(self.clearances.len()), comfort.bounds);
             let allows_children = clearance.allows_children;
             self.clearances.push(Region { solid, comfort, owner: agent, allows_children, seat });
@@ -372,11 +347,11 @@ impl<'a> Environment<'a> {
 
     /// Whether something hangs flat on a wall or opening, where nobody walks into it, or lies flat on the floor.
     fn is_flat(&self, size: Size, place: &Place) -> bool {
-        let rules = &self.catalog.audit.clearances;
+        let rules = &self.brief.catalog.audit.clearances;
         let hangs_flat = matches!(place.parent, ParentPart::Wall(_) | ParentPart::Opening(_))
             && size.depth <= rules.flat_depth
             && place.pose.elevation >= rules.flat_elevation;
-        hangs_flat || lies_flat(size, place)
+        hangs_flat || place.lies_flat(size)
     }
 }
 

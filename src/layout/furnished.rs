@@ -1,7 +1,7 @@
 //! The result of furnishing a room.
 
 use super::constants::CONTACT_TOLERANCE;
-use crate::catalog::{COVERING_HEIGHT, ClassIndex, Side, Size};
+use crate::catalog::{COVERING_HEIGHT, ClassIndex, Side, Size, Style};
 use crate::geometry::Point;
 
 /// A furnished room.
@@ -19,6 +19,20 @@ pub struct Furnished {
     pub placements: Vec<Placement>,
     /// What was asked for and is not there, in the order of removal.
     pub removals: Vec<Removal>,
+}
+
+impl Furnished {
+    /// A room that is not furnished.
+    pub(crate) fn empty(room: usize, seed: u64, style: Option<&Style>) -> Self {
+        Self {
+            room,
+            seed,
+            style: style.map_or_else(String::new, |style| style.id.clone()),
+            requested: 0,
+            placements: Vec::new(),
+            removals: Vec::new(),
+        }
+    }
 }
 
 /// One object at rest.

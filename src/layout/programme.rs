@@ -2,6 +2,7 @@
 
 use crate::catalog::{Catalog, ClassIndex, Count, Request, RoomType, Style};
 
+use super::lock::Lock;
 use super::seed::{Purpose, Stream};
 use super::variant::Variants;
 
@@ -68,6 +69,26 @@ pub(crate) fn pieces(
         }
     }
     pieces
+}
+
+/// The pieces of a room with those that are locked: these have the variant that was asked for.
+pub(crate) fn add_locked(pieces: &mut Vec<Piece>, locks: &[Lock], catalog: &Catalog) {
+    for lock in locks {
+        let is_it = |piece: &&mut Piece| piece.class == lock.class && piece.number == lock.number;
+        let known = pieces.iter_mut().find(is_it);
+        let variant = lock.variant.filter(|&variant| variant < catalog.classes[lock.class].variant_count());
+        match (known, variant) {
+            (Some(piece), Some(variant)) => piece.variant = variant,
+            (Some(_), None) => {}
+            (None, variant) => pieces.push(Piece {
+                class: lock.class,
+                number: lock.number,
+                variant: variant.unwrap_or(0),
+                is_required: false,
+                is_fill: false,
+            }),
+        }
+    }
 }
 
 /// How many pieces there are so far, by class.

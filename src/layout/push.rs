@@ -5,14 +5,16 @@ use std::collections::BTreeSet;
 
 use crate::geometry::Point;
 
-use super::agent::{AgentIndex, ParentPart, Rest};
+use super::agent::Rest;
 use super::body::Pose;
 use super::constants::{PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS};
-use super::environment::{Environment, Place};
-use super::lock::is_locked;
+use super::environment::Environment;
+use super::locked::is_locked;
 use super::movement::lift;
+use super::place::Place;
+use super::place::{AgentIndex, ParentPart};
 use super::rules::{meets_needs, score};
-use super::suggestion::follows_suggestion;
+use super::suggested::follows_suggestion;
 
 /// Pushes every group with a tight member to the best place within reach.
 pub(crate) fn push_apart(environment: &mut Environment<'_>) {
@@ -92,7 +94,7 @@ fn push(environment: &mut Environment<'_>, root: AgentIndex) -> bool {
 fn slides(environment: &Environment<'_>, rest: &Rest) -> Vec<Pose> {
     let directions: Vec<Point> = match rest.parent {
         ParentPart::Wall(wall) => {
-            let along = environment.surroundings.room.walls[wall].direction();
+            let along = environment.brief.surroundings.room.walls[wall].direction();
             vec![along, -along]
         }
         _ => {

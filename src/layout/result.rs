@@ -1,27 +1,14 @@
 //! From agents at rest to the [`Furnished`] room.
 
-use crate::catalog::Style;
-
-use super::agent::{Agent, AgentIndex, ParentPart, Rest, State};
+use super::agent::{Agent, Rest, State};
 use super::environment::Environment;
 use super::furnished::{Furnished, Parent, Placement, Removal};
-
-/// A room that is not furnished.
-pub(crate) fn empty(room: usize, seed: u64, style: Option<&Style>) -> Furnished {
-    Furnished {
-        room,
-        seed,
-        style: style.map_or_else(String::new, |style| style.id.clone()),
-        requested: 0,
-        placements: Vec::new(),
-        removals: Vec::new(),
-    }
-}
+use super::place::{AgentIndex, ParentPart};
 
 /// What the agents came to. Pieces that only fill what room is left are not missed where they found none.
-pub(crate) fn furnished(environment: &Environment<'_>, room: usize, seed: u64, style: &Style) -> Furnished {
-    let agents = &environment.agents;
-    let mut result = empty(room, seed, Some(style));
+pub(crate) fn furnished(environment: &Environment<'_>) -> Furnished {
+    let (agents, brief) = (&environment.agents, environment.brief);
+    let mut result = Furnished::empty(brief.room, brief.key.seed(), Some(brief.style));
     let mut indices = vec![None; agents.len()];
     for agent in 0..agents.len() {
         place(environment, agent, &mut indices, &mut result.placements);
@@ -71,7 +58,9 @@ fn placement(
         ParentPart::Floor => Parent::Floor,
         ParentPart::Ceiling => Parent::Ceiling,
         ParentPart::Wall(wall) => Parent::Wall(wall),
-        ParentPart::Opening(side) => Parent::Opening(environment.surroundings.room.openings[side].opening),
+        ParentPart::Opening(side) => {
+            Parent::Opening(environment.brief.surroundings.room.openings[side].opening)
+        }
         ParentPart::Column(column) => Parent::Column(column),
         ParentPart::Agent(parent) => Parent::Object(indices[parent].expect("parents are placed first")),
     };

@@ -3,14 +3,15 @@
 use crate::catalog::{ParentName, ParentRule, RelationKind, Side, Turn};
 use crate::plan::OpeningKind;
 
-use super::agent::{AgentIndex, ParentPart};
 use super::body::Pose;
 use super::constants::{
     CANDIDATES_BUILT_IN, CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE,
     STEPS_A_PROPOSAL,
 };
-use super::environment::{Environment, Place};
+use super::environment::Environment;
 use super::furnished::RemovalReason;
+use super::place::Place;
+use super::place::{AgentIndex, ParentPart};
 use super::rules::{self, Score, View};
 use super::seed::{Purpose, RoomKey, Stream};
 
@@ -217,8 +218,8 @@ fn parents(
     rule: &ParentRule,
     stream: &mut Stream,
 ) -> Vec<Possibility> {
-    let room = environment.surroundings.room;
-    let level = environment.surroundings.level;
+    let room = environment.brief.surroundings.room;
+    let level = environment.brief.surroundings.level;
     let mut options = Vec::new();
     match &rule.parent {
         ParentName::Floor => {

@@ -5,7 +5,6 @@ use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
 use super::constants::{WALL_POINTS, WALL_STEP};
-use super::environment::Border;
 
 /// Radians of the sectors of [`Swings::Exact`]: the polygon around the arc of a leaf of 1.5 m is then half a millimetre
 /// outside it at most.
@@ -20,6 +19,44 @@ pub(crate) enum Swings {
     Exact,
 }
 
+/// A stretch of the room's outline or of a hole.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Border {
+    /// Index of its wall.
+    pub(crate) wall: usize,
+    /// Where it begins.
+    pub(crate) start: Point,
+    /// Where it ends.
+    pub(crate) end: Point,
+    /// Whether nothing stands there: bodies stay inside all the same, people walk across.
+    pub(crate) is_open: bool,
+}
+
+impl Border {
+    /// The box around it.
+    pub(crate) fn bounds(&self) -> (Point, Point) {
+        (self.start.min(self.end), self.start.max(self.end))
+    }
+}
+
+/// A region that no body may enter.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct KeptFree {
+    /// The region.
+    pub(crate) solid: Solid,
+    /// What for.
+    pub(crate) cause: Cause,
+}
+
+/// What a region is kept free for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cause {
+    /// An opening, by index into the level's openings.
+    Opening(usize),
+    /// A way that furniture has closed before, or room for a wheelchair to turn.
+    Way,
+}
+
 /// The fixed part of an agent's environment.
 #[derive(Clone, Debug)]
 pub(crate) struct Surroundings<'a> {
@@ -30,7 +67,7 @@ pub(crate) struct Surroundings<'a> {
     /// Angle of the longest wall: what "straight" means in this room.
     pub(crate) main_angle: f64,
     /// Door swings and approaches: no body may enter.
-    pub(crate) kept_free: Vec<Solid>,
+    pub(crate) kept_free: Vec<KeptFree>,
     /// Convex pieces of the columns.
     pub(crate) columns: Vec<Solid>,
     /// Metres between the points of a scan along walls.
@@ -56,7 +93,15 @@ impl<'a> Surroundings<'a> {
             window_strips: Vec::new(),
         };
         for side in &room.openings {
-            surroundings.add_opening(&level.openings[side.opening], side, (rules, swings));
+            let opening = &level.openings[side.opening];
+            let regions = surroundings.regions_of(opening, side, (rules, swings));
+            let cause = Cause::Opening(side.opening);
+            surroundings.kept_free.extend(regions.into_iter().map(|solid| KeptFree { solid, cause }));
+            if opening.kind == OpeningKind::Window {
+                let from = opening.bottom + rules.windows.over_sill;
+                let strip = wall_strip(room, side, (rules.windows.depth, 0.0), (from, opening.top));
+                surroundings.window_strips.push(strip);
+            }
         }
         surroundings
     }
@@ -79,25 +124,26 @@ impl<'a> Surroundings<'a> {
         stretches
     }
 
-    fn add_opening(&mut self, opening: &Opening, side: &RoomOpening, (rules, swings): (&AuditRules, Swings)) {
-        let strip = |depth, margin, low, high| wall_strip(self.room, side, (depth, margin), (low, high));
+    /// What stays free before an opening: swings and approaches.
+    fn regions_of(
+        &self,
+        opening: &Opening,
+        side: &RoomOpening,
+        (rules, swings): (&AuditRules, Swings),
+    ) -> Vec<Solid> {
+        let strip = |depth, margin| wall_strip(self.room, side, (depth, margin), (0.0, opening.top));
         match opening.kind {
-            OpeningKind::Window => {
-                let from = opening.bottom + rules.windows.over_sill;
-                self.window_strips.push(strip(rules.windows.depth, 0.0, from, opening.top));
-            }
-            OpeningKind::OpenBoundary => {
-                self.kept_free.push(strip(rules.doors.open_boundary_depth, 0.0, 0.0, opening.top));
-            }
+            OpeningKind::Window => Vec::new(),
+            OpeningKind::OpenBoundary => vec![strip(rules.doors.open_boundary_depth, 0.0)],
             OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage => {
                 let depth = rules.doors.approach_depth.min(side.to - side.from);
-                self.kept_free.push(strip(depth, 0.0, 0.0, opening.top));
-                self.kept_free.push(strip(FRAME_DEPTH, FRAME_WIDTH, 0.0, opening.top));
+                let mut regions = vec![strip(depth, 0.0), strip(FRAME_DEPTH, FRAME_WIDTH)];
                 let wall = &self.room.walls[side.wall];
                 let opens_inward = |leaf: &&Leaf| (leaf.open_tip - leaf.hinge).dot(wall.normal()) > 0.0;
                 let leaves = opening.leaves.iter().filter(opens_inward);
                 let sectors = leaves.flat_map(|leaf| swept(leaf, swings));
-                self.kept_free.extend(sectors.map(|base| Solid::new(base, 0.0, opening.top)));
+                regions.extend(sectors.map(|base| Solid::new(base, 0.0, opening.top)));
+                regions
             }
         }
     }

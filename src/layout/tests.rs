@@ -2,10 +2,12 @@
 
 use std::f64::consts::PI;
 
+use super::constants::MOST_STEPS;
+use super::surroundings::{Surroundings, Swings};
 use super::*;
 use crate::catalog::*;
 use crate::geometry::{Point, Polygon, Region, direction};
-use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, RoomOpening, Wall, WallKind};
+use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
 
 pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
     ParentRule {
@@ -191,7 +193,7 @@ fn assert_free(level: &Level, catalog: &Catalog, furnished: &Furnished) {
         assert!(a.footprint().iter().all(|corner| inside(&corner)), "outside in seed {}", furnished.seed);
     }
     let swing = Surroundings::new(level, &level.rooms[0], &catalog.audit, Swings::Simple).kept_free;
-    assert!(all.iter().all(|a| swing.iter().all(|region| !a.overlaps(region, 1e-3))), "door blocked");
+    assert!(all.iter().all(|a| swing.iter().all(|region| !a.overlaps(&region.solid, 1e-3))), "door blocked");
 }
 
 /// Metres between an open side of a room and the nearest body, over many seeds.

@@ -1,20 +1,15 @@
 //! What agents meet on their search, for `explain`. Where nobody listens it costs a look at a field for each
 //! refused place, and nothing for those that are free.
 
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::agent::AgentIndex;
-use super::environment::{Environment, Place};
 use super::furnished::RemovalReason;
-use super::rules::unmet_need;
+use super::place::AgentIndex;
 
 /// What all agents of an attempt met.
 pub(crate) struct Trace {
     /// By agent.
     records: Vec<Record>,
-    /// How many of the regions that are kept free belong to openings; the others were cleared by repair.
-    pub(crate) opening_region_count: usize,
 }
 
 /// What one agent met, over all its searches.
@@ -88,60 +83,17 @@ pub(crate) enum Obstacle {
 
 impl Trace {
     /// Nothing has happened yet.
-    pub(crate) fn new(environment: &Environment<'_>) -> RefCell<Self> {
-        RefCell::new(Self {
-            records: vec![Record::default(); environment.agents.len()],
-            opening_region_count: environment.surroundings.kept_free.len(),
-        })
+    pub(crate) fn new(agent_count: usize) -> Self {
+        Self { records: vec![Record::default(); agent_count] }
     }
 
     /// What an agent met.
     pub(crate) fn record(&self, agent: AgentIndex) -> &Record {
         &self.records[agent]
     }
-}
 
-impl Environment<'_> {
-    /// An agent begins to search.
-    pub(crate) fn note_search(&self, agent: AgentIndex) {
-        if let Some(trace) = &self.trace {
-            trace.borrow_mut().records[agent].searches += 1;
-        }
-    }
-
-    /// A place was free.
-    pub(crate) fn note_free(&self, agent: AgentIndex) {
-        if let Some(trace) = &self.trace {
-            trace.borrow_mut().records[agent].places += 1;
-        }
-    }
-
-    /// A group was pushed; its head tells.
-    pub(crate) fn note_push(&self, agent: AgentIndex) {
-        if let Some(trace) = &self.trace {
-            trace.borrow_mut().records[agent].was_pushed = true;
-        }
-    }
-
-    /// A place was refused.
-    pub(crate) fn note_refusal(&self, agent: AgentIndex, place: &Place, reason: RemovalReason) {
-        if self.trace.is_some() {
-            self.record_refusal(agent, place, reason);
-        }
-    }
-
-    #[cold]
-    fn record_refusal(&self, agent: AgentIndex, place: &Place, reason: RemovalReason) {
-        let Some(trace) = &self.trace else { return };
-        let opening_region_count = trace.borrow().opening_region_count;
-        let obstacles = match reason {
-            RemovalReason::Relation => {
-                unmet_need(self, agent, place).map(Obstacle::Relation).into_iter().collect()
-            }
-            _ => self.obstacles(agent, place, (reason, opening_region_count)),
-        };
-        let record = &mut trace.borrow_mut().records[agent];
-        record.places += 1;
-        record.refused.add(reason, obstacles);
+    /// The same, to be added to.
+    pub(crate) fn record_mut(&mut self, agent: AgentIndex) -> &mut Record {
+        &mut self.records[agent]
     }
 }

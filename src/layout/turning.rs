@@ -4,12 +4,12 @@
 use crate::geometry::{Convex, Point, Solid};
 use crate::walk::Floor;
 
-use super::agent::AgentIndex;
 use super::arrange::arrange;
 use super::constants::CONTACT_TOLERANCE;
 use super::environment::Environment;
-use super::lock::is_locked;
+use super::locked::is_locked;
 use super::movement::send_away;
+use super::place::AgentIndex;
 use super::seed::RoomKey;
 use super::ways::who_is_near;
 
@@ -18,7 +18,7 @@ const CELLS_PER_PLACE: usize = 7;
 
 /// Keeps a place to turn. Whether there is none although the empty room has one.
 pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bool {
-    let rules = environment.catalog.audit.access;
+    let rules = environment.brief.catalog.audit.access;
     let Some(floor) = floor(environment, true) else { return false };
     let free = floor.walk(rules.walkway).wide_places(rules.turning).next();
     if let Some(place) = free {
@@ -44,22 +44,20 @@ pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bo
 
 /// The floor for a wheelchair, with what stands on it or empty.
 fn floor(environment: &Environment<'_>, is_furnished: bool) -> Option<Floor> {
-    let place = (environment.surroundings.level, environment.surroundings.room);
-    Floor::for_wheelchair(place, &environment.catalog.audit, environment.solids().filter(|_| is_furnished))
+    let place = (environment.brief.surroundings.level, environment.brief.surroundings.room);
+    Floor::for_wheelchair(
+        place,
+        &environment.brief.catalog.audit,
+        environment.solids().filter(|_| is_furnished),
+    )
 }
 
 /// Who stands where a wheelchair would turn; `None` where the room cannot do without one of them.
 fn dispensable(environment: &Environment<'_>, place: Point) -> Option<Vec<AgentIndex>> {
-    let reach = environment.catalog.audit.access.turning / 2.0 - CONTACT_TOLERANCE;
+    let reach = environment.brief.catalog.audit.access.turning / 2.0 - CONTACT_TOLERANCE;
     let going: Vec<AgentIndex> = who_is_near(environment, place, reach).into_keys().collect();
-    (!going.iter().any(|&agent| has_required(environment, agent) || is_locked(environment, agent)))
+    (!going.iter().any(|&agent| environment.has_required(agent) || is_locked(environment, agent)))
         .then_some(going)
-}
-
-/// Whether an agent, or one that stands on it or belongs to it, is required.
-pub(crate) fn has_required(environment: &Environment<'_>, agent: AgentIndex) -> bool {
-    let agent = &environment.agents[agent];
-    agent.piece.is_required || agent.children.iter().any(|&child| has_required(environment, child))
 }
 
 /// How many pieces go with some agents.
@@ -68,9 +66,9 @@ fn pieces(environment: &Environment<'_>, going: &[AgentIndex]) -> usize {
 }
 
 fn keep(environment: &mut Environment<'_>, place: Point) {
-    let rules = &environment.catalog.audit;
+    let rules = &environment.brief.catalog.audit;
     let disc = Convex::disc(place, Point::splat(rules.access.turning / 2.0), Point::X);
-    environment.keep_free(Solid::new(disc, 0.0, rules.walking.body_height));
+    environment.keep_way(Solid::new(disc, 0.0, rules.walking.body_height));
 }
 
 #[cfg(test)]

@@ -3,13 +3,14 @@
 use crate::catalog::{Side, Untidiness};
 use crate::geometry::Point;
 
-use super::agent::{Agent, AgentIndex, ParentPart, Rest};
+use super::agent::{Agent, Rest};
 use super::body::{Pose, outward};
 use super::environment::Environment;
-use super::lock::is_locked;
+use super::locked::is_locked;
 use super::movement::move_agent;
+use super::place::{AgentIndex, ParentPart};
 use super::seed::{Purpose, RoomKey, Stream};
-use super::suggestion::follows_suggestion;
+use super::suggested::follows_suggestion;
 
 /// Moves every movable agent a little; where there is no room for that it stays. Returns whether any moved.
 pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidiness, key: &RoomKey) -> bool {
@@ -45,7 +46,7 @@ fn offset(
     let away = match rest.parent {
         ParentPart::Ceiling | ParentPart::Opening(_) => return None,
         ParentPart::Wall(_) if rest.pose.elevation > 0.0 => return None,
-        ParentPart::Wall(wall) => environment.surroundings.room.walls[wall].normal(),
+        ParentPart::Wall(wall) => environment.brief.surroundings.room.walls[wall].normal(),
         ParentPart::Floor | ParentPart::Column(_) => Point::ZERO,
         ParentPart::Agent(parent) => match rest.side {
             Side::Above | Side::Below => Point::ZERO,

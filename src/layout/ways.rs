@@ -8,16 +8,16 @@ use crate::catalog::{Access, WalkingRules};
 use crate::geometry::{Convex, Point, Solid, distance_to_convex};
 use crate::walk::{Floor, Goal, Way, blocked_ways, is_in_the_way};
 
-use super::agent::{AgentIndex, State};
+use super::agent::State;
 use super::arrange::arrange;
 use super::constants::{CELLS_A_STEP, CELLS_OF_WAYS_A_STEP, CONTACT_TOLERANCE, WAY_ROUNDS};
 use super::environment::Environment;
 use super::furnished::RemovalReason;
-use super::lock::is_locked;
+use super::locked::is_locked;
 use super::movement::send_away;
+use super::place::AgentIndex;
 use super::seed::RoomKey;
-use super::suggestion::follows_suggestion;
-use super::turning::has_required;
+use super::suggested::follows_suggestion;
 
 /// Clears the ways that resting agents close, and keeps them free from then on. Returns how many stay closed, or do not
 /// only because pieces were left out.
@@ -31,11 +31,11 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
         }
         for ClosedWay { way, .. } in &ways {
             let half = Point::splat(way.width / 2.0);
-            let height = environment.catalog.audit.walking.body_height;
+            let height = environment.brief.catalog.audit.walking.body_height;
             // Many ways lead through one gap.
             let bits = |place: &Point| [place.x, place.y, way.width].map(f64::to_bits);
             for &place in way.narrows.iter().filter(|place| kept.insert(bits(place))) {
-                environment.keep_free(Solid::new(Convex::disc(place, half, Point::X), 0.0, height));
+                environment.keep_way(Solid::new(Convex::disc(place, half, Point::X), 0.0, height));
             }
         }
         for agent in in_the_way {
@@ -44,7 +44,7 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
         arrange(environment, key);
     }
     let closed_ways = all_closed_ways(environment);
-    if !environment.suggestions.is_empty() {
+    if !environment.brief.alternative.suggestions.is_empty() {
         leave_out(environment, &closed_ways, key);
     }
     closed_ways.len()
@@ -73,7 +73,7 @@ fn leave_out(environment: &mut Environment<'_>, closed_ways: &[ClosedWay], key: 
 /// Whom the ways ask to go, without those that the room cannot do without.
 fn who_can_be_missed(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
     let mut going = who_goes(environment, ways);
-    going.retain(|&agent| !has_required(environment, agent));
+    going.retain(|&agent| !environment.has_required(agent));
     going
 }
 
@@ -86,12 +86,12 @@ struct ClosedWay {
 
 /// The closed ways of people who walk, and of wheelchairs where the style asks for these.
 fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
-    let rules = &environment.catalog.audit;
-    let place = (environment.surroundings.level, environment.surroundings.room);
+    let rules = &environment.brief.catalog.audit;
+    let place = (environment.brief.surroundings.level, environment.brief.surroundings.room);
     let floor = Floor::new(place, &rules.walking, environment.solids());
     let empty = || Floor::new(place, &rules.walking, core::iter::empty());
     let mut ways = closed_ways(environment, &rules.walking, floor, empty);
-    if environment.access == Access::Wheelchair {
+    if environment.brief.style.access == Access::Wheelchair {
         let wheelchair = WalkingRules {
             person: rules.access.walkway,
             narrow_person: rules.walking.person,
@@ -114,7 +114,7 @@ fn closed_ways(
     let Some(floor) = floor else { return Vec::new() };
     let cells = floor.cell_count() as u64;
     environment.count_steps(cells / CELLS_A_STEP);
-    let walking = &environment.catalog.audit.walking;
+    let walking = &environment.brief.catalog.audit.walking;
     let areas = environment.used_areas(walking.narrow_person, walking.body_height);
     let areas = areas.map(|(owner, solid)| (Some(owner), Goal::Area(solid.footprint())));
     let doors = floor.doors().map(|door| (None, Goal::Door(door)));
@@ -136,9 +136,9 @@ fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex
     for (ClosedWay { way, owner }, place) in places {
         let mut near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
         near.retain(|&agent, _| !is_locked(environment, agent));
-        if way.width > environment.catalog.audit.walking.person {
+        if way.width > environment.brief.catalog.audit.walking.person {
             // A wide way is a wish: nobody goes for it whom the room cannot do without.
-            near.retain(|&agent, _| !has_required(environment, agent));
+            near.retain(|&agent, _| !environment.has_required(agent));
         }
         if near.keys().any(|agent| going.contains(agent)) {
             continue;
@@ -155,8 +155,7 @@ fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex
             )
         };
         let first = near.iter().min_by_key(rank).map(|(&agent, _)| agent);
-        let owner =
-            owner.filter(|&owner| !has_required(environment, owner) && !is_locked(environment, owner));
+        let owner = owner.filter(|&owner| !environment.has_required(owner) && !is_locked(environment, owner));
         going.extend(first.map(|agent| match owner {
             Some(owner) if follows_suggestion(environment, agent) => owner,
             _ => agent,
@@ -171,7 +170,7 @@ pub(crate) fn who_is_near(
     place: Point,
     reach: f64,
 ) -> BTreeMap<AgentIndex, f64> {
-    let rules = &environment.catalog.audit.walking;
+    let rules = &environment.brief.catalog.audit.walking;
     let mut near: BTreeMap<AgentIndex, f64> = BTreeMap::new();
     environment.each_part_near(place, reach, |agent, solid| {
         let distance = distance_to_convex(solid.footprint(), place);

@@ -1,25 +1,20 @@
 //! Regions that people need: before doors, before the sides of objects, and under tables.
 
-use crate::catalog::{Clearance, Shape, Size};
+use crate::catalog::{Clearance, Shape};
 use crate::geometry::Solid;
-use crate::layout::agent::{AgentIndex, ParentPart};
-use crate::layout::body::{Pose, box_solid, clearance_solid};
-use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT, SEAT_DEPTH};
+use crate::layout::body::{box_solid, clearance_solid, seat};
+use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT};
+use crate::layout::place::{AgentIndex, ParentPart};
 
-use super::{Border, Environment, Place, Probe, ROOM, item};
-
-/// Where a child's seat stands in a clearance that allows one.
-pub(super) fn seat(clearance: &Clearance, size: Size, pose: &Pose) -> Option<Solid> {
-    let depth = clearance.minimum.min(SEAT_DEPTH);
-    clearance.allows_children.then(|| clearance_solid(clearance, size, pose, depth))
-}
+use super::{Environment, Probe, ROOM, item};
+use crate::layout::place::Place;
+use crate::layout::surroundings::{Border, Cause, KeptFree};
 
 impl Environment<'_> {
     /// Whether a body would stand in a door's way or in another object's clearance.
     pub(super) fn blocks_a_way(&self, probe: &Probe<'_>) -> bool {
         let bounds = probe.whole.bounds;
-        let kept_free = &self.surroundings.kept_free;
-        let is_in_a_door = |index: u32| probe.meets(&kept_free[index as usize], CONTACT_TOLERANCE);
+        let is_in_a_door = |index: u32| probe.meets(&self.kept_free[index as usize].solid, CONTACT_TOLERANCE);
         let is_in_a_clearance = |index: u32| {
             let region = &self.clearances[index as usize];
             region.owner != probe.agent
@@ -31,10 +26,10 @@ impl Environment<'_> {
             || (!is_flat && self.clearance_grid.any(bounds, is_in_a_clearance))
     }
 
-    /// Keeps a region free of all bodies from now on.
-    pub(crate) fn keep_free(&mut self, solid: Solid) {
-        self.kept_free_grid.insert(item(self.surroundings.kept_free.len()), solid.bounds);
-        self.surroundings.kept_free.push(solid);
+    /// Keeps a way free of all bodies from now on.
+    pub(crate) fn keep_way(&mut self, solid: Solid) {
+        self.kept_free_grid.insert(item(self.kept_free.len()), solid.bounds);
+        self.kept_free.push(KeptFree { solid, cause: Cause::Way });
     }
 
     /// Clearances of resting agents at least so deep, so low that people stand in them, each with its agent.
@@ -71,7 +66,7 @@ impl Environment<'_> {
     /// relatives and what hangs flat on a wall.
     pub(crate) fn has_clearances(&self, agent: AgentIndex, place: &Place, is_good: bool) -> bool {
         let (class, size) = (self.class(agent), self.agents[agent].size);
-        let kept_by_next_room = self.catalog.audit.doors.open_boundary_depth;
+        let kept_by_next_room = self.brief.catalog.audit.doors.open_boundary_depth;
         class.clearances.iter().all(|clearance| {
             let depth = if is_good { clearance.good } else { clearance.minimum };
             let solid = clearance_solid(clearance, size, &place.pose, depth);

@@ -1,11 +1,10 @@
 //! What lies on the floor so flat that others stand on it, and the floor that it may cover.
 
-use crate::catalog::{COVERING_HEIGHT, Size};
 use crate::geometry::Solid;
-use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::constants::CONTACT_TOLERANCE;
+use crate::layout::place::AgentIndex;
 
-use super::{Environment, Place, ROOM};
+use super::{Environment, ROOM};
 
 /// Classes of this group stand on the floor itself, not on rugs.
 const STORAGE_GROUP: &str = "storage";
@@ -15,7 +14,7 @@ impl Environment<'_> {
     /// who does not stand on rugs: columns, what is built in, and storage, which stands on the floor itself.
     pub(crate) fn can_be_covered(&self, solid: &Solid) -> bool {
         let is_in_a_door =
-            |index: u32| self.surroundings.kept_free[index as usize].overlaps(solid, CONTACT_TOLERANCE);
+            |index: u32| self.kept_free[index as usize].solid.overlaps(solid, CONTACT_TOLERANCE);
         let is_in_the_way = |index: u32| {
             let body = &self.bodies[index as usize];
             body.solid.overlaps(solid, CONTACT_TOLERANCE) && !self.stands_on_rugs(body.owner)
@@ -30,10 +29,4 @@ impl Environment<'_> {
             && !self.is_built_in(owner)
             && !self.class(owner).groups.iter().any(|group| group == STORAGE_GROUP)
     }
-}
-
-/// Whether something lies on the floor so flat that others stand on it.
-pub(super) fn lies_flat(size: Size, place: &Place) -> bool {
-    place.parent == ParentPart::Floor
-        && place.pose.elevation + size.height <= COVERING_HEIGHT + CONTACT_TOLERANCE
 }

@@ -2,11 +2,12 @@
 
 use crate::catalog::{Side, Size};
 use crate::geometry::Point;
-use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::Pose;
 use crate::layout::constants::HANGING_GAP;
+use crate::layout::place::{AgentIndex, ParentPart};
 
-use super::{Environment, Place};
+use super::Environment;
+use crate::layout::place::Place;
 
 impl Environment<'_> {
     /// Whether something that hangs over or beside its parent (a mirror over a basin, a cupboard over a worktop)
@@ -32,7 +33,7 @@ impl Environment<'_> {
     /// Whether a back lies on one wall, clear of that wall's openings.
     fn has_wall_behind(&self, pose: &Pose, size: Size) -> bool {
         let back = pose.place(Point::new(0.0, size.depth / 2.0));
-        let room = self.surroundings.room;
+        let room = self.brief.surroundings.room;
         room.walls.iter().enumerate().any(|(index, wall)| {
             let at = (back - wall.start).dot(wall.direction());
             let (from, to) = (at - size.width / 2.0, at + size.width / 2.0);
@@ -42,7 +43,7 @@ impl Environment<'_> {
                 && to <= wall.length() + HANGING_GAP;
             is_behind
                 && !room.openings.iter().filter(|side| side.wall == index).any(|side| {
-                    let opening = &self.surroundings.level.openings[side.opening];
+                    let opening = &self.brief.surroundings.level.openings[side.opening];
                     from < side.to
                         && to > side.from
                         && pose.elevation < opening.top

@@ -1,10 +1,12 @@
 //! What is near a region: bodies, borders and what is kept free, for those who weigh a place.
 
 use crate::geometry::{Point, Solid, nearest_on_segment};
-use crate::layout::agent::AgentIndex;
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
+use crate::layout::place::AgentIndex;
 
-use super::{Border, Environment, Place, ROOM};
+use super::{Environment, ROOM};
+use crate::layout::place::Place;
+use crate::layout::surroundings::Border;
 
 impl Environment<'_> {
     /// Calls `visit` with every body that meets a region, relatives of nobody excepted.
@@ -21,7 +23,7 @@ impl Environment<'_> {
     /// Calls `visit` with every door's way and clearance that meets a region.
     pub(crate) fn each_kept_free(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
         self.kept_free_grid.each_under(&region.base, |index| {
-            let solid = &self.surroundings.kept_free[index as usize];
+            let solid = &self.kept_free[index as usize].solid;
             if region.overlaps(solid, CONTACT_TOLERANCE) {
                 visit(solid);
             }

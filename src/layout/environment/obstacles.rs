@@ -3,23 +3,24 @@
 use std::collections::BTreeSet;
 
 use crate::geometry::Solid;
-use crate::layout::agent::AgentIndex;
 use crate::layout::body::{box_solid, clearance_solid};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
 use crate::layout::furnished::RemovalReason;
+use crate::layout::place::AgentIndex;
 use crate::layout::rules::{Ground, weigh};
 use crate::layout::trace::Obstacle;
 
-use super::{Body, Border, Environment, Place, Probe, ROOM};
+use super::{Body, Environment, Probe, ROOM};
+use crate::layout::place::Place;
+use crate::layout::surroundings::{Border, Cause};
 
 impl Environment<'_> {
-    /// What stands in the way of an agent at a place that was refused for a reason. The first so many of the
-    /// regions that are kept free belong to openings.
+    /// What stands in the way of an agent at a place that was refused for a reason.
     pub(crate) fn obstacles(
         &self,
         agent: AgentIndex,
         place: &Place,
-        (reason, opening_region_count): (RemovalReason, usize),
+        reason: RemovalReason,
     ) -> BTreeSet<Obstacle> {
         let size = self.agents[agent].size;
         let probe = self.probe(agent, place, box_solid(size, &place.pose));
@@ -28,14 +29,14 @@ impl Environment<'_> {
             RemovalReason::Collision => self.who_collides(&probe),
             RemovalReason::Comfort => self.what_is_uncomfortable(&probe),
             _ => {
-                let taken = self.what_is_taken(&probe, opening_region_count);
+                let taken = self.what_is_taken(&probe);
                 if taken.is_empty() { self.who_takes_own(&probe) } else { taken }
             }
         }
     }
 
     fn what_is_outside(&self, probe: &Probe<'_>) -> BTreeSet<Obstacle> {
-        let height = self.surroundings.room.height;
+        let height = self.brief.surroundings.room.height;
         if probe.whole.low < -CONTACT_TOLERANCE || probe.whole.high > height + CONTACT_TOLERANCE {
             return [Obstacle::Height].into();
         }
@@ -76,14 +77,14 @@ impl Environment<'_> {
         })
     }
 
-    fn what_is_taken(&self, probe: &Probe<'_>, opening_region_count: usize) -> BTreeSet<Obstacle> {
-        let mut found = BTreeSet::new();
-        for (index, solid) in self.surroundings.kept_free.iter().enumerate() {
-            if probe.meets(solid, CONTACT_TOLERANCE) {
-                let opening = self.opening_of(solid).filter(|_| index < opening_region_count);
-                found.insert(opening.map_or(Obstacle::Way, Obstacle::Opening));
-            }
-        }
+    fn what_is_taken(&self, probe: &Probe<'_>) -> BTreeSet<Obstacle> {
+        let taken = self.kept_free.iter().filter(|region| probe.meets(&region.solid, CONTACT_TOLERANCE));
+        let mut found: BTreeSet<Obstacle> = taken
+            .map(|region| match region.cause {
+                Cause::Opening(opening) => Obstacle::Opening(opening),
+                Cause::Way => Obstacle::Way,
+            })
+            .collect();
         let is_flat = self.is_flat(self.agents[probe.agent].size, probe.place);
         let resting = (0..self.agents.len()).filter(|&owner| self.agents[owner].rest().is_some());
         for owner in resting.filter(|&owner| owner != probe.agent && !is_flat) {
@@ -97,16 +98,6 @@ impl Environment<'_> {
             }
         }
         found
-    }
-
-    /// The opening of the room nearest to a region before one.
-    fn opening_of(&self, solid: &Solid) -> Option<usize> {
-        let level = self.surroundings.level;
-        let openings = self.surroundings.room.openings.iter().map(|side| side.opening);
-        let distance = |index: &usize| level.openings[*index].center.distance(solid.base.center());
-        openings
-            .filter(|&index| level.openings[index].kind.is_walkable())
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
     fn what_is_uncomfortable(&self, probe: &Probe<'_>) -> BTreeSet<Obstacle> {

@@ -16,13 +16,16 @@ pub use story::{
     Explanation, MissingStory, ObjectStory, ObstacleStory, ParentStory, Refusal, SearchStory, WallStory, Wish,
 };
 
-use super::agent::AgentIndex;
-use super::environment::{Environment, Place};
+use super::attempt::{Recording, best_attempt};
+use super::brief::Brief;
+use super::environment::Environment;
 use super::furnished::{Furnished, RemovalReason};
+use super::place::AgentIndex;
+use super::place::Place;
 use super::result::is_missed;
 use super::rules::{Ground, measure, weigh};
 use super::trace::Refused;
-use super::{Alternative, FurnishOptions, Task, Told};
+use super::{Alternative, FurnishOptions};
 use names::{decider, id, obstacle_name, relation_word, target_name};
 use survey::survey_walls;
 
@@ -52,11 +55,13 @@ pub fn explain_alternative(
     options: &FurnishOptions<'_>,
     alternative: &Alternative,
 ) -> (Furnished, Explanation) {
-    let task = Task { level, room, catalog, options: *options, alternative };
-    let (furnished, told) = task.furnish(true, explanation);
-    let numbered =
-        |told: Told<Explanation>| Explanation { attempts: told.attempts, kept: told.kept, ..told.words };
-    (furnished, told.map(numbered).unwrap_or_default())
+    match Brief::new((level, room), catalog, options, alternative) {
+        Ok(brief) => {
+            let kept = best_attempt(&brief, Recording::On, explanation);
+            (kept.furnished, Explanation { attempts: kept.attempts, kept: kept.number, ..kept.words })
+        }
+        Err(furnished) => (furnished, Explanation::default()),
+    }
 }
 
 /// Tells about the objects and the missing pieces of an attempt; its number is filled in by the caller.

@@ -1,8 +1,8 @@
 //! What agents, room parts and wishes are called.
 
 use crate::catalog::{ParentName, RelationKind};
-use crate::layout::agent::AgentIndex;
 use crate::layout::environment::Environment;
+use crate::layout::place::AgentIndex;
 use crate::layout::rules::Measured;
 use crate::layout::trace::Obstacle;
 use crate::plan::OpeningKind;
@@ -23,7 +23,7 @@ pub(super) fn relation_word(kind: RelationKind) -> &'static str {
 /// A room part, a group, or the classes that are meant.
 pub(super) fn target_name(environment: &Environment<'_>, target: &ParentName) -> String {
     match target {
-        ParentName::Classes(classes) => environment.catalog.class_names(classes),
+        ParentName::Classes(classes) => environment.brief.catalog.class_names(classes),
         part => part_name(part).to_owned(),
     }
 }
@@ -42,7 +42,7 @@ fn part_name(part: &ParentName) -> &'static str {
 
 /// The object or room part that decides about a wish.
 pub(super) fn decider(environment: &Environment<'_>, target: &ParentName, measured: &Measured) -> String {
-    let surroundings = &environment.surroundings;
+    let surroundings = &environment.brief.surroundings;
     let opening = |is_window: bool| {
         let all = surroundings.room.openings.iter().map(|side| &surroundings.level.openings[side.opening]);
         all.filter(|opening| (opening.kind == OpeningKind::Window) == is_window).nth(measured.index)
@@ -77,7 +77,7 @@ pub(super) fn obstacle_name(environment: &Environment<'_>, agent: AgentIndex, ob
         Obstacle::BeyondWalls => "beyond the walls".to_owned(),
         Obstacle::Column => "a column".to_owned(),
         Obstacle::Opening(index) => {
-            format!("door:{}", environment.surroundings.level.openings[index].id)
+            format!("door:{}", environment.brief.surroundings.level.openings[index].id)
         }
         Obstacle::Way => "the only way".to_owned(),
         Obstacle::WindowBehind => "a window behind it".to_owned(),

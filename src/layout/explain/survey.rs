@@ -4,9 +4,10 @@
 use crate::catalog::{ParentName, ParentRule, Side};
 use crate::geometry::Point;
 
-use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::Pose;
-use crate::layout::environment::{Environment, Place};
+use crate::layout::environment::Environment;
+use crate::layout::place::Place;
+use crate::layout::place::{AgentIndex, ParentPart};
 use crate::layout::rules::angle_of_front;
 use crate::layout::trace::Refused;
 
@@ -26,13 +27,12 @@ pub(super) struct Survey {
 pub(super) fn survey_walls(environment: &Environment<'_>, agent: AgentIndex) -> Option<Survey> {
     let parents = &environment.class(agent).parents;
     let rule = parents.iter().find(|rule| rule.parent == ParentName::Wall)?;
-    let opening_region_count = environment.trace.as_ref()?.borrow().opening_region_count;
     let mut survey = Survey::default();
     let places = places(environment, agent, rule);
     for place in &places {
         survey.places += 1;
         let Some(reason) = environment.obstruction(agent, place) else { continue };
-        let obstacles = environment.obstacles(agent, place, (reason, opening_region_count));
+        let obstacles = environment.obstacles(agent, place, reason);
         survey.refused.add(reason, obstacles);
     }
     (survey.places > 0).then_some(survey)
@@ -42,7 +42,7 @@ pub(super) fn survey_walls(environment: &Environment<'_>, agent: AgentIndex) -> 
 fn places(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> Vec<Place> {
     let size = environment.agents[agent].size;
     let mut places = Vec::new();
-    for (index, wall) in environment.surroundings.room.walls.iter().enumerate() {
+    for (index, wall) in environment.brief.surroundings.room.walls.iter().enumerate() {
         if rule.tag.as_ref().is_some_and(|tag| !wall.tags.contains(tag)) {
             continue;
         }

@@ -2,9 +2,10 @@
 
 use crate::catalog::{Along, Side, Turn};
 use crate::geometry::Point;
-use crate::layout::agent::{Agent, AgentIndex};
+use crate::layout::agent::Agent;
 use crate::layout::body::{Pose, outward};
 use crate::layout::constants::TRIALS_PER_SIDE;
+use crate::layout::place::AgentIndex;
 use crate::layout::seed::Stream;
 
 use super::View;
@@ -59,7 +60,7 @@ pub(super) fn propose_at_agent(
 
 /// Poses at a side of the box around a column.
 pub(super) fn propose_at_column(view: &View<'_>, column: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {
-    let (low, high) = view.environment.surroundings.room.obstacles[column].outline.bounds();
+    let (low, high) = view.environment.brief.surroundings.room.obstacles[column].outline.bounds();
     let (center, half) = ((low + high) / 2.0, (high - low) / 2.0);
     let out = outward(view.side);
     let face = Face {

@@ -4,9 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::catalog::{Along, Turn};
 use crate::geometry::Point;
-use crate::layout::agent::{Agent, ParentPart};
+use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
 use crate::layout::constants::{SAME_DIRECTION, SCAN_DIRECTIONS, SCAN_POINTS, SCAN_STEP, TRIALS_PER_FLOOR};
+use crate::layout::place::ParentPart;
 use crate::layout::seed::Stream;
 
 use super::View;
@@ -20,7 +21,7 @@ pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose
             return;
         }
     }
-    let region = &view.environment.surroundings.room.region;
+    let region = &view.environment.brief.surroundings.room.region;
     let (low, high) = region.outline.bounds();
     let middle = (low + high) / 2.0;
     for trial in 0..TRIALS_PER_FLOOR {
@@ -41,7 +42,7 @@ pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, pose
     if view.rule.along == Along::Ends && view.environment.is_built_in(view.agent) {
         return;
     }
-    let region = &view.environment.surroundings.room.region;
+    let region = &view.environment.brief.surroundings.room.region;
     let (low, high) = region.outline.bounds();
     let size = high - low;
     let (finest, most) =
@@ -63,7 +64,7 @@ pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, pose
 
 /// Whatever the room cannot do without is also tried at every quarter turn of every wall.
 fn add_all_turns(view: &View<'_>, poses: &mut Vec<Pose>) {
-    let surroundings = &view.environment.surroundings;
+    let surroundings = &view.environment.brief.surroundings;
     let mut turns = vec![surroundings.main_angle];
     for wall in surroundings.room.walls.iter().filter(|wall| wall.length() > SCAN_STEP) {
         let along = wall.direction();
@@ -87,7 +88,7 @@ fn add_all_turns(view: &View<'_>, poses: &mut Vec<Pose>) {
 /// The corners of the room from a random one on: flush with the wall that leaves the corner and the one
 /// before.
 fn propose_corners(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
-    let corners = view.environment.surroundings.room.region.outline.corners();
+    let corners = view.environment.brief.surroundings.room.region.outline.corners();
     let count = corners.len();
     let first = stream.below(count);
     for index in first..first + count {
@@ -117,7 +118,7 @@ fn propose_corners(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
 }
 
 fn pose_at(view: &View<'_>, position: Point, stream: &mut Stream) -> Pose {
-    let surroundings = &view.environment.surroundings;
+    let surroundings = &view.environment.brief.surroundings;
     let bearing = Bearing { parent_angle: surroundings.main_angle, outward: Point::ZERO };
     let angle = match view.rule.orientation.turn {
         Turn::TowardsCenter => {
@@ -132,7 +133,7 @@ fn pose_at(view: &View<'_>, position: Point, stream: &mut Stream) -> Pose {
 /// Metres of the underside: standing on the floor, or hanging with the top at the ceiling.
 pub(super) fn elevation(view: &View<'_>) -> f64 {
     match view.parent {
-        ParentPart::Ceiling => view.environment.surroundings.room.height - view.size.height,
+        ParentPart::Ceiling => view.environment.brief.surroundings.room.height - view.size.height,
         _ => view.rule.elevation.0,
     }
 }

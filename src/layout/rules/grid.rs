@@ -113,7 +113,7 @@ impl Margins {
 /// The angle of all agents of the class: towards what they want to face, where it is in the room, else as the
 /// rule says.
 fn angle(view: &View<'_>, stream: &mut Stream) -> f64 {
-    let surroundings = &view.environment.surroundings;
+    let surroundings = &view.environment.brief.surroundings;
     let bearing = Bearing { parent_angle: surroundings.main_angle, outward: Point::ZERO };
     let drawn = turn::angle(&view.rule.orientation, &bearing, stream);
     if view.rule.orientation.turn != Turn::Quarter {
@@ -189,7 +189,7 @@ fn add_outside(
 
 /// Bounding box of the room in the frame of its longest wall.
 fn extent(view: &View<'_>, frame: &Pose) -> (Point, Point) {
-    let corners = view.environment.surroundings.room.region.outline.corners();
+    let corners = view.environment.brief.surroundings.room.region.outline.corners();
     let local = |corner: &Point| Point::new(corner.dot(frame.right), corner.dot(frame.right.perp()));
     let first = local(&corners[0]);
     corners.iter().map(local).fold((first, first), |(low, high), point| (low.min(point), high.max(point)))

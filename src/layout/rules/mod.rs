@@ -14,10 +14,10 @@ pub(crate) use turn::angle_of_front;
 
 use crate::catalog::{Class, ParentRule, Side, Size};
 
-use super::agent::{AgentIndex, ParentPart};
 use super::body::Pose;
 use super::constants::STEPS_A_PROPOSAL;
 use super::environment::Environment;
+use super::place::{AgentIndex, ParentPart};
 use super::seed::{RoomKey, Stream};
 
 /// What an agent sees when it considers a side of a parent.

@@ -4,12 +4,13 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::catalog::{ParentName, Relation, RelationKind, Side};
 use crate::geometry::Point;
-use crate::layout::agent::{AgentIndex, ParentPart};
 use crate::layout::body::{Pose, box_solid};
 use crate::layout::constants::{
     BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, RUN_LENGTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
 };
-use crate::layout::environment::{Environment, Place};
+use crate::layout::environment::Environment;
+use crate::layout::place::Place;
+use crate::layout::place::{AgentIndex, ParentPart};
 use crate::plan::OpeningKind;
 
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
@@ -100,7 +101,7 @@ fn suits_wall(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -
     if !environment.is_built_in(agent) {
         return 0.0;
     }
-    let length = environment.surroundings.room.walls[wall].length();
+    let length = environment.brief.surroundings.room.walls[wall].length();
     let joins = [Side::Left, Side::Right].iter().any(|&side| class.offer(side).places > 0);
     if joins {
         (length / RUN_LENGTH).min(1.0)
@@ -269,7 +270,7 @@ fn targets<'a>(
     environment: &'a Environment<'_>,
     name: &'a ParentName,
 ) -> Box<dyn Iterator<Item = Target> + 'a> {
-    let room = environment.surroundings.room;
+    let room = environment.brief.surroundings.room;
     let fixed = |position, front| Target { position, front, radius: 0.0 };
     match name {
         ParentName::Classes(classes) => Box::new(environment.resting_of(classes).filter_map(|other| {
@@ -279,7 +280,7 @@ fn targets<'a>(
             Some(Target { position: pose.position, front: pose.front(), radius })
         })),
         ParentName::Window | ParentName::Door => Box::new(room.openings.iter().filter_map(move |side| {
-            let kind = environment.surroundings.level.openings[side.opening].kind;
+            let kind = environment.brief.surroundings.level.openings[side.opening].kind;
             let is_wanted = (kind == OpeningKind::Window) == (*name == ParentName::Window);
             let wall = &room.walls[side.wall];
             let middle = wall.start + wall.direction() * f64::midpoint(side.from, side.to);
@@ -289,7 +290,7 @@ fn targets<'a>(
             Box::new(room.walls.iter().map(move |wall| fixed((wall.start + wall.end) / 2.0, wall.normal())))
         }
         ParentName::Column => Box::new(
-            environment.surroundings.columns.iter().map(move |c| fixed(c.base.center(), Point::NEG_Y)),
+            environment.brief.surroundings.columns.iter().map(move |c| fixed(c.base.center(), Point::NEG_Y)),
         ),
         ParentName::Floor | ParentName::Ceiling => Box::new(std::iter::empty()),
     }
@@ -301,9 +302,9 @@ fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place:
         return false;
     }
     let size = environment.agents[agent].size;
-    if size.width.max(size.depth) < environment.catalog.audit.windows.slim_width {
+    if size.width.max(size.depth) < environment.brief.catalog.audit.windows.slim_width {
         return false;
     }
     let body = box_solid(size, &place.pose);
-    environment.surroundings.window_strips.iter().any(|strip| strip.overlaps(&body, CONTACT_TOLERANCE))
+    environment.brief.surroundings.window_strips.iter().any(|strip| strip.overlaps(&body, CONTACT_TOLERANCE))
 }

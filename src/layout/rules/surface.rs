@@ -2,9 +2,10 @@
 
 use crate::catalog::{Along, Side, Turn};
 use crate::geometry::Point;
-use crate::layout::agent::{Agent, AgentIndex};
+use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
 use crate::layout::constants::{FRONT_MARGIN, SURFACE_STEP, TRIALS_PER_SIDE};
+use crate::layout::place::AgentIndex;
 use crate::layout::seed::Stream;
 
 use super::View;

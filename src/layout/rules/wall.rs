@@ -8,8 +8,8 @@ use crate::layout::body::Pose;
 use crate::layout::constants::{
     CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, COVER_MARGIN, SEAT_DEPTH, SNAP_DISTANCE, TRIALS_PER_WALL,
 };
-use crate::layout::environment::Border;
 use crate::layout::seed::Stream;
+use crate::layout::surroundings::Border;
 use crate::plan::{OpeningKind, Wall, WallKind};
 
 use super::View;
@@ -40,7 +40,7 @@ pub(super) fn scan(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mu
     let mut free = Intervals::new(strip.half, strip.wall.length() - strip.half);
     strip.block_openings(&mut free);
     for &(from, to) in free.as_slice() {
-        let steps = ((to - from) / view.environment.surroundings.wall_step).ceil();
+        let steps = ((to - from) / view.environment.brief.surroundings.wall_step).ceil();
         let at = |step: u32| from + (to - from) * f64::from(step) / steps.max(1.0);
         poses.extend((0..=steps as u32).map(|step| strip.pose(at(step))));
     }
@@ -59,13 +59,14 @@ pub(super) fn propose_at_opening(
     stream: &mut Stream,
     poses: &mut Vec<Pose>,
 ) {
-    let room = view.environment.surroundings.room;
+    let room = view.environment.brief.surroundings.room;
     let side = &room.openings[opening];
     let wall = &room.walls[side.wall];
     let bearing = Bearing { parent_angle: angle_of_front(wall.normal()), outward: wall.normal() };
     let angle = turn::angle(&view.rule.orientation, &bearing, stream);
     let right = crate::geometry::direction(angle);
-    let is_window = view.environment.surroundings.level.openings[side.opening].kind == OpeningKind::Window;
+    let is_window =
+        view.environment.brief.surroundings.level.openings[side.opening].kind == OpeningKind::Window;
     if !is_window && 2.0 * Agent::half_extent(view.size, right, wall.direction()) > side.to - side.from {
         // What stands before a door came in through it: a car does not before that for people.
         return;
@@ -75,7 +76,7 @@ pub(super) fn propose_at_opening(
     let drawn = stream.between(view.rule.elevation.0, view.rule.elevation.1);
     let elevation = match view.rule.above_head {
         Some(above) => {
-            let opening = &view.environment.surroundings.level.openings[side.opening];
+            let opening = &view.environment.brief.surroundings.level.openings[side.opening];
             let most = Point::new(side.to - side.from, opening.top - opening.bottom) + COVER_MARGIN;
             let top = (opening.top + above).min(room.height);
             if view.size.width > most.x || view.size.height > most.y.min(top) {
@@ -113,7 +114,7 @@ struct Strip<'a> {
 impl<'a> Strip<'a> {
     /// The strip for an agent at a wall; `None` where it would hang over a railing.
     fn new(view: &'a View<'a>, index: usize, stream: &mut Stream) -> Option<Self> {
-        let wall = &view.environment.surroundings.room.walls[index];
+        let wall = &view.environment.brief.surroundings.room.walls[index];
         let normal = wall.normal();
         let low = stream.between(view.rule.elevation.0, view.rule.elevation.1);
         let high = low + view.size.height;
@@ -185,7 +186,7 @@ impl<'a> Strip<'a> {
 
     /// What stands may stand before a window (and pays for it in its score); what hangs may not.
     fn block_openings(&self, free: &mut Intervals) {
-        let surroundings = &self.view.environment.surroundings;
+        let surroundings = &self.view.environment.brief.surroundings;
         for side in surroundings.room.openings.iter().filter(|side| side.wall == self.index) {
             let opening = &surroundings.level.openings[side.opening];
             let is_passable = opening.kind == OpeningKind::Window && self.low <= 0.0;

@@ -1,0 +1,181 @@
+//! The attempts at a room: what one does, how two are compared, and which is kept.
+
+use std::collections::BTreeSet;
+
+use crate::catalog::{Access, ClassIndex, ParentName};
+
+use super::agent::{Agent, State};
+use super::brief::Brief;
+use super::constants::{
+    ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE, MOST_STEPS, MOST_STEPS_FOR_WAYS,
+};
+use super::environment::{Environment, Start};
+use super::furnished::Furnished;
+use super::place::AgentIndex;
+use super::seed::RoomKey;
+use super::{arrange, covering, locked, push, result, turning, untidy, ways};
+
+/// Whether what agents meet on their search is noted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Recording {
+    /// It is, for an explanation.
+    On,
+    /// It is not.
+    Off,
+}
+
+/// The attempt that is kept.
+pub(crate) struct Kept<T> {
+    /// The room.
+    pub(crate) furnished: Furnished,
+    /// What was said about it.
+    pub(crate) words: T,
+    /// Which attempt it is, from 1.
+    pub(crate) number: u32,
+    /// How many there were.
+    pub(crate) attempts: u32,
+    /// What they took together, in steps of about a tenth of a microsecond.
+    pub(crate) steps: u64,
+}
+
+/// Furnishes a room as often as it deserves and keeps the attempt that lacks least, of equals the first. `tell` says something
+/// about each.
+pub(crate) fn best_attempt<T>(
+    brief: &Brief<'_>,
+    recording: Recording,
+    tell: impl Fn(&Environment<'_>, &Furnished) -> T,
+) -> Kept<T> {
+    let mut urgency = vec![0; brief.pieces.len()];
+    let mut attempt = |number: u32| {
+        let attempt = Attempt::new(brief, (number, recording), &urgency, &tell);
+        attempt.missed.iter().for_each(|&agent| urgency[agent] += 1);
+        attempt
+    };
+    let mut best = attempt(0);
+    let (mut attempts, mut steps) = (1, best.steps);
+    while attempts < best.deserved_attempts(brief) && steps < best.most_steps() {
+        let next = attempt(attempts);
+        steps += next.steps;
+        if next.lack < best.lack {
+            best = next;
+        }
+        attempts += 1;
+    }
+    let Attempt { furnished, words, number, .. } = best;
+    Kept { furnished, words, number: number + 1, attempts, steps }
+}
+
+/// What an attempt lacks, the worst first: attempts are compared in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Lack {
+    /// Classes of which a required piece is missing and none is there.
+    classes_without_any: usize,
+    /// Ways that are closed, with the room to turn where the style asks for it.
+    closed_ways: usize,
+    /// Required pieces that are missing.
+    required: usize,
+    /// All pieces that are missing.
+    pieces: usize,
+}
+
+impl Lack {
+    fn of(furnished: &Furnished, closed_ways: usize) -> Self {
+        let required = || furnished.removals.iter().filter(|removal| removal.is_required);
+        let is_there = |class| furnished.placements.iter().any(|placement| placement.class == class);
+        let classes: BTreeSet<ClassIndex> = required().map(|removal| removal.class).collect();
+        Self {
+            classes_without_any: classes.into_iter().filter(|&class| !is_there(class)).count(),
+            closed_ways,
+            required: required().count(),
+            pieces: furnished.removals.len(),
+        }
+    }
+}
+
+/// One of the times that a room is furnished.
+struct Attempt<T> {
+    /// Counts from 0.
+    number: u32,
+    furnished: Furnished,
+    lack: Lack,
+    /// Whom the next attempt should serve first.
+    missed: BTreeSet<AgentIndex>,
+    words: T,
+    steps: u64,
+}
+
+impl<T> Attempt<T> {
+    fn new(
+        brief: &Brief<'_>,
+        (number, recording): (u32, Recording),
+        urgency: &[u32],
+        tell: impl Fn(&Environment<'_>, &Furnished) -> T,
+    ) -> Self {
+        let alternative = brief.alternative.number;
+        let heeds_tags = alternative < ALTERNATIVES_WITH_TAGS && number < ATTEMPTS;
+        let start = Start { urgency, heeds_tags, is_traced: recording == Recording::On };
+        let mut environment = Environment::new(brief, &start);
+        let key = brief.key.attempt(alternative * ATTEMPTS_IN_NEED + number);
+        let closed_ways = act_all(&mut environment, &key);
+        let furnished = result::furnished(&environment);
+        Self {
+            number,
+            lack: Lack::of(&furnished, closed_ways),
+            missed: missed(&environment),
+            words: tell(&environment, &furnished),
+            steps: environment.steps(),
+            furnished,
+        }
+    }
+
+    /// Steps after which no further attempt begins.
+    fn most_steps(&self) -> u64 {
+        if self.lack.closed_ways > 0 { MOST_STEPS_FOR_WAYS } else { MOST_STEPS }
+    }
+
+    /// How many attempts the room deserves.
+    fn deserved_attempts(&self, brief: &Brief<'_>) -> u32 {
+        let Lack { classes_without_any, closed_ways, required, pieces } = self.lack;
+        let misses_many = pieces as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
+        let is_in_need = classes_without_any > 0 || closed_ways > 0;
+        match (is_in_need, brief.alternative.number) {
+            (true, 0) => ATTEMPTS_IN_NEED,
+            (true, _) => ATTEMPTS,
+            (false, 0) if required > 0 || misses_many => ATTEMPTS,
+            // Who compares alternatives has more of them.
+            (false, _) => 1,
+        }
+    }
+}
+
+/// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness; after that,
+/// ways are cleared and rugs laid. Returns how many ways stay closed.
+fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
+    let style = environment.brief.style;
+    locked::settle_locked(environment);
+    arrange::arrange(environment, key);
+    push::push_apart(environment);
+    if untidy::make_untidy(environment, &style.untidiness, key) {
+        arrange::arrange(environment, key);
+    }
+    let lacks_turn = style.access == Access::Wheelchair && turning::lacks_turn(environment, key);
+    let closed_ways = ways::clear_ways(environment, key);
+    covering::lay(environment);
+    closed_ways + usize::from(lacks_turn)
+}
+
+/// Whom the next attempt should serve first: the required pieces that found no place, and those by which they would
+/// stand. What goes wrong first is dealt with first: D. Joslin, D. Clements, "Squeaky Wheel Optimization", 1999.
+fn missed(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
+    let is_missed = |agent: &AgentIndex| {
+        let Agent { piece, state, .. } = &environment.agents[*agent];
+        piece.is_required && matches!(state, State::Removed(_))
+    };
+    let missed: BTreeSet<AgentIndex> = (0..environment.agents.len()).filter(is_missed).collect();
+    let rules = missed.iter().flat_map(|&agent| &environment.class(agent).parents);
+    let parents = rules.filter_map(|rule| match &rule.parent {
+        ParentName::Classes(classes) => Some(environment.resting_of(classes)),
+        _ => None,
+    });
+    missed.iter().copied().chain(parents.flatten()).collect()
+}

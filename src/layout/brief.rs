@@ -1,0 +1,78 @@
+//! The brief of a room: everything that is fixed before anybody searches.
+
+use crate::catalog::{Catalog, Style};
+use crate::plan::{Level, OpeningKind, Room, RoomOpening};
+
+use super::choice::{Series, room_style};
+use super::furnished::Furnished;
+use super::lock::Lock;
+use super::options::FurnishOptions;
+use super::programme::{self, Piece, Site};
+use super::seed::RoomKey;
+use super::suggestion::Alternative;
+use super::surroundings::{Surroundings, Swings};
+use super::variant::Variants;
+
+/// What is fixed for a room, whatever its agents do: complete when it is made, the same for all attempts.
+pub(crate) struct Brief<'a> {
+    /// Classes and figures.
+    pub(crate) catalog: &'a Catalog,
+    /// How the room is furnished.
+    pub(crate) style: &'a Style,
+    /// The key of its random streams.
+    pub(crate) key: RoomKey,
+    /// Index into the level's rooms.
+    pub(crate) room: usize,
+    /// The pieces that are asked for, with those that are locked. Drawn once: another attempt must not ask for other pieces.
+    pub(crate) pieces: Vec<Piece>,
+    /// What the room gives.
+    pub(crate) surroundings: Surroundings<'a>,
+    /// Who stands where somebody put it.
+    pub(crate) locks: &'a [Lock],
+    /// Which arrangement is wanted, and where somebody says that agents fit.
+    pub(crate) alternative: &'a Alternative,
+}
+
+impl<'a> Brief<'a> {
+    /// The brief of a room, by index into the level's rooms.
+    ///
+    /// # Errors
+    /// The empty room where its type is not furnished.
+    pub(crate) fn new(
+        (level, index): (&'a Level, usize),
+        catalog: &'a Catalog,
+        options: &FurnishOptions<'a>,
+        alternative: &'a Alternative,
+    ) -> Result<Self, Furnished> {
+        let room = &level.rooms[index];
+        let seed = options.pinned.unwrap_or(options.seed);
+        let key = RoomKey::new(seed, options.building, level, room);
+        let style = room_style(level, room, catalog, options);
+        let room_type = catalog.room_types.get(&room.room_type).filter(|room_type| room_type.is_furnished);
+        let (Some(style), Some(room_type)) = (style, room_type) else {
+            return Err(Furnished::empty(index, key.seed(), style));
+        };
+        let series = Series::new(level, room, catalog, options);
+        let variants = Variants { seed, series, key: &key };
+        let mut pieces = programme::pieces(catalog, (style, room_type), site(level, room), &variants);
+        programme::add_locked(&mut pieces, options.locks, catalog);
+        let swings = if alternative.suggestions.is_empty() { Swings::Simple } else { Swings::Exact };
+        Ok(Self {
+            catalog,
+            style,
+            key,
+            room: index,
+            pieces,
+            surroundings: Surroundings::new(level, room, &catalog.audit, swings),
+            locks: options.locks,
+            alternative,
+        })
+    }
+}
+
+fn site(level: &Level, room: &Room) -> Site {
+    let is_window = |side: &&RoomOpening| level.openings[side.opening].kind == OpeningKind::Window;
+    let windows = room.openings.iter().filter(is_window).count();
+    let window_count = u32::try_from(windows).expect("a room has fewer than 2^32 windows");
+    Site { area: room.region.area(), window_count }
+}
