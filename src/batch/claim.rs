@@ -2,7 +2,7 @@
 //! program would not have written itself. A path that is believed is read, replaced and deleted.
 
 use super::file_name::{is_name_of, is_safe_name};
-use super::job::Format;
+use super::options::Format;
 use super::record::{FileRecord, LevelRecord};
 use crate::document::{Fault, FaultSeverity, PathStep, Source};
 

@@ -6,37 +6,22 @@ use crate::audit::{RoomAudit, Verdict};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
-use crate::gltf::{EncodedModels, SharedLibrary};
+use crate::gltf::SharedLibrary;
 use crate::layout::{FurnishOptions, Furnished, furnish_counted};
-use crate::model::{ModelLibrary, SwatchedModels};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
 
 use super::bug::catch_bug;
-use super::event::{LevelFailure, LevelMisfit, Stage, Stopwatch};
+use super::context::Context;
+use super::event::{LevelFailure, LevelMisfit, Stage};
 use super::fault::{FaultCode, OutputFault};
 use super::files::{LevelFiles, encode};
 use super::folder::OutputFolder;
-use super::job::{BakeOptions, Job};
-use super::library::{GeometryLibrary, put_models};
+use super::job::Job;
+use super::library::put_models;
+use super::options::BakeOptions;
 use super::record::{LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
-use super::shared::SharedFiles;
-use super::textures::{Textures, put_images};
-
-/// What all levels of a run share.
-pub(crate) struct Workshop<'a> {
-    pub(crate) catalog: &'a Catalog,
-    pub(crate) options: &'a BakeOptions,
-    pub(crate) folder: &'a OutputFolder,
-    pub(crate) models: &'a ModelLibrary,
-    /// What makes fewer primitives of models; none where every slot keeps its material.
-    pub(crate) swatched: Option<SwatchedModels>,
-    pub(crate) encoded: EncodedModels,
-    pub(crate) library: Option<GeometryLibrary<'a>>,
-    pub(crate) textures: Option<Textures>,
-    pub(crate) shared: SharedFiles,
-    pub(crate) watch: Stopwatch,
-}
+use super::textures::put_images;
 
 /// A level that is in place.
 pub(crate) struct BakedLevel {
@@ -62,66 +47,66 @@ struct BakedRoom {
 ///
 /// # Errors
 /// Why the level is not in place.
-pub(crate) fn bake_floor(workshop: &Workshop<'_>, job: &Job<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
+pub(crate) fn bake_floor(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
     // Rooms in parallel, collected in the plan's order: whoever finishes first, the file is the same.
     let rooms: Vec<BakedRoom> =
-        (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(workshop, job, room)).collect();
+        (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(context, job, room)).collect();
     let mut results = RoomResults::default();
     rooms.into_iter().for_each(|room| results.add(room));
 
     // The tree of nodes, and what it becomes.
     let built = catch_bug(|| {
-        let scene = workshop.watch.measure(Stage::Scene, || scene(workshop, job, &results));
-        let library = workshop.library.as_ref().map(|library| library.of_scene(&scene));
+        let scene = context.watch.measure(Stage::Scene, || scene(context, job, &results));
+        let library = context.library.as_ref().map(|library| library.of_scene(&scene));
         let files =
-            workshop.watch.measure(Stage::Encoding, || encode(workshop, job, (&scene, library.as_ref())))?;
+            context.watch.measure(Stage::Encoding, || encode(context, job, (&scene, library.as_ref())))?;
         let shared =
-            workshop.watch.measure(Stage::Writing, || put_shared(workshop, job, &scene, library.as_ref()))?;
+            context.watch.measure(Stage::Writing, || put_shared(context, job, &scene, library.as_ref()))?;
         Ok(LevelFiles { shared, ..files })
     });
     let files = match built {
         Ok(Ok(files)) => files,
-        Ok(Err(fault)) => return Err(Box::new(level_failure(workshop, job, fault))),
-        Err(bug) => return Err(Box::new(bug_failure(workshop, job, None, bug))),
+        Ok(Err(fault)) => return Err(Box::new(level_failure(context, job, fault))),
+        Err(bug) => return Err(Box::new(bug_failure(context, job, None, bug))),
     };
 
     // Files first, the record after them: what is recorded is there.
-    let record = record(workshop, job, &files, &results);
-    let written = workshop.watch.measure(Stage::Writing, || write(workshop.folder, &files, &record));
-    written.map_err(|fault| Box::new(level_failure(workshop, job, fault)))?;
+    let record = record(context, job, &files, &results);
+    let written = context.watch.measure(Stage::Writing, || write(context.folder, &files, &record));
+    written.map_err(|fault| Box::new(level_failure(context, job, fault)))?;
     Ok(BakedLevel {
         totals: record.totals,
         bytes: record.files.iter().map(|file| file.bytes).sum(),
         misfits: level_misfits(job, results.misfits),
-        failures: room_failures(workshop, job, results.failures),
+        failures: room_failures(context, job, results.failures),
     })
 }
 
 /// Puts what a level shares with others of its building into place.
 fn put_shared(
-    workshop: &Workshop<'_>,
+    context: &Context<'_>,
     job: &Job<'_>,
     scene: &Scene,
     library: Option<&SharedLibrary>,
 ) -> Result<Vec<String>, OutputFault> {
-    let to = (&workshop.shared, workshop.folder);
+    let to = (&context.shared, context.folder);
     let mut paths =
         library.map(|library| put_models(library, job.folder(), to)).transpose()?.unwrap_or_default();
     paths.extend(put_images(scene, job.folder(), to)?);
     Ok(paths)
 }
 
-fn bake_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
-    catch_bug(|| furnish_room(workshop, job, room)).unwrap_or_else(|bug| BakedRoom {
-        furnished: unfurnished(room, workshop.options),
+fn bake_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
+    catch_bug(|| furnish_room(context, job, room)).unwrap_or_else(|bug| BakedRoom {
+        furnished: unfurnished(room, context.options),
         verdict: Verdict::default(),
         misfits: Vec::new(),
         failure: Some(bug),
     })
 }
 
-fn furnish_room(workshop: &Workshop<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
-    let Workshop { catalog, options, watch, .. } = workshop;
+fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
+    let Context { catalog, options, watch, .. } = context;
     let level = job.level;
     let edits = job.edits.and_then(|edits| edits.room(&level.rooms[room].id));
     let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
@@ -157,8 +142,8 @@ fn unfurnished(room: usize, options: &BakeOptions) -> Furnished {
     }
 }
 
-fn scene(workshop: &Workshop<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
-    let catalog = workshop.catalog;
+fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
+    let catalog = context.catalog;
     build_scene(&SceneInput {
         level: job.level,
         building: &job.placed.id,
@@ -167,12 +152,12 @@ fn scene(workshop: &Workshop<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
         verdicts: &rooms.verdicts,
         catalog,
         models: &|class, variant, geometry| {
-            workshop.models.model_in_detail(class, variant, geometry, workshop.options.detail)
+            context.models.model_in_detail(class, variant, geometry, context.options.detail)
         },
-        swatches: workshop.swatched.as_ref(),
-        options: workshop.options.scene,
-        textures: workshop.textures.as_ref().map(|textures| &textures.library),
-        seed: workshop.options.seed,
+        swatches: context.swatched.as_ref(),
+        options: context.options.scene,
+        textures: context.textures.as_ref().map(|textures| &textures.library),
+        seed: context.options.seed,
     })
 }
 
@@ -202,14 +187,14 @@ impl RoomResults {
     }
 }
 
-fn record(workshop: &Workshop<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &RoomResults) -> LevelRecord {
+fn record(context: &Context<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &RoomResults) -> LevelRecord {
     let site = job.placed.site;
     let mut record = LevelRecord {
         building: job.placed.id.clone(),
         level: job.level.id.clone(),
         program: None,
         inputs: job.inputs.clone(),
-        seed: workshop.options.seed,
+        seed: context.options.seed,
         site: SiteRecord { position: [site.position.x, site.position.y], turn: site.turn },
         files: files.files.iter().map(|(file, _)| file.clone()).collect(),
         library: files.shared.clone(),
@@ -219,12 +204,12 @@ fn record(workshop: &Workshop<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &Ro
         rooms: Vec::new(),
     };
     for room in 0..rooms.furnished.len() {
-        count_room(&mut record, workshop.catalog, &rooms.furnished[room]);
+        count_room(&mut record, context.catalog, &rooms.furnished[room]);
         record.totals.audit.add_room(&rooms.verdicts[room]);
         record.totals.broken += u64::from(rooms.failures[room].is_some());
         let unmade = rooms.misfits[room].iter().filter(|misfit| !misfit.is_made).count();
         record.totals.misfits += unmade as u64;
-        record.rooms.extend(room_record(job.level, workshop.catalog, rooms, room));
+        record.rooms.extend(room_record(job.level, context.catalog, rooms, room));
     }
     record
 }
@@ -277,15 +262,15 @@ fn level_misfits(job: &Job<'_>, misfits: Vec<Vec<Misfit>>) -> Vec<LevelMisfit> {
     misfits.into_iter().enumerate().flat_map(of_room).collect()
 }
 
-fn room_failures(workshop: &Workshop<'_>, job: &Job<'_>, failures: Vec<Option<String>>) -> Vec<LevelFailure> {
+fn room_failures(context: &Context<'_>, job: &Job<'_>, failures: Vec<Option<String>>) -> Vec<LevelFailure> {
     let failure = |(room, bug): (usize, Option<String>)| {
         let room = job.level.rooms[room].id.clone();
-        bug.map(|bug| bug_failure(workshop, job, Some(room), bug))
+        bug.map(|bug| bug_failure(context, job, Some(room), bug))
     };
     failures.into_iter().enumerate().filter_map(failure).collect()
 }
 
-fn bug_failure(workshop: &Workshop<'_>, job: &Job<'_>, room: Option<String>, bug: String) -> LevelFailure {
+fn bug_failure(context: &Context<'_>, job: &Job<'_>, room: Option<String>, bug: String) -> LevelFailure {
     LevelFailure {
         building: job.placed.id.clone(),
         level: job.level.id.clone(),
@@ -293,11 +278,11 @@ fn bug_failure(workshop: &Workshop<'_>, job: &Job<'_>, room: Option<String>, bug
         room,
         message: format!("the program failed: {bug}"),
         hint: Some("this is a fault of roomwright; please report it with these ids and the seed".to_owned()),
-        seed: workshop.options.seed,
+        seed: context.options.seed,
     }
 }
 
-fn level_failure(workshop: &Workshop<'_>, job: &Job<'_>, fault: OutputFault) -> LevelFailure {
+fn level_failure(context: &Context<'_>, job: &Job<'_>, fault: OutputFault) -> LevelFailure {
     LevelFailure {
         building: job.placed.id.clone(),
         level: job.level.id.clone(),
@@ -305,6 +290,6 @@ fn level_failure(workshop: &Workshop<'_>, job: &Job<'_>, fault: OutputFault) -> 
         code: fault.code,
         message: fault.to_string(),
         hint: fault.hint,
-        seed: workshop.options.seed,
+        seed: context.options.seed,
     }
 }

@@ -7,14 +7,15 @@ use std::path::{Path, PathBuf};
 
 use super::fault::{FaultCode, OutputFault};
 use super::folder::OutputFolder;
-use super::job::Shard;
 use super::manifest::{Listed, MANIFEST_NAME, without_own_program, write_manifest};
+use super::options::Shard;
+use super::options::Unplanned;
 use super::record::{LevelKey, LevelRecord, Totals};
 use super::sources::{Contents, Found, Sources, manifest_paths};
 use super::state::{
     JOINING_PREFIX, Runs, check_state, create_state, find_runs, lock_state, remove_runs, state_folder,
 };
-use super::unplanned::{Apart, Leftovers, Unplanned, is_there};
+use super::unplanned::{Apart, Leftovers, is_there};
 use crate::disk::new_temporary;
 use crate::document::{Fault, FaultSeverity, Faults};
 

@@ -12,7 +12,7 @@ use super::LIBRARY_FOLDER;
 use super::fault::OutputFault;
 use super::folder::OutputFolder;
 use super::hash::content_hash;
-use super::job::BakeOptions;
+use super::options::BakeOptions;
 use super::shared::SharedFiles;
 
 /// Digits of the content's hash in the name of a model's file.

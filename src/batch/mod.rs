@@ -2,6 +2,7 @@
 
 mod bug;
 mod claim;
+mod context;
 mod event;
 mod fault;
 mod file_name;
@@ -9,12 +10,14 @@ mod files;
 mod floor;
 mod folder;
 mod hash;
+mod in_place;
 mod job;
 mod join;
 mod journal;
 mod library;
 mod listing;
 mod manifest;
+mod options;
 mod place;
 mod plan_paths;
 mod record;
@@ -33,13 +36,13 @@ pub(crate) use file_name::distinct_names;
 pub use folder::OutputFolder;
 pub use hash::PROGRAM;
 pub(crate) use hash::{content_hash, file_hash};
-pub use job::{BakeOptions, Format, Shard, TextureOptions};
 pub use join::{Joined, MergeReport, merge};
 pub(crate) use listing::{Listing, list_levels};
 pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
+pub use options::{BakeOptions, Format, Shard, TextureOptions, Unplanned};
 pub use plan_paths::{record_plans, recorded_plan};
 pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
-pub use unplanned::{Leftovers, Unplanned};
+pub use unplanned::Leftovers;
 pub use work::{BakeInput, bake};
 
 /// The folder of geometry that floors share, beside them.

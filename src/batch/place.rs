@@ -3,13 +3,13 @@
 use std::cell::LazyCell;
 use std::fs::{self, File};
 use std::io::{self, Write};
-use std::path::Path;
 
 use tempfile::NamedTempFile;
 
 use super::fault::OutputFault;
 use super::folder::OutputFolder;
 use super::hash::file_hash;
+use super::in_place::is_in_place;
 use super::record::{FileRecord, LevelRecord};
 use super::sources::{Sources, Written, manifest_paths};
 use super::state::{RESULT_PREFIX, create_folder, find_runs, lock_state, state_folder};
@@ -176,13 +176,4 @@ impl OutputFolder {
         let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
         Ok(sources.contents(self.is_forced)?.written)
     }
-}
-
-/// Whether the files have exactly these contents. One of another length is not read.
-pub(crate) fn is_in_place(root: &Path, files: &[FileRecord]) -> bool {
-    let has_content = |file: &FileRecord| -> io::Result<bool> {
-        let Some((opened, found)) = open_inside(root, &file.path)? else { return Ok(false) };
-        Ok(found.len() == file.bytes && file_hash(opened)? == file.sha256)
-    };
-    files.iter().all(|file| has_content(file).unwrap_or(false))
 }

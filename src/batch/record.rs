@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::hash::content_hash;
 use crate::audit::{AuditSummary, Grade};
 
 /// One level of one building as it was written. The keys and their order are part of the output.
@@ -56,6 +57,13 @@ pub struct FileRecord {
     pub sha256: String,
     /// Length.
     pub bytes: u64,
+}
+
+impl FileRecord {
+    /// A file's bytes with what the manifest says about them.
+    pub(crate) fn with_bytes(path: String, bytes: Vec<u8>) -> (Self, Vec<u8>) {
+        (Self { path, sha256: content_hash(&bytes), bytes: bytes.len() as u64 }, bytes)
+    }
 }
 
 /// Sums over rooms.

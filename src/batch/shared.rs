@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
 use super::fault::OutputFault;
-use super::files::with_record;
 use super::folder::OutputFolder;
+use super::record::FileRecord;
 
 /// The shared files that are in place, by their path in the output folder.
 #[derive(Debug, Default)]
@@ -29,7 +29,7 @@ impl SharedFiles {
         if placed.contains(path) {
             return Ok(());
         }
-        let (file, bytes) = with_record(path.to_owned(), bytes());
+        let (file, bytes) = FileRecord::with_bytes(path.to_owned(), bytes());
         folder.announce(std::slice::from_ref(&file))?;
         folder.place(&file, &bytes)?;
         folder.record_library_file(&file)?;

@@ -9,7 +9,7 @@ use crate::texture::{TextureLibrary, TextureLocation};
 use super::TEXTURE_FOLDER;
 use super::fault::OutputFault;
 use super::folder::OutputFolder;
-use super::job::TextureOptions;
+use super::options::TextureOptions;
 use super::shared::SharedFiles;
 
 /// The textures of a run, painted when a level first shows them.

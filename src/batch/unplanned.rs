@@ -6,22 +6,10 @@ use std::fs;
 use std::path::Path;
 
 use super::fault::OutputFault;
-use super::place::is_in_place;
+use super::in_place::is_in_place;
 use super::record::{FileRecord, LevelKey};
 use super::sources::{Contents, Found};
 use crate::disk::look_inside;
-
-/// What becomes of levels in the output folder that the plan does not have.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Unplanned {
-    /// They stay listed as they are: part of the plan could not be read, so that nobody knows what it has.
-    Listed,
-    /// Their files stay, and the manifest lists them apart.
-    #[default]
-    SetApart,
-    /// Their files are removed where nobody changed them.
-    Removed,
-}
 
 /// What a bake found of earlier ones, and what became of it. All lists are sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -5,15 +5,17 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use super::context::Context;
 use super::event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage, Stopwatch};
 use super::fault::{FaultCode, OutputFault};
-use super::floor::{BakedLevel, Workshop, bake_floor};
+use super::floor::{BakedLevel, bake_floor};
 use super::folder::OutputFolder;
 use super::hash::PROGRAM;
-use super::job::{BakeOptions, Job, list_jobs};
+use super::in_place::is_in_place;
+use super::job::{Job, list_jobs};
 use super::join::Planned;
 use super::library::GeometryLibrary;
-use super::place::is_in_place;
+use super::options::BakeOptions;
 use super::record::{FileRecord, Totals};
 use super::shared::SharedFiles;
 use super::sources::{Contents, RecordHead};
@@ -75,9 +77,9 @@ pub fn bake(
     let shared = SharedFiles::default();
     let has_swatches = options.scene.parts == Parts::Merged && textures.is_some();
     let swatched = has_swatches.then(|| SwatchedModels::new(catalog));
-    let workshop =
-        Workshop { catalog, options, folder, models, swatched, encoded, library, textures, shared, watch };
-    let tally = work(&pool, &workshop, &open, observer);
+    let context =
+        Context { catalog, options, folder, models, swatched, encoded, library, textures, shared, watch };
+    let tally = work(&pool, &context, &open, observer);
 
     // The records become the manifest.
     let (joined, leftovers) = folder
@@ -100,7 +102,7 @@ pub fn bake(
         written: tally.totals,
         in_place,
         bytes: tally.bytes,
-        timings: workshop.watch.timings(),
+        timings: context.watch.timings(),
         joined,
         leftovers,
     })
@@ -121,7 +123,7 @@ struct Tally {
 /// threads. A thread that finds none left helps the others with their rooms.
 fn work(
     pool: &rayon::ThreadPool,
-    workshop: &Workshop<'_>,
+    context: &Context<'_>,
     jobs: &[&Job<'_>],
     observer: &Observer<'_>,
 ) -> Tally {
@@ -133,7 +135,7 @@ fn work(
     pool.broadcast(|_| {
         while !is_stopped.load(Ordering::Relaxed) {
             let Some(job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-            let result = bake_floor(workshop, job);
+            let result = bake_floor(context, job);
             tell(observer, job, &result);
             if result.as_ref().is_err_and(|failure| failure.code.stops_the_run()) {
                 is_stopped.store(true, Ordering::Relaxed);

@@ -42,7 +42,7 @@ pub use describe::{Description, describe, style_differences};
 pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub(crate) use load::load_catalog_so_far;
-pub use palette::{MATERIAL_SLOTS, Material, Palette};
+pub use palette::{MATERIAL_SLOTS, Material, Palette, SURFACES};
 pub(crate) use resolve::{srgb_encoded, srgb_linear};
 pub use shape::{Extent, PrismRule, Shape};
 pub use style::{Access, Count, Dado, Era, Finish, Plausible, Request, RoomType, Style, Untidiness, WEALTH};

@@ -26,11 +26,28 @@ pub struct Material {
     pub emissive_strength: f32,
     /// Share of light that passes (`KHR_materials_transmission`); 0 for what is not glass.
     pub transmission: f32,
-    /// The surface whose textures lie on it, one of [`crate::texture::SURFACES`].
+    /// The surface whose textures lie on it, one of [`SURFACES`].
     pub texture: Option<&'static str>,
     /// Further base colours, linear; an object of the palette has one of all, by seed.
     pub tints: Vec<[f32; 4]>,
 }
+
+/// All surfaces that can be painted on a slot, sorted: the words of `texture:`.
+pub const SURFACES: [&str; 13] = [
+    "brushed",
+    "carpet",
+    "concrete",
+    "fabric",
+    "leather",
+    "linen",
+    "linoleum",
+    "parquet",
+    "plaster",
+    "stone",
+    "tile",
+    "tile_wall",
+    "wood",
+];
 
 /// Every slot that a recipe or the shell may name.
 pub const MATERIAL_SLOTS: [&str; 40] = [

@@ -7,10 +7,10 @@ use sha2::{Digest, Sha256};
 
 use super::encode::png;
 use super::relief::normals;
-use super::surface::{SURFACES, Sample, has_relief, sample};
+use super::surface::{Sample, has_relief, sample};
 use super::{SurfaceUse, TextureSize};
 use crate::cache::Cache;
-use crate::catalog::srgb_linear;
+use crate::catalog::{SURFACES, srgb_linear};
 use crate::model::{Image, Texture, TextureSampler, TextureUse};
 
 /// Where images lie.

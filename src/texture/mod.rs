@@ -12,7 +12,9 @@ mod surface;
 mod swatches;
 
 pub use library::{TextureLibrary, TextureLocation};
-pub use surface::{SURFACES, has_relief};
+pub use surface::has_relief;
+
+pub use crate::catalog::SURFACES;
 pub(crate) use swatches::swatch_textures;
 
 /// How finely surfaces are painted.

@@ -5,23 +5,7 @@
 //! upholstery 5 to 8 mm, pebbles of leather about 10 mm, coarser than real ones so that 2 mm pixels show them.
 
 use super::noise::{grain, layered, nearest_two, noise, step, whole};
-
-/// Names of all surfaces, sorted: the words of `texture:` in palettes.
-pub const SURFACES: [&str; 13] = [
-    "brushed",
-    "carpet",
-    "concrete",
-    "fabric",
-    "leather",
-    "linen",
-    "linoleum",
-    "parquet",
-    "plaster",
-    "stone",
-    "tile",
-    "tile_wall",
-    "wood",
-];
+use crate::catalog::SURFACES;
 
 /// Whether a surface is more than a flat pattern, so that normals are painted for it. Lacquered wood, polished stone,
 /// painted plaster and the like are level to the eye.

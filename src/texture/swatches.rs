@@ -3,8 +3,8 @@
 use std::sync::{Arc, LazyLock};
 
 use super::encode::png;
-use super::surface::{SURFACES, sample};
-use crate::catalog::{MATERIAL_SLOTS, Material, srgb_encoded};
+use super::surface::sample;
+use crate::catalog::{MATERIAL_SLOTS, Material, SURFACES, srgb_encoded};
 use crate::model::{Image, SWATCHES_PER_SIDE, Texture, TextureSampler, TextureUse};
 
 /// Samples along each side of a surface, for its average.

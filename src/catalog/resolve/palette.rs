@@ -10,8 +10,7 @@ use super::room::check_slot;
 use crate::catalog::file::{MaterialEntry, PaletteEntry};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{MATERIAL_SLOTS, Material, Palette};
-use crate::texture::SURFACES;
+use crate::catalog::{MATERIAL_SLOTS, Material, Palette, SURFACES};
 
 /// What multiplies light given off.
 const STRENGTH: RangeInclusive<f64> = 0.0..=1000.0;

@@ -1,6 +1,4 @@
-//! What is read and what is not, as a table for people.
-
-use super::unread::UNREAD_KINDS;
+//! What is read, as a table for people.
 
 /// A format that plans are read in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,15 +48,9 @@ pub const READ_FORMATS: &[ReadFormat] = &[
     },
 ];
 
-/// The names of formats that are known and not read, and what to do instead.
-#[must_use]
-pub fn unread_formats() -> Vec<(&'static str, &'static str)> {
-    UNREAD_KINDS.iter().map(|kind| (kind.name, kind.advice)).collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::FOREIGN_FORMATS;
+    use super::super::readers::FOREIGN_FORMATS;
     use super::*;
 
     #[test]

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::{FOREIGN_FORMATS, ForeignFormat, nothing};
+use super::nothing;
+use super::readers::{FOREIGN_FORMATS, ForeignFormat};
 use crate::document::{Fault, Faults};
 
 /// Deepest folder that is looked into.

@@ -4,6 +4,7 @@ pub(crate) mod archilyse;
 mod finish;
 mod foreign;
 mod formats;
+mod found;
 pub(crate) mod ifc;
 pub(crate) mod imdf;
 mod inputs;
@@ -11,6 +12,7 @@ mod names;
 pub(crate) mod native;
 mod nothing;
 mod project;
+mod readers;
 #[cfg(test)]
 pub(super) mod real_data;
 mod unread;
@@ -22,66 +24,18 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use self::finish::{Drafted, Finished, Provenance, Variation, finish};
-pub use self::formats::{READ_FORMATS, ReadFormat, unread_formats};
+pub use self::formats::{READ_FORMATS, ReadFormat};
+use self::found::{DraftedBuilding, Found};
 pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
+use self::readers::FOREIGN_FORMATS;
+pub use self::unread::unread_formats;
 use super::{
-    BuildingDraft, BuildingReport, InputReport, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource,
-    ProjectSettings, RoomWords, SitePlacement,
+    BuildingReport, InputReport, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource, ProjectSettings,
+    RoomWords, SitePlacement,
 };
 use crate::document::{Fault, Faults, Source};
-
-/// A building as a reader of a foreign format found it.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct DraftedBuilding {
-    /// Unique in the plan.
-    pub(crate) id: String,
-    /// Its levels, lengths in metres.
-    pub(crate) draft: BuildingDraft,
-}
-
-/// A foreign format. To add one, write its file and add a line to [`FOREIGN_FORMATS`] and to [`READ_FORMATS`].
-#[derive(Debug)]
-pub(crate) struct ForeignFormat {
-    /// The word in `room_words.yaml`, and in [`READ_FORMATS`], which tells people of the format.
-    pub(crate) name: &'static str,
-    /// Whether a file or folder is of this format, from names and the beginning of files.
-    pub(crate) recognises: fn(&Path) -> bool,
-    /// Reads all buildings of a file or folder; ids come from the data or the name of the file.
-    pub(crate) read: fn(&Path, &RoomWords) -> ReadResult,
-}
-
-/// What a reader of a foreign format found.
-#[derive(Debug)]
-pub(crate) struct Found {
-    /// The buildings as far as they could be read.
-    pub(crate) buildings: Vec<DraftedBuilding>,
-    /// Warnings, and errors about what was left out.
-    pub(crate) faults: Faults,
-}
-
-impl Found {
-    /// Buildings without a level are nothing.
-    ///
-    /// # Errors
-    /// All faults, if they left no building.
-    pub(crate) fn new(mut buildings: Vec<DraftedBuilding>, mut faults: Faults) -> ReadResult {
-        buildings.retain(|building| !building.draft.levels.is_empty());
-        faults.sort();
-        if buildings.is_empty() && faults.has_errors() { Err(faults) } else { Ok(Self { buildings, faults }) }
-    }
-}
-
-/// All buildings of a file or folder, or why there is none.
-pub(crate) type ReadResult = Result<Found, Faults>;
-
-/// All formats but the native one, in the order in which they are asked.
-pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
-    ForeignFormat { name: archilyse::NAME, recognises: archilyse::recognises, read: archilyse::read },
-    ForeignFormat { name: imdf::NAME, recognises: imdf::recognises, read: imdf::read },
-    ForeignFormat { name: ifc::NAME, recognises: ifc::recognises, read: ifc::read },
-];
 
 /// Reads all plans that paths name: native plans, projects, foreign plans, folders and patterns of them.
 ///

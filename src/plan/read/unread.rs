@@ -262,6 +262,12 @@ pub(super) fn read_are() -> String {
     format!("read are {} (`roomwright formats`)", names.join(", "))
 }
 
+/// The names of formats that are known and not read, and what to do instead.
+#[must_use]
+pub fn unread_formats() -> Vec<(&'static str, &'static str)> {
+    UNREAD_KINDS.iter().map(|kind| (kind.name, kind.advice)).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

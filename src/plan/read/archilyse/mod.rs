@@ -24,8 +24,8 @@ mod tests;
 
 use std::path::Path;
 
-use super::ReadResult;
 use super::foreign::{Parts, head};
+use super::found::ReadResult;
 use crate::plan::RoomWords;
 
 /// The format's word in `room_words.yaml`.

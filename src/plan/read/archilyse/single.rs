@@ -9,7 +9,7 @@ use super::rooms::{RoomTypes, outlined};
 use super::tables::Table;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
 use crate::plan::read::foreign::{both, missing_files};
-use crate::plan::read::{DraftedBuilding, Found, ReadResult};
+use crate::plan::read::found::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::metres_per_pixel;
 use crate::plan::{BuildingDraft, RoomWords};
 

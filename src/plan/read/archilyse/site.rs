@@ -15,7 +15,7 @@ use super::tables::Table;
 use super::{NEEDED, PARTS, SITE_FILE};
 use crate::document::{Fault, FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::{both, missing_parts};
-use crate::plan::read::{DraftedBuilding, Found, ReadResult};
+use crate::plan::read::found::{DraftedBuilding, Found, ReadResult};
 use crate::plan::{BuildingDraft, LevelDraft, RoomWords};
 
 #[derive(Deserialize, JsonSchema)]

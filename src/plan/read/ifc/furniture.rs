@@ -1,16 +1,11 @@
 //! Furniture and fixtures as the architects put them: what furnishing can be compared with.
 
-use std::path::Path;
-
 use glam::DVec3;
 
 use super::columns::Products;
 use super::level::Storey;
 use super::model::{Entity, Read};
-use super::{building, open};
-use crate::document::Faults;
 use crate::geometry::Point;
-use crate::plan::RoomWords;
 
 /// The kinds of products that are read here.
 pub(super) const KINDS: [&str; 6] = [
@@ -39,16 +34,6 @@ pub struct DrawnPiece {
     pub size: Point,
     /// Metres above the floor where it begins.
     pub bottom: f64,
-}
-
-/// The furniture of an IFC file, by building and number; what has no place or shape is left out.
-///
-/// # Errors
-/// Why the file cannot be read.
-pub fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
-    let (model, name, _) = open(path)?;
-    let buildings = building::buildings(&model, &RoomWords::default(), &name, true);
-    Ok(buildings.into_iter().flat_map(|(_, pieces)| pieces).collect())
 }
 
 impl Products<'_> {
@@ -86,7 +71,9 @@ impl Products<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use std::path::Path;
+
+    use super::super::drawn_furniture;
     use crate::plan::read::real_data::folder;
 
     #[test]

@@ -41,10 +41,10 @@ mod tests;
 use std::path::Path;
 
 use super::foreign::head;
-use super::{Found, ReadResult};
+use super::found::{Found, ReadResult};
 use crate::document::{Fault, Faults, Source};
 use crate::plan::RoomWords;
-pub use furniture::{DrawnPiece, drawn_furniture};
+pub use furniture::DrawnPiece;
 use model::Model;
 
 /// The format's word in `room_words.yaml`.
@@ -81,6 +81,16 @@ pub(crate) fn read(path: &Path, words: &RoomWords) -> ReadResult {
         faults.push(Fault::of_file(path, "holds no spaces (IfcSpace), so no rooms").with_hint(hint));
     }
     Found::new(buildings.into_iter().map(|(building, _)| building).collect(), faults)
+}
+
+/// The furniture of an IFC file, by building and number; what has no place or shape is left out.
+///
+/// # Errors
+/// Why the file cannot be read.
+pub fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
+    let (model, name, _) = open(path)?;
+    let buildings = building::buildings(&model, &RoomWords::default(), &name, true);
+    Ok(buildings.into_iter().flat_map(|(_, pieces)| pieces).collect())
 }
 
 /// The instances of a file, its name without ending, and warnings.

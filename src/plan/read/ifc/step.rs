@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::value::{Value, parse_arguments};
+use super::value::{Value, parse_arguments, shown};
 
 /// Digits of the largest instance number.
 const NUMBER_DIGITS: usize = 19;
@@ -127,16 +127,6 @@ impl Exchange {
         let index = self.records.binary_search_by_key(&id, |record| record.id).ok()?;
         self.records.get(index)
     }
-}
-
-/// The beginning of a text, for messages.
-pub(super) fn shown(text: &str) -> String {
-    const MOST: usize = 40;
-    let mut shown: String = text.chars().take(MOST).collect();
-    if shown.len() < text.len() {
-        shown.push('…');
-    }
-    shown
 }
 
 /// Letters of a keyword; `!` begins those of users.

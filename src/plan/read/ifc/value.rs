@@ -1,6 +1,5 @@
 //! The values of an instance: `(#12,$,'text',.T.,(1.,2.),IFCLABEL('x'))`.
 
-use super::step::shown;
 use super::strings::decode;
 
 /// Lists in lists in lists; deeper ones are nothing that IFC knows.
@@ -236,6 +235,16 @@ impl Parser<'_> {
             }
         }
     }
+}
+
+/// The beginning of a text, for messages.
+pub(super) fn shown(text: &str) -> String {
+    const MOST: usize = 40;
+    let mut shown: String = text.chars().take(MOST).collect();
+    if shown.len() < text.len() {
+        shown.push('…');
+    }
+    shown
 }
 
 #[cfg(test)]

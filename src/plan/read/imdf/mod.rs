@@ -19,8 +19,8 @@ use features::{
     Table, UnitProperties, label, optional_features, table,
 };
 
-use super::ReadResult;
 use super::foreign::{Parts, both, head};
+use super::found::ReadResult;
 use crate::document::Faults;
 use crate::plan::RoomWords;
 

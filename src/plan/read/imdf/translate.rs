@@ -7,7 +7,7 @@ use super::place::{outlines, plane_of, points};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::{TypeOfWord, slug, unknown_words};
-use crate::plan::read::{DraftedBuilding, Found, ReadResult};
+use crate::plan::read::found::{DraftedBuilding, Found, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
     BuildingDraft, GENERIC_ROOM_TYPE, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace,

@@ -3,12 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::file::{LevelFile, OutlineWord, PlaceFile, PlanFile, Prototype};
+use super::ids::{FILE_NAME_FORBIDDEN, NODE_NAME_FORBIDDEN, id_fault};
+use super::level_parts::LevelParts;
 use super::motion::Motion;
-use super::origins::{LevelOrigins, Origin};
-use super::parts::Scope;
+use super::numbers::number_rooms;
+use super::origins::LevelOrigins;
 use super::pattern::{PatternValues, expand, names_value};
 use super::report::{Report, item, step};
-use crate::document::{PathStep, did_you_mean, is_unprintable};
+use super::scope::Scope;
+use crate::document::{PathStep, did_you_mean};
 use crate::geometry::Point;
 use crate::plan::limits::{BUILDING_LEVELS, BUILDING_ROOMS};
 use crate::plan::{BuildingDraft, LevelDraft, OutlineKind};
@@ -159,7 +162,7 @@ impl<'a> Expansion<'a, '_> {
         for railing in &level.railings {
             parts.draft.railings.push(railing.iter().map(|point| own.point(*point)).collect());
         }
-        super::numbers::number_rooms(parts, self.report);
+        number_rooms(parts, self.report);
     }
 
     fn placed_scopes(
@@ -256,47 +259,5 @@ impl<'a> Expansion<'a, '_> {
                 None
             }
         }
-    }
-}
-
-/// What no file name holds on some system.
-pub(crate) const FILE_NAME_FORBIDDEN: &[char] = &['/', '\\', ':', '*', '?', '"', '<', '>', '|'];
-/// What would make a node's name a path.
-pub(super) const NODE_NAME_FORBIDDEN: &[char] = &['/'];
-/// Most bytes of an id: file systems take 255 for a name with its ending.
-const ID_LENGTH_LIMIT: usize = 200;
-
-/// Why a word is no id, if it is none.
-pub(crate) fn id_fault(id: &str, forbidden: &[char]) -> Option<String> {
-    if id.is_empty() {
-        return Some("an id is empty".to_owned());
-    }
-    if id.len() > ID_LENGTH_LIMIT {
-        return Some(format!("an id is {} letters long", id.len()));
-    }
-    if id == "." || id == ".." || id != id.trim() {
-        return Some(format!("\"{id}\" is no id"));
-    }
-    let bad = id.chars().find(|letter| is_unprintable(*letter) || forbidden.contains(letter))?;
-    Some(format!("id \"{}\" holds the letter {bad:?}", id.escape_debug()))
-}
-
-/// A level while it is filled.
-#[derive(Default)]
-pub(super) struct LevelParts {
-    pub(super) draft: LevelDraft,
-    pub(super) origins: LevelOrigins,
-    /// Index of each room in the draft, by id.
-    pub(super) names: BTreeMap<String, usize>,
-    /// Ids of rooms that were left out; openings that name them are left out too.
-    pub(super) left_out: BTreeSet<String>,
-    /// Where each opening's id was written, by id.
-    pub(super) opening_ids: BTreeMap<String, Vec<PathStep>>,
-}
-
-impl LevelParts {
-    /// The origin of a room, for messages.
-    pub(super) fn room_origin(&self, id: &str) -> Option<&Origin> {
-        self.origins.rooms.get(*self.names.get(id)?)
     }
 }

@@ -4,6 +4,8 @@ mod built;
 mod check;
 mod expand;
 mod file;
+mod ids;
+mod level_parts;
 mod motion;
 mod numbers;
 mod openings;
@@ -11,6 +13,7 @@ mod origins;
 mod parts;
 mod pattern;
 mod report;
+mod scope;
 mod styles;
 mod units;
 
@@ -18,8 +21,8 @@ use crate::document::{Faults, Source, suggest};
 use crate::plan::{BuildingDraft, RoomWords};
 
 pub(crate) use built::NativeChecks;
-pub(crate) use expand::{FILE_NAME_FORBIDDEN, id_fault};
 pub(crate) use file::{PlanFile, VERSION};
+pub(crate) use ids::{FILE_NAME_FORBIDDEN, id_fault};
 pub(crate) use numbers::number_of_id;
 pub(crate) use origins::{LevelOrigins, ProblemList};
 pub(crate) use pattern::{PatternValues, expand as expand_pattern, names_value};

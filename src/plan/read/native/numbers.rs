@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use sha2::{Digest, Sha256};
 
-use super::expand::LevelParts;
+use super::level_parts::LevelParts;
 use super::report::{Report, step};
 
 /// Gives every room without a number one made from its id, so that a room added to a plan, or taken out,

@@ -1,11 +1,11 @@
 //! Openings of a level or of a placed prototype, as drafts.
 
 use super::check::edge_hint;
-use super::expand::LevelParts;
 use super::file::{HandWord, OpeningAt, OpeningFile, OpeningWord};
-use super::parts::Scope;
+use super::level_parts::LevelParts;
 use super::pattern::expand;
 use super::report::{Report, item, step};
+use super::scope::Scope;
 use crate::document::PathStep;
 use crate::geometry::Point;
 use crate::plan::{LeafDraft, OpeningDraft, OpeningKind, OpeningPlace};

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use super::expand::{LevelParts, NODE_NAME_FORBIDDEN, id_fault};
 use super::file::{ColumnFile, OpeningFile, OpeningWord, RoomFile};
-use super::motion::Motion;
+use super::ids::{NODE_NAME_FORBIDDEN, id_fault};
+use super::level_parts::LevelParts;
 use super::openings::OpeningReader;
 use super::origins::Origin;
 use super::pattern::{PatternValues, expand, names_value};
 use super::report::{Report, item, step};
-use super::units::LengthUnit;
+use super::scope::Scope;
 use crate::document::PathStep;
 use crate::geometry::Point;
 use crate::plan::{ObstacleDraft, RoomDraft};
@@ -19,35 +19,8 @@ use crate::plan::{ObstacleDraft, RoomDraft};
 const DISC_CORNERS: usize = 16;
 /// Metres across a railing, half of them on either side of its edge.
 const RAILING_THICKNESS: f64 = 0.08;
-/// Where parts come from and go to: a level's own, or one copy of a prototype.
-#[derive(Clone)]
-pub(super) struct Scope<'a> {
-    pub(super) units: LengthUnit,
-    /// Number of the level.
-    pub(super) level: i64,
-    /// Style of rooms that name none.
-    pub(super) style: Option<&'a String>,
-    pub(super) motion: Motion,
-    /// Document path of what holds the lists of parts.
-    pub(super) path: Vec<PathStep>,
-    /// Id of the copy and the document path of its place, for prototypes.
-    pub(super) instance: Option<(String, Vec<PathStep>)>,
-    /// The prototype's rooms, for which its openings have short names.
-    pub(super) rooms: &'a [RoomFile],
-    /// Document paths of rooms that are not placed.
-    pub(super) left_out: &'a BTreeSet<Vec<PathStep>>,
-}
 
 impl Scope<'_> {
-    pub(super) fn instance_id(&self) -> Option<&str> {
-        self.instance.as_ref().map(|(id, _)| id.as_str())
-    }
-
-    /// A point as written, in metres.
-    pub(super) fn point(&self, [x, y]: [f64; 2]) -> Point {
-        Point::new(self.units.to_metres(x), self.units.to_metres(y))
-    }
-
     pub(super) fn add_rooms(&self, rooms: &[RoomFile], parts: &mut LevelParts, report: &mut Report<'_>) {
         for (index, room) in rooms.iter().enumerate() {
             let path = item(&self.path, "rooms", index);
