@@ -170,6 +170,7 @@ fn room_lines(baked: &BakedLevel<'_>, room: &str) -> Vec<String> {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn real_apartment_blocks_have_no_room_that_fails() {
     let Some(folder) = real_plans() else { return };
     let pipeline = Pipeline::new();
@@ -179,6 +180,7 @@ fn real_apartment_blocks_have_no_room_that_fails() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn a_real_university_has_no_room_that_fails() {
     let Some(folder) = real_plans() else { return };
     let pipeline = Pipeline::new();
@@ -188,6 +190,7 @@ fn a_real_university_has_no_room_that_fails() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn a_real_pair_of_houses_has_no_room_that_fails() {
     let Some(folder) = real_plans() else { return };
     let pipeline = Pipeline::new();
@@ -206,6 +209,7 @@ fn outline(building: &Building) -> Vec<(String, Vec<String>, usize)> {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn imports_of_real_plans_read_back_without_an_error() {
     let Some(folder) = real_plans() else { return };
     let pipeline = Pipeline::new();

@@ -100,6 +100,7 @@ fn without_a_sound_floor_there_is_no_building() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn a_broken_floor_of_a_real_block_leaves_the_others() {
     let site = Path::new("../shared/data/floorplans/archilyse/site_1440");
     if !site.is_dir() {

@@ -17,6 +17,7 @@ fn fault(path: &Path) -> (String, String) {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn real_files_of_other_formats_are_refused_by_name() {
     let data = repository("../shared/data");
     if !data.is_dir() {

@@ -346,6 +346,7 @@ fn guessed_share(paths: &[PathBuf], step: usize) -> f64 {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn most_rooms_of_real_homes_are_read_as_of_their_use_without_their_words() {
     let Some(homes) = folder("archilyse") else { return };
     assert!(guessed_share(&[homes.join("site_1440")], 1) > 93.0);
@@ -357,6 +358,7 @@ fn most_rooms_of_real_homes_are_read_as_of_their_use_without_their_words() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn most_rooms_of_a_real_university_are_read_as_of_their_use_without_their_words() {
     let Some(university) = folder("imdf-spbpu") else { return };
     assert!(guessed_share(std::slice::from_ref(&university), 1) > 55.0);
@@ -364,6 +366,7 @@ fn most_rooms_of_a_real_university_are_read_as_of_their_use_without_their_words(
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn most_rooms_of_a_real_duplex_are_read_as_of_their_use_without_their_words() {
     let Some(folder) = folder("ifc") else { return };
     assert!(guessed_share(&[folder.join("Duplex_A_20110907.ifc")], 1) > 80.0);

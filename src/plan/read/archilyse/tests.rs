@@ -99,6 +99,7 @@ fn count<'a>(words: impl Iterator<Item = &'a str>) -> BTreeMap<&'a str, usize> {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn the_shared_drawings_hold_what_their_source_says() {
     let Some(data) = folder("archilyse") else { return };
     let drawings = drawings(&data);
@@ -121,6 +122,7 @@ fn the_shared_drawings_hold_what_their_source_says() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn a_site_is_one_building_with_its_floors_in_order() {
     let Some(data) = folder("archilyse") else { return };
     let site = read(&data.join("site_1440"), &words()).unwrap().buildings;
@@ -136,6 +138,7 @@ fn a_site_is_one_building_with_its_floors_in_order() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn every_shared_floor_assembles_without_errors() {
     let Some(data) = folder("archilyse") else { return };
     let levels = levels(&data);
@@ -157,6 +160,7 @@ fn every_shared_floor_assembles_without_errors() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn openings_of_the_shared_floors_join_the_rooms_that_they_touch() {
     let Some(data) = folder("archilyse") else { return };
     let mut sides: BTreeMap<(String, usize), usize> = BTreeMap::new();
@@ -180,6 +184,7 @@ fn openings_of_the_shared_floors_join_the_rooms_that_they_touch() {
 
 /// Another way to attach, straight from the data's description: grow the opening by 5 cm, take what it meets.
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn attachment_agrees_with_growing_the_opening() {
     let Some(data) = folder("archilyse") else { return };
     let levels: Vec<&Level> = levels(&data).iter().map(|assembled| &assembled.level).collect();
@@ -223,6 +228,7 @@ fn polygon(ring: &[Point]) -> geo::Polygon<f64> {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn people_can_walk_into_every_shared_room_that_has_a_floor() {
     let Some(data) = folder("archilyse") else { return };
     let mut locked = Vec::new();
@@ -249,6 +255,7 @@ fn people_can_walk_into_every_shared_room_that_has_a_floor() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn drawn_leaves_keep_hinge_side_and_angle() {
     let Some(data) = folder("archilyse") else { return };
     let drawings = drawings(&data);

@@ -77,6 +77,7 @@ mod tests {
     use crate::plan::read::real_data::folder;
 
     #[test]
+    #[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
     fn the_furniture_of_the_duplex_stands_on_its_levels() {
         let Some(folder) = folder("ifc") else { return };
         let pieces = drawn_furniture(&folder.join("Duplex_A_20110907.ifc")).unwrap();

@@ -55,6 +55,7 @@ fn messages(faults: &Faults) -> Vec<String> {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn the_shared_duplex_holds_what_its_source_says() {
     let Some(duplex) = duplex() else { return };
     assert_eq!(
@@ -82,6 +83,7 @@ fn the_shared_duplex_holds_what_its_source_says() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn every_level_of_the_duplex_assembles() {
     let Some(duplex) = duplex() else { return };
     for draft in duplex.draft.levels {

@@ -21,6 +21,7 @@ fn university() -> Option<Vec<DraftedBuilding>> {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn the_shared_university_holds_what_its_source_says() {
     let Some(buildings) = university() else { return };
     let rooms = |building: &DraftedBuilding| -> Vec<(String, usize)> {
@@ -38,6 +39,7 @@ fn the_shared_university_holds_what_its_source_says() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn every_shared_level_assembles_and_every_opening_joins_two_rooms() {
     let Some(buildings) = university() else { return };
     for draft in buildings.into_iter().flat_map(|building| building.draft.levels) {
@@ -68,6 +70,7 @@ fn rooms_near(level: &LevelDraft, center: Point, along: Point) -> usize {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn most_openings_of_the_university_lie_between_two_rooms() {
     let Some(buildings) = university() else { return };
     let mut counts = [0usize; 3];
@@ -86,6 +89,7 @@ fn most_openings_of_the_university_lie_between_two_rooms() {
 }
 
 #[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn projection_keeps_shared_edges_shared_and_sizes_true() {
     let Some(buildings) = university() else { return };
     // The main building is 230 m long; its rooms are some square metres to some hundreds.
