@@ -14,7 +14,7 @@ Beyond Blender's own export with custom properties and lights:
 - copies get an id and name of their own: desk.1@101.001 becomes desk.4@101
 - furniture without a parent (from the asset browser, or whose parent was deleted) goes to the room that it stands in
 - `parent` says what each piece hangs below now, unless that only carries what it was arranged by
-- seeds are numbers again, which Blender keeps as text
+- the level's seed is a number again, which Blender keeps as text where it is large
 """
 
 import argparse
@@ -71,9 +71,10 @@ class Order:
     def settle(self) -> None:
         """Ids, parents, then names, from the roots down."""
         for node in self.nodes:
-            seed = node.get("extras", {}).get("seed")
-            if isinstance(seed, str) and seed.lstrip("-").isdigit():
-                node["extras"]["seed"] = int(seed)
+            extras = node.get("extras", {})
+            seed = extras.get("seed")
+            if extras.get("kind") == "level" and isinstance(seed, str) and seed.lstrip("-").isdigit():
+                extras["seed"] = int(seed)
         for number in self._of_kind("room"):
             self._settle_ids(number)
         for number in self._of_kind("furniture"):

@@ -134,7 +134,7 @@ pub(super) struct FurnitureExtras {
     pub(super) variant: u32,
 }
 
-/// A seed. Blender's properties hold 32 bits: larger numbers become text on their way through it.
+/// A seed: a text, or a number that somebody made of it.
 fn seed<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
     #[derive(Deserialize)]
     #[serde(untagged, expecting = "a seed is a whole number from 0 on")]

@@ -191,7 +191,8 @@ pub enum Extras {
         room_type: String,
         /// Style used.
         style: String,
-        /// Seed that repeats the room.
+        /// Seed that repeats the room; a text in the file, for most readers of JSON keep 53 bits of a number.
+        #[serde(serialize_with = "as_text")]
         seed: u64,
         /// Corners in plan metres, counter-clockwise, not closed.
         outline: Vec<[f64; 2]>,
@@ -295,4 +296,9 @@ pub struct LeafExtras {
     pub closed: [f64; 2],
     /// Its free end when fully open, as the leaf's node stands.
     pub open: [f64; 2],
+}
+
+/// A number as a text.
+fn as_text<S: serde::Serializer>(number: &u64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(number)
 }

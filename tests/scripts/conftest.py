@@ -138,7 +138,7 @@ def build_floor() -> Floor:
     floor.node("door:d1", {"kind": "opening", "opening": "door", "closure": "passage", "id": "d1",
                            "rooms": ["101"], "sides": [{"room": "101", "wall": 0, "from": 1.0, "to": 1.9}],
                            "width": 0.9, "height": 2.0, "sill": 0.0}, level)
-    room = floor.node("room:101", {"kind": "room", "room": "101", "type": "office", "style": "default", "seed": 7,
+    room = floor.node("room:101", {"kind": "room", "room": "101", "type": "office", "style": "default", "seed": "7",
                                    "outline": outline, "holes": [], "height": 2.5, "requested": 4, "placed": 3,
                                    "removed": [{"class": "chair", "reason": "no place"}], "grade": "none",
                                    "findings": []}, level)
