@@ -1,0 +1,38 @@
+"""What the sources promise about themselves: files that a newcomer can read one after the other."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from source_graph import SourceGraph, expand
+
+PROJECT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def graph() -> SourceGraph:
+    return SourceGraph(PROJECT / "src")
+
+
+@pytest.mark.parametrize("folder", ["layout", "batch", "plan/read", "model/recipes", "texture", "walk", "geometry"])
+def test_no_file_uses_itself_through_others(graph, folder):
+    assert graph.circles(tuple(folder.split("/"))) == []
+
+
+def test_textures_know_the_catalogue_and_not_the_other_way_round(graph):
+    of_catalog = [used for module, used in graph.uses.items() if module[:1] == ("catalog",)]
+    assert not [other for used in of_catalog for other in used if other[:1] == ("texture",)]
+
+
+def test_use_trees_name_all_their_paths():
+    paths = ["super::a::self", "super::a::b", "super::a::d::e", "super::a::d::f"]
+    assert expand("super::a::{self, b as c, d::{e, f}}") == paths
+
+
+def test_circles_are_found(tmp_path):
+    (tmp_path / "mod.rs").write_text("mod a; mod b; pub use b::B;", encoding="utf-8")
+    (tmp_path / "a.rs").write_text("use super::B;\npub struct A(B);", encoding="utf-8")
+    (tmp_path / "b.rs").write_text("pub struct B;\nfn f() -> super::a::A { todo!() }", encoding="utf-8")
+    assert SourceGraph(tmp_path).circles(()) == [["a", "b"]]
