@@ -6,10 +6,11 @@ use crate::catalog::Catalog;
 use crate::edits::{EditBook, LevelEdits};
 use crate::gltf::FlatNormals;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
+use crate::scene::SceneOptions;
 
 use super::file_name::distinct_names;
 use super::hash::FieldHash;
-use super::options::{BakeOptions, Format};
+use super::options::{BakeOptions, Format, TextureOptions};
 use super::record::LevelKey;
 
 /// One level to bake.
@@ -70,27 +71,43 @@ fn sorted_levels(building: &Building) -> Vec<(&Level, String)> {
     levels.into_iter().zip(names).collect()
 }
 
-/// Hash of what all levels have in common.
+/// Hash of what all levels have in common. Every option is named here: a new one does not compile until it is said whether
+/// it alters bytes.
 fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
+    let BakeOptions {
+        seed,
+        style,
+        effort,
+        format,
+        has_shared_library,
+        textures: TextureOptions { size, are_shared },
+        flat_normals,
+        detail,
+        scene: SceneOptions { lights, parts, has_variants, door_angle },
+        // None of these changes a byte of a level.
+        threads: _,
+        shard: _,
+        unplanned: _,
+        cache: _,
+    } = options;
     let mut hash = Sha256::new();
     hash.update(catalog.digest);
-    hash.update(options.seed.to_le_bytes());
-    hash.update(options.effort.to_le_bytes());
-    hash.update([u8::from(options.format == Format::Gltf), u8::from(options.has_shared_library)]);
-    let pixels = options.textures.size.map_or(0, |size| size.pixels() as u64);
-    hash.update(pixels.to_le_bytes());
+    hash.update(seed.to_le_bytes());
+    hash.update(effort.to_le_bytes());
+    hash.update([u8::from(*format == Format::Gltf), u8::from(*has_shared_library)]);
+    hash.update(size.map_or(0, |size| size.pixels() as u64).to_le_bytes());
     hash.update([
-        u8::from(options.textures.are_shared),
-        options.scene.lights as u8,
-        options.scene.parts as u8,
-        u8::from(options.scene.has_variants),
-        options.detail as u8,
-        u8::from(options.flat_normals == FlatNormals::Implied),
+        u8::from(*are_shared),
+        *lights as u8,
+        *parts as u8,
+        u8::from(*has_variants),
+        *detail as u8,
+        u8::from(*flat_normals == FlatNormals::Implied),
     ]);
     // As far as the plan lets them is no number of degrees.
-    hash.update(options.scene.door_angle.unwrap_or(u16::MAX).to_le_bytes());
+    hash.update(door_angle.unwrap_or(u16::MAX).to_le_bytes());
     // Last, so that its length needs no mark.
-    hash.update(options.style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
+    hash.update(style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
     hash.finalize().into()
 }
 
@@ -124,7 +141,7 @@ pub(crate) mod tests {
     use crate::batch::options::{Shard, TextureOptions};
     use crate::model::Detail;
     use crate::plan::SitePlacement;
-    use crate::scene::{Lights, Parts, SceneOptions};
+    use crate::scene::{Lights, Parts};
     use crate::texture::TextureSize;
 
     pub(crate) fn empty_level(id: &str, digest: u8) -> Level {

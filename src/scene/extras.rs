@@ -1,7 +1,8 @@
 //! The `extras` of levels, openings, rooms and furniture.
 
+use super::input::SceneInput;
+use super::names;
 use super::node::{Extras, LeafExtras, Removed, SideExtras, SiteExtras};
-use super::{SceneInput, names};
 use crate::audit::Verdict;
 use crate::catalog::{Catalog, Side};
 use crate::geometry::{Point, Polygon};

@@ -5,19 +5,8 @@ use std::f64::consts::PI;
 use glam::{DMat3, DVec3, Quat, Vec3};
 
 use super::names;
-use super::node::{Extras, Node};
+use super::node::{Extras, Node, SceneLight};
 use crate::catalog::{Light, LightSide, Size};
-
-/// A light of a scene: equal lamps share one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SceneLight {
-    /// Unique in the scene.
-    pub name: String,
-    /// Linear red, green and blue, the strongest 1.
-    pub color: [f32; 3],
-    /// Candelas in every direction.
-    pub intensity: f32,
-}
 
 /// Metres between a lamp's box and where its light begins.
 const OUTSIDE: f64 = 0.02;

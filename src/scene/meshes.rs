@@ -3,11 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::light::{SceneLight, scene_light};
-use super::node::{ModelKey, Node, Scene, SceneMaterial, SceneMesh, SceneVariant};
+use super::input::{ModelSourceFunction, SceneInput};
+use super::light::scene_light;
+use super::node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, SceneVariant};
+use super::options::Lights;
 use super::shell::{MergedKey, Shape};
 use super::tint::Tint;
-use super::{Lights, SceneInput};
 use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
 use crate::texture::{SurfaceUse, TextureLibrary, swatch_textures};
@@ -31,9 +32,6 @@ impl<'a> Look<'a> {
         })
     }
 }
-
-/// Builds and looks up models: class, variant, geometry set.
-pub type ModelSourceFunction<'a> = dyn Fn(ClassIndex, u32, &str) -> Arc<Model> + Sync + 'a;
 
 /// Hands out mesh indices; equal requests get the same one.
 pub(crate) struct MeshTable<'a> {

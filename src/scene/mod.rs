@@ -6,6 +6,7 @@
 mod axes;
 mod carrier;
 mod extras;
+mod input;
 mod light;
 mod meshes;
 mod names;
@@ -15,11 +16,10 @@ mod room;
 mod shell;
 mod tint;
 
-pub use light::SceneLight;
-pub use meshes::ModelSourceFunction;
+pub use input::{ModelSourceFunction, SceneInput};
 pub use node::{
-    Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneMaterial, SceneMesh, SceneVariant, SideExtras,
-    SiteExtras,
+    Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneLight, SceneMaterial, SceneMesh, SceneVariant,
+    SideExtras, SiteExtras,
 };
 
 pub use options::{Lights, Parts, SceneOptions};
@@ -31,40 +31,8 @@ use axes::Pose;
 use meshes::{Look, MeshTable};
 use shell::{OpeningLook, RoomFinish, opening_node};
 
-use crate::audit::Verdict;
-use crate::catalog::{Catalog, DEFAULT_STYLE};
+use crate::catalog::DEFAULT_STYLE;
 use crate::geometry::Point;
-use crate::layout::Furnished;
-use crate::model::SwatchedModels;
-use crate::plan::{Level, SitePlacement};
-use crate::texture::TextureLibrary;
-
-/// What a scene is made of.
-#[derive(Clone, Copy)]
-pub struct SceneInput<'a> {
-    /// The level.
-    pub level: &'a Level,
-    /// Id of its building.
-    pub building: &'a str,
-    /// Where the building stands; recorded, not applied.
-    pub site: SitePlacement,
-    /// One per room, in the order of the level's rooms.
-    pub furnished: &'a [Furnished],
-    /// What the audit says, in the same order; rooms past the end are as good as empty ones.
-    pub verdicts: &'a [Verdict],
-    /// Classes, room types, styles and palettes.
-    pub catalog: &'a Catalog,
-    /// The model of a class, variant and geometry set; the same one for the same arguments.
-    pub models: &'a ModelSourceFunction<'a>,
-    /// What lies on the materials; none for plain colours.
-    pub textures: Option<&'a TextureLibrary>,
-    /// What makes fewer primitives of models; none where every slot keeps its own material, as it must without textures.
-    pub swatches: Option<&'a SwatchedModels>,
-    /// What is shown beyond rooms and furniture.
-    pub options: SceneOptions,
-    /// Seed of the run.
-    pub seed: u64,
-}
 
 /// Builds the tree of one level.
 ///

@@ -7,7 +7,6 @@ use glam::{Quat, Vec3};
 use serde::Serialize;
 
 use super::axes::Pose;
-use super::light::SceneLight;
 use crate::audit::{Finding, Grade};
 use crate::catalog::Material;
 use crate::model::{Model, OwnMaterial, Texture, TextureUse};
@@ -102,6 +101,17 @@ impl SceneMaterial {
             Self::Own(_) => None,
         }
     }
+}
+
+/// A light of a scene: equal lamps share one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneLight {
+    /// Unique in the scene.
+    pub name: String,
+    /// Linear red, green and blue, the strongest 1.
+    pub color: [f32; 3],
+    /// Candelas in every direction.
+    pub intensity: f32,
 }
 
 /// One node; its place is relative to its parent.

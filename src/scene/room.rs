@@ -3,12 +3,14 @@
 use super::axes::Pose;
 use super::carrier::carriers;
 use super::extras::{furniture_extras, room_extras};
+use super::input::SceneInput;
 use super::light::light_node;
 use super::meshes::{Look, MeshTable};
+use super::names;
 use super::node::{Extras, Node};
+use super::options::{Lights, Parts};
 use super::shell::{RoomFinish, room_parts};
 use super::tint::Tint;
-use super::{Lights, Parts, SceneInput, names};
 use crate::layout::{Furnished, Parent, Placement};
 
 /// The node of a room: shell parts first, then furniture in the order of its placement.

@@ -16,7 +16,10 @@ def graph() -> SourceGraph:
     return SourceGraph(PROJECT / "src")
 
 
-@pytest.mark.parametrize("folder", ["layout", "batch", "plan/read", "model/recipes", "texture", "walk", "geometry"])
+FOLDERS = ["layout", "batch", "plan/read", "model/recipes", "texture", "scene", "walk", "geometry"]
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
 def test_no_file_uses_itself_through_others(graph, folder):
     assert graph.circles(tuple(folder.split("/"))) == []
 

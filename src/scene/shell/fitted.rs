@@ -1,8 +1,7 @@
 //! Where sockets and light switches are.
 
 use super::fitting::{Fitting, PLATE};
-use super::opening::casing;
-use super::room::opening_heights;
+use super::opening_size::{casing, opening_heights};
 use super::skirting::between;
 use super::ticks::Ticks;
 use crate::geometry::Point;

@@ -6,7 +6,6 @@
 use super::leaf::{JAMB, LEAF_GAP};
 use super::solid::Solid;
 use super::ticks::Ticks;
-use super::window::BAR;
 
 /// The clear hole through all of the wall, in the frame of the opening's node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -29,6 +28,8 @@ pub(crate) struct Reveal {
 const PROJECTION: Ticks = Ticks(1_000);
 /// How far the boards around a door frame stand out of the wall.
 const CASING_DEPTH: Ticks = Ticks(1_400);
+/// Width of the bars of a window frame and of the stiles of a sliding panel.
+pub(super) const BAR: Ticks = Ticks(6_000);
 /// Thickness of glass.
 pub(super) const GLASS: Ticks = Ticks(1_000);
 /// Depth of a sliding panel.

@@ -1,8 +1,8 @@
 //! Leaves on hinges, with handles.
 
+use super::slots::{FRAME_SLOT, GLASS_SLOT};
 use super::solid::{Grain, Solid};
 use super::ticks::Ticks;
-use super::{FRAME_SLOT, GLASS_SLOT};
 use crate::model::GeometrySet;
 
 /// A hinged leaf in the frame of its own node: the hinge at the origin, x towards the free end.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 
-use super::Shape;
+use super::{MergedKey, Shape};
 use crate::model::{Model, ModelMaterial, Primitive};
 use crate::scene::axes::Pose;
 use crate::scene::meshes::MeshTable;
@@ -15,9 +15,6 @@ pub(crate) struct Merged {
     key: MergedKey,
     parts: Vec<MergedPart>,
 }
-
-/// The numbers of all shapes, each with the bits of its translation and rotation: equal ones are equal meshes.
-pub(crate) type MergedKey = Vec<(usize, [u32; 7])>;
 
 /// A shape at its place in the merged mesh.
 struct MergedPart {

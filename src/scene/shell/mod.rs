@@ -4,24 +4,27 @@
 //! equal but for their place share meshes, also where parts are merged.
 
 mod corner;
+mod finish;
 mod fitted;
 mod fitting;
 mod frame;
 mod leaf;
 mod merge;
 mod opening;
+mod opening_size;
 mod railing;
 mod room;
 mod skirting;
 mod slab;
+mod slots;
 mod solid;
 mod ticks;
 mod wall;
 mod window;
 
-pub(crate) use merge::MergedKey;
+pub(crate) use finish::RoomFinish;
 pub(crate) use opening::{OpeningLook, opening_node};
-pub(crate) use room::{RoomFinish, room_parts};
+pub(crate) use room::room_parts;
 
 use fitting::Fitting;
 use frame::Reveal;
@@ -29,6 +32,7 @@ use leaf::LeafShape;
 use railing::RailingShape;
 use skirting::SkirtingShape;
 use slab::SlabShape;
+use slots::{FRAME_SLOT, GLASS_SLOT};
 use solid::Solid;
 use ticks::Ticks;
 use wall::WallShape;
@@ -42,14 +46,8 @@ const SLAB: Ticks = Ticks(2_000);
 /// slabs of overlapping rooms and not in one plane with them.
 const INSET: Ticks = Ticks(100);
 
-/// Slots of frames and sills, handles of windows, glass, and what else leaves no choice.
-const FRAME_SLOT: &str = "painted";
-const HANDLE_SLOT: &str = "metal";
-const GLASS_SLOT: &str = "glass";
-const SKIRTING_SLOT: &str = "painted";
-const RAILING_SLOT: &str = "metal_dark";
-/// Slot of walls seen from the open air, whatever the room behind them is lined with.
-const FACADE_SLOT: &str = "plaster";
+/// The numbers of the shapes of a merged mesh, each with the bits of its translation and rotation: equal ones are equal meshes.
+pub(crate) type MergedKey = Vec<(usize, [u32; 7])>;
 
 /// A part of the shell, complete: equal shapes are equal meshes.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

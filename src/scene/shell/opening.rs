@@ -1,12 +1,14 @@
 //! Doors, windows, passages and open boundaries.
 
 use super::corner::built_thickness;
+use super::finish::RoomFinish;
 use super::frame::Reveal;
 use super::leaf::{LeafDesign, LeafShape};
 use super::merge::Merged;
-use super::room::{RoomFinish, opening_heights};
+use super::opening_size::{casing, opening_heights};
+use super::slots::{FRAME_SLOT, RAILING_SLOT};
 use super::ticks::Ticks;
-use super::{FRAME_SLOT, RAILING_SLOT, SLAB, Shape};
+use super::{SLAB, Shape};
 use crate::geometry::Point;
 use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_along, angle_facing, axes_at};
@@ -80,33 +82,6 @@ fn leaf_design(level: &Level, opening: &Opening, look: Look<'_>) -> LeafDesign {
     if is_outdoors { LeafDesign::Glazed } else { LeafDesign::of_set(look.geometry) }
 }
 
-/// Width of the boards around a doorway: less where a corner, another opening or the ceiling is near, zero where
-/// there is next to no room for them.
-pub(super) fn casing(level: &Level, opening: &Opening) -> Ticks {
-    let is_framed =
-        matches!(opening.kind, OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage);
-    if !is_framed || opening.sides.is_empty() {
-        return Ticks(0);
-    }
-    let clear = opening.sides.iter().map(|side| clear_beside(level, opening, side)).fold(CASING, f64::min);
-    if clear < LEAST_CASING { Ticks(0) } else { Ticks::of(clear) }
-}
-
-/// Metres of wall beside and above an opening in one room; half of them to the next opening.
-fn clear_beside(level: &Level, opening: &Opening, side: &OpeningSide) -> f64 {
-    let room = &level.rooms[side.room];
-    let wall = &room.walls[side.wall];
-    if wall.kind != WallKind::Solid {
-        return 0.0;
-    }
-    let places = room.openings.iter().filter(|place| place.wall == side.wall);
-    let others = places.filter(|place| (place.from, place.to) != (side.from, side.to));
-    let beside = others.map(|other| (other.from - side.to).max(side.from - other.to) / 2.0);
-    // The casing of a door in the next wall stands out as far as this one does.
-    let to_ends = side.from.min(wall.length() - side.to) - CORNER;
-    beside.fold(to_ends.min(room.height - opening.top), f64::min)
-}
-
 /// The hole through all walls of the opening, in the frame of its node.
 fn reveal(level: &Level, opening: &Opening, pose: &Pose) -> Reveal {
     let (across, back) = axes_at(pose.angle);
@@ -147,12 +122,6 @@ fn opened(shut: Point, open: Point, angle: f64) -> Point {
     let swing = shut.angle_to(open);
     Point::from_angle(swing.clamp(-angle, angle)).rotate(shut)
 }
-
-/// Metres of the boards around a doorway, and the narrowest ones.
-const CASING: f64 = 0.06;
-const LEAST_CASING: f64 = 0.02;
-/// Metres that the boards keep from the corners of a room.
-const CORNER: f64 = 0.015;
 
 /// Children of an opening's node.
 struct Pieces<'a, 'm, 'n> {

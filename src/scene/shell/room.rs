@@ -3,68 +3,26 @@
 use std::collections::BTreeMap;
 
 use super::corner::{Footprint, footprints};
+use super::finish::RoomFinish;
 use super::fitted::{Fitted, sockets, switches};
 use super::fitting::Fitting;
 use super::merge::Merged;
-use super::opening::casing;
+use super::opening_size::{casing, opening_heights};
 use super::railing::RailingShape;
 use super::skirting::{self, SkirtingShape};
 use super::slab::SlabShape;
+use super::slots::{FACADE_SLOT, RAILING_SLOT, SKIRTING_SLOT};
 use super::ticks::Ticks;
 use super::wall::{Hole, WallShape};
-use super::{FACADE_SLOT, INSET, RAILING_SLOT, SKIRTING_SLOT, SLAB, Shape};
-use crate::catalog::Catalog;
+use super::{INSET, SLAB, Shape};
 use crate::geometry::{Point, Region};
 use crate::model::GeometrySet;
-use crate::plan::{Level, Opening, Room, Wall, WallKind};
+use crate::plan::{Level, Room, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
-use crate::scene::meshes::{Look, MeshTable, slot_named};
+use crate::scene::meshes::{Look, MeshTable};
 use crate::scene::names;
 use crate::scene::node::{Extras, Node};
-
-/// Material slots of a room's shell.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct RoomFinish {
-    /// Of the floor.
-    pub floor: &'static str,
-    /// Of walls and columns.
-    pub wall: &'static str,
-    /// Of the ceiling.
-    pub ceiling: &'static str,
-    /// Of the lower part of walls, and up to which height.
-    pub dado: Option<(Ticks, &'static str)>,
-    /// Metres of wall for each socket, if it has any.
-    pub sockets: Option<f64>,
-    /// Whether light switches are beside its doors.
-    pub has_switches: bool,
-}
-
-impl RoomFinish {
-    /// Where no room type says otherwise.
-    pub(crate) const PLAIN: Self = Self {
-        floor: "parquet",
-        wall: "plaster",
-        ceiling: "ceiling",
-        dado: None,
-        sockets: None,
-        has_switches: false,
-    };
-
-    /// The finish of a room's type.
-    pub(crate) fn of(catalog: &Catalog, room: &Room) -> Self {
-        catalog.room_types.get(&room.room_type).map_or(Self::PLAIN, |kind| Self {
-            floor: slot_named(&kind.finish.floor, Self::PLAIN.floor),
-            wall: slot_named(&kind.finish.wall, Self::PLAIN.wall),
-            ceiling: slot_named(&kind.finish.ceiling, Self::PLAIN.ceiling),
-            dado: kind.finish.dado.as_ref().map(|dado| {
-                (Ticks::of(dado.height.min(room.height)), slot_named(&dado.slot, Self::PLAIN.wall))
-            }),
-            sockets: kind.finish.sockets,
-            has_switches: kind.finish.has_switches,
-        })
-    }
-}
 
 /// Railings at least this thick (metres) are parapets: low walls.
 const PARAPET_FROM: f64 = 0.08;
@@ -311,20 +269,6 @@ fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finis
         outer_slot: if wall.is_exterior { FACADE_SLOT } else { finish.wall },
         dado: finish.dado,
     }
-}
-
-/// Lower and upper edge of the hole of an opening. Where one walks, the hole goes through the floor's
-/// thickness too and the threshold fills it; an open boundary ends at the lower of the two ceilings.
-pub(super) fn opening_heights(level: &Level, opening: &Opening) -> (Ticks, Ticks) {
-    let bottom = Ticks::of(opening.bottom);
-    let low = if opening.kind.is_walkable() && bottom <= Ticks(0) { -SLAB } else { bottom };
-    let ceilings = opening.sides.iter().map(|side| level.rooms[side.room].height);
-    let lowest = Ticks::of(ceilings.fold(f64::INFINITY, f64::min));
-    let high = match opening.kind {
-        crate::plan::OpeningKind::OpenBoundary => lowest,
-        _ => Ticks::of(opening.top).min(lowest),
-    };
-    (low, high)
 }
 
 #[cfg(test)]

@@ -1,12 +1,10 @@
 //! Windows: bars, panes, handles and sills.
 
-use super::frame::{GLASS, Reveal};
+use super::frame::{BAR, GLASS, Reveal};
+use super::slots::{FRAME_SLOT, GLASS_SLOT, HANDLE_SLOT};
 use super::solid::Solid;
 use super::ticks::Ticks;
-use super::{FRAME_SLOT, GLASS_SLOT, HANDLE_SLOT};
 
-/// Width of the bars of a window frame and of the stiles of a sliding panel.
-pub(super) const BAR: Ticks = Ticks(6_000);
 /// Depth of the bars of a window frame.
 const BAR_DEPTH: Ticks = Ticks(7_000);
 /// Widest casement: a window has as many as it takes.
