@@ -79,17 +79,13 @@ fn encode_primitive(
     if painting.has_coordinates && is_mapped {
         // No corner that shows a texture is double, but those of plain parts were to be joined.
         let is_plain = matches!(primitive.material, ModelMaterial::Swatches(_));
-        return match is_joined && is_plain {
-            true => vec![arrays(source, &joined_with_coordinates(primitive), painting)],
-            false => vec![arrays(source, primitive, painting)],
-        };
+        let joined = (is_joined && is_plain).then(|| joined_with_coordinates(primitive));
+        return vec![arrays(source, joined.as_ref().unwrap_or(primitive), painting)];
     }
     let plain = Painting { has_coordinates: false, has_tangents: false, ..painting };
     if !painting.lacks_flat_normals {
-        return match is_joined {
-            true => vec![arrays(source, &joined(primitive, true), plain)],
-            false => vec![arrays(source, primitive, plain)],
-        };
+        let joined = is_joined.then(|| joined(primitive, true));
+        return vec![arrays(source, joined.as_ref().unwrap_or(primitive), plain)];
     }
     let without = |part: &Primitive| arrays(source, &joined(part, false), plain);
     let with = |part: &Primitive| {

@@ -12,8 +12,7 @@ use super::body::{Pose, box_solid};
 use super::constants::CONTACT_TOLERANCE;
 use super::environment::Environment;
 use super::furnished::RemovalReason;
-use super::place::Place;
-use super::place::{AgentIndex, ParentPart};
+use super::place::{AgentIndex, ParentPart, Place};
 
 /// Metres by which a rug is wider than what stands on its middle, on either side.
 const OVERHANG: f64 = 0.25;

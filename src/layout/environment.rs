@@ -20,6 +20,7 @@ use super::furnished::RemovalReason;
 use super::place::{AgentIndex, ParentPart, Place};
 use super::surroundings::{Border, KeptFree};
 use super::trace::Trace;
+
 /// Owner of what belongs to the room and not to an agent.
 const ROOM: AgentIndex = AgentIndex::MAX;
 
@@ -124,11 +125,6 @@ impl<'a> Environment<'a> {
     pub(crate) fn new(brief: &'a Brief<'a>, start: &Start<'_>) -> Self {
         let Brief { catalog, surroundings, pieces, .. } = brief;
         let (low, high) = surroundings.room.region.outline.bounds();
-        let grid_of = |all: &mut dyn Iterator<Item = (Point, Point)>| {
-            let mut grid = Grid::new(low, high);
-            all.enumerate().for_each(|(index, bounds)| grid.insert(item(index), bounds));
-            grid
-        };
         let (borders, kept_free) = (surroundings.borders(), surroundings.kept_free.clone());
         let agents = pieces.iter().zip(start.urgency).map(|(piece, &urgency)| {
             let size = catalog.classes[piece.class].size(piece.variant);
@@ -141,7 +137,7 @@ impl<'a> Environment<'a> {
             trace: start.is_traced.then(|| RefCell::new(Trace::new(pieces.len()))),
             is_exhausted: vec![false; catalog.classes.len()],
             heeds_tags: start.heeds_tags,
-            border_grid: grid_of(&mut borders.iter().map(Border::bounds)),
+            border_grid: grid_of((low, high), borders.iter().map(Border::bounds)),
             borders,
             bodies: Vec::with_capacity(pieces.len() * 2),
             body_grid: Grid::new(low, high),
@@ -149,7 +145,7 @@ impl<'a> Environment<'a> {
             clearance_grid: Grid::new(low, high),
             roofs: Vec::new(),
             roof_grid: Grid::new(low, high),
-            kept_free_grid: grid_of(&mut kept_free.iter().map(|region| region.solid.bounds)),
+            kept_free_grid: grid_of((low, high), kept_free.iter().map(|region| region.solid.bounds)),
             kept_free,
             scratch: Cell::default(),
             steps: Cell::default(),
@@ -353,6 +349,13 @@ impl<'a> Environment<'a> {
             && place.pose.elevation >= rules.flat_elevation;
         hangs_flat || place.lies_flat(size)
     }
+}
+
+/// Boxes by number, in a grid between two corners.
+fn grid_of((low, high): (Point, Point), boxes: impl Iterator<Item = (Point, Point)>) -> Grid {
+    let mut grid = Grid::new(low, high);
+    boxes.enumerate().for_each(|(index, bounds)| grid.insert(item(index), bounds));
+    grid
 }
 
 fn item(index: usize) -> u32 {

@@ -5,8 +5,7 @@ use crate::geometry::Point;
 use super::agent::{Rest, State};
 use super::body::Pose;
 use super::environment::Environment;
-use super::place::Place;
-use super::place::{AgentIndex, ParentPart};
+use super::place::{AgentIndex, ParentPart, Place};
 
 /// Moves a resting agent and all that stands on it. Returns whether it moved: if its own new place is not free,
 /// everything stays. A descendant that collides at its new place searches again, and so does what stood on it.

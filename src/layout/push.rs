@@ -11,8 +11,7 @@ use super::constants::{PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS};
 use super::environment::Environment;
 use super::locked::is_locked;
 use super::movement::lift;
-use super::place::Place;
-use super::place::{AgentIndex, ParentPart};
+use super::place::{AgentIndex, ParentPart, Place};
 use super::rules::{meets_needs, score};
 use super::suggested::follows_suggestion;
 

@@ -10,8 +10,7 @@ use super::constants::{
 };
 use super::environment::Environment;
 use super::furnished::RemovalReason;
-use super::place::Place;
-use super::place::{AgentIndex, ParentPart};
+use super::place::{AgentIndex, ParentPart, Place};
 use super::rules::{self, Score, View};
 use super::seed::{Purpose, RoomKey, Stream};
 

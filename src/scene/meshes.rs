@@ -111,7 +111,7 @@ impl<'a> MeshTable<'a> {
     /// Gives each slot the images of its surface, now that it is known whether that is seen on more than furniture.
     fn paint(&mut self, variants: &[SceneVariant]) {
         let Some(library) = self.textures else { return };
-        let shell = self.meshes.iter().filter(|mesh| mesh.key.is_none());
+        let shell = self.meshes.iter().filter(|mesh| !mesh.is_shared());
         let shown = shell.flat_map(|mesh| &mesh.materials).flat_map(|material| {
             let others = variants.iter().filter_map(|variant| variant.materials.get(material));
             others.chain([material])

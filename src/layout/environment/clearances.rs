@@ -4,11 +4,10 @@ use crate::catalog::{Clearance, Shape};
 use crate::geometry::Solid;
 use crate::layout::body::{box_solid, clearance_solid, seat};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT};
-use crate::layout::place::{AgentIndex, ParentPart};
+use crate::layout::place::{AgentIndex, ParentPart, Place};
+use crate::layout::surroundings::{Border, Cause, KeptFree};
 
 use super::{Environment, Probe, ROOM, item};
-use crate::layout::place::Place;
-use crate::layout::surroundings::{Border, Cause, KeptFree};
 
 impl Environment<'_> {
     /// Whether a body would stand in a door's way or in another object's clearance.

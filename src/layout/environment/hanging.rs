@@ -4,10 +4,9 @@ use crate::catalog::{Side, Size};
 use crate::geometry::Point;
 use crate::layout::body::Pose;
 use crate::layout::constants::HANGING_GAP;
-use crate::layout::place::{AgentIndex, ParentPart};
+use crate::layout::place::{AgentIndex, ParentPart, Place};
 
 use super::Environment;
-use crate::layout::place::Place;
 
 impl Environment<'_> {
     /// Whether something that hangs over or beside its parent (a mirror over a basin, a cupboard over a worktop)

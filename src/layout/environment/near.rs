@@ -2,11 +2,10 @@
 
 use crate::geometry::{Point, Solid, nearest_on_segment};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
-use crate::layout::place::AgentIndex;
+use crate::layout::place::{AgentIndex, Place};
+use crate::layout::surroundings::Border;
 
 use super::{Environment, ROOM};
-use crate::layout::place::Place;
-use crate::layout::surroundings::Border;
 
 impl Environment<'_> {
     /// Calls `visit` with every body that meets a region, relatives of nobody excepted.

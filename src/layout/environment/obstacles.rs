@@ -6,13 +6,12 @@ use crate::geometry::Solid;
 use crate::layout::body::{box_solid, clearance_solid};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
 use crate::layout::furnished::RemovalReason;
-use crate::layout::place::AgentIndex;
+use crate::layout::place::{AgentIndex, Place};
 use crate::layout::rules::{Ground, weigh};
+use crate::layout::surroundings::{Border, Cause};
 use crate::layout::trace::Obstacle;
 
 use super::{Body, Environment, Probe, ROOM};
-use crate::layout::place::Place;
-use crate::layout::surroundings::{Border, Cause};
 
 impl Environment<'_> {
     /// What stands in the way of an agent at a place that was refused for a reason.

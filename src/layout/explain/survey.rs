@@ -6,8 +6,7 @@ use crate::geometry::Point;
 
 use crate::layout::body::Pose;
 use crate::layout::environment::Environment;
-use crate::layout::place::Place;
-use crate::layout::place::{AgentIndex, ParentPart};
+use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::rules::angle_of_front;
 use crate::layout::trace::Refused;
 

@@ -9,8 +9,7 @@ use crate::layout::constants::{
     BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, RUN_LENGTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
 };
 use crate::layout::environment::Environment;
-use crate::layout::place::Place;
-use crate::layout::place::{AgentIndex, ParentPart};
+use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::plan::OpeningKind;
 
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
