@@ -14,8 +14,8 @@ from pathlib import Path
 from urllib.parse import quote, unquote
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-from blender_export import put_in_order  # noqa: E402
-from blender_import import write_glb  # noqa: E402
+from blender.roomwright.glb import write_glb  # noqa: E402
+from blender.roomwright.identities import renew_identities  # noqa: E402
 from gltf_file import GltfFile  # noqa: E402
 
 
@@ -93,7 +93,7 @@ def main(old: Path, edited: Path) -> None:
     refer_from(edited.resolve().parent, file.document, old.resolve().parent)
     write_glb(edited, file.document, file.buffer(0))
     # What blender_export.py does with what Blender wrote: copies get the next free number.
-    for note in put_in_order(edited):
+    for note in renew_identities(edited):
         print(note)
 
 

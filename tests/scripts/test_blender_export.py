@@ -3,35 +3,32 @@
 from __future__ import annotations
 
 import copy
-import importlib.util
 import json
 import math
-import os
-import shutil
 import subprocess
 
+import blender_export
 import numpy as np
 import pytest
-
-import blender_export
-import blender_import
-from blender_export import ExportError, Order, export_level, is_inside
-from conftest import ROOT, furniture
+from blender import roomwright
+from blender.roomwright.errors import ExportError
+from blender.roomwright.identities import Identities
+from blender.roomwright.outline import is_inside
+from blender_scene import HAS_BLENDER, PROGRAM, census, delete, duplicate, needs_blender, storey, world_matrices
+from conftest import furniture
 from gltf_file import GltfFile
-from test_blender_import import census, storey, world_matrices
 
-HAS_BLENDER = importlib.util.find_spec("bpy") is not None
 if HAS_BLENDER:
     import bpy
+    from blender.roomwright.exporting import export_level
+    from blender.roomwright.importing import import_bake
+    from blender.roomwright.options import Options
     from mathutils import Matrix, Vector
 
-PROGRAM = os.environ.get("ROOMWRIGHT_PROGRAM") or next(
-    (str(path) for path in (ROOT / "target" / kind / "roomwright" for kind in ("release", "debug")) if path.is_file()),
-    shutil.which("roomwright"))
 SITE = {"position": [300.0, -200.0], "turn": 0.5}
 
 
-class TestOrder:
+class TestIdentities:
     """The document, by hand."""
 
     @pytest.fixture
@@ -39,9 +36,9 @@ class TestOrder:
         return copy.deepcopy(floor.document)
 
     def settled(self, document) -> tuple[dict, list[str]]:
-        order = Order(document)
-        order.settle()
-        return {node["name"]: node.get("extras") for node in document["nodes"]}, order.changes
+        identities = Identities(document)
+        identities.renew()
+        return {node["name"]: node.get("extras") for node in document["nodes"]}, identities.notes
 
     def add(self, document, name, extras, parent) -> None:
         document["nodes"].append({"name": name, "extras": extras})
@@ -111,37 +108,12 @@ class TestCommand:
             blender_export.main(["house.blend", "--out", str(tmp_path / name)])
         assert stop.value.code == 2 and message in capsys.readouterr().err
 
-    @pytest.mark.skipif(HAS_BLENDER, reason="bpy is installed")
-    def test_without_blender_it_says_how_to_install_it(self, tmp_path, capsys):
-        assert blender_export.main(["house.blend", "--out", str(tmp_path / "floor.glb")]) == 2
-        assert "requirements-render.txt" in capsys.readouterr().err
-
 
 def nodes_of(path) -> dict:
     return {node.name: node for node in GltfFile(path).nodes}
 
 
-def select(*things) -> None:
-    bpy.ops.object.select_all(action="DESELECT")
-    for thing in things:
-        thing.select_set(True)
-    bpy.context.view_layer.objects.active = things[0]
-
-
-def duplicate(name: str, linked: bool):
-    """As Alt+D or Shift+D do, with all below it."""
-    thing = bpy.data.objects[name]
-    select(thing, *thing.children_recursive)
-    bpy.ops.object.duplicate(linked=linked)
-    return next(one for one in bpy.context.selected_objects if one.parent not in bpy.context.selected_objects)
-
-
-def delete(*things) -> None:
-    select(*things)
-    bpy.ops.object.delete()
-
-
-@pytest.mark.skipif(not HAS_BLENDER, reason="bpy is not installed (scripts/requirements-render.txt)")
+@needs_blender
 class TestBlender:
     """There and back."""
 
@@ -151,7 +123,7 @@ class TestBlender:
         bpy.ops.wm.read_factory_settings(use_empty=True)
         storey("upper", 3.0, SITE).write(tmp_path / "upper.glb")
         storey("ground", 0.0, SITE).write(tmp_path / "ground.glb")
-        blender_import.import_bake(tmp_path, blender_import.Options(ceilings=False))
+        import_bake(tmp_path, Options(ceilings=False))
 
     def test_what_nobody_changed_comes_back_from_its_place_hidden_or_not(self, tmp_path):
         bpy.data.objects["desk.1@101"].hide_viewport = True  # ceilings are hidden by the eye
@@ -238,11 +210,11 @@ class TestBlender:
         assert "which level" in capsys.readouterr().err and not target.exists()
         assert blender_export.main([str(blend), "--out", str(target), "--level", "house/upper"]) == 0
         assert blender_export.main([str(tmp_path / "absent.blend"), "--out", str(tmp_path / "2.glb")]) == 2
-        blender_export.register()
+        roomwright.register()
         try:
             done = bpy.ops.export_scene.roomwright(filepath=str(tmp_path / "menu.glb"), level="house/upper")
         finally:
-            blender_export.unregister()
+            roomwright.unregister()
         assert done == {"FINISHED"} and nodes_of(tmp_path / "menu.glb").keys() == nodes_of(target).keys()
 
     @pytest.mark.skipif(PROGRAM is None, reason="no roomwright program is built (ROOMWRIGHT_PROGRAM names one)")
@@ -254,7 +226,7 @@ class TestBlender:
             return json.loads(run.stdout)
 
         bpy.ops.wm.read_factory_settings(use_empty=True)
-        blender_import.import_bake(baked / "house" / "ground.glb")
+        import_bake(baked / "house" / "ground.glb")
         assert export_level(tmp_path / "back.glb") == []
         same = audit(tmp_path / "back.glb")
         assert findings(same) == findings(audit(baked / "house" / "ground.glb"))

@@ -1,122 +1,26 @@
-"""Import into Blender: which files, and, where Blender's module is installed, what becomes of them."""
+"""Import into Blender: the command's arguments, and, where Blender's module is installed, what becomes of floors."""
 
 from __future__ import annotations
 
-import importlib.util
-import json
-import os
-
+import blender_import
 import numpy as np
 import pytest
+from blender import roomwright
+from blender.roomwright.errors import BakeError
+from blender_scene import HAS_BLENDER, PNG, census, needs_blender, storey, world_matrices, write_bake
+from conftest import glass
 
-import blender_import
-from blender_import import BakeError, Options, find_floors, import_bake
-from conftest import build_floor, glass, write_manifest
-
-HAS_BLENDER = importlib.util.find_spec("bpy") is not None
 if HAS_BLENDER:
     import bpy
-
-KINDS = blender_import.KINDS
-# One red pixel.
-PNG = bytes.fromhex("89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000c49444154789c63f8"
-                    "cfc0000003010100c9fe92ef0000000049454e44ae426082")
-
-
-def storey(level: str, elevation: float, site: dict | None = None):
-    """The small floor with a ceiling and a light, as a level of the house."""
-    floor = build_floor()
-    node = floor.find("house/ground")
-    node["name"] = f"house/{level}"
-    node["extras"] |= {"level": level, "elevation": elevation} | ({"site": site} if site else {})
-    number = {node["name"]: index for index, node in enumerate(floor.document["nodes"])}
-    slab = floor.box_mesh("ceiling@101", 4.0, 3.0, 0.1, parts=2)
-    floor.node("ceiling@101", {"kind": "part", "part": "ceiling", "tags": []}, number["room:101"], slab,
-               at=(2.0, 2.5, -1.5))
-    frame = floor.box_mesh("frame@door:d1", 0.9, 0.1, 2.0)
-    floor.node("frame@door:d1", {"kind": "part", "part": "frame", "tags": []}, number["door:d1"], frame)
-    floor.document["extensionsUsed"] = ["KHR_lights_punctual"]
-    floor.document["extensions"] = {"KHR_lights_punctual": {"lights": [
-        {"type": "point", "name": "800 lm", "intensity": 63.7, "color": [1.0, 0.5, 0.1]}]}}
-    light = floor.node("light.lamp.1@101", {"kind": "light", "lumens": 800.0, "kelvin": 2700.0}, number["lamp.1@101"],
-                       at=(0.0, 0.32, 0.0))
-    floor.document["nodes"][light]["extensions"] = {"KHR_lights_punctual": {"light": 0}}
-    return floor
+    from blender.roomwright.assets import CATALOG_FILE, catalog_id, write_catalog
+    from blender.roomwright.importing import import_bake
+    from blender.roomwright.options import Options
+    from blender.roomwright.visibility import collections_of, show_part
 
 
 @pytest.fixture
 def bake(tmp_path):
-    """A bake of two levels, the upper turned and moved with its building."""
-    folder = tmp_path / "out" / "house"
-    folder.mkdir(parents=True)
-    storey("upper", 3.0, {"position": [10.0, 20.0], "turn": 0.5}).write(folder / "a.glb")
-    storey("ground", 0.0).write(folder / "b.glb")
-    return folder.parent
-
-
-class TestFiles:
-    """What is to be imported."""
-
-    def test_floors_of_a_folder_come_from_the_lowest_up(self, bake):
-        assert [floor.name for floor in find_floors(bake)] == ["house/ground", "house/upper"]
-        assert [floor.name for floor in find_floors([bake / "house" / "a.glb"])] == ["house/upper"]
-
-    def test_a_manifest_tells_which_files_are_floors_and_others_stay_closed(self, bake):
-        path = write_manifest(bake)
-        manifest = json.loads(path.read_text())
-        for record, level in zip(manifest["levels"], ("upper", "ground")):
-            record |= {"building": "house", "level": level}
-        path.write_text(json.dumps(manifest))
-        (bake / "other.glb").write_text("not glTF")
-        (bake / "house" / "a.glb").write_text("not glTF")
-        assert [floor.level for floor in find_floors(bake, ["ground"])] == ["ground"]
-        assert [floor.level for floor in find_floors(path, ["house/gr*"])] == ["ground"]
-        with pytest.raises(BakeError, match="a.glb: is no glTF file"):
-            find_floors(bake)
-
-    def test_what_lies_in_hidden_folders_is_no_floor(self, bake):
-        (bake / ".roomwright").mkdir()
-        (bake / ".roomwright" / "part.glb").write_text("half")
-        assert len(find_floors(bake)) == 2
-
-    def test_a_pattern_that_matches_nothing_is_answered_with_what_is_there(self, bake):
-        with pytest.raises(BakeError, match="no level matches attic; there are house/upper, house/ground"):
-            find_floors(bake, ["attic"])
-
-    @pytest.mark.parametrize("content, message", [
-        (None, "no such file or folder"), ("{}", "is no glTF file"), ("glTF", "is cut off"), ("text", "is no glTF file"),
-        ('{"asset": {"version": "2.0"}, "nodes": [{"name": "cube"}]}', "is no file of roomwright"),
-        ('{"asset": {}, "nodes": [{"extras": {"kind": "level", "level": "1"}}]}', "extras that cannot be read"),
-    ])
-    def test_a_file_that_is_none_of_ours_is_named_with_the_reason(self, tmp_path, content, message):
-        path = tmp_path / "floor.gltf"
-        if content is not None:
-            path.write_text(content)
-        with pytest.raises(BakeError, match=f"floor.gltf: .*{message}"):
-            find_floors(path)
-
-    def test_an_empty_folder_and_a_broken_manifest_are_named(self, tmp_path):
-        with pytest.raises(BakeError, match="neither a manifest.json nor"):
-            find_floors(tmp_path)
-        (tmp_path / "manifest.json").write_text('{"levels": [{}]}')
-        with pytest.raises(BakeError, match="is no manifest that roomwright wrote"):
-            find_floors(tmp_path)
-
-    def test_nodes_are_sorted_by_their_room_and_part(self):
-        nodes = storey("ground", 0.0).document["nodes"]
-        nodes[2]["children"].append(len(nodes))
-        nodes.append({"name": "added by hand"})
-        spots = {node["name"]: spot for node, spot in zip(nodes, blender_import.sort_nodes(nodes))}
-        assert spots == {
-            "house/ground": (None, "level"), "door:d1": (None, "doors and windows"),
-            "frame@door:d1": (None, "doors and windows"), "room:101": ("101", "room"), "floor@101": ("101", "shell"),
-            "ceiling@101": ("101", "ceiling"), "desk.1@101": ("101", "furniture"), "desk.2@101": ("101", "furniture"),
-            "lamp.1@101": ("101", "furniture"), "light.lamp.1@101": ("101", "lights"),
-            "added by hand": ("101", "furniture")}
-
-    def test_a_class_has_the_same_catalogue_everywhere(self):
-        assert blender_import.catalog_id("desk") == blender_import.catalog_id("desk")
-        assert blender_import.catalog_id("desk") != blender_import.catalog_id("chair")
+    return write_bake(tmp_path)
 
 
 class TestCommand:
@@ -135,44 +39,6 @@ class TestCommand:
         with pytest.raises(SystemExit) as stop:
             blender_import.main(["house.glb", "--save", str(path)])
         assert stop.value.code == 2 and "--force" in capsys.readouterr().err and path.read_text() == "mine"
-
-    @pytest.mark.skipif(HAS_BLENDER, reason="bpy is installed")
-    def test_without_blender_it_says_how_to_install_it(self, bake, tmp_path, capsys):
-        assert blender_import.main([str(bake), "--save", str(tmp_path / "house.blend")]) == 2
-        assert "requirements-render.txt" in capsys.readouterr().err
-
-
-class TestFilesThatAFloorNames:
-    @pytest.mark.parametrize("uri", [
-        "../secret.png", "/etc/passwd", "%2e%2e/secret.png", "file:///etc/passwd", "https://example.org/a.png", "C:/a.png",
-        "a\\..\\b.png", "", ".", "\0", "link.png", "pipe.png", 7, None])
-    def test_are_in_its_folder_and_no_links_that_lead_out(self, tmp_path, uri):
-        folder = tmp_path / "out" / "house"
-        folder.mkdir(parents=True)
-        (tmp_path / "out" / "secret.png").write_bytes(b"secret")
-        (folder / "link.png").symlink_to(tmp_path / "out" / "secret.png")
-        os.mkfifo(folder / "pipe.png")
-        file = folder / "1.gltf"
-        file.write_text(json.dumps({"asset": {}, "images": [{"uri": uri}], "buffers": [{"uri": uri, "byteLength": 6}]}))
-        with pytest.raises(BakeError, match="not in the folder of the floor|is no regular file"):
-            blender_import.Document(file, {}).image_key(0)
-
-    def test_may_be_below_it_or_in_the_shared_folders_beside_it(self, tmp_path):
-        folder = tmp_path / "out" / "house"
-        for name in ("house/shared-textures/a b.png", "shared-textures/b.png"):
-            (tmp_path / "out" / name).parent.mkdir(parents=True, exist_ok=True)
-            (tmp_path / "out" / name).write_bytes(PNG)
-        file = folder / "1.gltf"
-        uris = ["shared-textures/a%20b.png", "../shared-textures/b.png"]
-        file.write_text(json.dumps({"asset": {}, "images": [{"uri": uri} for uri in uris]}))
-        document = blender_import.Document(file, {})
-        assert [document.image_key(index) for index in (0, 1)] == [
-            str((folder / "shared-textures/a b.png").resolve()), str((tmp_path / "out/shared-textures/b.png").resolve())]
-
-
-def world_matrices() -> dict:
-    bpy.context.view_layer.update()
-    return {thing.name: np.array(thing.matrix_world) for thing in bpy.data.objects}
 
 
 def properties(thing) -> dict:
@@ -193,15 +59,11 @@ def shape_of(thing) -> tuple:
     return corners.tolist(), len(thing.data.polygons), [one.name for one in thing.data.materials]
 
 
-def census() -> dict:
-    return {kind: sorted(one.name for one in getattr(bpy.data, kind)) for kind in KINDS}
-
-
 def is_hidden(part: str) -> list[bool]:
-    return [one.hide_viewport for one in blender_import.shelves(part)]
+    return [one.hide_viewport for one in collections_of(part)]
 
 
-@pytest.mark.skipif(not HAS_BLENDER, reason="bpy is not installed (scripts/requirements-render.txt)")
+@needs_blender
 class TestBlender:
     """The import itself."""
 
@@ -300,11 +162,11 @@ class TestBlender:
     def test_ceilings_are_hidden_and_shown_again(self, bake):
         import_bake(bake, Options(ceilings=False))
         assert is_hidden("ceiling") == [True, True] and is_hidden("shell") == [False, False]
-        assert all(one.collection.hide_render for one in blender_import.shelves("ceiling"))
+        assert all(one.collection.hide_render for one in collections_of("ceiling"))
         assert not bpy.data.objects["ceiling@101"].visible_get() and bpy.data.objects["floor@101"].visible_get()
         # Hidden things are placed all the same, or a plain export would have them elsewhere.
         assert world_matrices()["ceiling@101.001"][2, 3] == pytest.approx(5.5, abs=1e-5)
-        assert blender_import.show_part("ceiling", True) == 2
+        assert show_part("ceiling", True) == 2
         assert bpy.data.objects["ceiling@101"].visible_get()
 
     @pytest.mark.parametrize("fault", ["cut off", "texture", "mesh"])
@@ -331,6 +193,16 @@ class TestBlender:
         import_bake(bake)
         assert "house/ground" in bpy.data.collections
 
+    def test_each_step_is_reported(self, bake):
+        steps = []
+        import_bake(bake, progress=lambda *step: steps.append(step))
+        assert steps == [(1, 4, "read house/ground"), (2, 4, "read house/upper"), (3, 4, "built house/ground"),
+                         (4, 4, "built house/upper")]
+
+    def test_a_class_has_the_same_catalogue_everywhere(self):
+        assert catalog_id("desk") == catalog_id("desk")
+        assert catalog_id("desk") != catalog_id("chair")
+
     def test_another_level_joins_its_building(self, bake):
         import_bake(bake, Options(levels=("ground",)))
         import_bake(bake, Options(levels=("upper",)))
@@ -342,21 +214,22 @@ class TestBlender:
         models = {thing["class"]: thing for thing in bpy.data.objects if thing.asset_data}
         assert set(models) == {"desk", "lamp"} and models["desk"].data == bpy.data.objects["desk.1@101"].data
         assert models["desk"].parent is None and not models["desk"].users_collection and "id" not in models["desk"]
-        assert models["desk"].asset_data.catalog_id == blender_import.catalog_id("desk")
+        assert models["desk"].asset_data.catalog_id == catalog_id("desk")
         other = "6b2d6e4e-0000-4000-8000-000000000000:Mine:Mine"
-        (tmp_path / blender_import.CATALOG_FILE).write_text(f"VERSION 1\n\n{other}\n")
+        (tmp_path / CATALOG_FILE).write_text(f"VERSION 1\n\n{other}\n")
         for _ in range(2):
-            lines = blender_import.write_catalog(tmp_path).read_text().splitlines()
-        assert lines == ["VERSION 1", "", other, f"{blender_import.catalog_id('desk')}:Roomwright/desk:desk",
-                         f"{blender_import.catalog_id('lamp')}:Roomwright/lamp:lamp"]
+            lines = write_catalog(tmp_path).read_text().splitlines()
+        assert lines == ["VERSION 1", "", other, f"{catalog_id('desk')}:Roomwright/desk:desk",
+                         f"{catalog_id('lamp')}:Roomwright/lamp:lamp"]
 
     def test_saved_without_a_window_it_opens_again(self, bake, tmp_path, capsys):
         path = tmp_path / "saved" / "house.blend"
         arguments = [str(bake), "--save", str(path), "--no-ceilings", "--asset-catalog"]
         assert blender_import.main(arguments) == 0
-        told = capsys.readouterr().err
-        assert "2/4 read house/upper" in told and "4/4 built house/upper" in told
-        assert sorted(one.name for one in path.parent.iterdir()) == [blender_import.CATALOG_FILE, "house.blend"]
+        told = capsys.readouterr()
+        # Standard error is no terminal here, and progress is for terminals.
+        assert told.err == "" and "20 objects, 5 meshes" in told.out
+        assert sorted(one.name for one in path.parent.iterdir()) == [CATALOG_FILE, "house.blend"]
         bpy.ops.wm.read_factory_settings(use_empty=True)
         bpy.ops.wm.open_mainfile(filepath=str(path))
         assert len(bpy.context.scene.objects) == 20 and len(bpy.data.meshes) == 5
@@ -373,7 +246,7 @@ class TestBlender:
         assert "a.glb: is cut off" in capsys.readouterr().err and not (tmp_path / "house.blend").exists()
 
     def test_from_the_menu(self, bake):
-        blender_import.register()
+        roomwright.register()
         try:
             folder = str(bake / "house") + "/"
             done = bpy.ops.import_scene.roomwright(directory=folder, files=[{"name": "b.glb"}], ceilings=False)
@@ -384,15 +257,15 @@ class TestBlender:
             with pytest.raises(RuntimeError, match="no level matches attic"):
                 bpy.ops.import_scene.roomwright(directory=folder, levels="attic")
         finally:
-            blender_import.unregister()
+            roomwright.unregister()
         assert not hasattr(bpy.types, "IMPORT_SCENE_OT_roomwright")
 
     def test_a_real_bake_with_textures(self, baked):
         import_bake(baked / "house", Options(ceilings=False))
         assert {"house/ground", "house/upper"} <= set(bpy.data.collections.keys())
         plain = len(bpy.data.meshes), len(bpy.data.images), len(bpy.data.materials)
-        files = {image.filepath for image in bpy.data.images}
-        assert len(files) == plain[1], "an image is there twice"
+        images = {(image.filepath, bytes(image.packed_file.data)) for image in bpy.data.images}
+        assert len(images) == plain[1], "an image is there twice"
         assert len({(one.name.partition("@")[0], tuple(m.name for m in one.materials), len(one.vertices))
                     for one in bpy.data.meshes}) > 100
         assert all(image.packed_file for image in bpy.data.images)

@@ -13,13 +13,14 @@ import subprocess
 
 import pytest
 
-import blender_import
-from blender_export import export_level
+from blender_scene import HAS_BLENDER, PROGRAM, delete, duplicate, needs_blender
 from conftest import ROOT
-from test_blender_export import HAS_BLENDER, PROGRAM, delete, duplicate
 
 if HAS_BLENDER:
     import bpy
+    from blender.roomwright.exporting import export_level
+    from blender.roomwright.importing import import_bake
+    from blender.roomwright.options import Options
     from mathutils import Matrix, Vector
 
 EXAMPLES = ROOT / "docs" / "examples"
@@ -27,7 +28,7 @@ PLACES = {"moved", "turned", "added", "removed", "class", "variant", "parent", "
 FLOOR = "house/ground.glb"
 
 pytestmark = [
-    pytest.mark.skipif(not HAS_BLENDER, reason="bpy is not installed (scripts/requirements-render.txt)"),
+    needs_blender,
     pytest.mark.skipif(PROGRAM is None, reason="no roomwright: cargo build, or ROOMWRIGHT_PROGRAM"),
 ]
 
@@ -77,7 +78,7 @@ class Scripts:
 
     @staticmethod
     def open(folder):
-        blender_import.import_bake(folder, blender_import.Options(ceilings=False))
+        import_bake(folder, Options(ceilings=False))
 
     @staticmethod
     def export(path):

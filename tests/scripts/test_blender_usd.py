@@ -12,16 +12,15 @@ from collections import Counter
 from contextlib import contextmanager
 
 import pytest
-
+from blender_scene import HAS_BLENDER, PROGRAM, needs_blender
 from conftest import LACKS, ROOT, build_floor
 from gltf_file import GltfFile
-from test_blender_export import HAS_BLENDER, PROGRAM
 
 if HAS_BLENDER:
     import bpy
 
 pytestmark = [
-    pytest.mark.skipif(not HAS_BLENDER, reason="bpy is not installed (scripts/requirements-render.txt)"),
+    needs_blender,
     pytest.mark.skipif(bool(LACKS) and not (ROOT / ".venv").is_dir(),
                        reason="usd-core is not installed, neither here nor in .venv (source scripts/set_up.sh)"),
 ]

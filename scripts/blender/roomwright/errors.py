@@ -1,0 +1,25 @@
+"""Faults that the user can mend; each text names the file or the level, and the reason."""
+
+import struct
+from contextlib import contextmanager
+from pathlib import Path
+
+# What code that trusts a document raises where the document is damaged.
+DAMAGE = (KeyError, IndexError, TypeError, ValueError, AttributeError, StopIteration, struct.error, OSError)
+
+
+class BakeError(Exception):
+    """A file that cannot be imported."""
+
+
+class ExportError(Exception):
+    """A level that cannot be exported."""
+
+
+@contextmanager
+def damage_of(path: Path):
+    """Turns what a damaged file makes fail into a BakeError with the file's name."""
+    try:
+        yield
+    except DAMAGE as error:
+        raise BakeError(f"{path}: cannot be read: {error!r}") from error
