@@ -188,8 +188,8 @@ show python scripts/validate.py "$folder/usd"
 
 if [ -n "$blender" ]; then
   step "Open the house in Blender" <<TEXT
-Both levels, one on the other, in collections by room. Without a window here; in Blender's own, the same script is an
-add-on: File > Import > Roomwright bake.
+Both levels, one on the other, in collections by room. Without a window here; in Blender's window, Roomwright's
+extension does the same: File > Import > Roomwright bake.
 TEXT
   in_blender scripts/blender_import.py "$folder/before" --save "$folder/house.blend" --no-ceilings
 
