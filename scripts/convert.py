@@ -20,7 +20,8 @@ of them. Equal inputs give equal bytes. What an earlier run wrote into the same 
 that left the bake, another format, models that nothing uses) is removed, if nobody changed it: `converted.json` lists
 it.
 
-Needs scripts/requirements.txt. Progress goes to standard error, one line per written file to standard output.
+Needs scripts/requirements.txt. One line per written file goes to standard output, progress to
+standard error where that is a terminal.
 Exit 0: all written. 1: some failed. 2: nothing could start.
 """
 
@@ -39,9 +40,9 @@ import environment
 environment.require(environment.TOOLS, __name__)
 
 from pxr import Tf
+from tqdm import tqdm
 
 from gltf_file import GltfError, GltfFile
-from progress import Progress
 from resources import ResourceError, printable, read_file
 from usd.assembly import write_assemblies
 from usd.floor import Written, convert_floor
@@ -118,17 +119,18 @@ def refuse_equal_targets(jobs: list[Job]) -> None:
             raise FileExistsError(f"{other} and {job.source} would both become {job.target}")
 
 
-def convert(jobs: list[Job], processes: int) -> dict[Job, Written]:
-    """Converts every file; what was written, without the jobs that failed."""
-    written, progress = {}, Progress("convert", len(jobs))
-    for job, outcome in zip(jobs, outcomes(convert_file, jobs, processes)):
-        progress.clear()
-        if isinstance(outcome, Written):
-            written[job] = outcome
-            print(printable(str(job.target)))
-        else:
-            print(f"convert: {printable(f'{job.source}: {outcome}')}", file=sys.stderr)
-        progress.step(not isinstance(outcome, Written))
+def convert(jobs: list[Job], processes: int, is_quiet: bool) -> dict[Job, Written]:
+    """Converts every file. Returns what was written, without the jobs that failed."""
+    written = {}
+    # Without `disable`, tqdm would write into logs, too.
+    with tqdm(total=len(jobs), desc="convert", unit=" files", disable=is_quiet or None) as progress:
+        for job, outcome in zip(jobs, outcomes(convert_file, jobs, processes)):
+            if isinstance(outcome, Written):
+                written[job] = outcome
+                tqdm.write(printable(str(job.target)))
+            else:
+                tqdm.write(f"convert: {printable(f'{job.source}: {outcome}')}", file=sys.stderr)
+            progress.update()
     return written
 
 
@@ -203,6 +205,7 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
                         help="colliders, bodies with masses, hinges of doors (UsdPhysics); furniture then stands in "
                              "its room, not below what it stands on, because bodies have no bodies in them")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (default: one a core)")
+    parser.add_argument("--quiet", action="store_true", help="no progress")
     options = parser.parse_args(arguments)
     if options.physics and options.point_instancer is not None:
         parser.error("--physics and --point-instancer exclude each other: entries of an instancer are no bodies")
@@ -222,7 +225,7 @@ def main(arguments: list[str] | None = None) -> int:
     if not jobs:
         print("convert: no .glb or .gltf there", file=sys.stderr)
         return 2
-    written = convert(jobs, options.jobs)
+    written = convert(jobs, options.jobs, options.quiet)
     failed = len(jobs) - len(written)
     for settings in dict.fromkeys(job.settings for job in jobs):
         own = [job for job in jobs if job.settings == settings]

@@ -22,7 +22,7 @@ For every manifest.json: each file listed is there with its bytes and hash, and 
 
 Needs scripts/requirements.txt, and for `khronos` also `npm ci` in scripts/.
 Faults go to standard output as FILE: [CODE] NODE: MESSAGE (or as one JSON document with --json), progress to
-standard error. Exit 0: no fault. 1: faults. 2: nothing could start.
+standard error where that is a terminal. Exit 0: no fault. 1: faults. 2: nothing could start.
 """
 
 from __future__ import annotations
@@ -42,6 +42,7 @@ import environment
 environment.require(environment.TOOLS, __name__)
 
 import numpy as np
+from tqdm import tqdm
 
 from checks.contract import PATH, check_extras, check_names, check_paths, note_of
 from checks.geometry import check_collisions, check_containment, check_pieces
@@ -52,7 +53,6 @@ from checks.report import Fault, Note
 from checks.stages import ENDINGS as STAGE_ENDINGS
 from checks.stages import check_stage
 from gltf_file import GltfError, GltfFile
-from progress import Progress
 from workers import outcomes
 
 CHECKS = (check_names, check_extras, check_pieces, check_containment, check_collisions)
@@ -107,17 +107,19 @@ def check_input(judged: Input) -> tuple[list[Fault], Counter]:
     return check_file(*judged)
 
 
-def check_files(inputs: list[Input], jobs: int, with_khronos: bool) -> tuple[list[Fault], Counter]:
+def check_files(inputs: list[Input], jobs: int, with_khronos: bool, is_quiet: bool) -> tuple[list[Fault], Counter]:
     faults: list[Fault] = []
     totals: Counter = Counter()
-    progress = Progress("validate", len(inputs))
-    for judged, outcome in zip(inputs, outcomes(check_input, inputs, jobs)):
-        if isinstance(outcome, Exception):
-            outcome = [Fault(str(judged.file), PATH, "", str(outcome))], Counter()
-        found, counts = outcome
-        faults += found
-        totals.update(counts)
-        progress.step(len(found))
+    # Without `disable`, tqdm would write into logs, too.
+    with tqdm(total=len(inputs), desc="validate", unit=" files", disable=is_quiet or None) as progress:
+        for judged, outcome in zip(inputs, outcomes(check_input, inputs, jobs)):
+            if isinstance(outcome, Exception):
+                outcome = [Fault(str(judged.file), PATH, "", str(outcome))], Counter()
+            found, counts = outcome
+            faults += found
+            totals.update(counts)
+            progress.set_postfix(faults=len(faults), refresh=False)
+            progress.update()
     if with_khronos:
         unsafe = {fault.file for fault in faults if fault.code == PATH}
         floors = [judged.file for judged in inputs
@@ -153,6 +155,7 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (default: one a core)")
     parser.add_argument("--no-khronos", action="store_true", help="leave the Khronos validator out")
     parser.add_argument("--json", action="store_true", help="write one JSON document instead of lines")
+    parser.add_argument("--quiet", action="store_true", help="no progress")
     return parser.parse_args(arguments)
 
 
@@ -172,7 +175,7 @@ def main(arguments: list[str] | None = None) -> int:
               "  source scripts/set_up.sh && set_up_validator\n"
               "or leave it out with --no-khronos", file=sys.stderr)
         return 2
-    faults, totals = check_files(files, max(1, options.jobs), with_khronos)
+    faults, totals = check_files(files, max(1, options.jobs), with_khronos, options.quiet)
     faults += chain.from_iterable(map(check_manifest, manifests))
     faults.sort()
     report(options.json, {"files": len(files), "manifests": len(manifests), **totals}, faults)

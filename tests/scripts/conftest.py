@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 # Blender's Python has none of what convert.py and validate.py need: their tests are left out there.
-TOOLS = ("pxr", "shapely", "trimesh")
+TOOLS = ("pxr", "shapely", "trimesh", "tqdm")
 LACKS = [module for module in TOOLS if importlib.util.find_spec(module) is None]
 collect_ignore_glob = ["test_convert.py", "test_hostile_files.py", "test_usd_*.py", "test_validate*.py"] if LACKS else []
 

@@ -11,7 +11,6 @@ from usd_reading import assert_same_meshes, assert_same_places, assert_same_tree
 
 import convert
 from gltf_file import GltfFile
-from progress import Progress
 
 Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], float)
 
@@ -115,7 +114,7 @@ def test_a_folder_keeps_its_tree_and_a_broken_file_fails_alone(floor, tmp_path, 
         "house/ground.usdc", "house/building.usda"}
     assert not [path for path in (tmp_path / "out").rglob(".*")], "nothing is left half written"
     error = capsys.readouterr().err
-    assert "broken.glb: not a glTF file" in error and "convert: 2 of 2 files, 1 faults" in error
+    assert "broken.glb: not a glTF file" in error and error.count("\n") == 1
 
 
 def test_a_file_that_is_glTF_and_says_nonsense_fails_alone(floor, tmp_path, capsys):
@@ -140,25 +139,6 @@ def test_two_sources_of_one_target_cannot_start(floor, tmp_path, capsys):
         floor.write(tmp_path / f"ground.{ending}")
     assert convert.main([str(tmp_path)]) == 2
     assert "would both become" in capsys.readouterr().err
-
-
-def test_a_bar_is_for_terminals_only(capsys):
-    class Terminal(list):
-        def isatty(self):
-            return True
-
-        def write(self, text):
-            self.append(text)
-
-        def flush(self):
-            pass
-
-    terminal = Terminal()
-    progress = Progress("convert", 2, terminal)
-    progress.step()
-    progress.step(1)
-    assert terminal[0].startswith("\r[###############...............] convert: 1 of 2 files, 0 faults")
-    assert terminal[1].endswith("convert: 2 of 2 files, 1 faults, 0 s\n")
 
 
 @pytest.mark.parametrize("settings", [{}, {"is_self_contained": True}, {"has_physics": True}, {"has_instances": True}])
