@@ -12,6 +12,7 @@ pub mod best;
 pub mod cache;
 pub mod catalog;
 pub mod cli;
+pub mod contract;
 pub mod diff;
 mod disk;
 pub mod document;

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::contract::FindingExtras;
+
 use super::fit::Held;
 
 /// A fault of a furnished room.
@@ -40,6 +42,19 @@ impl Finding {
             Held::Yes => self,
             Held::No => self.given(),
             Held::Unknown => Self { not_searched_further: true, ..self },
+        }
+    }
+
+    /// The finding as files hold it.
+    #[must_use]
+    pub fn extras(&self) -> FindingExtras {
+        FindingExtras {
+            code: self.code.name().into(),
+            severity: self.severity.name().into(),
+            objects: self.objects.clone(),
+            measured: self.measured,
+            threshold: self.threshold,
+            not_searched_further: self.not_searched_further,
         }
     }
 
@@ -221,7 +236,29 @@ pub enum Grade {
     Failed,
 }
 
+impl Severity {
+    /// The word in the output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Minor => "minor",
+            Self::Failed => "failed",
+        }
+    }
+}
+
 impl Grade {
+    /// The word in the output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Minor => "minor",
+            Self::Failed => "failed",
+        }
+    }
+
     /// The grade of a room with these findings.
     #[must_use]
     pub fn of(findings: &[Finding]) -> Self {

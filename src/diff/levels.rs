@@ -49,7 +49,8 @@ fn place(old: &Inventory, new: &Inventory, tolerance: &Tolerance) -> Vec<Change>
             .push(Change::of(Kind::Levels, "id").between(Worth::Word(names(old)), Worth::Word(names(new))));
     }
     if old.site != new.site {
-        changes.push(Change::of(Kind::Levels, "site").between(shown(&old.site), shown(&new.site)));
+        let [old, new] = [old, new].map(|level| shown(&serde_json::json!(level.site)));
+        changes.push(Change::of(Kind::Levels, "site").between(old, new));
     }
     changes
 }
@@ -104,12 +105,11 @@ fn looks(old: &Inventory, new: &Inventory) -> Vec<Change> {
 }
 
 fn settings(old: &Inventory, new: &Inventory) -> Vec<Change> {
-    let nothing = Value::Null;
     let mut changes = Vec::new();
     for (name, before) in &old.settings {
-        let after = new.settings.get(name).unwrap_or(&nothing);
+        let after = new.settings.get(name).map_or("", String::as_str);
         if before != after {
-            changes.push(Change::of(Kind::Settings, *name).between(shown(before), shown(after)));
+            changes.push(Change::of(Kind::Settings, *name).between(Worth::word(before), Worth::word(after)));
         }
     }
     changes
@@ -117,6 +117,8 @@ fn settings(old: &Inventory, new: &Inventory) -> Vec<Change> {
 
 #[cfg(test)]
 mod tests {
+    use crate::contract::SiteExtras;
+
     use super::{Inventory, Tolerance, compare_levels};
     use crate::read_back::RoomContents;
 
@@ -148,7 +150,7 @@ mod tests {
             ("bytes", |_| ()),
             ("levels elevation", |level| level.elevation = 3.0),
             ("levels height", |level| level.height = 3.0),
-            ("levels site", |level| level.site = serde_json::json!({"turn": 1.0})),
+            ("levels site", |level| level.site = Some(SiteExtras { position: [0.0; 2], turn: 1.0 })),
             ("levels id", |level| level.level = "1".to_owned()),
             ("shell", |level| drop(level.looks.shell.insert("floor@a".to_owned(), "tilted".to_owned()))),
             ("models", |level| drop(level.looks.models.insert("desk.0".to_owned(), "round".to_owned()))),

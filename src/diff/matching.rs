@@ -22,7 +22,7 @@ use super::nearest::{Rule, pairs};
 /// What is known about a thing.
 #[derive(Clone, Debug)]
 pub(super) struct Item<'a> {
-    pub(super) id: &'a str,
+    pub(super) id: String,
     pub(super) class: &'a str,
     pub(super) place: DVec3,
     /// What kind of thing it stands on or belongs to.
@@ -51,8 +51,9 @@ pub(super) struct Matches {
 /// Pairs things; ids are unique on each side.
 pub(super) fn match_up(old: &[Item<'_>], new: &[Item<'_>], same_place: f64, rules: Rules) -> Matches {
     let mut matches = Matches { new_of: vec![None; old.len()], old_of: vec![None; new.len()] };
-    let by_id: BTreeMap<&str, usize> = new.iter().enumerate().map(|(index, item)| (item.id, index)).collect();
-    let twin = |item: &Item<'_>| by_id.get(item.id).copied();
+    let by_id: BTreeMap<&str, usize> =
+        new.iter().enumerate().map(|(index, item)| (item.id.as_str(), index)).collect();
+    let twin = |item: &Item<'_>| by_id.get(item.id.as_str()).copied();
     for (index, item) in old.iter().enumerate() {
         let found = twin(item).filter(|&other| {
             new[other].class == item.class && new[other].place.distance(item.place) <= same_place
@@ -118,7 +119,7 @@ mod tests {
 
     fn item<'a>(id: &'a str, x: f64) -> Item<'a> {
         let class = id.split('.').next().unwrap();
-        Item { id, class, place: DVec3::new(x, 0.0, 0.0), on: "floor", reach: 0.25 }
+        Item { id: id.to_owned(), class, place: DVec3::new(x, 0.0, 0.0), on: "floor", reach: 0.25 }
     }
 
     /// Pairs as `old=new`, then what went and came.

@@ -102,7 +102,13 @@ mod tests {
     use super::*;
 
     fn item(id: &str, place: (f64, f64)) -> Item<'_> {
-        Item { id, class: "chair", place: DVec3::new(place.0, place.1, 0.0), on: "floor", reach: 0.25 }
+        Item {
+            id: id.to_owned(),
+            class: "chair",
+            place: DVec3::new(place.0, place.1, 0.0),
+            on: "floor",
+            reach: 0.25,
+        }
     }
 
     #[expect(clippy::type_complexity, reason = "closures have no names")]

@@ -8,6 +8,7 @@ use super::change::{Change, Worth};
 use super::kind::Kind;
 use super::matching::{Item, Matches, Rules, match_up};
 use super::tolerance::{Tolerance, round_degrees, round_metres};
+use crate::contract::{ElementId, ObjectId};
 use crate::read_back::ObjectEntry;
 
 /// Metres within which an object of another class takes a place, however large both are.
@@ -26,8 +27,8 @@ struct Pairing<'a> {
     old: &'a [ObjectEntry],
     new: &'a [ObjectEntry],
     matches: Matches,
-    old_index: BTreeMap<&'a str, usize>,
-    new_index: BTreeMap<&'a str, usize>,
+    old_index: BTreeMap<&'a ObjectId, usize>,
+    new_index: BTreeMap<&'a ObjectId, usize>,
     tolerance: &'a Tolerance,
 }
 
@@ -39,8 +40,8 @@ pub(super) fn compare_objects<'a>(
 ) -> ObjectDiff {
     let [old_items, new_items] = [old, new].map(|side| side.iter().map(item).collect::<Vec<_>>());
     let matches = match_up(&old_items, &new_items, tolerance.metres, Rules::All);
-    let index = |side: &'a [ObjectEntry]| -> BTreeMap<&'a str, usize> {
-        side.iter().enumerate().map(|(index, object)| (object.id.as_str(), index)).collect()
+    let index = |side: &'a [ObjectEntry]| -> BTreeMap<&'a ObjectId, usize> {
+        side.iter().enumerate().map(|(index, object)| (&object.id, index)).collect()
     };
     let (old_index, new_index) = (index(old), index(new));
     let pairing = Pairing { old, new, matches, old_index, new_index, tolerance };
@@ -48,13 +49,15 @@ pub(super) fn compare_objects<'a>(
     for (index, object) in new.iter().enumerate() {
         match pairing.matches.old_of[index] {
             Some(before) => changes.extend(pairing.compare(before, index)),
-            None => changes.push(Change { new: Some(place(object)), ..Change::of(Kind::Added, &object.id) }),
+            None => changes
+                .push(Change { new: Some(place(object)), ..Change::of(Kind::Added, object.id.to_string()) }),
         }
     }
     let gone = old.iter().zip(&pairing.matches.new_of).filter(|(_, pair)| pair.is_none());
-    changes.extend(
-        gone.map(|(object, _)| Change { old: Some(place(object)), ..Change::of(Kind::Removed, &object.id) }),
-    );
+    changes.extend(gone.map(|(object, _)| Change {
+        old: Some(place(object)),
+        ..Change::of(Kind::Removed, object.id.to_string())
+    }));
     changes.sort_by_key(|change| change.kind);
     ObjectDiff { changes, new_ids: pairing.new_ids() }
 }
@@ -62,9 +65,13 @@ pub(super) fn compare_objects<'a>(
 fn item(object: &ObjectEntry) -> Item<'_> {
     let [width, depth, _] = object.size;
     let reach = (width.min(depth) / 2.0).min(LONGEST_REACH);
-    // `wall.2` and `desk.1` are of the kinds `wall` and `desk`.
-    let on = object.parent.split('.').next().unwrap_or_default();
-    Item { id: &object.id, class: &object.class, place: object.position, on, reach }
+    Item {
+        id: object.id.to_string(),
+        class: &object.class,
+        place: object.position,
+        on: object.parent.kind(),
+        reach,
+    }
 }
 
 fn place(object: &ObjectEntry) -> Worth {
@@ -74,14 +81,16 @@ fn place(object: &ObjectEntry) -> Worth {
 impl Pairing<'_> {
     fn new_ids(&self) -> BTreeMap<String, String> {
         let pairs = self.old.iter().zip(&self.matches.new_of);
-        pairs.filter_map(|(object, pair)| Some((object.id.clone(), self.new[(*pair)?].id.clone()))).collect()
+        pairs
+            .filter_map(|(object, pair)| Some((object.id.to_string(), self.new[(*pair)?].id.to_string())))
+            .collect()
     }
 
     /// All differences of one object.
     fn compare(&self, old_index: usize, new_index: usize) -> Vec<Change> {
         let (old, new) = (&self.old[old_index], &self.new[new_index]);
-        let old_id = (old.id != new.id).then(|| old.id.clone());
-        let change = |kind: Kind| Change { old_id: old_id.clone(), ..Change::of(kind, &new.id) };
+        let old_id = (old.id != new.id).then(|| old.id.to_string());
+        let change = |kind: Kind| Change { old_id: old_id.clone(), ..Change::of(kind, new.id.to_string()) };
         let mut changes = self.moves(old, new, &change);
         if old.size.iter().zip(&new.size).any(|(a, b)| self.tolerance.is_far((a - b).abs())) {
             changes.push(change(Kind::Resized).between(Worth::metres(old.size), Worth::metres(new.size)));
@@ -94,7 +103,7 @@ impl Pairing<'_> {
         word(Kind::Class, &old.class, &new.class);
         word(Kind::Variant, &old.variant.to_string(), &new.variant.to_string());
         if !self.is_same_parent(&old.parent, &new.parent) {
-            word(Kind::Parent, &old.parent, &new.parent);
+            word(Kind::Parent, &old.parent.to_string(), &new.parent.to_string());
         }
         if old.materials != new.materials {
             let words = |materials: &[String]| Worth::Words(materials.to_vec());
@@ -130,8 +139,8 @@ impl Pairing<'_> {
 
     /// The new id of the object that carried another one: both have moved as one.
     fn carrier(&self, old: &ObjectEntry, new: &ObjectEntry) -> Option<String> {
-        let before = &self.old[*self.old_index.get(old.parent.as_str())?];
-        let after = &self.new[*self.new_index.get(new.parent.as_str())?];
+        let before = &self.old[find(&self.old_index, &old.parent)?];
+        let after = &self.new[find(&self.new_index, &new.parent)?];
         if !self.is_same_parent(&old.parent, &new.parent) {
             return None;
         }
@@ -142,17 +151,23 @@ impl Pairing<'_> {
         let ((place_before, turn_before), (place_after, turn_after)) = (from(before, old), from(after, new));
         let is_carried = !self.tolerance.is_far(place_before.distance(place_after))
             && !self.tolerance.is_turn(angle_between(turn_before, turn_after));
-        is_carried.then(|| after.id.clone())
+        is_carried.then(|| after.id.to_string())
     }
 
     /// Whether two parents are the same part of the room, or an object and what it was before.
-    fn is_same_parent(&self, old: &str, new: &str) -> bool {
-        match (self.old_index.get(old), self.new_index.get(new)) {
-            (Some(&before), Some(&after)) => self.matches.new_of[before] == Some(after),
+    fn is_same_parent(&self, old: &ElementId, new: &ElementId) -> bool {
+        match (find(&self.old_index, old), find(&self.new_index, new)) {
+            (Some(before), Some(after)) => self.matches.new_of[before] == Some(after),
             (None, None) => old == new,
             _ => false,
         }
     }
+}
+
+/// The index of an object, if the element is one and is there.
+fn find(index: &BTreeMap<&ObjectId, usize>, element: &ElementId) -> Option<usize> {
+    let ElementId::Object(object) = element else { return None };
+    index.get(object).copied()
 }
 
 /// Degrees of the smallest turn from one to the other.
@@ -174,9 +189,9 @@ mod tests {
 
     fn object(id: &str, x: f64) -> ObjectEntry {
         ObjectEntry {
-            id: id.to_owned(),
+            id: id.parse().unwrap(),
             class: id.split('.').next().unwrap().to_owned(),
-            parent: "floor".to_owned(),
+            parent: ElementId::Floor,
             position: DVec3::new(x, 1.0, 0.0),
             rotation: DQuat::IDENTITY,
             size: [0.5, 0.5, 0.9],
@@ -226,7 +241,7 @@ mod tests {
             (ObjectEntry { size: [0.5, 0.6, 0.9], ..old.clone() }, "resized chair.1"),
             (ObjectEntry { variant: 2, ..old.clone() }, "variant chair.1"),
             (ObjectEntry { class: "armchair".to_owned(), ..old.clone() }, "class chair.1"),
-            (ObjectEntry { parent: "wall.1".to_owned(), ..old.clone() }, "parent chair.1"),
+            (ObjectEntry { parent: ElementId::Wall(1), ..old.clone() }, "parent chair.1"),
             (ObjectEntry { materials: vec!["plain.metal".to_owned()], ..old.clone() }, "material chair.1"),
         ];
         for (new, expected) in faults {
@@ -254,7 +269,7 @@ mod tests {
     #[test]
     fn what_stands_on_a_thing_moves_with_it() {
         let lamp = |x: f64, degrees: f64| ObjectEntry {
-            parent: "desk.1".to_owned(),
+            parent: "desk.1".parse().unwrap(),
             position: DVec3::new(x, 1.0, 0.7),
             ..turned(object("lamp.1", x), degrees)
         };
@@ -276,7 +291,8 @@ mod tests {
 
     #[test]
     fn a_parent_that_has_another_number_is_the_same_parent() {
-        let on = |parent: &str, x: f64| ObjectEntry { parent: parent.to_owned(), ..object("lamp.1", x) };
+        let on =
+            |parent: &str, x: f64| ObjectEntry { parent: parent.parse().unwrap(), ..object("lamp.1", x) };
         let old = [object("desk.1", 1.0), object("desk.2", 3.0), on("desk.2", 3.0)];
         let new = [object("desk.1", 3.0), on("desk.1", 3.0)];
         assert_eq!(shown(&old, &new), ["removed desk.1", "renumbered desk.1"]);

@@ -19,23 +19,23 @@ pub(super) fn compare_openings(
         match pair {
             Some(before) => changes.extend(compare(&old[*before], opening, tolerance)),
             None => {
-                changes.push(Change { new: Some(shown(opening)), ..Change::of(Kind::Openings, &opening.id) });
+                changes.push(Change {
+                    new: Some(shown(opening)),
+                    ..Change::of(Kind::Openings, opening.id.to_string())
+                });
             }
         }
     }
     let gone = old.iter().zip(&matches.new_of).filter(|(_, pair)| pair.is_none());
-    changes.extend(
-        gone.map(|(opening, _)| Change {
-            old: Some(shown(opening)),
-            ..Change::of(Kind::Openings, &opening.id)
-        }),
-    );
+    changes.extend(gone.map(|(opening, _)| Change {
+        old: Some(shown(opening)),
+        ..Change::of(Kind::Openings, opening.id.to_string())
+    }));
     changes
 }
 
 fn item(opening: &OpeningEntry) -> Item<'_> {
-    let class = opening.id.split(':').next().unwrap_or_default();
-    Item { id: &opening.id, class, place: opening.position, on: "", reach: 0.0 }
+    Item { id: opening.id.to_string(), class: opening.id.kind(), place: opening.position, on: "", reach: 0.0 }
 }
 
 fn compare(old: &OpeningEntry, new: &OpeningEntry, tolerance: &Tolerance) -> Option<Change> {
@@ -48,9 +48,9 @@ fn compare(old: &OpeningEntry, new: &OpeningEntry, tolerance: &Tolerance) -> Opt
         && old.leaves.len() == new.leaves.len()
         && !old.leaves.iter().zip(&new.leaves).any(|(a, b)| differs(a, b));
     (!is_same).then(|| Change {
-        old_id: (old.id != new.id).then(|| old.id.clone()),
+        old_id: (old.id != new.id).then(|| old.id.to_string()),
         amount: tolerance.is_far(metres).then(|| round_metres(metres)),
-        ..Change::of(Kind::Openings, &new.id).between(shown(old), shown(new))
+        ..Change::of(Kind::Openings, new.id.to_string()).between(shown(old), shown(new))
     })
 }
 
@@ -74,10 +74,11 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::contract::ElementId;
 
     fn door(id: &str, x: f64) -> OpeningEntry {
         OpeningEntry {
-            id: format!("door:{id}"),
+            id: ElementId::Door(id.to_owned()),
             closure: "door".to_owned(),
             rooms: vec!["a".to_owned(), "b".to_owned()],
             position: DVec3::new(x, 0.0, 0.0),

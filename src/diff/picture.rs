@@ -10,6 +10,7 @@ use super::kind::Kind;
 use super::read::{Reading, read};
 use super::report::{LevelDiff, Presence, RoomDiff};
 use crate::catalog::{Catalog, Side, Size};
+use crate::contract::ElementId;
 use crate::draw::{MarkKind, RoomDrawing, RoomMark, draw_room, room_frame};
 use crate::geometry::Point;
 use crate::layout::{Furnished, Parent, Placement};
@@ -124,8 +125,8 @@ fn placement(object: &ObjectEntry, catalog: &Catalog) -> Option<Placement> {
     let [width, depth, height] = object.size;
     Some(Placement {
         class: catalog.class_index(&object.class)?,
-        number: object.id.rsplit_once('.').and_then(|(_, number)| number.parse().ok()).unwrap_or(0),
-        parent: if object.parent == "ceiling" { Parent::Ceiling } else { Parent::Floor },
+        number: object.id.number,
+        parent: if object.parent == ElementId::Ceiling { Parent::Ceiling } else { Parent::Floor },
         side: Side::ALL[0],
         position: object.position.truncate(),
         elevation: object.position.z,
@@ -198,6 +199,8 @@ fn marks(
     from: impl Fn(&str) -> Option<Point>,
 ) -> Vec<RoomMark> {
     let objects = view.map_or(&[][..], |view| view.objects);
-    let marked = objects.iter().filter_map(|object| Some((object, *kinds.get(&object.id)?)));
-    marked.map(|(object, kind)| RoomMark { outline: outline(object), kind, from: from(&object.id) }).collect()
+    let marked = objects.iter().filter_map(|object| Some((object, *kinds.get(&object.id.to_string())?)));
+    marked
+        .map(|(object, kind)| RoomMark { outline: outline(object), kind, from: from(&object.id.to_string()) })
+        .collect()
 }

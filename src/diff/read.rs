@@ -5,15 +5,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use serde::Deserialize;
-
 use super::pairs::Entry;
-use crate::audit::judge_room;
+use crate::audit::{Finding, judge_room};
 use crate::batch::{FileRecord, LARGEST_RECORDS, MANIFEST_NAME, catch_bug, file_hash, parse_manifest};
 use crate::catalog::Catalog;
 use crate::disk::{look_inside, open_inside, read_regular, stray_step};
 use crate::document::Fault;
-use crate::read_back::{FoundEntry, Inventory, ReadLevel, parse_inventory, parse_level, read_bytes};
+use crate::read_back::{Inventory, ReadLevel, parse_inventory, parse_level, read_bytes};
 
 /// One side of a comparison.
 #[derive(Debug)]
@@ -168,8 +166,7 @@ fn judge(path: &Path, inventory: &mut Inventory, read: &ReadLevel, catalog: &Cat
             .map(|furnished| catch_bug(|| judge_room(&read.level, index, furnished, catalog)));
         match verdict {
             Some(Ok(verdict)) => {
-                let entry = |finding| FoundEntry::deserialize(serde_json::to_value(finding).ok()?).ok();
-                contents.findings = verdict.findings.iter().filter_map(entry).collect();
+                contents.findings = verdict.findings.iter().map(Finding::extras).collect();
             }
             Some(Err(bug)) => {
                 let fault =

@@ -7,7 +7,8 @@ use super::kind::Kind;
 use super::objects::compare_objects;
 use super::report::{Presence, RoomDiff};
 use super::tolerance::{Tolerance, round_metres};
-use crate::read_back::{FoundEntry, RoomContents};
+use crate::contract::FindingExtras;
+use crate::read_back::RoomContents;
 
 /// The word of a finding that fails its room.
 const FAILED: &str = "failed";
@@ -117,19 +118,19 @@ type FindingKey = (String, String, Vec<String>);
 
 /// Findings that came or went. Objects are known by their new ids.
 fn findings(old: &RoomContents, new: &RoomContents, new_ids: &BTreeMap<String, String>) -> Vec<Change> {
-    let key = |finding: &FoundEntry, rename: &dyn Fn(&String) -> String| -> FindingKey {
+    let key = |finding: &FindingExtras, rename: &dyn Fn(&String) -> String| -> FindingKey {
         let mut objects: Vec<String> = finding.objects.iter().map(rename).collect();
         objects.sort();
-        (finding.code.clone(), finding.severity.clone(), objects)
+        (finding.code.to_string(), finding.severity.to_string(), objects)
     };
-    let is_object = |id: &String| old.objects.iter().any(|object| object.id == *id);
+    let is_object = |id: &String| old.objects.iter().any(|object| object.id.to_string() == *id);
     // An object that went is none of today's, although one of those may have its number.
     let renamed = |id: &String| match new_ids.get(id) {
         Some(found) => found.clone(),
         None if is_object(id) => format!("{id} (went)"),
         None => id.clone(),
     };
-    let mut left: BTreeMap<FindingKey, Vec<&FoundEntry>> = BTreeMap::new();
+    let mut left: BTreeMap<FindingKey, Vec<&FindingExtras>> = BTreeMap::new();
     for finding in &old.findings {
         left.entry(key(finding, &renamed)).or_default().push(finding);
     }
@@ -137,20 +138,20 @@ fn findings(old: &RoomContents, new: &RoomContents, new_ids: &BTreeMap<String, S
     for finding in &new.findings {
         let known = left.get_mut(&key(finding, &String::clone)).and_then(Vec::pop);
         if known.is_none() {
-            changes.push(Change { new: Some(worth(finding)), ..Change::of(Kind::Findings, &finding.code) });
+            changes.push(Change { new: Some(worth(finding)), ..Change::of(Kind::Findings, &*finding.code) });
         }
     }
     let gone = left.into_values().flatten();
     changes.extend(gone.map(|finding| Change {
         old: Some(worth(finding)),
-        ..Change::of(Kind::FindingsGone, &finding.code)
+        ..Change::of(Kind::FindingsGone, &*finding.code)
     }));
     changes
 }
 
-fn worth(finding: &FoundEntry) -> Worth {
+fn worth(finding: &FindingExtras) -> Worth {
     Worth::Finding(FindingWorth {
-        severity: finding.severity.clone(),
+        severity: finding.severity.to_string(),
         objects: finding.objects.clone(),
         measured: round_metres(finding.measured),
         threshold: round_metres(finding.threshold),
@@ -174,13 +175,14 @@ mod tests {
         }
     }
 
-    fn finding(code: &str, severity: &str, object: &str) -> FoundEntry {
-        FoundEntry {
-            code: code.to_owned(),
-            severity: severity.to_owned(),
+    fn finding(code: &str, severity: &str, object: &str) -> FindingExtras {
+        FindingExtras {
+            code: code.to_owned().into(),
+            severity: severity.to_owned().into(),
             objects: vec![object.to_owned()],
             measured: 0.5,
             threshold: 0.6,
+            not_searched_further: false,
         }
     }
 
@@ -223,7 +225,7 @@ mod tests {
     #[test]
     fn findings_come_go_and_get_worse() {
         let old = room();
-        let with = |findings: Vec<FoundEntry>| RoomContents { findings, ..room() };
+        let with = |findings: Vec<FindingExtras>| RoomContents { findings, ..room() };
         assert_eq!(kinds(&old, &with(Vec::new())), [Kind::FindingsGone]);
         let worse = with(vec![finding("tight_use", "failed", "desk.1")]);
         assert_eq!(kinds(&old, &worse), [Kind::Findings, Kind::FindingsGone, Kind::FailedRooms]);
@@ -231,7 +233,7 @@ mod tests {
         let other = with(vec![finding("collision", "failed", "desk.1")]);
         assert_eq!(kinds(&worse, &other), [Kind::Findings, Kind::FindingsGone]);
         // What is measured may differ.
-        let measured = FoundEntry { measured: 0.55, ..finding("tight_use", "minor", "desk.1") };
+        let measured = FindingExtras { measured: 0.55, ..finding("tight_use", "minor", "desk.1") };
         assert!(kinds(&old, &with(vec![measured])).is_empty());
     }
 

@@ -3,13 +3,12 @@
 use super::book::{ObjectEdit, RoomEdits};
 use super::file::ObjectEntry;
 use super::misfit::Misfit;
-use super::read::split_id;
 use super::tree::{Object, Tree, usual_place, usual_side};
 use crate::catalog::{Catalog, ClassIndex};
+use crate::contract::{ElementId, ObjectId};
 use crate::layout::{Furnished, Parent};
 use crate::plan::Level;
 use crate::read_back::room_part;
-use crate::scene::object_id;
 
 /// The room after its edits.
 #[derive(Clone, Debug)]
@@ -177,7 +176,8 @@ impl Editor<'_> {
 
     /// What an object should stand on.
     fn parent(&self, object: usize, on: &str) -> Result<Parent, String> {
-        if let Some(part) = room_part(on, self.level, self.room) {
+        let element = on.parse::<ElementId>().ok();
+        if let Some(part) = element.and_then(|element| room_part(&element, self.level, self.room)) {
             return Ok(part);
         }
         let room = &self.room().id;
@@ -190,8 +190,8 @@ impl Editor<'_> {
     }
 
     fn class_of(&self, id: &str) -> Option<(ClassIndex, u32)> {
-        let (class, number) = split_id(id)?;
-        Some((self.catalog.class_index(class)?, number))
+        let ObjectId { class, number } = id.parse().ok()?;
+        Some((self.catalog.class_index(&class)?, number))
     }
 
     fn room(&self) -> &crate::plan::Room {
@@ -200,7 +200,7 @@ impl Editor<'_> {
 
     fn id(&self, object: usize) -> String {
         let Object { class, number, .. } = &self.tree.objects[object];
-        object_id(&self.catalog.classes[*class].id, *number)
+        ObjectId::new(self.catalog.classes[*class].id.as_str(), *number).to_string()
     }
 
     fn finish(self, furnished: &Furnished) -> Edited {

@@ -7,9 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::file::{ObjectEntry, RoomEntry};
-use super::read::split_id;
 use super::standing::{Floor, Key, moved, own_keys, round, turned};
 use crate::catalog::{Catalog, Side, Size};
+use crate::contract::ObjectId;
 use crate::document::{Fault, Faults};
 use crate::read_back::{Survey, SurveyedObject, SurveyedPlace};
 
@@ -83,7 +83,7 @@ struct Capturing<'a> {
     /// By old object: the new one.
     twins: Vec<Option<usize>>,
     /// The new objects by the ids that they say they have.
-    by_id: BTreeMap<&'a str, Vec<usize>>,
+    by_id: BTreeMap<&'a ObjectId, Vec<usize>>,
     /// What the old models look like.
     models: &'a BTreeMap<(String, u32), String>,
     /// Names of new nodes whose extras cannot be read.
@@ -122,7 +122,7 @@ impl Capturing<'_> {
         let place = self.old.objects[index].place;
         let is_here =
             |object: &SurveyedObject| object.named_room.as_ref().or(object.room.as_ref()) == Some(room);
-        let same_id = self.by_id.get(id.as_str()).into_iter().flatten();
+        let same_id = self.by_id.get(id).into_iter().flatten();
         let candidates = same_id.map(|&index| (index, &self.new.objects[index]));
         let candidates = candidates.filter(|(_, object)| is_here(object));
         let rank = |(_, object): &(usize, &SurveyedObject)| {
@@ -141,13 +141,13 @@ impl Capturing<'_> {
                 Some(twin) => {
                     is_known[twin] = true;
                     if let Some(entry) = self.compare(index, twin) {
-                        self.entries.entry(room).or_default().insert(id, entry);
+                        self.entries.entry(room).or_default().insert(id.to_string(), entry);
                     }
                 }
                 None if self.goes_with_another(index) || self.is_broken(index) => {}
                 None => {
                     let gone = ObjectEntry { remove: true, ..ObjectEntry::default() };
-                    self.entries.entry(room).or_default().insert(id, gone);
+                    self.entries.entry(room).or_default().insert(id.to_string(), gone);
                 }
             }
         }
@@ -271,7 +271,7 @@ impl Capturing<'_> {
             parent: Some(is.parent),
             ..ObjectEntry::default()
         };
-        self.entries.entry(room).or_default().insert(id, entry);
+        self.entries.entry(room).or_default().insert(id.to_string(), entry);
     }
 
     fn note(&mut self, node: &str, message: &str, hint: &str) {
@@ -290,8 +290,8 @@ fn has_other_mesh(before: &SurveyedObject, after: &SurveyedObject) -> bool {
     was.iter().flatten().zip(is.iter().flatten()).any(|(a, b)| (a - b).abs() > SAME_MESH)
 }
 
-fn by_id(survey: &Survey) -> BTreeMap<&str, Vec<usize>> {
-    let mut by_id: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+fn by_id(survey: &Survey) -> BTreeMap<&ObjectId, Vec<usize>> {
+    let mut by_id: BTreeMap<&ObjectId, Vec<usize>> = BTreeMap::new();
     for (index, object) in survey.objects.iter().enumerate() {
         by_id.entry(&object.id).or_default().push(index);
     }
@@ -299,9 +299,8 @@ fn by_id(survey: &Survey) -> BTreeMap<&str, Vec<usize>> {
 }
 
 /// The next number of a class that is free in a room.
-fn free_key(room: &str, id: &str, taken: &BTreeSet<Key>) -> Key {
-    let class = split_id(id).map_or(id, |(class, _)| class);
-    let mut keys = (1..).map(|number: u32| (room.to_owned(), format!("{class}.{number}")));
+fn free_key(room: &str, id: &ObjectId, taken: &BTreeSet<Key>) -> Key {
+    let mut keys = (1..).map(|number| (room.to_owned(), ObjectId::new(id.class.as_str(), number)));
     keys.find(|key| !taken.contains(key)).expect("there are more numbers than objects")
 }
 

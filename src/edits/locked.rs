@@ -20,17 +20,15 @@ pub fn lock_objects(survey: &Survey, room: &str, ids: &[String]) -> Result<RoomE
         let rooms = rooms.into_iter().collect::<Vec<_>>().join(", ");
         return Err(format!("there is no furniture in a room \"{room}\", but in {rooms}"));
     }
-    let known: BTreeMap<&str, usize> =
-        here().map(|index| (floor.objects[index].id.as_str(), index)).collect();
+    let known: BTreeMap<String, usize> =
+        here().map(|index| (floor.objects[index].id.to_string(), index)).collect();
     let chosen: Vec<usize> = match ids {
         [] => here().collect(),
         ids => {
-            ids.iter().map(|id| known.get(id.as_str()).copied().ok_or(id)).collect::<Result<_, _>>().map_err(
-                |id| {
-                    let known: Vec<&str> = known.keys().copied().collect();
-                    format!("there is no {id} in room \"{room}\", but {}", known.join(", "))
-                },
-            )?
+            ids.iter().map(|id| known.get(id).copied().ok_or(id)).collect::<Result<_, _>>().map_err(|id| {
+                let known: Vec<&str> = known.keys().map(String::as_str).collect();
+                format!("there is no {id} in room \"{room}\", but {}", known.join(", "))
+            })?
         }
     };
     let mut objects = BTreeMap::new();
@@ -47,7 +45,7 @@ pub fn lock_objects(survey: &Survey, room: &str, ids: &[String]) -> Result<RoomE
             parent: Some(standing.parent),
             ..ObjectEntry::default()
         };
-        objects.insert(object.id.clone(), entry);
+        objects.insert(object.id.to_string(), entry);
     }
     let (building, level) = (Some(survey.building.clone()), survey.level.clone());
     Ok(RoomEntry { building, level, room: room.to_owned(), seed: None, objects })

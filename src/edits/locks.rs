@@ -1,9 +1,9 @@
 //! Locked objects as the layout takes them.
 
 use super::book::RoomEdits;
-use super::read::split_id;
 use super::tree::{Place, usual_place, usual_side};
 use crate::catalog::Catalog;
+use crate::contract::{ElementId, ObjectId};
 use crate::layout::{Lock, LockSupport, Parent};
 use crate::plan::Level;
 use crate::read_back::room_part;
@@ -14,24 +14,22 @@ use crate::read_back::room_part;
 pub(super) fn locks(level: &Level, room: usize, edits: &RoomEdits, catalog: &Catalog) -> Vec<Lock> {
     let locked = edits.objects.iter().filter(|(_, edit)| edit.entry.lock);
     let lock = |id: &str, entry: &super::file::ObjectEntry| {
-        let (class, number) = split_id(id)?;
-        let class = catalog.class_index(class)?;
+        let id: ObjectId = id.parse().ok()?;
+        let class = catalog.class_index(&id.class)?;
         let size = catalog.classes[class].size(entry.variant.unwrap_or(0));
-        let on = entry.parent.as_deref().unwrap_or("floor");
-        let part = room_part(on, level, room);
-        let support = match part {
-            Some(part) => LockSupport::Part(part),
-            None => {
-                let (class, number) = split_id(on)?;
-                LockSupport::Object(catalog.class_index(class)?, number)
-            }
+        let on = entry.parent.as_ref().map_or(Ok(ElementId::Floor), |on| on.parse()).ok()?;
+        let part = room_part(&on, level, room);
+        let support = match (part, on) {
+            (Some(part), _) => LockSupport::Part(part),
+            (None, ElementId::Object(on)) => LockSupport::Object(catalog.class_index(&on.class)?, on.number),
+            _ => return None,
         };
         let usual = usual_place(part.unwrap_or(Parent::Floor), size, &level.rooms[room]);
         let Place { position, elevation, angle } = usual.edited(entry);
         let says_height = part.is_some() || entry.at.as_ref().is_some_and(|at| at.len() == 3);
         Some(Lock {
             class,
-            number,
+            number: id.number,
             variant: entry.variant,
             on: support,
             side: entry.side.unwrap_or_else(|| part.map_or(crate::catalog::Side::Above, usual_side)),

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::book::{EditBook, ObjectEdit};
 use super::file::{EditsFile, ObjectEntry, RoomEntry, VERSION};
 use crate::catalog::Catalog;
+use crate::contract::ObjectId;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean};
 use crate::plan::{Level, PlacedBuilding, Plan};
 
@@ -186,7 +187,7 @@ impl Reading<'_> {
 
     fn form_problem(&self, id: &str, entry: &ObjectEntry) -> Option<Problem> {
         let plain = |key, message: &str, hint: &str| Some((key, message.to_owned(), Some(hint.to_owned())));
-        if split_id(id).is_none() {
+        if id.parse::<ObjectId>().is_err() {
             return plain(None, &format!("\"{id}\" is no id of an object"), "ids are like desk.1");
         }
         let ObjectEntry { add, remove, lock, class, variant, parent, side, at, turn } = entry;
@@ -221,9 +222,9 @@ impl Reading<'_> {
     }
 
     fn class_problem(&self, id: &str, entry: &ObjectEntry) -> Option<Problem> {
-        let (of_id, _) = split_id(id)?;
+        let ObjectId { class: of_id, .. } = id.parse().ok()?;
         let key = entry.class.as_ref().map(|_| "class");
-        let class = entry.class.as_deref().unwrap_or(of_id);
+        let class = entry.class.as_deref().unwrap_or(&of_id);
         let Some(index) = self.catalog.class_index(class) else {
             let known = self.catalog.classes.iter().map(|class| class.id.as_str());
             return Some((key, format!("unknown class \"{class}\""), did_you_mean(class, known)));
@@ -256,13 +257,6 @@ const FARTHEST: f64 = 1e6;
 fn find_room<'a>(placed: &'a PlacedBuilding, entry: &RoomEntry) -> Option<&'a Level> {
     let level = placed.building.levels.iter().find(|level| level.id == entry.level)?;
     level.rooms.iter().any(|room| room.id == entry.room).then_some(level)
-}
-
-/// Class and number of an object's id.
-pub(super) fn split_id(id: &str) -> Option<(&str, u32)> {
-    let (class, number) = id.rsplit_once('.')?;
-    let number = number.parse().ok().filter(|&number: &u32| number > 0)?;
-    (!class.is_empty()).then_some((class, number))
 }
 
 /// `edits[index].key…`.

@@ -3,11 +3,12 @@
 use glam::DVec3;
 
 use super::tree::Place;
+use crate::contract::{ElementId, ObjectId};
 use crate::geometry::Point;
 use crate::read_back::{Survey, SurveyedObject, SurveyedPlace};
 
 /// Room and id.
-pub(super) type Key = (String, String);
+pub(super) type Key = (String, ObjectId);
 
 /// Metres up to which a thing has not moved: the way through an editor's single precision is shorter.
 const SAME_PLACE: f64 = 1e-4;
@@ -32,12 +33,13 @@ impl<'a> Floor<'a> {
         let place = object.place.map(|place| level_place(&place))?;
         let above = object.above.filter(|&above| self.room(above) == self.room(index));
         let Some(above) = above else {
-            let has_part = split_part(&object.parent);
-            let on = if has_part { object.parent.clone() } else { "floor".to_owned() };
-            return Some(Standing { parent: on, place });
+            // An object that it is not above any more says nothing about where it stands now.
+            let is_object = matches!(object.parent, ElementId::Object(_));
+            let on = if is_object { &ElementId::Floor } else { &object.parent };
+            return Some(Standing { parent: on.to_string(), place });
         };
         let frame = self.objects[above].place.map(|place| level_place(&place))?;
-        let on = self.keys[above].as_ref().map(|(_, id)| id.clone())?;
+        let on = self.keys[above].as_ref().map(|(_, id)| id.to_string())?;
         Some(Standing { parent: on, place: place.seen_from(&frame) })
     }
 
@@ -56,12 +58,6 @@ pub(super) struct Standing {
 /// Room and id of each object of a floor that nobody edited.
 pub(super) fn own_keys(survey: &Survey) -> Vec<Option<Key>> {
     survey.objects.iter().map(|object| Some((object.room.clone()?, object.id.clone()))).collect()
-}
-
-/// Whether an id means a part of the room.
-fn split_part(id: &str) -> bool {
-    let kind = id.split(['.', ':']).next().unwrap_or_default();
-    matches!(kind, "floor" | "ceiling" | "wall" | "column" | "door" | "window")
 }
 
 fn level_place(place: &SurveyedPlace) -> Place {

@@ -1,8 +1,8 @@
 //! The objects of a room in the frames of what they stand on, so that children follow their parents.
 
 use super::file::ObjectEntry;
-use super::read::split_id;
 use crate::catalog::{Catalog, ClassIndex, Side, Size};
+use crate::contract::ObjectId;
 use crate::geometry::{Point, direction};
 use crate::layout::{Furnished, Parent, Placement};
 use crate::plan::Room;
@@ -109,8 +109,8 @@ impl Tree {
 
     /// The object of an id: of one that an edit gave it, or of the one that it was arranged with.
     pub(super) fn find(&self, id: &str, catalog: &Catalog) -> Option<usize> {
-        let (class, number) = split_id(id)?;
-        let class = catalog.class_index(class)?;
+        let ObjectId { class, number } = id.parse().ok()?;
+        let class = catalog.class_index(&class)?;
         let is_it = |object: &Object| object.class == class && object.number == number;
         let is_former = |object: &Object| object.former_id.as_deref() == Some(id);
         let present = || self.objects.iter().enumerate().filter(|(_, object)| !object.is_gone);

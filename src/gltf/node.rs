@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use super::light::node_light;
 use super::number::ShortNumber;
-use crate::scene::{self, Extras};
+use crate::contract::Extras;
+use crate::scene;
 
 /// A node of the list, which refers to the scene instead of copying it.
 #[derive(Serialize)]

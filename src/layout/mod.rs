@@ -22,6 +22,7 @@ mod covering;
 mod environment;
 mod explain;
 mod furnished;
+mod ids;
 mod lock;
 mod locked;
 mod movement;
@@ -51,6 +52,7 @@ pub use explain::{
     Wish, explain, explain_alternative,
 };
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
+pub(crate) use ids::{object_id, opening_id, parent_id};
 pub use lock::{Lock, LockSupport};
 pub use options::FurnishOptions;
 pub use suggestion::{Alternative, Suggestion};

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use super::extras::{Extras, FurnitureExtras};
 use super::furniture::Spot;
 use super::tree::Node;
+use crate::contract::{ElementId, Extras, FurnitureExtras, ObjectId};
 
 /// More pieces than stand on and beside each other in a row.
 const LONGEST_CHAIN: usize = 256;
@@ -17,7 +17,7 @@ pub(super) struct Family<'n> {
     nodes: &'n [Node],
     spots: &'n [Option<Spot>],
     /// By room and id; of equal ids the first.
-    by_id: BTreeMap<(usize, &'n str), usize>,
+    by_id: BTreeMap<(usize, &'n ObjectId), usize>,
 }
 
 impl<'n> Family<'n> {
@@ -26,7 +26,7 @@ impl<'n> Family<'n> {
         let mut by_id = BTreeMap::new();
         for (index, spot) in spots.iter().enumerate() {
             if let (Some(spot), Some(extras)) = (spot, furniture(nodes, index)) {
-                by_id.entry((spot.room, extras.id.as_str())).or_insert(index);
+                by_id.entry((spot.room, &extras.id)).or_insert(index);
             }
         }
         Self { nodes, spots, by_id }
@@ -38,7 +38,7 @@ impl<'n> Family<'n> {
         let (spot, extras) = (self.spots[node]?, furniture(self.nodes, node)?);
         let named = self.named_by(node).filter(|&named| named != node);
         let Some(above) = spot.above else { return named };
-        if furniture(self.nodes, above).is_some_and(|above| above.id == extras.parent) {
+        if furniture(self.nodes, above).is_some_and(|above| is_object(&extras.parent, &above.id)) {
             return Some(above);
         }
         let mut chain = std::iter::successors(named, |&object| self.named_by(object)).take(LONGEST_CHAIN);
@@ -47,9 +47,13 @@ impl<'n> Family<'n> {
 
     /// The object of the same room that an object names as its parent.
     fn named_by(&self, node: usize) -> Option<usize> {
-        let parent = furniture(self.nodes, node)?.parent.as_str();
+        let ElementId::Object(parent) = &furniture(self.nodes, node)?.parent else { return None };
         self.by_id.get(&(self.spots[node]?.room, parent)).copied()
     }
+}
+
+fn is_object(element: &ElementId, object: &ObjectId) -> bool {
+    matches!(element, ElementId::Object(named) if named == object)
 }
 
 fn furniture(nodes: &[Node], index: usize) -> Option<&FurnitureExtras> {

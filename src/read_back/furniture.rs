@@ -2,13 +2,13 @@
 
 use glam::{DMat4, DVec3};
 
-use super::extras::{Extras, FurnitureExtras, RemovedExtras};
 use super::family::Family;
 use super::level::EmptyLevel;
 use super::parents::parents_first;
 use super::problem::Problem;
 use super::tree::Node;
 use crate::catalog::{Catalog, ClassIndex, Side, Size};
+use crate::contract::{Extras, FurnitureExtras, RemovedExtras};
 use crate::document::did_you_mean;
 use crate::geometry::Point;
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -57,7 +57,7 @@ pub(super) fn read(
                 let problem = Problem::new(&node.name, "belongs to no room");
                 problems.push(problem.with_hint("hang it below its room's node").that_only_warns());
             }
-            (Some(Extras::Broken), &Some(Spot { room, .. })) => is_broken[room] = true,
+            (None, &Some(Spot { room, .. })) if node.is_broken => is_broken[room] = true,
             _ => {}
         }
     }
@@ -110,8 +110,8 @@ fn is_below_bad_room(nodes: &[Node], node: &Node) -> bool {
     /// Deeper than people stack things.
     const DEEPEST: usize = 64;
     let ancestors = std::iter::successors(node.parent, |&ancestor| nodes[ancestor].parent);
-    let is_room = |ancestor: usize| matches!(nodes[ancestor].extras, Some(Extras::Room(_) | Extras::Broken));
-    ancestors.take(DEEPEST).any(is_room)
+    let is_room = |node: &Node| node.is_broken || matches!(node.extras, Some(Extras::Room(_)));
+    ancestors.take(DEEPEST).any(|ancestor| is_room(&nodes[ancestor]))
 }
 
 fn furnish(
@@ -163,9 +163,6 @@ fn read_piece(
 ) -> Result<Placement, Problem> {
     let problem = |message: String| Problem::new(name, message);
     let class = class(&extras.class, name, catalog)?;
-    let number = extras.id.rsplit_once('.').and_then(|(_, number)| number.parse().ok());
-    let number =
-        number.ok_or_else(|| problem(format!("has the id \"{}\", which ends in no number", extras.id)))?;
     let side = Side::ALL.into_iter().find(|side| side.name() == extras.side);
     let side = side.ok_or_else(|| problem(format!("touches an unknown side \"{}\"", extras.side)))?;
     let (position, angle, scale) = pose(place).ok_or_else(|| {
@@ -179,7 +176,7 @@ fn read_piece(
     }
     Ok(Placement {
         class,
-        number,
+        number: extras.id.number,
         // Until all pieces are known.
         parent: Parent::Floor,
         side,

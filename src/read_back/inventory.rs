@@ -6,15 +6,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DQuat, DVec3};
 use gltf::json::Root;
-use serde::Deserialize;
-use serde_json::Value;
 
-use super::extras::{Extras, FurnitureExtras, OpeningExtras, RoomExtras};
 use super::family::Family;
 use super::furniture::{Spot, spots};
 use super::looks::{Looks, material_names};
 use super::problem::Problem;
 use super::tree::Node;
+use crate::contract::{
+    ElementId, Extras, FindingExtras, FurnitureExtras, ObjectId, OpeningExtras, RoomExtras, SiteExtras,
+    room_in_name,
+};
 
 /// A level and all that is in it. Lengths are metres in the plan frame, z up.
 #[derive(Clone, Debug, Default)]
@@ -27,10 +28,10 @@ pub struct Inventory {
     pub elevation: f64,
     /// Metres from floor to floor.
     pub height: f64,
-    /// Where the building stands, as the file says it; null at the site's origin.
-    pub site: Value,
+    /// Where the building stands; none at the site's origin.
+    pub site: Option<SiteExtras>,
     /// What the level was made by and from, as the file says it: `generator`, `seed`.
-    pub settings: BTreeMap<&'static str, Value>,
+    pub settings: BTreeMap<&'static str, String>,
     /// By id.
     pub rooms: BTreeMap<String, RoomContents>,
     /// Rooms of which something cannot be read: nothing is said about them.
@@ -57,38 +58,20 @@ pub struct RoomContents {
     /// Missing pieces: class and reason.
     pub missing: Vec<(String, String)>,
     /// What the bake found.
-    pub findings: Vec<FoundEntry>,
+    pub findings: Vec<FindingExtras>,
     /// The furniture, in the order of the file.
     pub objects: Vec<ObjectEntry>,
-}
-
-/// A finding as a file or a verdict has it.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct FoundEntry {
-    /// What kind.
-    pub code: String,
-    /// `given`, `minor` or `failed`.
-    pub severity: String,
-    /// Ids of the objects concerned.
-    #[serde(default)]
-    pub objects: Vec<String>,
-    /// The measured value.
-    #[serde(default)]
-    pub measured: f64,
-    /// The threshold that it breaks.
-    #[serde(default)]
-    pub threshold: f64,
 }
 
 /// A piece of furniture where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectEntry {
     /// Unique in the room.
-    pub id: String,
+    pub id: ObjectId,
     /// Class id.
     pub class: String,
     /// Id of the object or part that it stands on or belongs to.
-    pub parent: String,
+    pub parent: ElementId,
     /// Middle of its underside: x east, y north, z above the floor.
     pub position: DVec3,
     /// How it is turned, in the same frame.
@@ -104,8 +87,8 @@ pub struct ObjectEntry {
 /// A door, window or passage.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpeningEntry {
-    /// `door:<id>` or `window:<id>`.
-    pub id: String,
+    /// A door or a window.
+    pub id: ElementId,
     /// How it is closed.
     pub closure: String,
     /// Rooms that it joins.
@@ -125,12 +108,8 @@ pub(super) fn read(
     problems: &mut Vec<Problem>,
 ) -> Result<Inventory, Problem> {
     let level = super::level::level_extras(nodes)?;
-    // As text: large numbers come back as such from Blender.
-    let text = |value: Value| match value {
-        Value::Number(number) => Value::String(number.to_string()),
-        other => other,
-    };
-    let settings = [("generator", level.generator), ("seed", text(level.seed))];
+    let seed = level.seed.map_or_else(String::new, |seed| seed.to_string());
+    let settings = [("generator", level.generator.into_owned()), ("seed", seed)];
     let mut inventory = Inventory {
         building: level.building,
         level: level.level,
@@ -172,7 +151,7 @@ fn room_ids<'n>(nodes: &'n [Node]) -> Vec<Option<&'n String>> {
 }
 
 fn room(extras: &RoomExtras) -> RoomContents {
-    let missing = extras.removed.iter().map(|removed| (removed.class.clone(), removed.reason.clone()));
+    let missing = extras.removed.iter().map(|removed| (removed.class.clone(), removed.reason.to_string()));
     RoomContents {
         room_type: extras.room_type.clone(),
         style: extras.style.clone(),
@@ -180,16 +159,15 @@ fn room(extras: &RoomExtras) -> RoomContents {
         rings: std::iter::once(&extras.outline).chain(&extras.holes).cloned().collect(),
         height: extras.height,
         missing: missing.collect(),
-        findings: Vec::<FoundEntry>::deserialize(&extras.findings).unwrap_or_default(),
+        findings: extras.findings.clone(),
         objects: Vec::new(),
     }
 }
 
 fn opening(extras: &OpeningExtras, node: &Node) -> OpeningEntry {
-    let kind = if extras.closure.is_window() { "window" } else { "door" };
     let place = plan_point(node.local.w_axis.truncate());
     OpeningEntry {
-        id: format!("{kind}:{}", extras.id),
+        id: extras.element(),
         closure: extras.closure.name().to_owned(),
         rooms: extras.sides.iter().map(|side| side.room.clone()).collect(),
         position: DVec3::new(place.x, place.y, extras.sill),
@@ -223,7 +201,7 @@ fn add_contents(
                 }
             }
             Some(Extras::Part(part)) => room.rings.extend(part.outline.clone()),
-            Some(Extras::Broken) => {
+            None if node.is_broken => {
                 inventory.broken_rooms.insert(id.clone());
             }
             _ => {}
@@ -231,8 +209,7 @@ fn add_contents(
     }
     for (node, spot) in nodes.iter().zip(&spots) {
         // A room whose own extras cannot be read is known by the name of its node.
-        if let (Some(Extras::Broken), None, Some(id)) = (&node.extras, spot, node.name.strip_prefix("room:"))
-        {
+        if let (true, None, Some(id)) = (node.is_broken, spot, room_in_name(&node.name)) {
             inventory.broken_rooms.insert(id.to_owned());
         }
     }
@@ -249,7 +226,7 @@ fn object(
     }
     let (scale, rotation, position) = spot.place.to_scale_rotation_translation();
     let parent = family.parent_of(node).and_then(|parent| match &nodes[parent].extras {
-        Some(Extras::Furniture(parent)) => Some(parent.id.clone()),
+        Some(Extras::Furniture(parent)) => Some(ElementId::Object(parent.id.clone())),
         _ => None,
     });
     let [width, depth, height] = extras.size;

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::extras::{Extras, LevelExtras, PartExtras, RoomExtras};
 use super::openings;
 use super::outline::polygon;
 use super::problem::Problem;
 use super::tree::Node;
+use crate::contract::{Extras, LevelExtras, Part, PartExtras, PartId, RoomExtras};
 use crate::geometry::Region;
 use crate::plan::limits::STOREY_HEIGHT;
 use crate::plan::{Level, Obstacle, Room, Wall, WallKind};
@@ -141,8 +141,7 @@ fn parts(nodes: &[Node], empty: &mut EmptyLevel, problems: &mut Vec<Problem>) {
         let problem = match &node.extras {
             Some(Extras::Part(part)) => add_part(empty, room, part, &mut columns).err(),
             // The fault is known; what the room lacks by it is not.
-            Some(Extras::Broken) => Some(String::new()),
-            _ => None,
+            _ => node.is_broken.then(String::new),
         };
         if let Some(message) = problem {
             empty.is_broken[room] = true;
@@ -173,14 +172,12 @@ fn add_part(
     part: &PartExtras,
     columns: &mut Columns,
 ) -> Result<(), String> {
-    let (kind, number) = part.id.split_once('.').unwrap_or((&part.id, ""));
-    let number: Option<usize> = number.parse().ok();
-    match (kind, number) {
-        ("wall", Some(number)) => {
+    match part.id {
+        PartId { part: Part::Wall, wall: None, number: Some(number) } => {
             let wall = empty.level.rooms[room].walls.get_mut(number);
             wall.ok_or("is a wall that the outline does not have")?.tags.clone_from(&part.tags);
         }
-        ("column", Some(number)) => {
+        PartId { part: Part::Column, wall: None, number: Some(number) } => {
             let (Some(outline), Some(height)) = (&part.outline, part.height) else {
                 return Err("is a column without `outline` or `height`".to_owned());
             };

@@ -11,8 +11,8 @@ use gltf::json::mesh::Primitive;
 use gltf::json::validation::Checked;
 use gltf::json::{Index, Root};
 
-use super::extras::Extras;
 use super::tree::Node;
+use crate::contract::Extras;
 
 /// Name to description.
 pub type Described = BTreeMap<String, String>;

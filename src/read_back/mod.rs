@@ -1,11 +1,10 @@
 //! A finished file to the level and the furniture that it holds, so that the audit can judge what is there now.
 //!
-//! The other end of the output contract (`scene/node.rs`). Where furniture stands is taken from the transforms of
+//! The other end of the output contract (`contract/`). Where furniture stands is taken from the transforms of
 //! the nodes, so that a piece that somebody moved is found where it is; what it is, and what the room is, from the
 //! extras. Meshes are not looked at. What later stages may rely on: every index points somewhere, every number is
 //! finite, parents come before children. A room with a fault is left out of the verdict; the others go on.
 
-mod extras;
 mod family;
 mod furniture;
 mod inventory;
@@ -27,7 +26,7 @@ use crate::document::{Fault, Faults};
 use crate::layout::Furnished;
 use crate::plan::Level;
 
-pub use inventory::{FoundEntry, Inventory, ObjectEntry, OpeningEntry, RoomContents};
+pub use inventory::{Inventory, ObjectEntry, OpeningEntry, RoomContents};
 pub use looks::{Described, Looks};
 pub(crate) use parents::room_part;
 pub use survey::{Survey, SurveyedObject, SurveyedPlace};

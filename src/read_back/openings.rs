@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::extras::{Closure, Extras, LeafExtras, OpeningExtras, SideExtras};
 use super::level::EmptyLevel;
 use super::outline::point;
 use super::problem::Problem;
 use super::tree::Node;
+use crate::contract::{Closure, Extras, LeafExtras, OpeningExtras, SideExtras};
 use crate::geometry::Point;
 use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, RoomOpening};
 

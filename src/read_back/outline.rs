@@ -1,6 +1,6 @@
 //! Corners to polygons.
 
-use super::extras::Corner;
+use crate::contract::Corner;
 use crate::geometry::{Point, Polygon};
 use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS, room_excess};
 

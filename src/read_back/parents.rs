@@ -7,6 +7,7 @@ use super::furniture::Piece;
 use super::level::EmptyLevel;
 use super::problem::Problem;
 use super::tree::Node;
+use crate::contract::{ElementId, ObjectId};
 use crate::layout::{Parent, Placement};
 use crate::plan::Level;
 
@@ -17,7 +18,7 @@ pub(super) fn parents_first(
     family: &Family<'_>,
     mut pieces: Vec<Piece<'_>>,
 ) -> Result<Vec<Placement>, Problem> {
-    let ids: BTreeSet<&str> = pieces.iter().map(|piece| piece.extras.id.as_str()).collect();
+    let ids: BTreeSet<&ObjectId> = pieces.iter().map(|piece| &piece.extras.id).collect();
     if ids.len() < pieces.len() {
         return Err(Problem::new(&nodes[empty.room_nodes[room]].name, "has two objects of the same id"));
     }
@@ -53,20 +54,18 @@ pub(super) fn parents_first(
     placed.collect()
 }
 
-/// The part of a room, or the opening, that an id means: the other way of `scene/names.rs`.
-pub(crate) fn room_part(id: &str, level: &Level, room: usize) -> Option<Parent> {
+/// The part of a room, or the opening, that an id means: the other way of [`crate::layout::parent_id`].
+pub(crate) fn room_part(id: &ElementId, level: &Level, room: usize) -> Option<Parent> {
     let room = &level.rooms[room];
-    if let Some(opening) = id.strip_prefix("door:").or_else(|| id.strip_prefix("window:")) {
-        let mut here = room.openings.iter().map(|place| place.opening);
-        return here.find(|&index| level.openings[index].id == opening).map(Parent::Opening);
-    }
-    let (kind, number) = id.split_once('.').unwrap_or((id, ""));
-    let number = number.parse::<usize>().ok();
-    match (kind, number) {
-        ("floor", None) => Some(Parent::Floor),
-        ("ceiling", None) => Some(Parent::Ceiling),
-        ("wall", Some(wall)) => (wall < room.walls.len()).then_some(Parent::Wall(wall)),
-        ("column", Some(column)) => (column < room.obstacles.len()).then_some(Parent::Column(column)),
-        _ => None,
+    match id {
+        ElementId::Floor => Some(Parent::Floor),
+        ElementId::Ceiling => Some(Parent::Ceiling),
+        &ElementId::Wall(wall) => (wall < room.walls.len()).then_some(Parent::Wall(wall)),
+        &ElementId::Column(column) => (column < room.obstacles.len()).then_some(Parent::Column(column)),
+        ElementId::Door(opening) | ElementId::Window(opening) => {
+            let mut here = room.openings.iter().map(|place| place.opening);
+            here.find(|&index| level.openings[index].id == *opening).map(Parent::Opening)
+        }
+        ElementId::Object(_) => None,
     }
 }

@@ -8,12 +8,12 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use gltf::json::Root;
 
-use super::extras::{Extras, FurnitureExtras};
 use super::family::Family;
 use super::furniture::{pose, spots};
 use super::looks::{mesh_bounds, mesh_name, shape};
 use super::problem::Problem;
 use super::tree::Node;
+use crate::contract::{ElementId, Extras, FurnitureExtras, ObjectId, model_in_name, owner_in_name};
 
 /// What stands in a level.
 #[derive(Clone, Debug, Default)]
@@ -38,7 +38,7 @@ pub struct SurveyedObject {
     /// Name of its node.
     pub node: String,
     /// The id that it says it has; copies say the same.
-    pub id: String,
+    pub id: ObjectId,
     /// Class id.
     pub class: String,
     /// Variant.
@@ -58,7 +58,7 @@ pub struct SurveyedObject {
     /// The object that it belongs to, by index.
     pub above: Option<usize>,
     /// What it says it stands on.
-    pub parent: String,
+    pub parent: ElementId,
     /// Where it is; `None` unless it stands upright somewhere.
     pub place: Option<SurveyedPlace>,
 }
@@ -86,8 +86,7 @@ pub(super) fn read(document: &Root, nodes: &[Node]) -> Result<Survey, Problem> {
     for (index, node) in nodes.iter().enumerate() {
         let Some(Extras::Furniture(extras)) = &node.extras else {
             survey.strangers.extend(stranger(nodes, node));
-            let is_broken = matches!(node.extras, Some(Extras::Broken));
-            survey.broken.extend(is_broken.then(|| node.name.clone()));
+            survey.broken.extend(node.is_broken.then(|| node.name.clone()));
             continue;
         };
         let room = spots[index].and_then(|spot| match &nodes[spot.room].extras {
@@ -115,15 +114,17 @@ fn object(
     extras: &FurnitureExtras,
     (room, place): (Option<String>, &glam::DMat4),
 ) -> SurveyedObject {
-    let named_room = room_in_name(&node.name, &extras.id);
+    let named_room = owner_in_name(&node.name, &extras.id).map(str::to_owned);
     SurveyedObject {
         node: node.name.clone(),
         id: extras.id.clone(),
         class: extras.class.clone(),
         variant: extras.variant,
-        side: extras.side.clone(),
+        side: extras.side.to_string(),
         size: extras.size,
-        model: mesh_name(document, node.mesh).and_then(model_in_name),
+        model: mesh_name(document, node.mesh)
+            .and_then(model_in_name)
+            .map(|(class, variant)| (class.to_owned(), variant)),
         bounds: node.mesh.and_then(|mesh| mesh_bounds(document, mesh)),
         room: room.or_else(|| named_room.clone()),
         named_room,
@@ -160,35 +161,5 @@ fn stranger(nodes: &[Node], node: &Node) -> Option<String> {
         Some(parent) => matches!(nodes[parent].extras, Some(Extras::Room(_) | Extras::Level(_))),
         None => true,
     };
-    (node.extras.is_none() && node.mesh.is_some() && is_in_room).then(|| node.name.clone())
-}
-
-/// `101` in `desk.1@101`, also in `desk.1@101.002`, as Blender calls a copy.
-fn room_in_name(name: &str, id: &str) -> Option<String> {
-    let (before, room) = name.split_once('@')?;
-    // A room may be called `1.001` itself; a copy of what is baked never has another id.
-    let is_copy = |number: &str| number.len() == 3 && number.bytes().all(|byte| byte.is_ascii_digit());
-    let without = room.rsplit_once('.').filter(|(_, number)| is_copy(number)).map(|(room, _)| room);
-    (before == id || without.is_some()).then(|| without.unwrap_or(room).to_owned())
-}
-
-/// `desk` and 3 of `desk.3@modern/oak`.
-fn model_in_name(name: &str) -> Option<(String, u32)> {
-    let (class, variant) = name.split_once('@')?.0.rsplit_once('.')?;
-    Some((class.to_owned(), variant.parse().ok()?))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_tell_rooms_and_models_also_of_copies() {
-        let room = |name| room_in_name(name, "desk.1");
-        assert_eq!(room("desk.1@101").as_deref(), Some("101"));
-        assert_eq!(room("desk.1@101.002").as_deref(), Some("101"));
-        assert_eq!(room("favourite desk"), None);
-        assert_eq!(model_in_name("arm_chair.3@plain/oak"), Some(("arm_chair".to_owned(), 3)));
-        assert_eq!(model_in_name("Cube.001"), None);
-    }
+    (node.extras.is_none() && !node.is_broken && node.mesh.is_some() && is_in_room).then(|| node.name.clone())
 }

@@ -3,8 +3,8 @@
 use glam::{DMat4, DQuat, DVec3};
 use gltf::json::{Node as JsonNode, Root};
 
-use super::extras::Extras;
 use super::problem::Problem;
+use crate::contract::Extras;
 
 /// A node of the file.
 pub(super) struct Node {
@@ -12,6 +12,8 @@ pub(super) struct Node {
     pub(super) name: String,
     /// What it is; `None` for nodes that are no part of the contract.
     pub(super) extras: Option<Extras>,
+    /// Whether it has extras of the contract that cannot be read; a problem says so.
+    pub(super) is_broken: bool,
     /// Index of its parent.
     pub(super) parent: Option<usize>,
     /// Its place in its parent.
@@ -60,15 +62,14 @@ fn name(document: &Root, index: usize) -> String {
 fn read_node(document: &Root, index: usize, parent: Option<usize>, problems: &mut Vec<Problem>) -> Node {
     let node = &document.nodes[index];
     let name = name(document, index);
-    let extras = node.extras.as_ref().and_then(|text| match Extras::parse(text.get()) {
-        Ok(extras) => extras,
-        Err(message) => {
-            let problem = Problem::new(&name, format!("has extras that cannot be read: {message}"));
-            problems.push(problem.with_hint("docs/output.md, \"Extras\", lists what they hold"));
-            Some(Extras::Broken)
-        }
+    let parsed = node.extras.as_ref().map_or(Ok(None), |text| Extras::parse(text.get()));
+    let is_broken = parsed.is_err();
+    let extras = parsed.unwrap_or_else(|message| {
+        let problem = Problem::new(&name, format!("has extras that cannot be read: {message}"));
+        problems.push(problem.with_hint("docs/output.md, \"Extras\", lists what they hold"));
+        None
     });
-    Node { name, extras, parent, local: local(node), mesh: node.mesh.map(|mesh| mesh.value()) }
+    Node { name, extras, is_broken, parent, local: local(node), mesh: node.mesh.map(|mesh| mesh.value()) }
 }
 
 /// The node's place in its parent. A transform that is no number shows in the answer.

@@ -1,12 +1,14 @@
 //! The `extras` of levels, openings, rooms and furniture.
 
 use super::input::SceneInput;
-use super::names;
-use super::node::{Extras, LeafExtras, Removed, SideExtras, SiteExtras};
-use crate::audit::Verdict;
+use crate::audit::{Finding, Verdict};
 use crate::catalog::{Catalog, Side};
+use crate::contract::{
+    Closure, Corner, Extras, FurnitureExtras, LeafExtras, LevelExtras, OpeningExtras, OpeningWord,
+    RemovedExtras, RoomExtras, SideExtras, SiteExtras, Word,
+};
 use crate::geometry::{Point, Polygon};
-use crate::layout::{Furnished, Placement};
+use crate::layout::{Furnished, Placement, object_id, parent_id};
 use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Room, SitePlacement};
 
 /// Parts of a metre (or radian) that extras keep: what is smaller is rounding errors of the reader.
@@ -18,15 +20,15 @@ pub(crate) const GENERATOR: &str = concat!("roomwright ", env!("CARGO_PKG_VERSIO
 pub(crate) fn level_extras(input: &SceneInput<'_>) -> Extras {
     let site = (input.site != SitePlacement::default())
         .then(|| SiteExtras { position: pair(input.site.position), turn: rounded(input.site.turn) });
-    Extras::Level {
+    Extras::Level(LevelExtras {
         building: input.building.to_owned(),
         level: input.level.id.clone(),
         elevation: rounded(input.level.elevation),
         height: rounded(input.level.height),
-        seed: input.seed,
-        generator: GENERATOR.to_owned(),
+        seed: Some(input.seed),
+        generator: Word::Borrowed(GENERATOR),
         site,
-    }
+    })
 }
 
 pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
@@ -41,14 +43,14 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
         from: rounded(side.from),
         to: rounded(side.to),
     };
-    Extras::Opening {
-        opening: if opening.kind.is_walkable() { "door" } else { "window" },
+    Extras::Opening(OpeningExtras {
+        opening: if opening.kind.is_walkable() { OpeningWord::Door } else { OpeningWord::Window },
         closure: match opening.kind {
-            OpeningKind::Door => "door",
-            OpeningKind::SlidingDoor => "sliding",
-            OpeningKind::Passage => "passage",
-            OpeningKind::OpenBoundary => "open",
-            OpeningKind::Window => "window",
+            OpeningKind::Door => Closure::Door,
+            OpeningKind::SlidingDoor => Closure::Sliding,
+            OpeningKind::Passage => Closure::Passage,
+            OpeningKind::OpenBoundary => Closure::Open,
+            OpeningKind::Window => Closure::Window,
         },
         id: opening.id.clone(),
         rooms: opening.sides.iter().map(|side| level.rooms[side.room].id.clone()).collect(),
@@ -57,16 +59,16 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
         height: rounded(opening.top - opening.bottom),
         sill: rounded(opening.bottom),
         leaves: opening.leaves.iter().map(leaf).collect(),
-    }
+    })
 }
 
 pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, catalog: &Catalog) -> Extras {
-    let removed = furnished.removals.iter().map(|removal| Removed {
+    let removed = furnished.removals.iter().map(|removal| RemovedExtras {
         class: catalog.classes[removal.class].id.clone(),
-        reason: removal.reason.name(),
+        reason: removal.reason.name().into(),
         required: removal.is_required,
     });
-    Extras::Room {
+    Extras::Room(RoomExtras {
         room: room.id.clone(),
         room_type: room.room_type.clone(),
         style: furnished.style.clone(),
@@ -77,35 +79,34 @@ pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, 
         requested: furnished.requested,
         placed: u32::try_from(furnished.placements.len()).unwrap_or(u32::MAX),
         removed: removed.collect(),
-        grade: verdict.grade(),
+        grade: verdict.grade().name().into(),
         score: verdict.score.map(|score| score.value),
-        findings: verdict.findings,
-    }
+        findings: verdict.findings.iter().map(Finding::extras).collect(),
+    })
 }
 
 pub(crate) fn furniture_extras(
     input: &SceneInput<'_>,
     furnished: &Furnished,
     placement: &Placement,
-    id: String,
-) -> Extras {
+) -> FurnitureExtras {
     let size = placement.size;
-    Extras::Furniture {
+    FurnitureExtras {
         class: input.catalog.classes[placement.class].id.clone(),
-        id,
-        parent: names::parent(placement.parent, input.level, input.catalog, &furnished.placements),
-        side: Side::name(placement.side),
+        id: object_id(input.catalog, placement),
+        parent: parent_id(placement.parent, input.level, input.catalog, &furnished.placements),
+        side: Side::name(placement.side).into(),
         size: [size.width, size.depth, size.height].map(rounded),
         variant: placement.variant,
     }
 }
 
 /// The corners of a polygon.
-pub(crate) fn corners(polygon: &Polygon) -> Vec<[f64; 2]> {
+pub(crate) fn corners(polygon: &Polygon) -> Vec<Corner> {
     polygon.corners().iter().map(|&corner| pair(corner)).collect()
 }
 
-fn pair(point: Point) -> [f64; 2] {
+fn pair(point: Point) -> Corner {
     [rounded(point.x), rounded(point.y)]
 }
 

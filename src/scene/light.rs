@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use glam::{DMat3, DVec3, Quat, Vec3};
 
-use super::names;
-use super::node::{Extras, Node, SceneLight};
+use super::node::{Node, SceneLight};
 use crate::catalog::{Light, LightSide, Size};
+use crate::contract::{Extras, LightExtras, ObjectId, owned_name};
 
 /// Metres between a lamp's box and where its light begins.
 const OUTSIDE: f64 = 0.02;
@@ -22,19 +22,24 @@ pub(crate) fn scene_light(light: &Light) -> SceneLight {
 
 /// The node of a lamp's light, a child of the lamp's node: `light.<id>@<room>`. Its extras say the light; `index` is that
 /// of the light in the scene, where viewers are to draw it.
-pub(crate) fn light_node(light: &Light, size: Size, (id, room): (&str, &str), index: Option<usize>) -> Node {
+pub(crate) fn light_node(
+    light: &Light,
+    size: Size,
+    (id, room): (&ObjectId, &str),
+    index: Option<usize>,
+) -> Node {
     let place = match light.from {
         LightSide::Below => DVec3::new(0.0, -OUTSIDE, 0.0),
         LightSide::Above => DVec3::new(0.0, size.height + OUTSIDE, 0.0),
         LightSide::Front => DVec3::new(0.0, size.height / 2.0, size.depth / 2.0 + OUTSIDE),
     };
     Node {
-        name: names::owned(&names::numbered("light", id), room),
+        name: owned_name(&format_args!("light.{id}"), room),
         translation: Vec3::new(place.x as f32, place.y as f32, place.z as f32),
         rotation: Quat::IDENTITY,
         mesh: None,
         light: index,
-        extras: Some(Extras::Light { lumens: light.lumens, kelvin: light.kelvin }),
+        extras: Some(Extras::Light(LightExtras { lumens: light.lumens, kelvin: light.kelvin })),
         children: Vec::new(),
     }
 }
@@ -90,7 +95,7 @@ mod tests {
         let light = Light { lumens: 800.0, kelvin: 2700.0, from: LightSide::Above };
         assert!((scene_light(&light).intensity - 63.66).abs() < 0.01);
         let size = Size { width: 0.2, depth: 0.2, height: 0.4 };
-        let node = light_node(&light, size, ("table_lamp.1", "12"), None);
+        let node = light_node(&light, size, (&ObjectId::new("table_lamp", 1), "12"), None);
         assert_eq!(node.name, "light.table_lamp.1@12");
         assert!(node.translation.y > 0.4);
     }

@@ -10,6 +10,7 @@ use super::options::Lights;
 use super::shell::{MergedKey, Shape};
 use super::tint::Tint;
 use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
+use crate::contract::model_name;
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
 use crate::texture::{SurfaceUse, TextureLibrary, swatch_textures};
 
@@ -169,9 +170,7 @@ impl<'a> MeshTable<'a> {
             return mesh;
         }
         let id = &self.catalog.classes[class].id;
-        // The first keeps the plain name, the others count on.
-        let suffix = if known.is_empty() { String::new() } else { format!("#{}", known.len() + 1) };
-        let name = format!("{id}.{variant}@{}/{}{suffix}", look.geometry, look.palette);
+        let name = model_name(id, variant, (look.geometry, look.palette), known.len() + 1);
         let key = ModelKey { class: id.clone(), variant, geometry: look.geometry.to_owned() };
         self.meshes.push(SceneMesh { name, model, materials, key: Some(key) });
         let mesh = self.meshes.len() - 1;

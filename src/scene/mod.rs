@@ -9,7 +9,6 @@ mod extras;
 mod input;
 mod light;
 mod meshes;
-mod names;
 mod node;
 mod options;
 mod room;
@@ -17,21 +16,18 @@ mod shell;
 mod tint;
 
 pub use input::{ModelSourceFunction, SceneInput};
-pub use node::{
-    Extras, LeafExtras, ModelKey, Node, Removed, Scene, SceneLight, SceneMaterial, SceneMesh, SceneVariant,
-    SideExtras, SiteExtras,
-};
+pub use node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, SceneVariant};
 
 pub use options::{Lights, Parts, SceneOptions};
 
 pub(crate) use extras::GENERATOR;
-pub(crate) use names::{numbered as object_id, opening as opening_id, parent as parent_id};
 
 use axes::Pose;
 use meshes::{Look, MeshTable};
 use shell::{OpeningLook, RoomFinish, opening_node};
 
 use crate::catalog::DEFAULT_STYLE;
+use crate::contract::level_name;
 use crate::geometry::Point;
 
 /// Builds the tree of one level.
@@ -45,7 +41,7 @@ use crate::geometry::Point;
 pub fn build_scene(input: &SceneInput<'_>) -> Scene {
     assert_eq!(input.furnished.len(), input.level.rooms.len(), "one furnished room per room");
     let mut meshes = MeshTable::new(input);
-    let name = names::level(input.building, &input.level.id);
+    let name = level_name(input.building, &input.level.id);
     let origin = Pose::on_floor(Point::ZERO, 0.0);
     let mut root = Node::at(name, &origin, None, extras::level_extras(input));
     root.children.extend(openings(input, &mut meshes));

@@ -6,11 +6,11 @@ use super::extras::{furniture_extras, room_extras};
 use super::input::SceneInput;
 use super::light::light_node;
 use super::meshes::{Look, MeshTable};
-use super::names;
-use super::node::{Extras, Node};
+use super::node::Node;
 use super::options::{Lights, Parts};
 use super::shell::{RoomFinish, room_parts};
 use super::tint::Tint;
+use crate::contract::{Extras, FurnitureExtras, ObjectId, owned_name, room_name};
 use crate::layout::{Furnished, Parent, Placement};
 
 /// The node of a room: shell parts first, then furniture in the order of its placement.
@@ -20,7 +20,7 @@ pub(crate) fn room_node<'a>(input: &SceneInput<'a>, index: usize, meshes: &mut M
     let look = Look::of_style(input.catalog, &furnished.style);
     let finish = RoomFinish::of(input.catalog, room);
     let extras = room_extras(room, furnished, verdict, input.catalog);
-    let mut node = Node::at(names::room(&room.id), &ROOM_POSE, None, extras);
+    let mut node = Node::at(room_name(&room.id), &ROOM_POSE, None, extras);
     let is_merged = input.options.parts == Parts::Merged;
     node.children = room_parts(input.level, room, finish, (look, is_merged), meshes);
     node.children.extend(furniture(input, furnished, &room.id, look, meshes));
@@ -47,15 +47,16 @@ fn furniture<'a>(
     let mut nodes: Vec<Option<Node>> = Vec::with_capacity(placements.len());
     let mut tints = Vec::with_capacity(placements.len());
     for (placement, carrier) in placements.iter().zip(&carriers) {
-        let id = names::object(input.catalog, placement);
         let frame = carrier.map_or(ROOM_POSE, |carrier| pose(&placements[carrier]));
-        let name = names::owned(&id, room);
-        let extras = furniture_extras(input, furnished, placement, id);
+        let extras = furniture_extras(input, furnished, placement);
+        let name = owned_name(&extras.id, room);
         let tint = tint_of(furnished, placement, &extras, &tints);
         tints.push(tint);
         let mesh = meshes.furniture(placement.class, placement.variant, look, tint);
-        let mut node = Node::at(name, &pose(placement).relative_to(&frame), Some(mesh), extras);
-        node.children.extend(light_of(input, placement, room, meshes));
+        let light = light_of(input, placement, (&extras.id, room), meshes);
+        let place = pose(placement).relative_to(&frame);
+        let mut node = Node::at(name, &place, Some(mesh), Extras::Furniture(extras));
+        node.children.extend(light);
         nodes.push(Some(node));
     }
     // Carriers come before what they carry: from the end, each node is complete when its turn comes.
@@ -76,24 +77,20 @@ fn furniture<'a>(
 fn light_of(
     input: &SceneInput<'_>,
     placement: &Placement,
-    room: &str,
+    owner: (&ObjectId, &str),
     meshes: &mut MeshTable<'_>,
 ) -> Option<Node> {
     let light =
         input.catalog.classes[placement.class].light.filter(|_| input.options.lights != Lights::Off)?;
-    let id = names::object(input.catalog, placement);
     let index = (input.options.lights == Lights::Physical).then(|| meshes.light(&light));
-    Some(light_node(&light, placement.size, (&id, room), index))
+    Some(light_node(&light, placement.size, owner, index))
 }
 
 /// What stands beside one of its own class goes on with it: a row of bookcases has one tint.
-fn tint_of(furnished: &Furnished, placement: &Placement, extras: &Extras, earlier: &[Tint]) -> Tint {
-    match (placement.parent, extras) {
-        (Parent::Object(parent), _) if furnished.placements[parent].class == placement.class => {
-            earlier[parent]
-        }
-        (_, Extras::Furniture { class, parent, .. }) => Tint::of_set(furnished.seed, class, parent),
-        _ => Tint::default(),
+fn tint_of(furnished: &Furnished, placement: &Placement, extras: &FurnitureExtras, earlier: &[Tint]) -> Tint {
+    match placement.parent {
+        Parent::Object(parent) if furnished.placements[parent].class == placement.class => earlier[parent],
+        _ => Tint::of_set(furnished.seed, &extras.class, &extras.parent),
     }
 }
 

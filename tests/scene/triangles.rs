@@ -1,7 +1,8 @@
 //! Triangles of a scene in the level's frame.
 
 use glam::{DVec3, Quat, Vec3};
-use roomwright::scene::{Extras, Node, Scene};
+use roomwright::contract::Extras;
+use roomwright::scene::{Node, Scene};
 
 /// The triangles that a node shows.
 pub(crate) struct Body {
@@ -30,8 +31,8 @@ fn collect(scene: &Scene, node: &Node, origin: (Vec3, Quat), found: &mut Vec<Bod
                 [place(a), place(b), place(c)]
             }));
         }
-        let part = match node.extras {
-            Some(Extras::Part { part, .. }) => Some(part),
+        let part = match &node.extras {
+            Some(Extras::Part(part)) => Some(part.part.name()),
             _ => None,
         };
         found.push(Body { name: node.name.clone(), part, triangles });

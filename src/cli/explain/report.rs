@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::scene::parent_id;
+use crate::layout::parent_id;
 
 use super::Subject;
 

@@ -6,7 +6,6 @@ use crate::audit::Finding;
 use crate::catalog::Side;
 use crate::document::printable;
 use crate::layout::{MissingStory, ObjectStory, Parent, Placement, Refusal, SearchStory, Wish};
-use crate::scene::opening_id;
 
 use super::Subject;
 
@@ -104,7 +103,7 @@ fn stands(subject: &Subject<'_>, placement: &Placement) -> String {
         Parent::Ceiling => "under the ceiling".to_owned(),
         Parent::Wall(wall) => format!("at wall.{wall}"),
         Parent::Opening(index) => {
-            format!("at {}", opening_id(&subject.found.level.openings[index]))
+            format!("at {}", crate::layout::opening_id(&subject.found.level.openings[index]))
         }
         Parent::Column(column) => format!("at the {} of column.{column}", placement.side.name()),
         Parent::Object(index) => {

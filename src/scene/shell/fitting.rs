@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use super::solid::Solid;
 use super::ticks::Ticks;
+use crate::contract::Part;
 
 /// What is fitted to a wall, in its own frame: the origin on the wall's face in the middle of the plate, +Z into the room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -72,11 +73,11 @@ fn block(back: [Vec3; 4], front: [Vec3; 4], solid: &mut Solid) {
 }
 
 impl Fitting {
-    /// The name of its part.
-    pub(crate) fn name(self) -> &'static str {
+    /// The part that it is.
+    pub(crate) fn part(self) -> Part {
         match self {
-            Self::Socket => "socket",
-            Self::Switch => "switch",
+            Self::Socket => Part::Socket,
+            Self::Switch => Part::Switch,
         }
     }
 

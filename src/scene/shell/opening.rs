@@ -9,13 +9,14 @@ use super::opening_size::{casing, opening_heights};
 use super::slots::{FRAME_SLOT, RAILING_SLOT};
 use super::ticks::Ticks;
 use super::{SLAB, Shape};
+use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::Point;
+use crate::layout::opening_id;
 use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_along, angle_facing, axes_at};
 use crate::scene::extras::opening_extras;
 use crate::scene::meshes::{Look, MeshTable};
-use crate::scene::names;
-use crate::scene::node::{Extras, Node};
+use crate::scene::node::Node;
 use crate::scene::options::Parts;
 
 /// Depth of an opening that is in no wall.
@@ -46,7 +47,7 @@ pub(crate) fn opening_node<'a>(
     let facing = opening.sides.first().map_or(opening.along.perp(), |side| wall_of(level, side).normal());
     let pose = Pose::on_floor(opening.center, angle_facing(facing));
     let reveal = reveal(level, opening, &pose);
-    let name = names::opening(opening);
+    let name = opening_id(opening).to_string();
     let mut pieces = Pieces {
         owner: &name,
         origin: pose,
@@ -142,13 +143,13 @@ impl Pieces<'_, '_, '_> {
         self.doorway(reveal, floor);
         let count = opening.leaves.len();
         for (index, leaf) in opening.leaves.iter().enumerate() {
-            let id = if count == 1 { "leaf".to_owned() } else { names::numbered("leaf", index + 1) };
+            let id = PartId { number: (count > 1).then_some(index + 1), ..PartId::only(Part::Leaf) };
             self.leaf(id, leaf, reveal.top, count == 1);
         }
     }
 
     /// The leaf stands as far open as is asked for, and no further than the plan lets it.
-    fn leaf(&mut self, id: String, leaf: &Leaf, top: Ticks, meets_jamb: bool) {
+    fn leaf(&mut self, id: PartId, leaf: &Leaf, top: Ticks, meets_jamb: bool) {
         let (shut, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
         let length = shut.length();
         if open.length() <= f64::EPSILON || length <= f64::EPSILON {
@@ -160,60 +161,61 @@ impl Pieces<'_, '_, '_> {
             LeafShape { length: Ticks::of(length), top, body_on_front, meets_jamb, design: self.design };
         let tip = self.door_angle.map_or(open, |degrees| opened(shut, open, f64::from(degrees).to_radians()));
         let pose = Pose::on_floor(leaf.hinge, angle_along(tip));
-        self.piece(("leaf", id), &pose, Shape::Leaf(shape));
+        self.piece(id, &pose, Shape::Leaf(shape));
     }
 
     fn sliding_door(&mut self, reveal: Reveal, floor: &'static str) {
         self.doorway(reveal, floor);
         let slot = if self.design == LeafDesign::Steel { RAILING_SLOT } else { FRAME_SLOT };
         for second in [false, true] {
-            let id = names::numbered("leaf", if second { 2 } else { 1 });
-            self.piece_here(("leaf", id), Shape::SlidingPanel(reveal, second, slot));
+            let id = PartId::numbered(Part::Leaf, if second { 2 } else { 1 });
+            self.piece_here(id, Shape::SlidingPanel(reveal, second, slot));
         }
     }
 
     fn doorway(&mut self, reveal: Reveal, floor: &'static str) {
         self.threshold(reveal, floor);
-        self.piece_here(("frame", "frame".to_owned()), Shape::DoorFrame(reveal, self.casing));
+        self.piece_here(PartId::only(Part::Frame), Shape::DoorFrame(reveal, self.casing));
     }
 
     fn threshold(&mut self, reveal: Reveal, floor: &'static str) {
         if reveal.bottom <= Ticks(0) && reveal.front - reveal.back > Ticks(0) {
             let shape = Shape::Threshold(Reveal { top: SLAB, ..reveal }, floor);
-            self.piece_here(("threshold", "threshold".to_owned()), shape);
+            self.piece_here(PartId::only(Part::Threshold), shape);
         }
     }
 
     fn window(&mut self, reveal: Reveal, is_exterior: bool) {
-        self.piece_here(("frame", "frame".to_owned()), Shape::WindowFrame(reveal));
-        self.piece_here(("glass", "glass".to_owned()), Shape::WindowGlass(reveal));
+        self.piece_here(PartId::only(Part::Frame), Shape::WindowFrame(reveal));
+        self.piece_here(PartId::only(Part::Glass), Shape::WindowGlass(reveal));
         if reveal.bottom > Ticks(0) {
-            self.piece_here(("sill", "sill".to_owned()), Shape::Sill(reveal, is_exterior));
+            self.piece_here(PartId::only(Part::Sill), Shape::Sill(reveal, is_exterior));
         }
     }
 
-    fn piece_here(&mut self, kind: (&'static str, String), shape: Shape) {
+    fn piece_here(&mut self, id: PartId, shape: Shape) {
         let pose = self.origin;
-        self.piece(kind, &pose, shape);
+        self.piece(id, &pose, shape);
     }
 
     /// Adds a piece unless the opening is too small for it.
-    fn piece(&mut self, (part, id): (&'static str, String), pose: &Pose, shape: Shape) {
-        let name = names::owned(&id, self.owner);
-        let moves = matches!(part, "leaf" | "glass");
+    fn piece(&mut self, id: PartId, pose: &Pose, shape: Shape) {
+        let name = owned_name(&id, self.owner);
+        let moves = matches!(id.part, Part::Leaf | Part::Glass);
         let mesh = match self.merged.as_mut().filter(|_| !moves) {
             Some(merged) => merged.add(shape, pose, self.meshes).then_some(None),
             None => self.meshes.shell(shape, self.palette, &name).map(Some),
         };
         let Some(mesh) = mesh else { return };
-        let extras = Extras::Part { part, id, tags: Vec::new(), outline: None, height: None };
+        let extras = Extras::Part(PartExtras::of(id));
         self.nodes.push(Node::at(name, &pose.relative_to(&self.origin), mesh, extras));
     }
 
     /// The nodes; the frame, or else the first piece that never moves, shows all such pieces.
     fn finish(mut self) -> Vec<Node> {
-        let is_part = |node: &Node, wanted: &str| matches!(&node.extras, Some(Extras::Part { part, .. }) if *part == wanted);
-        let frame = self.nodes.iter().position(|node| is_part(node, "frame"));
+        let is_frame =
+            |node: &Node| matches!(&node.extras, Some(Extras::Part(part)) if part.part == Part::Frame);
+        let frame = self.nodes.iter().position(is_frame);
         let shown = frame.or_else(|| self.nodes.iter().position(|node| node.mesh.is_none()));
         if let (Some(merged), Some(shown)) = (self.merged, shown) {
             let node = &mut self.nodes[shown];

@@ -15,14 +15,14 @@ use super::slots::{FACADE_SLOT, RAILING_SLOT, SKIRTING_SLOT};
 use super::ticks::Ticks;
 use super::wall::{Hole, WallShape};
 use super::{INSET, SLAB, Shape};
+use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::{Point, Region};
 use crate::model::GeometrySet;
 use crate::plan::{Level, Room, Wall, WallKind};
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
 use crate::scene::meshes::{Look, MeshTable};
-use crate::scene::names;
-use crate::scene::node::{Extras, Node};
+use crate::scene::node::Node;
 
 /// Railings at least this thick (metres) are parapets: low walls.
 const PARAPET_FROM: f64 = 0.08;
@@ -71,11 +71,11 @@ impl RoomParts<'_, '_, '_> {
         let anchor = region.outline.corners()[0];
         let floor = SlabShape::of_region(region, anchor, [-SLAB, Ticks(0)], finish.floor);
         let floor = floor.laid_along(main_direction(&self.room.walls));
-        self.part(("floor", "floor".to_owned()), Pose::on_floor(anchor, 0.0), Shape::Slab(floor));
+        self.part(PartExtras::of(PartId::only(Part::Floor)), Pose::on_floor(anchor, 0.0), Shape::Slab(floor));
         let thickness = storey_end(level, self.room).ceiling - Ticks::of(self.room.height);
         let ceiling = SlabShape::of_region(region, anchor, [Ticks(0), thickness], finish.ceiling);
         let pose = Pose { position: anchor, elevation: self.room.height, angle: 0.0 };
-        self.part(("ceiling", "ceiling".to_owned()), pose, Shape::Slab(ceiling));
+        self.part(PartExtras::of(PartId::only(Part::Ceiling)), pose, Shape::Slab(ceiling));
     }
 
     fn wall(&mut self, level: &Level, index: usize, footprint: Footprint, finish: RoomFinish) {
@@ -98,11 +98,8 @@ impl RoomParts<'_, '_, '_> {
                 self.body(wall_shape(wall, footprint, top, holes, finish))
             }
         };
-        let tags = wall.tags.clone();
-        let node = self.part(("wall", names::numbered("wall", index)), pose, shape);
-        if let Some(Extras::Part { tags: of_node, .. }) = &mut node.extras {
-            *of_node = tags;
-        }
+        let id = PartId::numbered(Part::Wall, index);
+        self.part(PartExtras { tags: wall.tags.clone(), ..PartExtras::of(id) }, pose, shape);
     }
 
     /// A wall by itself, or one of a mesh.
@@ -140,7 +137,7 @@ impl RoomParts<'_, '_, '_> {
         let shape = SkirtingShape::along(&self.room.walls, gaps, anchor, SKIRTING_SLOT);
         if !shape.boards.is_empty() {
             let pose = Pose::on_floor(anchor, 0.0);
-            self.part(("skirting", "skirting".to_owned()), pose, Shape::Skirting(shape));
+            self.part(PartExtras::of(PartId::only(Part::Skirting)), pose, Shape::Skirting(shape));
         }
     }
 
@@ -158,11 +155,11 @@ impl RoomParts<'_, '_, '_> {
         let mut counts: BTreeMap<(Fitting, usize), usize> = BTreeMap::new();
         for one in fitted {
             let number = counts.entry((one.fitting, one.wall)).or_insert(0);
-            let id = names::numbered(&names::numbered(one.fitting.name(), one.wall), *number);
+            let id = PartId::on_wall(one.fitting.part(), one.wall, *number);
             *number += 1;
             let angle = angle_facing(self.room.walls[one.wall].normal());
             let pose = Pose { position: one.position, elevation: one.elevation, angle };
-            self.part((one.fitting.name(), id), pose, Shape::Fitting(one.fitting, slot));
+            self.part(PartExtras::of(id), pose, Shape::Fitting(one.fitting, slot));
         }
     }
 
@@ -181,18 +178,18 @@ impl RoomParts<'_, '_, '_> {
             let top = if height >= ceiling { ceiling + sunk } else { height };
             let region = Region::simple(obstacle.outline.clone());
             let shape = SlabShape::of_region(&region, anchor, [-sunk, top], slot);
-            let id = names::numbered("column", index);
-            let node = self.part(("column", id), Pose::on_floor(anchor, 0.0), Shape::Slab(shape));
-            if let Some(Extras::Part { outline, height, .. }) = &mut node.extras {
-                *outline = Some(corners(&obstacle.outline));
-                *height = Some(rounded(obstacle.height));
-            }
+            let extras = PartExtras {
+                outline: Some(corners(&obstacle.outline)),
+                height: Some(rounded(obstacle.height)),
+                ..PartExtras::of(PartId::numbered(Part::Column, index))
+            };
+            self.part(extras, Pose::on_floor(anchor, 0.0), Shape::Slab(shape));
         }
     }
 
-    fn part(&mut self, (part, id): (&'static str, String), pose: Pose, shape: Shape) -> &mut Node {
-        let name = names::owned(&id, &self.room.id);
-        let has_own_mesh = matches!(part, "floor" | "ceiling");
+    fn part(&mut self, extras: PartExtras, pose: Pose, shape: Shape) {
+        let name = owned_name(&extras.id, &self.room.id);
+        let has_own_mesh = matches!(extras.part, Part::Floor | Part::Ceiling);
         let mesh = match self.merged.as_mut().filter(|_| !has_own_mesh) {
             Some(merged) => {
                 merged.add(shape, &pose, self.meshes);
@@ -200,10 +197,7 @@ impl RoomParts<'_, '_, '_> {
             }
             None => self.meshes.shell(shape, self.palette, &name),
         };
-        let extras = Extras::Part { part, id, tags: Vec::new(), outline: None, height: None };
-        self.nodes.push(Node::at(name, &pose, mesh, extras));
-        let last = self.nodes.len() - 1;
-        &mut self.nodes[last]
+        self.nodes.push(Node::at(name, &pose, mesh, Extras::Part(extras)));
     }
 }
 
@@ -211,10 +205,10 @@ impl RoomParts<'_, '_, '_> {
     /// The nodes; what is merged is shown by one more after them.
     fn finish(mut self) -> Vec<Node> {
         let Some(merged) = self.merged else { return self.nodes };
-        let id = "walls".to_owned();
-        let name = names::owned(&id, &self.room.id);
+        let id = PartId::only(Part::Walls);
+        let name = owned_name(&id, &self.room.id);
         if let Some(mesh) = merged.finish(self.palette, &name, self.meshes) {
-            let extras = Extras::Part { part: "walls", id, tags: Vec::new(), outline: None, height: None };
+            let extras = Extras::Part(PartExtras::of(id));
             self.nodes.push(Node::at(name, &self.origin, Some(mesh), extras));
         }
         self.nodes
