@@ -155,7 +155,7 @@ fn unplanned(is_pruned: bool, faults: &Faults, screen: Screen) -> Unplanned {
         (false, true) => Unplanned::Listed,
         (true, true) => {
             screen.error(
-                "nothing is pruned while plans have errors: what cannot be read may be what the files are of",
+                "nothing is pruned while plans have errors: the files may belong to a plan that cannot be read",
             );
             Unplanned::Listed
         }
@@ -294,7 +294,7 @@ fn show_misfits(report: &BakeReport, screen: Screen) {
     screen.faults(&Faults(told.0.iter().take(LISTED_FAILURES).cloned().collect()));
     if told.0.len() > LISTED_FAILURES {
         let more = told.0.len() - LISTED_FAILURES;
-        screen.error(&format!("… and {more} more edits that do not fit; --json lists all"));
+        screen.error(&format!("… and {more} more rejected edits; --json lists all"));
     }
 }
 

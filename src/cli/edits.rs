@@ -151,6 +151,6 @@ fn report(found: &Found, screen: Screen) {
     }
     screen.result(&match entries.is_empty() {
         true => "Nothing was changed.".to_owned(),
-        false => format!("Written to {}: every bake of its plan makes these edits.", file.display()),
+        false => format!("Written to {}: every bake of its plan applies these edits.", file.display()),
     });
 }

@@ -11,28 +11,29 @@ pub enum Outcome {
     NotStarted = 2,
 }
 
-/// For the help page.
+/// The exit codes on the help pages of most commands.
 pub(crate) const EXIT_CODES: &str = "\
 Exit codes:
   0  everything was done
   1  some inputs failed; the rest is done
-  2  nothing could start: bad arguments, no readable input, no output folder; or the result is lost,
-     for standard output takes nothing (a full disk)";
+  2  nothing could start: bad arguments, no readable input, no output folder; or the result could
+     not be written to standard output";
 
-/// For the help page of `audit`.
+/// The exit codes on the help page of `audit`.
 pub(crate) const AUDIT_EXIT_CODES: &str = "\
 Exit codes:
   0  every room was judged, and none fails
   1  some rooms fail, or could not be judged
   2  nothing could be judged: bad arguments, bad configuration, no readable file; or the
-     report is lost";
+     report could not be written";
 
-/// For the help page of `diff`.
+/// The exit codes on the help page of `diff`.
 pub(crate) const DIFF_EXIT_CODES: &str = "\
 Exit codes:
   0  no difference of the kinds asked for with --fail-on
   1  differences of these kinds
-  2  something could not be compared: no manifest, an unreadable file; the rest is; or the report is lost";
+  2  something could not be compared (no manifest, an unreadable file), the rest was; or the report
+     could not be written";
 
 impl Outcome {
     /// The worse of two.

@@ -113,7 +113,7 @@ fn not_written(path: &Path, error: &io::Error) -> Fault {
             "free some space and run the command again"
         }
         io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists | io::ErrorKind::IsADirectory => {
-            "a file is in the way of a folder, or the other way round: choose another path"
+            "a file has the name of a folder, or a folder that of a file: choose another path"
         }
         _ => "see the system's message, or choose another path",
     };

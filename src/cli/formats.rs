@@ -24,7 +24,7 @@ pub(crate) fn run(screen: Screen) -> Outcome {
     }
     for format in READ_FORMATS {
         screen.result(&format!(
-            "{:<10}{}\n{:10}from  {}\n{:10}of it {}",
+            "{:<10}{}\n{:10}input  {}\n{:10}read   {}",
             format.name, format.title, "", format.input, "", format.content
         ));
     }

@@ -16,8 +16,8 @@ const START_FOLDER: &str = "start";
 
 /// What is written, with a word about it: paths below [`START_FOLDER`].
 const START_FILES: [(&str, &str); 3] = [
-    ("plans/house.yaml", "a house of two storeys, to be changed into yours"),
-    ("project.yaml", "which plans are baked together, in which style and from which seed"),
+    ("plans/house.yaml", "a house of two levels, for you to change"),
+    ("project.yaml", "the plans that are baked together, their style and seed"),
     ("furniture/styles/mine.yaml", "a style of your own"),
 ];
 
@@ -67,7 +67,7 @@ fn start_files(folder: &Path) -> Vec<StartFile> {
     });
     let schemas = SCHEMAS.map(|path| StartFile {
         path: folder.join(path),
-        about: "what may stand in such a file; editors complete by it",
+        about: "the keys of such a file; editors complete and check by it",
         text: text(path),
     });
     start.into_iter().chain(schemas).collect()

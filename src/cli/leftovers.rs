@@ -23,7 +23,7 @@ pub(super) fn leftovers_text(leftovers: &Leftovers, out: &Path) -> Option<String
     if !changed.is_empty() {
         let (files, names) = (count(changed.len(), "file"), few(changed));
         lines.push(format!(
-            "warning: {files} of levels that no plan has any more stay, for somebody changed them: {names}"
+            "warning: {files} of levels that no plan has any more stay, because they were changed since: {names}"
         ));
     }
     if !levels.is_empty() {

@@ -28,7 +28,7 @@ pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
         count(rate as u64),
     )];
     if report.kept > 0 {
-        lines.push(format!("Kept {} that nothing has changed for.", levels(report.kept)));
+        lines.push(format!("Kept {} without changes.", levels(report.kept)));
     }
     let Totals { requested, removed, audit, .. } = &report.in_place;
     let GradeCounts { none, minor, failed } = audit.grades;
@@ -44,7 +44,7 @@ pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
     lines.extend(audit_lines(audit));
     if report.in_place.misfits > 0 {
         let count = count(report.in_place.misfits);
-        lines.push(format!("Edits that could not be made: {count}. They stay in their files."));
+        lines.push(format!("Rejected edits: {count}. The edits files keep them."));
     }
     if report.skipped > 0 {
         lines.push(format!("Stopped early: {} were not tried.", levels(report.skipped)));
@@ -63,7 +63,10 @@ pub(crate) fn audit_lines(audit: &AuditSummary) -> Vec<String> {
         lines.push(format!("Findings: {}.", counts(&audit.findings)));
     }
     if !audit.given.is_empty() {
-        lines.push(format!("Given by the plans, not counted: {}.", counts(&audit.given)));
+        lines.push(format!(
+            "Given findings, unavoidable by the plans and not counted: {}.",
+            counts(&audit.given)
+        ));
     }
     if let Some(mean) = audit.score.mean() {
         lines

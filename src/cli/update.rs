@@ -43,7 +43,7 @@ pub(super) fn update_text(path: &Path, change: impl Fn() -> Result<String, Fault
             return write_text(path, &change()?, Overwrite::All);
         }
     }
-    Err(Fault::of_file(path, "is changed by others all the time").with_hint("try again later").into())
+    Err(Fault::of_file(path, "is being changed by other processes").with_hint("try again later").into())
 }
 
 /// Whether an open file is the one that a path names by now.

@@ -213,7 +213,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Fault {
             ("no permission to read it".to_owned(), "check the rights of file and folder")
         }
         ErrorKind::InvalidInput => {
-            (format!("cannot be read: {error}"), "write what it gives to a file, and name that")
+            (format!("cannot be read: {error}"), "copy its content into a file, and name that file")
         }
         _ => (format!("cannot be read: {error}"), "check the path"),
     };

@@ -75,7 +75,7 @@ fn an_edit_that_cannot_be_made_is_told_with_its_place_and_stays() {
         "{}",
         ran.stderr
     );
-    assert!(ran.stdout.contains("Edits that could not be made: 1."), "{}", ran.stdout);
+    assert!(ran.stdout.contains("Rejected edits: 1."), "{}", ran.stdout);
     assert_eq!(world.read("house.edits.yaml"), before);
     let manifest: Value = serde_json::from_slice(&world.read("out/manifest.json")).unwrap();
     let room =
@@ -105,7 +105,7 @@ fn explain_tells_what_is_edited_afterwards() {
         let words = ["explain", "house.yaml", "study", "--level", "1", "--effort", "1"];
         world.must(&[&words, more].concat()).stdout
     };
-    assert!(explain(&[]).contains("edited afterwards, which is not explained: desk.1"));
+    assert!(explain(&[]).contains("edited after the layout, not explained: desk.1"));
     assert!(!explain(&["--no-edits"]).contains("edited"));
 }
 
@@ -280,7 +280,7 @@ fn an_edit_for_many_buildings_that_cannot_be_made_is_told_once_with_their_number
     assert_eq!(ran.code, Some(1));
     assert_eq!(ran.stderr.matches("there is no desk.9").count(), 1, "{}", ran.stderr);
     assert!(
-        ran.stderr.contains("(in 3 rooms)") && ran.stdout.contains("could not be made: 3."),
+        ran.stderr.contains("(in 3 rooms)") && ran.stdout.contains("Rejected edits: 3."),
         "{}",
         ran.stderr
     );

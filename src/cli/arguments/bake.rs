@@ -18,61 +18,58 @@ pub(crate) struct BakeArguments {
     /// Folder to write into.
     #[arg(short, long, value_name = "DIR", default_value = "out")]
     pub(crate) out: PathBuf,
-    /// Threads to work with [default: one per core]. Never changes a byte of the output.
+    /// Number of threads [default: one per core]. Does not change the output.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u16>(1..=1024))]
     pub(crate) threads: Option<u16>,
-    /// Folder that keeps painted surfaces and models between runs, and notes where plans lie, or `none`; it may be deleted at any time. Never changes a
-    /// byte of the output [default: roomwright/ in the system's folder for caches].
+    /// Folder that keeps textures and models between runs, and the places of plans, or `none`. It may be deleted at any time and
+    /// does not change the output [default: roomwright/ in the system's folder for caches].
     #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
     pub(crate) cache: Option<PathBuf>,
     /// Overwrite files that roomwright did not write, or that were changed since.
     #[arg(long)]
     pub(crate) force: bool,
-    /// Remove what earlier bakes left in the folder: files of levels and buildings that the plans no longer have, and shared files
-    /// that no level uses. What somebody changed stays.
+    /// Remove files of earlier bakes from the folder: those of levels and buildings that the plans no longer have, and shared
+    /// files that no level uses. Files that were changed since stay.
     #[arg(long)]
     pub(crate) prune: bool,
-    /// Kind of file.
+    /// Format of the files.
     #[arg(long, value_enum, default_value = "glb")]
     pub(crate) format: FormatWord,
-    /// Keep furniture once a building, in shared-geometry/ beside its floors, a file for each model in use, instead of once in
-    /// each file.
+    /// Write each model once per building, into shared-geometry/ beside its levels, instead of into each level.
     #[arg(long)]
     pub(crate) shared_library: bool,
-    /// How finely wood, cloth, tiles and other surfaces are painted: 512 or 1024 pixels a metre, or not at all.
+    /// Resolution of the textures of wood, cloth, tiles and other surfaces.
     #[arg(long, value_enum, default_value = "small")]
     pub(crate) textures: TextureWord,
-    /// Keep textures once a building, in shared-textures/ beside its floors, instead of once in each file.
+    /// Write textures once per building, into shared-textures/ beside its levels, instead of into each level.
     #[arg(long)]
     pub(crate) shared_textures: bool,
-    /// Whether flat faces without textures have normals, or leave them to viewers, as the format allows, for almost half the
-    /// space [default: implied with --textures none, else written].
+    /// Whether files hold the normals of flat faces without textures. Without them, files are almost half as large, and viewers
+    /// compute the normals [default: implied with --textures none, else written].
     #[arg(long, value_enum)]
     pub(crate) flat_normals: Option<NormalsWord>,
-    /// How finely furniture is modelled: as it is drawn, with about 30 % of the triangles, or as the boxes of its shape.
+    /// Level of detail of the furniture.
     #[arg(long, value_enum, default_value = "full")]
     pub(crate) detail: DetailWord,
-    /// How lamps are lit: their shades shine, which looks right in all viewers as they are; each is a light in candelas too
-    /// (KHR_lights_punctual), for viewers that are set to such light and can draw many; or not at all.
+    /// How lamps give light.
     #[arg(long, value_enum, default_value = "shining")]
     pub(crate) lights: LightsWord,
-    /// Few meshes, which viewers draw in half the time: one for the walls of a room and what is fixed to them, plain parts of a
-    /// piece of furniture in one; or a mesh for every part and a material for every slot of the palette.
+    /// Whether parts share meshes, which viewers draw in half the time, or stay separate.
     #[arg(long, value_enum, default_value = "merged")]
     pub(crate) parts: PartsWord,
-    /// How far doors on hinges stand open: 0 is shut [default: as far as the plan lets them].
+    /// How far doors on hinges stand open; 0 is shut [default: as far as the plan allows].
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = whole_number::<u16>(0..=180))]
     pub(crate) door_angle: Option<u16>,
-    /// Let viewers choose among all palettes (KHR_materials_variants).
+    /// Write all palettes, for viewers to choose one (KHR_materials_variants).
     #[arg(long)]
     pub(crate) variants: bool,
-    /// Draw another seed for this room, for this run: [BUILDING/][LEVEL/]ROOM. Repeated for a room, it goes on to the next.
+    /// Use the next seed for this room, in this run: [BUILDING/][LEVEL/]ROOM. May be repeated, also for the same room.
     #[arg(long, value_name = "ROOM")]
     pub(crate) reroll: Vec<String>,
-    /// Bake share I of N, so that N machines can split the work.
+    /// Bake share I of N, so that N machines can split the work; then join their records with `merge`.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     pub(crate) shard: Option<Shard>,
-    /// Bake again whenever a plan, an edits file or a file of the configuration changes, until Ctrl-C.
+    /// Bake again after every change to a plan, an edits file or the configuration, until Ctrl-C.
     #[arg(long, requires = "paths")]
     pub(crate) watch: bool,
     /// How to show progress on stderr.
@@ -83,9 +80,9 @@ pub(crate) struct BakeArguments {
 /// The words of `--lights`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum LightsWord {
-    /// Shades shine.
+    /// Shades of lamps emit light; looks right in all viewers at their default settings.
     Shining,
-    /// Lights in candelas as well.
+    /// Each lamp is a light in candelas as well (KHR_lights_punctual), for renderers with an exposure.
     Physical,
     /// Neither.
     None,
@@ -94,9 +91,9 @@ pub(crate) enum LightsWord {
 /// The words of `--parts`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PartsWord {
-    /// Few meshes.
+    /// One mesh for the walls of a room, and few for each object.
     Merged,
-    /// One for every part.
+    /// A mesh for every part, and a material for every slot of the palette.
     Separate,
 }
 
@@ -123,16 +120,16 @@ pub(crate) enum TextureWord {
 /// The words of `--flat-normals`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum NormalsWord {
-    /// Every viewer draws them.
+    /// Files hold the normals; every viewer shows the faces well.
     Written,
-    /// Viewers compute them.
+    /// Viewers compute the normals; some draw the faces unlit or round.
     Implied,
 }
 
 /// The words of `--detail`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum DetailWord {
-    /// Everything that is drawn.
+    /// Complete models.
     Full,
     /// About 30 % of the triangles, for rooms seen from afar.
     Reduced,
@@ -149,7 +146,7 @@ pub(crate) enum ProgressWord {
     Bar,
     /// A line every few seconds.
     Plain,
-    /// A JSON object per line and level.
+    /// A line with a JSON object for each level.
     Json,
     /// Nothing.
     None,

@@ -19,7 +19,7 @@ pub(crate) struct ImportArguments {
     /// Further folders of configuration, for their room words.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
-    /// Tell what was read, attached and left out, level by level; with --json as part of the result.
+    /// List what was read, attached to rooms and left out, level by level; with --json as part of the result.
     #[arg(long)]
     pub(crate) report: bool,
 }

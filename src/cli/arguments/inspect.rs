@@ -19,16 +19,16 @@ pub(crate) struct CheckArguments {
 /// `catalog`.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct CatalogArguments {
-    /// What to list: classes, rooms, styles or palettes; or an id, to see all about it.
+    /// The part to list: classes, rooms, styles or palettes; or the id of an entry, to show it in full.
     #[arg(value_name = "PART|ID")]
     pub(crate) what: Option<String>,
-    /// One entry of that part, in full.
+    /// The id of an entry of that part, to show it in full.
     #[arg(value_name = "ID")]
     pub(crate) id: Option<String>,
     /// Further folders of configuration.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
-    /// Write everything as a page with a picture of each room type: catalogue.md and catalogue/ in this folder.
+    /// Write the catalogue into this folder as a page with a picture of each room type: catalogue.md and catalogue/.
     #[arg(long, value_name = "DIR", conflicts_with = "what")]
     pub(crate) docs: Option<PathBuf>,
     /// Overwrite existing files.
@@ -62,20 +62,20 @@ pub(crate) struct DrawArguments {
     /// Draw this level only.
     #[arg(long, value_name = "ID")]
     pub(crate) level: Option<String>,
-    /// File (`.svg`: one sheet with all levels of a building) or folder to write into. Without it, the sheet goes to stdout, or,
-    /// at a terminal, into BUILDING.svg in this folder.
+    /// File (`.svg`: one sheet with all levels of a building) or folder to write into [default: the sheet to stdout; at a
+    /// terminal, to BUILDING.svg in this folder].
     #[arg(short, long, value_name = "FILE|DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Show the clearances that furniture and doors need.
     #[arg(long)]
     pub(crate) clearances: bool,
-    /// In a folder, too, draw all levels of a building on one sheet, from below to above, not a file each.
+    /// With a folder as --out, draw all levels of a building on one sheet, lowest first, instead of a file each.
     #[arg(long)]
     pub(crate) sheet: bool,
-    /// Mark what the audit finds in the plan, numbered and coloured by severity, and list it below.
+    /// Mark the findings of the audit in the drawing, numbered and coloured by severity, and list them below.
     #[arg(long)]
     pub(crate) findings: bool,
-    /// Overwrite files that roomwright did not draw, or that were changed since; its own drawings are renewed without.
+    /// Overwrite files that roomwright did not draw, or that were changed since. It replaces its own drawings without this.
     #[arg(long)]
     pub(crate) force: bool,
 }
@@ -86,13 +86,13 @@ pub(crate) struct ExplainArguments {
     /// A plan, project or folder of plans.
     #[arg(value_name = "PLAN")]
     pub(crate) plan: PathBuf,
-    /// The room: [BUILDING/][LEVEL/]ROOM, or its name; without it, the answer names the rooms.
+    /// The room: [BUILDING/][LEVEL/]ROOM, or its name; without it, the command lists the rooms.
     #[arg(value_name = "ROOM")]
     pub(crate) room: Option<String>,
-    /// Building of the room, where several have one of that id.
+    /// Building of the room, if several have a room of that id.
     #[arg(long, value_name = "ID")]
     pub(crate) building: Option<String>,
-    /// Level of the room, where several have one of that id.
+    /// Level of the room, if several have a room of that id.
     #[arg(long, value_name = "ID")]
     pub(crate) level: Option<String>,
     #[command(flatten)]

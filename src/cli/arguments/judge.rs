@@ -14,10 +14,10 @@ pub(crate) struct AuditArguments {
     /// Files that bake wrote (.glb, .gltf), edited or not, or folders with such files.
     #[arg(value_name = "PATH", default_value = "out")]
     pub(crate) paths: Vec<PathBuf>,
-    /// Further folders of configuration, as for the bake: classes, and thresholds in audit.yaml.
+    /// Further folders of configuration, the same as for the bake: classes, and thresholds in audit.yaml.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
-    /// Show every finding, not the first of them only.
+    /// Show all findings, not only the first ones.
     #[arg(long)]
     pub(crate) all: bool,
 }
@@ -28,7 +28,7 @@ pub(crate) struct DiffArguments {
     /// Before: a folder that bake wrote, or one .glb or .gltf file.
     #[arg(value_name = "OLD")]
     pub(crate) old: PathBuf,
-    /// After.
+    /// After: the same.
     #[arg(value_name = "NEW")]
     pub(crate) new: PathBuf,
     /// Further folders of configuration, for the findings of edited files and for pictures.
@@ -37,31 +37,31 @@ pub(crate) struct DiffArguments {
     /// Exit with 1 if there is a difference of one of these kinds; `any` is all but seed, renumbered, settings, bytes.
     #[arg(long, value_name = "KIND,…", value_delimiter = ',', value_parser = kind_words())]
     pub(crate) fail_on: Vec<String>,
-    /// Metres up to which a thing has not moved, grown or shrunk.
+    /// Largest difference of places and sizes, in metres, that is not reported.
     #[arg(long, value_name = "METRES", default_value_t = Tolerance::default().metres, allow_negative_numbers = true, value_parser = metres)]
     pub(crate) move_tolerance: f64,
-    /// Degrees up to which a thing has not turned.
+    /// Largest difference of turns, in degrees, that is not reported.
     #[arg(long, value_name = "DEGREES", default_value_t = Tolerance::default().degrees, allow_negative_numbers = true, value_parser = degrees)]
     pub(crate) turn_tolerance: f64,
-    /// Read every file: do not take one of the recorded length that is older than its manifest for what was recorded.
+    /// Read every file. Without this, a file older than its manifest, and of the recorded length, counts as unchanged.
     #[arg(long)]
     pub(crate) verify: bool,
     /// Print Markdown, for a comment on a pull request.
     #[arg(long, conflicts_with = "json")]
     pub(crate) markdown: bool,
-    /// Bytes of Markdown at most; what does not fit is counted. GitHub takes 65,536 characters.
+    /// Bytes of Markdown at most; differences that do not fit are counted. GitHub takes 65,536 characters.
     #[arg(long, value_name = "BYTES", default_value_t = 60_000, requires = "markdown", value_parser = whole_number::<usize>(0..=u64::MAX))]
     pub(crate) markdown_limit: usize,
-    /// Write one page with pictures of the changed rooms, before and after, that needs nothing else.
+    /// Write one HTML page with pictures of the changed rooms, before and after; it needs no other file.
     #[arg(long, value_name = "FILE")]
     pub(crate) html: Option<PathBuf>,
-    /// Rooms that the page shows at most.
+    /// Number of rooms that the page shows at most.
     #[arg(long, value_name = "N", default_value_t = 100, requires = "html", value_parser = whole_number::<usize>(0..=u64::MAX))]
     pub(crate) html_rooms: usize,
     /// Write pictures of the changed rooms into this folder, before and after.
     #[arg(long, value_name = "DIR")]
     pub(crate) svg: Option<PathBuf>,
-    /// Show every difference, not the first of them only.
+    /// Show all differences, not only the first ones.
     #[arg(long)]
     pub(crate) all: bool,
     /// Overwrite existing files.

@@ -25,16 +25,16 @@ pub(crate) use judge::{AuditArguments, DiffArguments};
 pub(crate) use setup::{CompletionsArguments, InitArguments, ManArguments};
 pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
 
-/// Furnishes the rooms of building floor plans and writes one glTF file per floor.
+/// Furnishes the rooms of floor plans and writes one glTF file for each level of a building.
 ///
 /// Without a command, the built-in demo is baked into out/.
 #[derive(Debug, Parser)]
 #[command(version, after_help = EXIT_CODES, max_term_width = 100, subcommand_help_heading = "Commands")]
 pub(crate) struct Arguments {
-    /// What to do.
+    /// The command.
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
-    /// How to speak.
+    /// What is printed, and how.
     #[command(flatten)]
     pub(crate) manner: Manner,
 }
@@ -53,41 +53,41 @@ pub(crate) struct Manner {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Write a plan, a style and a project to begin with; no existing file is touched.
+    /// Write a first plan, style and project; existing files stay as they are.
     #[command(after_help = EXIT_CODES)]
     Init(InitArguments),
-    /// Furnish plans and write one glTF file per level.
+    /// Furnish plans and write one glTF file for each level.
     #[command(after_help = EXIT_CODES)]
     Bake(BakeArguments),
-    /// Read plans and configuration, report all faults, write nothing.
+    /// Report all faults of plans and configuration; write nothing.
     #[command(after_help = EXIT_CODES)]
     Check(CheckArguments),
-    /// Show what the catalogue holds.
+    /// List the catalogue: classes of furniture, room types, styles, palettes.
     Catalog(CatalogArguments),
-    /// Judge finished files: what is wrong with their rooms as they are now.
+    /// Judge the rooms of finished files, edited or not.
     #[command(after_help = AUDIT_EXIT_CODES)]
     Audit(AuditArguments),
-    /// Tell what differs between two bakes or two files: rooms, furniture, openings, findings.
+    /// Report the differences of two bakes or two files: rooms, furniture, openings, findings.
     #[command(after_help = DIFF_EXIT_CODES)]
     Diff(DiffArguments),
     /// Draw furnished levels as SVG.
     #[command(after_help = EXIT_CODES)]
     Draw(DrawArguments),
-    /// Keep what you change by hand: moved, turned, added, removed, swapped and locked furniture, seeds of rooms.
+    /// Keep changes by hand (furniture that was moved, added, removed, swapped; seeds of rooms) for later bakes.
     #[command(after_help = EXIT_CODES)]
     Edits {
         #[command(subcommand)]
         command: EditsCommand,
     },
-    /// Tell why each object of a room is where it is, and why others are missing.
+    /// Report why each object of a room stands where it is, and why pieces are missing.
     #[command(after_help = EXIT_CODES)]
     Explain(ExplainArguments),
-    /// List the formats that plans are read in, and those that are not.
+    /// List the plan formats that are read, and known ones that are not.
     Formats,
-    /// Turn foreign plans into native ones.
+    /// Convert foreign plans to native ones.
     #[command(after_help = EXIT_CODES)]
     Import(ImportArguments),
-    /// Join the records of several bakes in one folder into its manifest.
+    /// Join the records of several bakes into one folder (--shard) into its manifest.
     #[command(after_help = EXIT_CODES)]
     Merge(MergeArguments),
     /// Print a script that completes commands and options in a shell.

@@ -24,8 +24,7 @@ pub(crate) struct CompletionsArguments {
 /// `man`.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct ManArguments {
-    /// Write the pages of all commands into this folder: roomwright.1, roomwright-bake.1, ... Without it, the first goes to
-    /// stdout.
+    /// Write the pages of all commands into this folder: roomwright.1, roomwright-bake.1, ... [default: roomwright.1 to stdout].
     #[arg(short, long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Overwrite existing files.

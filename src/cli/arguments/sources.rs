@@ -10,7 +10,7 @@ use crate::best::DEFAULT_EFFORT;
 /// Where plans and configuration come from.
 #[derive(Clone, Debug, Default, Args)]
 pub(crate) struct SourceArguments {
-    /// Plans, projects, folders or patterns; the built-in demo if there is none.
+    /// Plans, projects, folders, or patterns such as 'plans/*.yaml' [default: the built-in demo].
     #[arg(value_name = "PATH")]
     pub(crate) paths: Vec<PathBuf>,
     /// Further folders of configuration: classes/, rooms/, styles/, palettes/. May be repeated; later ones win.
@@ -23,11 +23,10 @@ pub(crate) struct SourceArguments {
 /// Which edits are made.
 #[derive(Clone, Debug, Default, Args)]
 pub(crate) struct EditArguments {
-    /// Make the edits in this file too. May be repeated; later ones win. Those in NAME.edits.yaml beside a plan are made
-    /// without it.
+    /// A further edits file. May be repeated; later ones win. NAME.edits.yaml beside a plan is always read.
     #[arg(long = "edits", value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
-    /// Make no edits: every room as it is arranged.
+    /// Apply no edits.
     #[arg(long, conflicts_with = "files")]
     pub(crate) no_edits: bool,
 }
@@ -35,7 +34,7 @@ pub(crate) struct EditArguments {
 /// What the furniture depends on.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct FurnishArguments {
-    /// Seed of all rooms; another number gives other rooms [default: the project's, or 1].
+    /// Seed of all rooms; another number gives other arrangements [default: the project's, or 1].
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u64>(0..=u64::MAX))]
     pub(crate) seed: Option<u64>,
     /// Style of rooms whose plan names none [default: the project's, or `default`].

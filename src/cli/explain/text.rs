@@ -54,7 +54,7 @@ fn heading(subject: &Subject<'_>) -> String {
         furnished.requested
     );
     if !subject.edited.is_empty() {
-        let _ = writeln!(text, "  edited afterwards, which is not explained: {}", subject.edited.join(", "));
+        let _ = writeln!(text, "  edited after the layout, not explained: {}", subject.edited.join(", "));
     }
     for finding in subject.findings.iter().filter(|finding| finding.objects.is_empty()) {
         let _ = writeln!(text, "  found: {}", show_finding(finding, ""));
@@ -152,10 +152,10 @@ fn search(text: &mut String, search: &SearchStory) {
     fact(text, "search", &format!("{} {word} tried{times}, {refused} refused", search.places));
     refusals(text, &search.refused);
     if search.was_sent_away {
-        fact(text, "", "was sent away from the only way to something");
+        fact(text, "", "left a place that closed the only way to a door or a used side");
     }
     if search.was_pushed {
-        fact(text, "", "was pushed to where there is more room");
+        fact(text, "", "was pushed to a place with more space");
     }
 }
 
@@ -181,7 +181,11 @@ fn missing(story: &MissingStory) -> String {
     if let Some(walls) = &story.walls {
         let refused: u32 = walls.refused.iter().map(|refusal| refusal.places).sum();
         let free = walls.places - refused;
-        fact(&mut text, "walls", &format!("{} places along them in the end, {free} free", walls.places));
+        fact(
+            &mut text,
+            "walls",
+            &format!("{} places along them in the finished room, {free} free", walls.places),
+        );
         refusals(&mut text, &walls.refused);
     }
     for (index, parent) in story.parents.iter().enumerate() {

@@ -49,7 +49,7 @@ fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Fau
         screen.note(&format!("Watching {} files and folders{how_to_end}.", inputs.count()));
         match next_change(changes, &inputs) {
             Some(name) => screen.note(&format!("{name} changed: baking again.")),
-            None => return Fault::of_file(&arguments.sources.paths[0], "is watched no longer").into(),
+            None => return Fault::of_file(&arguments.sources.paths[0], "can no longer be watched").into(),
         }
     }
 }
