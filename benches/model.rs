@@ -2,15 +2,15 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use roomwright::catalog::{Catalog, Class, load_catalog};
-use roomwright::model::{ModelLibrary, RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_size};
+use roomwright::model::ModelLibrary;
+use roomwright::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
 use std::hint::black_box;
 
-fn build_all(geometry: &str) -> usize {
-    let build = |name: &&str| {
-        let size = recipe_size(name)?;
-        build_recipe(name, &RecipeInput { size, look: 0, geometry, parameters: &[] })
+fn build_all(geometry: GeometrySet) -> usize {
+    let build = |recipe: &&Recipe| {
+        recipe.build(&RecipeInput { size: recipe.usual_size(), look: 0, geometry, parameters: &[] })
     };
-    recipe_names().iter().filter_map(build).map(|model| model.primitives.len()).sum()
+    recipes().iter().map(build).map(|mesh| mesh.parts.len()).sum()
 }
 
 fn build_library(catalog: &Catalog) -> usize {
@@ -19,12 +19,12 @@ fn build_library(catalog: &Catalog) -> usize {
         (0..entry.variant_count()).map(move |variant| (class, variant)).collect::<Vec<_>>()
     };
     let all = catalog.classes.iter().enumerate().flat_map(variants);
-    let build = |(class, variant)| geometry_sets().iter().map(move |set| (class, variant, *set));
+    let build = |(class, variant)| GeometrySet::ALL.map(|set| (class, variant, set));
     all.flat_map(build).map(|(class, variant, set)| library.model(class, variant, set).primitives.len()).sum()
 }
 
 fn models(criterion: &mut Criterion) {
-    for &set in geometry_sets() {
+    for set in GeometrySet::ALL {
         criterion.bench_function(&format!("all recipes, {set}"), |bencher| {
             bencher.iter(|| black_box(build_all(set)))
         });

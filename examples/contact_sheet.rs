@@ -10,7 +10,8 @@ use std::sync::Arc;
 use glam::{Quat, Vec3};
 use roomwright::catalog::{Palette, load_catalog};
 use roomwright::gltf::write_glb;
-use roomwright::model::{Model, ModelMaterial, PLAIN, RecipeInput, build_recipe, recipe_names, recipe_size};
+use roomwright::model::{Model, ModelMaterial};
+use roomwright::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
 use roomwright::scene::{Node, Scene, SceneMaterial, SceneMesh};
 use roomwright::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
 
@@ -27,24 +28,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     let catalog = load_catalog(&[]).map_err(|faults| faults.to_string())?.value;
     let palette = catalog.palettes.get(text(2, "modern")).ok_or("no such palette")?;
     let wanted = text(3, "all");
-    let is_wanted = |name: &&str| wanted == "all" || wanted.split(',').any(|word| word == *name);
-    let names: Vec<&str> = recipe_names().iter().copied().filter(is_wanted).collect();
-    let sizes = names.iter().filter_map(|name| recipe_size(name));
+    let geometry = GeometrySet::find(text(1, "plain")).ok_or("no such geometry set")?;
+    let is_wanted = |recipe: &&Recipe| wanted == "all" || wanted.split(',').any(|word| word == recipe.name());
+    let chosen: Vec<&Recipe> = recipes().iter().copied().filter(is_wanted).collect();
+    let sizes = chosen.iter().map(|recipe| recipe.usual_size());
     let area: f64 = sizes.map(|size| (size.width + GAP) * (size.depth + GAP) * f64::from(looks)).sum();
     let mut sheet = Sheet::new(palette);
     let (mut x, mut z, mut deepest) = (0.0, 0.0_f64, 0.0_f64);
-    for name in names {
-        let size = recipe_size(name).ok_or("a listed recipe has a size")?;
+    for recipe in chosen {
+        let size = recipe.usual_size();
         if x + size.width > area.sqrt() * WIDE {
             (x, z, deepest) = (0.0, z + deepest, 0.0);
         }
         for look in 0..looks {
-            let input = RecipeInput { size, look, geometry: text(1, PLAIN), parameters: &[] };
-            let model = build_recipe(name, &input).ok_or("a listed recipe builds")?;
+            let input = RecipeInput { size, look, geometry, parameters: &[] };
             let back = f64::from(look) * (size.depth + GAP) + size.depth / 2.0;
             sheet.add(
-                &format!("item-{name}-{look}"),
-                model,
+                &format!("item-{}-{look}", recipe.name()),
+                recipe.build(&input).into(),
                 glam::DVec3::new(x + size.width / 2.0, 0.0, z + back).as_vec3(),
             );
         }

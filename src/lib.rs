@@ -3,7 +3,7 @@
 //! ```text
 //! plan files -> plan -> layout -> scene -> gltf -> out/<building>/<level>.glb
 //! configs/   -> catalog --'         |
-//! assets/    -> model   ------------'      batch drives it, audit judges it, best chooses
+//! recipes    -> model   ------------'      batch drives it, audit judges it, best chooses
 //! ```
 
 pub mod audit;
@@ -27,6 +27,7 @@ pub mod layout;
 pub mod model;
 pub mod plan;
 pub mod read_back;
+pub mod recipes;
 pub mod scene;
 pub mod texture;
 mod walk;

@@ -9,6 +9,7 @@ use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
 use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
 
 use super::{Code, Finding, Verdict, judge_room};
+use crate::recipes::{GeometrySet, find};
 
 /// A room 2.5 m high with hand-placed objects of the test catalogue:
 /// chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3, picture 0.6 × 0.05 × 0.5,
@@ -211,7 +212,7 @@ fn catalog() -> Catalog {
         room_types: Vec::new(),
         programmes: std::collections::BTreeMap::new(),
         additions: std::collections::BTreeMap::new(),
-        geometry: "plain".into(),
+        geometry: GeometrySet::Plain,
         palette: "modern".into(),
         untidiness: Untidiness::default(),
         density: 1.0,
@@ -245,7 +246,10 @@ fn class(id: &str, (width, depth, height): (f64, f64, f64), parent: ParentName) 
         elevation: (0.0, 0.0),
         above_head: None,
     };
-    Class { parents: vec![rule], ..Class::plain(id, vec![Size { width, depth, height }], "cabinet") }
+    Class {
+        parents: vec![rule],
+        ..Class::plain(id, vec![Size { width, depth, height }], find("cabinet").unwrap())
+    }
 }
 
 /// A top of 4 cm on four legs of 5 cm at the corners.

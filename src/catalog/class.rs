@@ -8,7 +8,8 @@ use super::light::Light;
 use super::shape::Shape;
 use super::style::Era;
 use super::variety::Variety;
-use crate::geometry::Point;
+use crate::geometry::{Point, Side, Size};
+use crate::recipes::Recipe;
 
 /// Index of a class in [`crate::catalog::Catalog::classes`].
 pub type ClassIndex = usize;
@@ -80,7 +81,7 @@ impl Class {
     /// A box made by a recipe in one look, of these sizes, that stands nowhere and offers nothing: where programs that
     /// put catalogues together themselves begin.
     #[must_use]
-    pub fn plain(id: &str, sizes: Vec<Size>, recipe: &str) -> Self {
+    pub fn plain(id: &str, sizes: Vec<Size>, recipe: &'static Recipe) -> Self {
         Self {
             id: id.to_owned(),
             label: id.to_owned(),
@@ -101,7 +102,7 @@ impl Class {
             eras: Vec::new(),
             wealth: None,
             light: None,
-            model: ModelSource::Recipe { name: recipe.to_owned(), parameters: Vec::new() },
+            model: ModelSource::Recipe { recipe, parameters: Vec::new() },
             depth: 0,
         }
     }
@@ -128,65 +129,6 @@ impl Class {
     #[must_use]
     pub fn offer(&self, side: Side) -> &SideOffer {
         &self.sides[side.index()]
-    }
-}
-
-/// Metres: x width, y depth, z height.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Size {
-    /// Left to right.
-    pub width: f64,
-    /// Front to back.
-    pub depth: f64,
-    /// Underside to top.
-    pub height: f64,
-}
-
-/// One of the six sides of a box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Side {
-    /// Where one uses it from.
-    Front,
-    /// Opposite the front.
-    Back,
-    /// Left of the person before the front.
-    Left,
-    /// Right of the person before the front.
-    Right,
-    /// The top.
-    Above,
-    /// The underside.
-    Below,
-}
-
-impl Side {
-    /// All sides, in the order of [`Side::index`].
-    pub const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Left, Self::Right, Self::Above, Self::Below];
-
-    /// Position in [`Side::ALL`].
-    #[must_use]
-    pub fn index(self) -> usize {
-        self as usize
-    }
-
-    /// The side that touches this one: below touches above.
-    #[must_use]
-    pub fn opposite(self) -> Self {
-        match self {
-            Self::Front => Self::Back,
-            Self::Back => Self::Front,
-            Self::Left => Self::Right,
-            Self::Right => Self::Left,
-            Self::Above => Self::Below,
-            Self::Below => Self::Above,
-        }
-    }
-
-    /// The word in configuration and output.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        ["front", "back", "left", "right", "above", "below"][self.index()]
     }
 }
 
@@ -381,10 +323,10 @@ pub struct Grid {
 /// How a class looks.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ModelSource {
-    /// A recipe of `model/recipes/`, with named numbers.
+    /// A recipe, with named numbers.
     Recipe {
-        /// Its name.
-        name: String,
+        /// One of [`crate::recipes::recipes`].
+        recipe: &'static Recipe,
         /// Parameters, sorted by name.
         parameters: Vec<(String, f64)>,
     },

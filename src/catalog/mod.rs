@@ -36,7 +36,7 @@ pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{BuiltinFile, builtin_file, builtin_files};
 pub use class::{
     Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, Grid, ModelSource, Orientation, ParentName,
-    ParentRule, Relation, RelationKind, Side, SideOffer, Size, Turn,
+    ParentRule, Relation, RelationKind, SideOffer, Turn,
 };
 pub use describe::{Description, describe, style_differences};
 pub use light::{Light, LightSide};
@@ -49,6 +49,7 @@ pub use style::{Access, Count, Dado, Era, Finish, Plausible, Request, RoomType, 
 pub(crate) use variety::KINDS;
 pub use variety::{SHAPES, Variety};
 
+pub use crate::geometry::{Side, Size};
 use crate::plan::RoomWords;
 
 /// Everything that configuration says about furniture and rooms.

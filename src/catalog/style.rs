@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::building_style::Share;
 use super::class::{Class, ClassIndex};
+use crate::recipes::GeometrySet;
 
 /// A kind of room and its programme.
 #[derive(Clone, Debug)]
@@ -122,8 +123,8 @@ pub struct Style {
     pub programmes: BTreeMap<String, Vec<Request>>,
     /// Lines added to the programme, by room type.
     pub additions: BTreeMap<String, Vec<Request>>,
-    /// Name of the geometry set that recipes build.
-    pub geometry: String,
+    /// What its furniture is shaped like.
+    pub geometry: GeometrySet,
     /// Name of the palette.
     pub palette: String,
     /// How untidy.

@@ -5,12 +5,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::geometry::Point;
 use crate::layout::Placement;
 use crate::plan::{OpeningKind, WallKind};
+use crate::recipes::Symbol;
 
 use super::Drawing;
 use super::canvas::{Canvas, MARGIN_LEFT, TextStyle, short};
 use super::furniture::{DETAIL, OUTLINE, OVERHEAD, hangs, is_marked};
 use super::shell;
-use super::symbols::{Symbol, strokes, symbol_of};
+use super::symbols::{strokes, symbol_of};
 
 /// Pixels of a column of signs, one of rooms, and of a row of either.
 const SIGN_COLUMN: f64 = 150.0;

@@ -1,9 +1,10 @@
-//! How architects draw furniture from above: the lines inside each outline, chosen by the recipe of its model.
+//! The lines of the symbols that recipes name, inside the outlines of their pieces.
 
 use core::f64::consts::TAU;
 
 use crate::catalog::{Class, ModelSource, Size};
 use crate::geometry::{Point, direction};
+use crate::recipes::Symbol;
 
 /// A line of a symbol in metres in its object's frame: x to the right, y to the front, from its middle.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,104 +15,6 @@ pub(crate) struct Stroke {
     pub(crate) is_closed: bool,
 }
 
-/// What is drawn inside an outline.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Symbol {
-    /// Pillows, and a blanket that is turned back.
-    Bed,
-    /// Arms, a back, cushions.
-    Sofa,
-    /// A seat before a back.
-    Chair,
-    /// A cistern and a bowl.
-    Toilet,
-    /// A basin and its tap.
-    Basin,
-    /// A tub inside its rim, with a drain.
-    Tub,
-    /// Falls from all corners to a drain.
-    Shower,
-    /// Rings to cook on.
-    Cooker,
-    /// Two diagonals: what is cold.
-    Fridge,
-    /// One diagonal: another machine, or a tall cupboard.
-    Diagonal,
-    /// A drum.
-    Drum,
-    /// A rail and what hangs on it.
-    Wardrobe,
-    /// The doors' line along the front.
-    Doors,
-    /// The boards' line along the back.
-    Shelf,
-    /// Leaves around a stem.
-    Plant,
-    /// A cross in a circle.
-    Lamp,
-    /// A frame inside the outline.
-    Frame,
-    /// A line across the middle.
-    Net,
-    /// A border along the edges.
-    Rug,
-}
-
-/// The symbols of recipes; others are outlines only.
-const SYMBOLS: [(&str, Symbol); 51] = [
-    ("armchair", Symbol::Sofa),
-    ("auditorium_seat", Symbol::Chair),
-    ("barber_chair", Symbol::Chair),
-    ("bathtub", Symbol::Tub),
-    ("beam_seats", Symbol::Sofa),
-    ("bed", Symbol::Bed),
-    ("bookshelf", Symbol::Shelf),
-    ("bunk_bed", Symbol::Bed),
-    ("cabinet", Symbol::Doors),
-    ("chair", Symbol::Chair),
-    ("chest_freezer", Symbol::Fridge),
-    ("cooker", Symbol::Cooker),
-    ("crib", Symbol::Bed),
-    ("dishwasher", Symbol::Diagonal),
-    ("display_case", Symbol::Frame),
-    ("dresser", Symbol::Doors),
-    ("filing_cabinet", Symbol::Doors),
-    ("floor_lamp", Symbol::Lamp),
-    ("fridge", Symbol::Fridge),
-    ("gondola", Symbol::Net),
-    ("hospital_bed", Symbol::Bed),
-    ("locker", Symbol::Doors),
-    ("lounger", Symbol::Bed),
-    ("magazine_rack", Symbol::Shelf),
-    ("minibar", Symbol::Fridge),
-    ("mirror_station", Symbol::Basin),
-    ("nightstand", Symbol::Doors),
-    ("office_chair", Symbol::Chair),
-    ("plant", Symbol::Plant),
-    ("planter", Symbol::Plant),
-    ("pool_table", Symbol::Frame),
-    ("rug", Symbol::Rug),
-    ("server_rack", Symbol::Diagonal),
-    ("shelf", Symbol::Shelf),
-    ("shoe_cabinet", Symbol::Doors),
-    ("shower", Symbol::Shower),
-    ("sideboard", Symbol::Doors),
-    ("small_plant", Symbol::Plant),
-    ("sofa", Symbol::Sofa),
-    ("tennis_table", Symbol::Net),
-    ("toilet", Symbol::Toilet),
-    ("toilet_cubicle", Symbol::Toilet),
-    ("treatment_bed", Symbol::Bed),
-    ("tv_stand", Symbol::Doors),
-    ("urinal", Symbol::Basin),
-    ("vanity", Symbol::Basin),
-    ("vending_machine", Symbol::Diagonal),
-    ("wall_cabinet", Symbol::Doors),
-    ("wardrobe", Symbol::Wardrobe),
-    ("washbasin", Symbol::Basin),
-    ("washing_machine", Symbol::Drum),
-];
-
 /// The lines inside the outline of an object of a class.
 pub(crate) fn symbol_strokes(class: &Class, size: Size) -> Vec<Stroke> {
     let half = Point::new(size.width, size.depth) / 2.0;
@@ -120,63 +23,9 @@ pub(crate) fn symbol_strokes(class: &Class, size: Size) -> Vec<Stroke> {
 
 /// The symbol of a class, if it has one.
 pub(crate) fn symbol_of(class: &Class) -> Option<Symbol> {
-    let ModelSource::Recipe { name, parameters } = &class.model else {
-        return None;
-    };
-    // A kitchen unit is a sink by its parameter.
-    let has_sink = parameters.iter().any(|(name, value)| name == "sink" && *value > 0.0);
-    if has_sink {
-        return Some(Symbol::Basin);
-    }
-    SYMBOLS.iter().find(|(recipe, _)| recipe == name).map(|&(_, symbol)| symbol)
-}
-
-impl Symbol {
-    /// What it stands for.
-    pub(crate) fn meaning(self) -> &'static str {
-        match self {
-            Self::Bed => "bed, couch",
-            Self::Sofa => "sofa, armchair",
-            Self::Chair => "chair",
-            Self::Toilet => "toilet",
-            Self::Basin => "basin, sink",
-            Self::Tub => "bath",
-            Self::Shower => "shower",
-            Self::Cooker => "cooker",
-            Self::Fridge => "fridge, freezer",
-            Self::Diagonal => "machine",
-            Self::Drum => "washing machine",
-            Self::Wardrobe => "wardrobe",
-            Self::Doors => "cabinet, drawers",
-            Self::Shelf => "shelves",
-            Self::Plant => "plant",
-            Self::Lamp => "lamp",
-            Self::Frame => "table or case",
-            Self::Net => "two-sided piece",
-            Self::Rug => "rug",
-        }
-    }
-
-    /// Width and depth in metres of what usually has it.
-    pub(crate) fn usual_size(self) -> Point {
-        let (width, depth) = match self {
-            Self::Bed => (1.6, 2.0),
-            Self::Sofa => (1.9, 0.9),
-            Self::Chair => (0.5, 0.5),
-            Self::Toilet => (0.5, 0.7),
-            Self::Basin => (0.6, 0.5),
-            Self::Tub => (1.7, 0.75),
-            Self::Shower => (0.9, 0.9),
-            Self::Cooker | Self::Fridge | Self::Diagonal | Self::Drum => (0.6, 0.6),
-            Self::Wardrobe => (1.5, 0.6),
-            Self::Doors => (1.0, 0.45),
-            Self::Shelf => (1.0, 0.4),
-            Self::Plant | Self::Lamp => (0.5, 0.5),
-            Self::Frame => (1.6, 0.9),
-            Self::Net => (1.5, 0.9),
-            Self::Rug => (1.7, 1.2),
-        };
-        Point::new(width, depth)
+    match &class.model {
+        ModelSource::Recipe { recipe, parameters } => recipe.symbol_of(parameters),
+        ModelSource::File { .. } => None,
     }
 }
 
@@ -345,43 +194,13 @@ fn rounded(half: Point, radius: f64) -> Stroke {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::recipe_names;
-
-    const ALL: [Symbol; 19] = [
-        Symbol::Rug,
-        Symbol::Bed,
-        Symbol::Sofa,
-        Symbol::Chair,
-        Symbol::Toilet,
-        Symbol::Basin,
-        Symbol::Tub,
-        Symbol::Shower,
-        Symbol::Cooker,
-        Symbol::Fridge,
-        Symbol::Diagonal,
-        Symbol::Drum,
-        Symbol::Wardrobe,
-        Symbol::Doors,
-        Symbol::Shelf,
-        Symbol::Plant,
-        Symbol::Lamp,
-        Symbol::Frame,
-        Symbol::Net,
-    ];
-
-    #[test]
-    fn every_symbol_is_of_a_recipe_that_exists() {
-        for (recipe, symbol) in SYMBOLS {
-            assert!(recipe_names().contains(&recipe), "{recipe}");
-            assert!(ALL.contains(&symbol));
-        }
-    }
+    use crate::recipes::find;
 
     #[test]
     fn lines_stay_inside_outlines_of_usual_and_of_odd_sizes() {
         for half in [Point::new(1.0, 0.45), Point::new(0.2, 0.2), Point::new(0.45, 1.0), Point::new(0.8, 1.0)]
         {
-            for symbol in ALL {
+            for symbol in Symbol::ALL {
                 let points = strokes(symbol, half).into_iter().flat_map(|stroke| stroke.points);
                 for point in points {
                     let excess = (point.abs() - half).max_element();
@@ -403,9 +222,10 @@ mod tests {
     #[test]
     fn a_kitchen_unit_with_a_sink_has_a_basin() {
         let size = Size { width: 0.6, depth: 0.6, height: 0.9 };
-        let mut unit = Class::plain("sink_unit", vec![size], "worktop");
+        let mut unit = Class::plain("sink_unit", vec![size], find("worktop").unwrap());
         assert_eq!(symbol_of(&unit), None);
-        unit.model = ModelSource::Recipe { name: "worktop".into(), parameters: vec![("sink".into(), 1.0)] };
+        let parameters = vec![("sink".into(), 1.0)];
+        unit.model = ModelSource::Recipe { recipe: find("worktop").unwrap(), parameters };
         assert_eq!(symbol_of(&unit), Some(Symbol::Basin));
     }
 }

@@ -5,6 +5,7 @@ use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft
 use super::*;
 use crate::audit::Code;
 use crate::catalog::{Class, Clearance, ModelSource, RoomType, Side, Size};
+use crate::recipes::find;
 
 const DESK: Size = Size { width: 1.6, depth: 0.8, height: 0.74 };
 
@@ -12,7 +13,7 @@ fn class() -> Class {
     Class {
         label: "Desk <wide>".to_owned(),
         clearances: vec![Clearance::SEAT],
-        ..Class::plain("desk", vec![DESK], "desk")
+        ..Class::plain("desk", vec![DESK], find("desk").unwrap())
     }
 }
 
@@ -159,7 +160,7 @@ fn the_legend_explains_what_is_shown_and_nothing_else() {
     }
     let (mut level, mut catalog) = (level(), catalog());
     level.rooms[0].walls[0].kind = WallKind::Railing(1.0);
-    catalog.classes[0].model = ModelSource::Recipe { name: "bed".into(), parameters: Vec::new() };
+    catalog.classes[0].model = ModelSource::Recipe { recipe: find("bed").unwrap(), parameters: Vec::new() };
     let svg = draw_level(&Drawing {
         building: "b",
         site: SitePlacement::default(),

@@ -5,6 +5,7 @@
 
 mod convex;
 mod disjoint_sets;
+mod extent;
 mod grid;
 mod interval;
 mod polygon;
@@ -13,6 +14,7 @@ mod solid;
 
 pub use convex::{Convex, DISC_CORNERS};
 pub(crate) use disjoint_sets::DisjointSets;
+pub use extent::{Side, Size};
 pub use grid::Grid;
 pub use interval::Intervals;
 pub use polygon::{CORNER_TOLERANCE, MINIMUM_AREA, Polygon, PolygonFault, Region};

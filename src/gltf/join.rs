@@ -61,14 +61,15 @@ fn key((position, normal): ([f32; 3], [f32; 3]), color: [f32; 4], place: [f32; 2
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::model::{PLAIN, RecipeInput, build_recipe, recipe_size};
+    use crate::model::Model;
+    use crate::recipes::{GeometrySet, RecipeInput, find};
 
     /// The parts of a recipe's first look.
     pub(in crate::gltf) fn recipe(name: &str) -> Vec<Primitive> {
-        let size = recipe_size(name).unwrap();
-        build_recipe(name, &RecipeInput { size, look: 0, geometry: PLAIN, parameters: &[] })
-            .unwrap()
-            .primitives
+        let recipe = find(name).unwrap();
+        let input =
+            RecipeInput { size: recipe.usual_size(), look: 0, geometry: GeometrySet::Plain, parameters: &[] };
+        Model::from(recipe.build(&input)).primitives
     }
 
     /// Two faces at a right angle along x.

@@ -41,7 +41,7 @@ fn tangent(normal: Vec3, along: Vec3, handedness: f32) -> Vec4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{PLAIN, RecipeInput, build_recipe};
+    use crate::gltf::join::tests::recipe;
 
     /// A square that looks at +Z, its image upright (`v` goes down) or mirrored left to right.
     fn square(is_mirrored: bool) -> Primitive {
@@ -64,9 +64,7 @@ mod tests {
 
     #[test]
     fn tangents_of_a_model_are_unit_vectors_along_its_surface_and_right_handed() {
-        let size = crate::model::recipe_size("sofa").unwrap();
-        let input = RecipeInput { size, look: 0, geometry: PLAIN, parameters: &[] };
-        for primitive in build_recipe("sofa", &input).unwrap().primitives {
+        for primitive in recipe("sofa") {
             for (tangent, normal) in tangents(&primitive, 0).into_iter().zip(&primitive.normals) {
                 let along = Vec4::from_array(tangent).truncate();
                 assert!(

@@ -33,11 +33,13 @@ fn row(class: &Class) -> [String; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::recipes::find;
 
     #[test]
     fn spare_sizes_stand_in_brackets() {
         let sizes = [1.0, 0.5].map(|width| Size { width, depth: 0.6, height: 0.75 });
-        let class = Class { usual_sizes: 1, looks: 3, ..Class::plain("desk", sizes.to_vec(), "desk") };
+        let class =
+            Class { usual_sizes: 1, looks: 3, ..Class::plain("desk", sizes.to_vec(), find("desk").unwrap()) };
         let row = row(&class);
         assert_eq!(row[2], "1 × 0.6 × 0.75, (0.5 × 0.6 × 0.75)");
         assert_eq!(row[3], "6");

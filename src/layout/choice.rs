@@ -104,6 +104,7 @@ mod tests {
     use super::*;
     use crate::catalog::load_catalog;
     use crate::layout::tests::level;
+    use crate::recipes::find;
 
     /// A room of a type in a dwelling, numbered by its place.
     fn room(level: &Level, number: u32, room_type: &str, dwelling: Option<&str>) -> Room {
@@ -151,7 +152,7 @@ mod tests {
     fn furniture_looks_alike_in_what_the_building_style_shares_or_else_the_room_type() {
         let catalog = load_catalog(&[]).unwrap().value;
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
-        let chair = Class::plain("chair", Vec::new(), "chair");
+        let chair = Class::plain("chair", Vec::new(), find("chair").unwrap());
         let of = |room_type, dwelling, style| {
             let options = FurnishOptions::new(1, "block").with_style(style);
             Series::new(&level, &room(&level, 1, room_type, dwelling), &catalog, &options).names(&chair).len()

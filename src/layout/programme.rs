@@ -140,6 +140,7 @@ mod tests {
     use crate::layout::choice::Series;
     use crate::layout::seed::RoomKey;
     use crate::layout::tests::{catalog, level};
+    use crate::recipes::find;
 
     /// The pieces of an office that asks for a chair, in a style of an era, where chairs are of these eras and stools, which
     /// stand in for them, of those.
@@ -151,7 +152,7 @@ mod tests {
         catalog.classes.push(Class {
             groups,
             eras: stool.to_vec(),
-            ..Class::plain("stool", vec![size], "box")
+            ..Class::plain("stool", vec![size], find("stool").unwrap())
         });
         let programme = &mut catalog.room_types.get_mut("office").unwrap().programme;
         programme[0].classes = vec![0, 5];

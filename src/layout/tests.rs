@@ -8,6 +8,7 @@ use super::*;
 use crate::catalog::*;
 use crate::geometry::{Point, Polygon, Region, direction};
 use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
+use crate::recipes::{GeometrySet, find};
 
 pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
     ParentRule {
@@ -24,7 +25,7 @@ pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along)
 
 fn class(id: &str, size: (f64, f64, f64), parents: Vec<ParentRule>, depth: u32) -> Class {
     let size = Size { width: size.0, depth: size.1, height: size.2 };
-    Class { parents, depth, ..Class::plain(id, vec![size], "box") }
+    Class { parents, depth, ..Class::plain(id, vec![size], find("cabinet").unwrap()) }
 }
 
 /// chair, desk, lamp, light, shelf: sorted by id, as a catalogue must be.
@@ -95,7 +96,7 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         room_types: Vec::new(),
         programmes: Default::default(),
         additions: Default::default(),
-        geometry: "plain".into(),
+        geometry: GeometrySet::Plain,
         palette: "modern".into(),
         untidiness,
         density: 1.0,

@@ -61,10 +61,11 @@ mod tests {
     use crate::catalog::{Share, Size};
     use crate::layout::FurnishOptions;
     use crate::layout::tests::level;
+    use crate::recipes::find;
 
     fn class(variety: Variety) -> Class {
         let size = |width| Size { width, depth: 0.5, height: 0.5 };
-        let mut class = Class::plain("chair", vec![size(0.4), size(0.5), size(0.6)], "box");
+        let mut class = Class::plain("chair", vec![size(0.4), size(0.5), size(0.6)], find("chair").unwrap());
         (class.looks, class.usual_sizes, class.variety) = (4, 2, variety);
         class
     }

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use glam::DVec3;
 
 use super::stand_in::{distance_outside, rules};
-use super::{Model, ModelLibrary, ModelMaterial, Primitive, geometry_sets};
+use super::{Model, ModelLibrary, ModelMaterial, Primitive};
 use crate::catalog::{Catalog, Class, ModelSource, Side, Size, load_catalog};
+use crate::recipes::GeometrySet;
 
 /// Metres by which a part may stand out of the declared shape: room enough for cushions, seams and taps.
 const TOLERANCE: f64 = 0.04;
@@ -31,8 +32,8 @@ fn faults_of(is_wanted: impl Fn(&Class) -> bool, check: impl Fn(&Class, &Model, 
     let library = ModelLibrary::load(&catalog).unwrap();
     let mut report = String::new();
     for (index, class) in catalog.classes.iter().enumerate().filter(|(_, class)| is_wanted(class)) {
-        for (variant, &set) in (0..class.variant_count())
-            .flat_map(|variant| geometry_sets().iter().map(move |set| (variant, set)))
+        for (variant, set) in
+            (0..class.variant_count()).flat_map(|variant| GeometrySet::ALL.map(|set| (variant, set)))
         {
             let model = library.model(index, variant, set);
             if let Some(fault) = check(class, &model, class.size(variant)) {
@@ -67,8 +68,7 @@ fn crossings(model: &Model, height: f64) -> Vec<DVec3> {
 
 #[test]
 fn legs_of_tables_end_with_their_shapes_where_seats_are() {
-    let is_table =
-        |class: &Class| matches!(&class.model, ModelSource::Recipe { name, .. } if name == "table");
+    let is_table = |class: &Class| matches!(&class.model, ModelSource::Recipe { recipe, .. } if recipe.name() == "table");
     faults_of(is_table, |class, model, size| {
         let points = crossings(model, size.height * SEAT);
         assert!(!points.is_empty(), "{} has no legs", class.id);

@@ -25,7 +25,8 @@ impl Detail {
 mod tests {
     use super::*;
     use crate::catalog::load_catalog;
-    use crate::model::{Model, ModelLibrary, geometry_sets};
+    use crate::model::{Model, ModelLibrary};
+    use crate::recipes::GeometrySet;
 
     fn triangle_count(model: &Model) -> usize {
         model.primitives.iter().map(|part| part.indices.len() / 3).sum()
@@ -56,7 +57,7 @@ mod tests {
         let mut sums = [0; Detail::ALL.len()];
         for (index, class) in catalog.classes.iter().enumerate() {
             // The sets take turns: all of them for each class would take a minute without optimization.
-            for &set in geometry_sets().iter().skip(index % 4).step_by(4) {
+            for set in GeometrySet::ALL.into_iter().skip(index % 4).step_by(4) {
                 let name = format!("{} ({set})", class.id);
                 let models = Detail::ALL.map(|detail| library.model_in_detail(index, 0, set, detail));
                 let counts = models.each_ref().map(|model| triangle_count(model));

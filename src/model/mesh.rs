@@ -5,7 +5,8 @@ use std::sync::Arc;
 use gltf_json::texture::{MagFilter, MinFilter, WrappingMode};
 use serde::{Deserialize, Serialize};
 
-use crate::catalog::{Material, Size};
+use crate::catalog::Material;
+use crate::recipes::{Mesh, MeshPart};
 
 /// The look of one variant of a class.
 ///
@@ -40,6 +41,26 @@ impl Primitive {
     /// All sets of texture coordinates, in their order.
     pub fn coordinate_sets(&self) -> impl Iterator<Item = &[[f32; 2]]> {
         std::iter::once(&self.texture_coordinates).chain(&self.further_coordinates).map(Vec::as_slice)
+    }
+}
+
+impl From<Mesh> for Model {
+    fn from(mesh: Mesh) -> Self {
+        Self { primitives: mesh.parts.into_iter().map(Primitive::from).collect() }
+    }
+}
+
+impl From<MeshPart> for Primitive {
+    fn from(part: MeshPart) -> Self {
+        Self {
+            material: ModelMaterial::Slot(part.slot),
+            positions: part.positions,
+            normals: part.normals,
+            texture_coordinates: part.texture_coordinates,
+            further_coordinates: Vec::new(),
+            colors: Vec::new(),
+            indices: part.indices,
+        }
     }
 }
 
@@ -156,15 +177,4 @@ pub struct Image {
     /// Path of the image's own file, relative to the files that show it, with `/` between folders; none for an image
     /// that goes into these files.
     pub uri: Option<String>,
-}
-
-/// Which model to build.
-#[derive(Clone, Copy, Debug)]
-pub struct ModelRequest<'a> {
-    /// Size of the box to fill.
-    pub size: Size,
-    /// The look, 0 up to the class's number of looks.
-    pub look: u32,
-    /// Geometry set of the style.
-    pub geometry: &'a str,
 }

@@ -1,4 +1,4 @@
-//! Class and variant to a mesh with materials: procedural recipes, or a user's glTF.
+//! Class and variant to a mesh with materials: from the recipe of the class, or from a user's glTF.
 //!
 //! What later stages may rely on: a [`ModelLibrary`] gives a [`Model`] for every class, variant and geometry set;
 //! the model's box is the class's box to 1 mm, its normals are unit vectors, its indices are valid, and equal
@@ -7,10 +7,8 @@
 #[cfg(test)]
 mod agreement;
 mod detail;
-mod kit;
 mod library;
 mod mesh;
-mod recipes;
 mod stand_in;
 mod stored;
 mod swatches;
@@ -19,12 +17,7 @@ mod user;
 pub use detail::Detail;
 pub use library::ModelLibrary;
 pub use mesh::{
-    Image, Model, ModelMaterial, ModelRequest, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse,
-    Transparency,
-};
-pub use recipes::{
-    GeometrySet, PLAIN, RecipeInput, build_recipe, geometry_sets, recipe_names, recipe_parameters,
-    recipe_size,
+    Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
 };
 pub(crate) use swatches::SWATCHES_PER_SIDE;
 pub use swatches::SwatchedModels;

@@ -2,9 +2,9 @@
 
 use glam::{DVec3, Vec3};
 
-use super::kit::{Bay, Builder, Solid, cuboid, cylinder};
 use super::{Model, ModelMaterial, Primitive};
 use crate::catalog::{Extent, PrismRule, Shape, Size};
+use crate::recipes::kit::{Bay, Builder, Solid, cuboid, cylinder};
 
 /// Corners of a disc: enough to tell it from a box, and some on both axes, so that it fills its own.
 const DISC_CORNERS: usize = 12;
@@ -21,7 +21,8 @@ pub(super) fn stand_in(model: &Model, shape: &Shape, size: Size) -> Model {
             .or_else(|| prevailing(model, |_| true))
             .unwrap_or_default();
         // Each prism is built alone, for a builder fits what it is given to the whole box.
-        for mut primitive in Builder::unfitted(solid(rule, size)).primitives {
+        for part in Builder::unfitted(solid(rule, size)).parts {
+            let mut primitive = Primitive::from(part);
             match primitives.iter_mut().find(|known| known.material == material) {
                 Some(known) => append(known, &primitive),
                 None => {
@@ -125,12 +126,13 @@ fn append(to: &mut Primitive, from: &Primitive) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{PLAIN, RecipeInput, build_recipe, recipe_size};
+    use crate::recipes::{GeometrySet, RecipeInput, find};
 
     fn desk() -> (Model, Size) {
-        let size = recipe_size("desk").unwrap();
-        let input = RecipeInput { size, look: 0, geometry: PLAIN, parameters: &[] };
-        (build_recipe("desk", &input).unwrap(), size)
+        let recipe = find("desk").unwrap();
+        let size = recipe.usual_size();
+        let input = RecipeInput { size, look: 0, geometry: GeometrySet::Plain, parameters: &[] };
+        (recipe.build(&input).into(), size)
     }
 
     fn rule(is_disc: bool, low: [f64; 3], high: [f64; 3]) -> PrismRule {

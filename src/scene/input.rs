@@ -8,10 +8,11 @@ use crate::catalog::{Catalog, ClassIndex};
 use crate::layout::Furnished;
 use crate::model::{Model, SwatchedModels};
 use crate::plan::{Level, SitePlacement};
+use crate::recipes::GeometrySet;
 use crate::texture::TextureLibrary;
 
 /// Builds and looks up models: class, variant, geometry set.
-pub type ModelSourceFunction<'a> = dyn Fn(ClassIndex, u32, &str) -> Arc<Model> + Sync + 'a;
+pub type ModelSourceFunction<'a> = dyn Fn(ClassIndex, u32, GeometrySet) -> Arc<Model> + Sync + 'a;
 
 /// What a scene is made of.
 #[derive(Clone, Copy)]

@@ -12,13 +12,14 @@ use super::tint::Tint;
 use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
 use crate::contract::model_name;
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
+use crate::recipes::GeometrySet;
 use crate::texture::{SurfaceUse, TextureLibrary, swatch_textures};
 
 /// How a room's style looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Look<'a> {
     /// Geometry set.
-    pub geometry: &'a str,
+    pub geometry: GeometrySet,
     /// Palette.
     pub palette: &'a str,
 }
@@ -27,8 +28,8 @@ impl<'a> Look<'a> {
     /// The look of a style; that of the default style where the catalogue does not know the name.
     pub(crate) fn of_style(catalog: &'a Catalog, style: &str) -> Self {
         let style = catalog.styles.get(style).or_else(|| catalog.styles.get(DEFAULT_STYLE));
-        style.map_or(Self { geometry: "", palette: "" }, |style| Self {
-            geometry: &style.geometry,
+        style.map_or(Self { geometry: GeometrySet::default(), palette: "" }, |style| Self {
+            geometry: style.geometry,
             palette: &style.palette,
         })
     }
@@ -42,7 +43,7 @@ pub(crate) struct MeshTable<'a> {
     materials: Vec<SceneMaterial>,
     lights: Vec<SceneLight>,
     /// Kept here too, so that one model is one allocation in a scene whatever the source does.
-    built: BTreeMap<(ClassIndex, u32, &'a str), Arc<Model>>,
+    built: BTreeMap<(ClassIndex, u32, GeometrySet), Arc<Model>>,
     textures: Option<&'a TextureLibrary>,
     /// What makes fewer primitives; none where every slot keeps its material.
     swatches_of: Option<&'a SwatchedModels>,
@@ -170,8 +171,8 @@ impl<'a> MeshTable<'a> {
             return mesh;
         }
         let id = &self.catalog.classes[class].id;
-        let name = model_name(id, variant, (look.geometry, look.palette), known.len() + 1);
-        let key = ModelKey { class: id.clone(), variant, geometry: look.geometry.to_owned() };
+        let name = model_name(id, variant, (look.geometry.name(), look.palette), known.len() + 1);
+        let key = ModelKey { class: id.clone(), variant, geometry: look.geometry };
         self.meshes.push(SceneMesh { name, model, materials, key: Some(key) });
         let mesh = self.meshes.len() - 1;
         self.furniture.entry((class, variant, look)).or_default().push(mesh);

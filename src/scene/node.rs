@@ -9,6 +9,7 @@ use super::axes::Pose;
 use crate::catalog::Material;
 use crate::contract::Extras;
 use crate::model::{Model, OwnMaterial, Texture, TextureUse};
+use crate::recipes::GeometrySet;
 
 /// One level as a tree of nodes in the glTF frame: metres, right-handed, Y up.
 #[derive(Clone, Debug)]
@@ -56,7 +57,7 @@ pub struct ModelKey {
     /// Variant of the class.
     pub variant: u32,
     /// Geometry set of the style.
-    pub geometry: String,
+    pub geometry: GeometrySet,
 }
 
 impl SceneMesh {

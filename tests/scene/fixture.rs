@@ -14,6 +14,7 @@ use roomwright::plan::{
     Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, Room, RoomOpening, SitePlacement, Wall,
     WallKind,
 };
+use roomwright::recipes::{GeometrySet, find};
 use roomwright::scene::{Parts, Scene, SceneInput, SceneOptions, build_scene};
 
 /// Thickness of a wall to the open air, and of one room's half of a wall between rooms.
@@ -156,7 +157,10 @@ pub(crate) fn two_rooms() -> Level {
 }
 
 fn class(id: &str, width: f64, depth: f64, height: f64) -> Class {
-    Class { looks: 2, ..Class::plain(id, vec![Size { width, depth, height }], id) }
+    Class {
+        looks: 2,
+        ..Class::plain(id, vec![Size { width, depth, height }], find("cabinet").expect("a recipe"))
+    }
 }
 
 fn material(slot: &str) -> Material {
@@ -207,7 +211,7 @@ pub(crate) fn catalog() -> Catalog {
         room_types: Vec::new(),
         programmes: BTreeMap::new(),
         additions: BTreeMap::new(),
-        geometry: "plain".to_owned(),
+        geometry: GeometrySet::Plain,
         palette: palette.to_owned(),
         untidiness: Untidiness::default(),
         density: 1.0,
@@ -298,7 +302,7 @@ pub(crate) fn box_model(size: Size, slot: &'static str) -> Model {
 }
 
 /// One box per class and variant.
-pub(crate) fn models(catalog: &Catalog) -> impl Fn(ClassIndex, u32, &str) -> Arc<Model> + Sync {
+pub(crate) fn models(catalog: &Catalog) -> impl Fn(ClassIndex, u32, GeometrySet) -> Arc<Model> + Sync {
     let of_class = |class: &Class| {
         let box_of = |variant| {
             Arc::new(box_model(class.size(variant), MATERIAL_SLOTS[variant as usize % MATERIAL_SLOTS.len()]))

@@ -16,7 +16,7 @@ def graph() -> SourceGraph:
     return SourceGraph(PROJECT / "src")
 
 
-FOLDERS = ["layout", "batch", "plan/read", "model/recipes", "texture", "scene", "walk", "geometry"]
+FOLDERS = ["layout", "batch", "plan/read", "recipes", "texture", "scene", "walk", "geometry"]
 
 
 @pytest.mark.parametrize("folder", FOLDERS)

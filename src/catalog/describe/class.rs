@@ -123,10 +123,10 @@ fn show_relation(catalog: &Catalog, relation: &Relation) -> String {
 
 fn show_model(model: &ModelSource) -> String {
     match model {
-        ModelSource::Recipe { name, parameters } => {
+        ModelSource::Recipe { recipe, parameters } => {
             let parameters: Vec<String> =
                 parameters.iter().map(|(name, value)| format!("{name} {}", rounded(*value))).collect();
-            format!("recipe {name} {}", parameters.join(", ")).trim_end().to_owned()
+            format!("recipe {} {}", recipe.name(), parameters.join(", ")).trim_end().to_owned()
         }
         ModelSource::File { path, .. } => format!("file {}", path.display()),
     }
@@ -261,8 +261,8 @@ fn value_of_relation(catalog: &Catalog, relation: &Relation) -> Value {
 
 fn value_of_model(model: &ModelSource) -> Value {
     match model {
-        ModelSource::Recipe { name, parameters } => {
-            let mut value = json!({"recipe": name});
+        ModelSource::Recipe { recipe, parameters } => {
+            let mut value = json!({"recipe": recipe.name()});
             for (parameter, number) in parameters {
                 value[parameter] = json!(number);
             }

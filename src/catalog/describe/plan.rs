@@ -86,11 +86,15 @@ fn before(side: Side, half: Point, (depth, margin): (f64, f64)) -> Area {
 mod tests {
     use super::*;
     use crate::catalog::{Clearance, Size};
+    use crate::recipes::find;
 
     #[test]
     fn the_front_is_below_with_what_it_needs() {
         let size = Size { width: 1.6, depth: 0.8, height: 0.74 };
-        let desk = Class { clearances: vec![Clearance::SEAT], ..Class::plain("desk", vec![size], "desk") };
+        let desk = Class {
+            clearances: vec![Clearance::SEAT],
+            ..Class::plain("desk", vec![size], find("desk").unwrap())
+        };
         let plan = plan(&desk);
         let rows_of = |letter: char| plan.iter().filter(|line| line.contains(letter)).count();
         assert!(plan[0].trim() == "back" && plan[plan.len() - 2].trim() == "front");
@@ -109,7 +113,7 @@ mod tests {
     fn left_is_where_the_person_before_the_front_sees_it() {
         let size = Size { width: 1.0, depth: 1.0, height: 0.5 };
         let side = Clearance { side: Side::Left, good: 0.75, ..Clearance::SEAT };
-        let bed = Class { clearances: vec![side], ..Class::plain("bed", vec![size], "bed") };
+        let bed = Class { clearances: vec![side], ..Class::plain("bed", vec![size], find("bed").unwrap()) };
         assert!(plan(&bed)[3].starts_with(MINIMUM) && plan(&bed)[3].ends_with(BODY));
     }
 }

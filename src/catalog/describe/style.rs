@@ -24,7 +24,7 @@ type Select = fn(&Style) -> &Programmes;
 /// What a style says besides programmes.
 const FACTS: [(&str, Show); 8] = [
     ("made for", show_room_types),
-    ("geometry", |style| style.geometry.clone()),
+    ("geometry", |style| style.geometry.name().to_owned()),
     ("palette", |style| style.palette.clone()),
     ("untidiness", |style| {
         format!("{}°, {} m", degrees(style.untidiness.turn), rounded(style.untidiness.distance))
@@ -90,7 +90,7 @@ pub(super) fn describe_style(catalog: &Catalog, style: &Style, base: Option<&Sty
     let value = json!({
         "label": style.label,
         "room_types": style.room_types,
-        "geometry": style.geometry,
+        "geometry": style.geometry.name(),
         "palette": style.palette,
         "untidiness": {"turn": degrees(untidiness.turn), "distance": untidiness.distance},
         "density": style.density,

@@ -9,7 +9,7 @@ use crate::catalog::file::{ClassEntry, ModelEntry, ModelFields, Parameter};
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::model::{recipe_names, recipe_parameters};
+use crate::recipes::{Recipe, find, recipes};
 
 /// The model of a class, if it has one.
 pub(super) fn resolve_model(
@@ -30,8 +30,8 @@ pub(super) fn resolve_model(
     };
     match found.value {
         ModelEntry::Recipe(name) => {
-            check_recipe(name, &found.spot, report);
-            Some(ModelSource::Recipe { name: name.clone(), parameters: Vec::new() })
+            let recipe = find_recipe(name, &found.spot, report)?;
+            Some(ModelSource::Recipe { recipe, parameters: Vec::new() })
         }
         ModelEntry::Fields(fields) => match (&fields.recipe, &fields.file) {
             (Some(name), None) => resolve_recipe(name, fields, &found.spot, report),
@@ -53,10 +53,13 @@ pub(super) fn resolve_model(
     }
 }
 
-fn check_recipe(name: &str, spot: &Spot, report: &mut Report<'_>) {
-    if recipe_parameters(name).is_none() {
-        report.unknown(spot, "model recipe", name, recipe_names().iter().copied());
+/// The recipe of a name; an unknown name is reported.
+fn find_recipe(name: &str, spot: &Spot, report: &mut Report<'_>) -> Option<&'static Recipe> {
+    let recipe = find(name);
+    if recipe.is_none() {
+        report.unknown(spot, "model recipe", name, recipes().iter().map(|recipe| recipe.name()));
     }
+    recipe
 }
 
 fn resolve_recipe(
@@ -65,7 +68,7 @@ fn resolve_recipe(
     spot: &Spot,
     report: &mut Report<'_>,
 ) -> Option<ModelSource> {
-    check_recipe(name, &spot.key("recipe"), report);
+    let recipe = find_recipe(name, &spot.key("recipe"), report);
     if fields.turn.is_some() {
         report.error_with_hint(
             &spot.key("turn"),
@@ -80,7 +83,8 @@ fn resolve_recipe(
             "write `sizes`; only models from files are scaled",
         );
     }
-    let known = recipe_parameters(name)?;
+    let recipe = recipe?;
+    let known = recipe.parameters();
     let mut parameters = Vec::new();
     for (key, parameter) in &fields.parameters {
         if !known.iter().any(|(name, _)| name == key) {
@@ -95,7 +99,7 @@ fn resolve_recipe(
         };
         parameters.push((key.clone(), value));
     }
-    Some(ModelSource::Recipe { name: name.to_owned(), parameters })
+    Some(ModelSource::Recipe { recipe, parameters })
 }
 
 /// The file of a model, where it can be read; where it cannot, that is reported with the model.

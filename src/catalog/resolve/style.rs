@@ -10,7 +10,7 @@ use crate::catalog::file::{PaletteEntry, RequestEntry, RoomTypeEntry, StyleEntry
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::{Chain, Table};
 use crate::catalog::{Access, Request, Style, Untidiness};
-use crate::model::{PLAIN, geometry_sets};
+use crate::recipes::GeometrySet;
 
 /// The palette of a style that names none.
 const DEFAULT_PALETTE: &str = "modern";
@@ -170,14 +170,14 @@ fn resolve_room_type_names(
     names
 }
 
-fn resolve_geometry(chain: &Chain<'_, StyleEntry>, report: &mut Report<'_>) -> String {
+fn resolve_geometry(chain: &Chain<'_, StyleEntry>, report: &mut Report<'_>) -> GeometrySet {
     let Some(found) = chain.find("geometry", |entry| entry.geometry.as_ref()) else {
-        return PLAIN.to_owned();
+        return GeometrySet::default();
     };
-    if !geometry_sets().contains(&found.value.as_str()) {
-        report.unknown(&found.spot, "geometry set", found.value, geometry_sets().iter().copied());
-    }
-    found.value.clone()
+    GeometrySet::find(found.value).unwrap_or_else(|| {
+        report.unknown(&found.spot, "geometry set", found.value, GeometrySet::ALL.map(GeometrySet::name));
+        GeometrySet::default()
+    })
 }
 
 fn resolve_palette_name(

@@ -13,6 +13,7 @@ use crate::catalog::{
     Turn,
 };
 use crate::document::Faults;
+use crate::recipes::find;
 
 /// A folder with the given files.
 pub(super) fn folder(files: &[(&str, &str)]) -> TempDir {
@@ -75,7 +76,7 @@ fn a_later_folder_replaces_whole_or_builds_upon() {
     let chair = class(&catalog, "chair");
     assert_eq!((chair.looks, chair.depth), (4, 0));
     assert!(chair.groups.is_empty(), "nothing of the base is left");
-    assert_eq!(chair.model, ModelSource::Recipe { name: "stool".to_owned(), parameters: Vec::new() });
+    assert_eq!(chair.model, ModelSource::Recipe { recipe: find("stool").unwrap(), parameters: Vec::new() });
 }
 
 #[test]
@@ -164,7 +165,7 @@ fn shapes_clearances_relations_and_grids_are_read() {
     assert_eq!((grid.interval.x, grid.interval.y, grid.is_centered), (2.0, 2.0, true));
     assert_eq!(
         desk.model,
-        ModelSource::Recipe { name: "desk".to_owned(), parameters: vec![("drawers".to_owned(), 3.0)] }
+        ModelSource::Recipe { recipe: find("desk").unwrap(), parameters: vec![("drawers".to_owned(), 3.0)] }
     );
     let above = desk.offer(Side::Above);
     assert_eq!((above.surface, above.margin, above.space), (Some(0.7), [0.1, 0.2, 0.3, 0.4], Some(1.0)));
@@ -222,7 +223,7 @@ styles:
     let catalog = load(&[("styles/a.yaml", styles)]);
     let (cheap, office) = (&catalog.styles["cheap_inn"], &catalog.room_types["office"]);
     assert_eq!(
-        (cheap.label.as_str(), cheap.density, cheap.geometry.as_str()),
+        (cheap.label.as_str(), cheap.density, cheap.geometry.name()),
         ("Cheap inn", 2.0, "traditional")
     );
     assert!((cheap.untidiness.turn - std::f64::consts::FRAC_PI_2).abs() < 1e-12);

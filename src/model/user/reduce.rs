@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
 
-use crate::model::kit::{TOLERANCES, simplified_surface};
 use crate::model::{Detail, Model, Primitive};
+use crate::recipes::kit::{TOLERANCES, simplified_surface};
 
 /// The model with at most [`Detail::REDUCED_SHARE`] of its triangles, as far as its surface moves by no more than that of
 /// built-in models does. No corner that is left changes in anything, and those at rims and seams, where materials, images or

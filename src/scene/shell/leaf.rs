@@ -3,7 +3,7 @@
 use super::slots::{FRAME_SLOT, GLASS_SLOT};
 use super::solid::{Grain, Solid};
 use super::ticks::Ticks;
-use crate::model::GeometrySet;
+use crate::recipes::GeometrySet;
 
 /// A hinged leaf in the frame of its own node: the hinge at the origin, x towards the free end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -67,8 +67,8 @@ const WORKED_FROM: [Ticks; 2] = [Ticks(40_000), Ticks(160_000)];
 
 impl LeafDesign {
     /// The design of a geometry set.
-    pub(crate) fn of_set(set: &str) -> Self {
-        match GeometrySet::named(set) {
+    pub(crate) fn of_set(set: GeometrySet) -> Self {
+        match set {
             GeometrySet::Budget => Self::Laminate,
             GeometrySet::Industrial => Self::Steel,
             GeometrySet::Plain => Self::Flush,

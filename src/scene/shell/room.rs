@@ -17,8 +17,8 @@ use super::wall::{Hole, WallShape};
 use super::{INSET, SLAB, Shape};
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::{Point, Region};
-use crate::model::GeometrySet;
 use crate::plan::{Level, Room, Wall, WallKind};
+use crate::recipes::GeometrySet;
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
 use crate::scene::meshes::{Look, MeshTable};
@@ -50,7 +50,7 @@ pub(crate) fn room_parts<'a>(
     }
     parts.skirting(level, finish);
     parts.columns(finish.wall);
-    parts.fittings(level, finish, GeometrySet::named(look.geometry));
+    parts.fittings(level, finish, look.geometry);
     parts.finish()
 }
 

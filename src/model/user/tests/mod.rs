@@ -13,6 +13,7 @@ use super::UserModel;
 use crate::catalog::Size;
 use crate::document::Faults;
 use crate::model::{Model, ModelMaterial, OwnMaterial};
+use crate::recipes::{GeometrySet, RecipeInput, find};
 
 /// The smallest PNG there is: its signature and nothing after it, for nothing here decodes it.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
@@ -143,8 +144,8 @@ fn the_sample_in_assets_is_read_back_as_it_was_built() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/stool.glb");
     let size = size(0.36, 0.36, 0.65);
     let read = UserModel::read(&path, 0.0).unwrap().fitted("chair", size).unwrap();
-    let input = crate::model::RecipeInput { size, look: 0, geometry: crate::model::PLAIN, parameters: &[] };
-    let built = crate::model::build_recipe("stool", &input).unwrap();
+    let input = RecipeInput { size, look: 0, geometry: GeometrySet::Plain, parameters: &[] };
+    let built = find("stool").unwrap().build(&input).into();
     let counts = |model: &Model| model.primitives.iter().map(|part| part.indices.len()).sum::<usize>();
     assert_eq!(counts(&read), counts(&built));
     assert!(bounds(&read).1.distance(bounds(&built).1) < 1e-5);

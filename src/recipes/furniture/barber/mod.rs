@@ -1,0 +1,7 @@
+//! What barbers work with.
+
+mod chair;
+mod station;
+
+pub(super) use chair::BARBER_CHAIR;
+pub(super) use station::MIRROR_STATION;

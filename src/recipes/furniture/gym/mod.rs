@@ -1,0 +1,13 @@
+//! What one trains and plays on.
+
+mod dumbbell_rack;
+mod exercise_bench;
+mod pool_table;
+mod tennis_table;
+mod treadmill;
+
+pub(super) use dumbbell_rack::DUMBBELL_RACK;
+pub(super) use exercise_bench::EXERCISE_BENCH;
+pub(super) use pool_table::POOL_TABLE;
+pub(super) use tennis_table::TENNIS_TABLE;
+pub(super) use treadmill::TREADMILL;

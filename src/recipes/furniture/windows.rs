@@ -1,0 +1,249 @@
+//! What hangs before windows.
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::Side;
+use crate::recipes::kit::{
+    Axis, Bay, Builder, Level, Outline, SINK, Slice, Solid, cylinder, extrude, hung, lathe, loft_ring, sweep,
+};
+use crate::recipes::{Draft, GeometrySet, Recipe};
+
+/// Metres of cloth for one fold.
+const FOLD: f64 = 0.16;
+
+/// What a curtain hangs from and how.
+#[derive(Clone, Copy, PartialEq)]
+enum Hanging {
+    /// A rod with rings.
+    Rod,
+    /// A board with a valance of cloth; the curtains are tied back.
+    Pelmet,
+    /// A flat rail under a slim cover.
+    Rail,
+    /// Slats drawn up, cords at the side.
+    Blind,
+}
+
+/// Two curtains drawn aside, or a blind that is drawn up.
+pub(super) static CURTAIN: Recipe = Recipe::furniture("curtain", [1.6, 0.15, 2.3]).every_set(curtain);
+
+fn curtain(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let mut sampler = draft.sampler();
+    let look = draft.input.look as usize % 4;
+    let hanging = match draft.set() {
+        GeometrySet::Plain => [Hanging::Rod, Hanging::Rail, Hanging::Rod, Hanging::Rail],
+        GeometrySet::Traditional => [Hanging::Pelmet, Hanging::Pelmet, Hanging::Rod, Hanging::Pelmet],
+        GeometrySet::Industrial => [Hanging::Rod, Hanging::Blind, Hanging::Rod, Hanging::Blind],
+        GeometrySet::Budget => [Hanging::Rail, Hanging::Blind, Hanging::Rail, Hanging::Rod],
+    }[look];
+    if hanging == Hanging::Blind {
+        blind(draft, builder);
+        return;
+    }
+    let head = match hanging {
+        Hanging::Rod => rod(draft, builder),
+        Hanging::Pelmet => pelmet(builder, look),
+        _ => {
+            let rail = bay.slab(Side::Above, (bay.height() * 0.03).min(0.025));
+            builder.cuboid("painted", rail.inset(0.0, 0.0, bay.depth() * 0.25));
+            rail.low.y + SINK
+        }
+    };
+    let width = bay.width() * sampler.between(0.24, 0.285);
+    let cloth = bay.with_x([bay.high.x - width, bay.high.x - 0.012]).with_y([0.0, head]);
+    let slot = ["fabric", "fabric_light", "fabric_accent", "linen"][(look + draft.set() as usize) % 4];
+    let count = (width / FOLD).round().clamp(2.0, 9.0) as u32;
+    let is_tied = hanging == Hanging::Pelmet && bay.height() > 0.9;
+    builder.add_pair(slot, drape(cloth, count, if is_tied { Some(0.4) } else { None }));
+    if is_tied {
+        let y = bay.height() * 0.4;
+        let tie = Bay::new(
+            [bay.high.x - width * 0.56, bay.high.x],
+            [y - 0.03, y + 0.03],
+            [-bay.depth() * 0.42, bay.depth() * 0.42],
+        );
+        builder.add_pair("fabric_accent", crate::recipes::kit::cuboid(tie));
+    }
+    if hanging == Hanging::Rail && look % 2 == 1 {
+        // A net curtain hangs behind.
+        let net = bay.with_y([0.001, head]).with_x([bay.high.x - width * 1.02, bay.high.x - 0.02]);
+        builder.add_pair("linen", drape(net.slab(Side::Back, bay.depth() * 0.12), count + 1, None));
+    }
+}
+
+/// A rod with rings and finials; gives how high the cloth reaches.
+fn rod(draft: &Draft, builder: &mut Builder) -> f64 {
+    let bay = builder.bay();
+    let slot = match draft.set() {
+        GeometrySet::Traditional => "brass",
+        GeometrySet::Budget => "painted",
+        GeometrySet::Plain => ["metal_dark", "metal", "wood_light", "metal"][draft.input.look as usize % 4],
+        GeometrySet::Industrial => "metal_dark",
+    };
+    let radius = (bay.depth() * 0.1).min(if draft.set() == GeometrySet::Industrial { 0.017 } else { 0.013 });
+    let ring = radius * 1.8;
+    let y = bay.high.y - ring;
+    let bar = [DVec3::new(bay.low.x + 0.01, y, 0.0), DVec3::new(bay.high.x - 0.01, y, 0.0)];
+    builder.add(slot, sweep(&bar, radius, 8));
+    let ends: &[(f64, f64)] = match draft.set() {
+        GeometrySet::Traditional => {
+            &[(1.0, 0.0), (1.2, 0.1), (0.9, 0.2), (1.7, 0.55), (1.5, 0.8), (0.4, 1.0)]
+        }
+        GeometrySet::Industrial => &[(1.3, 0.0), (1.3, 0.6), (1.8, 0.62), (1.8, 1.0)],
+        _ => &[(1.25, 0.0), (1.25, 1.0)],
+    };
+    let profile: Vec<(f64, f64)> = ends.iter().map(|&(share, out)| (share * radius, out * 0.045)).collect();
+    let end = lathe(&profile, 8).turned_z(-std::f64::consts::FRAC_PI_2);
+    builder.add_pair(slot, end.moved(bay.high.x - 0.045, y, 0.0));
+    for side in [-1.0, 1.0] {
+        let bracket =
+            Bay::around(DVec3::new(side * bay.width() * 0.42, y, bay.low.z / 2.0), 0.012, 0.012, -bay.low.z);
+        builder.cuboid(slot, bracket);
+    }
+    let hoop = |x: f64| {
+        let slices = [Slice::round(-0.003, ring), Slice::round(0.003, ring), Slice::round(0.0, ring * 0.76)];
+        loft_ring(&Outline::Round(8), &slices).turned_z(std::f64::consts::FRAC_PI_2).moved(x, y, 0.0)
+    };
+    let count = 5;
+    for index in 0..count {
+        let x = bay.high.x - 0.05 - bay.width() * 0.22 * f64::from(index) / f64::from(count - 1);
+        builder.add_pair(slot, hoop(x));
+    }
+    y - radius * 1.2
+}
+
+/// A board with a scalloped valance; gives how high the cloth reaches.
+fn pelmet(builder: &mut Builder, look: usize) -> f64 {
+    let bay = builder.bay();
+    let board = (bay.height() * 0.04).min(0.03);
+    builder.block(["wood_dark", "brass", "wood", "wood_dark"][look], bay.slab(Side::Above, board), 0.006);
+    let fall = (bay.height() * 0.14).min(0.105);
+    let (top, low) = (bay.high.y - board + SINK, bay.high.y - board - fall);
+    let room = bay.inset(0.006, 0.0, 0.0);
+    let scallops = (bay.width() / 0.26).round().clamp(2.0, 14.0) as u32;
+    let mut edge = vec![DVec2::new(room.high.x, top), DVec2::new(room.low.x, top)];
+    let wide = room.width() / f64::from(scallops);
+    for scallop in 0..scallops {
+        let left = room.low.x + wide * f64::from(scallop);
+        for (share, drop) in [(0.02, 0.55), (0.28, 0.9), (0.5, 1.0), (0.72, 0.9), (0.98, 0.55)] {
+            edge.push(DVec2::new(left + wide * share, top - (top - low) * drop));
+        }
+    }
+    builder.add("fabric_accent", extrude(&edge, Axis::Z, [bay.high.z - 0.014, bay.high.z - 0.004]));
+    builder.cuboid(
+        "brass",
+        bay.with_y([top - 0.018, top - 0.008])
+            .inset(0.005, 0.0, 0.0)
+            .slab(Side::Front, 0.006)
+            .moved(0.0, 0.0, -0.001),
+    );
+    top - board * 0.2
+}
+
+/// Cloth that hangs in a bay: pressed together at its head, wider at the hem, and drawn to its outer edge at a height
+/// where it is tied.
+fn drape(bay: Bay, count: u32, tie: Option<f64>) -> Solid {
+    let tied = |share: f64| tie.map_or(1.0, |at| 0.5 + 0.5 * libm::fabs(share - at).min(0.35) / 0.35);
+    // Between these, cloth hangs straight.
+    let shares: &[f64] = if tie.is_some() { &[0.0, 0.34, 0.4, 0.46, 1.0] } else { &[0.0, 1.0] };
+    let middle = bay.center();
+    let level = |share: f64| {
+        let width = tied(share) * (1.0 - 0.05 * share);
+        let depth = if share > 0.97 { 0.55 } else { 1.0 - 0.25 * share } * (0.4 + 0.6 * tied(share));
+        Level {
+            at: bay.low.y + share * bay.height(),
+            scale: DVec2::new(width, depth),
+            shift: DVec2::new(bay.width() / 2.0 * (1.0 - width), 0.0),
+        }
+    };
+    let levels: Vec<Level> = shares.iter().map(|&share| level(share)).collect();
+    let (line, thickness) = wave(Bay::around(DVec3::ZERO, bay.width(), 1.0, bay.depth()), count);
+    hung(&line, thickness, &levels).moved(middle.x, 0.0, middle.z)
+}
+
+/// Cloth in folds that fills a bay.
+pub(super) fn folds(bay: Bay, count: u32) -> Solid {
+    let (line, thickness) = wave(bay, count);
+    hung(&line, thickness, &bay.y().map(|at| Level { at, scale: DVec2::ONE, shift: DVec2::ZERO }))
+}
+
+/// The line of cloth in folds, seen from above, and its thickness.
+fn wave(bay: Bay, count: u32) -> (Vec<DVec2>, f64) {
+    let thickness = (bay.depth() * 0.08).min(0.006);
+    let swing = (bay.depth() - thickness) / 2.0;
+    let middle = bay.center().z;
+    let wave = bay.width() / f64::from(count);
+    // Flat crests and troughs, so that no three corners lie in line.
+    let mut line: Vec<DVec2> = Vec::new();
+    for fold in 0..count {
+        for (share, side) in [(0.1, 1.0), (0.4, 1.0), (0.6, -1.0), (0.9, -1.0)] {
+            line.push(DVec2::new(bay.low.x + wave * (f64::from(fold) + share), middle + swing * side));
+        }
+    }
+    (line, thickness)
+}
+
+/// A blind of slats, or of cloth rolled up, with its cords.
+fn blind(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let look = draft.input.look as usize % 4;
+    let is_rolled = draft.set() == GeometrySet::Industrial && look == 1;
+    let fall = (bay.height() * 0.14).min(0.11);
+    let case = bay.slab(Side::Above, fall * 0.35);
+    let slot = if draft.set() == GeometrySet::Industrial { "metal" } else { "painted" };
+    if is_rolled {
+        let radius = (bay.depth() * 0.4).min(fall * 0.5);
+        let y = bay.high.y - radius;
+        let roll = [DVec3::new(bay.low.x + 0.012, y, 0.0), DVec3::new(bay.high.x - 0.012, y, 0.0)];
+        builder.add("fabric_light", sweep(&roll, radius * 1.04, 12));
+        let sheet = bay
+            .inset(0.02, 0.0, 0.0)
+            .with_y([bay.high.y - fall, y])
+            .with_z([-radius - 0.001, -radius + 0.002]);
+        builder.cuboid("fabric_light", sheet);
+        builder.cuboid(
+            "metal",
+            sheet.slab(Side::Below, 0.012).inset(-0.004, 0.0, -0.006).moved(0.0, -0.002, 0.0),
+        );
+        for side in [Side::Left, Side::Right] {
+            builder.cuboid("metal_dark", bay.slab(side, 0.014).slab(Side::Above, fall));
+        }
+    } else {
+        builder.block(slot, case.inset(0.0, 0.0, bay.depth() * 0.1), 0.003);
+        let slats = bay.with_y([bay.high.y - fall, case.low.y]).inset(0.01, 0.0, bay.depth() * 0.14);
+        for slat in slats.rows(7, slats.height() * 0.06) {
+            builder.cuboid(if look == 3 { "wood" } else { slot }, slat.inset(0.0, slat.height() * 0.12, 0.0));
+        }
+        builder
+            .cuboid(slot, slats.slab(Side::Below, 0.014).inset(-0.003, 0.0, -0.003).moved(0.0, -0.006, 0.0));
+        for x in [-0.32, 0.32] {
+            let tape = Bay::around(slats.center(), 0.012, slats.height(), slats.depth() + 0.009).moved(
+                x * bay.width(),
+                0.002,
+                0.0,
+            );
+            builder.cuboid("linen", tape);
+        }
+    }
+    // Cords with a weight at the right, a wand at the left; both end at the sill.
+    let x = bay.high.x - bay.width() * 0.06;
+    let z = bay.high.z - bay.depth() * 0.2;
+    builder.add("linen", sweep(&[DVec3::new(x, 0.03, z), DVec3::new(x, case.low.y + 0.004, z)], 0.0025, 4));
+    builder.add("plastic", lathe(&[(0.007, 0.0), (0.009, 0.012), (0.003, 0.035)], 6).moved(x, 0.0, z));
+    builder.add("plastic", cylinder(0.004, [bay.height() * 0.3, case.low.y + 0.004], 6).moved(-x, 0.0, z));
+    if is_rolled {
+        return;
+    }
+    // The brackets reach the wall and the room.
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid(
+            "metal",
+            bay.slab(side, 0.006).with_y([case.low.y + 0.004, bay.high.y - 0.002]).moved(
+                if side == Side::Left { 0.0006 } else { -0.0006 },
+                0.0,
+                0.0,
+            ),
+        );
+    }
+}

@@ -1,0 +1,34 @@
+//! What a recipe makes.
+
+/// Triangles by material slot, at least one part.
+///
+/// Frame: glTF's, metres, Y up; origin in the middle of the underside of the box that was asked for, front at +Z, width
+/// along X. Every corner lies in the box to 1 mm.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// One for each slot, in the order of first use.
+    pub parts: Vec<MeshPart>,
+}
+
+/// Triangles of one material slot; counter-clockwise seen from outside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    /// What it is made of, as far as a recipe knows: palettes say what the slot looks like.
+    pub slot: &'static str,
+    /// Corners.
+    pub positions: Vec<[f32; 3]>,
+    /// Unit normals, one per position.
+    pub normals: Vec<[f32; 3]>,
+    /// Texture coordinates, one per position.
+    pub texture_coordinates: Vec<[f32; 2]>,
+    /// Three per triangle.
+    pub indices: Vec<u32>,
+}
+
+impl MeshPart {
+    /// No triangles yet.
+    pub(super) fn empty(slot: &'static str) -> Self {
+        let [positions, normals] = [Vec::new(), Vec::new()];
+        Self { slot, positions, normals, texture_coordinates: Vec::new(), indices: Vec::new() }
+    }
+}

@@ -1,0 +1,173 @@
+//! Properties of every recipe, over sizes, looks, sets and parameters.
+
+pub(super) mod checks;
+mod set_shapes;
+
+use checks::{Welded, number_fault};
+use proptest::prelude::*;
+
+use super::{GeometrySet, Mesh, Recipe, RecipeInput, find, recipes};
+use crate::geometry::Size;
+
+fn size([width, depth, height]: [f64; 3]) -> Size {
+    Size { width, depth, height }
+}
+
+fn triangle_count(model: &Mesh) -> usize {
+    model.parts.iter().map(|part| part.indices.len() / 3).sum()
+}
+
+/// Every parameter of a recipe on its own, and none.
+fn parameter_choices(recipe: &Recipe) -> Vec<Vec<(String, f64)>> {
+    let each = recipe.parameters().iter().map(|(key, _)| vec![((*key).to_owned(), 3.0)]);
+    std::iter::once(Vec::new()).chain(each).collect()
+}
+
+/// A usual size and two that differ from it.
+fn sizes_about(Size { width, depth, height }: Size) -> [Size; 3] {
+    let factors = [[1.0, 1.0, 1.0], [1.3, 0.9, 1.0], [0.85, 1.1, 1.1]];
+    factors.map(|[wide, deep, high]| size([width * wide, depth * deep, height * high]))
+}
+
+/// Calls `check` with every recipe in its usual size and two that differ, in all sets, with four looks.
+fn for_every_recipe(mut check: impl FnMut(&Recipe, &RecipeInput) -> Option<String>) {
+    let mut faults = Vec::new();
+    for recipe in recipes() {
+        for parameters in parameter_choices(recipe) {
+            for (geometry, look) in
+                GeometrySet::ALL.into_iter().flat_map(|set| (0..4).map(move |look| (set, look)))
+            {
+                let about = |size| RecipeInput { size, look, geometry, parameters: &parameters };
+                let checked = sizes_about(recipe.usual_size()).map(|size| check(recipe, &about(size)));
+                let found = checked.into_iter().flatten();
+                faults.extend(found.map(|fault| {
+                    format!("{} {geometry} look {look} {parameters:?}: {fault}", recipe.name())
+                }));
+            }
+        }
+    }
+    faults.sort();
+    let first_of_each =
+        faults.chunk_by(|a, b| a.split(' ').next() == b.split(' ').next()).map(|chunk| &chunk[0]);
+    let shown: Vec<&String> = first_of_each.collect();
+    assert!(faults.is_empty(), "{} faults:\n{shown:#?}", faults.len());
+}
+
+#[test]
+fn the_table_is_sorted_and_has_no_doubles() {
+    assert!(recipes().windows(2).all(|pair| pair[0].name() < pair[1].name()));
+    for recipe in recipes() {
+        assert!(recipe.parameters().windows(2).all(|pair| pair[0].0 < pair[1].0), "{recipe:?}");
+        assert_eq!(find(recipe.name()), Some(*recipe));
+    }
+    assert_eq!(find("spaceship"), None);
+}
+
+#[test]
+fn models_fill_their_box_with_sound_numbers() {
+    for_every_recipe(|recipe, input| number_fault(&recipe.build(input), input.size));
+}
+
+#[test]
+fn models_are_closed_and_face_outwards() {
+    for_every_recipe(|recipe, input| Welded::new(&recipe.build(input)).surface_fault());
+}
+
+#[test]
+fn no_two_faces_lie_in_one_plane() {
+    for_every_recipe(|recipe, input| Welded::new(&recipe.build(input)).flicker_fault());
+}
+
+#[test]
+fn recipes_build_to_size_themselves() {
+    for_every_recipe(|recipe, input| {
+        let misfit = recipe.parts(input).misfit();
+        let size = input.size;
+        let allowed = 0.004 + 0.04 * size.width.min(size.depth).min(size.height);
+        (misfit > allowed).then(|| format!("is off by {misfit} m before it is fitted"))
+    });
+}
+
+#[test]
+fn no_part_is_too_flat_for_its_form() {
+    for_every_recipe(|recipe, input| {
+        let count = recipe.parts(input).flat_count();
+        (count > 0).then(|| format!("{count} parts become boxes"))
+    });
+}
+
+#[test]
+fn models_stay_within_their_triangles() {
+    for_every_recipe(|recipe, input| {
+        let most = recipe.most_triangles();
+        let count = triangle_count(&recipe.build(input));
+        (count > most).then(|| format!("{count} triangles, {most} are allowed"))
+    });
+}
+
+#[test]
+fn a_recipe_builds_the_same_bytes_again() {
+    for_every_recipe(|recipe, input| {
+        let [first, second] = [0, 1].map(|_| recipe.build(input));
+        (first != second).then(|| "differs from the first build".to_owned())
+    });
+}
+
+#[test]
+fn looks_differ_where_a_recipe_samples() {
+    let parts = |look| {
+        let input =
+            RecipeInput { size: size([0.9, 0.3, 2.0]), look, geometry: GeometrySet::Plain, parameters: &[] };
+        find("bookshelf").unwrap().build(&input)
+    };
+    assert_ne!(parts(0), parts(1));
+}
+
+/// A model with a part that crosses itself, is open or is shaded from behind.
+fn broken(recipe: &Recipe, input: &RecipeInput) -> Option<String> {
+    let model = recipe.build(input);
+    let is_empty = model.parts.iter().any(|part| part.indices.is_empty());
+    let empty = is_empty.then(|| "a material without triangles".to_owned());
+    empty.or_else(|| number_fault(&model, input.size)).or_else(|| Welded::new(&model).surface_fault())
+}
+
+/// Boxes in which the back of a bench crossed itself, and in which the lid of a computer was shaded from behind.
+#[test]
+fn thin_boxes_do_not_break_a_recipe() {
+    let boxes = [
+        ("exercise_bench", 0, [0.03, 0.9, 0.03]),
+        ("exercise_bench", 0, [0.193, 0.8833, 3.5016]),
+        ("exercise_bench", 0, [2.5, 0.9064, 0.0416]),
+        ("exercise_bench", 1, [0.03, 0.92, 0.03]),
+        ("exercise_bench", 1, [1.5, 0.91, 1.2]),
+        ("laptop", 0, [3.05, 2.94, 0.089]),
+        ("laptop", 0, [2.23, 0.115, 1.2]),
+        ("laptop", 0, [0.9826, 0.12016, 0.44344]),
+        ("laptop", 0, [0.0619, 0.064, 0.038]),
+    ];
+    for (name, set, extents) in boxes {
+        let geometry = GeometrySet::ALL[set];
+        let input = RecipeInput { size: size(extents), look: 0, geometry, parameters: &[] };
+        assert_eq!(broken(find(name).unwrap(), &input), None, "{name} {geometry} {extents:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
+
+    /// Users' classes may pair any recipe with any size and any number.
+    #[test]
+    fn no_size_or_number_breaks_a_recipe(
+        recipe in 0..recipes().len(),
+        extents in prop::array::uniform3(0.03_f64..4.0),
+        look in 0_u32..50,
+        set in 0_usize..GeometrySet::ALL.len(),
+        value in prop::num::f64::ANY,
+    ) {
+        let recipe = recipes()[recipe];
+        let parameters: Vec<(String, f64)> =
+            recipe.parameters().iter().map(|(key, _)| ((*key).to_owned(), value)).collect();
+        let input = RecipeInput { size: size(extents), look, geometry: GeometrySet::ALL[set], parameters: &parameters };
+        prop_assert_eq!(broken(recipe, &input), None, "{:?} {:?}", recipe, extents);
+    }
+}
