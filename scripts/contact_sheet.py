@@ -9,7 +9,6 @@ Exit 0: written. 1: not. 2: nothing could start.
 from __future__ import annotations
 
 import argparse
-import re
 import subprocess
 import sys
 import tempfile
@@ -19,14 +18,13 @@ import environment
 
 environment.require(environment.PICTURES, __name__)
 
+from blender.command_line import quiet_blender
+from pictures.contact_grid import ACROSS, CELL, LABEL, group_cells
+
 SETS = {"plain": "modern", "traditional": "traditional", "industrial": "industrial", "budget": "budget"}
 LOOKS, SAMPLES = 3, 16
-# Cells for looks in a row of the sheet, pixels of a cell, pixels below it for the name.
-ACROSS, CELL, LABEL = 18, 84, 14
 # White things show on it.
 PAPER = (222, 226, 230, 255)
-# Share of a cell that a model fills.
-FILLED = 0.92
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -50,29 +48,16 @@ def main(arguments: list[str] | None = None) -> int:
 
 def render_sheet(program: Path, geometry: str, out: Path, samples: int = SAMPLES, looks: int = LOOKS) -> None:
     """Builds the models, renders them in a grid, writes their names below."""
-    import render
     with tempfile.TemporaryDirectory() as folder:
         models, picture = Path(folder, "models.glb"), Path(folder, "sheet.png")
         subprocess.run([program.resolve(), models, geometry, SETS[geometry], "all", str(looks)], check=True)
-        with render.quiet():
+        with quiet_blender():
             names = _render(models, picture, samples, looks)
         _label(picture, names, out, looks)
 
 
-def group_cells(count: int, looks: int) -> list[tuple[int, int]]:
-    """Column and row of each model's first look; a model's looks stay in one row."""
-    in_row = max(1, ACROSS // looks)
-    return [(index % in_row * looks, index // in_row) for index in range(count)]
-
-
-def names_of(nodes: list[str]) -> list[str]:
-    """The models among nodes called item-NAME-LOOK, in their order."""
-    found = (re.fullmatch(r"item-(.+)-\d+", name) for name in nodes)
-    return list(dict.fromkeys(match[1] for match in found if match))
-
-
 def _render(models: Path, picture: Path, samples: int, looks: int) -> list[str]:
-    from contact_stage import render_grid
+    from pictures.contact_stage import render_grid
 
     return render_grid(models, picture, samples, looks)
 

@@ -42,7 +42,8 @@ environment.require(environment.TOOLS, __name__)
 from pxr import Tf
 from tqdm import tqdm
 
-from gltf_file import GltfError, GltfFile
+from gltf_document import GltfError
+from gltf_file import GltfFile
 from resources import ResourceError, printable, read_file
 from usd.assembly import write_assemblies
 from usd.floor import Written, convert_floor

@@ -13,7 +13,8 @@ import sys
 from dataclasses import astuple, dataclass, fields
 from pathlib import Path
 
-from gltf_file import GltfError, GltfFile
+from gltf_document import GltfError
+from gltf_file import GltfFile
 
 HEADINGS = ("floor", "nodes", "draw calls", "triangles", "lights", "images", "MB")
 LIGHTS = "KHR_lights_punctual"

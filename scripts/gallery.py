@@ -21,10 +21,10 @@ import environment
 environment.require(environment.PICTURES, __name__)
 
 import contact_sheet
-import gallery_plans
 import render
-from floor_view import ViewError
-from gltf_file import GltfError
+from gltf_document import GltfError
+from pictures import gallery_plans
+from pictures.floor_view import ViewError
 
 ROOT = Path(__file__).resolve().parent.parent
 SIZE = (480, 360)

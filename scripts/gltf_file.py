@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import base64
 import itertools
-import json
 import os
-import struct
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -19,33 +17,16 @@ from urllib.parse import unquote
 
 import numpy as np
 
-from resources import (MOST_BYTES, MOST_IMAGE_BYTES, ForbiddenError, Reach, ResourceError, locate, reach_of, read_file,
-                       regular_file, shown)
+from gltf_document import GltfError, ImageError, OutsideError, read_document
+from resources import MOST_BYTES, MOST_IMAGE_BYTES, ForbiddenError, ResourceError, locate, reach_of, read_file, shown
 
-GLB_MAGIC = 0x46546C67
-GLB_JSON_CHUNK = 0x4E4F534A
-GLB_BINARY_CHUNK = 0x004E4942
 COMPONENT_TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 COMPONENT_COUNTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT3": 9, "MAT4": 16}
 TRIANGLES = 4
-# Lists and objects in each other: floors have 10, and Python stops at some 1,000.
-MOST_NESTING = 64
 # Bytes of all arrays of a file together, each as often as something reads it: a floor of 10,000 pieces has a hundredth.
 MOST_ARRAY_BYTES = 2**31
 # What files of images begin with, and how such files are called.
 IMAGE_ENDINGS = {b"\x89PNG\r\n\x1a\n": ".png", b"\xff\xd8\xff": ".jpg", b"RIFF": ".webp"}
-
-
-class GltfError(Exception):
-    """A file that cannot be read; the text says why."""
-
-
-class OutsideError(GltfError):
-    """A file that may not be named, or is none: no reader may be sent there."""
-
-
-class ImageError(GltfError):
-    """An image that is not there, or none; the rest of the file is no worse for it."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +53,7 @@ class GltfFile:
         """`asked_for` is the folder of the command line that the file was found in, if it was."""
         self.path = Path(path)
         self.reach = reach_of(self.path, asked_for)
-        self.document, self._binary_chunk = _read_document(self.path, None if asked_for is None else self.reach)
+        self.document, self._binary_chunk = read_document(self.path, None if asked_for is None else self.reach)
         self._buffers: dict[int, bytes] = {}
         self._meshes: dict[int, list[dict]] = {}
         self._array_bytes = 0
@@ -247,52 +228,3 @@ def local_matrix(node: dict) -> np.ndarray:
     matrix[:3, :3] *= node.get("scale", (1.0, 1.0, 1.0))
     matrix[:3, 3] = node.get("translation", (0.0, 0.0, 0.0))
     return matrix
-
-
-def _read_document(path: Path, reach: Reach | None) -> tuple[dict, bytes | None]:
-    try:
-        # A file that somebody names may be a link; one that was found in a folder stays there.
-        data = read_file(regular_file(path, reach, "the file"))
-        text, binary = _split_glb(data) if path.suffix.lower() == ".glb" else (data, None)
-        document = json.loads(text, parse_constant=_no_number)
-    except ForbiddenError as error:
-        raise OutsideError(str(error)) from error
-    except ResourceError as error:
-        raise GltfError(str(error)) from error
-    except (ValueError, RecursionError, struct.error) as error:
-        raise GltfError(f"not a glTF file: {error}") from error
-    if not isinstance(document, dict):
-        raise GltfError("not a glTF file: the document is no object")
-    if nesting(document) > MOST_NESTING:
-        raise GltfError(f"not a glTF file: more than {MOST_NESTING} lists and objects are in each other")
-    return document, binary
-
-
-def _no_number(text: str) -> None:
-    raise ValueError(f"{text} is no number of JSON")
-
-
-def nesting(value: object) -> int:
-    """How deep lists and objects are in each other, counted up to `MOST_NESTING` and one."""
-    depth, layer = 0, [value]
-    while layer and depth <= MOST_NESTING:
-        depth += 1
-        inner = (part.values() if type(part) is dict else part for part in layer if type(part) in (dict, list))
-        layer = list(itertools.chain.from_iterable(inner))
-    return depth
-
-
-def _split_glb(data: bytes) -> tuple[bytes, bytes | None]:
-    magic, version, length = struct.unpack_from("<3I", data)
-    if magic != GLB_MAGIC or version != 2:
-        raise ValueError("no binary glTF 2.0 header")
-    if length != len(data):
-        raise ValueError(f"the header says {length} bytes, the file has {len(data)}")
-    chunks, offset = {}, 12
-    while offset < length:
-        size, kind = struct.unpack_from("<2I", data, offset)
-        chunks.setdefault(kind, data[offset + 8:offset + 8 + size])
-        offset += 8 + size
-    if GLB_JSON_CHUNK not in chunks:
-        raise ValueError("no JSON chunk")
-    return chunks[GLB_JSON_CHUNK], chunks.get(GLB_BINARY_CHUNK)

@@ -14,20 +14,20 @@ Exit 0: all pictures are there. 1: some are not, the reasons are on standard err
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import sys
 import time
-from contextlib import contextmanager
 from pathlib import Path
 
 import environment
 
 environment.require(environment.PICTURES, __name__)
 
-from cameras import choose
-from floor_view import Level, ViewError, read_level
-from gltf_file import GltfError, GltfFile
+from blender.command_line import quiet_blender
+from gltf_document import GltfError
+from gltf_file import GltfFile
+from pictures.cameras import choose
+from pictures.floor_view import Level, ViewError, read_level
 
 VIEWS = ("top", "dollhouse", "eye")
 
@@ -91,11 +91,12 @@ def render_file(path: Path, options: argparse.Namespace) -> bool:
 
 
 def _render_rooms(path: Path, level: Level, rooms: list, options: argparse.Namespace) -> None:
-    from stage import Quality, Stage
+    from pictures.quality import Quality
+    from pictures.stage import Stage
 
     width, height = options.size
     quality = Quality(width, height, options.samples, options.engine)
-    with quiet():
+    with quiet_blender():
         stage = Stage(path, level)
     if len(level.rooms) == 1:
         rooms = level.rooms
@@ -103,7 +104,7 @@ def _render_rooms(path: Path, level: Level, rooms: list, options: argparse.Names
         for view in dict.fromkeys(options.view or ["dollhouse"]):
             started = time.monotonic()
             target = options.out / picture_name(level, options.room and room, view, options.format)
-            with quiet():
+            with quiet_blender():
                 stage.take(choose(level, room, view, width / height), room, quality, target.with_suffix(".png"))
             finish(target, options.transparent)
             print(f"{target} ({time.monotonic() - started:.1f} s)", file=sys.stderr)
@@ -129,20 +130,6 @@ def finish(target: Path, is_transparent: bool) -> None:
     paper.convert("RGB").save(target, **({"quality": 85, "optimize": True} if target.suffix == ".jpg" else {}))
     if source != target:
         source.unlink()
-
-
-@contextmanager
-def quiet():
-    """Keeps Blender's own lines off standard output; it writes them past Python."""
-    sys.stdout.flush()
-    kept = os.dup(1)
-    with open(os.devnull, "w") as nothing:
-        os.dup2(nothing.fileno(), 1)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 1)
-        os.close(kept)
 
 
 if __name__ == "__main__":

@@ -52,7 +52,8 @@ from checks.manifest import SCENE_ENDINGS, check_manifest, scenes_in
 from checks.report import Fault, Note
 from checks.stages import ENDINGS as STAGE_ENDINGS
 from checks.stages import check_stage
-from gltf_file import GltfError, GltfFile
+from gltf_document import GltfError
+from gltf_file import GltfFile
 from workers import outcomes
 
 CHECKS = (check_names, check_extras, check_pieces, check_containment, check_collisions)

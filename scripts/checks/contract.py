@@ -9,7 +9,8 @@ from typing import Iterator
 
 import shapely
 
-from gltf_file import GltfError, GltfFile, ImageError, Node, OutsideError
+from gltf_document import GltfError, ImageError, OutsideError
+from gltf_file import GltfFile, Node
 
 from .report import Note
 

@@ -9,7 +9,8 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from pxr import Sdf
 
-from gltf_file import GltfError, GltfFile, Node
+from gltf_document import GltfError
+from gltf_file import GltfFile, Node
 
 from . import physics
 from .describing import describe

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from gltf_file import GltfError, Node
+from gltf_document import GltfError
+from gltf_file import Node
 from resources import shown
 
 

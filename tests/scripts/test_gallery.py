@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-import contact_sheet
 import gallery
-import gallery_plans
+from pictures import contact_grid, gallery_plans
 
 
 def room_type(name, area=(10.0, 40.0), classes=("chair", "lamp"), **more):
@@ -81,14 +80,14 @@ def test_the_page_shows_the_pictures_that_are_there(catalog, tmp_path):
 
 
 def test_looks_of_a_model_stay_in_one_row():
-    cells = contact_sheet.group_cells(100, 4)
-    assert all(column + 4 <= contact_sheet.ACROSS for column, _ in cells)
+    cells = contact_grid.group_cells(100, 4)
+    assert all(column + 4 <= contact_grid.ACROSS for column, _ in cells)
     assert len(set(cells)) == 100 and cells[0] == (0, 0)
 
 
 def test_models_are_named_once_and_other_nodes_not():
     nodes = ["sheet", "item-desk-0", "item-desk-1", "item-tv_stand-0"]
-    assert contact_sheet.names_of(nodes) == ["desk", "tv_stand"]
+    assert contact_grid.names_of(nodes) == ["desk", "tv_stand"]
 
 
 def test_a_program_that_is_not_there_starts_nothing(tmp_path, capsys):

@@ -8,11 +8,11 @@ import math
 import numpy as np
 import pytest
 
-import cameras
-import floor_view
 import render
 from conftest import furniture
 from gltf_file import GltfFile
+from pictures import cameras, cuts, floor_view
+from pictures.camera import SENSOR
 
 HAS_BLENDER = importlib.util.find_spec("bpy") is not None and importlib.util.find_spec("PIL") is not None
 
@@ -25,7 +25,7 @@ def picture_of(camera, points, aspect):
     """Where a perspective camera sees points: from -1 to 1 across the picture."""
     forward, up = np.array(camera.forward), np.array(camera.up)
     offset = np.array(points) - camera.position
-    reach = cameras.SENSOR / 2 / camera.lens
+    reach = SENSOR / 2 / camera.lens
     across = np.stack([offset @ np.cross(forward, up), offset @ up], axis=1) / (offset @ forward)[:, None]
     return across / (reach * min(aspect, 1.0), reach / max(aspect, 1.0))
 
@@ -84,7 +84,7 @@ def test_tall_furniture_is_looked_at_and_not_past(floor, tmp_path):
 
 def test_what_hangs_on_a_near_wall_is_hidden_and_what_stands_there_is_not(floor, tmp_path):
     level = level_of(floor, tmp_path)
-    hidden = lambda: cameras.hidden_furniture(level, {("101", 0): cameras.STUB})
+    hidden = lambda: cuts.hidden_furniture(level, {("101", 0): cuts.STUB})
     assert hidden() == set()
     box = level.boxes[0]
     level.boxes.append(floor_view.Box("101", "picture", "wall.0", box.corners, 1.4, 1.9))
@@ -96,8 +96,8 @@ def test_what_hangs_on_a_near_wall_is_hidden_and_what_stands_there_is_not(floor,
     side = door.sides[0]
     level.boxes.append(floor_view.Box(side["room"], "curtain", door.node, box.corners, 0.1, 2.3))
     level.boxes.append(floor_view.Box(side["room"], "car", door.node, box.corners, 0.0, 1.5))
-    assert cameras.hidden_furniture(level, {(side["room"], side["wall"]): cameras.STUB}) >= {"curtain"}
-    assert "car" not in cameras.hidden_furniture(level, {(side["room"], side["wall"]): cameras.STUB})
+    assert cuts.hidden_furniture(level, {(side["room"], side["wall"]): cuts.STUB}) >= {"curtain"}
+    assert "car" not in cuts.hidden_furniture(level, {(side["room"], side["wall"]): cuts.STUB})
 
 
 def test_a_person_stands_free_and_looks_into_the_room(floor, tmp_path):

@@ -10,7 +10,7 @@ import bpy  # before bmesh, which it brings
 import bmesh
 import numpy as np
 
-from floor_view import Level, Room
+from .floor_view import Level, Room
 
 # Metres from an edge of the room beyond which a face belongs to none: walls around holes, columns.
 FARTHEST = 1.0

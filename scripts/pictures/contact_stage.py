@@ -9,8 +9,10 @@ from pathlib import Path
 import bpy  # before mathutils, which it brings
 from mathutils import Matrix, Vector
 
-from contact_sheet import ACROSS, CELL, FILLED, LABEL, group_cells, names_of
-from stage import add_sky, aim, set_cycles, thin_glass
+from .contact_grid import ACROSS, CELL, FILLED, LABEL, group_cells, names_of
+from .glass import thin_glass
+from .light import add_sky, aim
+from .quality import set_cycles
 
 # Where the camera looks from: degrees around from a model's front, and above it.
 AROUND, ABOVE = 32.0, 24.0
