@@ -1,0 +1,46 @@
+"""Scripts are files that a newcomer can read one after the other: short, and without circles of imports."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+SCRIPTS = ROOT / "scripts"
+FILES = sorted(path for path in SCRIPTS.rglob("*.py") if "node_modules" not in path.parts)
+MOST_LINES = 300
+
+
+def module_of(path: Path) -> tuple[str, ...]:
+    parts = path.relative_to(SCRIPTS).with_suffix("").parts
+    return parts[:-1] if parts[-1] == "__init__" else parts
+
+
+def imports_of(path: Path) -> set[tuple[str, ...]]:
+    """The files of scripts/ that a file imports when it is imported itself."""
+    package = path.relative_to(SCRIPTS).parent.parts
+    found = set()
+    for statement in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(statement, ast.Import):
+            found |= {tuple(alias.name.split(".")) for alias in statement.names}
+        elif isinstance(statement, ast.ImportFrom):
+            above = package[:len(package) - statement.level + 1] if statement.level else ()
+            base = (*above, *(statement.module or "").split(".")) if statement.module else above
+            found |= {base} | {(*base, alias.name) for alias in statement.names}
+    return found & {module_of(file) for file in FILES}
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.relative_to(SCRIPTS).as_posix())
+def test_a_script_is_short(path):
+    assert len(path.read_text(encoding="utf-8").splitlines()) <= MOST_LINES
+
+
+def test_no_script_imports_itself_through_others():
+    graph = {module_of(path): imports_of(path) - {module_of(path)} for path in FILES}
+    assert len(graph) > 60 and graph["render",] >= {("gltf_file",), ("pictures", "cameras")}
+    while leaves := [module for module, used in graph.items() if not used & graph.keys()]:
+        for module in leaves:
+            del graph[module]
+    assert graph == {}
