@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::clearances::Taking;
@@ -23,7 +24,7 @@ use crate::layout::Parent;
 const PER_UNIT: f64 = 1e4;
 
 /// How good a room is, from 0 to 1, and the terms that this is the mean of; `None` is a term that does not apply.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Score {
     /// The weighted mean of the terms, to four decimals.
     pub value: f64,

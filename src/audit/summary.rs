@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::finding::{Code, Grade, Severity};
 use super::verdict::Verdict;
 
 /// Verdicts of a level, a building or a whole run. The order in which rooms are added does not matter.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct AuditSummary {
     /// Rooms by grade.
     #[serde(flatten)]
@@ -25,7 +26,7 @@ pub struct AuditSummary {
 }
 
 /// Rooms by the paper's three grades.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct GradeCounts {
     /// Without a finding.
     pub none: u64,
@@ -78,7 +79,7 @@ impl AuditSummary {
 
 /// The scores of many rooms. Counted in the ten-thousandths that a score is rounded to, so that sums of sums are
 /// exact in whatever order.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(from = "WrittenScores", into = "WrittenScores")]
 pub struct ScoreSum {
     rooms: u64,
@@ -86,7 +87,7 @@ pub struct ScoreSum {
 }
 
 /// [`ScoreSum`] as it is written.
-#[derive(Serialize, Deserialize)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 struct WrittenScores {
     /// Rooms that have a score.
     rooms: u64,

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::audit::{RoomAudit, Verdict};
+use crate::audit::{Finding, RoomAudit, Verdict};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
@@ -238,13 +238,12 @@ fn room_record(level: &Level, catalog: &Catalog, rooms: &RoomResults, room: usiz
         class: catalog.classes[removal.class].id.clone(),
         reason: removal.reason.name().to_owned(),
     });
-    let to_value = |finding| serde_json::to_value(finding).expect("findings are plain data");
     Some(RoomRecord {
         room: level.rooms[furnished.room].id.clone(),
         grade: (!is_broken).then(|| verdict.grade()),
         score: verdict.score.map(|score| score.value),
         removed: removed.collect(),
-        findings: verdict.findings.iter().map(to_value).collect(),
+        findings: verdict.findings.iter().map(Finding::extras).collect(),
         misfits: misfits.iter().map(|misfit| misfit.fault.message.clone()).collect(),
         failure: is_broken.then(|| FaultCode::RoomBroken.name().to_owned()),
     })

@@ -33,6 +33,31 @@ pub(crate) const LARGEST_RECORDS: u64 = 1 << 30;
 /// The version of the format.
 const MANIFEST_VERSION: u32 = 1;
 
+/// What a manifest holds. It is written and read level by level, for cities do not fit into memory; this type is there for
+/// the JSON Schema.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[schemars(title = "Roomwright manifest")]
+#[expect(dead_code, reason = "only its shape counts")]
+pub(crate) struct Manifest {
+    /// The version of the format: 1.
+    manifest: u32,
+    /// The program that wrote it: version and hash of its sources.
+    program: String,
+    /// The levels, sorted by building and level.
+    levels: Vec<LevelRecord>,
+    /// Shared geometry and textures that the levels refer to.
+    library: Vec<FileRecord>,
+    /// Levels that are in the folder, but no longer in the plan.
+    #[serde(default)]
+    former_levels: Vec<LevelRecord>,
+    /// Other files of earlier bakes that no level uses.
+    #[serde(default)]
+    former_files: Vec<FileRecord>,
+    /// Sums over the levels.
+    totals: Totals,
+}
+
 /// A manifest as found, its levels not yet read.
 #[derive(Deserialize)]
 pub(crate) struct ManifestText<'a> {
@@ -202,6 +227,7 @@ pub(crate) mod tests {
     use super::super::record::{RemovedRecord, RoomRecord, SiteRecord};
     use super::*;
     use crate::audit::{AuditSummary, Grade, Verdict};
+    use crate::contract::FindingExtras;
 
     pub(crate) fn record(building: &str, level: &str) -> LevelRecord {
         let mut audit = AuditSummary::default();
@@ -227,7 +253,14 @@ pub(crate) mod tests {
                 grade: Some(Grade::Minor),
                 score: Some(0.8125),
                 removed: vec![RemovedRecord { class: "lamp".to_owned(), reason: "no place".to_owned() }],
-                findings: vec![serde_json::json!({"measured": 0.7299999999999999})],
+                findings: vec![FindingExtras {
+                    code: "tight_use".into(),
+                    severity: "minor".into(),
+                    objects: Vec::new(),
+                    measured: 0.729_999_999_999_999_9,
+                    threshold: 0.75,
+                    not_searched_further: false,
+                }],
                 misfits: Vec::new(),
                 failure: None,
             }],
@@ -259,7 +292,7 @@ pub(crate) mod tests {
         let line = text.lines().find(|line| line.contains("\"room\"")).unwrap();
         assert_eq!(
             line.trim(),
-            r#"{"room": "12", "grade": "minor", "score": 0.8125, "removed": [{"class": "lamp", "reason": "no place"}], "findings": [{"measured": 0.7299999999999999}]}"#
+            r#"{"room": "12", "grade": "minor", "score": 0.8125, "removed": [{"class": "lamp", "reason": "no place"}], "findings": [{"code": "tight_use", "severity": "minor", "objects": [], "measured": 0.7299999999999999, "threshold": 0.75}]}"#
         );
         assert!(text.lines().any(|line| line.trim() == r#""classes": {"#));
     }

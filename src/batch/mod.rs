@@ -38,6 +38,8 @@ pub use hash::PROGRAM;
 pub(crate) use hash::{content_hash, file_hash};
 pub use join::{Joined, MergeReport, merge};
 pub(crate) use listing::{Listing, list_levels};
+#[cfg(test)]
+pub(crate) use manifest::Manifest;
 pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
 pub use options::{BakeOptions, Format, Shard, TextureOptions, Unplanned};
 pub use plan_paths::{record_plans, recorded_plan};

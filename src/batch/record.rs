@@ -2,13 +2,15 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::hash::content_hash;
 use crate::audit::{AuditSummary, Grade};
+use crate::contract::FindingExtras;
 
 /// One level of one building as it was written. The keys and their order are part of the output.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LevelRecord {
     /// Building id.
     pub building: String,
@@ -40,7 +42,7 @@ pub struct LevelRecord {
 }
 
 /// A building's place on the site.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SiteRecord {
     /// Metres east and north.
     pub position: [f64; 2],
@@ -49,7 +51,7 @@ pub struct SiteRecord {
 }
 
 /// A file in the output folder.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 pub struct FileRecord {
     /// Relative to the output folder, with `/`.
     pub path: String,
@@ -67,7 +69,7 @@ impl FileRecord {
 }
 
 /// Sums over rooms.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Totals {
     /// All rooms, furnished or not.
     pub rooms: u64,
@@ -107,7 +109,7 @@ impl Totals {
 }
 
 /// What is missing or wrong in one room.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RoomRecord {
     /// Room id.
     pub room: String,
@@ -122,7 +124,7 @@ pub struct RoomRecord {
     pub removed: Vec<RemovedRecord>,
     /// Findings of the audit.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub findings: Vec<serde_json::Value>,
+    pub findings: Vec<FindingExtras>,
     /// Edits that do not fit.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfits: Vec<String>,
@@ -132,7 +134,7 @@ pub struct RoomRecord {
 }
 
 /// A missing piece.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct RemovedRecord {
     /// Class id.
     pub class: String,

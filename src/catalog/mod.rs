@@ -28,6 +28,8 @@ mod variety;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+#[cfg(test)]
+pub(crate) use audit::AuditFile;
 pub use audit::{
     AccessRules, AlignmentRules, AuditRules, BalanceRules, BedRules, BodyRules, ClearanceRules, DoorRules,
     FacingRules, FulfilmentRules, ScoreRules, ScreenRules, WalkingRules, WetRoomRules, WindowRules,
@@ -39,6 +41,8 @@ pub use class::{
     ParentRule, Relation, RelationKind, SideOffer, Turn,
 };
 pub use describe::{Description, describe, style_differences};
+#[cfg(test)]
+pub(crate) use file::{ClassFile, PaletteFile, RoomFile, StyleFile, WordsFile};
 pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub(crate) use load::load_catalog_so_far;

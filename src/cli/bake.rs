@@ -13,7 +13,7 @@ use super::reroll::reroll;
 use super::room_styles::check_room_styles;
 use super::screen::Screen;
 use super::sources::{Sources, read_sources, run_style};
-use super::summary::{failure_text, summary_json, summary_text, timing_text, where_to_look};
+use super::summary::{bake_answer, failure_text, summary_text, timing_text, where_to_look};
 use super::watch::watch;
 use crate::batch::{
     BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, PROGRAM,
@@ -236,7 +236,7 @@ fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
     show_failures(&report, screen);
     show_misfits(&report, screen);
     if screen.is_json {
-        screen.json(&summary_json(&report, &run.out));
+        screen.json(&bake_answer(&report, &run.out));
     } else if !screen.is_quiet {
         screen.result(&summary_text(&report, elapsed));
         screen.result(&where_to_look(&report, &run.out));

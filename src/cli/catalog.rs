@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use serde_json::json;
 
+use super::answer::CatalogFilesAnswer;
 use super::arguments::{CatalogArguments, CatalogWord};
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
@@ -46,7 +46,7 @@ fn write_handbook(arguments: &CatalogArguments, folder: &Path, screen: Screen) -
     };
     let written = pages.and_then(|pages| pages.iter().map(write).collect::<Result<Vec<PathBuf>, Faults>>());
     match written {
-        Ok(files) if screen.is_json => screen.json(&json!({ "files": files })),
+        Ok(files) if screen.is_json => screen.json(&CatalogFilesAnswer { files }),
         Ok(files) => screen.note(&format!("{} files in {}", files.len(), folder.display())),
         Err(faults) => {
             screen.faults(&faults);

@@ -1,11 +1,10 @@
 //! `check`: reads everything, writes nothing.
 
-use serde_json::json;
-
+use super::answer::{CheckAnswer, fault_answers};
 use super::arguments::CheckArguments;
 use super::exit::Outcome;
 use super::room_styles::check_room_styles;
-use super::screen::{FaultReport, Screen};
+use super::screen::Screen;
 use super::sources::{Sources, run_style, survey_sources};
 use crate::document::Faults;
 
@@ -33,14 +32,17 @@ fn error_count(faults: &Faults) -> usize {
     faults.0.iter().filter(|fault| fault.is_error()).count()
 }
 
-fn report(sources: Option<&Sources>, faults: &Faults) -> serde_json::Value {
+fn report(sources: Option<&Sources>, faults: &Faults) -> CheckAnswer {
     let (buildings, levels, rooms) = counts(sources);
     let errors = error_count(faults);
-    json!({
-        "buildings": buildings, "levels": levels, "rooms": rooms,
-        "errors": errors, "warnings": faults.0.len() - errors,
-        "faults": faults.0.iter().map(FaultReport::from).collect::<Vec<_>>(),
-    })
+    CheckAnswer {
+        buildings,
+        levels,
+        rooms,
+        errors,
+        warnings: faults.0.len() - errors,
+        faults: fault_answers(faults),
+    }
 }
 
 fn conclusion(sources: Option<&Sources>, faults: &Faults) -> String {

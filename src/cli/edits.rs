@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::answer::EditsAnswer;
 use super::arguments::{EditsCommand, SourceArguments};
 use super::bake::{DEFAULT_SEED, cache_root};
 use super::exit::Outcome;
@@ -135,10 +136,8 @@ fn write(found: &Found) -> Result<(), Faults> {
 fn report(found: &Found, screen: Screen) {
     let Found { file, entries, notes } = found;
     if screen.is_json {
-        return screen.json(&serde_json::json!({
-            "file": file.display().to_string(), "edits": entries,
-            "notes": notes.0.iter().map(|note| &note.message).collect::<Vec<_>>(),
-        }));
+        let notes = notes.0.iter().map(|note| note.message.clone()).collect();
+        return screen.json(&EditsAnswer { file: file.display().to_string(), edits: entries, notes });
     }
     if screen.is_quiet {
         return;

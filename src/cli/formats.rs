@@ -1,7 +1,6 @@
 //! `formats`: what is read, and what is not.
 
-use serde_json::json;
-
+use super::answer::{FormatsAnswer, UnreadFormatAnswer};
 use super::exit::Outcome;
 use super::screen::Screen;
 use crate::plan::{READ_FORMATS, unread_formats};
@@ -9,17 +8,10 @@ use crate::plan::{READ_FORMATS, unread_formats};
 /// Runs the command.
 pub(crate) fn run(screen: Screen) -> Outcome {
     if screen.is_json {
-        let read: Vec<_> = READ_FORMATS
-            .iter()
-            .map(|format| {
-                json!({"name": format.name, "title": format.title, "input": format.input, "content": format.content})
-            })
-            .collect();
-        let unread: Vec<_> = unread_formats()
-            .into_iter()
-            .map(|(name, advice)| json!({"name": name, "advice": advice}))
-            .collect();
-        screen.json(&json!({"read": read, "not_read": unread}));
+        let unread = unread_formats().into_iter();
+        let not_read = unread
+            .map(|(name, advice)| UnreadFormatAnswer { name: name.to_owned(), advice: advice.to_owned() });
+        screen.json(&FormatsAnswer { read: READ_FORMATS, not_read: not_read.collect() });
         return Outcome::Done;
     }
     for format in READ_FORMATS {

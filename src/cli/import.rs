@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
-
+use super::answer::{ImportAnswer, ImportedAnswer, fault_answers};
 use super::arguments::{ImportArguments, SourceArguments};
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
 use super::import_report;
-use super::screen::{FaultReport, Screen};
+use super::screen::Screen;
 use super::sources::read_plans_only;
 use crate::batch::distinct_names;
 use crate::document::{Fault, Faults, printable};
@@ -100,15 +99,10 @@ fn report(written: &[&Target<'_>], faults: &Faults, (reports, screen): (Option<&
         let building = |target: &&Target<'_>| {
             let (levels, rooms, openings) = counts(target);
             let path = target.path.display().to_string();
-            json!({"id": target.placed.id, "path": path, "levels": levels, "rooms": rooms, "openings": openings})
+            ImportedAnswer { id: target.placed.id.clone(), path, levels, rooms, openings }
         };
-        let faults: Vec<_> = faults.0.iter().map(FaultReport::from).collect();
-        let buildings: Vec<_> = written.iter().map(building).collect();
-        let mut result = json!({"buildings": buildings, "faults": faults});
-        if let Some(reports) = reports {
-            result["report"] = json!(reports);
-        }
-        screen.json(&result);
+        let buildings = written.iter().map(building).collect();
+        screen.json(&ImportAnswer { buildings, faults: fault_answers(faults), report: reports });
         return;
     }
     for target in written {

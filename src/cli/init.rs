@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
-
+use super::answer::InitAnswer;
 use super::arguments::InitArguments;
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
@@ -78,7 +77,7 @@ fn report(folder: &Path, [written, kept]: [&[StartFile]; 2], screen: Screen) {
         |files: &[StartFile]| files.iter().map(|file| file.path.display().to_string()).collect::<Vec<_>>();
     let next = next_commands(folder);
     if screen.is_json {
-        return screen.json(&json!({"written": paths(written), "kept": paths(kept), "next": next}));
+        return screen.json(&InitAnswer { written: paths(written), kept: paths(kept), next: next.to_vec() });
     }
     for file in kept {
         screen.note(&format!("{}: is there already and stays as it is", file.path.display()));

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use serde_json::{Value, json};
+use super::answer::{LeftoversAnswer, LevelAnswer};
 
 use crate::batch::Leftovers;
 
@@ -46,11 +46,10 @@ pub(super) fn leftovers_text(leftovers: &Leftovers, out: &Path) -> Option<String
 }
 
 /// For machines.
-pub(super) fn leftovers_json(leftovers: &Leftovers) -> Value {
-    let Leftovers { levels, files, removed, changed } = leftovers;
-    let level = |(building, level): &(String, String)| json!({"building": building, "level": level});
-    let levels: Vec<Value> = levels.iter().map(level).collect();
-    json!({"levels": levels, "files": files, "removed": removed, "changed": changed})
+pub(super) fn leftovers_answer(leftovers: &Leftovers) -> LeftoversAnswer {
+    let Leftovers { levels, files, removed, changed } = leftovers.clone();
+    let levels = levels.into_iter().map(|(building, level)| LevelAnswer { building, level }).collect();
+    LeftoversAnswer { levels, files, removed, changed }
 }
 
 fn count(number: usize, what: &str) -> String {
@@ -81,6 +80,6 @@ mod tests {
             "{text}"
         );
         assert_eq!(leftovers_text(&Leftovers::default(), Path::new("out")), None);
-        assert_eq!(leftovers_json(&leftovers)["levels"][0]["level"], "0");
+        assert_eq!(leftovers_answer(&leftovers).levels[0].level, "0");
     }
 }

@@ -1,10 +1,9 @@
 //! `merge`: joins the records of several bakes.
 
-use serde_json::json;
-
+use super::answer::{MergeAnswer, fault_answers};
 use super::arguments::MergeArguments;
 use super::exit::Outcome;
-use super::screen::{FaultReport, Screen};
+use super::screen::Screen;
 use crate::batch::{MergeReport, merge};
 
 /// Runs the command.
@@ -23,11 +22,12 @@ fn show(report: &MergeReport, screen: Screen) -> Outcome {
     let MergeReport { manifest, totals, living_runs, faults } = report;
     screen.faults(faults);
     if screen.is_json {
-        let manifest = manifest.display().to_string();
-        let rejected: Vec<_> = faults.0.iter().map(FaultReport::from).collect();
-        screen.json(&json!({
-            "manifest": manifest, "totals": totals, "living_runs": living_runs, "rejected_records": rejected,
-        }));
+        screen.json(&MergeAnswer {
+            manifest: manifest.display().to_string(),
+            totals: totals.clone(),
+            living_runs: *living_runs,
+            rejected_records: fault_answers(faults),
+        });
     } else if !screen.is_quiet {
         screen.result(&format!(
             "Joined into {}: {} rooms, {} objects.",

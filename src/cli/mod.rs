@@ -1,5 +1,6 @@
 //! Arguments to a job to an exit code; the only place that prints.
 
+mod answer;
 mod arguments;
 mod audit;
 mod bake;
@@ -23,6 +24,8 @@ mod plausible;
 mod progress;
 mod reroll;
 mod room_styles;
+#[cfg(test)]
+mod schemas;
 mod screen;
 mod sources;
 mod summary;

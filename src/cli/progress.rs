@@ -5,10 +5,10 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use indicatif::{HumanCount, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
-use serde_json::json;
 
+use super::answer::ProgressLine;
 use super::arguments::ProgressWord;
-use super::summary::failure_json;
+use super::summary::failure_answer;
 use crate::batch::{BakeReport, Event, Stage, Totals};
 use crate::document::printable_json;
 
@@ -57,7 +57,7 @@ impl Progress {
             Self::None => {}
             Self::Bar(bar) => show_on_bar(bar, event),
             Self::Plain(plain) => plain.lock().expect("printing does not panic").observe(event),
-            Self::Json(_) => print_line(&event_json(event).to_string()),
+            Self::Json(_) => print_answer(&event_line(event)),
         }
     }
 
@@ -65,7 +65,7 @@ impl Progress {
     pub(crate) fn finish(&self, report: &BakeReport) {
         match self {
             Self::Bar(bar) => bar.finish_and_clear(),
-            Self::Json(started) => print_line(&finished_json(report, started.elapsed()).to_string()),
+            Self::Json(started) => print_answer(&finished_line(report, started.elapsed())),
             Self::None | Self::Plain(_) => {}
         }
     }
@@ -125,29 +125,33 @@ impl Plain {
     }
 }
 
-fn event_json(event: &Event<'_>) -> serde_json::Value {
-    match event {
-        Event::Started { levels, rooms, kept } => {
-            json!({"event": "started", "levels": levels, "rooms": rooms, "kept_levels": kept})
-        }
-        Event::Baked { building, level, totals: Totals { rooms, placed, .. } } => {
-            json!({"event": "baked", "building": building, "level": level, "rooms": rooms, "objects": placed})
-        }
-        Event::Failed(failure) => {
-            let mut value = failure_json(failure);
-            value["event"] = "failed".into();
-            value
-        }
+fn event_line(event: &Event<'_>) -> ProgressLine {
+    match *event {
+        Event::Started { levels, rooms, kept } => ProgressLine::Started { levels, rooms, kept_levels: kept },
+        Event::Baked { building, level, totals: &Totals { rooms, placed, .. } } => ProgressLine::Baked {
+            building: building.to_owned(),
+            level: level.to_owned(),
+            rooms,
+            objects: placed,
+        },
+        Event::Failed(failure) => ProgressLine::Failed(failure_answer(failure)),
     }
 }
 
-fn finished_json(report: &BakeReport, elapsed: Duration) -> serde_json::Value {
-    let seconds = |stage: &Stage| (stage.name().to_owned(), report.timings.of(*stage).as_secs_f64().into());
-    let stages: serde_json::Map<String, serde_json::Value> = Stage::ALL.iter().map(seconds).collect();
-    json!({
-        "event": "finished", "seconds": elapsed.as_secs_f64(), "levels": report.baked,
-        "kept_levels": report.kept, "rooms": report.written.rooms, "bytes": report.bytes, "stage_seconds": stages,
-    })
+fn finished_line(report: &BakeReport, elapsed: Duration) -> ProgressLine {
+    let seconds = |stage: &Stage| (stage.name().to_owned(), report.timings.of(*stage).as_secs_f64());
+    ProgressLine::Finished {
+        seconds: elapsed.as_secs_f64(),
+        levels: report.baked,
+        kept_levels: report.kept,
+        rooms: report.written.rooms,
+        bytes: report.bytes,
+        stage_seconds: Stage::ALL.iter().map(seconds).collect(),
+    }
+}
+
+fn print_answer(line: &ProgressLine) {
+    print_line(&serde_json::to_string(line).expect("lines are plain data"));
 }
 
 /// Stderr that nobody reads any more is no reason to stop a bake.
@@ -172,8 +176,8 @@ mod tests {
         let totals = Totals { rooms: 3, placed: 40, ..Totals::default() };
         let event = Event::Baked { building: "a", level: "1", totals: &totals };
         assert_eq!(
-            event_json(&event),
-            json!({"event": "baked", "building": "a", "level": "1", "rooms": 3, "objects": 40})
+            serde_json::to_value(event_line(&event)).unwrap(),
+            serde_json::json!({"event": "baked", "building": "a", "level": "1", "rooms": 3, "objects": 40})
         );
     }
 }

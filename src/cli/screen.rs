@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Serialize;
 
-use crate::document::{Fault, Faults, printable_json, printable_lines};
+use crate::document::{Faults, printable_json, printable_lines};
 
 /// Whether a result was lost on its way to stdout; this process has one.
 static IS_RESULT_LOST: AtomicBool = AtomicBool::new(false);
@@ -70,52 +70,5 @@ impl Screen {
                 self.note(&fault.report());
             }
         }
-    }
-}
-
-/// A fault for machines.
-#[derive(Serialize)]
-pub(crate) struct FaultReport<'a> {
-    file: String,
-    line: Option<usize>,
-    column: Option<usize>,
-    path: String,
-    severity: &'static str,
-    message: &'a str,
-    hint: Option<&'a str>,
-}
-
-impl<'a> From<&'a Fault> for FaultReport<'a> {
-    fn from(fault: &'a Fault) -> Self {
-        Self {
-            file: fault.file.display().to_string(),
-            line: fault.position.map(|(line, _)| line),
-            column: fault.position.map(|(_, column)| column),
-            path: crate::document::show_path(&fault.path),
-            severity: if fault.is_error() { "error" } else { "warning" },
-            message: &fault.message,
-            hint: fault.hint.as_deref(),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use super::*;
-
-    #[test]
-    fn a_fault_for_machines_has_place_value_and_hint() {
-        let fault = Fault {
-            position: Some((3, 7)),
-            path: vec!["levels".into(), 0.into()],
-            ..Fault::of_file(Path::new("a.yaml"), "odd").as_warning().with_hint("mend it")
-        };
-        assert_eq!(
-            serde_json::to_value(FaultReport::from(&fault)).unwrap(),
-            serde_json::json!({"file": "a.yaml", "line": 3, "column": 7, "path": "levels[0]",
-                "severity": "warning", "message": "odd", "hint": "mend it"})
-        );
     }
 }

@@ -5,10 +5,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use indicatif::{HumanBytes, HumanCount};
-use serde_json::{Value, json};
 
-use super::leftovers::leftovers_json;
-use super::screen::FaultReport;
+use super::answer::{BakeAnswer, FailureAnswer, FaultAnswer, MisfitAnswer};
+use super::leftovers::leftovers_answer;
 use crate::audit::{AuditSummary, Code, GradeCounts};
 use crate::batch::{BakeReport, Joined, LevelFailure, LevelMisfit, Stage, Totals};
 use crate::document::printable;
@@ -109,19 +108,19 @@ pub(crate) fn timing_text(report: &BakeReport) -> String {
 }
 
 /// The summary for machines: no times, so that two runs can be compared.
-pub(crate) fn summary_json(report: &BakeReport, out: &Path) -> Value {
-    json!({
-        "out": out.display().to_string(),
-        "manifest": manifest_path(report),
-        "is_complete": matches!(report.joined, Ok(Joined::Whole(_))),
-        "baked_levels": report.baked,
-        "kept_levels": report.kept,
-        "skipped_levels": report.skipped,
-        "totals": report.in_place,
-        "failures": report.failures.iter().map(failure_json).collect::<Vec<_>>(),
-        "misfits": report.misfits.iter().map(misfit_json).collect::<Vec<_>>(),
-        "leftovers": leftovers_json(&report.leftovers),
-    })
+pub(crate) fn bake_answer(report: &BakeReport, out: &Path) -> BakeAnswer {
+    BakeAnswer {
+        out: out.display().to_string(),
+        manifest: manifest_path(report),
+        is_complete: matches!(report.joined, Ok(Joined::Whole(_))),
+        baked_levels: report.baked,
+        kept_levels: report.kept,
+        skipped_levels: report.skipped,
+        totals: report.in_place.clone(),
+        failures: report.failures.iter().map(failure_answer).collect(),
+        misfits: report.misfits.iter().map(misfit_answer).collect(),
+        leftovers: leftovers_answer(&report.leftovers),
+    }
 }
 
 fn manifest_path(report: &BakeReport) -> Option<String> {
@@ -131,20 +130,21 @@ fn manifest_path(report: &BakeReport) -> Option<String> {
     }
 }
 
-fn misfit_json(found: &LevelMisfit) -> Value {
+fn misfit_answer(found: &LevelMisfit) -> MisfitAnswer {
     let LevelMisfit { building, level, room, misfit } = found;
-    json!({
-        "building": building, "level": level, "room": room, "is_made": misfit.is_made,
-        "fault": FaultReport::from(&misfit.fault),
-    })
+    MisfitAnswer {
+        building: building.clone(),
+        level: level.clone(),
+        room: room.clone(),
+        is_made: misfit.is_made,
+        fault: FaultAnswer::from(&misfit.fault),
+    }
 }
 
 /// A failure for machines.
-pub(crate) fn failure_json(failure: &LevelFailure) -> Value {
-    json!({
-        "code": failure.code.name(), "building": failure.building, "level": failure.level,
-        "room": failure.room, "message": failure.message, "hint": failure.hint, "seed": failure.seed,
-    })
+pub(crate) fn failure_answer(failure: &LevelFailure) -> FailureAnswer {
+    let LevelFailure { building, level, room, code, message, hint, seed } = failure.clone();
+    FailureAnswer { code: code.name().to_owned(), building, level, room, message, hint, seed }
 }
 
 /// A failure for people.
@@ -176,6 +176,6 @@ mod tests {
             failure_text(&failure),
             "error[room_broken]: tower/3/12 (seed 9): the program failed: index out of range\n  hint: report it"
         );
-        assert_eq!(failure_json(&failure)["room"], "12");
+        assert_eq!(failure_answer(&failure).room.as_deref(), Some("12"));
     }
 }

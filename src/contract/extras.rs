@@ -219,6 +219,7 @@ pub struct FindingExtras {
     /// What kind.
     pub code: Word,
     /// `given`, `minor` or `failed`.
+    #[serde(default)]
     pub severity: Word,
     /// Ids of the elements concerned, sorted; a missing piece is named by its class.
     #[serde(default)]

@@ -52,12 +52,6 @@ pub struct DiffOptions<'a> {
     pub observer: &'a (dyn Fn(usize, usize) + Sync),
 }
 
-/// The JSON Schema of [`Report`]: `configs/schema/diff.schema.json`.
-#[must_use]
-pub fn report_schema() -> serde_json::Value {
-    schemars::schema_for!(Report).to_value()
-}
-
 /// Compares two folders or two files; besides the report, what cannot be read, errors and warnings.
 ///
 /// # Errors

@@ -22,17 +22,6 @@ fn compared(old: &Path, new: &Path) -> Report {
     compare(old, new, &options).unwrap().0
 }
 
-#[test]
-fn the_published_schema_is_that_of_the_report() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/schema/diff.schema.json");
-    let text = serde_json::to_string_pretty(&report_schema()).unwrap() + "\n";
-    if fs::read_to_string(&path).is_ok_and(|published| published == text) {
-        return;
-    }
-    fs::write(&path, text).unwrap();
-    panic!("{} has been written anew: look at it and run again", path.display());
-}
-
 /// A level with one chair, as small as a file can be.
 fn level(number: usize, x: f64) -> String {
     serde_json::json!({"asset": {"version": "2.0"}, "nodes": [

@@ -79,9 +79,3 @@ pub struct ObjectEntry {
 fn is_false(flag: &bool) -> bool {
     !flag
 }
-
-/// The JSON Schema of edits files.
-#[must_use]
-pub fn edits_schema() -> serde_json::Value {
-    schemars::schema_for!(EditsFile).to_value()
-}

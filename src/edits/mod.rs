@@ -29,7 +29,7 @@ mod write;
 
 pub use book::{EditBook, LevelEdits, ObjectEdit, RoomEdits};
 pub use capture::{Captured, capture};
-pub use file::{EditsFile, ObjectEntry, RoomEntry, edits_schema};
+pub use file::{EditsFile, ObjectEntry, RoomEntry};
 pub use finish::{Finished, finish, furnish_edited};
 pub use locked::lock_objects;
 pub use merge::merge;

@@ -41,9 +41,10 @@ pub use guess::GuessRule;
 pub(crate) use mirror::mirror_building;
 pub use options::{PlanOptions, PlanReading, ProjectSettings};
 pub use read::{
-    DrawnPiece, READ_FORMATS, ReadFormat, drawn_furniture, native_schema, project_schema, project_settings,
-    read_plans, unread_formats,
+    DrawnPiece, READ_FORMATS, ReadFormat, drawn_furniture, project_settings, read_plans, unread_formats,
 };
+#[cfg(test)]
+pub(crate) use read::{PlanFile, ProjectFile};
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};
 pub use write_native::write_native;

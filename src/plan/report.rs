@@ -3,12 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Level, LevelDraft, OpeningKind, Problem};
 
 /// What a reader made of one file or folder.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct InputReport {
     /// The file or folder.
     pub path: PathBuf,
@@ -19,7 +20,7 @@ pub struct InputReport {
 }
 
 /// What became of a building.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct BuildingReport {
     /// Id of the building.
     pub id: String,
@@ -28,7 +29,7 @@ pub struct BuildingReport {
 }
 
 /// What became of a level.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct LevelReport {
     /// Id of the level.
     pub id: String,
@@ -53,7 +54,7 @@ pub struct LevelReport {
 }
 
 /// So many of so many.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Share {
     /// Those of the input.
     pub drawn: usize,

@@ -1,26 +1,16 @@
-//! The published JSON Schemas are those of the types that are read.
+//! Ready plans obey the published JSON Schemas.
 
-use roomwright::edits::edits_schema;
-use roomwright::plan::{native_schema, project_schema};
-
-use super::support::{check_golden, files, repository};
-
-#[test]
-fn published_schemas_are_those_of_the_types() {
-    for (name, schema) in
-        [("plan", native_schema()), ("project", project_schema()), ("edits", edits_schema())]
-    {
-        let text = format!("{}\n", serde_json::to_string_pretty(&schema).unwrap());
-        check_golden(&repository(&format!("configs/schema/{name}.schema.json")), &text);
-    }
-}
+use super::support::{files, repository};
 
 #[test]
 fn ready_plans_name_their_schema_and_obey_it() {
     for (folder, schema, mark) in [
-        ("configs/plans", native_schema(), "$schema=../schema/plan.schema.json"),
-        ("configs", project_schema(), "$schema=schema/project.schema.json"),
+        ("configs/plans", "plan", "$schema=../schema/plan.schema.json"),
+        ("configs", "project", "$schema=schema/project.schema.json"),
     ] {
+        let schema =
+            std::fs::read_to_string(repository(&format!("configs/schema/{schema}.schema.json"))).unwrap();
+        let schema: serde_json::Value = serde_json::from_str(&schema).unwrap();
         let validator = jsonschema::validator_for(&schema).unwrap();
         for plan in files(&repository(folder), &["yaml"]) {
             let text = std::fs::read_to_string(&plan).unwrap();

@@ -6,4 +6,3 @@ mod descriptions;
 mod digest;
 mod hostile;
 mod resolved;
-mod schemas;

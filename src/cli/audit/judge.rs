@@ -2,18 +2,20 @@
 
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::shown;
 use crate::audit::{AuditSummary, Finding, Grade, Score, judge_room};
 use crate::batch::catch_bug;
 use crate::catalog::Catalog;
+use crate::contract::FindingExtras;
 use crate::document::{Fault, Faults};
 use crate::layout::Furnished;
 use crate::read_back::{ReadLevel, read_level};
 
 /// A level with what the audit says about it; as it is written for machines.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct JudgedLevel {
     pub(crate) file: String,
     pub(crate) building: String,
@@ -26,7 +28,7 @@ pub(crate) struct JudgedLevel {
 }
 
 /// A room with what the audit says about it.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct JudgedRoom {
     pub(crate) room: String,
     #[serde(rename = "type")]
@@ -34,6 +36,7 @@ pub(crate) struct JudgedRoom {
     pub(crate) grade: Grade,
     /// The score with its terms; none where nothing was asked for.
     pub(crate) score: Option<Score>,
+    #[schemars(with = "Vec<FindingExtras>")]
     pub(crate) findings: Vec<Finding>,
 }
 

@@ -7,17 +7,18 @@ mod text;
 use std::path::Path;
 
 use rayon::prelude::*;
-use serde_json::json;
 
+use super::answer::{AuditAnswer, fault_answers};
 use super::arguments::AuditArguments;
 use super::exit::Outcome;
-use super::screen::{FaultReport, Screen};
+use super::screen::Screen;
 use crate::audit::AuditSummary;
 use crate::catalog::{Catalog, load_catalog};
 use crate::document::{Faults, Warned};
 
 use files::level_files;
-use judge::{JudgedLevel, judge_file};
+pub(super) use judge::JudgedLevel;
+use judge::judge_file;
 
 /// Most findings that are listed one by one.
 const LISTED_FINDINGS: usize = 40;
@@ -67,11 +68,7 @@ fn totals(levels: &[JudgedLevel]) -> AuditSummary {
 fn show(arguments: &AuditArguments, screen: Screen, levels: &[JudgedLevel], faults: &Faults) {
     let totals = totals(levels);
     if screen.is_json {
-        screen.json(&json!({
-            "totals": totals,
-            "levels": levels,
-            "faults": faults.0.iter().map(FaultReport::from).collect::<Vec<_>>(),
-        }));
+        screen.json(&AuditAnswer { totals, levels, faults: fault_answers(faults) });
     } else if !screen.is_quiet && !levels.is_empty() {
         let most = if arguments.all { usize::MAX } else { LISTED_FINDINGS };
         screen.result(&text::report(levels, &totals, most));

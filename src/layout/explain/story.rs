@@ -1,11 +1,12 @@
 //! What an explanation consists of.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::catalog::Side;
 
 /// What is to be said about a furnished room.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Explanation {
     /// How often the room was furnished; more than once where something important was missing.
     pub attempts: u32,
@@ -18,7 +19,7 @@ pub struct Explanation {
 }
 
 /// Why an object is where it is.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ObjectStory {
     /// `<class>.<number>`.
     pub id: String,
@@ -31,7 +32,7 @@ pub struct ObjectStory {
 }
 
 /// Why a piece is missing.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MissingStory {
     /// `<class>.<number>` that it would have had.
     pub id: String,
@@ -49,7 +50,7 @@ pub struct MissingStory {
 
 /// What stands along the walls in the end, looked at every tenth of a metre: the search itself tries only
 /// stretches of wall that are long enough.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WallStory {
     /// Places that were looked at.
     pub places: u32,
@@ -58,7 +59,7 @@ pub struct WallStory {
 }
 
 /// A side of an object that could take a child.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ParentStory {
     /// Id of the object.
     pub id: String,
@@ -71,7 +72,7 @@ pub struct ParentStory {
 }
 
 /// Something that speaks for or against a place.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Wish {
     /// The word of the relation, or what is bad about the place.
     pub about: &'static str,
@@ -92,7 +93,7 @@ pub struct Wish {
 }
 
 /// What an agent met on its search.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct SearchStory {
     /// How often it searched: once in each size that it tried, and again each time that it lost its parent.
     pub searches: u32,
@@ -107,7 +108,7 @@ pub struct SearchStory {
 }
 
 /// Places refused for one reason.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Refusal {
     /// The word of the [`crate::layout::RemovalReason`].
     pub reason: &'static str,
@@ -118,7 +119,7 @@ pub struct Refusal {
 }
 
 /// Something that stood in the way.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ObstacleStory {
     /// An object's id, a room part, or what is wrong.
     pub name: String,

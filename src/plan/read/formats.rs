@@ -1,7 +1,10 @@
 //! What is read, as a table for people.
 
+use schemars::JsonSchema;
+use serde::Serialize;
+
 /// A format that plans are read in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ReadFormat {
     /// The word in `room_words.yaml`; `native` and `project` have none there.
     pub name: &'static str,

@@ -24,6 +24,9 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use self::finish::{Drafted, Finished, Provenance, Variation, finish};
+#[cfg(test)]
+pub(crate) use {native::PlanFile, project::ProjectFile};
+
 pub use self::formats::{READ_FORMATS, ReadFormat};
 use self::found::{DraftedBuilding, Found};
 pub use self::ifc::{DrawnPiece, drawn_furniture};
@@ -94,18 +97,6 @@ fn merge_settings(merged: &mut ProjectSettings, settings: ProjectSettings, file:
     contradict("seed", merged.seed.is_some() && seed.is_some() && merged.seed != seed);
     merged.style = merged.style.take().or(style);
     merged.seed = merged.seed.or(seed);
-}
-
-/// The JSON Schema of native plans: `configs/schema/plan.schema.json`.
-#[must_use]
-pub fn native_schema() -> serde_json::Value {
-    schemars::schema_for!(native::PlanFile).to_value()
-}
-
-/// The JSON Schema of project files: `configs/schema/project.schema.json`.
-#[must_use]
-pub fn project_schema() -> serde_json::Value {
-    schemars::schema_for!(project::ProjectFile).to_value()
 }
 
 /// A building and the file that named it.
