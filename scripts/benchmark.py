@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Repeats the table of figures and prints it as markdown.
+"""Measures the tables of speed and size of docs/figures.md on this machine, and prints them as Markdown.
 
     python3 scripts/benchmark.py [--rooms 100000] [--skip-layout] [--folder DIR]
 
 Builds the release program, measures the layout of the paper's two rooms with the criterion bench, bakes a city
 with one and two threads, bakes it again with nothing changed, bakes a tenth of it, and writes the same bytes
 plainly. Needs about 6 GB of disk for 100,000 rooms and nothing but Python's standard library. Measure on an idle
-machine: figures of a busy one say little, and the first line of the table says how busy it was.
+machine; the first line of the table says how busy it was.
 """
 
 import argparse

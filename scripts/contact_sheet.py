@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Renders all models of a geometry set on one sheet: contact_sheet.py PROGRAM SET OUT.jpg [--looks N]
 
-PROGRAM is examples/contact_sheet.rs, built with `cargo build --example contact_sheet`. Each model stands in a cell of
-its own, several looks beside each other at one scale, with its name below. Needs scripts/requirements-render.txt.
+PROGRAM is examples/contact_sheet.rs, built with `cargo build --example contact_sheet`. Each model has a cell of its own,
+with its looks beside each other at one scale and its name below. Needs scripts/requirements-render.txt.
 Exit 0: written. 1: not. 2: nothing could start.
 """
 

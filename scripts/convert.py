@@ -1,24 +1,24 @@
 #!/usr/bin/env python3
-"""Converts baked floors to USD: convert.py [options] FOLDER|FILE...
+"""Converts baked levels to USD: convert.py [options] FOLDER|FILE...
 
 Each .glb or .gltf becomes one .usdc (or .usda, or .usdz) beside it, or at the same relative place under --out:
-  - the same tree of nodes under the default prim, with the same places; names made valid, the original name
-    in displayName and in customData;
-  - the node's extras as customData (numbers, texts and lists of one kind as such, seeds and the rest as text) and as
-    attributes `userProperties:`, which Blender reads; what it is as UsdSemantics labels;
-  - each node's mesh as one Mesh with subsets for its materials, which stand once a floor;
-  - models as assets, which stand once for all floors in `shared-models`; --self-contained keeps them in each file;
-    --instances draws them as instances;
-  - materials as UsdPreviewSurface, with textures that stand once in `shared-textures`;
-  - lights as UsdLux with the same lumens; door leaves with an operation `rotateY:swing` that opens them;
-  - material variants and levels of detail, where the file has them, as variant sets `material` and `lod`;
-  - kinds: level assembly, room group, everything in it component, and what stands on it subcomponent;
-  - metres, Y up (or Z with --up-axis Z).
-A folder also gets a `building.usda` for each building, with its floors as payloads at their elevations, and a
-`city.usda` of all buildings at their places. A .usdz holds one floor with everything in it, and there are no stages
-of them. Equal inputs give equal bytes. What an earlier run wrote into the same folder and this one does not (a floor
-that left the bake, another format, models that nothing uses) is removed, if nobody changed it: `converted.json` lists
-it.
+  - nodes: the same tree under the default prim, with the same places. Names are made valid; displayName and
+    customData keep the original name
+  - extras: customData, and attributes `userProperties:`, which Blender reads. Numbers, texts and lists of one kind keep
+    their type; seeds and the rest become text. Class, room and building become UsdSemantics labels
+  - meshes: one Mesh for each node, with a subset for each material; a material is written once a level
+  - models: assets in `shared-models`, once for all levels. --self-contained keeps them in each file, --instances
+    marks them as instances
+  - materials: UsdPreviewSurface, with textures once for all levels in `shared-textures`
+  - lights: UsdLux with the same lumens. Door leaves: an operation `rotateY:swing` that opens them
+  - material variants and levels of detail, if the file has them: variant sets `material` and `lod`
+  - kinds: a level is an assembly, a room a group, objects in it components, objects on these subcomponents
+  - units: metres, Y up (or Z with --up-axis Z)
+A folder also gets a `building.usda` for each building, with its levels as payloads at their elevations, and a
+`city.usda` of all buildings at their places. A .usdz holds one level with everything that it needs; buildings and the
+city are not written for this format. Equal inputs give equal bytes. `converted.json` lists the written files. A later
+run removes those that it does not write again (a level that left the bake, another format, unused models), unless
+somebody changed them.
 
 Needs scripts/requirements.txt. One line per written file goes to standard output, progress to
 standard error where that is a terminal.
@@ -67,7 +67,7 @@ class Job(NamedTuple):
 
 
 def convert_file(job: Job) -> Written | str:
-    """What was written, or what went wrong."""
+    """The written files, or the reason of a failure."""
     try:
         return convert_floor(GltfFile(job.source, job.folder), job.target, job.settings)
     except (GltfError, WriteError) as error:
@@ -86,7 +86,7 @@ def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job
     elif path.exists() and path.suffix.lower() in SCENE_ENDINGS:
         sources, folder = [path], None
     else:
-        raise FileNotFoundError(f"{path} is no folder, .glb or .gltf")
+        raise FileNotFoundError(f"{path} is neither a folder nor a .glb or .gltf")
     base = folder or path.parent
     settings = Settings(
         root=options.out or base, ending=f".{options.format}", up_axis=options.up_axis, started=started,
@@ -107,7 +107,7 @@ def former_files(folder: Path) -> set[Path]:
             continue  # `validate.py` says what is wrong with it
     gone = sorted(file for file in former if file.suffix.lower() in SCENE_ENDINGS and file.exists())
     for file in gone:
-        print(f"convert: {printable(str(file))} is left out: no plan has its level any more", file=sys.stderr)
+        print(f"convert: {printable(str(file))} is skipped: no plan has its level any more", file=sys.stderr)
     return former
 
 
@@ -121,7 +121,7 @@ def refuse_equal_targets(jobs: list[Job]) -> None:
 
 
 def convert(jobs: list[Job], processes: int, is_quiet: bool) -> dict[Job, Written]:
-    """Converts every file. Returns what was written, without the jobs that failed."""
+    """Converts every file. Returns the written files of the jobs that succeeded."""
     written = {}
     # Without `disable`, tqdm would write into logs, too.
     with tqdm(total=len(jobs), desc="convert", unit=" files", disable=is_quiet or None) as progress:
@@ -156,7 +156,7 @@ def finish(jobs: list[Job], written: dict[Job, Written], folders: list[Path]) ->
 
 
 def entries_of(written: dict[Job, Written], stages: list[Path], around: Path | None, settings: Settings) -> list[Entry]:
-    """Everything that a run wrote, with what it is made of."""
+    """Everything that a run wrote, each with its source."""
     sources: dict[Path, Path | None] = {stage: around for stage in stages}
     for job, floor in written.items():
         sources |= {file: job.source if settings.is_self_contained else None for file in floor.shared}
@@ -173,7 +173,7 @@ def asked_of(jobs: list[Job], written: dict[Job, Written], folders: list[Path]) 
 
 
 def report(removal: Removal) -> None:
-    """Says what is no longer there; of models and images, which are many, how many."""
+    """Reports the removed files by name, and the removed models and images, which are many, by their count."""
     shared = [path for path in removal.removed if path.startswith((f"{MODEL_FOLDER}/", f"{TEXTURE_FOLDER}/"))]
     for path in removal.removed:
         if path not in shared:
@@ -192,24 +192,24 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--format", choices=("usdc", "usda", "usdz"), default="usdc",
                         help="binary, text, or a package of everything that the floor needs")
     parser.add_argument("--up-axis", choices=("Y", "Z"), default="Y")
-    parser.add_argument("--self-contained", action="store_true", help="keep models and textures with each floor")
+    parser.add_argument("--self-contained", action="store_true", help="keep models and textures in each level's file")
     parser.add_argument("--lights", action="store_true",
-                        help="make lights of the lamps of floors that were baked without (`bake --lights physical` is "
-                             "with)")
+                        help="add lights to the lamps of levels that were baked without lights (`bake --lights physical` "
+                             "bakes lights)")
     parser.add_argument("--instances", action="store_true",
-                        help="mark models as instanceable: renderers then keep each once, and Blender makes an empty and "
-                             "a collection of each")
+                        help="mark models as instanceable: renderers then keep each model once, and Blender imports each "
+                             "as an empty and a collection")
     parser.add_argument("--point-instancer", nargs="?", type=float, const=SMALL, metavar="METRES",
-                        help="put what is smaller than this in every direction, and has nothing on it, into one "
-                             f"PointInstancer a room (default: {SMALL})")
+                        help="put objects that are smaller than this in every direction, and carry nothing, into one "
+                             f"PointInstancer for each room (default: {SMALL})")
     parser.add_argument("--physics", action="store_true",
-                        help="colliders, bodies with masses, hinges of doors (UsdPhysics); furniture then stands in "
-                             "its room, not below what it stands on, because bodies have no bodies in them")
+                        help="add colliders, bodies with masses and hinges of doors (UsdPhysics). All furniture is then "
+                             "a child of its room, because a body may not contain another body")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (default: one a core)")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     options = parser.parse_args(arguments)
     if options.physics and options.point_instancer is not None:
-        parser.error("--physics and --point-instancer exclude each other: entries of an instancer are no bodies")
+        parser.error("--physics and --point-instancer exclude each other: entries of an instancer cannot be bodies")
     return options
 
 
@@ -224,7 +224,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"convert: {error}", file=sys.stderr)
         return 2
     if not jobs:
-        print("convert: no .glb or .gltf there", file=sys.stderr)
+        print("convert: there is no .glb or .gltf", file=sys.stderr)
         return 2
     written = convert(jobs, options.jobs, options.quiet)
     failed = len(jobs) - len(written)

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Counts what viewers have to draw of baked floors, as a table in markdown: count_draw_calls.py DIR [--before DIR]
+"""Counts the nodes, draw calls and triangles of baked levels: count_draw_calls.py DIR [--before DIR]
 
-A row a floor: nodes, draw calls (primitives, as often as nodes show them), triangles drawn, lights, images and megabytes
-of the file. With --before each figure is followed by that of the floor of the same name in another folder, and the last
-row has the sums. Exit 0: all floors were read. 1: some were not, the reasons are on standard error. 2: there is none.
+Prints a Markdown table with a row for each level and a row of sums. A draw call is a primitive of a node. Further columns
+are drawn triangles, lights, images, and megabytes of the file. With --before, the figure of the level of the same name in
+another folder follows each figure. Exit 0: all levels were read. 1: some were not; standard error has the reasons. 2: there
+is no level.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ LIGHTS = "KHR_lights_punctual"
 
 @dataclass(frozen=True)
 class Load:
-    """What a viewer has to draw."""
+    """The work of a viewer for one level."""
 
     nodes: int = 0
     draw_calls: int = 0

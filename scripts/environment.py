@@ -1,7 +1,7 @@
-"""What a script needs that is not Python's own, asked before it is imported.
+"""Checks that Python has the modules of a script before the script imports them.
 
-A script that lacks something goes on in the project's environment where that is set up, and else says which command
-sets it up. This file and the first lines of the scripts are read by old Pythons too.
+If modules are missing, the script goes on in the project's environment, or names the command that sets this environment up.
+Old Pythons must be able to read this file and the first lines of the scripts.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def require(environment: Environment, name: str) -> None:
 
 
 def missing(environment: Environment) -> list[str]:
-    """What this Python has not."""
+    """The modules that this Python lacks, and the version that it should have."""
     modules = [module for module in environment.modules if importlib.util.find_spec(module) is None]
     return modules if sys.version_info >= LEAST_PYTHON else ["Python {}.{}".format(*LEAST_PYTHON), *modules]
 

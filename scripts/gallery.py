@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Renders the gallery: gallery.py [options]
 
-A room of each type and of each style as a dollhouse, sheets of all models, and README.md that shows them.
-Bakes with the program, so build that before; run with the Python of scripts/requirements-render.txt (README.md there).
-Takes about 15 minutes on two cores; --only ID renews single pictures, --pages only the page.
-Exit 0: everything is there. 1: some pictures are not. 2: nothing could start.
+The gallery has a room of each type and of each style as a dollhouse, sheets of all models, and a README.md that shows
+them. It is baked with the release program, so build that before. Needs Python 3.11 and scripts/requirements-render.txt; see
+scripts/README.md. Takes about 15 minutes on two cores. --only ID renders single pictures, --pages only writes the page.
+Exit 0: all pictures are written. 1: some are not. 2: nothing could start.
 """
 
 from __future__ import annotations

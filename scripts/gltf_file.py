@@ -25,7 +25,7 @@ COMPONENT_COUNTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT3": 9, "MA
 TRIANGLES = 4
 # Bytes of all arrays of a file together, each as often as something reads it: a floor of 10,000 pieces has a hundredth.
 MOST_ARRAY_BYTES = 2**31
-# What files of images begin with, and how such files are called.
+# The first bytes of image files, and the endings of their names.
 IMAGE_ENDINGS = {b"\x89PNG\r\n\x1a\n": ".png", b"\xff\xd8\xff": ".jpg", b"RIFF": ".webp"}
 
 

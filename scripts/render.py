@@ -7,8 +7,8 @@ Views, `--view` once for each:
   eye        from 1.6 m in a free corner or a door, with a wide lens, of the largest room or of `--room`
 Each picture is DIR/BUILDING-LEVEL[-ROOM]-VIEW.png, or .jpg with `--format jpg`.
 
-Same file, same cameras. Needs Python 3.11 and scripts/requirements-render.txt; see scripts/README.md.
-Exit 0: all pictures are there. 1: some are not, the reasons are on standard error. 2: nothing could start.
+The same file gives the same cameras. Needs Python 3.11 and scripts/requirements-render.txt; see scripts/README.md.
+Exit 0: all pictures are written. 1: some are not; standard error has the reasons. 2: nothing could start.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--samples", type=int, default=64, metavar="N", help="per pixel; default: 64, denoised")
     parser.add_argument("--engine", choices=("cycles", "eevee", "workbench"), default="cycles")
     parser.add_argument("--format", choices=("png", "jpg"), default="png")
-    parser.add_argument("--transparent", action="store_true", help="keep what is outside transparent (png only)")
+    parser.add_argument("--transparent", action="store_true", help="keep the background transparent (png only)")
     options = parser.parse_args(arguments)
     if options.samples < 1:
         parser.error("--samples must be 1 or more")

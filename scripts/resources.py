@@ -46,7 +46,7 @@ class Reach:
 
 
 def reach_of(file: Path, asked_for: Path | None = None) -> Reach:
-    """What a file may name; `asked_for` is the folder of the command line that it was found in."""
+    """The places that a file may name; `asked_for` is the folder of the command line that it was found in."""
     folder = Path(os.path.abspath(file)).parent.resolve()
     root = folder if asked_for is None else asked_for.resolve()
     return Reach(folder, (root, folder, *(folder.parent / name for name in SHARED_FOLDERS)))

@@ -1,4 +1,4 @@
-# What the scripts need, set up in the project's folder and asked for once: `source scripts/set_up.sh` there.
+# Sets up the environments of the scripts in the project's folder: `source scripts/set_up.sh` there.
 # ROOMWRIGHT_PYTHON names another Python than python3.
 
 # .venv/ from scripts/requirements.txt: for validate.py, convert.py and the tests.

@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/set_up.sh
 top=$PWD
-# What is checked is made, not found: nothing is kept between runs.
+# Without a cache, every checked file is made by this run.
 export ROOMWRIGHT_CACHE=none
 work=$(mktemp -d)
 log=$work/log

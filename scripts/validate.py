@@ -1,24 +1,24 @@
 #!/usr/bin/env python3
-"""Validates baked floors and what convert.py made of them: validate.py [options] FOLDER|FILE...
+"""Validates baked levels and the USD files of convert.py: validate.py [options] FOLDER|FILE...
 
 For every .glb and .gltf:
-  file         it is read, its buffers are there
-  path         it names files of its own folder, of the FOLDER it was found in and of the shared folders beside its
-               own, by relative paths without a link that leads out, and no pipe or device
-  texture      its images are there
-  names        every node has a name, and no two have the same
-  extras       every node says what it is, with every field that its kind has; parents and counts agree
-  geometry     each piece's mesh fills its box as `size` says, is closed, has no empty faces and no wrong normals
-  containment  each piece lies inside its room and outside of its columns
-  collision    no piece is inside another, measured on the triangles
-  trimesh      trimesh loads it, with as many instances and the same bounds as the file itself says
+  file         the file can be read, and its buffers exist
+  path         the file names only files of its own folder, of the FOLDER that it was found in and of the shared folders
+               beside its own; by relative paths, without a link that leads out; no pipe or device
+  texture      the images exist
+  names        every node has a name of its own
+  extras       the extras of every node have the fields of its kind; parents and counts agree
+  geometry     each object's mesh fills its `size`, is closed, has no empty faces and no wrong normals
+  containment  each object lies inside its room and outside of the room's columns
+  collision    no object overlaps another, measured on the triangles
+  trimesh      trimesh loads the file with the same count of instances and the same bounds
   khronos      the Khronos validator reports no error and no warning
 For every .usd, .usda, .usdc and .usdz:
-  file         it opens, what it names is there
-  path         it names no absolute path, nothing outside of the FOLDER it was found in, and no pipe or device
-  texture      the images of its materials are there
-  usd          the validators that come with USD report nothing
-For every manifest.json: each file listed is there with its bytes and hash, and no other floor lies beside it.
+  file         the file opens, and the files that it names exist
+  path         the file names no absolute path, nothing outside of the FOLDER that it was found in, and no pipe or device
+  texture      the images of the materials exist
+  usd          the validators of USD report nothing
+For every manifest.json: each listed file exists with its size and hash, and no other level is in the folder.
 
 Needs scripts/requirements.txt, and for `khronos` also `npm ci` in scripts/.
 Faults go to standard output as FILE: [CODE] NODE: MESSAGE (or as one JSON document with --json), progress to
@@ -89,7 +89,7 @@ def check_file(file: Path, folder: Path | None = None) -> tuple[list[Fault], Cou
 
 
 def guarded(check: Callable, gltf: GltfFile) -> Iterator[Note]:
-    """What a check finds, up to where nonsense in the file stops it."""
+    """The findings of a check, up to where nonsense in the file stops it."""
     try:
         yield from check(gltf)
     except Exception as error:
@@ -97,7 +97,7 @@ def guarded(check: Callable, gltf: GltfFile) -> Iterator[Note]:
 
 
 def stopped(error: Exception) -> Note:
-    """What a broken file can raise in other people's readers has no end."""
+    """The exception that ended a check, as a fault: a broken file can make other libraries raise anything."""
     if isinstance(error, GltfError):
         return note_of(error)
     return Note("file", "", f"a value in it is not of its kind, {type(error).__name__}: {error}; "
@@ -146,7 +146,7 @@ def find_inputs(paths: list[Path]) -> tuple[list[Input], list[Path]]:
         elif path.name.endswith(".json"):
             manifests.append(path)
         else:
-            raise FileNotFoundError(f"{path} is no folder, .glb, .gltf, USD file or manifest")
+            raise FileNotFoundError(f"{path} is neither a folder nor a .glb, .gltf, USD file or manifest")
     return files, manifests
 
 
@@ -154,7 +154,7 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("paths", nargs="+", type=Path, metavar="FOLDER|FILE")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (default: one a core)")
-    parser.add_argument("--no-khronos", action="store_true", help="leave the Khronos validator out")
+    parser.add_argument("--no-khronos", action="store_true", help="skip the Khronos validator")
     parser.add_argument("--json", action="store_true", help="write one JSON document instead of lines")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     return parser.parse_args(arguments)
@@ -168,13 +168,13 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"validate: {error}", file=sys.stderr)
         return 2
     if not files:
-        print("validate: no .glb, .gltf or USD file there", file=sys.stderr)
+        print("validate: there is no .glb, .gltf or USD file", file=sys.stderr)
         return 2
     with_khronos = not options.no_khronos and any(judged.file.suffix.lower() in SCENE_ENDINGS for judged in files)
     if with_khronos and not is_installed():
-        print("validate: the Khronos validator is not here. With Node 20 or newer, in the project's folder, in bash:\n"
+        print("validate: the Khronos validator is not set up. With Node 20 or newer, run in bash, in the project's folder:\n"
               "  source scripts/set_up.sh && set_up_validator\n"
-              "or leave it out with --no-khronos", file=sys.stderr)
+              "or skip it with --no-khronos", file=sys.stderr)
         return 2
     faults, totals = check_files(files, max(1, options.jobs), with_khronos, options.quiet)
     faults += chain.from_iterable(map(check_manifest, manifests))

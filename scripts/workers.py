@@ -13,7 +13,7 @@ FRESH = multiprocessing.get_context("forkserver" if "forkserver" in multiprocess
 
 
 def outcomes(work: Callable, items: Sequence, processes: int) -> Iterator:
-    """What `work` gives for each item, in their order, or the exception that it raised."""
+    """The results of `work` for items, in their order; an exception that it raised is the result for its item."""
     with ProcessPoolExecutor(max(1, min(processes, len(items))), mp_context=FRESH) as pool:
         futures = [pool.submit(work, item) for item in items]
         for future, item in zip(futures, items):

@@ -88,7 +88,7 @@ def check_room(gltf: GltfFile, node: Node) -> Iterator[Note]:
         yield Note("extras", node.name, f"the name of the room is not 'room:{extras['room']}'")
     pieces = piece_counts(gltf)[extras["room"]]
     if pieces != extras["placed"]:
-        yield Note("extras", node.name, f"{extras['placed']} pieces are said to be placed, {pieces} are there")
+        yield Note("extras", node.name, f"`placed` is {extras['placed']}, but {pieces} objects are below the room")
     outline = shapely.Polygon(extras["outline"], extras["holes"])
     if not outline.is_valid or outline.area <= 0.0:
         yield Note("extras", node.name, f"its outline is no area: {shapely.is_valid_reason(outline)}")
@@ -112,10 +112,10 @@ def check_furniture(gltf: GltfFile, node: Node) -> Iterator[Note]:
         yield Note("extras", node.name, f"{extras['side']!r} is no side")
     parents = named_parents(gltf, node)
     if not parents and not ROOM_PART.fullmatch(extras["parent"]):
-        yield Note("extras", node.name, f"its parent is said to be {extras['parent']!r}, which is not in its room")
+        yield Note("extras", node.name, f"`parent` is {extras['parent']!r}, which is not in its room")
     if node.parent.kind == "furniture" and all(node.parent is not parent for parent in parents):
-        yield Note("extras", node.name, f"its parent is said to be {extras['parent']!r}, but it hangs "
-                                        f"under {node.parent.name!r}")
+        yield Note("extras", node.name, f"`parent` is {extras['parent']!r}, but the node is below "
+                                        f"{node.parent.name!r}")
 
 
 def named_parents(gltf: GltfFile, node: Node) -> list[Node]:

@@ -51,7 +51,7 @@ def check_box(node: Node, corners: np.ndarray) -> Iterator[Note]:
     if np.abs(found - size).max() > SIZE_TOLERANCE:
         said = triple((width, depth, height))
         measured = triple(found[[0, 2, 1]])
-        yield Note("geometry", node.name, f"the mesh measures {measured}, its size is said to be {said}")
+        yield Note("geometry", node.name, f"the mesh measures {measured}, `size` is {said}")
     middle = (low + high) / 2 - (0.0, height / 2, 0.0)
     if np.abs(middle).max() > SIZE_TOLERANCE:
         yield Note("geometry", node.name, f"the origin is off the middle of the underside by {triple(middle)}")
@@ -90,7 +90,7 @@ def check_inside(piece: Piece, allowed: shapely.Polygon) -> Iterator[Note]:
 
 
 def check_column(piece: Piece, column: Node) -> Iterator[Note]:
-    """What stands on a low column is beside nothing of it."""
+    """An object on a low column is above the column, and not judged."""
     body = shapely.Polygon(column.extras["outline"]).buffer(-ROOM_TOLERANCE, join_style="mitre")
     top = column.extras["height"] - ROOM_TOLERANCE
     if piece.low[1] >= top or not body.intersects(footprint(piece.corners)):

@@ -17,7 +17,7 @@ BACKWARD = -1e-3
 
 
 def complaints(primitives: list[dict]) -> Iterator[str]:
-    """What is wrong with a mesh."""
+    """The faults of a mesh."""
     rim = open_edges(primitives)
     if rim:
         yield rim

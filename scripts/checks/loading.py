@@ -1,4 +1,4 @@
-"""What trimesh makes of a file."""
+"""The same file read by trimesh, an independent reader."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class OwnResolver(Resolver):
 
 
 def check_trimesh(gltf: GltfFile) -> Iterator[Note]:
-    """What trimesh sees against what the file says."""
+    """Instances and bounds that trimesh reads, against those of the file."""
     # trimesh reads all arrays, and would believe lengths that no buffer has.
     for number in range(len(gltf.document.get("accessors", []))):
         gltf.accessor(number)

@@ -52,7 +52,7 @@ def complaints(path: Path) -> Iterator[str]:
         listed.add(entry.path)
         yield from check_entry(entry, reach)
     beside = {file.relative_to(path.parent).as_posix() for file in scenes_in(path.parent)}
-    yield from (f"{name} is there and not listed" for name in sorted(beside - listed))
+    yield from (f"{name} exists, but is not listed" for name in sorted(beside - listed))
 
 
 def check_entry(entry: Entry, reach: Reach) -> Iterator[str]:

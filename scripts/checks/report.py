@@ -1,4 +1,4 @@
-"""What is wrong with a file."""
+"""Faults of files."""
 
 from __future__ import annotations
 

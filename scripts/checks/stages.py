@@ -1,9 +1,9 @@
 """USD files: layers, stages of buildings and cities, packages.
 
-What a file names, and what these files name, is looked at before anything is composed; where all of it lies where it
-may, the file is opened without its payloads, which are files of the same folder and judged as such, and asked by all
-validators that come with USD, and by the compliance checker where this USD has one. What a validator calls an error or
-a warning is a fault here, as is a file that is named and not there, and what USD says while it composes.
+The names in a file, and in the files that it names, are judged before anything is composed. If all of them may be read, the
+file is opened without its payloads, which are files of the same folder and judged by themselves. Then all validators of USD
+judge it, and the compliance checker if this USD has one. Their errors and warnings are faults, and so are missing files and
+the errors of USD while it composes.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def check_named_files(file: Path, folder: Path | None) -> Iterator[Note]:
             except ResourceError as error:
                 # Images that are missing are faults of the materials that read them.
                 if owner == first and Path(name).suffix.lower() in ENDINGS:
-                    yield Note("file", "", f"it names {name!r}, which is not there")
+                    yield Note("file", "", f"it names {name!r}, which does not exist")
 
 
 @lru_cache(maxsize=4096)
@@ -124,7 +124,7 @@ def check_shader(prim: Usd.Prim, shown: str) -> Iterator[Note]:
         if not isinstance(value, Sdf.AssetPath) or not value.path:
             continue
         if not value.resolvedPath:
-            yield Note("texture", shown, f"it reads {value.path!r}, which is not there")
+            yield Note("texture", shown, f"it reads {value.path!r}, which does not exist")
 
 
 def check_compliance(file: Path) -> Iterator[Note]:

@@ -13,7 +13,7 @@ from .floor_view import Box, Level, Room, is_inside
 
 # Metres at which walls are cut in pictures from above and of whole levels, and where near walls of a room end.
 CUT, STUB = 1.2, 0.1
-# What is not above this stands on the floor or on a rug.
+# Metres: an object that begins below this stands on the floor or on a rug.
 STANDS = 0.02
 
 

@@ -11,7 +11,7 @@ from .floor_view import Box, Level, Room, distances, is_inside
 
 # Millimetres of the lens, metres of a person's eyes.
 LENS, EYE_HEIGHT = 20.0, 1.6
-# Metres: what stands as high as this stops a person's view.
+# Metres: objects of this height stop a person's view.
 TALL = 1.4
 
 
@@ -111,7 +111,7 @@ def _best_direction(place: np.ndarray, seen: np.ndarray) -> tuple[float, float]:
     best = (-1.0, 0.0)
     for direction in np.radians(np.arange(0.0, 360.0, 5.0)):
         apart = np.abs((angles - direction + math.pi) % (2 * math.pi) - math.pi)
-        # What is in the middle counts more, so that the view is centred on it.
+        # Points in the middle count more, so that the view is centred on the floor.
         score = float(np.where(apart < half, 1.0 - 0.3 * apart / half, 0.0).sum())
         if score > best[0] + 1e-9:
             best = (score, float(direction))

@@ -1,4 +1,4 @@
-"""What a baked level holds, as pictures need it: rooms, boxes of furniture, openings, in plan metres.
+"""A baked level as pictures need it: rooms, boxes of furniture and openings, in plan metres.
 
 Plan coordinates: x east, y north, z up from the level's floor; the same axes as Blender's after its import.
 Needs numpy only; render.py and its tests share it.

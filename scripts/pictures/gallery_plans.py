@@ -17,7 +17,7 @@ HEIGHT = 3.0
 STYLES_OF_FILES = {"homes": "home_modern", "hotels": "hotel", "offices": "office_modern", "restaurants": "restaurant_simple",
                    "schools": "university", "shops": "retail_bright", "health": "clinic", "service": "workshop_industrial",
                    "leisure": "gym_industrial"}
-# What shows a style best, by the first word of its name; types that a style is not made for are passed over.
+# Room types that show a style best, by the first word of its name; types that a style is not made for are skipped.
 ROOMS_OF_STYLES = {"home": "living_room", "hotel": "hotel_room", "office": "office", "restaurant": "restaurant",
                    "library": "library", "gym": "gym", "retail": "shop", "workshop": "workshop", "clinic": "examination_room",
                    "university": "classroom", "paper": "restaurant", "default": "living_room"}

@@ -17,7 +17,7 @@ MIDDLE_GREY, LEAST_STOPS, MOST_STOPS = 0.30, -4.0, 6.0
 
 @dataclass(frozen=True)
 class Quality:
-    """What the user chooses: pixels, samples for each of them, engine."""
+    """The user's choices: pixels, samples for each pixel, engine."""
 
     width: int = 960
     height: int = 720

@@ -80,7 +80,7 @@ def property_value(value) -> tuple:
 
 
 def label(prim: Sdf.PrimSpec, node: Node) -> None:
-    """What the node is, as UsdSemantics says it: taxonomies `class`, `room` and `building`."""
+    """UsdSemantics labels of the node: taxonomies `class`, `room` and `building`."""
     taxonomy, field = LABELS.get(node.kind, ("", ""))
     if field in node.extras:
         apply_schemas(prim, f"SemanticsLabelsAPI:{taxonomy}")

@@ -29,7 +29,7 @@ from .writing import write_layer, write_package
 
 @dataclass(frozen=True)
 class Written:
-    """What a building needs to know of a floor's file."""
+    """The facts of a level's file that its building needs."""
 
     file: Path
     level: Level | None

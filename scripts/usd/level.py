@@ -1,4 +1,4 @@
-"""What a building's stage says of a level: its names, its elevation and the building's place."""
+"""The facts of a level that its building's stage needs: names, elevation and the building's place."""
 
 from __future__ import annotations
 

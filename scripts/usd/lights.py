@@ -28,7 +28,7 @@ from gltf_file import GltfFile, Node
 from .specs import Types, apply_schemas, attribute, new_prim
 
 EXTENSION = "KHR_lights_punctual"
-# What a lamp's node says of its light.
+# The keys of a lamp's extras that describe its light.
 PHOTOMETRIC = {"lumens", "kelvin"}
 # Metres: less than the 2 cm that lights keep from their lamps' boxes, so that no lamp shades its own light.
 RADIUS = 0.015

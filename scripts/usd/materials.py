@@ -14,7 +14,7 @@ from .specs import Types, attribute, new_prim
 from .textures import Textures
 
 MATERIALS = "Materials"
-# What is left of a clear material's opacity, so that glass is seen at all.
+# The least opacity of a clear material, so that glass is visible at all.
 LEAST_OPACITY = 0.1
 INPUT_TYPES = {"diffuseColor": Types.Color3f, "emissiveColor": Types.Color3f, "normal": Types.Normal3f}
 

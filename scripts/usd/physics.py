@@ -46,7 +46,7 @@ def properties_of(class_name: str) -> dict:
 
 
 def collider_of(node: Node) -> str:
-    """What a simulator sees of a node's mesh."""
+    """The shape of a node's mesh for a simulator."""
     if node.kind == "furniture":
         return properties_of(node.extras["class"])["shape"]
     return table()["leaf"]["shape"] if node.extras.get("part") == "leaf" else STATIC

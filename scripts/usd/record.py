@@ -1,4 +1,4 @@
-"""What convert.py wrote into a folder, so that a later run can take away what it no longer writes.
+"""The record of the files that convert.py wrote into a folder, by which a later run removes those that it no longer writes.
 
 `converted.json` lists every file with its hash and, where it was made of one source, with that source. A run takes away
 what the record lists below the sources that the run was asked for and what the run did not write: a floor that left the
@@ -35,7 +35,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Asked:
-    """What a run was asked to convert, as paths from the folder that it writes into."""
+    """The inputs of a run, as paths from the folder that it writes into."""
 
     sources: tuple[str, ...]  # files and folders, and the folder around all folders
     failed: frozenset[str] = frozenset()  # files of which an earlier result stays
@@ -52,7 +52,7 @@ def is_below(source: str, asked: str) -> bool:
 
 @dataclass
 class Removal:
-    """What was taken away, and what stays although no run writes it any more, with the reason."""
+    """The files that were removed, and those that stay although no run writes them any more, with the reason."""
 
     removed: list[str]
     kept: list[str]

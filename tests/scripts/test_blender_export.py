@@ -90,7 +90,7 @@ class TestIdentities:
         door = next(node for node in document["nodes"] if node["name"] == "door:d1")
         self.add(document, "door:d1.001", dict(door["extras"]), "house/ground")
         names, changes = self.settled(document)
-        assert {"door:d1", "door:d1.001"} <= set(names) and "door:d1.001 is there twice" in changes[0]
+        assert {"door:d1", "door:d1.001"} <= set(names) and "door:d1.001 exists twice" in changes[0]
 
     def test_points_are_inside_concave_rings_or_not(self):
         ring = [(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)]
@@ -171,7 +171,7 @@ class TestBlender:
         model.location = placed + np.array([0.3, 0.3, 0.0])
         bpy.context.scene.collection.objects.link(model)
         notes = export_level(tmp_path / "back.glb", "house/ground")
-        assert "lamp.1@101 has no parent and stands in no room: it is left out" in notes
+        assert "lamp.1@101 has no parent and stands in no room: it is not exported" in notes
         assert "model has no parent: it is put into room:101" in notes
         new = nodes_of(tmp_path / "back.glb")
         turn = np.array([math.cos(0.5) + math.sin(0.5), 0.0, math.sin(0.5) - math.cos(0.5)]) * 0.3

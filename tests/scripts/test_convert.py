@@ -179,4 +179,4 @@ def test_levels_that_no_plan_has_any_more_are_left_out(floor, tmp_path, capsys):
     (bake / "manifest.json").write_text(json.dumps({"levels": [], "former_levels": former}))
     assert convert.main([str(bake), "--out", str(tmp_path / "usd")]) == 0
     assert (tmp_path / "usd/house/ground.usdc").exists() and not (tmp_path / "usd/house/gone.usdc").exists()
-    assert "gone.glb is left out" in capsys.readouterr().err
+    assert "gone.glb is skipped" in capsys.readouterr().err

@@ -50,11 +50,11 @@ def stand_open_box(floor):
     (set_extra("desk.1@101", id="desk.9"), "extras desk.1@101: the name is not that of 'desk.9' in its room"),
     (set_extra("desk.1@101", side="top"), "extras desk.1@101: 'top' is no side"),
     (set_extra("desk.1@101", parent="desk.9"),
-     "extras desk.1@101: its parent is said to be 'desk.9', which is not in its room"),
+     "extras desk.1@101: `parent` is 'desk.9', which is not in its room"),
     (set_extra("lamp.1@101", parent="desk.1"),
-     "extras lamp.1@101: its parent is said to be 'desk.1', but it hangs under 'desk.2@101'"),
-    (set_extra("lamp.1@101", parent="floor"), "extras lamp.1@101: its parent is said to be 'floor'"),
-    (set_extra("room:101", placed=4), "extras room:101: 4 pieces are said to be placed, 3 are there"),
+     "extras lamp.1@101: `parent` is 'desk.1', but the node is below 'desk.2@101'"),
+    (set_extra("lamp.1@101", parent="floor"), "extras lamp.1@101: `parent` is 'floor'"),
+    (set_extra("room:101", placed=4), "extras room:101: `placed` is 4, but 3 objects are below the room"),
     (set_extra("room:101", outline=[[0, 0], [4, 3], [4, 0], [0, 3]]), "extras room:101: its outline is no area"),
     (set_extra("door:d1", rooms=["102"]), "extras door:d1: it names the room '102'"),
     (rename("house/ground", "house"), "extras house: the name of the level is not 'house/ground'"),
@@ -187,7 +187,7 @@ class TestManifest:
         file.rename(file.with_name("first.glb"))
         assert self.messages(manifest) == [
             "levels[0].files[0].path: 'house/ground.glb' cannot be read: No such file or directory",
-            "house/first.glb is there and not listed"]
+            "house/first.glb exists, but is not listed"]
 
     def test_what_is_no_manifest_is_a_fault(self, manifest):
         manifest.write_text("{}")

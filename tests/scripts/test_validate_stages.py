@@ -59,7 +59,7 @@ WOOD = "/house_ground/Materials/modern_wood/"
     (FLOOR, ("metersPerUnit = 1", "metersPerUnit = 0.01"), "usd : a unit is 0.01 m"),
     (FLOOR, ("@../shared-models/lamp_0", "@../shared-models/no"), "file : it names '../shared-models/no"),
     (FLOOR, ("@../shared-models/lamp_0", "@/shared-models/lamp_0"), "path : it names a file that it may not: '/shared-models/"),
-    (BUILDING, ("@./ground.usda@", "@./cellar.usda@"), "file : it names './cellar.usda', which is not there"),
+    (BUILDING, ("@./ground.usda@", "@./cellar.usda@"), "file : it names './cellar.usda', which does not exist"),
     (FLOOR, ("@../shared-textures/", "@../shared-textures/no-"), f"texture {WOOD}diffuseColorTexture: it reads '../"),
     (FLOOR, ("@../shared-textures/", "@/shared-textures/"), "path : it names a file that it may not: '/shared-textures/"),
     (FLOOR, ("#usda 1.0", "#usda"), "file : cannot be opened"),

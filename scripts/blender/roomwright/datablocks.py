@@ -16,7 +16,7 @@ IMPORT_OPTIONS = {"import_select_created_objects": False, "import_scene_as_colle
 
 
 class Datablocks:
-    """What has been read, by the keys of document.py."""
+    """The datablocks that have been read, by the keys of document.py."""
 
     def __init__(self, scene):
         self.meshes, self.materials, self.images, self.lights = {}, {}, {}, {}
@@ -24,7 +24,7 @@ class Datablocks:
         self.scene = scene  # the importer's own
 
     def read(self, document: Document) -> None:
-        """Reads what no earlier file had. Raises BakeError."""
+        """Reads the meshes, materials, images and lights that no earlier file had. Raises BakeError."""
         reduced = reduce_document(document, self.meshes.keys() | self.lights.keys(), self.materials)
         if not reduced.keys:
             return

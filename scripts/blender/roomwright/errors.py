@@ -4,7 +4,7 @@ import struct
 from contextlib import contextmanager
 from pathlib import Path
 
-# What code that trusts a document raises where the document is damaged.
+# Exceptions of code that trusts a document, if the document is damaged.
 DAMAGE = (KeyError, IndexError, TypeError, ValueError, AttributeError, StopIteration, struct.error, OSError)
 
 
@@ -18,7 +18,7 @@ class ExportError(Exception):
 
 @contextmanager
 def damage_of(path: Path):
-    """Turns what a damaged file makes fail into a BakeError with the file's name."""
+    """Turns an exception that a damaged file causes into a BakeError with the file's name."""
     try:
         yield
     except DAMAGE as error:

@@ -20,7 +20,7 @@ from .identities import renew_identities
 from .outline import is_inside
 from .whole_file import whole_file
 
-# What makes up an object's place, to the last digit, which a matrix does not give back.
+# The properties that make up an object's place. A matrix would lose their last digits.
 PLACE = ("location", "rotation_quaternion", "rotation_euler", "rotation_axis_angle", "scale")
 
 
@@ -78,7 +78,7 @@ def _strays(root) -> tuple[dict, list[str]]:
             continue
         room = next((room for room in rooms if _stands_in(thing, room)), None)
         if room is None:
-            notes.append(f"{thing.name} has no parent and stands in no room: it is left out")
+            notes.append(f"{thing.name} has no parent and stands in no room: it is not exported")
         elif room.parent == root:
             found[thing] = room
             notes.append(f"{thing.name} has no parent: it is put into {room.name}")

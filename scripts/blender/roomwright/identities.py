@@ -5,7 +5,7 @@ from pathlib import Path
 
 from .glb import rewrite_document
 
-# What Blender calls the copy of a piece, whether or not the piece is still there.
+# Blender's name for the copy of a piece, whether or not the piece still exists.
 COPY = re.compile(r".+@.+\.\d{3,}")
 # A parent that is no object has one of these names, or one of them with a number or an id.
 ROOM_PARTS = ("floor", "ceiling", "wall", "column", "door", "window")
@@ -138,7 +138,7 @@ class Identities:
     def _rename(self, number: int, name: str) -> None:
         if name in self._names:
             name = self.nodes[number].get("name", "")
-            self.notes.append(f"{name} is there twice; roomwright knows the other one")
+            self.notes.append(f"{name} exists twice; roomwright reads the other one")
         self._names.add(name)
         self.nodes[number]["name"] = name
 

@@ -15,7 +15,7 @@ from .errors import damage_of
 from .floors import find_floors
 from .options import Options
 
-# What an import can make; what is new of these is removed when it fails.
+# Kinds of datablocks that an import can make; if it fails, the new ones are removed.
 KINDS = ("scenes", "collections", "objects", "meshes", "lights", "cameras", "materials", "images", "node_groups",
          "textures", "actions")
 
