@@ -1,4 +1,4 @@
-//! What the audit calls a fault: the thresholds of `configs/audit.yaml`.
+//! The thresholds of the audit, from `configs/audit.yaml`.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Building styles: which style each room of a building is furnished in.
+//! Building styles, which choose a style for each room of a building.
 
 use std::collections::BTreeMap;
 

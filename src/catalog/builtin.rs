@@ -1,4 +1,4 @@
-//! The files of `configs/` inside the binary, so that it runs from any folder.
+//! The files of `configs/`, compiled into the binary so that it runs from any folder.
 
 use include_dir::{Dir, DirEntry, include_dir};
 

@@ -1,4 +1,4 @@
-//! Semantic descriptions of classes (the paper's sections 3.2 and 4.3, and what `configs/` adds to them).
+//! Classes of furniture (the paper's sections 3.2 and 4.3, and the additions of `configs/`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! The hash of everything that was read.
+//! The hash of all configuration that was read.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ struct Files<'a, 'b> {
     report: &'a mut Report<'b>,
 }
 
-/// What is kept of a file.
+/// The record of a file.
 struct Known {
     hash: [u8; 32],
     companions: Vec<PathBuf>,

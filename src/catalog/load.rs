@@ -1,4 +1,4 @@
-//! The way from folders to a [`Catalog`].
+//! Loads folders of configuration as a [`Catalog`].
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ use crate::plan::GENERIC_ROOM_TYPE;
 /// `rooms/`, `styles/`, `palettes/`, `room_words.yaml` and `audit.yaml`.
 ///
 /// A definition replaces the one of the same id in an earlier folder whole, unless it `extends` itself.
-/// What extends or names an id always means its last definition. Room words are merged word by word,
+/// Definitions that extend or name an id use its last definition. Room words are merged word by word,
 /// thresholds of the audit one by one.
 ///
 /// # Errors
@@ -114,7 +114,7 @@ fn by_id<T>(values: impl IntoIterator<Item = T>, id: impl Fn(&T) -> &String) -> 
     values.into_iter().map(|value| (id(&value).clone(), value)).collect()
 }
 
-/// What other stages fall back to must be there.
+/// The definitions that other stages fall back to must exist.
 fn check_indispensable(definitions: &Definitions, report: &mut Report<'_>) {
     if definitions.styles.get(DEFAULT_STYLE).is_none() {
         let message = format!("no folder defines the style \"{DEFAULT_STYLE}\"");

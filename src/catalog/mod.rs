@@ -1,8 +1,11 @@
-//! `configs/` to a checked [`Catalog`]: classes, room types, styles, palettes and the audit's thresholds, all
-//! inheritance resolved.
+//! Reads `configs/` into a checked [`Catalog`]: classes, room types, styles, palettes and the thresholds of the audit.
 //!
-//! What later stages may rely on: every class index points into [`Catalog::classes`], every name into its
-//! table; sizes are positive; every palette fills every slot; no class has itself as its only ancestor.
+//! Later stages may rely on:
+//! - all inheritance is resolved;
+//! - every class index points into [`Catalog::classes`], every name into its table;
+//! - sizes are positive;
+//! - every palette fills every slot;
+//! - no class has itself as its only ancestor.
 
 mod audit;
 mod building_style;
@@ -71,7 +74,7 @@ pub struct Catalog {
     pub palettes: BTreeMap<String, Palette>,
     /// The room words of plan formats.
     pub room_words: RoomWords,
-    /// What the audit calls a fault.
+    /// The thresholds of the audit.
     pub audit: AuditRules,
     /// Where each definition is written: the last place where later folders replace earlier ones.
     pub origins: BTreeMap<(DefinitionKind, String), Origin>,
@@ -86,11 +89,11 @@ pub struct Origin {
     pub file: PathBuf,
     /// The line of its id, counted from 1, where the file writes it in a line of its own.
     pub line: Option<usize>,
-    /// What it extends.
+    /// The id of the definition that it extends.
     pub extends: Option<String>,
 }
 
-/// What a definition in `configs/` defines.
+/// The kinds of definitions in `configs/`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum DefinitionKind {
     /// A class of furniture.
@@ -138,7 +141,7 @@ impl Catalog {
         self.classes.binary_search_by(|class| class.id.as_str().cmp(id)).ok()
     }
 
-    /// What people call a set of classes, given as sorted indices: the group of exactly these, or their ids.
+    /// The name of a set of classes (sorted indices) for people: the group of exactly these, or their ids.
     #[must_use]
     pub fn class_names(&self, classes: &[ClassIndex]) -> String {
         let is_whole = |group: &&String| {

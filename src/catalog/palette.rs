@@ -32,7 +32,7 @@ pub struct Material {
     pub tints: Vec<[f32; 4]>,
 }
 
-/// All surfaces that can be painted on a slot, sorted: the words of `texture:`.
+/// All surfaces that a slot can have, sorted: the words of `texture:`.
 pub const SURFACES: [&str; 13] = [
     "brushed",
     "carpet",

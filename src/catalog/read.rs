@@ -1,4 +1,4 @@
-//! Folders of configuration to files, and files to definitions.
+//! Reads folders of configuration as files, and files as definitions.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ use super::report::{Promised, Report, Spot};
 use super::table::{Definition, Extends, Table};
 use crate::document::{Fault, Faults, Source};
 
-/// What a file below a folder of configuration defines, by the name of its place.
+/// The kind of definitions in a file, by its folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FileKind {
     Classes,
@@ -68,7 +68,7 @@ pub(crate) struct Files {
     places: Vec<Place>,
     /// The texts, in the same order.
     pub(crate) sources: Vec<Source>,
-    /// What could not be read.
+    /// Files that could not be read.
     pub(crate) faults: Faults,
     layer_count: usize,
 }
@@ -207,7 +207,7 @@ fn nothing_found(folder: &Path) -> Fault {
     )
 }
 
-/// What a path below a folder of configuration defines, if it is read at all.
+/// The kind of definitions at a path below a folder of configuration, if it is read at all.
 fn kind_of(key: &str) -> Option<FileKind> {
     let (stem, extension) = key.rsplit_once('.')?;
     if !EXTENSIONS.contains(&extension) {

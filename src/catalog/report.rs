@@ -1,4 +1,4 @@
-//! Where a value is written, and the faults found so far.
+//! The place of a value in its file, and the faults found so far.
 
 use std::collections::BTreeSet;
 
@@ -39,7 +39,7 @@ impl Spot {
     }
 }
 
-/// What files with faults may define: names that are not known otherwise, but not reported either.
+/// Names that faulty files may define; they are not reported as unknown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Promised {
     /// These names; none where all files are sound.
@@ -74,7 +74,7 @@ pub(crate) struct Report<'a> {
     sources: &'a [Source],
     /// Everything found so far.
     pub(crate) faults: Faults,
-    /// What files with faults may define.
+    /// Names that faulty files may define.
     pub(crate) promised: Promised,
 }
 

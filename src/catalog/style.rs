@@ -1,4 +1,4 @@
-//! Room types and styles: what a room holds, and how it looks.
+//! Room types and styles: the pieces of a room, and their looks.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Definitions of all folders, and who extends whom.
+//! The definitions of all folders, and which of them extend which.
 
 use std::collections::BTreeMap;
 
@@ -13,13 +13,13 @@ pub(crate) struct Definition<T> {
     pub(crate) layer: usize,
     /// Where it is written.
     pub(crate) spot: Spot,
-    /// What is written.
+    /// The entry as written.
     pub(crate) entry: T,
 }
 
-/// What all kinds of definitions have in common.
+/// The interface of all kinds of definitions.
 pub(crate) trait Extends {
-    /// What one of the kind is called in messages.
+    /// The name of the kind in messages.
     const KIND: &'static str;
     /// The key of a file under which they stand.
     const TABLE: &'static str;
@@ -114,7 +114,7 @@ impl<T: Extends> Table<T> {
         while let Some(base) = self.definitions[current].entry.base() {
             current = self.base_index(current, base, report)?;
             if let Some(first) = indices.iter().position(|&index| index == current) {
-                // Every member and everything that leads into the circle ends here; one member tells.
+                // Every member and everything that leads into the circle ends here; one member reports it.
                 if first == 0 && indices.iter().min() == Some(&start) {
                     self.report_circle(&indices, report);
                 }
@@ -125,7 +125,7 @@ impl<T: Extends> Table<T> {
         Some(Chain(indices.iter().map(|&index| &self.definitions[index]).collect()))
     }
 
-    /// What a definition extends: the last definition of that id, or, where it names itself, the one of
+    /// The definition that another extends: the last definition of that id, or, where it names itself, the one of
     /// an earlier folder.
     fn base_index(&self, index: usize, base: &str, report: &mut Report<'_>) -> Option<usize> {
         let definition = &self.definitions[index];

@@ -1,4 +1,4 @@
-//! How much pieces that are furnished together differ.
+//! How much the pieces of one room, dwelling or building may differ.
 
 /// Looks of a class whose numbers are equal modulo this have one shape: recipes make four, and further looks differ from
 /// these in what varies by chance, as the books in a bookcase do.
@@ -21,7 +21,7 @@ pub enum Variety {
 }
 
 impl Variety {
-    /// What it says of a class, for people.
+    /// The description for people.
     pub(crate) fn describe(self) -> &'static str {
         match self {
             Self::None => "one for all that are furnished together",

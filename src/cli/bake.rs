@@ -1,4 +1,4 @@
-//! `bake`: what was typed to a run, then the run.
+//! `bake`: turns the arguments into a run, then runs it.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -30,13 +30,13 @@ use crate::texture::TextureSize;
 /// Most failures that are listed one by one.
 const LISTED_FAILURES: usize = 20;
 
-/// Endings of what somebody may expect `--out` to be.
+/// Endings of files that users may expect `--out` to name.
 const RESULT_ENDINGS: [&str; 7] = ["glb", "gltf", "usd", "usda", "usdc", "usdz", "zip"];
 
-/// Seed of runs for which nobody names one.
+/// Seed of runs without a seed of their own.
 pub(crate) const DEFAULT_SEED: u64 = 1;
 
-/// What a command line means.
+/// The meaning of a command line.
 struct Run {
     sources: Sources,
     options: BakeOptions,
@@ -76,7 +76,7 @@ pub(super) fn bake_once(arguments: BakeArguments, screen: Screen) -> Outcome {
     }
 }
 
-/// A fault if the output folder is called like a file that somebody may expect instead.
+/// A fault if the output folder has the name of a file that users may expect instead.
 fn file_as_folder(out: &Path) -> Option<Fault> {
     let ending = out.extension()?.to_str()?.to_ascii_lowercase();
     let is_file_name = RESULT_ENDINGS.contains(&ending.as_str()) && !out.is_dir();
@@ -147,7 +147,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
     })
 }
 
-/// What becomes of levels that the plans do not have. While a part of them cannot be read, nobody knows which these are.
+/// The treatment of levels that the plans do not have. They are not known while some plans cannot be read.
 fn unplanned(is_pruned: bool, faults: &Faults, screen: Screen) -> Unplanned {
     match (is_pruned, faults.has_errors()) {
         (false, false) => Unplanned::SetApart,
@@ -178,7 +178,7 @@ fn scene_options(arguments: &BakeArguments) -> SceneOptions {
     }
 }
 
-/// Where painted surfaces, models and notes are kept, if anywhere.
+/// The folder for textures, models and notes, if there is one.
 pub(super) fn cache_root(typed: Option<PathBuf>) -> Option<PathBuf> {
     typed.or_else(Cache::default_root).filter(|root| root.as_os_str() != "none")
 }
@@ -192,7 +192,7 @@ fn textures(word: TextureWord, are_shared: bool) -> TextureOptions {
     TextureOptions { size, are_shared }
 }
 
-/// Who leaves out textures wants small files.
+/// Users who leave out textures want small files.
 fn flat_normals(word: Option<NormalsWord>, textures: TextureWord) -> FlatNormals {
     match word {
         Some(NormalsWord::Written) => FlatNormals::Written,
@@ -288,7 +288,7 @@ fn show_listed(faults: &Faults, screen: Screen) {
     }
 }
 
-/// Each misfit once, however many rooms one line of an edits file is for.
+/// Each rejected edit once, however many rooms one line of an edits file is for.
 fn show_misfits(report: &BakeReport, screen: Screen) {
     let told = distinct_misfits(report.misfits.iter().map(|LevelMisfit { misfit, .. }| misfit));
     screen.faults(&Faults(told.0.iter().take(LISTED_FAILURES).cloned().collect()));
@@ -298,7 +298,7 @@ fn show_misfits(report: &BakeReport, screen: Screen) {
     }
 }
 
-/// What to try after the demo.
+/// Commands to try after the demo.
 const NEXT_STEPS: &str = "\
 Open a .glb in Blender or any glTF viewer, or try next:
   roomwright draw --out drawings     the same levels as SVG

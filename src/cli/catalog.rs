@@ -1,4 +1,4 @@
-//! `catalog`: what exists.
+//! `catalog`: lists the catalogue.
 
 use std::path::{Path, PathBuf};
 
@@ -63,7 +63,7 @@ fn find(arguments: &CatalogArguments, screen: Screen) -> Result<Description, Fau
     describe(&loaded.value, kind, id)
 }
 
-/// What two words ask for: a kind, a kind and an id, or an id of any kind.
+/// The request of two words: a kind, a kind and an id, or an id of any kind.
 fn question<'a>(
     what: Option<&'a str>,
     id: Option<&'a str>,

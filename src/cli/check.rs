@@ -1,4 +1,4 @@
-//! `check`: reads everything, writes nothing.
+//! `check`: reads plans and configuration, reports faults, writes nothing.
 
 use super::answer::{CheckAnswer, fault_answers};
 use super::arguments::CheckArguments;

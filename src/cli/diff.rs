@@ -1,4 +1,4 @@
-//! `diff`: what differs between two bakes or two files.
+//! `diff`: compares two bakes or two files.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! `edits`: what people changed, into the file beside the plan.
+//! `edits`: writes changes by hand into the file beside the plan.
 
 use std::path::{Path, PathBuf};
 
@@ -93,7 +93,7 @@ fn survey(path: &Path) -> Result<Survey, Faults> {
 /// The file that was named, else the one beside the plan or project that a floor was baked from.
 ///
 /// # Errors
-/// If nobody knows the plan.
+/// If the plan is not known.
 fn file_of(
     named: Option<PathBuf>,
     cache: Option<PathBuf>,

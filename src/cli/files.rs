@@ -1,4 +1,4 @@
-//! Writes single results of a command: whole or not at all, never over an existing file unless told.
+//! Writes the single files of a command: whole or not at all, never over an existing file unless told.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +11,7 @@ use tempfile::NamedTempFile;
 use crate::disk::{new_temporary, read_regular, sweep_temporaries};
 use crate::document::{Fault, Faults};
 
-/// How files begin that are not yet in place. Hidden, so that nobody takes one for a result.
+/// How files begin that are not yet in place. Hidden, so that none is taken for a result.
 const TEMPORARY_PREFIX: &str = ".roomwright-";
 
 /// The most bytes of a file that are read to see whether the program made it.
@@ -22,14 +22,14 @@ const LARGEST_OWN: u64 = 1 << 30;
 pub(crate) enum Overwrite {
     /// None.
     Nothing,
-    /// Those of which the function says, by their content, that the program made them and nobody changed them.
+    /// Files that the function recognises, by their content, as written by the program and not changed since.
     Own(fn(&[u8]) -> bool),
     /// All of them.
     All,
 }
 
 impl Overwrite {
-    /// What `--force` stands for.
+    /// The meaning of `--force`.
     pub(crate) fn forced(is_forced: bool) -> Self {
         if is_forced { Self::All } else { Self::Nothing }
     }

@@ -1,4 +1,4 @@
-//! The room that somebody means on the command line.
+//! Finds the room that the command line names.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use crate::plan::{Level, PlacedBuilding, Room};
 /// Rooms that are listed where several could be meant.
 const MOST_LISTED: usize = 5;
 
-/// What somebody says about a room.
+/// The parts of a room's name on the command line.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted<'w> {
     /// `[BUILDING/][LEVEL/]ROOM`, or the name of the room.

@@ -1,4 +1,4 @@
-//! `formats`: what is read, and what is not.
+//! `formats`: lists the formats that are read, and known ones that are not.
 
 use super::answer::{FormatsAnswer, UnreadFormatAnswer};
 use super::exit::Outcome;

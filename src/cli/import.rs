@@ -1,4 +1,4 @@
-//! `import`: foreign plans as native ones.
+//! `import`: converts foreign plans to native ones.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use crate::batch::distinct_names;
 use crate::document::{Fault, Faults, printable};
 use crate::plan::{InputReport, Level, PlacedBuilding, PlanReading, write_native};
 
-/// Endings of files that somebody may expect instead of YAML.
+/// Endings of formats that users may expect instead of YAML.
 const OTHER_ENDINGS: [&str; 9] = ["json", "geojson", "dxf", "dwg", "ifc", "svg", "glb", "gltf", "zip"];
 
 /// One building and where it goes.
@@ -88,7 +88,7 @@ fn other_format(out: &Path) -> Option<Fault> {
     })
 }
 
-/// What was written, and what the readers say of it where that is asked for.
+/// The files written, and the reports of the readers if requested.
 fn report(written: &[&Target<'_>], faults: &Faults, (reports, screen): (Option<&[InputReport]>, Screen)) {
     let counts = |target: &&Target<'_>| {
         let levels = &target.placed.building.levels;

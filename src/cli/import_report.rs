@@ -1,4 +1,4 @@
-//! What became of an imported plan, in words.
+//! The report on an imported plan, in words.
 
 use crate::plan::{InputReport, LevelReport, Share};
 

@@ -1,4 +1,4 @@
-//! `init`: a plan, a style and a project to begin with.
+//! `init`: writes a first plan, style and project.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use crate::document::Faults;
 /// Where the files to begin with are, below `configs/`.
 const START_FOLDER: &str = "start";
 
-/// What is written, with a word about it: paths below [`START_FOLDER`].
+/// The files that are written, each with a description: paths below [`START_FOLDER`].
 const START_FILES: [(&str, &str); 3] = [
     ("plans/house.yaml", "a house of two levels, for you to change"),
     ("project.yaml", "the plans that are baked together, their style and seed"),
@@ -92,7 +92,7 @@ fn report(folder: &Path, [written, kept]: [&[StartFile]; 2], screen: Screen) {
     screen.result(&format!("Next:\n  {}", next.join("\n  ")));
 }
 
-/// What to type next: bake the project, draw it.
+/// The next commands: bake the project, draw it.
 fn next_commands(folder: &Path) -> [String; 2] {
     let word =
         |path: &str| shell_word(&if folder == Path::new(".") { path.into() } else { folder.join(path) });

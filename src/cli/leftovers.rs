@@ -1,4 +1,4 @@
-//! What earlier bakes left in an output folder, for people and for machines.
+//! Reports the files of earlier bakes in an output folder, for people and as JSON.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! `man` and `completions`: the definition of the command line for other programs.
+//! `man` and `completions`: print the definition of the command line for other programs.
 
 use std::path::{Path, PathBuf};
 

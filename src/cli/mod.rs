@@ -1,4 +1,4 @@
-//! Arguments to a job to an exit code; the only place that prints.
+//! Turns arguments into a job and its exit code; the only folder that prints.
 
 mod answer;
 mod arguments;
@@ -72,7 +72,7 @@ fn run_command() -> Outcome {
     }
 }
 
-/// What the program does when nothing is typed: it bakes the demo, so that the first thing a new user sees
+/// The action without arguments: the program bakes the demo, so that the first result a new user sees
 /// is furniture.
 fn demo() -> Command {
     let typed = Arguments::parse_from(["roomwright", "bake"]);

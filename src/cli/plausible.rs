@@ -1,4 +1,4 @@
-//! Rooms of a size that their kind does not have: nothing is wrong with them, but a unit or a comma may be.
+//! Warns of rooms with an unusual size for their type, which may have a wrong unit or comma.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -7,7 +7,7 @@ use crate::catalog::{Catalog, Plausible};
 use crate::document::{Fault, Faults};
 use crate::plan::{Plan, Room};
 
-/// What of a room is asked about.
+/// The measure of a room that is unusual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Measure {
     Area,
@@ -45,7 +45,7 @@ pub(crate) fn check_plausible(plan: &Plan, catalog: &Catalog) -> Faults {
     Faults(faults.collect())
 }
 
-/// What of a room is beyond its bounds.
+/// The measures of a room that are beyond their bounds.
 fn beyond(room: &Room, plausible: &Plausible) -> Vec<(Measure, f64)> {
     let is_within = |value: f64, (least, most): (f64, f64)| (least..=most).contains(&value);
     let area = room.region.area();

@@ -1,4 +1,4 @@
-//! Progress on stderr: a bar, plain lines, or JSON lines.
+//! Shows progress on stderr: a bar, plain lines, or JSON lines.
 
 use std::io::{IsTerminal, Write};
 use std::sync::Mutex;
@@ -39,7 +39,7 @@ pub(crate) struct Plain {
 }
 
 impl Progress {
-    /// What was asked for; `auto` looks at stderr.
+    /// The requested kind; `auto` looks at stderr.
     pub(crate) fn new(word: ProgressWord, is_quiet: bool) -> Self {
         match word {
             ProgressWord::None => Self::None,
@@ -154,7 +154,7 @@ fn print_answer(line: &ProgressLine) {
     print_line(&serde_json::to_string(line).expect("lines are plain data"));
 }
 
-/// Stderr that nobody reads any more is no reason to stop a bake.
+/// A closed stderr does not stop a bake.
 fn print_line(line: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", printable_json(line));
 }

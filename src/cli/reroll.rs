@@ -1,4 +1,4 @@
-//! Another seed for one room.
+//! Gives one room another seed.
 
 use std::fmt;
 

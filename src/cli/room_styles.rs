@@ -1,4 +1,4 @@
-//! Styles that rooms ask for, against the types that the styles are made for.
+//! Warns of styles that are not made for the type of their room.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,7 +1,7 @@
-//! The two streams: results to stdout, everything else to stderr.
+//! Prints results to stdout, and everything else to stderr.
 //!
-//! Names, words and ids come from files that anybody may have written. Whatever is printed goes through here, where
-//! characters that a terminal or a service for continuous integration would obey are made visible instead.
+//! Names, words and ids come from files of unknown origin. All output goes through here, where characters that would
+//! control a terminal or a continuous integration service are made visible.
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,7 +27,7 @@ pub(crate) fn is_result_lost() -> bool {
     IS_RESULT_LOST.load(Ordering::Relaxed)
 }
 
-/// What goes where.
+/// Prints results, notes and errors, each to its stream.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Screen {
     /// No warnings, notes and summaries; errors are still shown.

@@ -23,9 +23,9 @@ pub(crate) struct Sources {
     pub(crate) models: ModelLibrary,
     /// The buildings that could be read.
     pub(crate) plan: Plan,
-    /// What people changed in the furnished rooms.
+    /// The edits of the furnished rooms.
     pub(crate) edits: EditBook,
-    /// What project files say about the run.
+    /// The settings of project files for the run.
     pub(crate) settings: ProjectSettings,
     /// Errors and warnings; after an error some rooms or buildings are missing.
     pub(crate) faults: Faults,

@@ -1,4 +1,4 @@
-//! What a bake did, for people and for machines.
+//! The summary of a bake, for people and as JSON.
 
 use std::collections::BTreeMap;
 use std::path::Path;

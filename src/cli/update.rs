@@ -1,4 +1,4 @@
-//! Changes a file that others may change at the same time: nobody's change is lost.
+//! Changes a file that other processes may change at the same time, without losing their changes.
 
 use std::fs::File;
 use std::io::ErrorKind;
@@ -13,7 +13,7 @@ const ATTEMPTS: usize = 1000;
 
 /// Writes what `change` makes of a file, which it reads anew each time that it is asked; the file need not be there yet.
 ///
-/// Whoever changes the file holds a lock on it. As a change renames a new file into its place, the lock that somebody waited
+/// A process that changes the file holds a lock on it. As a change renames a new file into its place, the lock that somebody waited
 /// for may be on the old one: then the turn begins again.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! Answers to arguments that the definition does not know, and the pages that are asked for by arguments.
+//! Answers wrong arguments with advice, and prints the help pages.
 
 use std::io::{IsTerminal, Write};
 use std::path::Path;
@@ -49,7 +49,7 @@ fn repeats_harm(line: &str) -> bool {
     bounded(line) != line || std::env::args().any(|word| word.contains('\u{1b}'))
 }
 
-/// What to type where a plan stands in place of a command.
+/// Advice if a plan stands in place of a command.
 fn plan_in_place_of_command(error: &clap::Error) -> Option<String> {
     let typed = match error.get(ContextKind::InvalidSubcommand)? {
         ContextValue::String(typed) if error.kind() == ErrorKind::InvalidSubcommand => typed,

@@ -1,4 +1,4 @@
-//! One difference.
+//! One difference between two bakes.
 
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! The kinds of differences; their words are part of the output and of `--fail-on`.
+//! The kinds of differences; their names are part of the output and of `--fail-on`.
 
 use schemars::JsonSchema;
 use serde::Serialize;

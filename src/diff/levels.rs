@@ -1,4 +1,4 @@
-//! A level before and after.
+//! Compares a level before and after.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ use crate::read_back::{Described, Inventory};
 /// Names of parts, models or materials that are listed; the others are counted.
 const LISTED_NAMES: usize = 5;
 
-/// What differs between two levels of different bytes.
+/// The differences of two levels.
 pub(super) struct Differences {
     /// Of the level as a whole.
     pub(super) changes: Vec<Change>,
@@ -78,7 +78,7 @@ fn rooms(old: &Inventory, new: &Inventory, tolerance: &Tolerance) -> Vec<RoomDif
 }
 
 /// Parts, models, materials, textures and lights that both sides have and that are not the same. Which of them came or
-/// went with a room, an opening or an object is told there.
+/// went with a room, an opening or an object is reported there.
 fn looks(old: &Inventory, new: &Inventory) -> Vec<Change> {
     let (a, b) = (&old.looks, &new.looks);
     let groups: [(Kind, &str, &Described, &Described); 5] = [

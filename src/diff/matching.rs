@@ -1,17 +1,18 @@
-//! Which thing of one side is which of the other.
+//! Pairs the objects of a room before with those after.
 //!
-//! Ids count the things of a class, so that the one after a thing that went takes its number. Hence, in this order:
+//! Ids count the objects of a class, so that a removal renumbers the later ones. Objects are therefore paired in this
+//! order:
 //! 1. the same id, class and place;
-//! 2. the same class and place: only the number is another one;
-//! 3. the same id: it moved, or is of another class;
-//! 4. the same class, the nearest pairs first, of any distance: it moved and has another number;
-//! 5. another class at nearly the same place, on or at the same kind of thing: it was swapped for another one.
+//! 2. the same class and place: only the number differs;
+//! 3. the same id: the object moved, or is of another class;
+//! 4. the same class, the nearest pairs first, at any distance: the object moved and has another number;
+//! 5. another class at nearly the same place, on or at the same kind of object: the object was swapped.
 //!
-//! In rooms with thousands of things of a class, most of which would be paired with the same few, the last of rule 4 are
-//! paired in the order of their places in the file ([`super::nearest`]).
+//! In rooms with thousands of objects of a class, most of which would be paired with the same few, the last objects of
+//! rule 4 are paired in the order of their places in the file ([`super::nearest`]).
 //!
-//! What is left came or went. After a room was furnished anew, pairs by 3 and 4 say how much furniture moved, not
-//! which chair it was.
+//! The remaining objects were added or removed. After a room was furnished anew, pairs by rules 3 and 4 say how much
+//! furniture moved, not which chair it was.
 
 use std::collections::BTreeMap;
 
@@ -19,13 +20,13 @@ use glam::DVec3;
 
 use super::nearest::{Rule, pairs};
 
-/// What is known about a thing.
+/// An object to be paired.
 #[derive(Clone, Debug)]
 pub(super) struct Item<'a> {
     pub(super) id: String,
     pub(super) class: &'a str,
     pub(super) place: DVec3,
-    /// What kind of thing it stands on or belongs to.
+    /// The class or kind of room part that it stands on or belongs to.
     pub(super) on: &'a str,
     /// Metres around its place within which another class may take it; zero for never.
     pub(super) reach: f64,
@@ -42,13 +43,13 @@ pub(super) enum Rules {
 
 /// The matched pairs, each side by index.
 pub(super) struct Matches {
-    /// By old thing: the new one.
+    /// By old object: the new one.
     pub(super) new_of: Vec<Option<usize>>,
-    /// By new thing: the old one.
+    /// By new object: the old one.
     pub(super) old_of: Vec<Option<usize>>,
 }
 
-/// Pairs things; ids are unique on each side.
+/// Pairs objects; ids are unique on each side.
 pub(super) fn match_up(old: &[Item<'_>], new: &[Item<'_>], same_place: f64, rules: Rules) -> Matches {
     let mut matches = Matches { new_of: vec![None; old.len()], old_of: vec![None; new.len()] };
     let by_id: BTreeMap<&str, usize> =
@@ -104,7 +105,7 @@ impl Matches {
         pairs.into_iter().for_each(|(old, new)| self.join(old, Some(new)));
     }
 
-    /// What has no pair yet.
+    /// The objects without a pair so far.
     fn left(&self) -> (Vec<usize>, Vec<usize>) {
         let left = |taken: &[Option<usize>]| -> Vec<usize> {
             taken.iter().enumerate().filter(|(_, pair)| pair.is_none()).map(|(index, _)| index).collect()

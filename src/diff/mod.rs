@@ -1,9 +1,9 @@
-//! Two bakes, or two files, to what differs between them: rooms, furniture, openings, findings.
+//! Compares two bakes, or two files: rooms, furniture, openings, findings.
 //!
-//! Levels are paired by building and level. Whether one differs at all, the manifests say by their hashes: files that
-//! are equal are not opened. The others are read as they say themselves (`read_back::Inventory`), so that no catalogue
-//! decides what is compared; one is asked for verdicts on edited files and for pictures only. `read` is the only file
-//! that opens any; everything else is pure. Answers do not depend on the number of threads.
+//! Levels are paired by building and level. Files with equal hashes in both manifests are not opened. The others are read
+//! as an inventory (`read_back::Inventory`), which needs no catalogue; the catalogue serves for verdicts on edited files
+//! and for pictures only. `read` is the only file that opens any; everything else is pure. The answer does not depend on
+//! the number of threads.
 
 mod change;
 mod kind;
@@ -42,7 +42,7 @@ pub use tolerance::Tolerance;
 /// How to compare.
 #[derive(Clone, Copy)]
 pub struct DiffOptions<'a> {
-    /// What is too little to be a difference.
+    /// The largest differences that are ignored.
     pub tolerance: Tolerance,
     /// Classes and thresholds for verdicts on edited files.
     pub catalog: &'a Catalog,
@@ -90,7 +90,7 @@ pub fn compare(old: &Path, new: &Path, options: &DiffOptions<'_>) -> Result<(Rep
     Ok(finish(report, found))
 }
 
-/// What is known about one pair of levels; no difference where both are the same.
+/// The result for one pair of levels; no difference if both are the same.
 #[derive(Default)]
 struct Found {
     diff: Option<LevelDiff>,
@@ -132,7 +132,7 @@ fn compare_folders(old: &Folder, new: &Folder, options: &DiffOptions<'_>) -> Vec
     pairs.par_iter().map(compare).collect()
 }
 
-/// A level on one side only: told by its record, not opened.
+/// A level on one side only: reported from its record, not opened.
 fn lone_level(entry: &Entry, state: Presence) -> Found {
     let file = entry.files.first().map(|file| file.path.clone());
     let worth = Worth::Numbers(vec![entry.totals.rooms as f64, entry.totals.placed as f64]);

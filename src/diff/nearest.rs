@@ -1,4 +1,4 @@
-//! The nearest pairs of two lists of things, without comparing all with all.
+//! Finds the nearest pairs of two lists of objects without comparing all with all.
 
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -10,20 +10,20 @@ use super::matching::Item;
 
 /// Things that one is compared with in one search, at most: more lie at one distance only where they lie at one place.
 const MOST_COMPARED: usize = 256;
-/// Searches per thing, on average, before the rest is paired in order. Somebody who moved a whole hall by its length makes
-/// all things search for the same few.
+/// Searches per object, on average, before the rest is paired in order. If a whole hall was moved by its length, all
+/// objects search for the same few.
 const SEARCHES_EACH: usize = 64;
 
-/// A thing and its place.
+/// An object and its place.
 type Placed = GeomWithData<[f64; 3], usize>;
-/// Bits of the distance, which order as the distance does, then both things.
+/// Bits of the distance, which order as the distance does, then both objects.
 type Candidate = Reverse<(u64, usize, usize)>;
 
-/// What may be a pair.
+/// The rule by which two objects may be a pair.
 pub(super) struct Rule<R, P> {
-    /// Metres from a thing within which its pair is.
+    /// Metres from an object within which its pair is.
     pub(super) reach: R,
-    /// Whether two things at some distance may be one.
+    /// Whether two objects at some distance may be one.
     pub(super) is_pair: P,
 }
 
@@ -61,7 +61,7 @@ pub(super) fn pairs<R: Fn(&Item<'_>) -> f64, P: Fn(&Item<'_>, &Item<'_>, f64) ->
     pairs
 }
 
-/// The nearest free thing that may be the pair of another, with its distance; of equally near ones the first in the list.
+/// The nearest free object that may be the pair of another, with its distance; of equally near ones the first in the list.
 fn nearest_to<R: Fn(&Item<'_>) -> f64, P: Fn(&Item<'_>, &Item<'_>, f64) -> bool>(
     one: &Item<'_>,
     new: &[Item<'_>],
@@ -82,7 +82,7 @@ fn nearest_to<R: Fn(&Item<'_>) -> f64, P: Fn(&Item<'_>, &Item<'_>, f64) -> bool>
     best
 }
 
-/// The first free thing that may be the pair of another.
+/// The first free object that may be the pair of another.
 fn first_free<R, P: Fn(&Item<'_>, &Item<'_>, f64) -> bool>(
     one: &Item<'_>,
     new: &[Item<'_>],

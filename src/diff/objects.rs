@@ -1,4 +1,4 @@
-//! The furniture of a room before and after.
+//! Compares the furniture of a room before and after.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::read_back::ObjectEntry;
 /// Metres within which an object of another class takes a place, however large both are.
 const LONGEST_REACH: f64 = 0.5;
 
-/// What became of the objects of a room.
+/// The changes to the objects of a room.
 pub(super) struct ObjectDiff {
     /// By kind, then in the order of the new side; what went in the order of the old one.
     pub(super) changes: Vec<Change>,

@@ -1,4 +1,4 @@
-//! The doors and windows of a level before and after.
+//! Compares the doors and windows of a level before and after.
 
 use super::change::{Change, Worth};
 use super::kind::Kind;
@@ -54,7 +54,7 @@ fn compare(old: &OpeningEntry, new: &OpeningEntry, tolerance: &Tolerance) -> Opt
     })
 }
 
-/// What it is, how large, where, and between which rooms.
+/// The kind, size, place and rooms of an opening.
 fn shown(opening: &OpeningEntry) -> Worth {
     let [width, height] = opening.size.map(round_metres);
     let [x, y, z] = opening.position.to_array().map(round_metres);

@@ -1,4 +1,4 @@
-//! The levels of two manifests, paired.
+//! Pairs the levels of two manifests.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::report::Presence;
 use crate::batch::FileRecord;
 
-/// What a comparison asks of a level's record.
+/// The parts of a level's record that a comparison needs.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 pub(super) struct Entry {
     /// Building id.
@@ -21,7 +21,7 @@ pub(super) struct Entry {
     pub(super) totals: EntryTotals,
 }
 
-/// The sums that are told of a level on one side only.
+/// The sums that are reported of a level on one side only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(default)]
 pub(super) struct EntryTotals {

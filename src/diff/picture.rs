@@ -28,7 +28,7 @@ pub struct RoomPictures {
 }
 
 /// Draws rooms of a level that differ. `old` and `new` are the sides that were compared. Files that cannot be read
-/// any more have no pictures: the report has told what is wrong with them.
+/// any more have no pictures: the report has their faults.
 #[must_use]
 pub fn draw_rooms(
     level: &LevelDiff,
@@ -160,7 +160,7 @@ fn is_marked(kind: Kind) -> bool {
     )
 }
 
-/// What went, and what is elsewhere or another one now.
+/// Marks at objects that were removed, moved or swapped.
 fn old_marks(room: &RoomDiff, view: Option<&View<'_>>) -> Vec<RoomMark> {
     let kind_of = |change: &Change| match change.kind {
         Kind::Removed => Some((change.id.clone(), MarkKind::Removed)),
@@ -173,7 +173,7 @@ fn old_marks(room: &RoomDiff, view: Option<&View<'_>>) -> Vec<RoomMark> {
     marks(view, &kinds, |_| None)
 }
 
-/// What came, and what stands elsewhere or is another one, with an arrow from where it was.
+/// Marks at objects that were added, moved or swapped; moved ones have an arrow from their old place.
 fn new_marks(room: &RoomDiff, view: Option<&View<'_>>) -> Vec<RoomMark> {
     let kind_of = |change: &Change| match change.kind {
         Kind::Added => Some((change.id.clone(), MarkKind::Added)),
@@ -182,7 +182,7 @@ fn new_marks(room: &RoomDiff, view: Option<&View<'_>>) -> Vec<RoomMark> {
     };
     let kinds: BTreeMap<String, MarkKind> = room.changes.iter().filter_map(kind_of).collect();
     let from = |id: &str| {
-        // What was carried has no arrow of its own.
+        // Objects that were carried along have no arrow of their own.
         let is_move =
             |change: &&Change| change.kind == Kind::Moved && change.with.is_none() && change.id == id;
         match room.changes.iter().find(is_move)?.old.as_ref()? {

@@ -1,4 +1,4 @@
-//! What a comparison says, as it is written for machines (`configs/schema/diff.schema.json`).
+//! The report of a comparison as JSON (`configs/schema/diff.schema.json`).
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! A room before and after.
+//! Compares a room before and after.
 
 use std::collections::BTreeMap;
 
@@ -232,7 +232,7 @@ mod tests {
         // A room that failed before fails no more than it did.
         let other = with(vec![finding("collision", "failed", "desk.1")]);
         assert_eq!(kinds(&worse, &other), [Kind::Findings, Kind::FindingsGone]);
-        // What is measured may differ.
+        // Measured values may differ.
         let measured = FindingExtras { measured: 0.55, ..finding("tight_use", "minor", "desk.1") };
         assert!(kinds(&old, &with(vec![measured])).is_empty());
     }

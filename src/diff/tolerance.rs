@@ -1,4 +1,4 @@
-//! What is too little to be a difference, and how figures are rounded.
+//! The largest differences that are ignored, and the rounding of figures.
 
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -1,10 +1,10 @@
-//! "One of these" faults of a schema, condensed to what a person meant.
+//! Condenses the many schema faults of a "one of these" value to the one that the user needs.
 
 use jsonschema::error::{TypeKind, ValidationErrorKind};
 use jsonschema::{JsonType, ValidationError};
 use serde_json::Value;
 
-/// What is wrong with a value that fits none of several alternatives.
+/// The fault of a value that fits none of several alternatives.
 pub(super) enum Choice<'a> {
     /// The value is no alternative's type; the types that would do.
     Types(Vec<JsonType>),
@@ -33,7 +33,7 @@ pub(super) fn condense<'a>(alternatives: &'a [Vec<ValidationError<'static>>], pl
         let all = fitting.iter().flatten().filter_map(|error| words(error, place)).flatten();
         return Choice::Words(unique(all));
     }
-    // A wrong word deep inside weighs most: it is what tells tagged alternatives apart.
+    // A wrong word deep inside weighs most: it is the difference of tagged alternatives.
     let misfit = |branch: &Branch<'_>| {
         let tags =
             branch.iter().filter(|error| words(error, error.instance_path().as_str()).is_some()).count();

@@ -1,4 +1,4 @@
-//! All faults of a document that serde refused, found with the JSON Schema of its type.
+//! Finds all faults of a document that serde rejected, with the JSON Schema of its type.
 
 use jsonschema::error::ValidationErrorKind;
 use jsonschema::paths::LocationSegment;
@@ -172,7 +172,7 @@ impl Diagnosis<'_> {
         self.add(path, format!("expected {}, found {found}", names.join(" or ")), hint);
     }
 
-    /// What to write for a text that begins with a number: `14ft`, `3,5`, `8' 2"`.
+    /// Advice for a text that begins with a number: `14ft`, `3,5`, `8' 2"`.
     fn measure_hint(&self, text: &str) -> Option<String> {
         let is_digit = |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | ',');
         let (number, rest) =

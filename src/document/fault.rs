@@ -1,4 +1,4 @@
-//! Faults of an input: place, fact, value, hint.
+//! Faults of an input: the place, the fact, the value and a hint.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -44,7 +44,7 @@ pub fn show_path(path: &[PathStep]) -> String {
     shown
 }
 
-/// One thing that is wrong or doubtful in an input file.
+/// One error or doubt in an input file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// The file.
@@ -58,7 +58,7 @@ pub struct Fault {
     pub path: Vec<PathStep>,
     /// The fact, with the value.
     pub message: String,
-    /// What to do about it, if there is something to say.
+    /// Advice for the user, if there is any.
     pub hint: Option<String>,
     /// Whether the file can be used all the same.
     pub severity: FaultSeverity,

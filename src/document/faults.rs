@@ -1,4 +1,4 @@
-//! Many faults, and results that carry warnings.
+//! Collections of faults, and results that carry warnings.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ pub struct Faults(pub Vec<Fault>);
 pub struct Warned<T> {
     /// The result.
     pub value: T,
-    /// What the user should look at; none of them is an error.
+    /// Warnings for the user; none of them is an error.
     pub warnings: Faults,
 }
 

@@ -1,4 +1,4 @@
-//! The two spellings of a document, read straight into a value.
+//! Reads YAML or JSON straight into a value.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -87,7 +87,7 @@ fn yaml_options() -> serde_saphyr::Options {
 
 fn of_yaml(error: &serde_saphyr::Error) -> Refusal {
     let message = error.without_snippet().to_string();
-    // The place is told apart from the message, which repeats it.
+    // The place is kept apart from the message, which repeats it.
     let message = message.split(" at line ").next().unwrap_or_default().to_owned();
     let message = message
         .split_once(": ")

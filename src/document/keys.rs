@@ -1,4 +1,4 @@
-//! The outermost keys of a text, without reading its values.
+//! Lists the outermost keys of a text without reading its values.
 
 /// The keys of the outermost mapping.
 ///

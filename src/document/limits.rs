@@ -1,4 +1,4 @@
-//! Bounds on what an input may cost, together in one place.
+//! Limits on the size and depth of inputs, in one place.
 
 /// Bytes of the largest file that is read. A city of real floor plans in one file stays far below it; a
 /// file beyond it is a mistake (a mesh, a log, an image) or an attack, and is refused before it is read.

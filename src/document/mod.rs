@@ -1,9 +1,8 @@
-//! YAML and JSON files to typed values, with all faults of a file at once.
+//! Reads YAML and JSON files into typed values, and reports all faults of a file at once.
 //!
-//! Shared by `plan/` and `catalog/`, which know what the values mean. A good file is read by serde straight
-//! into its type. Only when that fails is it read again into a `tree` that knows the place of every
-//! value, and checked against the JSON Schema of the type, so that every fault is found and located:
-//! positions cost nothing for files without faults.
+//! `plan/` and `catalog/` share this stage and interpret the values. Serde reads a good file straight into its type. If
+//! this fails, the file is read again into a `tree` that knows the place of every value, and checked against the JSON
+//! Schema of the type. Thus every fault is found with its place, and files without faults cost no time for places.
 
 mod choice;
 mod diagnose;
@@ -48,7 +47,7 @@ pub fn read_document<T: DeserializeOwned + JsonSchema>(path: &Path) -> Result<T,
     Source::read(path)?.parse()
 }
 
-/// As [`read_document`], for a text in memory; `file` is the name for messages and tells the format.
+/// As [`read_document`], for a text in memory; `file` is the name for messages; its ending decides the format.
 ///
 /// # Errors
 /// As [`read_document`].

@@ -1,8 +1,8 @@
-//! Plain YAML words to values: the core schema of YAML 1.2.
+//! Interprets plain YAML words as values, by the core schema of YAML 1.2.
 
 use serde_json::{Number, Value};
 
-/// What a plain (unquoted) word is.
+/// The meaning of a plain (unquoted) word.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Plain {
     /// Null, a boolean, a number or a text.

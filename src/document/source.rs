@@ -1,4 +1,4 @@
-//! A file's text, and where things stand in it.
+//! The text of a file, with line and column of each place in it.
 
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// A text in memory; `file` is its name in messages and tells the format.
+    /// A text in memory; `file` is its name in messages; its ending decides the format.
     #[must_use]
     pub fn new(file: &Path, text: &str) -> Self {
         Self { file: file.to_owned(), text: text.to_owned(), tree: OnceLock::new(), lines: OnceLock::new() }
@@ -90,7 +90,7 @@ impl Source {
         }
     }
 
-    /// The keys of the outermost mapping, as far as they can be told without reading the values; for a text
+    /// The keys of the outermost mapping, as far as they can be found without reading the values; for a text
     /// with syntax errors as far as it can be read. Tells kinds of files apart.
     #[must_use]
     pub fn top_keys(&self) -> Vec<String> {
@@ -156,7 +156,7 @@ impl Source {
         self.tree.get_or_init(|| Tree::parse(&self.text))
     }
 
-    /// What is wrong with the text whatever it is to mean.
+    /// The faults of the text that do not depend on its type.
     pub(super) fn flaws(&self) -> Faults {
         let flaws = match self.tree() {
             Ok(tree) => &tree.flaws[..],

@@ -1,4 +1,4 @@
-//! "Did you mean ...?"
+//! Finds the known word nearest to a mistyped one, for hints such as "did you mean ...?".
 
 /// Least similarity (Jaro-Winkler, 0 to 1) of a suggestion: 0.8 pairs `kitchin` with `kitchen` and
 /// `rom` with `room`, but not `sofa` with `stove`. Lower suggests nonsense, higher misses swapped letters.

@@ -1,4 +1,4 @@
-//! Texts from outside as people see them: in one line, without signs that no screen shows, not longer than they read.
+//! Prepares foreign texts for messages: one line, control characters replaced, long texts cut.
 
 /// Letters of a word that are shown before it is cut.
 const WORD_LENGTH: usize = 80;

@@ -1,4 +1,4 @@
-//! A document as a tree that knows the place of every key and value; JSON is read as the YAML it is.
+//! A document as a tree that knows the place of every key and value. JSON is read as YAML, of which it is a part.
 
 use std::collections::BTreeMap;
 
@@ -17,11 +17,11 @@ pub(super) type Position = (usize, usize);
 pub(super) struct Node {
     /// Its first letter; that of the first key for a mapping without braces.
     pub(super) position: Position,
-    /// What it is.
+    /// The content.
     pub(super) content: Content,
 }
 
-/// What a [`Node`] is.
+/// The content of a [`Node`].
 #[derive(Clone, Debug)]
 pub(super) enum Content {
     /// A single value.
@@ -57,7 +57,7 @@ pub(super) struct Flaw {
     pub(super) path: Vec<PathStep>,
     /// The fact.
     pub(super) message: String,
-    /// What to do about it.
+    /// Advice for the user.
     pub(super) hint: Option<&'static str>,
 }
 
@@ -66,7 +66,7 @@ pub(super) struct Flaw {
 pub(super) struct Tree {
     /// The document; null for an empty file.
     pub(super) root: Node,
-    /// What is wrong all the same.
+    /// Faults that do not keep the text from being read.
     pub(super) flaws: Vec<Flaw>,
 }
 

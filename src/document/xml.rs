@@ -1,4 +1,4 @@
-//! Texts in XML and HTML.
+//! Escapes texts for XML and HTML.
 
 use super::text::is_unprintable;
 

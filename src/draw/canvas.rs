@@ -1,4 +1,4 @@
-//! SVG elements from plan points.
+//! Draws SVG elements at plan points.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Objects from above, low ones first, with their fronts marked.
+//! Draws objects from above, low ones first, with their fronts marked.
 
 use crate::catalog::{Class, Shape};
 use crate::geometry::{Point, direction};
@@ -75,7 +75,7 @@ pub(crate) fn is_marked(placement: &Placement) -> bool {
 }
 
 fn draw_object(canvas: &mut Canvas, class: &Class, placement: &Placement) {
-    // What hangs lets see what stands below.
+    // Hanging objects do not hide those below.
     if hangs(placement) {
         return draw_outline(canvas, class, placement, OVERHEAD);
     }
@@ -125,7 +125,7 @@ fn draw_front(canvas: &mut Canvas, placement: &Placement) {
     canvas.polygon(&[tip, base - right * length, base + right * length], "fill=\"#777\"");
 }
 
-/// What stands on the floor and is large enough; a rug under a table would be named over it.
+/// Whether an object gets a name: it stands on the floor and is large enough. A rug would be named over its table.
 fn carries_name(placement: &Placement) -> bool {
     const LOWEST: f64 = 0.1;
     !hangs(placement)

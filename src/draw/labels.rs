@@ -1,4 +1,4 @@
-//! Names of rooms, each where its room is emptiest.
+//! Places the names of rooms, each at the emptiest spot of its room.
 
 use crate::audit::Grade;
 use crate::geometry::Point;
@@ -66,7 +66,7 @@ fn draw_line(canvas: &mut Canvas, (room, at): (&Room, Point), text: &str, style:
     }
 }
 
-/// The beginning of a text in so many letters, or nothing where that would tell nothing.
+/// The beginning of a text in so many letters, or nothing where that would be too short.
 fn cut(text: &str, letters: usize) -> String {
     const FEWEST: usize = 4;
     if letters < FEWEST { String::new() } else { text.chars().take(letters - 1).chain(['…']).collect() }

@@ -1,4 +1,4 @@
-//! What the signs of a plan mean, and how much floor the rooms have.
+//! The legend: the signs of a plan, and the areas of the rooms.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,6 +1,6 @@
-//! A furnished level as SVG: people look before they read.
+//! Draws a furnished level as SVG.
 //!
-//! y points up in plans and down in SVG; `canvas` is the only file that knows.
+//! y points up in plans and down in SVG; only `canvas` converts between them.
 
 mod canvas;
 mod color;
@@ -23,7 +23,7 @@ use canvas::Canvas;
 
 pub use room::{MarkKind, RoomDrawing, RoomMark, draw_room, room_frame};
 
-/// What is drawn.
+/// The input of a drawing.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing<'a> {
     /// Id of the building.

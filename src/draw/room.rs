@@ -1,4 +1,4 @@
-//! One room by itself, with marks on what differs from another state of it.
+//! Draws one room by itself, with marks on its differences from another state of it.
 
 use crate::catalog::Catalog;
 use crate::geometry::Point;
@@ -8,18 +8,18 @@ use crate::plan::{Level, OpeningSide, Room, SitePlacement};
 use super::canvas::{Canvas, MARGIN_LEFT, TextStyle};
 use super::{Drawing, MARGIN, furniture, shell};
 
-/// What is drawn.
+/// The input of a drawing.
 #[derive(Clone, Copy, Debug)]
 pub struct RoomDrawing<'a> {
     /// The level that has the room.
     pub level: &'a Level,
     /// Index of the room in it.
     pub room: usize,
-    /// What stands in it.
+    /// Its furniture.
     pub furnished: &'a Furnished,
     /// Outlines of what stands in it and has no class in the catalogue.
     pub unknown: &'a [Vec<Point>],
-    /// What is marked.
+    /// The marks.
     pub marks: &'a [RoomMark],
     /// Classes and room types.
     pub catalog: &'a Catalog,
@@ -34,13 +34,13 @@ pub struct RoomDrawing<'a> {
 pub struct RoomMark {
     /// Its corners, in plan metres.
     pub outline: Vec<Point>,
-    /// What it says.
+    /// The kind of the mark.
     pub kind: MarkKind,
     /// Where the object was, for an arrow from there.
     pub from: Option<Point>,
 }
 
-/// What a mark says.
+/// The kind of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkKind {
     /// It came.
@@ -66,7 +66,7 @@ impl MarkKind {
 const UNKNOWN: &str =
     "fill=\"#ddd\" fill-opacity=\"0.9\" stroke=\"#333\" stroke-width=\"0.9\" stroke-dasharray=\"3 2\"";
 
-/// Metres of a wall of which nothing tells how thick it is.
+/// Metres of thickness of a wall whose thickness is not known.
 const USUAL_THICKNESS: f64 = 0.1;
 
 /// Metres around a room that its picture shows.
@@ -126,7 +126,7 @@ fn centered((low, high): (Point, Point)) -> (Point, Point) {
     (low - aside, high + aside)
 }
 
-/// The room with walls as thick as its openings are deep: files tell where the middle of an opening is, which is
+/// The room with walls as thick as its openings are deep: files have the middle of an opening, which is
 /// halfway through the wall.
 fn with_thickness(level: &Level, room: usize) -> Room {
     let mut alone = Room { openings: Vec::new(), ..level.rooms[room].clone() };

@@ -1,4 +1,4 @@
-//! Title, scale, north, and what is missing or found.
+//! The frame of a sheet: title, scale, north arrow, missing pieces and findings.
 
 use std::collections::BTreeMap;
 

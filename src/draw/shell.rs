@@ -1,4 +1,4 @@
-//! Walls, floors and openings.
+//! Draws walls, floors and openings.
 
 use crate::geometry::Point;
 use crate::plan::{Level, Opening, OpeningKind, Room, Wall, WallKind};

@@ -1,4 +1,4 @@
-//! A furnished room to the edited one.
+//! Applies edits to a furnished room.
 
 use super::book::{ObjectEdit, RoomEdits};
 use super::file::ObjectEntry;
@@ -14,14 +14,14 @@ use crate::read_back::room_part;
 #[derive(Clone, Debug)]
 pub(super) struct Edited {
     pub(super) furnished: Furnished,
-    /// Edits that could not be made, in the order of the ids.
+    /// Rejected edits, in the order of the ids.
     pub(super) misfits: Vec<Misfit>,
     /// Ids of the objects that were edited, with their edits' ids.
     pub(super) touched: Vec<(String, String)>,
 }
 
 /// Makes the edits: classes first, for other edits may name what comes of them; then new objects, then places, and last
-/// what goes, so that what somebody put elsewhere is not taken along.
+/// what goes, so that objects with an edit of their own are not removed with it.
 pub(super) fn apply(level: &Level, furnished: &Furnished, edits: &RoomEdits, catalog: &Catalog) -> Edited {
     let tree = Tree::new(furnished);
     let mut editor =
@@ -59,14 +59,14 @@ struct Editor<'a> {
 const GONE_HINT: &str = "the room is arranged otherwise now; take the edit out, or name another object";
 
 impl Editor<'_> {
-    /// The object of an edit; a misfit if there is none.
+    /// The object of an edit; if there is none, the edit is rejected.
     fn find(&mut self, id: &str, edit: &ObjectEdit) -> Option<usize> {
         let found = self.tree.find(id, self.catalog);
         if found.is_none() {
             let room = &self.level.rooms[self.room].id;
             let message = format!("there is no {id} in room \"{room}\"");
             let misfit = Misfit::unmade(&edit.mark, message, GONE_HINT);
-            // Asked for once for each thing that the edit does.
+            // Asked for once for each change of the edit.
             if !self.misfits.contains(&misfit) {
                 self.misfits.push(misfit);
             }
@@ -174,7 +174,7 @@ impl Editor<'_> {
         }
     }
 
-    /// What an object should stand on.
+    /// The parent that an edit names.
     fn parent(&self, object: usize, on: &str) -> Result<Parent, String> {
         let element = on.parse::<ElementId>().ok();
         if let Some(part) = element.and_then(|element| room_part(&element, self.level, self.room)) {

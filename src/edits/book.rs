@@ -1,4 +1,4 @@
-//! All edits of a run, by building, level and room.
+//! All edits of a run, sorted by building, level and room.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -28,12 +28,12 @@ pub struct RoomEdits {
     pub objects: BTreeMap<String, ObjectEdit>,
 }
 
-/// What became of one object.
+/// The edit of one object.
 #[derive(Clone, Debug)]
 pub struct ObjectEdit {
     /// The edit.
     pub entry: ObjectEntry,
-    /// A fault at the edit's place in its file, without a message: what misfits are made of.
+    /// A fault at the edit's place in its file, without a message, for rejected edits.
     pub(super) mark: Fault,
 }
 

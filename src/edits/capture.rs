@@ -1,7 +1,7 @@
-//! Two floors, before and after somebody edited one, to the edits that make the one of the other.
+//! Derives edits from a level before and after somebody changed it.
 //!
-//! Objects are known by their ids, which editors keep in the extras. Of several with one id the one that kept its name is
-//! the old one, else the nearest; the others are copies.
+//! Objects are known by their ids, which editors keep in the extras. If several objects have one id, the original is the
+//! one that kept its name, else the nearest; the others are copies.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -13,12 +13,12 @@ use crate::contract::ObjectId;
 use crate::document::{Fault, Faults};
 use crate::read_back::{Survey, SurveyedObject, SurveyedPlace};
 
-/// What was found out.
+/// The result of a comparison.
 #[derive(Clone, Debug, Default)]
 pub struct Captured {
     /// The edits, by room.
     pub entries: Vec<RoomEntry>,
-    /// What somebody changed and no edit can say; warnings.
+    /// Changes that no edit can express, as warnings.
     pub notes: Faults,
 }
 
@@ -28,7 +28,7 @@ const SAME_SIZE: f64 = 5e-3;
 /// Metres by which the box around a mesh may change on its way through an editor.
 const SAME_MESH: f64 = 2e-3;
 
-/// Compares a floor as it was baked with the same floor as somebody left it; `file` is that one, for messages.
+/// Compares a level as it was baked with its edited file; `file` names the edited one in messages.
 ///
 /// # Errors
 /// If they are not of one level.
@@ -84,7 +84,7 @@ struct Capturing<'a> {
     twins: Vec<Option<usize>>,
     /// The new objects by the ids that they say they have.
     by_id: BTreeMap<&'a ObjectId, Vec<usize>>,
-    /// What the old models look like.
+    /// The looks of the old models.
     models: &'a BTreeMap<(String, u32), String>,
     /// Names of new nodes whose extras cannot be read.
     broken: &'a [String],
@@ -168,7 +168,7 @@ impl Capturing<'_> {
         self.broken.contains(&self.old.objects[index].node)
     }
 
-    /// What became of an object that is still in its room.
+    /// The changes of an object that is still in its room.
     fn compare(&mut self, old: usize, new: usize) -> Option<ObjectEntry> {
         let (before, after) = (&self.old.objects[old], &self.new.objects[new]);
         let mut entry = ObjectEntry::default();
@@ -284,7 +284,7 @@ const UPRIGHT_HINT: &str = "furniture is moved, and turned about the vertical";
 
 const MESH_HINT: &str = "move objects, not their vertices, and do not apply transforms (Ctrl+A)";
 
-/// Whether somebody moved vertices: the box around them is another one.
+/// Whether vertices were moved: the box around them is another one.
 fn has_other_mesh(before: &SurveyedObject, after: &SurveyedObject) -> bool {
     let Some((was, is)) = before.bounds.zip(after.bounds) else { return false };
     was.iter().flatten().zip(is.iter().flatten()).any(|(a, b)| (a - b).abs() > SAME_MESH)

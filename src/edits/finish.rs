@@ -1,4 +1,4 @@
-//! A room furnished with its edits, and judged.
+//! Furnishes a room, applies its edits, and judges it.
 
 use super::apply::{Edited, apply};
 use super::book::{LevelEdits, RoomEdits};
@@ -14,12 +14,12 @@ use crate::plan::Level;
 pub struct Finished {
     /// The room and the verdict on it as it is now.
     pub judged: Judged,
-    /// What does not fit, by id of the object.
+    /// Rejected edits, and edits with findings, by id of the object.
     pub misfits: Vec<Misfit>,
 }
 
 impl RoomEdits {
-    /// The objects that are there before the others.
+    /// The locked objects, which are placed first.
     #[must_use]
     pub fn locks(&self, level: &Level, room: usize, catalog: &Catalog) -> Vec<Lock> {
         super::locks::locks(level, room, self, catalog)
@@ -52,8 +52,8 @@ pub fn furnish_edited(
 
 /// Makes the edits of a room that was furnished with [`RoomEdits::options`].
 ///
-/// `judge` says what the audit finds in the edited room. An object that somebody put where the audit objects stays there,
-/// and is told.
+/// `judge` returns the findings of the audit in the edited room. An edited object with a finding stays at its place, and the
+/// finding is reported.
 #[must_use]
 pub fn finish(
     level: &Level,
@@ -69,7 +69,7 @@ pub fn finish(
     let verdict = judge(&furnished);
     let mut told: Vec<&Finding> = Vec::new();
     for (id, edit_id) in &touched {
-        // A finding about two edited objects is told once.
+        // A finding about two edited objects is reported once.
         let is_news = |finding: &&Finding| {
             let is_about = finding.objects.iter().any(|object| object == id);
             finding.severity == Severity::Failed && is_about && !told.contains(finding)

@@ -1,4 +1,4 @@
-//! Objects of a floor as they stand, to edits that keep them there.
+//! Makes edits that keep objects of a level where they stand.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! Locked objects as the layout takes them.
+//! Prepares locked objects for the layout.
 
 use super::book::RoomEdits;
 use super::tree::{Place, usual_place, usual_side};
@@ -9,7 +9,7 @@ use crate::plan::Level;
 use crate::read_back::room_part;
 
 /// The objects of a room that are there before the others. Those that name a wall or object that is not there are
-/// left out; what becomes of them is told when the edits are made.
+/// left out; they are reported when the edits are applied.
 #[must_use]
 pub(super) fn locks(level: &Level, room: usize, edits: &RoomEdits, catalog: &Catalog) -> Vec<Lock> {
     let locked = edits.objects.iter().filter(|(_, edit)| edit.entry.lock);

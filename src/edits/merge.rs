@@ -1,4 +1,4 @@
-//! New edits into what a file says already.
+//! Merges new edits into those that a file already has.
 
 use super::file::{EditsFile, ObjectEntry, RoomEntry, VERSION};
 

@@ -1,4 +1,4 @@
-//! Edits that do not fit.
+//! Rejected edits.
 
 use std::collections::BTreeMap;
 
@@ -9,25 +9,25 @@ use crate::document::{Fault, Faults};
 pub struct Misfit {
     /// Place, fact and hint.
     pub fault: Fault,
-    /// Whether the edit was made all the same: the object stands where somebody wants it, and the audit objects.
+    /// Whether the edit was applied all the same: the object stands at the edited place, and the audit has a finding.
     pub is_made: bool,
 }
 
 impl Misfit {
-    /// An edit that could not be made.
+    /// An edit that was rejected.
     pub(super) fn unmade(mark: &Fault, message: impl Into<String>, hint: &str) -> Self {
         let fault = Fault { message: message.into(), ..mark.clone() }.with_hint(hint);
         Self { fault, is_made: false }
     }
 
-    /// An edit that was made, and has consequences that nobody wants.
+    /// An edit that was applied, and leads to a finding.
     pub(super) fn made(mark: &Fault, message: impl Into<String>, hint: &str) -> Self {
         let fault = Fault { message: message.into(), ..mark.clone() }.with_hint(hint).as_warning();
         Self { fault, is_made: true }
     }
 }
 
-/// The faults of misfits in their order, each once: one line of an edits file may be for the rooms of many buildings.
+/// The faults of rejected edits in their order, each once: one line of an edits file may be for the rooms of many buildings.
 pub fn distinct_misfits<'m>(misfits: impl IntoIterator<Item = &'m Misfit>) -> Faults {
     let mut counts: Vec<(&Fault, usize)> = Vec::new();
     let mut places: BTreeMap<(String, bool), usize> = BTreeMap::new();

@@ -1,15 +1,15 @@
-//! Edits: what people changed by hand in a furnished room stays when it is furnished again (the paper's persistence,
-//! section 4.1, and what it left open).
+//! Edits: changes by hand to furnished rooms, applied again after every bake (the paper's persistence, section 4.1, and
+//! what it left open).
 //!
-//! An edits file stands beside a plan (`house.edits.yaml` beside `house.yaml`) and says of single objects, by room and id,
-//! where they stand, that they are gone, added or of another class. Edits are made after the arrangement; what stands
-//! on an object follows it. A locked object is there before the others, which are arranged around it. An edit that no
-//! longer fits is told with its place in the file, and stays in the file.
+//! An edits file lies beside a plan (`house.edits.yaml` beside `house.yaml`). It says of single objects, by room and id,
+//! where they stand, or that they are removed, added or of another class. Edits are applied after the arrangement;
+//! objects that stand on an edited object follow it. Locked objects are placed first, and the others are arranged around
+//! them. An edit that cannot be applied is rejected: it is reported with its place in the file, and stays in the file.
 //!
 //! - `file`: the format; `read`: files to an [`EditBook`], checked;
-//! - `locks`: locked objects as the layout takes them; `apply`: a furnished room to the edited one; `tree`: objects in the
-//!   frames of their parents;
-//! - `capture`: two floors, before and after somebody edited one, to edits; `merge`: into what a file says already.
+//! - `locks`: locked objects as the layout takes them; `apply`: a furnished room to the edited one; `tree`: objects in
+//!   the frames of their parents;
+//! - `capture`: a level before and after a change, to edits; `merge`: new edits into those of a file.
 
 mod apply;
 mod book;

@@ -1,4 +1,4 @@
-//! Edits files to an [`EditBook`]: found beside their plans, checked against plan and catalogue.
+//! Finds edits files beside their plans, and checks them against plan and catalogue.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use crate::contract::ObjectId;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean};
 use crate::plan::{Level, PlacedBuilding, Plan};
 
-/// What the names of edits files end in, after the name of the plan without its extension.
+/// The ending of the names of edits files, after the name of the plan without its extension.
 pub const EDITS_ENDING: &str = ".edits.yaml";
 
 /// The edits file of a plan or project: `house.edits.yaml` beside `house.yaml` or the folder `house`.
@@ -107,7 +107,7 @@ impl Reading<'_> {
                 self.error(&step(index, &["room"]), format!("has a second list of {message}"), None);
             }
         }
-        // What is said of every building first, so that what is said of one wins.
+        // Edits for every building come first, so that those for one building win.
         entries.sort_by_key(|(_, entry)| entry.building.is_some());
         for (index, entry) in entries {
             self.add_room(index, entry, book);

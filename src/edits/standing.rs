@@ -1,4 +1,4 @@
-//! What the objects of a surveyed floor stand on, and where, as edits say it.
+//! The parents and places of the objects of a surveyed level, in the terms of edits.
 
 use glam::DVec3;
 
@@ -10,9 +10,9 @@ use crate::read_back::{Survey, SurveyedObject, SurveyedPlace};
 /// Room and id.
 pub(super) type Key = (String, ObjectId);
 
-/// Metres up to which a thing has not moved: the way through an editor's single precision is shorter.
+/// Metres up to which an object counts as not moved: the way through an editor's single precision is shorter.
 const SAME_PLACE: f64 = 1e-4;
-/// Degrees up to which a thing has not turned.
+/// Degrees up to which an object counts as not turned.
 const SAME_TURN: f64 = 0.01;
 
 /// One of the two floors.
@@ -27,7 +27,7 @@ impl<'a> Floor<'a> {
         Self { objects: &survey.objects, keys }
     }
 
-    /// What an object stands on, and where in its frame; `None` where it does not stand upright.
+    /// The parent of an object, and the place in the parent's frame; `None` if the object does not stand upright.
     pub(super) fn standing(&self, index: usize) -> Option<Standing> {
         let object = &self.objects[index];
         let place = object.place.map(|place| level_place(&place))?;
@@ -48,14 +48,14 @@ impl<'a> Floor<'a> {
     }
 }
 
-/// What something stands on, and where.
+/// The parent of an object, and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Standing {
     pub(super) parent: String,
     pub(super) place: Place,
 }
 
-/// Room and id of each object of a floor that nobody edited.
+/// Room and id of each object of a level as it was baked.
 pub(super) fn own_keys(survey: &Survey) -> Vec<Option<Key>> {
     survey.objects.iter().map(|object| Some((object.room.clone()?, object.id.clone()))).collect()
 }

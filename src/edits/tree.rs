@@ -1,4 +1,4 @@
-//! The objects of a room in the frames of what they stand on, so that children follow their parents.
+//! The objects of a room in the frames of their carriers, so that children follow their parents.
 
 use super::file::ObjectEntry;
 use crate::catalog::{Catalog, ClassIndex, Side, Size};
@@ -26,7 +26,7 @@ pub(super) struct Object {
     pub(super) side: Side,
     /// In the frame of the object that it stands on, else in that of the level.
     pub(super) place: Place,
-    /// Where it was arranged, in the level, as long as nobody moved it.
+    /// Where it was arranged, in the level, unless it was moved.
     pub(super) arranged: Option<Place>,
     pub(super) variant: u32,
     pub(super) size: Size,
@@ -173,7 +173,7 @@ impl Tree {
         }
     }
 
-    /// The place of an object in the level: to the last digit where it was arranged if nobody moved it.
+    /// The place of an object in the level: exactly where it was arranged, unless it was moved.
     pub(super) fn place_in_level(&self, object: usize) -> Place {
         let Object { on, place, arranged, .. } = &self.objects[object];
         match *on {
@@ -226,7 +226,7 @@ impl Tree {
     }
 }
 
-/// Where something stands on a part of the room for which nobody says how high or how it is turned.
+/// The height and turn of an object on a room part, for edits that name neither.
 pub(super) fn usual_place(on: Parent, size: Size, room: &Room) -> Place {
     let floor = Place { position: Point::ZERO, elevation: 0.0, angle: 0.0 };
     match on {

@@ -1,4 +1,4 @@
-//! Edits as YAML: one line an object.
+//! Writes edits as YAML, one line for each object.
 
 use std::collections::BTreeMap;
 

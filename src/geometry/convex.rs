@@ -129,7 +129,7 @@ impl Convex {
         !self.normals().any(apart) && (self.is_aligned_with(other) || !other.normals().any(apart))
     }
 
-    /// [`Convex::overlaps`] of a rectangle and a round disc, where the circles in and around its corners tell: nearly
+    /// [`Convex::overlaps`] of a rectangle and a round disc, if the circles in and around its corners decide it: nearly
     /// always, and in a tenth of the time.
     fn is_met_by_disc(&self, disc: &Self, tolerance: f64) -> Option<bool> {
         /// The circle around the corners, by that within: 1 / cos 15°.

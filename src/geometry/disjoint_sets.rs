@@ -1,4 +1,4 @@
-//! What hangs together.
+//! Disjoint sets: finds which items are connected, directly or through others.
 
 /// Disjoint sets of numbers, each a tree whose root is its smallest (R. Tarjan, "Efficiency of a Good But Not Linear Set
 /// Union Algorithm", 1975, without ranks).

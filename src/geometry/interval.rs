@@ -1,4 +1,4 @@
-//! Free stretches of a line: a wall between its doors, the side of a table between its chairs.
+//! Free stretches of a line, such as a wall between its doors or the side of a table between its chairs.
 
 /// Sorted, disjoint intervals in metres along a line.
 #[derive(Clone, Debug, Default, PartialEq)]

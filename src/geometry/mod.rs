@@ -1,7 +1,7 @@
-//! Two-dimensional and box questions: overlap, containment, distance, free area.
+//! Geometry in two dimensions and of upright boxes: overlap, containment, distance, free area.
 //!
-//! Everything here is pure, works in plan metres (x east, y north, z up) and knows neither files nor
-//! rooms. Angles are radians, counter-clockwise seen from above.
+//! Everything here is pure, works in plan metres (x east, y north, z up) and knows neither files nor rooms. Angles are
+//! radians, counter-clockwise seen from above.
 
 mod convex;
 mod disjoint_sets;

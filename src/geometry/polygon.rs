@@ -130,7 +130,7 @@ impl Polygon {
 pub struct Region {
     /// The outer border.
     pub outline: Polygon,
-    /// What is cut out of it (a shaft, a light well).
+    /// The holes (a shaft, a light well).
     pub holes: Vec<Polygon>,
 }
 

@@ -1,4 +1,4 @@
-//! The elements of one accessor as bytes.
+//! The elements of one accessor, as bytes.
 
 use std::sync::Arc;
 
@@ -93,7 +93,7 @@ impl Array {
     }
 }
 
-/// A number that differs for nearly all bytes that differ, eight of them at a time: what it does not tell apart is compared
+/// A number that differs for nearly all bytes that differ, eight of them at a time: those that it does not distinguish are compared
 /// byte by byte. The multiplier is that of D. Knuth's linear congruential generator MMIX.
 fn fingerprint(bytes: &[u8]) -> u64 {
     let (words, rest) = bytes.as_chunks::<8>();

@@ -1,4 +1,4 @@
-//! The JSON of a level and the buffer it describes.
+//! The JSON document of a level and the buffer that it describes.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -29,7 +29,7 @@ pub(crate) struct Document<'s> {
     pub packer: Packer,
 }
 
-/// What the JSON says.
+/// The JSON document.
 #[derive(Serialize)]
 struct Text<'s> {
     /// All but the nodes, which are most of it and are written as the scene has them.
@@ -128,7 +128,7 @@ fn pack_model(
     }
 }
 
-/// What is painted on each primitive of each model, in any of its meshes and variants.
+/// The textures of each primitive of each model, in any of its meshes and variants.
 fn paintings(scene: &Scene, flat_normals: FlatNormals) -> BTreeMap<*const Model, Vec<Painting>> {
     let mut paintings: BTreeMap<*const Model, Vec<Painting>> = BTreeMap::new();
     let plain = Painting { lacks_flat_normals: flat_normals == FlatNormals::Implied, ..Painting::default() };

@@ -1,4 +1,4 @@
-//! Primitives as arrays.
+//! Turns primitives into arrays.
 
 use std::sync::Arc;
 
@@ -8,16 +8,16 @@ use super::join::{has_colors, joined, joined_with_coordinates};
 use super::tangent::tangents;
 use crate::model::{Model, ModelMaterial, Primitive};
 
-/// What is written of a primitive beyond positions and triangles.
+/// The attributes of a primitive beyond positions and triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Painting {
-    /// Texture coordinates: something is painted on it.
+    /// Texture coordinates, for primitives with a texture.
     pub has_coordinates: bool,
     /// Tangents: normals are.
     pub has_tangents: bool,
     /// The set of texture coordinates that normals are laid on by.
     pub normal_set: usize,
-    /// No normals on surfaces on which nothing is painted and of which every face is flat or narrow, or that have few faces:
+    /// No normals on surfaces without textures of which every face is flat or narrow, or that have few faces:
     /// viewers compute those (glTF 2.0, section 3.7.2.1), and faces can share corners.
     pub lacks_flat_normals: bool,
 }
@@ -47,7 +47,7 @@ impl EncodedPrimitive {
 /// About as many bytes as JSON takes to describe one more primitive.
 const BYTES_OF_PRIMITIVE: usize = 350;
 
-/// What becomes of corners that agree in all that is written of them.
+/// The treatment of corners whose attributes are all equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Corners {
     /// They become one: a twelfth of those of furniture, which is encoded once a run.

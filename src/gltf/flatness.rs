@@ -1,4 +1,4 @@
-//! Surfaces that look the same without normals.
+//! Finds surfaces that look the same without normals.
 
 use std::collections::HashMap;
 
@@ -7,11 +7,11 @@ use glam::Vec3;
 use crate::geometry::DisjointSets;
 use crate::model::Primitive;
 
-/// The cosine of how far normals may be off their face for it to be flat: a degree, which nobody sees; round surfaces are
+/// The cosine of how far normals may be off their face for it to be flat: a degree, which is invisible; round surfaces are
 /// made of steps many times as large.
 const FLAT: f32 = 0.99985;
 
-/// Metres: on faces that are less wide, bevels and thin rods, nobody tells a round surface from a flat one.
+/// Metres: on faces that are less wide, bevels and thin rods, a round surface looks like a flat one.
 const NARROW: f32 = 0.01;
 
 /// Triangles of a closed surface that no normals make round, as those of a leaf: no more than a prism of six sides has.

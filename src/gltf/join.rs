@@ -1,4 +1,4 @@
-//! Corners that faces can share.
+//! Joins corners of a primitive that faces can share.
 
 use std::collections::HashMap;
 

@@ -1,4 +1,4 @@
-//! Triangles of catalogue models in files that many levels share, one file a model.
+//! Models in files that many levels share, one file for each model.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -30,7 +30,7 @@ pub(crate) fn add_lights(root: &mut Root, lights: &[SceneLight]) {
     root.extensions.get_or_insert_default().khr_lights_punctual = Some(lights);
 }
 
-/// What a node with a light says.
+/// The light of a node.
 pub(crate) fn node_light(index: usize) -> scene::Node {
     let light = Index::new(u32::try_from(index).expect("a level has few kinds of lamps"));
     scene::Node { khr_lights_punctual: Some(NodeLight { light }) }

@@ -88,7 +88,7 @@ fn plain(name: &str, source: &Material) -> json::Material {
     }
 }
 
-/// What the core of the format has no word for.
+/// The properties that need an extension of the format.
 fn extensions_of(source: &Material) -> Option<extensions::material::Material> {
     let transmission = (source.transmission > 0.0).then(|| Transmission {
         transmission_factor: TransmissionFactor(source.transmission),

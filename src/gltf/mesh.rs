@@ -23,7 +23,7 @@ pub(crate) struct PrimitiveAccessors {
     indices: Index<Accessor>,
 }
 
-/// The path of the file if it is not the level's own, place, number of elements, and whether bounds are told.
+/// The path of the file if it is not the level's own, place, number of elements, and whether bounds are written.
 type AccessorKey = (Option<String>, Section, usize, usize, bool);
 
 /// Accessors of a level, each once: what lies in one place, in as many elements, is one.

@@ -1,14 +1,14 @@
-//! Scene to bytes; never moves, rounds or drops a node.
+//! Writes a scene as glTF bytes; never moves, rounds or drops a node.
 //!
 //! - [`write_glb`]: one file that holds everything;
 //! - [`write_gltf`]: the same as text with a `.bin` beside it;
-//! - either with [`WriteOptions`]; with a [`SharedLibrary`] among them, the triangles of catalogue models are in files
-//!   of their own, one a model, that all levels of a building refer to by relative path. Their bytes depend on the model
-//!   alone, so that levels can be written in any order and in parallel.
+//! - both take [`WriteOptions`]. With a [`SharedLibrary`] among them, the triangles of catalogue models are in files of
+//!   their own, one for each model, which all levels of a building refer to by relative paths. Their bytes depend on the
+//!   model alone, so that levels can be written in any order and in parallel.
 //!
 //! A buffer is laid out in sections, one buffer view each: vectors (positions and normals), tangents, texture
-//! coordinates, indices of one, two and four bytes; then images. Arrays of equal bytes are there once, with one accessor, and
-//! corners of primitives that nothing is painted on are joined where they agree.
+//! coordinates, indices of one, two and four bytes; then images. Equal arrays are written once, with one accessor.
+//! Corners of primitives without textures are joined where they agree.
 
 mod array;
 mod container;

@@ -1,4 +1,4 @@
-//! Numbers as short as JSON has them: whole ones without a point.
+//! Writes numbers in the shortest form of JSON: whole ones without a point.
 
 use serde::{Serialize, Serializer};
 use serde_json::Value;

@@ -1,14 +1,14 @@
-//! What levels are written with.
+//! Options for writing levels.
 
 use super::library::SharedLibrary;
 use super::models::EncodedModels;
 
-/// What levels are written with; the default writes a level that stands alone, with all normals.
+/// Options for writing levels; the default writes a level that stands alone, with all normals.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WriteOptions<'a> {
     /// The models whose triangles are in files of their own; those of all others are in the level itself.
     pub library: Option<&'a SharedLibrary>,
-    /// What other levels of the run made of catalogue models. Changes no byte; saves making it again.
+    /// Models that other levels of the run have encoded. Does not change the output; saves time.
     pub models: Option<&'a EncodedModels>,
     /// Whether flat faces have normals.
     pub flat_normals: FlatNormals,

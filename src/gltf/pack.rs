@@ -1,4 +1,4 @@
-//! A buffer of arrays, equal ones once.
+//! Packs arrays into a buffer, equal ones once.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -41,7 +41,7 @@ pub(crate) struct Packer {
     sections: [Filling; Section::ALL.len()],
 }
 
-/// What a section holds so far.
+/// The content of a section so far.
 #[derive(Clone, Debug, Default)]
 struct Filling {
     pieces: Vec<Piece>,

@@ -19,7 +19,7 @@ pub(crate) fn tangents(primitive: &Primitive, set: usize) -> Vec<[f32; 4]> {
         let (first, second) = (position(b) - position(a), position(c) - position(a));
         let (u, v) = (coordinate(b) - coordinate(a), coordinate(c) - coordinate(a));
         let area = u.perp_dot(v);
-        // Weighted by area in the image; without one, a triangle has no direction to tell.
+        // Weighted by area in the image; without one, a triangle gives no direction.
         let direction = (first * v.y - second * u.y) * area.signum();
         for corner in [a, b, c] {
             along[corner as usize] += direction;

@@ -1,4 +1,4 @@
-//! Palettes to choose from in a viewer: `KHR_materials_variants`.
+//! Palettes that a viewer can choose from: `KHR_materials_variants`.
 
 use std::collections::BTreeMap;
 

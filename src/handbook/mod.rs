@@ -1,7 +1,7 @@
-//! The catalogue as pages for people: what each room type asks for, with a furnished sample of it, the classes and
-//! the styles.
+//! Writes the catalogue as pages for people: what each room type requests, with a furnished sample, the classes and the
+//! styles.
 //!
-//! Everything is taken from the catalogue; a folder of configuration of one's own gets pages of its own.
+//! The pages hold nothing but the catalogue; a folder of configuration of one's own gets pages of its own.
 
 mod classes;
 mod markdown;

@@ -1,4 +1,4 @@
-//! A programme in short.
+//! A programme in short sentences.
 
 use crate::catalog::{Catalog, Count, Request, RoomType};
 
@@ -7,7 +7,7 @@ use super::markdown::number;
 /// Which lines of a programme are shown together.
 type IsOfKind = fn(&Request) -> bool;
 
-/// What a room type asks for: a line for the pieces without which the room is wrong, one for those that it gets
+/// The programme of a room type: a line for the pieces without which the room is wrong, one for those that it gets
 /// once or a few times, one for those that follow its area, its windows or other pieces.
 pub(super) fn programme_lines(catalog: &Catalog, room_type: &RoomType) -> Vec<String> {
     let kinds: [(&str, IsOfKind); 3] = [
@@ -71,7 +71,7 @@ fn name_of(catalog: &Catalog, request: &Request) -> String {
     labels.join(" or ")
 }
 
-/// What several lines ask for: they go by other pieces, or apply to rooms of different areas.
+/// The count of a class that several lines request: they go by other pieces, or apply to rooms of different areas.
 fn show_counts(catalog: &Catalog, requests: &[&Request]) -> String {
     let show = |request: &&Request| match request.count {
         Count::PerPiece(..) => show_count(catalog, request.count),

@@ -40,7 +40,7 @@ pub(super) fn room_section(catalog: &Catalog, pictures: &Pictures<'_>) -> String
     text
 }
 
-/// What there is at a glance.
+/// The overview.
 fn list(files: &[(String, Vec<&RoomType>)]) -> String {
     let line = |(file, room_types): &(String, Vec<&RoomType>)| {
         let labels: Vec<&str> = room_types.iter().map(|room_type| room_type.label.as_str()).collect();

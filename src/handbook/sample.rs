@@ -14,7 +14,7 @@ use crate::plan::{
     assemble_level,
 };
 
-/// What the pictures show, in words.
+/// The description of the pictures.
 pub(super) const DESCRIPTION: &str = "\
 Each picture is a sample: a rectangle whose area is the geometric mean of the type's usual areas, 80 m² at most where
 smaller ones are usual, with a door, and a window where people sit. Rooms that are ways are long and have a door at both
@@ -48,7 +48,7 @@ const SEAT: &str = "seat";
 /// A group of classes that drive in.
 const VEHICLE: &str = "vehicle";
 
-/// What decides the shape of a sample and its openings.
+/// The facts that decide the shape of a sample and its openings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Place {
     /// A room with one door.

@@ -1,4 +1,4 @@
-//! Styles by what they change, and building styles by what they draw from.
+//! Styles by their changes, and building styles by the styles that they draw from.
 
 use crate::catalog::{BuildingStyle, Catalog, DefinitionKind, WeightedStyle, style_differences};
 

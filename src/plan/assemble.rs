@@ -1,4 +1,5 @@
-//! A drafted level to a checked one: the same cleaning, walls and attachment for every format.
+//! Turns a drafted level into a checked one: cleans outlines, builds walls and attaches openings, the same for every
+//! format.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -37,7 +38,7 @@ const SLAB_THICKNESS: f64 = 0.3;
 
 /// A level being put together.
 pub(super) struct Assembly<'a> {
-    /// What was read, with numbers made sound.
+    /// The draft, with invalid numbers replaced.
     pub(super) draft: &'a LevelDraft,
     /// The rooms so far.
     pub(super) rooms: Vec<Room>,
@@ -49,7 +50,7 @@ pub(super) struct Assembly<'a> {
     pub(super) left_out: BTreeSet<&'a str>,
     /// How many of them exceed the limits of [`super::limits`].
     pub(super) excess_count: usize,
-    /// What is wrong so far.
+    /// The problems found so far.
     pub(super) problems: Vec<Problem>,
 }
 
@@ -79,7 +80,7 @@ pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
 
     // Sound outlines, on the inner faces of the walls.
     rooms::build_rooms(&mut assembly);
-    // What is behind each wall.
+    // The structure behind each wall.
     let solids = OutlineIndex::of(draft.wall_outlines.iter().filter_map(|ring| to_simple(ring)).collect());
     let railings = OutlineIndex::of(draft.railings.iter().filter_map(|ring| to_simple(ring)).collect());
     walls::back_walls(&mut assembly.rooms, &walls::Drawn { solids: &solids, railings: &railings }, &draft);

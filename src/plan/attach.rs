@@ -73,7 +73,7 @@ pub(super) enum AttachFault {
     TooLittleWall(usize, f64),
     /// The named rooms do not face each other there.
     Apart,
-    /// What is there already leaves no place on the walls of this room.
+    /// Other openings leave no place on the walls of this room.
     Taken(usize),
     /// This room has all the openings that a room may have.
     TooMany(usize),
@@ -102,7 +102,7 @@ pub(super) fn attach_pieces(
     match attach(request, rooms, index) {
         Ok(opening) => Ok(vec![opening]),
         Err(fault) => {
-            // What names its room or its edge is meant to be there as a whole.
+            // An opening that names its room or edge must fit there as a whole.
             let may_split = request.kind == OpeningKind::Window && request.rooms.is_empty();
             let mut pieces = Vec::new();
             if may_split && matches!(fault, AttachFault::TooLittleWall(..)) {
@@ -289,7 +289,7 @@ fn near_entries<'a>(request: &Request, room: &'a Room, face: &Face) -> &'a [Room
     &entries[before..entries.len().min(behind + 1)]
 }
 
-/// What spans leave free of a stretch, from its low to its high end.
+/// The free parts of a stretch between spans, from its low to its high end.
 fn gaps((low, high): (f64, f64), mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut free = Vec::new();

@@ -70,7 +70,7 @@ pub struct Level {
     pub rooms: Vec<Room>,
     /// Doors, windows, passages and open boundaries; ids are unique in the level.
     pub openings: Vec<Opening>,
-    /// What the plan draws and the level does not have, in words, for it is wrong there; empty where nothing was left out.
+    /// Faulty parts of the plan that the level lacks, in words; empty where nothing was left out.
     pub left_out: Vec<String>,
     /// SHA-256 of everything above but `left_out`: equal for equal levels, whatever file they came from.
     pub digest: [u8; 32],
@@ -115,13 +115,13 @@ pub struct Wall {
     pub thickness: f64,
     /// Whether open air lies behind.
     pub is_exterior: bool,
-    /// What stands on the edge.
+    /// The structure on the edge.
     pub kind: WallKind,
     /// Names that classes ask for (the paper's section 4), sorted.
     pub tags: Vec<String>,
 }
 
-/// What stands on an edge of a room.
+/// The structure on an edge of a room.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WallKind {
     /// A wall up to the ceiling.
@@ -164,7 +164,7 @@ pub struct Obstacle {
 pub struct Opening {
     /// Unique in the level.
     pub id: String,
-    /// What closes it.
+    /// The kind of closure.
     pub kind: OpeningKind,
     /// Middle of the opening, halfway through the wall.
     pub center: Point,
@@ -187,7 +187,7 @@ pub const FRAME_WIDTH: f64 = 0.06;
 /// Metres that the frame of a door or passage stands out of its wall, at most.
 pub const FRAME_DEPTH: f64 = 0.02;
 
-/// What closes an opening.
+/// The kind of closure of an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OpeningKind {
     /// A door with leaves on hinges.

@@ -1,4 +1,4 @@
-//! Rings as found to simple polygons, each edge still knowing which edge of the plan it came from.
+//! Turns rings of a plan into simple polygons; each edge still knows its edge in the plan.
 
 use super::limits::{COORDINATE, OUTLINE_CORNERS};
 use crate::geometry::{CORNER_TOLERANCE, Point, Polygon, PolygonFault};

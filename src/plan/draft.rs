@@ -1,4 +1,4 @@
-//! A level as a reader found it: points and words, nothing checked yet.
+//! A level as a reader found it: points and words, not checked yet.
 //!
 //! Every reader fills a [`LevelDraft`]; `assemble` turns it into a [`super::Level`], so that attachment,
 //! wall thickness and corner cleaning are written once for all formats.
@@ -33,7 +33,7 @@ pub struct LevelDraft {
     pub exterior_thickness: f64,
     /// Metres of walls between rooms whose outlines share an edge.
     pub interior_thickness: f64,
-    /// What the room outlines are.
+    /// The meaning of the room outlines.
     pub outlines: OutlineKind,
     /// The rooms.
     pub rooms: Vec<RoomDraft>,
@@ -48,7 +48,7 @@ pub struct LevelDraft {
     pub wall_outlines: Vec<Vec<Point>>,
 }
 
-/// What the outlines of rooms are.
+/// The meaning of the outlines of rooms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OutlineKind {
     /// Inner faces: walls fill the gaps between rooms.
@@ -69,9 +69,9 @@ pub struct RoomDraft {
     pub name: Option<String>,
     /// Id of a room type.
     pub room_type: String,
-    /// What the plan calls it, where that word tells no type: then its type is guessed.
+    /// The plan's word for it, if no type is known for that word: then the type is guessed.
     pub unknown_word: Option<String>,
-    /// Kinds of fixtures that the plan draws in it, in small letters: they tell what it is where its word does not.
+    /// Kinds of fixtures that the plan draws in it, in small letters: guesses rest on them if its word is unknown.
     pub fixtures: BTreeSet<String>,
     /// Id of a style or building style.
     pub style: Option<String>,
@@ -92,7 +92,7 @@ pub struct RoomDraft {
 pub struct OpeningDraft {
     /// Unique in the level.
     pub id: String,
-    /// What closes it.
+    /// The kind of closure.
     pub kind: OpeningKind,
     /// Where it is.
     pub place: OpeningPlace,
@@ -162,11 +162,11 @@ pub struct ObstacleDraft {
 /// Something wrong or doubtful in a draft; the reader adds file and position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
-    /// What it is about.
+    /// Its subject.
     pub subject: Subject,
     /// The fact, with the value.
     pub message: String,
-    /// What to do about it.
+    /// Advice for the user.
     pub hint: Option<String>,
     /// Whether the subject was left out.
     pub is_error: bool,
@@ -174,7 +174,7 @@ pub struct Problem {
     pub is_impossible: bool,
 }
 
-/// What a [`Problem`] is about, as an index into the draft's lists.
+/// The subject of a [`Problem`], as an index into the draft's lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The level itself.

@@ -1,8 +1,7 @@
-//! What rooms are whose words no table knows: judged by their shape, their openings, the rooms around them and what the
-//! plan draws in them.
+//! Guesses the types of rooms whose words no table has, by their shape, openings, fixtures and neighbours.
 //!
-//! The rules are data (`guesses` in `room_words.yaml`); the first that fits counts. A guess is always told, with what it
-//! rests on.
+//! The rules are data (`guesses` in `room_words.yaml`); the first that fits counts. Every guess is reported with its
+//! reasons.
 
 mod facts;
 mod stack;
@@ -16,7 +15,7 @@ use super::{BuildingDraft, Level, LevelDraft, Problem, RoomDraft, RoomWords, Sub
 use facts::Surroundings;
 use stack::Stack;
 
-/// Guesses of an input that are told one by one; of the others a level tells how many became what.
+/// Guesses of an input that are reported one by one; of the others, the level reports counts by type.
 const TOLD_GUESSES: usize = 20;
 /// What is said with every guess.
 const HINT: &str = "guessed by shape and neighbours: name the type if it is another";
@@ -143,7 +142,7 @@ impl<'a> Guessing<'a> {
     }
 }
 
-/// What became of the rooms of a level that are not told one by one.
+/// The guesses for rooms of a level that are not reported one by one.
 fn summary(others: &BTreeMap<String, usize>) -> Option<Problem> {
     let rooms = match others.values().sum() {
         0 => return None,

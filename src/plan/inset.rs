@@ -1,4 +1,4 @@
-//! Centre lines to inner faces: half a wall's thickness is taken off each edge that another room shares.
+//! Turns centre lines of walls into inner faces: takes half a wall's thickness off each edge that another room shares.
 //!
 //! ```text
 //!   +-------+-------+          +------++------+

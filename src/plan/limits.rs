@@ -1,8 +1,8 @@
-//! How large plans may be: one table for the readers of all formats, for levels that are put together and for
-//! finished files that are read back.
+//! Limits on the size of plans, for the readers of all formats, for assembled levels and for finished files that are read
+//! back.
 //!
-//! The figures lie beyond all buildings that stand, so that what exceeds them is a wrong unit, a broken coordinate or
-//! an attack. They bound time and memory: walks are looked for on 400 cells a square metre.
+//! The figures are larger than those of any real building. A plan that exceeds them has a wrong unit or a broken
+//! coordinate, or is an attack. The limits bound time and memory: walking is computed on 400 cells a square metre.
 
 use crate::geometry::{Point, Polygon};
 
@@ -47,9 +47,9 @@ const MISTAKEN_UNITS: [(f64, &str); 3] = [
 /// Why something is larger than it may be.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Excess {
-    /// What it measures, as "is 5000 m wide".
+    /// The measured size, as "is 5000 m wide".
     pub(crate) fact: String,
-    /// What is allowed.
+    /// The limit.
     pub(crate) allowed: String,
 }
 

@@ -1,4 +1,4 @@
-//! Drafts seen in a mirror.
+//! Mirrors drafts of levels.
 
 use super::{BuildingDraft, Leaf, LeafDraft, LevelDraft, OpeningPlace};
 use crate::geometry::Point;

@@ -1,13 +1,13 @@
-//! Plan files to a checked [`Plan`]; one file per input format under `read/`.
+//! Reads plan files into a checked [`Plan`]; one file per input format under `read/`.
 //!
-//! What later stages may rely on:
+//! Later stages may rely on:
 //! - lengths are metres, angles radians, x east, y north, z up;
 //! - every outline is a [`crate::geometry::Polygon`]: simple, counter-clockwise, without repeated corners;
 //! - a room has exactly one [`Wall`] per border of its region, in the same order;
 //! - every opening lies on walls that exist, `from < to`, within the wall, and is listed both in the level
 //!   and in its rooms; openings of one wall do not overlap;
 //! - ids are unique in their scope, numbers are unique in the level, room types exist in the catalogue;
-//! - nothing is left to resolve: no prototype, reference, unit or default.
+//! - all prototypes, references, units and defaults are resolved.
 
 mod assemble;
 mod attach;

@@ -1,18 +1,18 @@
-//! What reading plans depends on besides the files.
+//! Options for reading plans.
 
 use std::path::PathBuf;
 
 use super::{InputReport, Plan, RoomWords};
 use crate::document::Faults;
 
-/// What reading plans depends on besides the files.
+/// The input of reading plans besides the files.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanOptions<'a> {
     /// The room types and styles that exist, and what the words of foreign formats mean.
     pub words: &'a RoomWords,
 }
 
-/// What project files say about the run as a whole.
+/// The settings of project files for the whole run.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ProjectSettings {
     /// Further folders of configuration, in the order in which they are named, relative to the working folder.
@@ -31,6 +31,6 @@ pub struct PlanReading {
     /// Errors and warnings of all files, sorted by file and place. After an error of a file some of its rooms or
     /// buildings are missing from `plan`.
     pub faults: Faults,
-    /// What became of each input, sorted by path; plans that projects name are not among them.
+    /// The report on each input, sorted by path; plans that projects name are not among them.
     pub reports: Vec<InputReport>,
 }

@@ -1,4 +1,4 @@
-//! What became of an input: what was read, attached and left out.
+//! The report on an imported plan: what was read, attached to rooms, and left out.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;

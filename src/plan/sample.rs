@@ -1,4 +1,4 @@
-//! Small drafts for tests, and the guarantees of a level as one check.
+//! Small drafts for tests, and one check for all guarantees of a level.
 
 use std::collections::BTreeSet;
 

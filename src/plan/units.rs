@@ -1,4 +1,4 @@
-//! Foreign units to metres, and degrees to a plane; the only place where they are converted.
+//! Converts foreign units to metres, and degrees of longitude and latitude to a plane; no other file converts units.
 
 use crate::geometry::Point;
 

@@ -1,4 +1,4 @@
-//! The words that plans use for rooms, and what they mean here.
+//! The words of plans for rooms, and the room types that they mean.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -14,9 +14,9 @@ pub struct RoomWords {
     pub styles: BTreeSet<String>,
     /// format → word (lower case) → room type.
     pub words: BTreeMap<String, BTreeMap<String, String>>,
-    /// What rooms with other words are, by what they look like: the first rule that fits counts.
+    /// Guesses for rooms with other words, by their looks: the first rule that fits counts.
     pub guesses: Vec<GuessRule>,
-    /// Kinds of buildings, by the room types that tell them.
+    /// Kinds of buildings, by the room types that are typical of them.
     pub families: BTreeMap<String, BTreeSet<String>>,
 }
 

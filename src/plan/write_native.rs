@@ -1,4 +1,4 @@
-//! A checked building as a native plan: what `import` writes.
+//! Writes a checked building as a native plan, for `import`.
 
 mod file;
 

@@ -1,7 +1,8 @@
-//! Which object each object belongs to.
+//! Finds the parent of each object.
 //!
-//! The tree says what carries a piece, its extras what it was arranged by: a chair is named after its table and hangs below
-//! the room. Editors hang pieces elsewhere and copy them with all that they say.
+//! The node tree says which object carries a piece. The extras say which object it was arranged by: a chair has its table
+//! as parent, and its node is a child of the room. Editors may hang nodes elsewhere, and copies repeat the extras of
+//! their originals.
 
 use std::collections::BTreeMap;
 
@@ -33,7 +34,7 @@ impl<'n> Family<'n> {
     }
 
     /// The node of the object that the object of a node belongs to: the one that it names, as long as it hangs below that
-    /// one, below what carries that one, or below no object; else the one that somebody hung it below.
+    /// one, below what carries that one, or below no object; else the one that it was hung below.
     pub(super) fn parent_of(&self, node: usize) -> Option<usize> {
         let (spot, extras) = (self.spots[node]?, furniture(self.nodes, node)?);
         let named = self.named_by(node).filter(|&named| named != node);

@@ -1,4 +1,4 @@
-//! What stands in the rooms, where it stands now.
+//! Reads the furniture of the rooms at its present places.
 
 use glam::{DMat4, DVec3};
 
@@ -24,7 +24,7 @@ const SIZES: std::ops::Range<f64> = 1e-6..1e4;
 pub(super) struct Piece<'f> {
     /// The index of its node.
     pub(super) node: usize,
-    /// What it says.
+    /// Its extras.
     pub(super) extras: &'f FurnitureExtras,
     /// Where it stands; its parent is still to be found.
     pub(super) placement: Placement,
@@ -63,7 +63,7 @@ pub(super) fn read(
     }
     let family = Family::new(nodes, &spots);
     let rooms = pieces.into_iter().enumerate().map(|(room, pieces)| {
-        // What stands on a piece that cannot be read would be called a fault too.
+        // Objects on a piece that cannot be read would be reported as faults, too.
         if is_broken[room] {
             return None;
         }
@@ -107,7 +107,7 @@ pub(super) fn spots(nodes: &[Node], room_of: impl Fn(usize) -> Option<usize>) ->
 
 /// Whether a node that has no spot hangs below a room all the same.
 fn is_below_bad_room(nodes: &[Node], node: &Node) -> bool {
-    /// Deeper than people stack things.
+    /// Deeper than people stack objects.
     const DEEPEST: usize = 64;
     let ancestors = std::iter::successors(node.parent, |&ancestor| nodes[ancestor].parent);
     let is_room = |node: &Node| node.is_broken || matches!(node.extras, Some(Extras::Room(_)));

@@ -1,6 +1,6 @@
-//! What a finished file holds, as it says so itself: for comparisons, which need no catalogue.
+//! Reads the content of a finished file without a catalogue, for comparisons.
 //!
-//! A class that only one of two catalogues knows is compared by name all the same.
+//! A class that only one of two catalogues has is compared by its name.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -30,7 +30,7 @@ pub struct Inventory {
     pub height: f64,
     /// Where the building stands; none at the site's origin.
     pub site: Option<SiteExtras>,
-    /// What the level was made by and from, as the file says it: `generator`, `seed`.
+    /// The origin of the level, as the file says it: `generator`, `seed`.
     pub settings: BTreeMap<&'static str, String>,
     /// By id.
     pub rooms: BTreeMap<String, RoomContents>,
@@ -38,7 +38,7 @@ pub struct Inventory {
     pub broken_rooms: BTreeSet<String>,
     /// Doors and windows, in the order of the file.
     pub openings: Vec<OpeningEntry>,
-    /// What the parts of the file look like, besides where they are.
+    /// The looks of the parts of the file, besides their places.
     pub looks: Looks,
 }
 
@@ -57,7 +57,7 @@ pub struct RoomContents {
     pub height: f64,
     /// Missing pieces: class and reason.
     pub missing: Vec<(String, String)>,
-    /// What the bake found.
+    /// The findings of the bake.
     pub findings: Vec<FindingExtras>,
     /// The furniture, in the order of the file.
     pub objects: Vec<ObjectEntry>,

@@ -1,4 +1,4 @@
-//! The empty level: rooms, walls, columns, openings.
+//! Reads the empty level: rooms, walls, columns, openings.
 
 use std::collections::BTreeMap;
 
@@ -106,7 +106,7 @@ fn read_room(extras: &RoomExtras, number: usize) -> Result<Room, String> {
     if extras.height > STOREY_HEIGHT.1 {
         return Err(format!("is {} m high, {} m are the most that is read", extras.height, STOREY_HEIGHT.1));
     }
-    // What the audit asks walls for is where they are; the rest is not in the file.
+    // The audit needs only the places of walls; the rest is not in the file.
     let wall = |(start, end)| Wall {
         start,
         end,

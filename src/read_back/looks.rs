@@ -1,7 +1,7 @@
-//! What a file looks like apart from where things are: shell, models, materials, textures, lights.
+//! Reads how a file looks apart from the places of objects: shell, models, materials, textures, lights.
 //!
-//! Each thing is a name and a short text that differs where the thing does. Triangles are known by their counts and
-//! bounds, which the document has; buffers are not opened.
+//! Each entry is a name and a short text that differs if the entry does. Triangles are known by their counts and bounds,
+//! which the document has; buffers are not opened.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -167,7 +167,7 @@ fn lights(document: &Root) -> Described {
     entries.collect()
 }
 
-/// A name without the number that Blender gives to the second thing of a name: `.001`.
+/// A name without the number that Blender gives to the second object of a name: `.001`.
 fn own_name(name: &str) -> &str {
     let is_number = |end: &&str| end.len() == 3 && end.bytes().all(|byte| byte.is_ascii_digit());
     name.rsplit_once('.').filter(|(_, end)| is_number(end)).map_or(name, |(own, _)| own)

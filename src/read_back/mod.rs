@@ -1,9 +1,12 @@
-//! A finished file to the level and the furniture that it holds, so that the audit can judge what is there now.
+//! Reads a finished file back as a level with furniture, so that the audit can judge its present state.
 //!
-//! The other end of the output contract (`contract/`). Where furniture stands is taken from the transforms of
-//! the nodes, so that a piece that somebody moved is found where it is; what it is, and what the room is, from the
-//! extras. Meshes are not looked at. What later stages may rely on: every index points somewhere, every number is
-//! finite, parents come before children. A room with a fault is left out of the verdict; the others go on.
+//! This is the reading side of the output contract (`contract/`). The transforms of the nodes give the places of
+//! furniture, so that a moved piece is found at its new place. The extras give its class and the facts of its room.
+//! Meshes are not read.
+//!
+//! Later stages may rely on:
+//! - every index is valid, every number is finite, parents come before children;
+//! - a room with a fault is left out and reported, the others are read.
 
 mod family;
 mod furniture;
@@ -38,9 +41,9 @@ pub struct ReadLevel {
     pub building: String,
     /// The rooms and openings; rooms without an outline are missing.
     pub level: Level,
-    /// What stands in each room of `level`; `None` where a fault makes a verdict impossible.
+    /// The furniture of each room of `level`; `None` where a fault makes a verdict impossible.
     pub furnished: Vec<Option<Furnished>>,
-    /// What is wrong with the file, room by room.
+    /// The faults of the file, room by room.
     pub faults: Faults,
 }
 
@@ -76,7 +79,7 @@ pub fn parse_level(file: &Path, bytes: &[u8], catalog: &Catalog) -> Result<ReadL
     Ok(ReadLevel { building: read.building, level: read.level, furnished, faults: Faults(faults) })
 }
 
-/// What a file holds as it says so itself, with the faults of what cannot be read; no catalogue is needed.
+/// The inventory of a file, with the faults of parts that cannot be read; no catalogue is needed.
 ///
 /// # Errors
 /// If it is no glTF or has no level in it.

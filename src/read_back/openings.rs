@@ -1,4 +1,4 @@
-//! Doors and windows in the walls of the rooms.
+//! Reads doors and windows in the walls of the rooms.
 
 use std::collections::BTreeMap;
 

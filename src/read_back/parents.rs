@@ -1,4 +1,4 @@
-//! What each piece stands on or belongs to.
+//! Resolves the parent that the extras of each piece name.
 
 use std::collections::{BTreeMap, BTreeSet};
 

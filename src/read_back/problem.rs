@@ -1,4 +1,4 @@
-//! What is wrong with a node, before the file is named.
+//! Faults of nodes, before the file is named.
 
 use std::path::Path;
 

@@ -1,7 +1,7 @@
-//! All furniture of a file wherever it hangs, as an editor left it: for capturing what somebody changed.
+//! Reads all furniture of a file as an editor left it, for capturing edits.
 //!
-//! Editors rename copies, cut children loose from a parent that goes, and hang things below other rooms. Nothing of that
-//! is a fault here; [`super::parse_level`] is stricter.
+//! Editors rename copies, detach the children of a removed parent, and hang objects below other rooms. None of this is a
+//! fault here; [`super::parse_level`] is stricter.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use super::problem::Problem;
 use super::tree::Node;
 use crate::contract::{ElementId, Extras, FurnitureExtras, ObjectId, model_in_name, owner_in_name};
 
-/// What stands in a level.
+/// The furniture of a level.
 #[derive(Clone, Debug, Default)]
 pub struct Survey {
     /// Id of the building.
@@ -24,7 +24,7 @@ pub struct Survey {
     pub level: String,
     /// The furniture, in the order of the file.
     pub objects: Vec<SurveyedObject>,
-    /// What the models look like, by class and variant: equal texts, equal models.
+    /// The looks of the models, by class and variant: equal texts, equal models.
     pub models: BTreeMap<(String, u32), String>,
     /// Names of nodes with a mesh that say nothing of themselves and hang in a room, or nowhere.
     pub strangers: Vec<String>,
@@ -47,7 +47,7 @@ pub struct SurveyedObject {
     pub side: String,
     /// Width, depth, height before it is scaled.
     pub size: [f64; 3],
-    /// The class and variant that the name of its mesh tells, if it does.
+    /// The class and variant in the name of its mesh, if it has them.
     pub model: Option<(String, u32)>,
     /// The box around its mesh, in its own frame: the least and the greatest of each axis, in metres.
     pub bounds: Option<[[f64; 3]; 2]>,
@@ -57,7 +57,7 @@ pub struct SurveyedObject {
     pub named_room: Option<String>,
     /// The object that it belongs to, by index.
     pub above: Option<usize>,
-    /// What it says it stands on.
+    /// The parent in its extras.
     pub parent: ElementId,
     /// Where it is; `None` unless it stands upright somewhere.
     pub place: Option<SurveyedPlace>,
@@ -155,7 +155,7 @@ fn worlds(nodes: &[Node]) -> Vec<glam::DMat4> {
     worlds
 }
 
-/// The name of a node that somebody added by other means.
+/// The name of a node that was added by other means.
 fn stranger(nodes: &[Node], node: &Node) -> Option<String> {
     let is_in_room = match node.parent {
         Some(parent) => matches!(nodes[parent].extras, Some(Extras::Room(_) | Extras::Level(_))),

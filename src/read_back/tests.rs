@@ -189,7 +189,7 @@ fn files_without_a_level_and_files_cut_off_are_refused() {
     }
 }
 
-/// What a file says itself.
+/// The inventory of a file.
 fn inventory(file: &Value) -> (Inventory, String) {
     let (read, faults) = parse_inventory(Path::new("a.gltf"), file.to_string().as_bytes()).unwrap();
     (read, faults.to_string())

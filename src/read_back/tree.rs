@@ -1,4 +1,4 @@
-//! The nodes of a document with what they say about themselves; parents before children.
+//! The nodes of a document with their extras; parents before children.
 
 use glam::{DMat4, DQuat, DVec3};
 use gltf::json::{Node as JsonNode, Root};
@@ -10,7 +10,7 @@ use crate::contract::Extras;
 pub(super) struct Node {
     /// As the file names it.
     pub(super) name: String,
-    /// What it is; `None` for nodes that are no part of the contract.
+    /// The extras; `None` for nodes that are no part of the contract.
     pub(super) extras: Option<Extras>,
     /// Whether it has extras of the contract that cannot be read; a problem says so.
     pub(super) is_broken: bool,
@@ -24,7 +24,7 @@ pub(super) struct Node {
 
 /// All nodes that hang below the roots of the document, each once.
 ///
-/// Roots are the nodes that are nobody's child, whatever scene they are in: a file has one level.
+/// Roots are the nodes without a parent, whatever scene they are in: a file has one level.
 pub(super) fn nodes(document: &Root) -> (Vec<Node>, Vec<Problem>) {
     let count = document.nodes.len();
     let mut problems = Vec::new();

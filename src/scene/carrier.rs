@@ -1,7 +1,7 @@
-//! What carries a piece: the object that it stands on or hangs on, and so moves with.
+//! Finds the carrier of a piece: the object that it stands or hangs on, and moves with.
 //!
-//! The layout's parent is what a piece was arranged by: a sofa belongs to the television that it faces, but stands on the
-//! floor. Only what really rests on another object is its child in the tree.
+//! The layout's parent is the object that a piece was arranged by: a sofa belongs to the television that it faces, but
+//! stands on the floor. Only pieces that rest on another object are its children in the tree.
 
 use crate::catalog::{Catalog, ParentName, Side};
 use crate::layout::{Parent, Placement};

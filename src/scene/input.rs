@@ -1,4 +1,4 @@
-//! What a scene is made of.
+//! The input of a scene: level, furniture, catalogue, models and textures.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use crate::texture::TextureLibrary;
 /// Builds and looks up models: class, variant, geometry set.
 pub type ModelSourceFunction<'a> = dyn Fn(ClassIndex, u32, GeometrySet) -> Arc<Model> + Sync + 'a;
 
-/// What a scene is made of.
+/// The input of a scene.
 #[derive(Clone, Copy)]
 pub struct SceneInput<'a> {
     /// The level.
@@ -25,17 +25,17 @@ pub struct SceneInput<'a> {
     pub site: SitePlacement,
     /// One per room, in the order of the level's rooms.
     pub furnished: &'a [Furnished],
-    /// What the audit says, in the same order; rooms past the end are as good as empty ones.
+    /// The verdicts of the audit, in the same order; rooms past the end count as empty.
     pub verdicts: &'a [Verdict],
     /// Classes, room types, styles and palettes.
     pub catalog: &'a Catalog,
     /// The model of a class, variant and geometry set; the same one for the same arguments.
     pub models: &'a ModelSourceFunction<'a>,
-    /// What lies on the materials; none for plain colours.
+    /// The textures of the materials; none for plain colours.
     pub textures: Option<&'a TextureLibrary>,
-    /// What makes fewer primitives of models; none where every slot keeps its own material, as it must without textures.
+    /// Models whose plain parts share a material; none where every slot keeps its own material, as it must without textures.
     pub swatches: Option<&'a SwatchedModels>,
-    /// What is shown beyond rooms and furniture.
+    /// Options.
     pub options: SceneOptions,
     /// Seed of the run.
     pub seed: u64,

@@ -1,4 +1,4 @@
-//! The light of lamps, as `KHR_lights_punctual` wants it.
+//! The light of lamps in the units of `KHR_lights_punctual`.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Meshes and materials of a scene, each once.
+//! The meshes and materials of a scene, each once.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -45,7 +45,7 @@ pub(crate) struct MeshTable<'a> {
     /// Kept here too, so that one model is one allocation in a scene whatever the source does.
     built: BTreeMap<(ClassIndex, u32, GeometrySet), Arc<Model>>,
     textures: Option<&'a TextureLibrary>,
-    /// What makes fewer primitives; none where every slot keeps its material.
+    /// Models whose plain parts share a material; none where every slot keeps its material.
     swatches_of: Option<&'a SwatchedModels>,
     lights_mode: Lights,
     has_variants: bool,
@@ -68,7 +68,7 @@ const SHINING_GAIN: f32 = 25.0;
 /// Numbers that are looked through for the colours of several slots: palettes with up to four tints a slot repeat after 60.
 const MOST_SWATCHES: u32 = 60;
 
-/// What is drawn where a palette lacks a slot, which a checked catalogue never does: middle grey.
+/// The material of a slot that a palette lacks, which a checked catalogue rules out: middle grey.
 const NEUTRAL: Material = Material {
     base_color: [0.5, 0.5, 0.5, 1.0],
     metallic: 0.0,
@@ -130,7 +130,7 @@ impl<'a> MeshTable<'a> {
         }
     }
 
-    /// What every slot in use looks like in each palette: a tint goes to the tint of the same number, as far as there
+    /// The material of every slot in use in each palette: a tint becomes the tint of the same number, as far as there
     /// are as many.
     fn variants(&mut self) -> Vec<SceneVariant> {
         let (catalog, slots, swatches) = (self.catalog, self.slots.clone(), self.swatches.clone());

@@ -1,7 +1,10 @@
-//! Building, placements and models to a tree of nodes, Y up; the only place that crosses plan and glTF axes.
+//! Builds the tree of nodes of a level (Y up) from building, placements and models, and turns plan axes into glTF axes.
 //!
-//! What later stages may rely on: node names are unique in the level, mesh and material indices are valid,
-//! every number is finite, every mesh has triangles.
+//! Later stages may rely on:
+//! - node names are unique in the level;
+//! - mesh and material indices are valid;
+//! - every number is finite;
+//! - every mesh has triangles.
 
 mod axes;
 mod carrier;

@@ -31,7 +31,7 @@ pub struct Scene {
 pub struct SceneVariant {
     /// The palette.
     pub name: String,
-    /// What takes the place of a material, both as index into [`Scene::materials`]; materials of users' models stay.
+    /// The material that replaces another, both as index into [`Scene::materials`]; materials of users' models stay.
     pub materials: BTreeMap<usize, usize>,
 }
 
@@ -94,7 +94,7 @@ impl SceneMaterial {
         }
     }
 
-    /// The surface that its slot is painted with.
+    /// The surface of its slot.
     pub(crate) fn surface(&self) -> Option<&'static str> {
         match self {
             Self::Slot { material, .. } => material.texture,
@@ -127,7 +127,7 @@ pub struct Node {
     pub mesh: Option<usize>,
     /// Index into [`Scene::lights`].
     pub light: Option<usize>,
-    /// What the node is.
+    /// The facts of the node.
     pub extras: Option<Extras>,
     /// Nodes that move with it.
     pub children: Vec<Node>,

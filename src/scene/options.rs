@@ -1,6 +1,6 @@
-//! What a scene shows beyond rooms and furniture.
+//! Options of a scene: lights, parts, door angle, palette variants.
 
-/// What a scene shows beyond rooms and furniture.
+/// The options of a scene beyond rooms and furniture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SceneOptions {
     /// How lamps are lit; default their shades shine.

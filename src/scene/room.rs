@@ -1,4 +1,4 @@
-//! A room with what stands in it.
+//! Builds the node of a room with its shell and furniture.
 
 use super::axes::Pose;
 use super::carrier::carriers;
@@ -86,7 +86,7 @@ fn light_of(
     Some(light_node(&light, placement.size, owner, index))
 }
 
-/// What stands beside one of its own class goes on with it: a row of bookcases has one tint.
+/// A piece beside one of its own class has the same tint, so that a row of bookcases has one.
 fn tint_of(furnished: &Furnished, placement: &Placement, extras: &FurnitureExtras, earlier: &[Tint]) -> Tint {
     match placement.parent {
         Parent::Object(parent) if furnished.placements[parent].class == placement.class => earlier[parent],

@@ -1,4 +1,4 @@
-//! Which of the colours of a slot an object has.
+//! Chooses the tint of an object among the colours of its slot.
 
 use sha2::{Digest, Sha256};
 

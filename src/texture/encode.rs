@@ -1,4 +1,4 @@
-//! Pixels to PNG files.
+//! Encodes pixels as PNG files.
 
 use png::{BitDepth, ColorType, Compression, Encoder, Filter};
 

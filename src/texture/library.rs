@@ -1,4 +1,4 @@
-//! The images of all surfaces, each painted once.
+//! The images of all surfaces, each generated once.
 
 use std::sync::{Arc, OnceLock};
 
@@ -23,7 +23,7 @@ pub enum TextureLocation {
     Beside(String),
 }
 
-/// The images of all surfaces, painted when first asked for and then shared.
+/// The images of all surfaces, generated when first asked for and then shared.
 #[derive(Debug)]
 pub struct TextureLibrary {
     size: TextureSize,
@@ -40,13 +40,13 @@ type Painted = Vec<(TextureUse, Texture)>;
 const NAME_DIGITS: usize = 12;
 
 impl TextureLibrary {
-    /// A library that has painted nothing yet.
+    /// A library without images yet.
     #[must_use]
     pub fn new(size: TextureSize, location: TextureLocation) -> Self {
         Self { size, location, cache: None, surfaces: SURFACES.iter().map(|_| Default::default()).collect() }
     }
 
-    /// The same library that looks for its images in a cache before it paints them, and keeps them there.
+    /// The same library that looks for its images in a cache before it generates them, and keeps them there.
     #[must_use]
     pub fn with_cache(self, cache: Option<Cache>) -> Self {
         Self { cache, ..self }
@@ -61,7 +61,7 @@ impl TextureLibrary {
         self.surfaces[index][usize::from(is_half)].get_or_init(|| self.paint(SURFACES[index], pixels))
     }
 
-    /// Paints all surfaces at once, on as many threads as there are: painted on demand, the first level would wait for one
+    /// Generates all surfaces at once, on as many threads as there are: generated on demand, the first level would wait for one
     /// after the other, and all other levels for it.
     pub fn paint_all(&self) {
         SURFACES.par_iter().for_each(|surface| {
@@ -91,7 +91,7 @@ impl TextureLibrary {
     }
 }
 
-/// A name that tells what is in it, and its content, so that runs of other sizes and versions do not disturb each
+/// A name for the content, and the content, so that runs of other sizes and versions do not disturb each
 /// other.
 fn file_name(surface: &str, purpose: TextureUse, bytes: &[u8]) -> String {
     let what = purpose_name(purpose);

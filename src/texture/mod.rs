@@ -1,8 +1,9 @@
-//! Surfaces to images: tileable textures of wood, cloth, tiles and the like, painted by the project itself.
+//! Generates the images of surfaces: wood, cloth, tiles and others, as textures that repeat.
 //!
-//! What later stages may rely on: every surface of [`SURFACES`] covers one square metre and repeats without a seam;
-//! its colour is a shade of grey up to white that multiplies the palette's colour; the bytes of its images depend on
-//! surface and size alone, on no machine.
+//! Later stages may rely on:
+//! - every surface of [`SURFACES`] covers one square metre and repeats without a seam;
+//! - its colour is a shade of grey up to white, which multiplies the colour of the palette;
+//! - the bytes of its images depend on surface and size alone, on no machine.
 
 mod encode;
 mod library;
@@ -17,7 +18,7 @@ pub use surface::has_relief;
 pub use crate::catalog::SURFACES;
 pub(crate) use swatches::swatch_textures;
 
-/// How finely surfaces are painted.
+/// The resolution of textures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TextureSize {
     /// 512 pixels a metre: threads and pores of 2 mm.
@@ -38,7 +39,7 @@ impl TextureSize {
     }
 }
 
-/// What a surface covers.
+/// The use of a surface, by which its resolution is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfaceUse {
     /// Floors, walls and what else belongs to a room: large and near.

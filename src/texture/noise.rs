@@ -1,4 +1,4 @@
-//! Noise that repeats after one metre, from whole numbers: the same on every machine.
+//! Noise that repeats after one metre, computed in whole numbers: the same on every machine.
 
 /// A number from 0 up to 1 for a point of a grid and a seed: the finalizer of MurmurHash3 (A. Appleby, 2011).
 pub(super) fn grain(x: i64, y: i64, seed: u32) -> f64 {

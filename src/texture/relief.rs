@@ -1,9 +1,9 @@
-//! Heights to tangent-space normals.
+//! Turns heights into tangent-space normals.
 
 /// Red, green, blue of each pixel's normal, from heights in metres over one square metre that repeats.
 ///
 /// Green points up the image, as glTF 2.0 (3.9.3) wants it; the first row is the top. Each channel is rounded to
-/// steps of [`STEP`], which nobody sees and which halves the compressed size.
+/// steps of [`STEP`], which is invisible and halves the compressed size.
 pub(super) fn normals(heights: &[f64], pixels: usize) -> Vec<u8> {
     let at = |column: usize, row: usize| heights[(row % pixels) * pixels + column % pixels];
     let mut bytes = Vec::with_capacity(pixels * pixels * 3);
@@ -21,7 +21,7 @@ pub(super) fn normals(heights: &[f64], pixels: usize) -> Vec<u8> {
 
 /// Steps of a channel of a normal map, of 255.
 const STEP: f64 = 8.0;
-/// What stands for zero: the format reads 128 as 0.0039, which tilts a level floor by a fifth of a degree.
+/// The byte for zero: the format reads 128 as 0.0039, which tilts a level floor by a fifth of a degree.
 const ZERO: f64 = 128.0;
 
 fn channel(value: f64) -> u8 {

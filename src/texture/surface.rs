@@ -1,4 +1,4 @@
-//! What surfaces look like: shade, height and roughness at each point of a square metre that repeats.
+//! The patterns of surfaces: shade, height and roughness at each point of a square metre that repeats.
 //!
 //! Along `x` runs the grain of wood and the length of planks. Sizes are those of common products: boards of strip
 //! parquet 1000 × 125 mm, floor tiles 250 mm, wall tiles 200 × 100 mm, joints of 3 to 4 mm (EN 14411), the yarns of
@@ -7,14 +7,14 @@
 use super::noise::{grain, layered, nearest_two, noise, step, whole};
 use crate::catalog::SURFACES;
 
-/// Whether a surface is more than a flat pattern, so that normals are painted for it. Lacquered wood, polished stone,
+/// Whether a surface is more than a flat pattern, so that it has a normal map. Lacquered wood, polished stone,
 /// painted plaster and the like are level to the eye.
 #[must_use]
 pub fn has_relief(surface: &str) -> bool {
     SURFACES.contains(&surface) && !matches!(surface, "brushed" | "linoleum" | "plaster" | "stone" | "wood")
 }
 
-/// What a surface is like at a point.
+/// The properties of a surface at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sample {
     /// Multiplies the palette's linear colour, 0 to 1.

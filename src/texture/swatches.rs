@@ -1,4 +1,4 @@
-//! The image of a palette's plain colours: a square of one pixel for each slot.
+//! The image of the plain colours of a palette: one pixel for each slot, in a square.
 
 use std::sync::{Arc, LazyLock};
 

@@ -1,4 +1,4 @@
-//! Programmes against the room types that they are for.
+//! Checks that programmes and the room types that they are for do not contradict.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! The expected hierarchy: which classes can stand on which, and how deep.
+//! Checks the hierarchy of classes: which class can stand on which, and how deep.
 
 use std::collections::VecDeque;
 

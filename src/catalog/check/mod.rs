@@ -1,4 +1,4 @@
-//! What can only be said about the catalogue as a whole: who reaches the floor, and what contradicts.
+//! Checks the catalogue as a whole: every class reaches a room part, and no entries contradict.
 
 mod contradiction;
 mod hierarchy;

@@ -1,4 +1,4 @@
-//! One building style.
+//! Describes a building style.
 
 use serde_json::{Map, Value, json};
 

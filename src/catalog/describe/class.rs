@@ -1,4 +1,4 @@
-//! One class.
+//! Describes a class.
 
 use serde_json::{Map, Value, json};
 

@@ -1,4 +1,4 @@
-//! Aligned text and numbers as people read them.
+//! Aligns text and formats numbers for people.
 
 use crate::catalog::{Catalog, ClassIndex, ParentName};
 

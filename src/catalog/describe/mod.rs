@@ -1,4 +1,4 @@
-//! What exists: lists and single definitions, as text for people and as values for programs.
+//! Describes the catalogue: lists and single definitions, as text for people and as values for programs.
 
 mod building_style;
 mod class;
@@ -152,7 +152,7 @@ fn describe_one(catalog: &Catalog, kind: DefinitionKind, id: &str) -> Option<Des
     Some(Description { text, value })
 }
 
-/// What a style has otherwise than the one that it extends: names of facts and what they are here, as people read it.
+/// The differences of a style from the one that it extends: names of facts, and their values in words.
 #[must_use]
 pub fn style_differences(catalog: &Catalog, style: &Style) -> Vec<(&'static str, String)> {
     style::differences(style, base_style(catalog, &style.id))

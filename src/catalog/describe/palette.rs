@@ -1,4 +1,4 @@
-//! One palette.
+//! Describes a palette.
 
 use serde_json::{Map, Value, json};
 

@@ -1,4 +1,4 @@
-//! A class from above, in letters: its box, its sides and what they need to be free.
+//! Draws a class from above in letters: its box, its sides and the clearances before them.
 
 use super::lines::rounded;
 use crate::catalog::{Class, Shape, Side};
@@ -8,7 +8,7 @@ use crate::geometry::Point;
 const COLUMNS: f64 = 48.0;
 const ROWS: f64 = 18.0;
 
-/// Metres of the smallest letter: small things are drawn larger than life, but not huge.
+/// Metres of the smallest letter: small classes are drawn enlarged, but not huge.
 const SMALLEST_CELL: f64 = 0.05;
 
 /// How much higher than wide a letter is.

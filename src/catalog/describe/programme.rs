@@ -1,4 +1,4 @@
-//! Lines of programmes.
+//! Describes the lines of programmes.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! One room type.
+//! Describes a room type.
 
 use serde_json::{Value, json};
 
@@ -63,7 +63,7 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
     (lines, value)
 }
 
-/// What is fitted to the walls.
+/// The fittings of the walls.
 fn show_fittings(finish: &Finish) -> String {
     let sockets = finish.sockets.map(|interval| format!("a socket for {interval} m of wall"));
     let switches = finish.has_switches.then(|| "switches at doors".to_owned());

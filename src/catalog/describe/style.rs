@@ -1,4 +1,4 @@
-//! One style.
+//! Describes a style.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ type Show = fn(&Style) -> String;
 /// Programmes of a style.
 type Select = fn(&Style) -> &Programmes;
 
-/// What a style says besides programmes.
+/// The facts of a style besides programmes.
 const FACTS: [(&str, Show); 8] = [
     ("made for", show_room_types),
     ("geometry", |style| style.geometry.name().to_owned()),
@@ -44,7 +44,7 @@ fn compared(style: &Style, base: Option<&Style>, show: Show) -> String {
     }
 }
 
-/// What a style has otherwise than the one that it extends, or everything where it extends none, as people read it:
+/// The differences of a style from the one that it extends, or all facts if it extends none, in words:
 /// names of facts and what they are here.
 pub(super) fn differences(style: &Style, base: Option<&Style>) -> Vec<(&'static str, String)> {
     let differs = |show: Show| base.is_none_or(|base| show(base) != show(style));

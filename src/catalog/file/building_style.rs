@@ -1,4 +1,4 @@
-//! `building_styles` in `configs/styles/*.yaml`.
+//! The keys of `building_styles` in `configs/styles/*.yaml`.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! `configs/classes/*.yaml`.
+//! The keys of `configs/classes/*.yaml`.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Coordinates inside a box: `0.05`, `"50%"`, `"100%-0.03"`.
+//! Coordinates inside a box, as written: `0.05`, `"50%"`, `"100%-0.03"`.
 
 use super::ExtentText;
 use crate::catalog::Extent;

@@ -1,6 +1,6 @@
-//! The files of `configs/` as they are written: one module for each kind of file.
+//! The types of the files in `configs/`, one module for each kind of file.
 //!
-//! Everything is optional that inheritance or a default can fill; nothing is checked beyond its type.
+//! A key is optional if inheritance or a default can fill it. Values are checked for their type only.
 
 mod building_style;
 mod class;

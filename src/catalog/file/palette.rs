@@ -1,4 +1,4 @@
-//! `configs/palettes/*.yaml`.
+//! The keys of `configs/palettes/*.yaml`.
 
 use std::collections::BTreeMap;
 

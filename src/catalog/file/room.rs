@@ -1,4 +1,4 @@
-//! `configs/rooms/*.yaml`.
+//! The keys of `configs/rooms/*.yaml`.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! `configs/styles/*.yaml`.
+//! The keys of `configs/styles/*.yaml`.
 
 use std::collections::BTreeMap;
 

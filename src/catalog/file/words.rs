@@ -1,4 +1,4 @@
-//! `configs/room_words.yaml`.
+//! The keys of `configs/room_words.yaml`.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! The thresholds of the audit.
+//! Resolves the thresholds of the audit.
 
 use super::number::{ANGLE, AREA, DISTANCE, FACTOR, Quantity, SHARE};
 use crate::catalog::AuditRules;

@@ -1,4 +1,4 @@
-//! Building styles.
+//! Resolves building styles.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::{Chain, Table};
 use crate::catalog::{BuildingStyle, Share, Style, WeightedStyle};
 
-/// What a building style may refer to.
+/// The definitions that a building style may refer to.
 pub(crate) struct BuildingStyleWorld<'a> {
     /// The room types.
     pub(crate) room_types: &'a Table<RoomTypeEntry>,

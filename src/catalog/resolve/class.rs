@@ -1,4 +1,4 @@
-//! Classes.
+//! Resolves classes.
 
 use super::model::resolve_model;
 use super::names::Names;
@@ -18,7 +18,7 @@ use crate::geometry::Point;
 
 /// From a glow to a floodlight.
 const LUMENS: Quantity = Quantity { name: "lumens", unit: " lm", range: 1.0..=100_000.0 };
-/// What the colour of a glowing body is known for.
+/// The range of temperatures in which the colour of a glowing body is known.
 const KELVINS: Quantity = Quantity { name: "kelvin", unit: " K", range: 1667.0..=25_000.0 };
 /// Colour temperature in kelvins of lamps that say nothing.
 const WARM_WHITE: f64 = 2700.0;

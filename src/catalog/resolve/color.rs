@@ -1,4 +1,4 @@
-//! Colours between sRGB as people write them and linear light.
+//! Converts colours from sRGB, as people write them, to linear light.
 
 use crate::catalog::report::{Report, Spot};
 

@@ -1,5 +1,5 @@
-//! Definitions as written to definitions as meant: inheritance followed, names found, units converted,
-//! every value checked. What is wrong is reported where it is written, and the rest goes on.
+//! Resolves definitions: follows inheritance, finds names, converts units, checks every value. A fault is reported at its
+//! place, and the other definitions are resolved all the same.
 
 mod audit;
 mod building_style;

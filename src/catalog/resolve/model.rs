@@ -1,4 +1,4 @@
-//! How a class looks.
+//! Resolves the model of a class.
 
 use std::path::{Path, PathBuf};
 

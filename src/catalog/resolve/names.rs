@@ -1,4 +1,4 @@
-//! What a word in a parent, relation, programme or `excludes` means.
+//! Resolves the words of parents, relations, programmes and `excludes`.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! Numbers within bounds.
+//! Checks numbers against their bounds.
 
 use std::ops::RangeInclusive;
 
@@ -32,11 +32,11 @@ pub(super) const COUNT: RangeInclusive<i64> = 0..=10_000;
 
 /// A checked number: its name in messages, its unit and its bounds.
 pub(super) struct Quantity {
-    /// What it is called.
+    /// The name for messages.
     pub(super) name: &'static str,
     /// Its unit with a space before it, or nothing.
     pub(super) unit: &'static str,
-    /// What it may be.
+    /// The allowed range.
     pub(super) range: RangeInclusive<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Palettes.
+//! Resolves palettes.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -12,12 +12,12 @@ use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
 use crate::catalog::{MATERIAL_SLOTS, Material, Palette, SURFACES};
 
-/// What multiplies light given off.
+/// The range of the factor on emitted light.
 const STRENGTH: RangeInclusive<f64> = 0.0..=1000.0;
 const DEFAULT_ROUGHNESS: f64 = 0.7;
 const DEFAULT_COLOR: &str = "#808080";
 const DEFAULT_EMISSIVE: &str = "#000000";
-/// What takes a texture away that a palette below has.
+/// The word that removes an inherited texture.
 const NO_TEXTURE: &str = "none";
 
 /// All palettes that are not broken, sorted by id.

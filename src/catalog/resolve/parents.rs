@@ -1,4 +1,4 @@
-//! Where a class may stand.
+//! Resolves the parents of a class.
 
 use super::names::{NamedClasses, Names, room_part, union};
 use super::number::{ANGLE, DISTANCE, Quantity, SIGNED_DISTANCE};

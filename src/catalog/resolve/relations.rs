@@ -1,4 +1,4 @@
-//! Wishes about other objects.
+//! Resolves the relations of a class.
 
 use super::names::{Names, room_part, union};
 use super::number::{ANGLE, FACTOR, FAR, Quantity, RANGE};

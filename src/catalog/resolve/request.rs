@@ -1,4 +1,4 @@
-//! The lines of a programme.
+//! Resolves the lines of a programme.
 
 use super::names::{NamedClasses, Names};
 use super::number::{AREA, FACTOR, Quantity, SHARE, check_count};
@@ -8,7 +8,7 @@ use crate::catalog::{ClassIndex, Count, Request};
 
 /// Pieces for each piece of another class where the file says nothing.
 const DEFAULT_EACH: f64 = 1.0;
-/// What `per` names to count by the room's windows.
+/// The word of `per` for counting by the room's windows.
 const WINDOW_WORD: &str = "window";
 /// Most pieces of a line whose count goes with the area, where the file says nothing.
 const DEFAULT_MOST: i64 = 1000;

@@ -1,4 +1,4 @@
-//! Room types.
+//! Resolves room types.
 
 use std::ops::RangeInclusive;
 
@@ -21,7 +21,7 @@ pub(crate) struct ResolvedRoomType {
     pub(crate) room_type: RoomType,
     /// Its own programme, with the words that it was made of.
     pub(crate) programme: ResolvedProgramme,
-    /// What contradicts it.
+    /// The classes that it excludes.
     pub(crate) excluded: Vec<NamedClasses>,
 }
 

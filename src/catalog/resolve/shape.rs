@@ -1,4 +1,4 @@
-//! Shapes: every part inside the box, in every size.
+//! Resolves shapes, and checks that every part lies inside the box in every size.
 
 use crate::catalog::file::{ClassEntry, ExtentFault, PartEntry, ShapeEntry, read_extent};
 use crate::catalog::report::{Report, Spot};

@@ -1,4 +1,4 @@
-//! What the sides of a class offer, and what must stay free before them.
+//! Resolves the places and clearances at the sides of a class.
 
 use super::number::{DISTANCE, LENGTH, Quantity, SIGNED_DISTANCE, check_count};
 use crate::catalog::file::{ClassEntry, ClearanceEntry, SideEntry};

@@ -1,4 +1,4 @@
-//! Sizes: as written, or as a user's model has them.
+//! Resolves sizes, as written or as a user's model gives them.
 
 use super::model::model_path;
 use super::number::{FACTOR, LENGTH, Quantity, TURN};
@@ -58,7 +58,7 @@ pub(super) fn resolve_spare_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Re
 }
 
 /// The model of the nearest definition that has one. A model that gives its size is that of its own definition and of
-/// those that do not write sizes: whoever swaps the model of `desk` does not mean `small_desk`.
+/// those that do not write sizes: a new model for `desk` is not meant for `small_desk`.
 pub(super) fn find_model<'a>(chain: &Chain<'a, ClassEntry>) -> Option<Found<'a, ClassEntry, ModelEntry>> {
     let gives_sizes = chain.find("sizes", sized).map(|found| found.value);
     chain.find("model", |entry| {

@@ -1,4 +1,4 @@
-//! Styles.
+//! Resolves styles.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ const LARGEST_UNTIDINESS: f64 = 5.0;
 /// Lines by room type, as written.
 type Programmes = BTreeMap<String, Vec<RequestEntry>>;
 
-/// What a style may refer to.
+/// The definitions that a style may refer to.
 pub(crate) struct StyleWorld<'a> {
     /// The classes.
     pub(crate) names: &'a Names<'a>,

@@ -1,4 +1,4 @@
-//! The room words of plan formats.
+//! Resolves the room words of plan formats.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

@@ -1,9 +1,8 @@
-//! `tests/cases/catalog/*.yaml`: small folders of configuration with the faults they have.
+//! `tests/cases/catalog/*.yaml`: small folders of configuration with expected faults.
 //!
-//! A case is one file of several parts. `#: [layer/]path` begins the next file of the case; layers `0/`,
-//! `1/` stand for folders given one after the other. `#! message` at the end of a line expects a fault
-//! there, `#? message` a warning; a hint follows after ` | `. Every fault has to be expected. All folders
-//! stand above `tests/cases/catalog/base`.
+//! A case is one file of several parts. `#: [layer/]path` begins the next file of the case; layers `0/`, `1/` stand for
+//! folders given one after the other. `#! message` at the end of a line expects a fault there, `#? message` a warning; a
+//! hint follows after ` | `. Every fault has to be expected. All cases extend the folder `tests/cases/catalog/base`.
 
 use std::collections::BTreeSet;
 use std::fs;

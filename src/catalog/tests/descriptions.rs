@@ -1,4 +1,4 @@
-//! What `catalog` shows.
+//! The descriptions of `catalog`.
 
 use super::cases::load_above_base;
 use crate::catalog::{Catalog, DefinitionKind, describe, load_catalog};

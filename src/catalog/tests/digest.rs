@@ -1,4 +1,4 @@
-//! The digest tells whether anything that was read has changed, and nothing else.
+//! The digest changes if and only if configuration that was read has changed.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! Files that went wrong never end the program.
+//! Damaged files never end the program.
 
 use std::path::PathBuf;
 
@@ -54,7 +54,7 @@ styles:
     ("audit.yaml", "version: 1\nthresholds:\n  walking: {person: 0.5}\n  screens: {angle: 20}\n"),
 ];
 
-/// What is put into files.
+/// The damage to files.
 const SCRAPS: [&str; 20] = [
     "-", ": ", "[", "]", "{", "}", "\"", "#", "%", "\n", "  ", "1e999", "-1", ".nan", "rack", "floor", "é",
     "&a *a", "null", "0",

@@ -1,4 +1,4 @@
-//! What good configuration means.
+//! Valid configuration resolves to the expected values.
 
 use std::fs;
 use std::path::{Path, PathBuf};

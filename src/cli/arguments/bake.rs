@@ -1,4 +1,4 @@
-//! `bake`.
+//! The arguments of `bake`.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `edits`.
+//! The arguments of `edits`.
 
 use std::path::PathBuf;
 

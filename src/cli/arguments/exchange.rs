@@ -1,4 +1,4 @@
-//! `import` and `merge`.
+//! The arguments of `import` and `merge`.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `check`, `catalog`, `draw` and `explain`.
+//! The arguments of `check`, `catalog`, `draw` and `explain`.
 
 use std::path::PathBuf;
 

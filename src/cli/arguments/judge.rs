@@ -1,4 +1,4 @@
-//! `audit` and `diff`.
+//! The arguments of `audit` and `diff`.
 
 use std::path::PathBuf;
 

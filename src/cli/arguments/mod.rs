@@ -1,4 +1,4 @@
-//! What was typed: a file for each group of commands.
+//! The command line as typed, one file for each group of commands.
 
 mod bake;
 mod edits;
@@ -34,7 +34,7 @@ pub(crate) struct Arguments {
     /// The command.
     #[command(subcommand)]
     pub(crate) command: Option<Command>,
-    /// What is printed, and how.
+    /// The options for printing.
     #[command(flatten)]
     pub(crate) manner: Manner,
 }

@@ -1,8 +1,8 @@
-//! Numbers as they are typed, and what to write instead of those that are none.
+//! Parses numbers, and advises on mistyped ones.
 
 use std::ops::RangeInclusive;
 
-/// Metres of a unit that somebody may write behind a length.
+/// Metres of a unit that users may write behind a length.
 const UNITS: [(&str, f64); 10] = [
     ("mm", 0.001),
     ("cm", 0.01),

@@ -1,4 +1,4 @@
-//! Every command line that a page of the project shows is one that the program takes.
+//! Tests that the program accepts every command line on the pages of the project.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use clap::error::ErrorKind;
 
 use super::Arguments;
 
-/// What stands before a command in a code block.
+/// The text before a command in a code block.
 const LEADS: [&str; 3] = ["- run: ", "run: ", "$ "];
 
 /// Pages in the project's folder, and those below `docs/`.

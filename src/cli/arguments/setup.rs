@@ -1,4 +1,4 @@
-//! `init`, `completions` and `man`.
+//! The arguments of `init`, `completions` and `man`.
 
 use std::path::PathBuf;
 

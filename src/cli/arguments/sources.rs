@@ -1,4 +1,4 @@
-//! What several commands ask for: where plans come from, and what furniture depends on.
+//! Arguments of several commands: plans, configuration, and the options that furniture depends on.
 
 use std::path::PathBuf;
 
@@ -31,7 +31,7 @@ pub(crate) struct EditArguments {
     pub(crate) no_edits: bool,
 }
 
-/// What the furniture depends on.
+/// The options that furniture depends on.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct FurnishArguments {
     /// Seed of all rooms; another number gives other arrangements [default: the project's, or 1].

@@ -1,4 +1,4 @@
-//! The files that the paths of a command line mean.
+//! Finds the files that the paths of a command line name.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -75,7 +75,7 @@ fn listing_of(folder: &Path) -> Option<(PathBuf, Listing)> {
     places.into_iter().flatten().find_map(|place| Some((place.to_owned(), list_levels(place)?)))
 }
 
-/// The listed levels below a folder; tells of those that are missing, and of files that are not listed.
+/// The listed levels below a folder; reports missing levels, and files that are not listed.
 fn listed(
     folder: &Path,
     (root, listing): (&Path, Listing),

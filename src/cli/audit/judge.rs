@@ -1,4 +1,4 @@
-//! One file to the verdicts on its rooms.
+//! Judges the rooms of one file.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ pub(crate) struct JudgedLevel {
     pub(crate) level: String,
     pub(crate) totals: AuditSummary,
     pub(crate) rooms: Vec<JudgedRoom>,
-    /// What keeps rooms from being judged; listed apart.
+    /// The faults that keep rooms from being judged; listed apart.
     #[serde(skip)]
     pub(crate) faults: Faults,
 }

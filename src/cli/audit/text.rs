@@ -1,4 +1,4 @@
-//! The report for people.
+//! The report of `audit` for people.
 
 use crate::audit::{AuditSummary, Finding, Severity};
 use crate::cli::summary::audit_lines;

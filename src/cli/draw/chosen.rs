@@ -1,4 +1,4 @@
-//! The levels that somebody asks for, by file.
+//! Selects the levels that the options name, by file.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! `draw`: furnished levels as SVG.
+//! `draw`: draws furnished levels as SVG.
 
 mod chosen;
 mod page;

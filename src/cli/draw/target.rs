@@ -1,4 +1,4 @@
-//! Where drawings go.
+//! The files that drawings go to.
 
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -8,16 +8,16 @@ use super::chosen::Page;
 use crate::batch::distinct_names;
 use crate::document::{Fault, Faults};
 
-/// Endings of files that somebody might expect `draw` to write, and it does not.
+/// Endings of formats that users may expect from `draw`, and that it does not write.
 const OTHER_FORMATS: [&str; 12] =
     ["png", "jpg", "jpeg", "gif", "webp", "bmp", "tif", "tiff", "pdf", "html", "dxf", "dwg"];
 
 /// Where drawings go.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Target {
-    /// To stdout, which something else reads.
+    /// To stdout, which another program reads.
     Stdout,
-    /// Into a file of this folder that is named after the building: nobody reads SVG at a terminal.
+    /// Into a file of this folder that is named after the building, because SVG is not readable at a terminal.
     Here,
     /// Into this file.
     File(PathBuf),
@@ -25,7 +25,7 @@ pub(super) enum Target {
     Folder(PathBuf),
 }
 
-/// What `--out` means.
+/// The meaning of `--out`.
 ///
 /// # Errors
 /// If it names a file of another format.

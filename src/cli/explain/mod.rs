@@ -1,4 +1,4 @@
-//! `explain`: why everything in a room is where it is.
+//! `explain`: reports why each object of a room stands where it is.
 
 mod report;
 mod text;
@@ -56,7 +56,7 @@ pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
     })
 }
 
-/// Furnishes the room as `bake` does, then once more with somebody who listens.
+/// Furnishes the room as `bake` does, then once more with a trace of the search.
 fn subject<'a>(
     arguments: &ExplainArguments,
     sources: &'a Sources,

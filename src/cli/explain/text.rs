@@ -1,4 +1,4 @@
-//! An explanation as people read it: one block per object, short lines, figures in columns.
+//! An explanation for people: one block per object, short lines, figures in columns.
 
 use std::fmt::Write;
 
@@ -96,7 +96,7 @@ fn fact(text: &mut String, name: &str, fact: &str) {
     let _ = writeln!(text, "  {name:<9}{}", printable(fact));
 }
 
-/// What an object stands on or at, by the parent's side.
+/// The phrase for the place of an object at the side of its parent.
 fn stands(subject: &Subject<'_>, placement: &Placement) -> String {
     match placement.parent {
         Parent::Floor => "on the floor".to_owned(),

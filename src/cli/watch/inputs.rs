@@ -1,4 +1,4 @@
-//! The files and folders that a bake reads.
+//! Lists the files and folders that a bake reads.
 
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
@@ -118,7 +118,7 @@ fn is_visible(below: &Path) -> bool {
     })
 }
 
-/// A path as the system tells of it. It need not be there, but its folder must.
+/// A path as the system reports it. It need not exist, but its folder must.
 fn real(path: impl AsRef<Path>) -> Option<PathBuf> {
     let path = path.as_ref();
     if let Ok(found) = path.canonicalize() {

@@ -1,7 +1,7 @@
 //! `bake --watch`: bakes, waits until an input changes, and bakes again.
 //!
-//! The folders of all inputs are watched before a bake reads them, so that no change falls between. Faults end nothing:
-//! the file that has one is an input, too.
+//! The folders of all inputs are watched before a bake reads them, so that no change is missed. A fault in a file does
+//! not end the watching, for the file is an input, too.
 
 mod inputs;
 mod watcher;

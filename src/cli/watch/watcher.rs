@@ -1,4 +1,4 @@
-//! Changed files of watched folders, as the system tells of them.
+//! Watches folders, and reports changed files.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use notify::{Config, Event, EventKind, PollWatcher, RecommendedWatcher, Recursiv
 use super::inputs::Inputs;
 use crate::document::{Fault, Faults};
 
-/// Time between two looks at folders of which the system does not tell.
+/// Time between two looks at folders for which the system reports no changes.
 const LOOK_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Something that happened in a watched folder.
@@ -30,7 +30,7 @@ pub(super) struct FolderWatcher {
 }
 
 impl FolderWatcher {
-    /// Watches the folders of inputs from now on. What changed before is not told: read the inputs afterwards.
+    /// Watches the folders of inputs from now on. Earlier changes are not reported: read the inputs afterwards.
     ///
     /// # Errors
     /// If the system watches none of them.
@@ -72,7 +72,7 @@ fn start_kind<W: Watcher + 'static>(
     Ok((Box::new(watcher), changes))
 }
 
-/// Sends what changed; that nobody listens any more is no fault.
+/// Sends the changed paths; a receiver that has ended is no fault.
 fn pass_on(event: notify::Result<Event>, sender: &Sender<Change>) {
     match event {
         // Reading is no change, and a bake reads.

@@ -1,4 +1,4 @@
-//! A report as one page that needs nothing else: no script, no network.
+//! A report as one HTML page without scripts and without other files.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! Changes as lines: one for each object, whatever became of it.
+//! Changes as lines of text, one for each object.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,7 +15,7 @@ pub(super) struct Line {
     pub(super) sign: &'static str,
     /// An id; empty for the room or level.
     pub(super) subject: String,
-    /// What became of it.
+    /// The change in words.
     pub(super) text: String,
 }
 
@@ -64,9 +64,9 @@ fn carrier<'a>(change: &'a Change, told: &BTreeSet<&str>) -> Option<&'a str> {
     change.with.as_deref().filter(|with| told.contains(with))
 }
 
-/// What each object carried with it, by the object that nothing else carried.
+/// The objects that moved with each object, by the object that nothing else carried.
 fn companions<'a>(changes: &'a [Change], told: &BTreeSet<&str>) -> BTreeMap<&'a str, Vec<&'a str>> {
-    /// Deeper than people stack things, and where carriers run in a circle, deep enough.
+    /// Deeper than people stack objects, and where carriers run in a circle, deep enough.
     const DEEPEST: usize = 64;
     let above: BTreeMap<&str, &str> =
         changes.iter().filter_map(|change| Some((change.id.as_str(), carrier(change, told)?))).collect();

@@ -14,7 +14,7 @@ const MOST_LINES: usize = 20;
 const RESERVE: usize = 200;
 
 /// A heading, a table of counts, and a foldable block for each level, in at most `most` bytes. What does not fit is left
-/// out and counted. Ids and names come from plans that anybody may have written: they stand in code spans, where neither
+/// out and counted. Ids and names come from plans of unknown origin: they stand in code spans, where neither
 /// HTML nor a mention means anything.
 #[must_use]
 pub fn markdown(report: &Report, most: usize) -> String {

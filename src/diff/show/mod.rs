@@ -1,4 +1,4 @@
-//! Reports for people: text, Markdown for a pull request, a page of its own.
+//! Reports for people: text, Markdown for a pull request, an HTML page.
 
 mod html;
 mod lines;
@@ -44,7 +44,7 @@ fn kinds(report: &Report) -> impl Iterator<Item = (&'static str, u64)> + '_ {
     report.summary.changes.iter().map(|(kind, count)| (kind.name(), *count))
 }
 
-/// What stands before a level, room or file that came, went or changed.
+/// The sign before a level, room or file that was added, removed or changed.
 fn sign(state: Presence) -> &'static str {
     match state {
         Presence::Added => "+",

@@ -1,4 +1,4 @@
-//! The list of findings below the plan, in as many columns as the sheet has room for.
+//! The list of findings below the plan, in as many columns as fit on the sheet.
 
 use crate::audit::{Grade, Severity};
 use crate::draw::Drawing;
@@ -12,7 +12,7 @@ use super::{Noted, grade_color, grade_name, severity_color, severity_name};
 /// Pixels of a column.
 const COLUMN: f64 = 500.0;
 
-/// Lines of the shortest column; fewer are not worth another.
+/// Lines of the shortest column; fewer do not make another column.
 const SHORTEST_COLUMN: usize = 12;
 
 /// Pixels between lines.
@@ -51,7 +51,7 @@ pub(crate) fn draw_legend(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[Not
     let top = canvas.pen() + LINE * 1.5;
     let (mut column, mut line, mut longest) = (0, 0, 0);
     for block in &blocks {
-        // What is said about a room stays together.
+        // The findings of a room stay together.
         if line > 0 && line + block.len() > column_length && column + 1 < column_count {
             (column, line) = (column + 1, 0);
         }

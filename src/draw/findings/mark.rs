@@ -1,4 +1,4 @@
-//! Numbered marks, each as near to what it is about as the other words allow.
+//! Numbered marks of findings, each as near to its subject as other texts allow.
 
 use crate::draw::Drawing;
 use crate::draw::canvas::{Canvas, TextStyle, short};
@@ -34,7 +34,7 @@ pub(crate) fn draw_marks(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[Note
     }
 }
 
-/// What the mark belongs to: the zone if there is one, else the first thing.
+/// The subject of the mark: the region if there is one, else the first object or room part.
 fn outline(drawing: &Drawing<'_>, noted: &Noted<'_>) -> Vec<Point> {
     let thing = || noted.things.first().map(|thing| thing.outline(drawing, noted.room));
     noted.zones.first().cloned().or_else(thing).unwrap_or_default()

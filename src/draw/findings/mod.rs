@@ -1,4 +1,4 @@
-//! The audit's findings over the plan: outlines and hatched zones, numbered marks, and a legend below.
+//! Draws the audit's findings over the plan: outlines, hatched regions, numbered marks, and a legend below.
 
 mod legend;
 mod mark;
@@ -22,7 +22,7 @@ pub(crate) struct Noted<'a> {
     /// Index of its room in the level.
     room: usize,
     finding: &'a Finding,
-    /// What it is about, as far as that is in the plan.
+    /// Its objects and room parts, as far as they are in the plan.
     things: Vec<Thing>,
     /// Regions of floor that it is about.
     zones: Vec<Vec<Point>>,
@@ -40,7 +40,7 @@ pub(crate) fn number<'a>(drawing: &Drawing<'a>) -> Vec<Noted<'a>> {
     noted.collect()
 }
 
-/// What lies under the words: hatched zones, then outlines, the worst last so that its colour wins.
+/// The layer under the texts: hatched regions, then outlines, the worst last so that its colour wins.
 pub(crate) fn draw_regions(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[Noted<'_>]) {
     let mut by_severity: Vec<&Noted<'_>> = all.iter().collect();
     by_severity.sort_by_key(|noted| (noted.finding.severity, noted.number));

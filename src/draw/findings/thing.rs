@@ -1,4 +1,4 @@
-//! What the words of a finding mean in the plan: `bed.1`, `door:2`, `wall.0`, `column.3`.
+//! Finds the object or room part that an id in a finding names: `bed.1`, `door:2`, `wall.0`, `column.3`.
 
 use crate::draw::Drawing;
 use crate::draw::canvas::Canvas;
@@ -8,7 +8,7 @@ use crate::layout::Placement;
 /// Metres that the outline of an object stands off it.
 const OFFSET: f64 = 0.02;
 
-/// Something that a finding names.
+/// An object or room part that a finding names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Thing {
     /// An object, by index into the placements of its room.
@@ -21,7 +21,7 @@ pub(super) enum Thing {
     Column(usize),
 }
 
-/// The things that words name; those that are not in the plan, such as missing pieces, are left out.
+/// The objects and room parts that words name; those that are not in the plan, such as missing pieces, are left out.
 pub(super) fn find_all(drawing: &Drawing<'_>, room: usize, words: &[String]) -> Vec<Thing> {
     words.iter().filter_map(|word| find(drawing, room, word)).collect()
 }

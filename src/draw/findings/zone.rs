@@ -1,4 +1,4 @@
-//! The floor that a finding is about, where that is cheap to know.
+//! The region of the floor that a finding is about, where it is simple to derive.
 
 use crate::audit::{Code, Finding};
 use crate::catalog::{Clearance, Side};
@@ -39,7 +39,7 @@ struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// Clearances of some kind of the objects concerned that another thing concerned reaches into.
+    /// Clearances of a kind, of the objects of a finding, that another object of the finding reaches into.
     fn taken(&self, is_good: bool, is_meant: impl Fn(&Clearance) -> bool) -> Vec<Vec<Point>> {
         let owned = self.owned(is_good, is_meant);
         let taken = owned.iter().filter(|(owner, solid)| {

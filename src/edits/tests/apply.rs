@@ -24,7 +24,7 @@ fn edited(room: &TestRoom, lines: &[&str]) -> Finished {
     finish(&room.level, judged, &edits(lines), &room.catalog, judge)
 }
 
-/// What stands there: id, place to the millimetre, height, degrees, id of the parent if that is an object.
+/// The objects: id, place to the millimetre, height, degrees, id of the parent if that is an object.
 fn shown(room: &TestRoom, lines: &[&str]) -> Vec<String> {
     let Furnished { placements, .. } = edited(room, lines).judged.furnished;
     let id =

@@ -1,4 +1,4 @@
-//! Floors as editors leave them.
+//! Levels as editors leave them.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Objects that are there before the others.
+//! Locked objects are placed before the others.
 
 use super::edits;
 use crate::best::furnish_best;

@@ -1,4 +1,4 @@
-//! Rooms that are larger than any room, or farther away than any building reaches, are left out.
+//! Leaves out rooms that are larger than any room, or farther away than any building reaches.
 
 use super::Assembly;
 use crate::geometry::{Point, Polygon};

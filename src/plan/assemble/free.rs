@@ -1,4 +1,4 @@
-//! Ids and numbers that are free, found without walking along all that are taken.
+//! Finds free ids and numbers without walking along all that are taken.
 
 use std::collections::{BTreeMap, BTreeSet};
 

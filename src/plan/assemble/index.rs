@@ -1,4 +1,4 @@
-//! Finding walls and outlines by place, so that levels of thousands of rooms stay fast.
+//! Finds walls and outlines by place, so that levels of thousands of rooms stay fast.
 
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
@@ -13,13 +13,13 @@ type Boxed<T> = GeomWithData<Rectangle<[f64; 2]>, T>;
 pub(in crate::plan) struct BoxIndex<T>(RTree<Boxed<T>>);
 
 impl<T: Copy + Ord> BoxIndex<T> {
-    /// Indexes things by the low and the high corner of their boxes; what is nowhere is left out.
+    /// Indexes items by the low and the high corner of their boxes; items without a place are left out.
     pub(in crate::plan) fn of(boxes: impl Iterator<Item = (Point, Point, T)>) -> Self {
         let boxes = boxes.filter(|(low, high, _)| low.is_finite() && high.is_finite());
         Self(RTree::bulk_load(boxes.map(|(low, high, thing)| boxed(low, high, thing)).collect()))
     }
 
-    /// The things whose box meets the box from `low` to `high`, sorted.
+    /// The items whose box meets the box from `low` to `high`, sorted.
     pub(in crate::plan) fn near(&self, low: Point, high: Point) -> Vec<T> {
         let mut things: Vec<T> = self.meeting(low, high).collect();
         // The tree's own order depends on how it was built; later ties must not.
@@ -33,7 +33,7 @@ impl<T: Copy + Ord> BoxIndex<T> {
         self.0.locate_in_envelope_intersecting(&envelope).map(|item| item.data)
     }
 
-    /// Adds a thing.
+    /// Adds an item.
     pub(in crate::plan) fn add(&mut self, low: Point, high: Point, thing: T) {
         self.0.insert(boxed(low, high, thing));
     }

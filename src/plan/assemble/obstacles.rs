@@ -1,4 +1,4 @@
-//! Columns to the rooms they stand in.
+//! Assigns columns to the rooms that they stand in.
 
 use geo::BooleanOps;
 
@@ -7,7 +7,7 @@ use crate::geometry::Polygon;
 use crate::plan::clean::{clean_ring, to_polygon, to_surface};
 use crate::plan::{Obstacle, Problem, Room, Subject};
 
-/// Pieces of a column below this many square metres stand in nobody's way.
+/// Pieces of a column below this many square metres are no obstacle.
 const SMALLEST_PIECE: f64 = 1e-4;
 
 /// Gives each room the pieces of columns inside its region.

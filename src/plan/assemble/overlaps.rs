@@ -1,4 +1,4 @@
-//! Rooms that lie on each other.
+//! Finds rooms that overlap, and cuts a room that is drawn inside another out of it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -40,7 +40,7 @@ pub(super) fn cut_enclosed(assembly: &mut Assembly<'_>, borders: &mut [CenterRoo
     let outlines: BTreeMap<usize, Polygon> =
         larger.keys().map(|&room| (room, borders[room].ring.polygon.clone())).collect();
     for (room, rooms_in_it) in cuts {
-        // What lies in one of these goes with that one.
+        // A room inside one of these is cut out together with it.
         let goes_with_another = |small: &usize| !larger[small].is_disjoint(&rooms_in_it);
         let own = rooms_in_it.iter().filter(|small| !goes_with_another(small));
         let holes = borders[room].holes.iter().cloned().chain(own.map(|small| outlines[small].clone()));
@@ -119,7 +119,7 @@ impl<'a> Floor<'a> {
         self.surface_within(other.bounds).intersection(&other.surface_within(self.bounds)).unsigned_area()
     }
 
-    /// What it covers, without the holes that do not reach into a box.
+    /// Its surface; holes that do not reach into a box are ignored.
     fn surface_within(&self, (low, high): (Point, Point)) -> geo::Polygon<f64> {
         let holes = self.holes.near(low, high).into_iter().map(|hole| self.room.holes[hole].clone());
         to_surface(&self.room.ring.polygon, &holes.collect::<Vec<Polygon>>())

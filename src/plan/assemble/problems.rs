@@ -1,4 +1,4 @@
-//! The words for what is wrong with a draft.
+//! The messages for faults of a draft.
 
 use super::super::attach::{AttachFault, Request};
 use super::super::clean::{HoleFault, RingFault};
@@ -17,7 +17,7 @@ impl Problem {
         Self { is_error: false, ..Self::error(subject, message, hint) }
     }
 
-    /// The subject was left out, for no building has such a thing.
+    /// The subject was left out, because no building has such a part.
     pub(in crate::plan) fn impossible(subject: Subject, message: String, hint: &str) -> Self {
         Self { is_impossible: true, ..Self::error(subject, message, Some(hint)) }
     }
@@ -56,7 +56,7 @@ pub(super) fn bad_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
     }
 }
 
-/// What was done to a hole.
+/// The change to a hole.
 pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
     match fault {
         HoleFault::Ring(hole, fault) => {
@@ -83,7 +83,7 @@ pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
     }
 }
 
-/// What is wrong with a ring.
+/// The fault of a ring.
 pub(super) fn ring_fault(fault: &RingFault) -> String {
     match fault {
         RingFault::Polygon(fault) => fault.to_string(),

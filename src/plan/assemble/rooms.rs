@@ -1,4 +1,4 @@
-//! Rooms with sound outlines on the inner faces of their walls.
+//! Builds rooms with clean outlines along the inner faces of their walls.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! Tags that walls carry by what they are (the paper's section 4), besides those of the plan.
+//! Tags walls by their properties (the paper's section 4), besides the tags of the plan.
 
 use super::walls::ray_hit;
 use super::{Assembly, WallIndex};

@@ -1,4 +1,4 @@
-//! What stands behind each wall: thickness, open air, railings.
+//! Finds what is behind each wall: thickness, open air, railings.
 
 use super::index::{OutlineIndex, WallIndex, WallPlace};
 use crate::geometry::{Point, Region};
@@ -37,7 +37,7 @@ pub(super) fn bare_walls(region: &Region) -> Vec<Wall> {
         .collect()
 }
 
-/// What the drawing shows besides rooms.
+/// The parts of the drawing besides rooms.
 pub(super) struct Drawn<'a> {
     /// Outlines of solid walls.
     pub(super) solids: &'a OutlineIndex,
@@ -73,7 +73,7 @@ fn places(rooms: &[Room]) -> Vec<(usize, usize)> {
         .collect()
 }
 
-/// What rays from a wall found behind it.
+/// The findings of rays that go out behind a wall.
 struct Backing {
     /// Metres to the nearest room behind, if any ray met one.
     gap: Option<f64>,

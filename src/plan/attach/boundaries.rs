@@ -1,4 +1,4 @@
-//! Open boundaries that a drawing shows by leaving out the wall.
+//! Finds open boundaries, which a drawing shows by leaving out the wall.
 
 use super::Request;
 use crate::geometry::Point;

@@ -1,4 +1,4 @@
-//! Door leaves: drawn, described or chosen.
+//! Gives doors their leaves: as drawn, as described, or chosen.
 
 use crate::geometry::Point;
 use crate::plan::{Leaf, LeafDraft, Opening, OpeningKind, Room};

@@ -1,4 +1,4 @@
-//! What an opening asks for, checked and in the level's frame.
+//! A requested opening, checked and in the frame of the level.
 
 use super::{Face, LEAST_PARTNER_SHARE, LEAST_SHARE, LEAST_WINDOW_PARTNER, NARROWEST_OPENING};
 use crate::geometry::Point;
@@ -8,7 +8,7 @@ use crate::plan::{OpeningDraft, OpeningKind, OpeningPlace};
 
 /// Without a direction of its own an opening takes that of a wall within this many metres.
 const NEAREST_WALL: f64 = 1.0;
-/// Problems up to which a like name is looked for: nobody reads as many, and each is compared with all names.
+/// Problems up to which a similar name is looked for, because each is compared with all names.
 const HINTED: usize = 200;
 /// Metres of an open boundary that both rooms must share.
 const SHORTEST_BOUNDARY: f64 = 0.3;
@@ -18,7 +18,7 @@ const SHORTEST_BOUNDARY: f64 = 0.3;
 pub(in crate::plan) struct Request {
     /// Id in the level.
     pub(in crate::plan) id: String,
-    /// What closes it.
+    /// The kind of closure.
     pub(in crate::plan) kind: OpeningKind,
     /// Middle, in the level's frame.
     pub(in crate::plan) center: Point,

@@ -1,4 +1,4 @@
-//! Holes that lie inside their outline and touch neither it nor each other.
+//! Keeps holes that lie inside their outline and touch neither it nor each other.
 
 use geo::algorithm::buffer::{BufferStyle, LineJoin};
 use geo::{BooleanOps, Buffer, Distance, Euclidean, unary_union};
@@ -16,7 +16,7 @@ const TOUCHING: f64 = 0.005;
 const MERGING_MARGIN: f64 = 0.006;
 /// Longest spur of a grown hole's corner, in margins.
 const MITRE_LIMIT: f64 = 4.0;
-/// Parts of a room cut off by its holes that are not worth a word, in square metres.
+/// Square metres up to which a part of a room that is cut off by its holes is not reported.
 const NEGLIGIBLE_PART: f64 = 0.01;
 /// An edge this close in metres to an edge as found came from it.
 const SAME_EDGE: f64 = 0.003;
@@ -28,11 +28,11 @@ pub(in crate::plan) struct Cleaned {
     pub(in crate::plan) ring: Ring,
     /// The holes.
     pub(in crate::plan) holes: Vec<Polygon>,
-    /// What was done to the holes.
+    /// The faults of the holes.
     pub(in crate::plan) faults: Vec<HoleFault>,
 }
 
-/// What is wrong with a hole; indices are those of the holes as found.
+/// The fault of a hole; indices are those of the holes as found.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::plan) enum HoleFault {
     /// No usable ring; it was left out.

@@ -1,4 +1,4 @@
-//! Crossing between our polygons and those of the `geo` crate, which does the clipping.
+//! Converts between the polygons of this project and those of the crate `geo`, which clips them.
 
 use geo::{Area, Coord, LineString};
 

@@ -1,4 +1,4 @@
-//! Rings and holes as they come out of real drawings.
+//! Rings and holes as real drawings have them.
 
 use super::holes::{HoleFault, clean_region};
 use super::{Ring, RingFault, clean_ring, refuse_sliver};

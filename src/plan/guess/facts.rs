@@ -1,4 +1,4 @@
-//! What is known of a room besides its word.
+//! The facts about a room that guesses rest on.
 
 use std::collections::BTreeSet;
 
@@ -15,10 +15,10 @@ const DOORED_SHARE: f64 = 0.75;
 const CLOSET: f64 = 1.5;
 /// Share of a room's border that is a railing where it lies in the open air.
 const RAILED_SHARE: f64 = 0.2;
-/// Metres of width below which the width is a reason worth telling.
+/// Metres of width below which the width is reported as a reason.
 const NARROW: f64 = 2.0;
 
-/// What is known of a room.
+/// The facts about a room.
 pub(super) struct Facts<'a> {
     area: f64,
     width: f64,
@@ -36,7 +36,7 @@ pub(super) struct Facts<'a> {
     building: Option<&'a str>,
 }
 
-/// What the rooms of a level have in common.
+/// The facts that the rooms of a level share.
 pub(super) struct Surroundings<'a> {
     level: &'a Level,
     building: Option<&'a str>,
@@ -122,7 +122,7 @@ impl Facts<'_> {
             && one_of(&rule.building, &|name| self.building == Some(name))
     }
 
-    /// What a guess rests on, as "3.1 m², no window, one door".
+    /// The reasons of a guess, as "3.1 m², no window, one door".
     pub(super) fn in_words(&self) -> String {
         let counted = |count: usize, what: &str| match count {
             0 => format!("no {what}"),

@@ -1,4 +1,4 @@
-//! What lies above and below a room.
+//! Finds the rooms above and below a room.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! Each rule of `configs/room_words.yaml` meets a room; what is no room stays empty.
+//! Each rule of `configs/room_words.yaml` applies to a room; shafts and the like stay unfurnished.
 
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ fn stranger(id: &str, place: (f64, f64), size: (f64, f64)) -> RoomDraft {
     RoomDraft { unknown_word: Some("Zxq".to_owned()), ..rectangle(id, place, size) }
 }
 
-/// What the last room of a level is read as, and why.
+/// The guessed type of the last room of a level, and the reasons.
 fn read(rooms: Vec<RoomDraft>, openings: Vec<OpeningDraft>, building: Option<&str>) -> (String, String) {
     let mut draft = level(rooms, openings);
     let (level, _) = assemble_level(draft.clone());
@@ -285,7 +285,7 @@ fn a_building_whose_words_are_known_has_nothing_to_guess() {
     assert!(Guessing::of(&draft, &words(), &mut 0).is_none());
 }
 
-/// What people do in rooms of a type: guesses need not tell an office from a meeting room.
+/// The use of rooms of a type: guesses need not distinguish an office from a meeting room.
 fn use_of(kind: &str, words: &RoomWords) -> String {
     const USES: [(&str, &[&str]); 5] = [
         ("way", &["corridor", "walkway", "lobby", "foyer"]),

@@ -1,4 +1,4 @@
-//! Drafts to a checked building, with problems located in the file they came from.
+//! Turns drafts into a checked building, and gives each problem its file.
 
 use std::path::{Path, PathBuf};
 
@@ -43,12 +43,12 @@ pub(super) struct Finished {
     /// Without levels if none could be read.
     pub(super) building: Building,
     pub(super) faults: Faults,
-    /// What became of each drafted level.
+    /// The report on each drafted level.
     pub(super) levels: Vec<LevelReport>,
 }
 
-/// Assembles all levels. What is wrong with a room or an opening leaves that out and is reported. `told` counts the guesses
-/// of the input that are told one by one.
+/// Assembles all levels. A faulty room or opening is left out and reported. `told` counts the guesses of the input that
+/// are reported one by one.
 pub(super) fn finish(
     drafted: &Drafted,
     variation: &Variation,
@@ -95,7 +95,7 @@ pub(super) fn finish(
     Finished { building, faults, levels: reports }
 }
 
-/// As [`assemble_level`], with guesses for rooms whose words nobody knows, and how many these are. Such a level is assembled
+/// As [`assemble_level`], with guesses for rooms with unknown words, and their number. Such a level is assembled
 /// anew with them: what a room is decides where doors open and which walls have pipes.
 fn assemble_guessed(
     mut draft: LevelDraft,

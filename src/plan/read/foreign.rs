@@ -1,4 +1,4 @@
-//! What the readers of foreign formats share.
+//! Code that the readers of foreign formats share.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -8,7 +8,7 @@ use crate::disk::open_regular;
 use crate::document::{Faults, suggest};
 use crate::plan::GENERIC_ROOM_TYPE;
 
-/// Unknown room words that are told one by one.
+/// Unknown room words that are reported one by one.
 const TOLD_WORDS: usize = 20;
 
 /// The first bytes of a file; none if it cannot be read or is none, as a pipe, which might hang.
@@ -18,12 +18,12 @@ pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
     if read.is_ok() { bytes } else { Vec::new() }
 }
 
-/// What a room is by its word.
+/// The room type that a word means.
 #[derive(Clone, Debug)]
 pub(super) struct TypeOfWord {
     /// The room type; that of generic rooms until it is guessed.
     pub(super) room_type: String,
-    /// The word, if it tells no type: the table does not know it, or says that it means no more than a room.
+    /// The word, if it has no type: the table lacks it, or marks it as generic.
     pub(super) unknown_word: Option<String>,
 }
 
@@ -72,7 +72,7 @@ pub(crate) struct Parts {
     pub(crate) others: &'static [&'static str],
 }
 
-/// What is said of a folder that lacks some files: the fact, and what lies there instead.
+/// The message for a folder that lacks some files: the fact, and the files found instead.
 pub(super) fn missing_parts(folder: &Path, parts: Parts) -> (String, String) {
     missing_files(folder, parts.needed, parts.others)
 }

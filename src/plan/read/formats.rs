@@ -1,4 +1,4 @@
-//! What is read, as a table for people.
+//! The list of formats that are read, for people.
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -8,11 +8,11 @@ use serde::Serialize;
 pub struct ReadFormat {
     /// The word in `room_words.yaml`; `native` and `project` have none there.
     pub name: &'static str,
-    /// What people call it.
+    /// The name for people.
     pub title: &'static str,
     /// The file or folder to name.
     pub input: &'static str,
-    /// What of it becomes a plan, and what does not.
+    /// The parts of it that are read, and those that are not.
     pub content: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! What a reader of a foreign format found.
+//! The result of a reader of a foreign format.
 
 use crate::document::Faults;
 use crate::plan::BuildingDraft;
@@ -12,7 +12,7 @@ pub(crate) struct DraftedBuilding {
     pub(crate) draft: BuildingDraft,
 }
 
-/// What a reader of a foreign format found.
+/// The result of a reader of a foreign format.
 #[derive(Debug)]
 pub(crate) struct Found {
     /// The buildings as far as they could be read.

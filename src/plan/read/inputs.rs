@@ -1,4 +1,4 @@
-//! Paths on the command line to files: folders, patterns, kinds.
+//! Turns paths of the command line into input files: folders, patterns, kinds.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ const FOLDER_DEPTH: usize = 32;
 /// Endings of native plans and projects.
 const NATIVE_EXTENSIONS: [&str; 3] = ["yaml", "yml", "json"];
 
-/// One thing to read.
+/// One input to read.
 #[derive(Clone, Debug)]
 pub(super) struct Input {
     /// The file or folder.

@@ -1,4 +1,4 @@
-//! Files to buildings: one file per input format, and what they have in common.
+//! Reads files as buildings: one reader for each format, and the code that they share.
 
 pub(crate) mod archilyse;
 mod finish;
@@ -62,7 +62,7 @@ pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
     PlanReading { plan, faults, reports }
 }
 
-/// What the project files among the paths say about the run: read before the catalogue, which they may extend.
+/// The settings of the project files among the paths: read before the catalogue, which they may extend.
 ///
 /// # Errors
 /// All faults of the project files, and settings that contradict each other.
@@ -105,7 +105,7 @@ struct ReadBuilding {
     file: PathBuf,
 }
 
-/// What an input gives.
+/// The content of an input.
 #[derive(Default)]
 struct Reading {
     buildings: Vec<ReadBuilding>,
@@ -171,7 +171,7 @@ fn finish_all((file, format): (&Path, &'static str), reading: Drafts, words: &Ro
     Reading { buildings, faults, report: Some(report) }
 }
 
-/// What a file or folder holds, before it is put together.
+/// The content of a file or folder, before assembly.
 #[derive(Default)]
 struct Drafts {
     drafts: Vec<Drafted>,
@@ -226,7 +226,7 @@ enum Kind {
     Other,
 }
 
-/// What a file is by its keys.
+/// The kind of a file, by its keys.
 fn kind_of(source: &Source) -> Kind {
     let keys = source.top_keys();
     let has = |key: &str| keys.iter().any(|known| known == key);

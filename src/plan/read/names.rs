@@ -1,4 +1,4 @@
-//! Names and ids without signs that no screen shows: a newline in one would begin a line of its own in logs and lists.
+//! Replaces unprintable characters in names and ids: a line break in one would start a line of its own in logs and lists.
 
 use crate::document::{Fault, is_unprintable, printable};
 use crate::plan::{BuildingDraft, LeafDraft, LevelDraft};

@@ -1,4 +1,4 @@
-//! Folders and patterns in which no plan is found: what lies there instead, and what is missing to a plan.
+//! The fault of a folder or pattern without plans: names the files found there, and the parts that a plan would need.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -83,7 +83,7 @@ fn folders(path: &Path, files: &[PathBuf]) -> Vec<PathBuf> {
     folders
 }
 
-/// What kinds of files there are: "2 × DXF drawing (a.dxf, ...)".
+/// The kinds of files in a folder: "2 × DXF drawing (a.dxf, ...)".
 fn census(files: &[PathBuf]) -> String {
     let mut kinds: BTreeMap<String, Vec<&PathBuf>> = BTreeMap::new();
     for file in files {

@@ -1,4 +1,4 @@
-//! Project files: which plans make a city, and where each building stands.
+//! Reads project files: the plans of a city, and the place of each building.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -9,7 +9,7 @@ use crate::plan::RoomWords;
 /// A foreign format. To add one, write its file and add a line to [`FOREIGN_FORMATS`] and to [`super::READ_FORMATS`].
 #[derive(Debug)]
 pub(crate) struct ForeignFormat {
-    /// The word in `room_words.yaml`, and in [`super::READ_FORMATS`], which tells people of the format.
+    /// The word in `room_words.yaml`, and in [`super::READ_FORMATS`], which describes the format for people.
     pub(crate) name: &'static str,
     /// Whether a file or folder is of this format, from names and the beginning of files.
     pub(crate) recognises: fn(&Path) -> bool,

@@ -1,4 +1,4 @@
-//! The shared real plans for tests; they are not part of the project.
+//! Finds the real plans for tests; they are no part of the project.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! Files that are no plans, told by their names: what they look like, and what to do instead.
+//! Recognises files that are no plans by their names, and gives advice.
 
 use std::path::Path;
 
@@ -6,19 +6,19 @@ use super::foreign::head;
 use super::formats::READ_FORMATS;
 use crate::document::{FILE_SIZE_LIMIT, Fault, top_keys};
 
-/// Bytes at the start of a file that tell what it is.
+/// Bytes at the start of a file by which it is recognised.
 const HEAD_SIZE: u64 = 64 * 1024;
 
 /// A kind of file that is known and not read.
 pub(crate) struct UnreadKind {
-    /// What people call it.
+    /// The name for people.
     pub(crate) name: &'static str,
     looks: fn(&Sample) -> bool,
-    /// What to do instead.
+    /// Advice for the user.
     pub(crate) advice: &'static str,
 }
 
-/// What is looked at of a file.
+/// The parts of a file that recognition looks at.
 struct Sample {
     /// In small letters.
     extension: String,
@@ -220,7 +220,7 @@ fn is_table(file: &Sample) -> bool {
     file.is_of(&["csv", "tsv"]) || (is_plain && [',', ';', '\t'].into_iter().any(count))
 }
 
-/// What a file is that is no plan; `None` where it may be one.
+/// The kind of a file that is no plan; `None` if it may be one.
 pub(super) fn recognise(path: &Path) -> Option<&'static UnreadKind> {
     recognise_head(path, head(path, HEAD_SIZE))
 }
@@ -239,7 +239,7 @@ pub(super) fn refusal(path: &Path) -> Option<Fault> {
             .is_ok_and(|found| found.is_file() && found.len() == 0)
             .then(|| Fault::of_file(path, "the file is empty").with_hint(read_are()));
     }
-    // The limit of size is told by who reads it.
+    // The limit of size is reported by the reader of the file.
     let has_zeros = bytes.contains(&0) && path.metadata().is_ok_and(|found| found.len() <= FILE_SIZE_LIMIT);
     match recognise_head(path, bytes) {
         Some(kind) => Some(refused(path, kind)),
@@ -256,7 +256,7 @@ fn refused(path: &Path, kind: &UnreadKind) -> Fault {
     Fault::of_file(path, message).with_hint(format!("{}; {}", kind.advice, read_are()))
 }
 
-/// What is read, in one line.
+/// The formats that are read, in one line.
 pub(super) fn read_are() -> String {
     let names: Vec<&str> = READ_FORMATS.iter().map(|format| format.title).collect();
     format!("read are {} (`roomwright formats`)", names.join(", "))

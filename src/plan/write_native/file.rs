@@ -1,4 +1,4 @@
-//! The native format as it is written; the counterpart of `read/native/file.rs`.
+//! The structure of native plans for writing; the counterpart of `read/native/file.rs`.
 
 use serde::{Serialize, Serializer};
 use serde_saphyr::{FlowMap, FlowSeq};

@@ -1,4 +1,4 @@
-//! Where the outer faces of neighbouring walls meet.
+//! Computes the corners where the outer faces of neighbouring walls meet.
 
 use crate::geometry::{Point, Polygon, Region};
 use crate::plan::{Room, Wall, WallKind};
@@ -36,7 +36,7 @@ const LEAST_OVERLAP: f64 = 1e-3;
 const TOUCHING: f64 = 1e-6;
 /// Metres of depth that the shortest wall keeps, so that its faces have area.
 const LEAST_DEPTH: f64 = 1e-3;
-/// What is left of the thickness where the corners at both ends take all of the outer face: not the very
+/// The share of the thickness that remains where the corners at both ends take all of the outer face: not the very
 /// tip, where the body would have no back.
 const TIP: f64 = 0.98;
 

@@ -1,4 +1,4 @@
-//! What the surfaces of a room are made of.
+//! The materials of the surfaces of a room.
 
 use super::ticks::Ticks;
 use crate::catalog::Catalog;

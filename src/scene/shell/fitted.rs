@@ -1,4 +1,4 @@
-//! Where sockets and light switches are.
+//! Places sockets and light switches.
 
 use super::fitting::{Fitting, PLATE};
 use super::opening_size::{casing, opening_heights};

@@ -1,4 +1,4 @@
-//! Sockets and light switches.
+//! The shapes of sockets and light switches.
 
 use glam::Vec3;
 
@@ -6,7 +6,7 @@ use super::solid::Solid;
 use super::ticks::Ticks;
 use crate::contract::Part;
 
-/// What is fitted to a wall, in its own frame: the origin on the wall's face in the middle of the plate, +Z into the room.
+/// A fitting of a wall, in its own frame: the origin on the wall's face in the middle of the plate, +Z into the room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Fitting {
     /// A plate with a round well and two holes.

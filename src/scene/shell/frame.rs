@@ -1,7 +1,7 @@
-//! What stands in a doorway: frames, thresholds, sliding panels.
+//! The fixed parts of doorways: frames, thresholds, sliding panels.
 //!
-//! All shapes are in the frame of the opening's node: the origin on the floor in the middle of the opening,
-//! x along the wall, +Z towards the first room.
+//! All shapes are in the frame of the opening's node: the origin on the floor in the middle of the opening, x along the
+//! wall, +Z towards the first room.
 
 use super::leaf::{JAMB, LEAF_GAP};
 use super::solid::Solid;

@@ -1,4 +1,4 @@
-//! Leaves on hinges, with handles.
+//! Door leaves on hinges, with handles.
 
 use super::slots::{FRAME_SLOT, GLASS_SLOT};
 use super::solid::{Grain, Solid};

@@ -1,4 +1,4 @@
-//! Parts of the shell that never move apart as one mesh.
+//! Merges parts of the shell that never move separately into one mesh.
 
 use std::sync::Arc;
 

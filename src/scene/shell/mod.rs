@@ -1,7 +1,7 @@
-//! Floors, walls with their openings, and what stands in them.
+//! Builds floors, ceilings, walls with their openings, doors, windows and fittings.
 //!
-//! Each part is described by a [`Shape`] in whole ticks in its own node's frame, then built; rooms that are
-//! equal but for their place share meshes, also where parts are merged.
+//! Each part is described by a [`Shape`] in whole ticks in the frame of its own node, then built. Rooms that are equal
+//! apart from their place share meshes, also where parts are merged.
 
 mod corner;
 mod finish;

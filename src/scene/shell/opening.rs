@@ -132,7 +132,7 @@ struct Pieces<'a, 'm, 'n> {
     design: LeafDesign,
     casing: Ticks,
     door_angle: Option<u16>,
-    /// What never moves; none where each piece has its own mesh.
+    /// The parts that never move; none where each part has its own mesh.
     merged: Option<Merged>,
     meshes: &'m mut MeshTable<'a>,
     nodes: Vec<Node>,

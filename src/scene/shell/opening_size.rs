@@ -1,4 +1,4 @@
-//! How high the hole of an opening is, and how wide the boards around it.
+//! The height of an opening in the wall, and the width of the boards around it.
 
 use super::SLAB;
 use super::ticks::Ticks;

@@ -39,7 +39,7 @@ impl RailingShape {
         solid
     }
 
-    /// What is left between the gaps.
+    /// The stretches between the gaps.
     fn spans(&self) -> Vec<(Ticks, Ticks)> {
         let mut gaps = self.gaps.clone();
         gaps.sort_unstable();

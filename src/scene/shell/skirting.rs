@@ -112,7 +112,7 @@ fn mitres(wall: &Wall, walls: &[Wall]) -> [f64; 2] {
     ]
 }
 
-/// What is left of a wall between gaps.
+/// The stretches of a wall between gaps.
 pub(super) fn between(mut gaps: Vec<(f64, f64)>, length: f64) -> Vec<(f64, f64)> {
     gaps.sort_by(|one, two| one.0.total_cmp(&two.0));
     let mut kept = Vec::with_capacity(gaps.len() + 1);

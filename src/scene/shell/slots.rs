@@ -1,4 +1,4 @@
-//! Material slots of the shell that no plan or style chooses.
+//! Material slots of the shell that neither plan nor style chooses.
 
 /// Slots of frames and sills, handles of windows, glass, and what else leaves no choice.
 pub(super) const FRAME_SLOT: &str = "painted";

@@ -1,4 +1,4 @@
-//! Flat-shaded closed bodies, face by face.
+//! Builds closed bodies with flat faces.
 
 use std::collections::BTreeMap;
 

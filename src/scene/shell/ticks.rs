@@ -1,4 +1,4 @@
-//! Whole hundredths of a millimetre, so that equal shapes compare equal.
+//! Lengths in whole hundredths of a millimetre, so that equal shapes compare equal.
 
 use crate::geometry::Point;
 

@@ -29,7 +29,7 @@ pub(crate) struct WallShape {
     pub bottom: Ticks,
     /// Top.
     pub top: Ticks,
-    /// What is cut out.
+    /// The holes for openings.
     pub holes: Vec<Hole>,
     /// Material.
     pub slot: &'static str,

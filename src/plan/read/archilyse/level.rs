@@ -1,4 +1,4 @@
-//! One drawing and its areas to a level.
+//! Turns one drawing and its areas into a drafted level.
 
 use std::collections::BTreeSet;
 
@@ -58,7 +58,7 @@ pub(super) struct Naming<'a> {
     pub(super) apartment: &'a dyn Fn(&Area) -> Option<String>,
 }
 
-/// What a floor is made from.
+/// The input for a floor.
 pub(super) struct Floor<'a> {
     pub(super) drawing: &'a Drawing,
     /// Metres per pixel.
@@ -162,7 +162,7 @@ impl Fixtures {
         Self { kinds, places }
     }
 
-    /// What stands in an outline; nothing if that is none.
+    /// The kinds of fixtures in an outline; none if it is invalid.
     fn kinds_in(&self, outline: &Outline) -> BTreeSet<String> {
         let Ok(outer) = Polygon::new(&outline.outer) else { return BTreeSet::new() };
         let holes: Vec<Polygon> = outline.holes.iter().filter_map(|hole| Polygon::new(hole).ok()).collect();

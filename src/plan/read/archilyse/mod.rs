@@ -6,7 +6,7 @@
 //! - a drawing `plan_N.json` with its areas in `areas_plan_N.json` beside it or in `../areas/`: a building `plan_N` of
 //!   one floor.
 //!
-//! What is wrong with an area leaves that out, what is wrong with a floor or its drawing leaves the floor out; the rest is
+//! A faulty area is left out; a floor with a fault, or with a faulty drawing, is left out as a whole; the rest is
 //! read.
 //!
 //! Drawings are in pixels, areas in metres, both in one frame; y points up.
@@ -36,7 +36,7 @@ const SITE_FILE: &str = "react_planner_projects.json";
 const NEEDED: [&str; 3] = [SITE_FILE, "areas.json", "floors.json"];
 const OPTIONAL: [&str; 4] = ["plans.json", "buildings.json", "units.json", "unit_areas.json"];
 const PARTS: Parts = Parts { needed: &NEEDED, others: &OPTIONAL };
-/// Bytes at the start of a file that tell what it is.
+/// Bytes at the start of a file by which it is recognised.
 const HEAD_SIZE: u64 = 4096;
 /// Keys of the drawing's editor, one of which stands at the start of every drawing and of no native plan.
 const EDITOR_KEYS: [&str; 2] = ["\"selectedLayer\"", "\"layer-1\""];
@@ -55,7 +55,7 @@ pub(crate) fn recognises(path: &Path) -> bool {
     !is_table && is_one && EDITOR_KEYS.iter().any(|key| head.contains(key))
 }
 
-/// What a folder is that has some tables of a site and not all, and which are needed.
+/// The fault of a folder that has some tables of a site, with those that are needed.
 pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
     /// Tables that other programs do not name so.
     const TELLING: usize = 2;

@@ -1,4 +1,4 @@
-//! Room types for the words of areas, with one warning for each unknown word.
+//! Finds the room types for the words of areas, with one warning for each unknown word.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::document::{Fault, FaultSeverity, Faults, PathStep};
 use crate::plan::RoomWords;
 use crate::plan::read::foreign::{TypeOfWord, unknown_words};
 
-/// The room type of guest toilets, which the format does not tell from bathrooms.
+/// The room type of guest toilets, which the format does not distinguish from bathrooms.
 const TOILET_TYPE: &str = "toilet";
 
 /// Areas of a file with their outlines, by place in the file.

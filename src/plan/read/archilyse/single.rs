@@ -1,4 +1,4 @@
-//! One drawing with the file of its areas.
+//! Reads one drawing with the file of its areas.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! A site: tables of buildings, floors, drawings, areas and apartments.
+//! Reads a site: tables of buildings, floors, drawings, areas and apartments.
 
 use std::collections::BTreeMap;
 use std::path::Path;

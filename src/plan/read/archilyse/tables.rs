@@ -1,4 +1,4 @@
-//! The tables of a site: JSON lists whose rows are read one by one where one of them is faulty.
+//! Reads the tables of a site: JSON lists, row by row if one row is faulty.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Buildings and what belongs to them.
+//! Reads buildings with their storeys and spaces.
 
 use std::collections::BTreeMap;
 

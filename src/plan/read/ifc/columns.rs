@@ -1,4 +1,4 @@
-//! Walls and columns as outlines, on each storey that they stand on.
+//! Reads walls and columns as outlines, on each storey that they stand on.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::plan::assemble::BoxIndex;
 use crate::plan::clean::to_simple;
 use crate::plan::{ObstacleDraft, RoomDraft};
 
-/// What divides rooms. Curtain walls and walls of parts have the bodies of their parts.
+/// Elements that divide rooms. Curtain walls and walls of parts have the bodies of their parts.
 const WALLS: [&str; 4] = ["IFCWALL", "IFCWALLSTANDARDCASE", "IFCWALLELEMENTEDCASE", "IFCCURTAINWALL"];
 const COLUMNS: [&str; 2] = ["IFCCOLUMN", "IFCCOLUMNSTANDARDCASE"];
 /// Metres above the floor between which something stands in the way of walkers.
@@ -78,7 +78,7 @@ impl Products<'_> {
         }
     }
 
-    /// What a product or its parts cover, each body by itself.
+    /// The outlines of a product or its parts, each body by itself.
     fn outlines(&self, product: &Entity) -> Read<Vec<Footprint>> {
         let of = |product: &Entity| -> Read<Vec<Footprint>> {
             let bodies = self.geometry.bodies(product, &self.frame)?;
@@ -94,7 +94,7 @@ impl Products<'_> {
         }
     }
 
-    /// Where a wall is unknown nobody can tell where there is none.
+    /// Where a wall is unknown, its absence cannot be known either.
     fn forget_walls(&self, storeys: &mut [Storey], wall: &Entity, reason: &str) {
         let home = self.relations.within(wall.id, |whole| storeys.iter().any(|storey| storey.id == whole));
         let on = storeys.iter_mut().filter(|storey| home.is_none_or(|home| storey.id == home));

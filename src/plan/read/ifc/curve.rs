@@ -1,4 +1,4 @@
-//! Curves to corners: lines stay, arcs are flattened.
+//! Turns curves into corners: lines stay, arcs are flattened.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! What stands in the rooms: fixtures and furniture tell what a room is whose words do not.
+//! Reads fixtures and furniture of rooms, which hint at the type of a room without a known word.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! Bodies to what they cover of the floor.
+//! Computes the part of the floor that a body covers.
 
 use geo::orient::Direction;
 use geo::{Area, BooleanOps, Coord, LineString, MultiPolygon, Orient, unary_union};
@@ -19,7 +19,7 @@ const SLIT: f64 = 1e-3;
 /// Coordinates in metres beyond these are no place, and break the clipping.
 const FARTHEST: f64 = 1e8;
 
-/// What a product covers of the floor.
+/// The part of the floor that a product covers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Footprint {
     pub(super) outer: Vec<Point>,
@@ -57,7 +57,7 @@ impl Footprint {
     }
 }
 
-/// What bodies cover together: one part or several; nothing if they cover nothing.
+/// The part of the floor that bodies cover together, in one or several pieces; empty if they cover nothing.
 pub(super) fn footprints(bodies: &[Body]) -> Vec<Footprint> {
     let corners = || bodies.iter().flat_map(Body::corners);
     if corners().any(|corner| !corner.is_finite() || corner.abs().max_element() > FARTHEST) {

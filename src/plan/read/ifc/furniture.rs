@@ -1,4 +1,4 @@
-//! Furniture and fixtures as the architects put them: what furnishing can be compared with.
+//! Reads the furniture and fixtures of the architects, to compare Roomwright's with.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! Storeys to levels.
+//! Turns storeys into drafted levels.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -30,7 +30,7 @@ pub(super) struct Storey {
     pub(super) draft: LevelDraft,
     /// Space → its rooms in the draft.
     pub(super) rooms_of: BTreeMap<u64, Vec<usize>>,
-    /// Whether a wall could not be read, so that nobody can tell where there is none.
+    /// Whether a wall could not be read, so that the absence of walls cannot be known.
     pub(super) has_unread_walls: bool,
     opening_ids: BTreeSet<String>,
 }

@@ -49,11 +49,11 @@ use model::Model;
 
 /// The format's word in `room_words.yaml`.
 pub(crate) const NAME: &str = "ifc";
-/// What every exchange file begins with.
+/// The beginning of every exchange file.
 const BEGINNING: &str = "ISO-10303-21";
-/// Bytes at the start of a file that tell what it is.
+/// Bytes at the start of a file by which it is recognised.
 const HEAD_SIZE: u64 = 4096;
-/// What the schemas that are read begin with.
+/// The beginnings of the schemas that are read.
 const SCHEMAS: [&str; 2] = ["IFC2X3", "IFC4"];
 
 /// Whether a file is of this format: by its ending, or an exchange file of an IFC schema.

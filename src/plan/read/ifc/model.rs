@@ -1,4 +1,4 @@
-//! Instances by number, looked into on demand, and what is wrong with them.
+//! Finds instances by number, parses them on demand, and collects their faults.
 
 use std::cell::{Cell, RefCell};
 
@@ -42,7 +42,7 @@ pub(super) struct Trouble {
     pub(super) message: String,
 }
 
-/// What comes of an instance, or what is wrong with it.
+/// The value of an instance, or its fault.
 pub(super) type Read<T> = Result<T, Trouble>;
 
 /// An instance and its values.
@@ -100,7 +100,7 @@ impl Model {
         self.ids(kinds).filter_map(|id| self.sound(self.get(id)))
     }
 
-    /// What was read, or a note of why it was not.
+    /// The value, or a note of the reason for which it was left out.
     pub(super) fn sound<T>(&self, read: Read<T>) -> Option<T> {
         match read {
             Ok(value) => Some(value),

@@ -1,4 +1,4 @@
-//! Doors, windows and passages: where they are, and on which storey.
+//! Reads doors, windows and passages with their place and storey.
 
 use glam::DVec3;
 
@@ -184,7 +184,7 @@ impl Products<'_> {
         });
     }
 
-    /// The rooms that a door's space boundaries name, if they lie on its two sides; else geometry tells.
+    /// The rooms that a door's space boundaries name, if they lie on its two sides; else the geometry decides.
     fn rooms_of(&self, door: u64, storey: &Storey, doorway: &Doorway) -> Vec<String> {
         let normal = doorway.along.perp();
         let side = |sign: f64| BESIDE.map(|distance| doorway.center + normal * (sign * distance));

@@ -1,4 +1,4 @@
-//! Points, directions and the placements that are chained from a product up to its building.
+//! Reads points and directions, and follows the chain of placements from a product up to its building.
 
 use std::cell::RefCell;
 use std::collections::HashMap;

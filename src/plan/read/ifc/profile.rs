@@ -1,4 +1,4 @@
-//! Profiles that are swept: an outline and its holes in the profile's plane.
+//! Reads swept profiles: an outline and its holes in the plane of the profile.
 
 use glam::{DAffine3, DVec3};
 
@@ -60,7 +60,7 @@ impl Geometry<'_> {
         }
     }
 
-    /// Profiles that are named by their sizes. A steel section is its bounding rectangle: nobody stands between its flanges.
+    /// Profiles that are named by their sizes. A steel section is its bounding rectangle: people do not stand between its flanges.
     fn parameterised(&self, profile: &Entity) -> Read<Rings> {
         let length = |place: usize| Ok(profile.positive(place)? * self.units.length);
         let outer = match profile.kind.as_str() {

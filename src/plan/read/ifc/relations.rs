@@ -1,4 +1,4 @@
-//! Which instance belongs to which: parts and wholes, openings and what fills them, types, and the spaces of doors.
+//! Reads the relations of instances: parts and wholes, openings and their doors, types, and the spaces of doors.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -77,7 +77,7 @@ impl Relations {
         self.parts_of.get(&whole).map_or(&[], Vec::as_slice)
     }
 
-    /// What something is in, from the nearest whole to the farthest.
+    /// The wholes that a part belongs to, from the nearest to the farthest.
     pub(super) fn wholes(&self, part: u64) -> impl Iterator<Item = u64> {
         std::iter::successors(self.whole_of.get(&part), |whole| self.whole_of.get(whole))
             .copied()

@@ -1,4 +1,4 @@
-//! Room types for the words of spaces, with one warning for each unknown word.
+//! Finds the room types for the words of spaces, with one warning for each unknown word.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Spaces to rooms.
+//! Turns spaces into drafted rooms.
 
 use std::collections::BTreeSet;
 

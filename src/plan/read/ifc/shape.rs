@@ -1,4 +1,4 @@
-//! Products to the bodies that stand for them, in the building's axes.
+//! Finds the bodies that represent a product, in the axes of the building.
 
 use glam::DAffine3;
 
@@ -10,7 +10,7 @@ use super::solid::Body;
 pub(super) const PLACEMENT: usize = 5;
 const SHAPE: usize = 6;
 
-/// What a representation is good for: the least is asked first.
+/// The rank of a representation, lowest preferred; `None` for those without a body.
 fn rank(identifier: &str) -> Option<u8> {
     match identifier.to_ascii_uppercase().as_str() {
         "BODY" => Some(0),

@@ -1,4 +1,4 @@
-//! Items of a shape: swept profiles, boxes and faces, with what they stand on.
+//! Reads the items of a shape: swept profiles, boxes and faces.
 
 use glam::{DAffine3, DVec3};
 
@@ -8,7 +8,7 @@ use super::placement::Geometry;
 use super::profile::Rings;
 use super::value::Value;
 
-/// Faces of one item; more are no room, and nobody waits for their outline.
+/// Faces of one item; rooms do not have more, and their outline would take too long.
 const MOST_FACES: usize = 50_000;
 
 /// An item of a shape.
@@ -49,7 +49,7 @@ impl Geometry<'_> {
         }
         match item.kind.as_str() {
             "IFCEXTRUDEDAREASOLID" | "IFCEXTRUDEDAREASOLIDTAPERED" => self.extruded(&item, depth),
-            // What is cut off is at the ceiling, mostly; the floor is that of the first operand.
+            // Cuts are mostly at the ceiling; the floor is that of the first operand.
             "IFCBOOLEANCLIPPINGRESULT" | "IFCBOOLEANRESULT" => self.item(item.reference(1)?, depth + 1),
             "IFCCSGSOLID" => self.item(item.reference(0)?, depth + 1),
             "IFCMAPPEDITEM" => self.mapped(&item, depth),

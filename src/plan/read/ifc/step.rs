@@ -1,10 +1,10 @@
-//! The exchange file (ISO 10303-21): statements, and where each instance stands.
+//! Splits the exchange file (ISO 10303-21) into statements, and finds the place of each instance.
 //!
-//! Ours, because no crate fits: `ruststep` and `step-p21` (Apache-2.0) give up a whole file at its first fault and keep all
-//! of it in memory, `openbim-step` and `ifc-lite` have licences that do not go with ours, and all that is needed is here.
+//! This is own code, because no crate fits: `ruststep` and `step-p21` (Apache-2.0) reject a whole file at its first fault
+//! and keep all of it in memory, and `openbim-step` and `ifc-lite` have licences that do not go with this project's.
 //!
-//! The text is gone through once. An instance is looked into only when something asks for it, so that the shapes and
-//! properties of which most files consist cost nothing.
+//! The text is read once. An instance is parsed only when it is asked for, so that shapes and properties, most of a file,
+//! cost no time.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -32,7 +32,7 @@ pub(super) struct Record {
     pub(super) body: Range<usize>,
 }
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Debug, Default)]
 pub(super) struct Exchange {
     /// Sorted by id; of two with one id the first.

@@ -1,4 +1,4 @@
-//! Escapes in texts: `\X2\00E9\X0\`, `\X\E9`, `\S\i`, `\\` and doubled quotes.
+//! Decodes escapes in texts: `\X2\00E9\X0\`, `\X\E9`, `\S\i`, `\\` and doubled quotes.
 
 /// The text that is meant; escapes that are none stay as they are.
 pub(super) fn decode(raw: &str) -> String {
@@ -15,7 +15,7 @@ pub(super) fn decode(raw: &str) -> String {
     text
 }
 
-/// What the escape at the start of a text means, and its bytes.
+/// The meaning of the escape at the start of a text, and its length in bytes.
 fn escape(text: &str) -> (String, usize) {
     let as_it_is = || (text.chars().take(1).collect(), 1);
     if text.starts_with("''") || text.starts_with("\\\\") {

@@ -18,7 +18,7 @@ use crate::plan::{Leaf, LeafDraft, OpeningKind};
 /// Cosine of the largest angle between a door's own axis and its wall.
 const ALONG: f64 = 0.9;
 
-/// What the file calls the operation of a door.
+/// The file's word for the operation of a door.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Operation {
     /// Leaves that hang at the left, at the right, or both.
@@ -58,7 +58,7 @@ pub(super) struct Doorway {
     pub(super) width: f64,
 }
 
-/// What closes a door, and its leaves.
+/// The closure of a door, and its leaves.
 pub(super) fn closure(
     geometry: &Geometry<'_>,
     relations: &Relations,

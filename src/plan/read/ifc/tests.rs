@@ -360,7 +360,7 @@ fn what_is_no_file_of_the_format_is_left_to_others() {
     }
 }
 
-/// What happens to a file on its way: places as shares of its length.
+/// Damage to a file; places are shares of its length.
 #[derive(Clone, Debug)]
 enum Harm {
     Cut(f64),

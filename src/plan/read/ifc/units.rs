@@ -1,4 +1,4 @@
-//! The units that a file's lengths and angles are in.
+//! Reads the units of lengths and angles of a file.
 
 use super::model::{Entity, Model, Read};
 use crate::plan::units::si_prefix;

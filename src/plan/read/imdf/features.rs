@@ -1,4 +1,4 @@
-//! The files of an IMDF folder: GeoJSON collections of one kind of feature each.
+//! Reads the files of an IMDF folder: GeoJSON collections of one kind of feature each.
 
 use std::collections::BTreeMap;
 use std::path::Path;

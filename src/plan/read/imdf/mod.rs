@@ -28,7 +28,7 @@ use crate::plan::RoomWords;
 pub(crate) const NAME: &str = "imdf";
 /// The files without which there is no plan.
 const NEEDED: [&str; 3] = ["level.geojson", "unit.geojson", "building.geojson"];
-/// What else the format has, read or not.
+/// The further files of the format, read or not.
 const OTHERS: [&str; 11] = [
     "address.geojson",
     "amenity.geojson",
@@ -48,7 +48,7 @@ pub(crate) fn recognises(path: &Path) -> bool {
     NEEDED.iter().all(|name| path.join(name).is_file())
 }
 
-/// What a folder is that has some of the files and not all, and which are needed.
+/// The fault of a folder that has some of the files, with those that are needed.
 pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
     /// Bytes at the start of a file in which the first feature says what it is.
     const HEAD_SIZE: u64 = 4096;
@@ -80,7 +80,7 @@ struct Archive {
     occupants: BTreeMap<String, Occupant>,
 }
 
-/// Who uses a unit.
+/// The occupant of a unit.
 struct Occupant {
     name: Option<String>,
     category: Option<String>,

@@ -1,4 +1,4 @@
-//! Degrees to metres of a building's plane.
+//! Converts degrees to metres in the plane of a building.
 
 use super::features::{Geometry, Position};
 use crate::geometry::Point;

@@ -1,4 +1,4 @@
-//! Features to drafts of buildings.
+//! Turns features into drafts of buildings.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,5 +1,5 @@
-//! What is asked of a native plan when its rooms stand, beyond what assembling mends: what a person wrote is
-//! taken at its word.
+//! Checks a native plan after its rooms are built. Assembling mends small faults of foreign plans; in plans that people
+//! wrote, they are reported.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ const LOST_WIDTH: f64 = 0.005;
 /// Rooms of these types need no way in.
 const CLOSED_ROOM_TYPES: [&str; 2] = ["shaft", "void"];
 
-/// What a draft asked for, remembered while it is assembled.
+/// The requests of a draft, remembered while it is assembled.
 pub(crate) struct NativeChecks {
     /// Place in the draft and asked width, by id.
     openings: BTreeMap<String, (usize, f64)>,
@@ -19,7 +19,7 @@ pub(crate) struct NativeChecks {
 }
 
 impl NativeChecks {
-    /// What a level is to have.
+    /// The requests of a level.
     pub(crate) fn of(level: &LevelDraft) -> Self {
         let openings = level.openings.iter().enumerate();
         let rooms = level.rooms.iter().enumerate();

@@ -1,4 +1,4 @@
-//! What can be wrong with a plan file before anything is placed: numbers, words, edges.
+//! Checks the numbers, words and edges of a plan file before rooms are built.
 
 use std::collections::BTreeSet;
 
@@ -339,7 +339,7 @@ impl Check<'_, '_> {
 
     /// Names the unit that would make sense of a number.
     fn unit_hint(&self, value: f64, (low, high): (f64, f64)) -> Option<String> {
-        // The likeliest size of a thing is about the middle of its range by magnitude, and not a hall's.
+        // The likeliest size is about the middle of its range by magnitude, and not that of a hall.
         let usual = (low.max(LEAST_MAGNITUDE) * high).sqrt().min(USUAL_EXTENT);
         let misfit = |unit: &LengthUnit| (libm::log(unit.to_metres(value).abs()) - libm::log(usual)).abs();
         let is_imperial = |unit: &LengthUnit| matches!(unit, LengthUnit::Foot | LengthUnit::Inch);

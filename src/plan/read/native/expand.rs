@@ -1,4 +1,4 @@
-//! Levels repeated, prototypes placed, ids completed: a plan file to drafts.
+//! Expands a plan file into drafts: repeats levels, places prototypes, completes ids.
 
 use std::collections::{BTreeMap, BTreeSet};
 

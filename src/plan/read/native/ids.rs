@@ -1,10 +1,10 @@
-//! Words that can be ids.
+//! Checks ids.
 
 use crate::document::is_unprintable;
 
-/// What no file name holds on some system.
+/// Letters that some system rejects in file names.
 pub(crate) const FILE_NAME_FORBIDDEN: &[char] = &['/', '\\', ':', '*', '?', '"', '<', '>', '|'];
-/// What would make a node's name a path.
+/// Letters that would make a node's name a path.
 pub(super) const NODE_NAME_FORBIDDEN: &[char] = &['/'];
 /// Most bytes of an id: file systems take 255 for a name with its ending.
 const ID_LENGTH_LIMIT: usize = 200;

@@ -1,4 +1,4 @@
-//! The native format: YAML for people, the same structures as JSON for machines.
+//! Reads the native format, YAML or JSON.
 
 mod built;
 mod check;
@@ -37,7 +37,7 @@ pub(crate) struct NativeDraft {
     pub(crate) draft: BuildingDraft,
     /// By level of the draft.
     pub(crate) origins: Vec<LevelOrigins>,
-    /// What does not keep the rooms from being furnished: styles that do not exist.
+    /// Faults that do not stop the furnishing: styles that do not exist.
     pub(crate) faults: Faults,
 }
 

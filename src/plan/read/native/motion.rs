@@ -1,4 +1,4 @@
-//! Mirrored, turned, moved: where a prototype or a building goes.
+//! The motion of a prototype or a building: mirrored, turned, moved.
 
 use crate::geometry::Point;
 

@@ -1,4 +1,4 @@
-//! Numbers of rooms for their seeds.
+//! Gives rooms the numbers that their seeds depend on.
 
 use std::collections::BTreeSet;
 

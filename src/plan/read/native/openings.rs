@@ -1,4 +1,4 @@
-//! Openings of a level or of a placed prototype, as drafts.
+//! Drafts the openings of a level or of a placed prototype.
 
 use super::check::edge_hint;
 use super::file::{HandWord, OpeningAt, OpeningFile, OpeningWord};
@@ -10,7 +10,7 @@ use crate::document::PathStep;
 use crate::geometry::Point;
 use crate::plan::{LeafDraft, OpeningDraft, OpeningKind, OpeningPlace};
 
-/// What opens to the open air opens into this.
+/// The value of `opens_into` for doors that open to the open air.
 const OUTSIDE: &str = "outside";
 /// Metres of openings where nothing is said: width, sill, head.
 const USUAL_DOOR: (f64, f64, f64) = (0.9, 0.0, 2.0);

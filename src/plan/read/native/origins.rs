@@ -1,4 +1,4 @@
-//! Where each drafted thing stands in its file, so that problems of the draft point there.
+//! Remembers the place of each drafted part in its file, so that its problems point there.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub(crate) struct Origin {
     pub(crate) shape_key: &'static str,
 }
 
-/// The origins of all things of a level, in the order of its draft.
+/// The origins of all parts of a level, in the order of its draft.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LevelOrigins {
     /// Document path of the level.
@@ -54,7 +54,7 @@ impl LevelOrigins {
 /// reported once, with the count of the others.
 #[derive(Debug, Default)]
 pub(crate) struct ProblemList {
-    /// By path, rank among the problems of one thing, and severity.
+    /// By path, rank among the problems of one part, and severity.
     found: BTreeMap<(Vec<PathStep>, usize, bool), Found>,
 }
 

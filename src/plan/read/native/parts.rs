@@ -1,4 +1,4 @@
-//! Rooms and columns of a level or of a placed prototype, as drafts.
+//! Drafts the rooms and columns of a level or of a placed prototype.
 
 use std::collections::BTreeSet;
 

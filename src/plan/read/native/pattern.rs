@@ -1,9 +1,9 @@
-//! Ids with numbers in them: `"{level}{n:02}"` gives `101`, `102`...
+//! Fills numbers into ids: `"{level}{n:02}"` gives `101`, `102`...
 
 /// Most digits that a number is padded to.
 const MOST_DIGITS: usize = 20;
 
-/// What the names of a pattern stand for here.
+/// The values of the names in a pattern.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct PatternValues<'a> {
     /// `{n}`.
@@ -30,7 +30,7 @@ pub(crate) fn names_value(pattern: &str, name: &str) -> bool {
 /// Puts values in the place of names.
 ///
 /// # Errors
-/// What is wrong with the pattern, and a hint.
+/// The fault of the pattern, and a hint.
 pub(crate) fn expand(pattern: &str, values: &PatternValues<'_>) -> Result<String, (String, String)> {
     let mut expanded = String::with_capacity(pattern.len());
     let mut rest = pattern;

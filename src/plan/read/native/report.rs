@@ -2,7 +2,7 @@
 
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean};
 
-/// Faults up to which a like name is looked for: nobody reads as many, and each is compared with all names.
+/// Faults up to which a similar name is looked for, because each is compared with all names.
 const HINTED: usize = 200;
 
 /// The faults found so far, and where places are looked up.

@@ -1,4 +1,4 @@
-//! Where parts come from and go to.
+//! The source and target of parts: a level or a prototype, and the level that they go to.
 
 use std::collections::BTreeSet;
 

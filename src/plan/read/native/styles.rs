@@ -1,4 +1,4 @@
-//! The styles that a plan or a project names, against those that exist.
+//! Checks the styles that a plan or a project names.
 
 use super::file::{PlanFile, RoomFile};
 use super::report::{Report, item, step};
@@ -26,7 +26,7 @@ fn check_rooms(path: &[PathStep], rooms: &[RoomFile], words: &RoomWords, report:
     }
 }
 
-/// Reports the `style` of the thing at a document path if it does not exist. Whether it does.
+/// Reports the `style` of the value at a document path if it does not exist. Returns whether it does.
 pub(crate) fn check_style(
     path: &[PathStep],
     style: Option<&String>,
