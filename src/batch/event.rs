@@ -160,7 +160,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn time_goes_to_its_stage() {
+    fn each_stage_gets_its_share_of_the_time() {
         let watch = Stopwatch::default();
         assert_eq!(watch.measure(Stage::Scene, || 5), 5);
         assert_eq!(watch.timings().of(Stage::Layout), Duration::ZERO);

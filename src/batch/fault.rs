@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_full_disk_is_told_from_missing_rights() {
+    fn a_full_disk_and_missing_rights_have_messages_of_their_own() {
         let full = OutputFault::of(Path::new("out/a.glb"), "write", &io::ErrorKind::StorageFull.into());
         assert!(full.code.stops_the_run() && full.hint.unwrap().contains("run the same command again"));
         let closed = OutputFault::of(Path::new("out"), "create", &io::ErrorKind::PermissionDenied.into());

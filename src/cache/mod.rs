@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_made_once_is_kept_by_key_and_program() {
+    fn values_are_kept_by_key_and_program() {
         let root = tempfile::tempdir().unwrap();
         let cache = Cache::new(root.path(), PROGRAM);
         assert_eq!(kept(&cache, "a"), None);
@@ -168,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn entries_that_changed_places_are_damaged() {
+    fn entries_with_exchanged_names_count_as_damaged() {
         let root = tempfile::tempdir().unwrap();
         let [cache, other] = ["1.2.3+a", "1.2.3+b"].map(|program| Cache::new(root.path(), program));
         let made = |cache: &Cache, key: &str| cache.get_or_make(&key, || key.to_owned());
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_killed_run_began_is_swept_away() {
+    fn temporary_files_of_killed_runs_are_removed() {
         let root = tempfile::tempdir().unwrap();
         let cache = Cache::new(root.path(), PROGRAM);
         assert_eq!(kept(&cache, "a"), None);

@@ -62,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_oldest_programs_make_room_and_nothing_else_does() {
+    fn caches_of_the_oldest_builds_are_removed_first() {
         let root = tempfile::tempdir().unwrap();
         let aliens = ["roomwright-notes", "roomwright-target"].map(|name| root.path().join(name));
         aliens.iter().for_each(|alien| fs::create_dir(alien).unwrap());

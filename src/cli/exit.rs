@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_worst_counts() {
+    fn the_worst_outcome_counts() {
         assert_eq!(Outcome::Done.and(Outcome::SomeFailed), Outcome::SomeFailed);
         assert_eq!(Outcome::NotStarted.and(Outcome::SomeFailed), Outcome::NotStarted);
         assert_eq!(Outcome::of_failures(false), Outcome::Done);

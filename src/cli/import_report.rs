@@ -47,7 +47,7 @@ mod tests {
     use crate::plan::BuildingReport;
 
     #[test]
-    fn a_level_is_told_in_a_block() {
+    fn the_import_report_has_a_block_for_each_level() {
         let level = LevelReport {
             id: "ground".to_owned(),
             rooms: Share { drawn: 3, read: 2 },

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_stays_is_named_with_the_flag_that_removes_it() {
+    fn leftovers_are_listed_with_the_flag_that_removes_them() {
         let levels = (0..7).map(|number| ("house".to_owned(), number.to_string())).collect();
         let leftovers = Leftovers { levels, ..Leftovers::default() };
         let text = leftovers_text(&leftovers, Path::new("out")).unwrap();

@@ -162,7 +162,7 @@ mod tests {
     use crate::batch::FaultCode;
 
     #[test]
-    fn a_failure_says_code_place_seed_and_hint() {
+    fn a_failure_has_code_place_seed_and_hint() {
         let failure = LevelFailure {
             building: "tower".to_owned(),
             level: "3".to_owned(),

@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn other_words_are_no_parts() {
+    fn unknown_words_are_no_parts() {
         for text in ["", "roof", "wall.x", "wall.", "wall.1.2.3"] {
             assert!(text.parse::<PartId>().is_err(), "{text:?}");
         }

@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn rooms_come_and_go_but_broken_ones_do_neither() {
+    fn rooms_are_added_and_removed_but_unreadable_ones_are_neither() {
         let mut new = level();
         new.rooms.insert("b".to_owned(), RoomContents::default());
         assert_eq!(shown(&level(), &new), "Added b");
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn models_of_one_side_are_no_change_by_themselves() {
+    fn models_on_one_side_only_are_no_change() {
         let mut new = level();
         new.looks.models.insert("chair.0".to_owned(), "seat".to_owned());
         assert_eq!(shown(&level(), &new), "bytes");

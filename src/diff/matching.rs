@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn one_that_went_does_not_make_the_next_ones_move() {
+    fn a_removed_object_does_not_make_the_next_ones_move() {
         let old = [item("chair.1", 1.0), item("chair.2", 2.0), item("chair.3", 3.0), item("chair.4", 4.0)];
         let new = [item("chair.1", 1.0), item("chair.2", 3.0), item("chair.3", 4.0)];
         assert_eq!(shown(&old, &new, Rules::All), "chair.1=chair.1 -chair.2 chair.3=chair.2 chair.4=chair.3");
@@ -148,14 +148,14 @@ mod tests {
     }
 
     #[test]
-    fn one_that_moved_keeps_its_id() {
+    fn a_moved_object_keeps_its_id() {
         let old = [item("chair.1", 1.0), item("chair.2", 2.0)];
         let new = [item("chair.1", 2.5), item("chair.2", 2.0)];
         assert_eq!(shown(&old, &new, Rules::All), "chair.1=chair.1 chair.2=chair.2");
     }
 
     #[test]
-    fn the_rest_of_a_class_is_paired_with_the_nearest() {
+    fn remaining_objects_of_a_class_are_paired_with_the_nearest() {
         let old = [item("chair.1", 1.0), item("chair.2", 8.0)];
         let new = [item("chair.3", 8.5), item("chair.4", 2.0), item("lamp.1", 1.0)];
         // The lamp is not asked: both chairs have found another.
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn another_class_takes_the_same_place_only() {
+    fn an_object_is_swapped_only_for_one_at_the_same_place() {
         let old = [item("chair.1", 1.0), item("desk.1", 5.0)];
         let new = [item("armchair.1", 1.1), item("table.1", 5.6)];
         assert_eq!(shown(&old, &new, Rules::All), "chair.1=armchair.1 -desk.1 +table.1");
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn more_than_can_be_compared_are_paired_all_the_same() {
+    fn objects_beyond_the_limit_of_comparisons_are_paired_too() {
         let name = |index: usize| format!("chair.{index}");
         let count = 2001;
         let names: Vec<String> = (0..2 * count).map(name).collect();

@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn the_pairs_are_those_of_asking_all() {
+    fn the_pairs_are_those_of_comparing_all_with_all() {
         let scatter = |index: usize, step: usize| ((index * step) % 97) as f64 / 8.0;
         let old: Vec<_> = (0..90).map(|index| item("", (scatter(index, 31), scatter(index, 53)))).collect();
         // Many at equal distances, on a lattice.
@@ -155,14 +155,14 @@ mod tests {
     }
 
     #[test]
-    fn nothing_that_is_nowhere_has_a_pair() {
+    fn objects_without_a_finite_place_have_no_pair() {
         let (old, new) =
             ([item("", (f64::NAN, 0.0))], [item("", (f64::INFINITY, 0.0)), item("", (0.0, 0.0))]);
         assert_eq!(pairs(&old, &new, (all(&old), all(&new)), &anywhere()), []);
     }
 
     #[test]
-    fn eight_times_the_things_take_little_more_than_eight_times_the_comparisons() {
+    fn eight_times_the_objects_take_little_more_than_eight_times_the_comparisons() {
         let scatter = |index: u64, step: u64| ((index * step) % 7919) as f64 / 80.0;
         let comparisons = |count: u64| {
             let things = |from: u64| {

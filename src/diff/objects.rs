@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moved_and_turned_is_measured() {
+    fn moves_and_turns_are_measured() {
         let old = [object("chair.1", 1.0)];
         assert_eq!(shown(&old, &[object("chair.1", 1.000_2)]), ["moved chair.1 0.0002"]);
         assert_eq!(shown(&old, &[turned(object("chair.1", 1.0), 0.02)]), ["turned chair.1 0.02"]);
@@ -260,14 +260,14 @@ mod tests {
     }
 
     #[test]
-    fn one_that_went_is_the_only_change_but_for_numbers() {
+    fn a_removal_is_the_only_change_besides_numbers() {
         let old = [object("chair.1", 1.0), object("chair.2", 2.0), object("chair.3", 3.0)];
         let new = [object("chair.1", 1.0), object("chair.2", 3.0)];
         assert_eq!(shown(&old, &new), ["removed chair.2", "renumbered chair.2"]);
     }
 
     #[test]
-    fn what_stands_on_a_thing_moves_with_it() {
+    fn objects_on_a_moved_object_move_with_it() {
         let lamp = |x: f64, degrees: f64| ObjectEntry {
             parent: "desk.1".parse().unwrap(),
             position: DVec3::new(x, 1.0, 0.7),

@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn doors_come_go_move_and_change() {
+    fn doors_are_added_removed_moved_and_changed() {
         let old = [door("1", 1.0)];
         assert!(found(&old, &old.clone()).is_empty());
         let moved = found(&old, &[door("1", 1.5)]);
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_door_that_has_another_number_is_no_other_door() {
+    fn a_door_with_another_number_is_the_same_door() {
         let changes = found(&[door("1", 1.0), door("2", 3.0)], &[door("1", 3.0)]);
         assert!(changes.len() == 1 && changes[0].id == "door:1" && changes[0].new.is_none(), "{changes:?}");
     }

@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn findings_come_go_and_get_worse() {
+    fn findings_appear_disappear_and_get_worse() {
         let old = room();
         let with = |findings: Vec<FindingExtras>| RoomContents { findings, ..room() };
         assert_eq!(kinds(&old, &with(Vec::new())), [Kind::FindingsGone]);

@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     #[cfg(unix)]
-    fn folders_devices_and_plain_reads_of_links_are_refused() {
+    fn folders_devices_and_links_are_rejected() {
         let folder = tempfile::tempdir().unwrap();
         let [file, link, endless] = ["file", "link", "endless"].map(|name| folder.path().join(name));
         fs::write(&file, "1").unwrap();

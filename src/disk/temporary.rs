@@ -147,7 +147,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn folders_of_killed_processes_go_and_no_others() {
+    fn folders_of_killed_processes_are_removed_and_no_others() {
         let root = tempfile::tempdir().unwrap();
         let place = |name: &str| root.path().join(name);
         for name in ["demo-a1B2c3", "demo-d4E5f6", "demo-notes"] {
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn what_nobody_will_finish_is_swept_away_and_nothing_else() {
+    fn files_of_killed_runs_are_removed_and_no_others() {
         let folder = tempfile::tempdir().unwrap();
         let held = new_temporary(folder.path(), "part-").unwrap();
         for name in ["part-a1B2c3", "part-notes.txt", "other-a1B2c3", "part-a1B2c"] {

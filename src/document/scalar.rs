@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn not_finite_numbers_are_told_apart() {
+    fn infinite_numbers_and_not_a_number_are_distinguished() {
         for word in [".nan", ".NaN", ".inf", "-.Inf", "1e999"] {
             assert_eq!(resolve(word), Plain::NotFinite, "{word}");
         }

@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn signs_that_no_screen_shows_are_escaped() {
+    fn control_characters_are_escaped() {
         assert_eq!(printable("a\n::error::b"), "a\\n::error::b");
         assert_eq!(printable("a\u{fffe}\u{ffff}\u{7}"), "a\\u{fffe}\\u{ffff}\\u{7}");
         assert_eq!(printable("\u{202e}moor\u{2028}"), "\\u{202e}moor\\u{2028}");
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn no_line_is_a_command_of_continuous_integration() {
+    fn no_printed_line_is_a_command_of_a_continuous_integration_service() {
         assert_eq!(
             printable_lines("a::b\n  ::warning::x\n##[error]y"),
             "a::b\n\\  ::warning::x\n\\##[error]y"

@@ -26,7 +26,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_xml_does_not_allow_is_replaced() {
+    fn characters_that_xml_does_not_allow_are_replaced() {
         assert_eq!(xml_text("a<b>&\"c\"\n"), "a&lt;b&gt;&amp;&quot;c&quot; ");
         assert_eq!(xml_text("\u{0}\u{1b}\u{85}\u{fffe}\u{ffff}\u{1ffff}\u{fdd0}"), "\u{fffd}".repeat(7));
         assert_eq!(xml_text("Küche 部屋 \u{1f6cf}"), "Küche 部屋 \u{1f6cf}");

@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn primary_hues_are_what_css_says() {
+    fn primary_hues_are_those_of_css() {
         assert_eq!(hex(0.0, 1.0, 0.5), "#ff0000");
         assert_eq!(hex(120.0, 1.0, 0.5), "#00ff00");
         assert_eq!(hex(240.0, 1.0, 0.25), "#000080");

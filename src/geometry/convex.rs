@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn aligned_rectangles_are_told_from_turned_ones() {
+    fn aligned_rectangles_are_distinguished_from_turned_ones() {
         let right = core::f64::consts::FRAC_PI_2;
         for turn in [0.0, 0.3] {
             assert!(square(0.0, 0.0, turn).is_aligned_with(&square(3.0, 1.0, turn + right)));
@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn circles_tell_of_discs_what_all_axes_tell() {
+    fn circles_and_all_axes_agree_about_discs() {
         let all_axes = |a: &Convex, b: &Convex, tolerance: f64| {
             let plain = |shape: &Convex| Convex { radius: None, ..*shape };
             plain(a).overlaps(&plain(b), tolerance)

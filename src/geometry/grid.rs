@@ -166,7 +166,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn finds_what_is_near_and_forgets_what_is_removed() {
+    fn the_grid_finds_near_items_and_forgets_removed_ones() {
         let mut grid = Grid::new(Point::ZERO, Point::splat(10.0));
         grid.insert(7, (Point::splat(1.2), Point::splat(3.4)));
         grid.insert(8, (Point::splat(8.0), Point::splat(8.5)));
@@ -182,14 +182,14 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_is_found_at_the_border() {
+    fn items_outside_the_grid_are_found_at_its_border() {
         let mut grid = Grid::new(Point::ZERO, Point::splat(4.0));
         grid.insert(1, (Point::splat(-3.0), Point::splat(-2.0)));
         assert!(grid.any((Point::splat(-5.0), Point::splat(-1.0)), |item| item == 1));
     }
 
     #[test]
-    fn under_a_slanted_strip_is_all_that_it_meets_and_little_else() {
+    fn a_slanted_strip_finds_all_items_that_it_meets_and_few_others() {
         let mut grid = Grid::new(Point::ZERO, Point::splat(20.0));
         let box_of = |item: u32| {
             let low = Point::new(f64::from(item % 23), f64::from(item / 23)) - 1.5;

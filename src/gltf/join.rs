@@ -90,7 +90,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn faces_share_corners_where_nothing_tells_them_apart() {
+    fn faces_share_equal_corners() {
         assert_eq!(joined(&corner(), true).positions.len(), 6, "normals do");
         let flat = joined(&corner(), false);
         assert_eq!((flat.positions.len(), flat.normals.len()), (4, 0));

@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_room_is_follows_from_its_programme() {
+    fn the_kind_of_a_sample_follows_from_its_programme() {
         let catalog = load_catalog(&[]).unwrap().value;
         let place = |id: &str| place_of(&catalog, &catalog.room_types[id]);
         assert_eq!(place("bedroom"), Place::Room);

@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn larger_rooms_say_what_they_measure() {
+    fn messages_about_too_large_rooms_have_their_size() {
         assert_eq!(excess(5000.0, 4.0).as_deref(), Some("is 5000 m wide and 4 m deep"));
         assert_eq!(excess(900.0, 900.0).as_deref(), Some("is 900 m wide and 900 m deep"));
         assert_eq!(excess(400.0, 400.0).as_deref(), Some("has 160000 m²"));

@@ -74,7 +74,7 @@ fn rooms_walls_doors_columns_and_furniture_are_read() {
 }
 
 #[test]
-fn what_moved_is_where_it_is_now_and_what_it_carries_with_it() {
+fn a_moved_object_and_its_children_are_read_at_their_new_place() {
     let mut file = file();
     // A quarter turn counter-clockwise about glTF's Y.
     let half = core::f64::consts::FRAC_1_SQRT_2;
@@ -90,7 +90,7 @@ fn what_moved_is_where_it_is_now_and_what_it_carries_with_it() {
 }
 
 #[test]
-fn an_unknown_class_is_named_with_a_hint_and_the_other_room_goes_on() {
+fn an_unknown_class_is_named_with_a_hint_and_the_other_room_is_read() {
     let mut file = file();
     file["nodes"][4]["extras"]["class"] = "dekc".into();
     let (rooms, faults) = judged(&file);
@@ -138,7 +138,7 @@ fn a_door_that_cannot_be_read_keeps_both_its_rooms_from_being_judged() {
 }
 
 #[test]
-fn furniture_outside_all_rooms_is_told_and_stops_nothing() {
+fn furniture_outside_all_rooms_is_reported_and_the_rest_is_read() {
     let mut file = file();
     file["nodes"][2]["children"] = json!([]);
     let (rooms, faults) = judged(&file);
@@ -147,7 +147,7 @@ fn furniture_outside_all_rooms_is_told_and_stops_nothing() {
 }
 
 #[test]
-fn loops_and_shared_children_end() {
+fn loops_and_shared_children_are_rejected() {
     let mut file = file();
     file["nodes"][5]["children"] = json!([4]);
     file["nodes"][3]["children"] = json!([6, 5, 999]);
@@ -160,7 +160,7 @@ fn loops_and_shared_children_end() {
 }
 
 #[test]
-fn numbers_that_are_none_are_faults() {
+fn invalid_numbers_are_faults() {
     for matrix in [json!([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1e39, 0, 0, 1]), json!(vec![0; 16])] {
         let mut file = file();
         file["nodes"][4]["matrix"] = matrix;
@@ -196,7 +196,7 @@ fn inventory(file: &Value) -> (Inventory, String) {
 }
 
 #[test]
-fn an_inventory_needs_no_catalogue_and_tells_where_things_are() {
+fn an_inventory_needs_no_catalogue_and_has_the_places_of_objects() {
     let mut file = file();
     file["nodes"][4]["extras"]["class"] = "throne".into();
     let half = core::f64::consts::FRAC_1_SQRT_2;
@@ -221,7 +221,7 @@ fn an_inventory_needs_no_catalogue_and_tells_where_things_are() {
 }
 
 #[test]
-fn what_hangs_below_an_object_belongs_to_it_whatever_it_says() {
+fn a_child_node_belongs_to_its_parent_node_whatever_its_extras_say() {
     let mut file = file();
     file["nodes"][5]["extras"]["parent"] = "floor".into();
     assert_eq!(inventory(&file).0.rooms["a"].objects[1].parent.to_string(), "desk.1");

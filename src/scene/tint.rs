@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sets_are_alike_and_neighbours_are_not() {
+    fn chairs_of_a_table_share_a_tint_and_those_of_another_do_not() {
         let of_set = |seed, class, parent: &str| Tint::of_set(seed, class, &parent.parse().unwrap());
         let tint = |class, parent| of_set(7, class, parent);
         assert_eq!(tint("chair", "table.1"), tint("chair", "table.1"));

@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn paths_are_relative_and_tell_content() {
+    fn paths_are_relative_and_have_a_hash_of_the_content() {
         let library = library(TextureSize::Small);
         let (_, texture) = &library.textures("tile", Room)[0];
         let uri = texture.image.uri.as_deref().unwrap();

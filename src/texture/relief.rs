@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn level_ground_looks_up_and_slopes_look_away_from_the_rise() {
+    fn normals_of_level_surfaces_point_up_and_of_slopes_away_from_the_rise() {
         assert_eq!(&normals(&[0.0; 16], 4)[..3], [128, 128, 255]);
         // A ramp that rises to the right: its normals lean to the left.
         let ramp: Vec<f64> = (0..64).map(|index| f64::from(index % 8) * 0.05).collect();

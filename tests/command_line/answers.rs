@@ -23,7 +23,7 @@ fn answered(world: &World, words: &[&str], code: i32, expected: &[&str]) {
 }
 
 #[test]
-fn numbers_on_the_command_line_that_are_none() {
+fn invalid_numbers_on_the_command_line() {
     let world = world();
     for (words, expected) in [
         (&["bake", "plans", "--seed", "-3"][..], &["'-3'", "--seed", "a whole number from 0 on"][..]),
@@ -51,7 +51,7 @@ fn lengths_with_units_in_a_plan() {
 }
 
 #[test]
-fn a_room_that_is_not_there_or_not_named() {
+fn a_room_that_is_missing_or_not_named() {
     let world = world();
     answered(
         &world,
@@ -126,7 +126,7 @@ fn a_plan_in_place_of_a_command() {
 }
 
 #[test]
-fn a_furnished_room_that_is_not_there() {
+fn a_missing_furnished_room() {
     let world = world();
     world.must(&["bake", "plans"]);
     answered(
@@ -198,7 +198,7 @@ fn an_open_kitchen_is_furnished_to_live_and_to_cook_in() {
 }
 
 #[test]
-fn slips_in_a_first_plan_get_a_hint_that_mends_them() {
+fn mistakes_in_a_first_plan_get_a_hint_that_mends_them() {
     let world = World::new();
     let good = plan("alpha", 1);
     for (from, to, expected) in [

@@ -67,7 +67,7 @@ fn steps_are_actions_or_scripts_and_have_names() {
 }
 
 #[test]
-fn a_pull_request_that_does_no_harm_is_told_and_passes() {
+fn a_pull_request_that_does_no_harm_is_reported_and_passes() {
     let world = repository(&plan("house", 3));
     assert_eq!(run_steps(&world), None);
     let comment = text(&world, "furniture.md");
@@ -77,7 +77,7 @@ fn a_pull_request_that_does_no_harm_is_told_and_passes() {
 }
 
 #[test]
-fn a_pull_request_that_makes_a_room_worse_fails_and_is_told_all_the_same() {
+fn a_pull_request_that_makes_a_room_worse_fails_and_is_reported() {
     // A bedroom in which no bed has a place.
     let narrow = plan("house", 2).replace("rectangle: [0, 0, 4, 4]", "rectangle: [2.6, 0, 1.4, 4]");
     let world = repository(&narrow.replace("at: [2, 0], width: 1.2", "at: [3.3, 0], width: 0.6"));
@@ -89,7 +89,7 @@ fn a_pull_request_that_makes_a_room_worse_fails_and_is_told_all_the_same() {
 }
 
 #[test]
-fn a_target_branch_with_a_faulty_plan_stops_nothing_but_a_pull_request_with_one_fails() {
+fn a_faulty_plan_fails_the_job_on_the_pull_request_but_not_on_the_target_branch() {
     let world = repository(&plan("house", 2));
     world.write("base/plans/bad.yaml", "version: 1\nid: bad\nlevels: 3\n");
     assert_eq!(run_steps(&world), None);

@@ -15,7 +15,7 @@ fn check_reports_everything_and_writes_nothing() {
 }
 
 #[test]
-fn check_speaks_json() {
+fn check_prints_json() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1).replace("bedroom", "bedrom"));
     let ran = world.run(&["check", "a.yaml", "--json"]);
@@ -30,7 +30,7 @@ fn check_speaks_json() {
 }
 
 #[test]
-fn check_knows_styles_and_what_they_are_made_for() {
+fn check_reports_unknown_styles() {
     let world = World::new();
     let with_style =
         |style: &str| plan("alpha", 1).replace("version: 1\n", &format!("version: 1\nstyle: {style}\n"));
@@ -43,7 +43,7 @@ fn check_knows_styles_and_what_they_are_made_for() {
 }
 
 #[test]
-fn bake_speaks_json_and_is_quiet() {
+fn bake_prints_json_and_is_quiet() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
     let ran = world.must(&["bake", "a.yaml", "--json", "--quiet"]);
@@ -67,7 +67,7 @@ fn progress_comes_as_json_lines_on_request() {
 }
 
 #[test]
-fn a_reader_that_goes_away_is_no_error() {
+fn a_closed_pipe_is_no_error() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
     for arguments in
@@ -82,7 +82,7 @@ fn a_reader_that_goes_away_is_no_error() {
 }
 
 #[test]
-fn a_reader_of_half_a_drawing_is_no_error() {
+fn a_pipe_closed_in_the_middle_of_a_drawing_is_no_error() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
     let mut child = world.command(&["draw", "a.yaml"]).stdout(Stdio::piped()).spawn().unwrap();
@@ -106,7 +106,7 @@ fn an_imported_plan_bakes_to_the_same_rooms() {
 }
 
 #[test]
-fn import_tells_what_was_read_and_left_out() {
+fn import_lists_what_was_read_and_left_out() {
     let world = World::new();
     let far = "      - {id: far, type: office, rectangle: [0, 50, 5000, 3]}\n    openings:";
     world.write("a.yaml", plan("alpha", 1).replacen("    openings:", far, 1));

@@ -3,7 +3,7 @@
 use super::world::World;
 
 #[test]
-fn nothing_typed_bakes_the_demo_and_says_where_to_look() {
+fn without_arguments_the_demo_is_baked_and_its_place_printed() {
     let world = World::new();
     let ran = world.must(&[]);
     for word in ["Baked", "rooms/s", "Rooms by verdict", "out/manifest.json", "roomwright draw"] {

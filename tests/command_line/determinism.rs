@@ -8,7 +8,7 @@ fn two_plans(world: &World) {
 }
 
 #[test]
-fn threads_leave_no_trace() {
+fn the_output_does_not_depend_on_threads() {
     let world = World::new();
     two_plans(&world);
     world.must(&["bake", "plans", "--out", "one", "--threads", "1"]);
@@ -21,7 +21,7 @@ fn threads_leave_no_trace() {
 }
 
 #[test]
-fn the_order_of_inputs_and_the_working_folder_leave_no_trace() {
+fn the_output_does_not_depend_on_the_order_of_inputs_or_the_working_folder() {
     let world = World::new();
     two_plans(&world);
     world.must(&["bake", "plans/a.yaml", "plans/b.yaml", "--out", "one"]);
@@ -76,7 +76,7 @@ fn shards_from_several_machines_are_merged() {
 }
 
 #[test]
-fn processes_side_by_side_do_no_harm() {
+fn processes_side_by_side_do_not_disturb_each_other() {
     let world = World::new();
     two_plans(&world);
     world.must(&["bake", "plans", "--out", "whole"]);

@@ -95,7 +95,7 @@ fn lone(document: &mut Value) -> &mut Value {
 }
 
 #[test]
-fn each_kind_of_difference_is_found_and_nothing_beside_it() {
+fn each_kind_of_difference_is_found_and_no_other() {
     let world = two_bakes();
     let edits: [(&str, Edit); 12] = [
         ("moved", |file| shift(lone(file), 0.2)),
@@ -137,7 +137,7 @@ fn tolerances_decide_what_has_moved_or_turned() {
 }
 
 #[test]
-fn what_differs_in_bytes_only_is_called_that() {
+fn files_that_differ_in_bytes_only_are_reported_so() {
     let world = two_bakes();
     assert!(world.must(&["diff", "old", "new"]).stdout.contains("1 level, no difference."));
     edit(&world, |_| ());
@@ -167,7 +167,7 @@ fn an_edited_file_is_judged_as_it_is_now() {
 }
 
 #[test]
-fn levels_buildings_rooms_and_doors_come_and_go() {
+fn levels_buildings_rooms_and_doors_are_added_and_removed() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
     world.must(&["bake", "a.yaml", "--quiet", "--out", "old"]);
@@ -210,7 +210,7 @@ fn reports_obey_the_schema_and_repeat() {
 }
 
 #[test]
-fn the_page_and_the_pictures_need_nothing_else() {
+fn the_page_and_the_pictures_need_no_other_file() {
     let world = two_bakes();
     edit(&world, |file| {
         let bed = bed(file);
@@ -234,7 +234,7 @@ fn the_page_and_the_pictures_need_nothing_else() {
 }
 
 #[test]
-fn what_cannot_be_compared_ends_with_two_and_a_hint() {
+fn files_that_cannot_be_compared_give_exit_code_two_and_a_hint() {
     let world = two_bakes();
     world.write(&format!("new/{FILE}"), "cut");
     let ran = world.run(&["diff", "old", "new"]);

@@ -69,7 +69,7 @@ fn a_file_of_another_format_is_refused_before_anything_is_drawn() {
 }
 
 #[test]
-fn a_drawing_is_renewed_unless_somebody_changed_it() {
+fn a_drawing_is_renewed_unless_it_was_edited() {
     let world = world();
     let draw = |seed: &str| world.run(&["draw", "a.yaml", "--out", "alpha.svg", "--seed", seed]);
     assert_eq!(draw("1").code, Some(0));

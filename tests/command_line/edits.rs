@@ -50,7 +50,7 @@ fn set(nodes: &mut [Value], name: &str, key: &str, value: Value) {
 }
 
 #[test]
-fn an_edited_room_is_baked_as_somebody_wants_it_and_the_others_as_ever() {
+fn an_edited_room_is_baked_with_its_edits_and_the_others_as_before() {
     let world = world("");
     assert_eq!(bake(&world, &[]).code, Some(0));
     let plain = world.files("out");
@@ -65,7 +65,7 @@ fn an_edited_room_is_baked_as_somebody_wants_it_and_the_others_as_ever() {
 }
 
 #[test]
-fn an_edit_that_cannot_be_made_is_told_with_its_place_and_stays() {
+fn a_rejected_edit_is_reported_with_its_place_and_stays() {
     let world = world(&study("desk.9: {at: [1, 1]}"));
     let before = world.read("house.edits.yaml");
     let ran = bake(&world, &[]);
@@ -86,7 +86,7 @@ fn an_edit_that_cannot_be_made_is_told_with_its_place_and_stays() {
 }
 
 #[test]
-fn an_edit_that_collides_is_made_and_told() {
+fn an_edit_that_collides_is_applied_and_reported() {
     let world = world(&study("desk.1: {at: [4.2, 0.1]}"));
     let ran = world.run(&["bake", "house.yaml", "--effort", "1", "--format", "gltf", "--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -99,7 +99,7 @@ fn an_edit_that_collides_is_made_and_told() {
 }
 
 #[test]
-fn explain_tells_what_is_edited_afterwards() {
+fn explain_lists_objects_that_are_edited_after_the_layout() {
     let world = world(&study("desk.1: {turn: 30}"));
     let explain = |more: &[&str]| {
         let words = ["explain", "house.yaml", "study", "--level", "1", "--effort", "1"];
@@ -110,7 +110,7 @@ fn explain_tells_what_is_edited_afterwards() {
 }
 
 #[test]
-fn faults_of_the_file_are_told_by_check() {
+fn check_reports_faults_of_edits_files() {
     let world = world(&study("desk.1: {att: [0, 0]}"));
     let ran = world.run(&["check", "house.yaml"]);
     assert_eq!(ran.code, Some(1));
@@ -144,7 +144,7 @@ fn a_room_that_is_rolled_again_is_another_one_and_stays_so_when_it_is_written_do
 }
 
 #[test]
-fn what_is_locked_stays_under_another_seed() {
+fn locked_objects_stay_under_another_seed() {
     let world = world("");
     bake(&world, &[]);
     let before = translation(&level(&world, "out", 1), "desk.1@study");
@@ -160,7 +160,7 @@ fn what_is_locked_stays_under_another_seed() {
 }
 
 #[test]
-fn what_an_editor_changed_is_captured_and_baked_again() {
+fn changes_in_an_editor_are_captured_and_baked_again() {
     let world = world("");
     bake(&world, &[]);
     let desk = translation(&level(&world, "out", 1), "desk.1@study");
@@ -208,7 +208,7 @@ fn must_with_notes(world: &World, arguments: &[&str]) -> String {
 }
 
 #[test]
-fn what_is_captured_goes_beside_the_plan_or_project_that_was_baked() {
+fn captured_edits_go_beside_the_plan_or_project_that_was_baked() {
     let world = World::new();
     world.write("plans/house.yaml", plan("house", 1));
     world.write(
@@ -243,7 +243,7 @@ fn an_output_folder_is_the_same_wherever_its_plans_lie() {
 }
 
 #[test]
-fn where_no_bake_noted_the_plan_the_file_is_asked_for() {
+fn without_a_note_of_the_plan_the_edits_file_must_be_named() {
     let world = World::new();
     world.write("plans/house.yaml", plan("house", 1));
     must_with_notes(&world, &["bake", "plans", "--effort", "1"]);
@@ -264,7 +264,7 @@ fn where_no_bake_noted_the_plan_the_file_is_asked_for() {
 }
 
 #[test]
-fn one_finding_about_two_locked_objects_is_told_once() {
+fn one_finding_about_two_locked_objects_is_reported_once() {
     let locks = "desk.1: {lock: true, at: [6, 2]}\n    bookshelf.1: {lock: true, at: [6, 2.1]}";
     let world = world(&study(locks));
     let ran = bake(&world, &[]);
@@ -273,7 +273,7 @@ fn one_finding_about_two_locked_objects_is_told_once() {
 }
 
 #[test]
-fn an_edit_for_many_buildings_that_cannot_be_made_is_told_once_with_their_number() {
+fn a_rejected_edit_for_many_buildings_is_reported_once_with_their_number() {
     let world = world(&study("desk.9: {at: [1, 1]}"));
     world.write("row.yaml", "version: 1\nproject:\n  plans: [{plan: house.yaml, count: 3}]\n");
     let ran = world.run(&["bake", "row.yaml", "--effort", "1"]);
@@ -287,7 +287,7 @@ fn an_edit_for_many_buildings_that_cannot_be_made_is_told_once_with_their_number
 }
 
 #[test]
-fn a_drawing_tells_of_edits_that_cannot_be_made() {
+fn draw_reports_rejected_edits() {
     let world = world(&study("desk.9: {at: [1, 1]}"));
     let ran = world.run(&["draw", "house.yaml", "--effort", "1", "--out", "house.svg"]);
     assert_eq!(ran.code, Some(1));

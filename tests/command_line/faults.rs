@@ -217,7 +217,7 @@ fn cyclic_inheritance() {
 }
 
 #[test]
-fn a_model_file_that_is_none() {
+fn an_invalid_model_file() {
     let text = "version: 1\nclasses:\n  thing:\n    label: Thing\n    sizes: [[1, 1, 1]]\n    parents: [{on: floor}]\n    \
                 model: {file: thing.glb}\n";
     catalogue_refused("classes/mine.yaml", text, &["thing.glb"]);
@@ -233,7 +233,7 @@ fn a_folder_of_configuration_that_is_missing() {
 }
 
 #[test]
-fn check_tells_all_faults_of_all_files_in_one_round() {
+fn check_reports_all_faults_of_all_files_at_once() {
     let world = World::new();
     let class = |id: &str, body: &str| format!("version: 1\nclasses:\n  {id}: {{{body}}}\n");
     world.write("mine/classes/wrong_key.yaml", class("tall_desk", "extends: desk, colour: red"));
@@ -271,7 +271,7 @@ fn one_room(room: &str, height: f64, openings: &str) -> String {
 }
 
 #[test]
-fn implausible_rooms_are_questioned_and_baked_all_the_same() {
+fn implausible_rooms_are_warned_of_and_baked() {
     let world = World::new();
     for (room, height, question) in [
         ("id: a, type: bedroom, rectangle: [0, 0, 4, 4]", 9.0, "a bedroom that is 9.0 m high"),
@@ -300,7 +300,7 @@ fn implausible_rooms_are_questioned_and_baked_all_the_same() {
 }
 
 #[test]
-fn rooms_of_many_floors_are_questioned_once() {
+fn implausible_rooms_of_many_levels_are_warned_of_once() {
     let world = World::new();
     let text = plan("tower", 3).replace("    height: 3\n", "    height: 9\n");
     assert_ne!(text, plan("tower", 3));
@@ -312,7 +312,7 @@ fn rooms_of_many_floors_are_questioned_once() {
 }
 
 #[test]
-fn a_door_on_no_wall_is_noted_in_the_manifest_of_the_floor_without_it() {
+fn a_door_on_no_wall_is_listed_in_the_manifest_of_its_level() {
     let world = World::new();
     let room = "id: a, type: bedroom, rectangle: [0, 0, 4, 4]";
     let note = |world: &World| {

@@ -15,7 +15,7 @@ fn world() -> World {
 }
 
 #[test]
-fn a_level_that_left_the_plan_is_named_with_the_flag_that_removes_it() {
+fn a_level_that_the_plan_no_longer_has_is_named_with_the_flag_that_removes_it() {
     let world = world();
     for _ in 0..2 {
         let ran = world.must(&["bake", "a.yaml"]);
@@ -48,7 +48,7 @@ fn prune_leaves_what_a_fresh_bake_writes() {
 }
 
 #[test]
-fn prune_knows_what_an_earlier_bake_set_apart() {
+fn prune_removes_files_that_an_earlier_bake_listed_apart() {
     let world = world();
     world.must(&["bake", "a.yaml"]);
     world.must(&["bake", "a.yaml", "--seed", "2"]);
@@ -68,7 +68,7 @@ fn a_level_that_comes_back_is_kept() {
 }
 
 #[test]
-fn audit_and_diff_do_not_count_what_left_the_plan() {
+fn audit_and_diff_do_not_count_levels_that_the_plan_no_longer_has() {
     let world = world();
     world.must(&["bake", "a.yaml"]);
     for folder in ["out", "out/alpha"] {

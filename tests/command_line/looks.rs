@@ -58,7 +58,7 @@ fn a_second_bake_keeps_levels_unless_a_texture_is_gone() {
 }
 
 #[test]
-fn what_is_kept_between_runs_changes_no_byte() {
+fn the_cache_changes_no_byte() {
     let world = World::new();
     world.write("house.yaml", plan("house", 1));
     let bakes = |out: &str, cache: &str| {
@@ -85,7 +85,7 @@ fn what_is_kept_between_runs_changes_no_byte() {
 }
 
 #[test]
-fn a_file_opens_by_itself_wherever_it_is_sent() {
+fn a_file_needs_no_other_file() {
     let world = baked(&["--textures", "small"]);
     assert!(textures(&world).is_empty());
     assert!(level(&world).buffers().all(|buffer| matches!(buffer.source(), gltf::buffer::Source::Bin)));
@@ -102,7 +102,7 @@ fn without_textures_there_are_no_images_and_the_file_is_smaller() {
 }
 
 #[test]
-fn shades_shine_and_lamps_are_lights_where_somebody_asks_for_candelas() {
+fn shades_shine_by_default_and_lamps_are_lights_with_physical() {
     let lights = |world: &World| level(world).nodes().filter(|node| node.light().is_some()).count();
     let nodes = |world: &World| {
         level(world).nodes().filter(|node| node.name().unwrap().starts_with("light.")).count()

@@ -36,7 +36,7 @@ fn an_edited_file_is_not_overwritten() {
 }
 
 #[test]
-fn an_edit_that_keeps_the_length_is_noticed() {
+fn a_file_edited_to_the_same_length_is_noticed() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 2));
     world.must(&["bake", "a.yaml"]);
@@ -134,7 +134,7 @@ fn a_folder_without_rights_is_named() {
 }
 
 #[test]
-fn ids_that_no_file_system_takes_get_safe_names() {
+fn ids_that_file_systems_reject_get_safe_names() {
     let world = World::new();
     for (file, id) in [("a", "CON"), ("b", "Haus 7 ü"), ("c", "Tower"), ("d", "tower")] {
         world.write(&format!("plans/{file}.yaml"), plan(id, 1));
@@ -151,7 +151,7 @@ fn ids_that_no_file_system_takes_get_safe_names() {
 /// A file system of a few pages in an own mount namespace, so that the disk really is full.
 #[test]
 #[cfg(target_os = "linux")]
-fn a_full_disk_stops_cleanly_and_the_run_goes_on_later() {
+fn a_full_disk_stops_cleanly_and_a_later_run_continues() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 12));
     fs::create_dir(world.path("small")).unwrap();

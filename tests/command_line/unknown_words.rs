@@ -43,7 +43,7 @@ fn an_import_with_unknown_words_bakes_to_the_same_bytes() {
 }
 
 #[test]
-fn check_tells_guesses_with_their_reasons() {
+fn check_reports_guesses_with_their_reasons() {
     let world = World::new();
     copy_case(&world, "campus");
     let ran = world.run(&["check", "campus"]);
@@ -70,7 +70,7 @@ fn write_strange_rooms(world: &World, count: usize) {
 }
 
 #[test]
-fn thousands_of_unknown_words_are_told_in_few_lines() {
+fn thousands_of_unknown_words_are_reported_in_few_lines() {
     let world = World::new();
     write_strange_rooms(&world, 2000);
     let ran = world.run(&["import", "campus", "--out", "b.yaml"]);

@@ -124,7 +124,7 @@ fn samplers_colours_and_blending_are_kept() {
 }
 
 #[test]
-fn images_that_are_laid_on_in_different_ways_have_coordinates_of_their_own() {
+fn images_with_different_transforms_have_coordinates_of_their_own() {
     let world = world();
     let mut document = document();
     let transform = json!({"KHR_texture_transform": {"scale": [4, 4]}});

@@ -92,7 +92,7 @@ fn sums_in_the_manifest_and_in_the_report_are_those_of_the_rooms() {
 }
 
 #[test]
-fn the_summary_tells_the_mean_score() {
+fn the_summary_has_the_mean_score() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
     let ran = world.must(&["bake", "a.yaml"]);

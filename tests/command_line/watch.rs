@@ -116,7 +116,7 @@ fn edits_configuration_and_the_plans_of_a_project_are_watched() {
 }
 
 #[test]
-fn what_cannot_be_watched_is_refused() {
+fn paths_that_cannot_be_watched_are_rejected() {
     let world = World::new();
     let ran = world.run(&["bake", "--watch"]);
     assert_eq!(ran.code, Some(2), "the demo does not change: {}", ran.stderr);

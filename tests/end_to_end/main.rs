@@ -77,7 +77,7 @@ fn bake_and_check(pipeline: &Pipeline, paths: &[PathBuf]) -> (usize, AuditSummar
 }
 
 #[test]
-fn ready_plans_keep_the_contract_of_the_output() {
+fn built_in_plans_keep_the_contract_of_the_output() {
     let pipeline = Pipeline::new();
     for folder in ["paper", "cases", "plans"] {
         for plan in ready_plans(folder) {

@@ -77,7 +77,7 @@ fn join(document: &Value, rest: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn what_was_moved_into_a_door_is_found_there() {
+fn an_object_moved_into_a_door_is_found_there() {
     let pipeline = Pipeline::new();
     let reading = pipeline.read(&[root().join("configs/cases/flat.yaml")]);
     let mut moved = 0;

@@ -6,7 +6,7 @@ use std::time::{Duration, SystemTime};
 use super::world::{World, plan};
 
 #[test]
-fn times_of_files_decide_nothing() {
+fn times_of_files_do_not_matter() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 2));
     world.must(&["bake", "a.yaml", "--out", "whole"]);

@@ -28,7 +28,7 @@ fn is_told(ran: &Ran, word: &str) {
 }
 
 #[test]
-fn files_that_may_not_grow_are_told_and_leave_nothing() {
+fn files_that_may_not_grow_are_reported_and_leave_nothing() {
     let world = world();
     let ran = world.run_within("ulimit -f 40; exec \"$0\" \"$@\"", &BAKE);
     is_told(&ran, "ulimit -f");
@@ -46,7 +46,7 @@ fn files_that_may_not_grow_are_told_and_leave_nothing() {
 }
 
 #[test]
-fn few_open_files_are_enough_or_told() {
+fn few_open_files_are_enough_or_reported() {
     let world = world();
     for count in [8, 12, 20] {
         let _ = std::fs::remove_dir_all(world.path("out"));
@@ -68,7 +68,7 @@ fn little_memory_leaves_whole_files() {
 }
 
 #[test]
-fn nobody_needs_to_listen() {
+fn closed_standard_streams_damage_no_file() {
     let world = world();
     for closed in [">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"] {
         let _ = std::fs::remove_dir_all(world.path("out"));
@@ -82,7 +82,7 @@ fn nobody_needs_to_listen() {
 }
 
 #[test]
-fn nobody_needs_a_home() {
+fn a_missing_home_folder_stops_no_bake() {
     let world = world();
     let ran = world.run_within("exec env -i \"$0\" \"$@\"", &BAKE);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);

@@ -48,7 +48,7 @@ fn a_link_in_place_of_the_records_is_refused() {
 }
 
 #[test]
-fn what_somebody_keeps_in_a_run_folder_stays() {
+fn foreign_files_in_a_run_folder_stay() {
     let world = world();
     world.write("out/.roomwright/run-old/journal", "{\"program\":\"0\"}\n");
     world.write("out/.roomwright/run-old/result-aB3dE6", "half a floor");

@@ -55,7 +55,7 @@ fn a_result_that_is_lost_is_a_failure() {
 
 #[test]
 #[cfg(unix)]
-fn a_reader_that_goes_away_is_no_failure() {
+fn a_closed_pipe_is_no_failure() {
     let world = world();
     let program = env!("CARGO_BIN_EXE_roomwright");
     for words in ["draw a.yaml", "man", "completions bash", "catalog", "bake --help"] {

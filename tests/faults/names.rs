@@ -87,7 +87,7 @@ fn hostile_names_stay_in_the_folder_and_in_their_quotes() {
 
 /// Manifests that are damaged at random: nothing panics, and no file outside the output folder changes.
 #[test]
-fn damaged_manifests_cost_nobodys_files() {
+fn damaged_manifests_delete_no_foreign_files() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
     world.write("victim", "precious");

@@ -73,7 +73,7 @@ fn a_record_that_claims_the_file_of_another_level_is_left_out() {
 }
 
 #[test]
-fn a_record_that_is_none_is_reported_and_its_level_baked_again() {
+fn an_invalid_record_is_reported_and_its_level_baked_again() {
     let world = world();
     let mut manifest: serde_json::Value = serde_json::from_slice(&world.read("out/manifest.json")).unwrap();
     // The part that decides whether the level is up to date is whole; the rest is not.
@@ -86,7 +86,7 @@ fn a_record_that_is_none_is_reported_and_its_level_baked_again() {
 }
 
 #[test]
-fn merge_leaves_out_what_it_cannot_believe_and_says_so() {
+fn merge_reports_and_leaves_out_invalid_records() {
     let world = world();
     world.write("out/manifest.json", tampered(&world, "../victim").to_string());
     let ran = world.run(&["merge", "out"]);
@@ -115,7 +115,7 @@ fn diff_opens_nothing_outside_its_folders() {
 }
 
 #[test]
-fn counts_beyond_all_numbers_are_added_up_all_the_same() {
+fn counts_beyond_the_largest_number_are_added_without_overflow() {
     let world = world();
     let mut manifest: serde_json::Value = serde_json::from_slice(&world.read("out/manifest.json")).unwrap();
     for level in 0..2 {

@@ -44,7 +44,7 @@ fn corpus(target: &str) -> Vec<(String, Vec<u8>)> {
 
 /// One test for all: memory is that of the process.
 #[test]
-fn inputs_of_strangers_are_read_or_refused_within_bounds() {
+fn hostile_inputs_are_read_or_rejected_within_bounds() {
     resources::check_that_memory_is_seen();
     targets::warm_up();
     let only = std::env::var("ROOMWRIGHT_FUZZ_TARGET").ok();

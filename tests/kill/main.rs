@@ -34,7 +34,7 @@ fn below(draws: &mut ChaCha8Rng, bound: u64) -> u64 {
 }
 
 #[test]
-fn killed_bakes_leave_whole_files_and_end_as_undisturbed_ones() {
+fn killed_bakes_leave_whole_files_and_continue_to_the_same_result() {
     let seed = number("ROOMWRIGHT_KILL_SEED", 1);
     let kills = number("ROOMWRIGHT_KILLS", KILLS);
     let mut draws = ChaCha8Rng::seed_from_u64(seed);

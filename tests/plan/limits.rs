@@ -37,7 +37,7 @@ fn errors(reading: &PlanReading) -> Vec<String> {
 }
 
 #[test]
-fn an_ifc_whose_unit_is_broken_has_no_room_of_kilometres() {
+fn rooms_of_kilometres_from_a_broken_ifc_unit_are_left_out() {
     let reading = changed("villa", "villa.ifc", &[("(#3,#4)", "(#99,#4)")]);
     let errors = errors(&reading);
     assert!(room_ids(&reading).is_empty(), "{errors:?}");
@@ -47,7 +47,7 @@ fn an_ifc_whose_unit_is_broken_has_no_room_of_kilometres() {
 }
 
 #[test]
-fn a_longitude_five_degrees_off_costs_one_room() {
+fn a_longitude_five_degrees_off_leaves_out_one_room() {
     let reading = changed("campus", "unit.geojson", &[("[[[30.000159179, ", "[[[35.000159179, ")]);
     let whole = read_ready(&[repository("tests/cases/plan_import/campus")]);
     let (found, all) = (room_ids(&reading), room_ids(&whole));
@@ -111,7 +111,7 @@ fn a_native_room_that_is_too_large_leaves_the_others() {
 }
 
 #[test]
-fn what_bake_takes_audit_takes() {
+fn audit_reads_every_level_that_bake_writes() {
     // The largest room of each shape: the finished file is read back by the same table.
     for size in ["1000, 100", "316, 316"] {
         let reading =

@@ -110,7 +110,7 @@ proptest! {
     }
 
     #[test]
-    fn bytes_give_faults(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+    fn random_bytes_give_faults(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("plan.yaml");
         std::fs::write(&path, &bytes).unwrap();

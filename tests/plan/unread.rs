@@ -44,7 +44,7 @@ fn real_files_of_other_formats_are_refused_by_name() {
 }
 
 #[test]
-fn texts_and_programs_files_are_no_plans() {
+fn text_and_binary_files_are_no_plans() {
     let folder = tempfile::tempdir().unwrap();
     for (name, bytes, message) in [
         ("a.glb", &b"glTF\x02\0\0\0\x0c\0\0\0"[..], "looks like a binary glTF file"),
@@ -60,7 +60,7 @@ fn texts_and_programs_files_are_no_plans() {
 }
 
 #[test]
-fn a_folder_without_a_plan_says_what_lies_there() {
+fn a_folder_without_a_plan_is_reported_with_its_files() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(fault(folder.path()).0, "the folder is empty");
     std::fs::write(folder.path().join("a.dxf"), "0\nSECTION\n").unwrap();
@@ -71,7 +71,7 @@ fn a_folder_without_a_plan_says_what_lies_there() {
 }
 
 #[test]
-fn a_folder_whose_parts_are_named_otherwise_says_which_file_is_looked_for() {
+fn a_folder_with_misnamed_files_is_reported_with_the_expected_names() {
     let folder = tempfile::tempdir().unwrap();
     for entry in std::fs::read_dir(repository("tests/cases/plan_import/campus")).unwrap() {
         let path = entry.unwrap().path();
@@ -90,7 +90,7 @@ fn a_folder_whose_parts_are_named_otherwise_says_which_file_is_looked_for() {
 }
 
 #[test]
-fn a_site_without_its_drawings_says_which_file_is_looked_for() {
+fn a_site_without_its_drawings_is_reported_with_the_expected_names() {
     for (from, to) in [("react_planner_projects", "projects"), ("areas", "rooms")] {
         let folder = tempfile::tempdir().unwrap();
         for entry in std::fs::read_dir(repository("tests/cases/plan_import/block")).unwrap() {
@@ -107,7 +107,7 @@ fn a_site_without_its_drawings_says_which_file_is_looked_for() {
 }
 
 #[test]
-fn a_word_of_megabytes_is_not_echoed_whole() {
+fn a_word_of_megabytes_is_not_printed_whole() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("long.yaml");
     let word = "x".repeat(3 << 20);

@@ -77,7 +77,7 @@ fn equal_arrays_are_there_once() {
 }
 
 #[test]
-fn what_other_levels_made_of_models_changes_no_byte() {
+fn models_encoded_for_other_levels_change_no_byte() {
     let scene = furnished_scene();
     let models = EncodedModels::default();
     for flat_normals in [FlatNormals::Written, FlatNormals::Implied, FlatNormals::Written] {

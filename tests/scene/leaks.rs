@@ -207,7 +207,7 @@ fn leaks(level: &Level, room: &Room, shell: &[[DVec3; 3]]) -> Vec<String> {
 }
 
 #[test]
-fn light_leaves_a_room_through_its_openings_only() {
+fn rays_leave_a_room_through_its_openings_only() {
     each_scene(&[plans("plans"), plans("paper"), real_plans()].concat(), |name, level, scene| {
         let bodies = bodies(scene);
         for room in &level.rooms {
@@ -223,7 +223,7 @@ fn light_leaves_a_room_through_its_openings_only() {
 }
 
 #[test]
-fn a_room_without_a_wall_leaks() {
+fn rays_leave_a_room_without_a_wall() {
     let (_, level) = levels::all().remove(0);
     let mut bodies = bodies(&crate::fixture::bare_scene(&level));
     bodies.retain(|body| body.name != "wall.2@101");

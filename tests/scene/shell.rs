@@ -209,7 +209,7 @@ fn reach(level: &Level, part: &str) -> (f64, f64) {
 }
 
 #[test]
-fn storeys_stand_on_each_other_without_a_gap() {
+fn levels_stand_on_each_other_without_a_gap() {
     let mut level = two_rooms();
     let (floor, ceiling, wall) = (reach(&level, "floor"), reach(&level, "ceiling"), reach(&level, "wall"));
     let is_near = |one: f64, two: f64| (one - two).abs() < 1e-6;

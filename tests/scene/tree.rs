@@ -108,7 +108,7 @@ fn one_metre_east_and_two_north_lands_at_x_1_z_minus_2() {
 }
 
 #[test]
-fn what_stands_on_a_piece_hangs_below_it_and_what_belongs_to_it_does_not() {
+fn carried_objects_are_child_nodes_and_arranged_ones_are_not() {
     let catalog = catalog();
     let scene = scene(&two_rooms(), &two_furnished(&catalog));
     let desk = find(&scene.root, "desk.1@101").unwrap();

@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn anything_else_is_refused() {
+    fn other_texts_are_rejected() {
         for text in ["", "%", "half", "0.5", "50%0.1", "50%+-1", "50%+", "1%2%"] {
             assert_eq!(share(text), Err(ExtentFault::Form), "{text:?}");
         }

@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn colours_survive_the_way_there_and_back() {
+    fn colours_survive_conversion_there_and_back() {
         for channel in 0..=u8::MAX {
             let light = srgb_linear(f64::from(channel) / f64::from(u8::MAX)) as f32;
             assert_eq!(srgb_hex([light; 3]), format!("#{channel:02x}{channel:02x}{channel:02x}"));

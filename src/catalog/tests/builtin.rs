@@ -4,7 +4,7 @@ use crate::catalog::{DEFAULT_STYLE, MATERIAL_SLOTS, builtin_file, builtin_files,
 use crate::document::Source;
 
 #[test]
-fn it_loads_without_faults_or_warnings() {
+fn the_builtin_catalogue_loads_without_faults_or_warnings() {
     let loaded = load_catalog(&[]).unwrap_or_else(|faults| panic!("{faults}"));
     assert!(loaded.warnings.is_empty(), "{}", loaded.warnings);
     let catalog = loaded.value;

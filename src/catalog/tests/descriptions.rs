@@ -12,7 +12,7 @@ fn base() -> Catalog {
 }
 
 #[test]
-fn a_class_tells_everything() {
+fn the_description_of_a_class_has_all_its_facts() {
     let description = describe(&base(), Some(DefinitionKind::Class), Some("table")).unwrap();
     let expected = "class table
   label       Table
@@ -89,7 +89,7 @@ table  Table  1.2 × 0.8 × 0.75 m  furniture.yaml
 }
 
 #[test]
-fn a_style_tells_what_it_changes() {
+fn the_description_of_a_style_lists_its_changes() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("styles")).unwrap();
     let text = "version: 1

@@ -21,13 +21,13 @@ fn digest(folders: &[&TempDir]) -> [u8; 32] {
 }
 
 #[test]
-fn it_is_the_same_wherever_the_folder_stands() {
+fn the_digest_does_not_depend_on_the_place_of_the_folder() {
     assert_eq!(digest(&[&vase()]), digest(&[&vase()]));
     assert_eq!(load_catalog(&[]).unwrap().value.digest, load_catalog(&[]).unwrap().value.digest);
 }
 
 #[test]
-fn it_changes_with_every_byte_that_is_read() {
+fn the_digest_changes_with_every_byte_that_is_read() {
     let folder = vase();
     let before = digest(&[&folder]);
     let mut seen = vec![digest(&[]), before];
@@ -44,7 +44,7 @@ fn it_changes_with_every_byte_that_is_read() {
 }
 
 #[test]
-fn it_covers_files_with_encoded_names_and_those_beside_a_container() {
+fn the_digest_covers_files_with_encoded_names_and_those_beside_a_container() {
     let model = MODEL
         .replace("vase.bin", "parts/the%20vase.bin")
         .replace("}]}", "}], \"images\": [{\"uri\": \"glaze.png\"}]}");
@@ -69,7 +69,7 @@ fn it_covers_files_with_encoded_names_and_those_beside_a_container() {
 }
 
 #[test]
-fn it_changes_with_names_and_order_but_not_with_what_is_not_read() {
+fn the_digest_changes_with_names_and_order_but_not_with_unread_files() {
     let (first, second) = (folder(&[("classes/a.yaml", "version: 1\nclasses: {}\n")]), vase());
     assert_ne!(digest(&[&first, &second]), digest(&[&second, &first]));
     let renamed = folder(&[("classes/b.yaml", "version: 1\nclasses: {}\n")]);
@@ -81,7 +81,7 @@ fn it_changes_with_names_and_order_but_not_with_what_is_not_read() {
 }
 
 #[test]
-fn it_covers_what_a_model_refers_to_that_is_also_part_of_another() {
+fn the_digest_covers_files_that_two_models_share() {
     let folder = vase();
     write(folder.path(), "classes/a.yaml", &VASE.replace("vase", "a"));
     write(folder.path(), "classes/a.gltf", &MODEL.replace("vase.bin", "vase.gltf"));

@@ -64,7 +64,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_damaged_file_is_read_or_refused(
+    fn a_damaged_file_is_read_or_rejected(
         file in 0..FILES.len(),
         edits in prop::collection::vec((0.0..1.0_f64, 0..12_usize, 0..SCRAPS.len()), 1..4),
     ) {

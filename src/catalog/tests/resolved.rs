@@ -68,7 +68,7 @@ fn a_class_takes_the_keys_that_it_does_not_have() {
 }
 
 #[test]
-fn a_later_folder_replaces_whole_or_builds_upon() {
+fn a_later_folder_replaces_a_class_or_extends_it() {
     let chair = |entry: &str| format!("version: 1\nclasses:\n  chair: {entry}\n");
     let replacing = chair("{sizes: [[0.4, 0.4, 0.8]], parents: {on: floor}, model: stool}");
     let building = chair("{extends: chair, looks: 4}");
@@ -80,7 +80,7 @@ fn a_later_folder_replaces_whole_or_builds_upon() {
 }
 
 #[test]
-fn what_extends_a_replaced_class_follows_the_replacement() {
+fn classes_that_extend_a_replaced_class_follow_the_replacement() {
     let first = "version: 1\nclasses: {desk: {extends: table}}\n";
     let second = "version: 1\nclasses: {table: {extends: table, looks: 7}}\n";
     let catalog = load(&[("classes/a.yaml", first), ("classes/b.yaml", second)]);
@@ -276,7 +276,7 @@ fn rules_for_guesses_come_before_those_of_earlier_folders() {
 }
 
 #[test]
-fn rules_for_guesses_name_only_what_there_is() {
+fn rules_for_guesses_name_existing_room_types_only() {
     let rules = "version: 1\nformats: {}\nfamilies: {farm: [barn]}\nguesses:\n  - {read_as: stable}\n  \
                  - {read_as: office, building: [farn], above_or_below: [hayloft], area: [9, 2], doors: [3, 1]}\n";
     let folder = folder(&[("room_words.yaml", rules)]);
@@ -314,7 +314,7 @@ fn origins_name_the_last_file() {
 }
 
 #[test]
-fn folders_that_are_not_there_or_hold_nothing_are_told() {
+fn missing_and_empty_folders_are_reported() {
     let empty = tempfile::tempdir().unwrap();
     let misnamed = folder(&[("class/a.yaml", ""), ("classes/notes.txt", ""), (".classes/a.yaml", "")]);
     let missing = empty.path().join("missing");
@@ -328,7 +328,7 @@ fn folders_that_are_not_there_or_hold_nothing_are_told() {
 }
 
 #[test]
-fn what_others_fall_back_to_must_be_there() {
+fn the_default_style_and_room_type_must_exist() {
     let mut files = Files::default();
     files.add_folder(folder(&[("classes/a.yaml", "version: 1\nclasses: {}\n")]).path());
     let faults = load_files(&files).unwrap_err().to_string();

@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_number_that_is_none_gets_the_range() {
+    fn an_invalid_number_is_rejected_with_the_range() {
         let effort = whole_number::<u32>(1..=1000);
         assert_eq!(effort("16"), Ok(16));
         for wrong in ["0", "1001", "-3", "many", "", "1.5"] {

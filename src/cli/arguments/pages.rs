@@ -63,7 +63,7 @@ fn refusal(command: &str) -> Option<String> {
 }
 
 #[test]
-fn every_command_that_a_page_shows_is_taken() {
+fn every_command_on_a_page_is_accepted() {
     let project = Path::new(env!("CARGO_MANIFEST_DIR"));
     let (mut count, mut refused) = (0, Vec::new());
     for path in pages(project) {
@@ -79,7 +79,7 @@ fn every_command_that_a_page_shows_is_taken() {
 }
 
 #[test]
-fn a_command_that_is_not_taken_is_found_in_blocks_and_between_backticks() {
+fn wrong_commands_are_found_in_blocks_and_between_backticks() {
     let page = "text `roomwright bkae x`\n\n    roomwright bake x --otu y   # no\n```\n- run: roomwright draw a.yaml > b.svg\n```\nroomwright is not a command here\n";
     let found = commands(page);
     assert_eq!(found.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [1, 3, 5]);

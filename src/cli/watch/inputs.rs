@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn inputs_are_plans_their_edits_and_the_configuration_but_not_what_is_written() {
+    fn the_watched_inputs_are_plans_edits_and_configuration_but_not_the_output() {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path().canonicalize().unwrap();
         let path = |name: &str| root.join(name);
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plan_with_a_fault_and_one_that_is_not_there_yet_are_inputs() {
+    fn faulty_and_missing_plans_are_watched_too() {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path().canonicalize().unwrap();
         std::fs::write(root.join("bad.yaml"), "levels: [").unwrap();

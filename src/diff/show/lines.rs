@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn what_differs_in_many_places_is_counted() {
+    fn differences_in_many_places_are_counted() {
         let shell = Change {
             new: Some(Worth::Words(vec!["wall.1@a".to_owned()])),
             ..Change::of(Kind::Shell, "").by(2.0)

@@ -63,7 +63,7 @@ fn without_edits_the_room_is_as_it_was_arranged() {
 }
 
 #[test]
-fn what_stands_on_an_object_moves_and_turns_with_it() {
+fn objects_on_an_edited_object_move_and_turn_with_it() {
     let shown = shown(&room(), &["table.1: {at: [2, 2], turn: 90}"]);
     assert_eq!(shown[..2], ["table.1 2.000 2.000 0.00 90", "lamp.1 2.000 2.500 0.75 90 on table.1"]);
     assert_eq!(shown[2..], AS_ARRANGED[2..]);
@@ -76,7 +76,7 @@ fn a_place_on_an_object_is_in_its_frame() {
 }
 
 #[test]
-fn what_goes_takes_along_what_stands_on_it_unless_that_was_put_elsewhere() {
+fn a_removed_object_takes_along_what_stands_on_it_unless_that_was_moved() {
     let room = room();
     assert_eq!(shown(&room, &["table.1: {remove: true}"]), AS_ARRANGED[2..]);
     let lamp = "lamp.1: {parent: chest.1, at: [0.1, 0]}";
@@ -92,7 +92,7 @@ fn counts_follow_the_edits() {
 }
 
 #[test]
-fn what_is_added_stands_on_what_it_says_and_others_may_stand_on_it() {
+fn an_added_object_stands_on_its_parent_and_may_carry_others() {
     let chest = "chest.2: {add: true, parent: wall.0, at: [2, 0.5]}";
     let lamp = "lamp.7: {add: true, parent: chest.2, at: [0, 0]}";
     // With its back to the wall in the south it faces north; whichever is said first.
@@ -103,7 +103,7 @@ fn what_is_added_stands_on_what_it_says_and_others_may_stand_on_it() {
 }
 
 #[test]
-fn an_id_that_is_taken_is_told_and_the_next_one_given() {
+fn an_id_that_is_taken_is_reported_and_the_next_one_given() {
     let lines = ["stool.1: {add: true, at: [2, 3]}"];
     assert_eq!(shown(&room(), &lines)[4], "stool.2 2.000 3.000 0.00 0");
     assert_eq!(
@@ -123,7 +123,7 @@ fn a_swapped_object_keeps_its_place_and_can_be_named_by_both_ids() {
 }
 
 #[test]
-fn what_changes_its_size_keeps_its_back_to_the_wall_and_carries_what_stands_on_it() {
+fn a_resized_object_keeps_its_back_to_the_wall_and_carries_what_stands_on_it() {
     let mut room = room();
     room.placements[0].parent = Parent::Wall(0);
     // The chest is 0.25 m deeper than the table, and 5 cm higher.
@@ -132,7 +132,7 @@ fn what_changes_its_size_keeps_its_back_to_the_wall_and_carries_what_stands_on_i
 }
 
 #[test]
-fn edits_of_what_is_not_there_are_told_and_change_nothing() {
+fn edits_of_missing_objects_are_reported_and_change_nothing() {
     let room = room();
     let (gone, no_wall) = ("stool.9: {at: [1, 1]}", "stool.1: {parent: wall.9, at: [1, 1]}");
     assert_eq!(misfits(&room, &[gone]), [(false, "there is no stool.9 in room \"101\"".to_owned())]);
@@ -152,7 +152,7 @@ fn nothing_stands_on_itself() {
 }
 
 #[test]
-fn an_object_that_collides_stays_where_somebody_put_it_and_is_told() {
+fn an_edited_object_that_collides_stays_and_is_reported() {
     let lines = ["stool.1: {at: [4, 3]}"];
     assert_eq!(shown(&room(), &lines)[2], "stool.1 4.000 3.000 0.00 0");
     let told = misfits(&room(), &lines);

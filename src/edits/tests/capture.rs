@@ -97,12 +97,12 @@ fn lines(after: &Survey) -> Vec<String> {
 }
 
 #[test]
-fn a_floor_that_nobody_changed_has_no_edits() {
+fn an_unchanged_level_has_no_edits() {
     assert_eq!(lines(&before()), Vec::<String>::new());
 }
 
 #[test]
-fn what_stands_on_a_moved_object_needs_no_edit_of_its_own() {
+fn objects_on_a_moved_object_need_no_edit_of_their_own() {
     let after = floor(vec![desk([1.5, 0.4, 0.0], vec![lamp()]), chair(1, 1.0), chair(2, 3.0)], Vec::new());
     assert_eq!(lines(&after), ["desk.1: {at: [1.5, 0.4]}"]);
 }
@@ -142,7 +142,7 @@ fn turns_heights_variants_and_classes_are_seen() {
 }
 
 #[test]
-fn what_no_edit_can_say_is_told() {
+fn changes_that_no_edit_can_express_are_reported() {
     let scaled = with(chair(1, 1.0), "scale", json!([1.5, 1.0, 1.0]));
     let tilted = with(chair(2, 3.0), "rotation", json!([0.3, 0.0, 0.0, 0.953_939_2]));
     let cube = json!({"name": "Cube", "mesh": 0});
@@ -155,7 +155,7 @@ fn what_no_edit_can_say_is_told() {
 }
 
 #[test]
-fn where_an_object_with_moved_vertices_stands_is_told_and_not_captured() {
+fn the_place_of_an_object_with_moved_vertices_is_reported_and_not_captured() {
     let mut before = before();
     before.objects[2].bounds = Some([[-0.2, 0.0, -0.2], [0.2, 0.5, 0.2]]);
     let mut after = before.clone();
@@ -171,7 +171,7 @@ fn where_an_object_with_moved_vertices_stands_is_told_and_not_captured() {
 }
 
 #[test]
-fn an_object_in_another_room_went_and_came() {
+fn an_object_moved_to_another_room_is_removed_and_added() {
     let moved = with(chair(2, 3.0), "name", json!("chair.2@a"));
     let mut after = floor(vec![desk([1.0, 0.4, 0.0], vec![lamp()]), chair(1, 1.0), moved], Vec::new());
     after.objects[3].room = Some("b".to_owned());
@@ -187,7 +187,7 @@ fn an_object_in_another_room_went_and_came() {
 }
 
 #[test]
-fn floors_of_two_levels_are_not_compared() {
+fn files_of_two_levels_are_not_compared() {
     let other = Survey { level: "1".to_owned(), ..before() };
     let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
     let fault = capture(&before(), &other, &catalog, Path::new("edited.glb")).unwrap_err();

@@ -52,7 +52,7 @@ fn a_locked_desk_stands_where_it_was_put_and_its_chair_comes_to_it() {
 }
 
 #[test]
-fn a_lock_that_nobody_asked_for_is_one_more_piece() {
+fn a_locked_object_that_the_programme_lacks_is_one_more_piece() {
     let catalog = load_catalog(&[]).unwrap().value;
     let level = level(&catalog);
     let (plain, _) = furnish(&level, &catalog, 1, &RoomEdits::default());
@@ -64,7 +64,7 @@ fn a_lock_that_nobody_asked_for_is_one_more_piece() {
 }
 
 #[test]
-fn what_is_locked_on_an_object_is_there_with_it_or_told() {
+fn an_object_locked_on_another_stands_on_it_or_is_reported() {
     let catalog = load_catalog(&[]).unwrap().value;
     let level = level(&catalog);
     let lamp = edits(&["desk_lamp.1: {lock: true, parent: desk.1, at: [0.5, 0.1], turn: 0}"]);

@@ -50,7 +50,7 @@ fn faults(objects: &str) -> Faults {
 }
 
 #[test]
-fn the_file_stands_beside_the_plan_and_says_what_it_changes() {
+fn the_edits_file_lies_beside_the_plan_and_names_its_edits() {
     assert_eq!(edits_path("plans/house.yaml".as_ref()), PathBuf::from("plans/house.edits.yaml"));
     let text = file("{level: \"1\", room: bed, seed: 7, objects: {desk.1: {at: [1, 2]}}}");
     let world = World::new(&[("house.yaml", PLAN), ("house.edits.yaml", &text), ("other.yaml", PLAN)]);
@@ -62,7 +62,7 @@ fn the_file_stands_beside_the_plan_and_says_what_it_changes() {
 }
 
 #[test]
-fn what_is_named_wins_over_what_stands_beside_and_one_building_over_all() {
+fn named_edits_files_win_over_those_beside_plans_and_one_building_over_all() {
     let all = "{level: \"1\", room: bed, seed: 1, objects: {desk.1: {turn: 1}, double_bed.1: {turn: 1}}}";
     let one = "{building: house, level: \"1\", room: bed, objects: {desk.1: {turn: 2}}}";
     let beside = format!("version: 1\nedits:\n- {one}\n- {all}\n");
@@ -106,7 +106,7 @@ fn mirrored_buildings_want_edits_of_their_own() {
 }
 
 #[test]
-fn edits_for_rooms_that_are_not_there_are_warnings_with_their_place() {
+fn edits_for_missing_rooms_are_warnings_with_their_place() {
     for (room, message, hint) in [
         ("{level: \"1\", room: bad, seed: 1}", "there is no room \"bad\" on level \"1\"", "bed"),
         ("{level: \"11\", room: bed, seed: 1}", "there is no level \"11\"", "\"1\""),

@@ -91,7 +91,7 @@ fn a_crossing_outline_names_the_corner_and_is_left_out() {
 }
 
 #[test]
-fn what_cannot_be_attached_is_reported() {
+fn openings_that_cannot_be_attached_are_reported() {
     let lost = opening("lost", OpeningKind::Door, at(20.0, 1.0, (0.0, 1.0)), 0.9);
     let wide = opening("wide", OpeningKind::Door, at(4.1, 1.5, (0.0, 1.0)), 5.0);
     let mut stranger = opening("stranger", OpeningKind::Door, at(4.1, 1.5, (0.0, 1.0)), 0.9);

@@ -37,7 +37,7 @@ fn a_door_at_a_corner_behind_leads_to_the_room_behind_most_of_it() {
 }
 
 #[test]
-fn two_named_rooms_are_taken_at_their_word() {
+fn an_opening_joins_the_two_rooms_that_it_names() {
     let mut door = opening("d", OpeningKind::Door, at(2.7, 3.05, (1.0, 0.0)), 0.9);
     door.rooms = vec!["south".to_owned(), "west".to_owned()];
     let (level, problems) = assembled(three(), vec![door]);
@@ -183,7 +183,7 @@ fn wide_doors_have_two_leaves_and_passages_none() {
 }
 
 #[test]
-fn a_door_to_the_open_air_opens_inwards_unless_told() {
+fn a_door_to_the_open_air_opens_inwards_by_default() {
     let mut door = opening("d", OpeningKind::Door, at(1.0, 0.0, (1.0, 0.0)), 1.0);
     let (level, _) = assembled(neighbours(), vec![door.clone()]);
     assert!(level.openings[0].leaves[0].open_tip.y > 0.9);

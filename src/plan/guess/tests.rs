@@ -45,14 +45,14 @@ fn behind_a_door(size: (f64, f64), windows: usize, building: Option<&str>) -> (S
 }
 
 #[test]
-fn a_guess_says_what_it_rests_on() {
+fn a_guess_reports_its_reasons() {
     let (kind, fact) = behind_a_door((2.0, 1.55), 0, None);
     assert_eq!(kind, "storeroom");
     assert_eq!(fact, "room \"a\" (Zxq): read as storeroom: 3.1 m², 1.55 m wide, no window, one door");
 }
 
 #[test]
-fn what_is_no_room_stays_empty() {
+fn shafts_and_the_like_stay_empty() {
     for (size, kind) in [((6.0, 0.3), "void"), ((0.6, 0.7), "void"), ((1.2, 1.5), "shaft")] {
         let mut rooms = neighbours();
         rooms.extend(
@@ -102,7 +102,7 @@ fn a_large_room_of_which_nothing_is_known_is_no_hall_of_chairs() {
 }
 
 #[test]
-fn what_leads_to_many_rooms_is_a_way() {
+fn a_room_with_doors_to_many_rooms_is_read_as_a_way() {
     let leading = |width: f64, count: usize, building| {
         let rooms = (0..count)
             .map(|index| rectangle(&format!("r{index}"), (index as f64 * 4.0, width + 0.1), (3.9, 4.0)));
@@ -118,7 +118,7 @@ fn what_leads_to_many_rooms_is_a_way() {
 }
 
 #[test]
-fn what_has_a_railing_lies_in_the_open() {
+fn a_room_with_a_railing_is_read_as_open_air() {
     for (building, kind) in [(Some("home"), "balcony"), (None, "terrace")] {
         let mut draft = level(
             vec![rectangle("in", (0.0, 0.0), (4.0, 4.0)), stranger("a", (0.0, -2.1), (4.0, 2.0))],
@@ -133,7 +133,7 @@ fn what_has_a_railing_lies_in_the_open() {
 }
 
 #[test]
-fn a_building_is_what_most_of_its_known_rooms_are() {
+fn the_kind_of_a_building_is_that_of_most_known_rooms() {
     let room = |kind: &str| RoomDraft { room_type: kind.to_owned(), ..RoomDraft::default() };
     let mut rooms = vec![room("office"), room("classroom"), room("classroom"), room("corridor")];
     let building = |rooms: &[RoomDraft]| BuildingDraft {
@@ -180,7 +180,7 @@ fn stairs_lifts_and_shafts_go_on_from_level_to_level() {
 }
 
 #[test]
-fn fixtures_tell_what_a_room_is() {
+fn fixtures_decide_the_type_of_a_room() {
     let with = |fixtures: &[&str], size| {
         let fixtures = fixtures.iter().map(|kind| (*kind).to_owned()).collect();
         let fixed = RoomDraft { fixtures, ..stranger("a", (0.0, 0.0), size) };
@@ -215,7 +215,7 @@ fn where_baths_are_drawn_a_room_without_one_is_no_bathroom() {
 }
 
 #[test]
-fn thousands_of_guesses_are_counted_rather_than_told_one_by_one() {
+fn thousands_of_guesses_are_counted_instead_of_listed() {
     let row = |y: f64| {
         let room = move |index: i32| stranger(&format!("r{index}"), (f64::from(index) * 4.0, y), (3.9, 4.0));
         level((0..500).map(room).collect(), Vec::new())
@@ -235,7 +235,7 @@ fn thousands_of_guesses_are_counted_rather_than_told_one_by_one() {
 }
 
 #[test]
-fn all_buildings_of_an_input_share_the_guesses_that_are_told() {
+fn all_buildings_of_an_input_share_the_list_of_guesses() {
     let house = BuildingDraft {
         name: None,
         levels: vec![level(vec![stranger("a", (0.0, 0.0), (4.0, 4.0))], Vec::new())],

@@ -141,7 +141,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thousands_of_unknown_words_are_counted_rather_than_told_one_by_one() {
+    fn thousands_of_unknown_words_are_counted_instead_of_listed() {
         let words = |count: usize| -> BTreeMap<String, (usize, usize)> {
             (0..count).map(|number| (format!("w{number:04}"), (number, 2))).collect()
         };

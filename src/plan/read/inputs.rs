@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_found_is_a_fault() {
+    fn a_folder_without_plans_is_a_fault() {
         let folder = folder(&["notes.txt"]);
         for (path, message) in [("", "the folder holds no plan"), ("*.yaml", "no file matches")] {
             let (inputs, faults) = find_inputs(&[folder.path().join(path)]);

@@ -51,7 +51,7 @@ mod tests {
     use crate::plan::RoomDraft;
 
     #[test]
-    fn a_newline_in_an_id_begins_no_line() {
+    fn a_newline_in_an_id_does_not_start_a_line() {
         let room = RoomDraft {
             id: "a\n::warning::b".to_owned(),
             name: Some("Ba\u{fffe}th".to_owned()),

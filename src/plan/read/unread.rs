@@ -277,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn files_are_told_by_their_beginnings() {
+    fn files_are_recognised_by_their_beginnings() {
         let cases = [
             ("a.glb", "glTF\u{2}\0\0\0", "a binary glTF file (.glb)"),
             ("a.dxf", "  0\r\nSECTION\r\n  2\r\nHEADER", "a DXF drawing"),
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn plans_and_what_may_become_one_are_none_of_them() {
+    fn plans_and_incomplete_plans_are_not_recognised_as_other_files() {
         for text in [
             "version: 1\nlevels: []\n",
             "{\"version\": 1, \"levels\": []}",

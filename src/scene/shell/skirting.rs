@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn railings_have_none() {
+    fn railings_have_no_skirting() {
         let mut walls = walls(&SQUARE);
         walls[1].kind = WallKind::Railing(1.0);
         let boards = boards(&walls, None);

@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn anything_else_is_named() {
+    fn other_geometries_are_named() {
         assert_eq!(area("POINT (1 2)").outlines().unwrap_err(), "\"POINT (1 2)\" is no polygon");
         assert!(area("POLYGON ((0 0, 4").outlines().unwrap_err().starts_with("broken well-known text"));
         let nested = "GEOMETRYCOLLECTION (".repeat(100_000);

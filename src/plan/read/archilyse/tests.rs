@@ -100,7 +100,7 @@ fn count<'a>(words: impl Iterator<Item = &'a str>) -> BTreeMap<&'a str, usize> {
 
 #[test]
 #[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
-fn the_shared_drawings_hold_what_their_source_says() {
+fn the_shared_drawings_have_the_counts_of_their_source() {
     let Some(data) = folder("archilyse") else { return };
     let drawings = drawings(&data);
     assert_eq!(drawings.len(), 14);

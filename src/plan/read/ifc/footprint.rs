@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn places_that_are_none_cover_nothing() {
+    fn invalid_places_cover_no_floor() {
         for odd in [f64::NAN, f64::INFINITY, 1e300] {
             let outer = ring(&[(0.0, 0.0, 0.0), (odd, 0.0, 0.0), (1.0, 1.0, 0.0)]);
             assert!(footprints(&[Body::Faces(vec![Rings { outer, holes: Vec::new() }])]).is_empty());

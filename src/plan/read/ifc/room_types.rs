@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_and_signs_are_no_words() {
+    fn numbers_and_signs_are_not_room_words() {
         assert_eq!(plain_words("A-102 Living Room"), ["a", "living", "room"]);
         assert_eq!(plain_words("WC/Dusche 1.04"), ["wc", "dusche"]);
         assert!(plain_words("2.14").is_empty());

@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn a_statement_without_its_end_costs_itself_only() {
+    fn only_a_statement_without_its_end_is_left_out() {
         let exchange = scan("#1=A('open);\n#2=B();\n#3=C(\n#4=D();\n#5=E(");
         assert_eq!(ids(&exchange), [2, 4]);
         let messages: Vec<&str> = exchange.flaws.iter().map(|flaw| flaw.message.as_str()).collect();
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_cut_off_is_told() {
+    fn a_truncated_file_is_reported() {
         for text in ["", "ISO-10303-21;", "ISO-10303-21;DATA;#1=A('", "/* no end", "'", "#"] {
             assert!(!Exchange::scan(text).flaws.is_empty(), "{text}");
         }

@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_escape_stays() {
+    fn other_backslashes_stay() {
         for raw in
             ["\\", "\\X", "\\X2\\00E", "\\X2\\00Eé\\X0\\", "\\X\\é", "\\S\\é", "\\Pé", "\\S\\", "c:\\dir"]
         {

@@ -56,7 +56,7 @@ fn messages(faults: &Faults) -> Vec<String> {
 
 #[test]
 #[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
-fn the_shared_duplex_holds_what_its_source_says() {
+fn the_shared_duplex_has_the_counts_of_its_source() {
     let Some(duplex) = duplex() else { return };
     assert_eq!(
         (duplex.id.as_str(), duplex.draft.name.as_deref()),
@@ -161,7 +161,7 @@ fn rooms_without_a_wall_between_them_are_open_to_each_other() {
 }
 
 #[test]
-fn what_stands_in_a_space_of_an_unknown_word_is_noted() {
+fn fixtures_in_a_space_with_an_unknown_word_are_noted() {
     let shower = "#900=IFCFURNISHINGELEMENT('0f',$,'Shower Tray:80 x 80',$,$,$,$,$);\n\
                   #901=IFCRELCONTAINEDINSPATIALSTRUCTURE('0g',$,$,$,(#900),#150);\n#150=";
     let rule = GuessRule { fixtures: vec!["shower".to_owned()], ..GuessRule::default() };
@@ -214,7 +214,7 @@ fn a_file_in_one_line_has_its_faults_shown_too() {
 }
 
 #[test]
-fn broken_values_cost_their_own_room_only() {
+fn only_rooms_with_broken_values_are_left_out() {
     let cases = [
         (
             "#104=IFCRECTANGLEPROFILEDEF(.AREA.,$,$,5000.",
@@ -250,7 +250,7 @@ fn broken_values_cost_their_own_room_only() {
 }
 
 #[test]
-fn files_that_hold_no_plan_say_why() {
+fn files_without_a_plan_are_rejected_with_the_reason() {
     let cases: [(&[u8], &str); 6] = [
         (b"", "does not begin with ISO-10303-21"),
         (b"PK\x03\x04\xff\xfe", "does not begin with ISO-10303-21"),
@@ -292,7 +292,7 @@ fn old_encodings_are_read_and_cut_files_too() {
 }
 
 #[test]
-fn circles_of_references_end() {
+fn circular_references_end() {
     for (from, to) in [
         ("#17=IFCLOCALPLACEMENT(#15", "#17=IFCLOCALPLACEMENT(#17"),
         ("#13=IFCLOCALPLACEMENT($", "#13=IFCLOCALPLACEMENT(#17"),
@@ -344,7 +344,7 @@ fn coordinates_of_a_country_are_moved_to_the_building() {
 }
 
 #[test]
-fn what_is_no_file_of_the_format_is_left_to_others() {
+fn files_of_other_formats_are_left_to_other_readers() {
     assert!(recognises(Path::new(VILLA)));
     assert!(!recognises(Path::new("tests/cases/plan_import/villa")));
     assert!(!recognises(Path::new("configs/plans/house.yaml")));
@@ -410,7 +410,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn no_harm_to_a_file_stops_the_reader(harms in prop::collection::vec(harm(), 1..12)) {
+    fn damaged_files_never_stop_the_reader(harms in prop::collection::vec(harm(), 1..12)) {
         let text = harmed(std::fs::read(VILLA).unwrap(), &harms);
         if let Ok(found) = read_bytes(&text) {
             for level in found.buildings.into_iter().flat_map(|building| building.draft.levels) {

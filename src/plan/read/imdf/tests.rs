@@ -22,7 +22,7 @@ fn university() -> Option<Vec<DraftedBuilding>> {
 
 #[test]
 #[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
-fn the_shared_university_holds_what_its_source_says() {
+fn the_shared_university_has_the_counts_of_its_source() {
     let Some(buildings) = university() else { return };
     let rooms = |building: &DraftedBuilding| -> Vec<(String, usize)> {
         building.draft.levels.iter().map(|level| (level.id.clone(), level.rooms.len())).collect()

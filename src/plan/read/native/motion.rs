@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quarters_are_exact() {
+    fn quarter_turns_are_exact() {
         let point = Point::new(1.1, 0.3);
         for (degrees, expected) in
             [(90.0, Point::new(-0.3, 1.1)), (-90.0, Point::new(0.3, -1.1)), (180.0, -point), (720.0, point)]
