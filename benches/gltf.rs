@@ -1,4 +1,4 @@
-//! Writing a hotel floor, one thread; beside it the time to copy the same bytes once.
+//! Benchmark of writing a hotel level with one thread, compared with copying the same bytes once.
 #![allow(clippy::print_stderr, reason = "what was measured is said beside the result")]
 
 mod floor;

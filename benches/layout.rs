@@ -1,4 +1,4 @@
-//! Layout of the paper's two yardsticks (its section 5), one thread, one room at a time over many seeds.
+//! Benchmark of the layout of the paper's two rooms (its section 5), with one thread, room by room over many seeds.
 #![allow(clippy::print_stderr)] // the bench also says how many objects rest
 
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! How long models take to build: all recipes, in each geometry set; every class, variant and set of the catalogue.
+//! Benchmark of building models: all recipes in each geometry set; every class, variant and set of the catalogue.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use roomwright::catalog::{Catalog, Class, load_catalog};

@@ -1,4 +1,4 @@
-//! Scene of a hotel floor: 40 rooms and a corridor, some 25 objects a room, one thread.
+//! Benchmark of the scene of a hotel level: 40 rooms and a corridor, about 25 objects a room, one thread.
 #![allow(clippy::print_stderr, reason = "what was measured is said beside the result")]
 
 mod floor;

@@ -1,4 +1,4 @@
-//! Writes all model recipes side by side into one `.glb`, to be looked at.
+//! Writes all recipes side by side into one `.glb`, for people to look at.
 //!
 //! `cargo run --example contact_sheet -- OUT.glb [SET [PALETTE [NAMES [LOOKS]]]]`: the geometry set, the palette, the
 //! recipes (`all`, or names with commas between them), and how many looks of each stand behind each other.

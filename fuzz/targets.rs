@@ -1,6 +1,6 @@
-//! What is fed with bytes of strangers: one function for each kind of input, for cargo-fuzz and for `tests/fuzz`.
+//! The fuzz targets: one function for each kind of input, for cargo-fuzz and for `tests/fuzz`.
 //!
-//! A target panics where the program would, and where an answer is not fit to be shown: too many faults, control characters.
+//! A target panics where the program would, and if an answer must not be shown: too many faults, control characters.
 //! Formats of several files come as one text, a bundle: `=== <path>` before each file.
 
 use std::fs;

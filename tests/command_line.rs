@@ -1,4 +1,4 @@
-//! The real command in an empty folder: what it prints, its exit codes, and every byte that it writes.
+//! Tests of the real command in an empty folder: its output, its exit codes, and every byte that it writes.
 
 #![allow(clippy::unwrap_used)] // a test that cannot set up its folder fails
 

@@ -1,10 +1,10 @@
-//! Plans: every case and every ready plan is read, every fault is reported where it stands.
+//! Every case and every built-in plan is read, and every fault is reported at its place.
 //!
 //! `tests/cases/plan/<case>.yaml` has its golden beside it: one line per level, room and opening. A missing golden is
-//! written and fails, so that it gets looked at; `UPDATE_GOLDENS=1` renews all.
-//! `tests/cases/plan/faults/<case>.yaml` says in comments which faults it has: `# expect: <message>` on the line where
-//! the fault is reported, `# expect warning: <message>` for warnings; several are parted by ` | `. A hint follows
-//! the message in brackets and may be left out. Files that cannot hold comments have a `.expect` file beside them.
+//! written and fails, so that its author looks at it; `UPDATE_GOLDENS=1` renews all.
+//! `tests/cases/plan/faults/<case>.yaml` names its faults in comments: `# expect: <message>` on the line of the fault, `#
+//! expect warning: <message>` for warnings; several are separated by ` | `. A hint follows the message in brackets and
+//! may be left out. Files that cannot hold comments have a `.expect` file beside them.
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its case fails
 

@@ -1,4 +1,4 @@
-//! How good the rooms are: furnishes plans over many seeds, audits every room, and prints one line a plan.
+//! Measures the quality of rooms: furnishes plans over many seeds, audits every room, and prints one line for each plan.
 //!
 //! ```text
 //! cargo run --release --example quality -- [--seeds N] [--random N [--first N] [--draw FOLDER]] [--catalog FOLDER]

@@ -1,4 +1,4 @@
-//! The rooms that took longest, with where their time went.
+//! The slowest rooms, with the time of each stage.
 
 use std::time::{Duration, Instant};
 

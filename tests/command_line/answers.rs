@@ -1,4 +1,4 @@
-//! Wrong input of people who begin: the answer says what is wrong, where, with which value, and what to do.
+//! Mistakes of beginners are answered with the fact, the place, the value and a hint.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Nothing is baked twice, and a killed run goes on where it stopped.
+//! Unchanged levels are not baked again, and a killed run continues.
 
 use super::world::{World, plan};
 

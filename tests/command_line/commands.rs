@@ -1,4 +1,4 @@
-//! The other commands, and the two streams.
+//! The smaller commands, and the two output streams.
 
 use std::io::Read;
 use std::process::Stdio;

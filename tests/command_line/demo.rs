@@ -1,4 +1,4 @@
-//! The first minute of a new user.
+//! The first commands of a new user: the demo, and the help.
 
 use super::world::World;
 

@@ -1,4 +1,4 @@
-//! Same input, same bytes.
+//! The same input gives the same bytes.
 
 use super::world::{World, plan};
 

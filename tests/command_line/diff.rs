@@ -1,4 +1,4 @@
-//! `diff` tells what differs between two bakes, each kind of difference by itself.
+//! `diff` reports the differences of two bakes, each kind in a test of its own.
 
 use std::collections::BTreeMap;
 

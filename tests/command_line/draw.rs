@@ -1,4 +1,4 @@
-//! Drawings: where they go, and which files they may replace.
+//! The files of `draw`: their places, and the files that they may replace.
 
 use super::world::{World, plan};
 

@@ -1,4 +1,4 @@
-//! What people change by hand stays.
+//! Changes by hand are kept by later bakes.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! Every fault of an input: place, value, hint, exit code, and an output folder that nobody touched.
+//! Every fault of an input is reported with place, value, hint and exit code, and leaves the output folder as it was.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Levels that no plan has any more: named, not counted, and removed on request alone.
+//! Levels that the plans no longer have are reported, not counted, and removed on request only.
 
 use serde_json::Value;
 

@@ -1,4 +1,4 @@
-//! The guide works: its files are written in its order, its commands run, and their answers are those that it shows.
+//! The guide works: its files are written and its commands run in order, and their answers are those on the page.
 
 use roomwright::catalog::load_catalog;
 use serde_json::Value;

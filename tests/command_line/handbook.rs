@@ -1,6 +1,6 @@
-//! The catalogue's pages: those in `docs/` are what the configuration gives.
+//! The pages of the catalogue in `docs/` match the configuration.
 //!
-//! `UPDATE_GOLDENS=1` writes them anew: `UPDATE_GOLDENS=1 cargo test --test command_line handbook`.
+//! `UPDATE_GOLDENS=1 cargo test --test command_line handbook` writes them anew.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

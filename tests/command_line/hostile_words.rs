@@ -1,4 +1,4 @@
-//! Names and words that are made to do harm where they are printed.
+//! Names and words that would control a terminal, or break a format, are made harmless.
 
 use super::world::{Ran, World, plan};
 

@@ -1,4 +1,4 @@
-//! What a folder to begin with holds, and that it works.
+//! The files of `init` are complete and work.
 
 use serde_json::Value;
 

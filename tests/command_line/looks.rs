@@ -1,4 +1,4 @@
-//! What the same rooms look like: textures, lights, levels of detail, doors, variants.
+//! Options for the looks of the same rooms: textures, lights, levels of detail, doors, variants.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What may happen to the output folder.
+//! The output folder keeps files of other origin, and survives missing rights and full disks.
 
 use std::fs;
 

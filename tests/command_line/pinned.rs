@@ -1,7 +1,7 @@
-//! Whole levels whose bytes are known: a house, a floor of a hotel, an office around a corner.
+//! Whole levels with known bytes: a house, a level of a hotel, an office around a corner.
 //!
-//! What is meant to leave the output as it is leaves these. A change that is meant to alter it says so in the changelog and
-//! renews them: `UPDATE_GOLDENS=1 cargo test --test command_line pinned`.
+//! A change that is not meant to alter the output keeps these bytes. A change that is meant to alter it says so in the
+//! changelog and renews them: `UPDATE_GOLDENS=1 cargo test --test command_line pinned`.
 
 use std::fs;
 use std::path::{Path, PathBuf};

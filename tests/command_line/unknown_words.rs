@@ -1,4 +1,4 @@
-//! Rooms of foreign plans whose words no table knows: guessed, told within bounds, and written as what they were taken for.
+//! Rooms with unknown words are guessed, reported in few lines, and written with the guessed type.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What a bake says about the quality of its rooms, in the files, in the manifest and on the screen.
+//! The verdicts of a bake in the files, in the manifest and on the screen.
 
 use std::collections::BTreeMap;
 

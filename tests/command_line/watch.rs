@@ -1,4 +1,4 @@
-//! `bake --watch`: a real process that bakes again when somebody changes an input.
+//! `bake --watch` as a real process bakes again after a change of an input.
 
 use std::io::Read;
 use std::process::{Child, Command, Stdio};

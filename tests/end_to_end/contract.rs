@@ -1,4 +1,4 @@
-//! What every written level promises, asked of the bytes through the `gltf` crate.
+//! Checks the contract of the output on the bytes of every level, through the `gltf` crate.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,8 +1,8 @@
-//! Whole plans through every stage in memory, the output read back by the `gltf` crate and asked for
-//! everything that it promises.
+//! Runs whole plans through every stage in memory, reads the output back with the `gltf` crate, and checks all its
+//! guarantees.
 //!
-//! Built-in plans are always baked, the real ones where the folder `shared/data/floorplans` lies beside or
-//! above the project.
+//! Built-in plans are always baked, the real ones if the folder `shared/data/floorplans` lies beside or above the
+//! project.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unreachable_pub)]
 
 mod contract;

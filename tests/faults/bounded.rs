@@ -1,4 +1,4 @@
-//! Commands that must end: one that waits for a pipe or reads without end is killed and fails its test.
+//! Commands with a time limit: one that blocks or reads endlessly is killed and fails its test.
 
 use std::process::{Command, Stdio};
 use std::sync::mpsc;

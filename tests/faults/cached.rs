@@ -1,4 +1,4 @@
-//! A cache that somebody has damaged.
+//! Damaged entries of the cache.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,4 +1,4 @@
-//! Clocks that are wrong: files from 1970, and from a time to come.
+//! Wrong clocks: files from 1970, and from the future.
 
 use std::fs::File;
 use std::time::{Duration, SystemTime};

@@ -1,4 +1,4 @@
-//! What the system allows a process: lengths of files, open files, memory, somebody who listens, a home.
+//! Limits of the system: lengths of files, open files, memory, closed streams, no home folder.
 
 use super::world::{Ran, World, plan};
 

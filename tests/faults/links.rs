@@ -1,4 +1,4 @@
-//! Symbolic links in the output folder, and to it: nobody's files lie at their end.
+//! Symbolic links in the output folder, and to it, are not followed to other files.
 
 use std::fs;
 use std::os::unix::fs::symlink;

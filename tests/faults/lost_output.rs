@@ -1,4 +1,4 @@
-//! A standard output that takes nothing, and one that nobody reads to its end.
+//! Standard output on a full disk, and closed before its end.
 
 use std::fs::File;
 use std::process::{Command, Stdio};

@@ -1,5 +1,5 @@
-//! What a hostile or exhausted surrounding may do: tampered records, links, special files, full disks, few resources. Nothing
-//! outside the output folder is touched, nothing hangs, nothing panics, and the message helps.
+//! Tests with hostile or exhausted surroundings: tampered records, links, special files, full disks, few resources. No
+//! file outside the output folder is touched, no command hangs or panics, and messages help.
 
 #![allow(clippy::unwrap_used)] // a test that cannot set up its folder fails
 

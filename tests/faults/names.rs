@@ -1,4 +1,4 @@
-//! Names that mean something to file systems, terminals, SVG, HTML and JSON, and manifests that are damaged at random.
+//! Names with a meaning for file systems, terminals, SVG, HTML and JSON, and manifests with random damage.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! Several processes at once: nobody's work is lost, and nothing of one is mixed with that of another.
+//! Several processes at once: no work is lost, and their files are not mixed.
 
 use super::world::{World, plan};
 

@@ -1,4 +1,4 @@
-//! Manifests and journals that somebody has tampered with.
+//! Manifests and journals that were tampered with.
 
 use super::world::{World, plan};
 

@@ -1,4 +1,4 @@
-//! Pipes, devices and folders where files are expected: nothing waits for them, nothing reads them without end.
+//! Pipes, devices and folders in place of files: no command waits for them or reads them endlessly.
 
 use std::fs;
 use std::os::unix::fs::symlink;

@@ -1,9 +1,9 @@
-//! Bytes of strangers: the targets of `fuzz/` with cases of its corpus, and with many more that are made of them.
+//! Feeds hostile inputs to the targets of `fuzz/`: cases of its corpus, and many more made from them.
 //!
-//! The same inputs are made on each run. `ROOMWRIGHT_FUZZ_COUNT=n` makes n a target, `ROOMWRIGHT_FUZZ_SEED=n` others,
-//! `ROOMWRIGHT_FUZZ_TARGET=name` those of one target; `scripts/fuzz.sh` does all that for hours, in release, where
-//! `ROOMWRIGHT_FUZZ_SECONDS=n` bounds the time of each. An input that fails is kept in `target/fuzz-finds/`: mended, it becomes a
-//! case of the corpus.
+//! The same inputs are made on each run. `ROOMWRIGHT_FUZZ_COUNT=n` makes n for each target, `ROOMWRIGHT_FUZZ_SEED=n`
+//! others, `ROOMWRIGHT_FUZZ_TARGET=name` those of one target. `scripts/fuzz.sh` does all this for hours with the release
+//! build, where `ROOMWRIGHT_FUZZ_SECONDS=n` bounds the time of each. A failing input is kept in `target/fuzz-finds/`;
+//! once the fault is mended, it becomes a case of the corpus.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unreachable_pub)]
 
 mod mutate;

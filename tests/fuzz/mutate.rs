@@ -1,4 +1,4 @@
-//! Inputs made of others: bytes changed, numbers and words replaced, lines repeated, nests dug.
+//! Makes inputs from others: changes bytes, replaces numbers and words, repeats lines, deepens nesting.
 
 /// Numbers drawn from a seed (S. Vigna's SplitMix64).
 pub(crate) struct Draw(u64);

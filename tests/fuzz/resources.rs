@@ -1,4 +1,4 @@
-//! What reading an input takes.
+//! Measures the time and memory of reading an input.
 
 use std::fmt;
 use std::time::{Duration, Instant};

@@ -1,4 +1,4 @@
-//! Drawings and the demo, killed: what they had begun goes with the next run.
+//! Killed drawings and demos: the next run removes their temporary files.
 
 use std::fs;
 use std::thread::sleep;

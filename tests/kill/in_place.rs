@@ -1,4 +1,4 @@
-//! Whether every file that has its name in an output folder is whole.
+//! Checks that every file with its final name in an output folder is whole.
 
 use std::fs;
 use std::path::{Path, PathBuf};

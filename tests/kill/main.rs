@@ -1,5 +1,5 @@
-//! Bakes and merges killed at random moments: what is in place is whole, and run again to the end they leave the same bytes as
-//! if nobody had killed anything, and nothing else.
+//! Bakes and merges that are killed at random moments: files at their final names are whole, and another run ends with
+//! the same bytes as an undisturbed one, without further files.
 //!
 //! `ROOMWRIGHT_KILLS=n` kills more often, `ROOMWRIGHT_KILL_SEED=n` at other moments; `scripts/kill.sh` does both.
 #![cfg(unix)]

@@ -1,4 +1,4 @@
-//! What is killed: kinds of bakes, each with what it leaves when nobody disturbs it.
+//! The kinds of bakes that are killed, each with the files that it leaves when it is not disturbed.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,4 +1,4 @@
-//! Apartment blocks with a fault in one place: that place is left out and reported, the rest is read as ever.
+//! Apartment blocks with a fault in one place: that place is left out and reported, the rest is read.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Plans with faults: each is reported where it stands, with its hint.
+//! Faults of plans are reported at their place with a hint.
 
 use std::path::{Path, PathBuf};
 

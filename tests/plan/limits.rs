@@ -1,4 +1,4 @@
-//! Plans with wrong units or broken coordinates: what no building has is named and left out, the rest is read.
+//! Plans with wrong units or broken coordinates: rooms beyond the limits are reported and left out, the rest is read.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Whatever stands in a file, reading it gives a plan or faults, and the plan keeps its promises.
+//! Random plans give a plan or faults, and the plan keeps its guarantees.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! Ready plans obey the published JSON Schemas.
+//! The plans in `configs/` obey the published JSON Schemas.
 
 use super::support::{files, repository};
 

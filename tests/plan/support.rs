@@ -1,4 +1,4 @@
-//! What the tests of plans share.
+//! Code that the tests of plans share.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Inputs that are no plans: each is refused by its name in few words, and folders say what is missing.
+//! Inputs that are no plans are rejected by name, and the messages for folders name the missing files.
 
 use std::path::Path;
 

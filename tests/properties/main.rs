@@ -1,4 +1,4 @@
-//! What holds for every room, whatever its shape, size, type and style.
+//! Rules that hold for every room of any shape, size, type and style.
 //!
 //! The same rooms are drawn on each run; `PROPTEST_RNG_SEED=n` draws others, `PROPTEST_CASES=n` more.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::disallowed_methods, unreachable_pub)]

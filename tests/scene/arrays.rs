@@ -1,4 +1,4 @@
-//! What files leave out: arrays that are there already, corners that agree, normals that follow from flat faces.
+//! Files omit arrays that repeat, corners that agree, and normals that follow from flat faces.
 
 use std::collections::BTreeSet;
 

@@ -1,6 +1,6 @@
-//! No light passes the shell of a room but through its openings, and no two faces fight for one place.
+//! Rays leave the shell of a room through its openings only, and no two faces lie in one place.
 //!
-//! Tried with levels built in code, the ready plans, those after the paper, and a few real ones where the folder
+//! The tests use levels built in code, the built-in plans, those after the paper, and a few real ones if the folder
 //! `shared/data/floorplans` lies beside or above the project.
 
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Levels that try the shell: corners, holes, columns, every kind of opening.
+//! Levels with difficult shells: corners, holes, columns, every kind of opening.
 
 use roomwright::geometry::{Polygon, Region};
 use roomwright::plan::{Level, OpeningKind, WallKind};

@@ -1,4 +1,4 @@
-//! The shell is closed, faces outward, and lets nothing through but its openings.
+//! The shell is closed, faces outward, and is open at its openings only.
 
 use std::collections::BTreeMap;
 
