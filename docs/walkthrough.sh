@@ -110,7 +110,7 @@ find_blender() {
     fi
     no_blender="$candidate is version $major.$minor, and 4.2 or newer is needed; ROOMWRIGHT_BLENDER may name another"
   done
-  # Whoever names one wants that one.
+  # A named one must be used.
   [ -z "$named" ] || fail "ROOMWRIGHT_BLENDER: $named is neither Blender nor Python with bpy, 4.2 or newer"
 }
 
@@ -159,48 +159,48 @@ A walk through Roomwright, in $folder.
    Blender is    ${blender:-not here: $no_blender}
 TEXT
 
-changes="The armchair of the study moves away from the desk, the dining table turns, a cabinet goes with all that stands on it,
-and the house plant gets a second one at the other side of the window."
+changes="The armchair of the study moves away from the desk, the dining table turns, a cabinet is deleted with all that stands
+on it, and a second house plant is added at the other side of the window."
 
 # -------------------------------------------------------------------------------------------------- the walk
 
 step "Bake: furnish every room of the plan" <<TEXT
-The plan, $folder/plans/house.yaml, says where rooms, doors and windows are. For each of its
-levels a glTF file is written with the shell, the furniture and the lights.
+The plan, $folder/plans/house.yaml, describes rooms, doors and windows. The bake writes a glTF
+file for each level, with the shell, the furniture and the lamps.
 TEXT
 show roomwright bake "$folder/plans/house.yaml" --out "$folder/before"
 
 step "Validate what was baked" <<TEXT
-Other people's programs shall read these files: their structure, meshes and hashes are checked, and collisions are
-measured on the meshes, independently of the program that wrote them.
+validate.py checks the structure, meshes and hashes of the files, and measures collisions on the meshes, independently
+of the program that wrote them.
 TEXT
 show python scripts/validate.py "$folder/before" "${khronos[@]}"
 
 step "Convert to USD" <<TEXT
-The same levels for programs that speak USD, with one library of models that all levels share.
+convert.py writes the same levels as USD, with one library of models that all levels share.
 TEXT
 show python scripts/convert.py "$folder/before" --out "$folder/usd"
 
 step "Validate the USD files" <<TEXT
-With the validators that come with USD.
+validate.py runs the validators that come with USD.
 TEXT
 show python scripts/validate.py "$folder/usd"
 
 if [ -n "$blender" ]; then
   step "Open the house in Blender" <<TEXT
-Both levels, one on the other, in collections by room. Without a window here; in Blender's window, Roomwright's
-extension does the same: File > Import > Roomwright bake.
+Blender imports both levels, one on the other, in collections by room. Here it runs without a window; in Blender's
+window, Roomwright's extension does the same: File > Import > Roomwright bake.
 TEXT
   in_blender scripts/blender_import.py "$folder/before" --save "$folder/house.blend" --no-ceilings
 
   step "Change it" <<TEXT
 $changes
-docs/examples/edit_in_blender.py says which keys these are in Blender's window.
+docs/examples/edit_in_blender.py names the keys for these changes in Blender's window.
 TEXT
   in_blender docs/examples/edit_in_blender.py "$folder/house.blend"
 
   step "Export the changed level" <<TEXT
-As a glTF file that Roomwright reads: File > Export > Roomwright floor. Copies get ids of their own.
+Blender writes a glTF file that Roomwright reads, as File > Export > Roomwright floor does. Copies get ids of their own.
 TEXT
   in_blender scripts/blender_export.py "$folder/house.blend" --level house/ground --out "$folder/edited.glb"
 else
@@ -213,32 +213,31 @@ TEXT
 fi
 
 step "Judge the changed level" <<TEXT
-Is everything reached and used as before? Rooms are judged as they are now. Exit code 1 says that a room fails, which is
-yours to decide and stops nothing here.
+The audit judges the rooms as they are now. Exit code 1 means that a room fails; the walk goes on all the same.
 TEXT
 show roomwright audit "$folder/edited.glb" || [ $? -eq 1 ]
 
-step "Capture: write down what you changed" <<TEXT
-The level as it was baked and as it is now are compared; what differs goes into an edits file beside the plan, where
-every later bake finds it.
+step "Capture your changes" <<TEXT
+The command compares the level as it was baked with the changed one, and writes the differences into an edits file beside
+the plan, which every later bake reads.
 TEXT
 show roomwright edits capture "$folder/before/house/ground.glb" "$folder/edited.glb" --edits "$folder/plans/house.edits.yaml"
 echo
 show cat "$folder/plans/house.edits.yaml"
 
 step "Bake again" <<TEXT
-The same plan, now with its edits file: the rooms are arranged as before, and your changes are made in them.
+The same plan, now with its edits file: the rooms are arranged as before, and your changes are applied.
 TEXT
 show roomwright bake "$folder/plans/house.yaml" --out "$folder/after"
 
-step "Is it what you changed?" <<TEXT
-The level that you changed against the one just baked: nothing may have moved, turned, come, gone or become something
-else. (Blender writes meshes and materials in its own way, which is told and is no difference in the rooms.)
+step "Compare your level with the bake" <<TEXT
+The level that you changed and the one just baked must have the same objects at the same places. (Blender writes meshes
+and materials in its own way, which is reported and is no difference in the rooms.)
 TEXT
 show roomwright diff "$folder/edited.glb" "$folder/after/house/ground.glb" --fail-on moved,turned,added,removed,class,variant
 
-step "What does it change in the house?" <<TEXT
-The first bake against the second, as in a pull request, also as a page with pictures.
+step "Compare both bakes" <<TEXT
+The differences of the first bake and the second, as in a pull request, also as a page with pictures.
 TEXT
 show roomwright diff "$folder/before" "$folder/after" --html "$folder/changes.html"
 for kind in moved turned added removed; do

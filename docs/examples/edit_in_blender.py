@@ -1,9 +1,9 @@
-"""Changes the furniture of a floor in Blender: the part of docs/walkthrough.sh that you would do with the mouse.
+"""Changes the furniture of a level in Blender: the steps of docs/walkthrough.sh that you would do with the mouse.
 
     blender --background --python docs/examples/edit_in_blender.py -- house.blend
     python docs/examples/edit_in_blender.py house.blend        # where Python has Blender's module, bpy
 
-Each edit says what it is in Blender's window. edit_without_blender.py makes the same ones in the glTF file.
+Each edit names its keys in Blender's window. edit_without_blender.py makes the same edits in the glTF file.
 """
 
 import math
@@ -18,18 +18,18 @@ def piece(name: str):
     found = bpy.data.objects.get(name)
     if found is None:
         room = name.partition("@")[2]
-        others = sorted(thing.name for thing in bpy.data.objects
-                        if thing.get("kind") == "furniture" and thing.name.endswith(f"@{room}"))
+        others = sorted(item.name for item in bpy.data.objects
+                        if item.get("kind") == "furniture" and item.name.endswith(f"@{room}"))
         sys.exit(f"there is no {name} in the file\n  hint: in {room} there are {', '.join(others) or 'no pieces'}")
     return found
 
 
-def select_hierarchy(thing) -> None:
+def select_hierarchy(item) -> None:
     """Right click on a piece in the outliner, Select Hierarchy: the piece and all that stands on it."""
     bpy.ops.object.select_all(action="DESELECT")
-    for one in (thing, *thing.children_recursive):
+    for one in (item, *item.children_recursive):
         one.select_set(True)
-    bpy.context.view_layer.objects.active = thing
+    bpy.context.view_layer.objects.active = item
 
 
 def edit() -> None:
