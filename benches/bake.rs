@@ -10,6 +10,7 @@ use roomwright::edits::EditBook;
 use roomwright::gltf::write_glb;
 use roomwright::layout::{FurnishOptions, furnish};
 use roomwright::model::ModelLibrary;
+use roomwright::output::FloorOptions;
 use roomwright::plan::{Level, PlacedBuilding, Plan, PlanOptions, read_plans};
 use roomwright::scene::{SceneInput, SceneOptions, build_scene};
 
@@ -28,6 +29,7 @@ fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models
         (0..level.rooms.len()).map(|room| furnish(level, room, catalog, &options)).collect();
     let verdicts: Vec<_> = furnished.iter().map(|room| judge_room(level, room.room, room, catalog)).collect();
     let scene = build_scene(&SceneInput {
+        style: None,
         level,
         building: &placed.id,
         site: placed.site,
@@ -62,7 +64,10 @@ fn to_a_folder(criterion: &mut Criterion) {
     let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
     let models = ModelLibrary::load(&catalog).expect("the built-in models are valid");
     let plan = house(&catalog);
-    let options = BakeOptions { seed: SEED, ..BakeOptions::default() };
+    let options = BakeOptions {
+        floor: FloorOptions { seed: SEED, ..FloorOptions::default() },
+        ..BakeOptions::default()
+    };
     let input = BakeInput {
         plan: &plan,
         edits: &EditBook::default(),

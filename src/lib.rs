@@ -25,6 +25,7 @@ mod growth;
 pub mod handbook;
 pub mod layout;
 pub mod model;
+pub mod output;
 pub mod plan;
 pub mod read_back;
 pub mod recipes;

@@ -39,6 +39,7 @@ impl Floor {
     pub(crate) fn with_input<T>(&self, use_it: impl FnOnce(&SceneInput<'_>) -> T) -> T {
         let models = |class, variant, geometry| self.library.model(class, variant, geometry);
         use_it(&SceneInput {
+            style: None,
             level: &self.level,
             building: "hotel",
             site: SitePlacement::default(),

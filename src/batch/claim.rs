@@ -2,9 +2,9 @@
 //! program would not have written itself. A path that is believed is read, replaced and deleted.
 
 use super::file_name::{is_name_of, is_safe_name};
-use super::options::Format;
 use super::record::{FileRecord, LevelRecord};
 use crate::document::{Fault, FaultSeverity, PathStep, Source};
+use crate::output::OUTPUTS;
 
 /// Digits of a SHA-256.
 const HASH_DIGITS: usize = 64;
@@ -95,8 +95,8 @@ fn check_shared_path(path: &str) -> Result<(), FalseClaim> {
 fn is_file_of(building: &str, level: &str, path: &str) -> bool {
     let Some((folder, name)) = path.split_once('/') else { return false };
     let Some((stem, kind)) = name.rsplit_once('.') else { return false };
-    let kinds = [Format::Glb.name(), Format::Gltf.name(), "bin"];
-    kinds.contains(&kind) && is_name_of(building, folder) && is_name_of(level, stem)
+    let is_kind = OUTPUTS.iter().any(|output| output.extensions.contains(&kind));
+    is_kind && is_name_of(building, folder) && is_name_of(level, stem)
 }
 
 #[cfg(test)]

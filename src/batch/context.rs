@@ -2,13 +2,12 @@
 
 use super::event::Stopwatch;
 use super::folder::OutputFolder;
-use super::library::GeometryLibrary;
 use super::options::BakeOptions;
 use super::shared::SharedFiles;
 use super::textures::Textures;
 use crate::catalog::Catalog;
-use crate::gltf::EncodedModels;
 use crate::model::{ModelLibrary, SwatchedModels};
+use crate::output::Output;
 
 /// What all levels of a run share.
 pub(crate) struct Context<'a> {
@@ -18,8 +17,8 @@ pub(crate) struct Context<'a> {
     pub(crate) models: &'a ModelLibrary,
     /// What makes fewer primitives of models; none where every slot keeps its material.
     pub(crate) swatched: Option<SwatchedModels>,
-    pub(crate) encoded: EncodedModels,
-    pub(crate) library: Option<GeometryLibrary<'a>>,
+    /// What writes levels.
+    pub(crate) output: Box<dyn Output + 'a>,
     pub(crate) textures: Option<Textures>,
     pub(crate) shared: SharedFiles,
     pub(crate) watch: Stopwatch,

@@ -91,7 +91,7 @@ fn push_encoded(name: &mut String, byte: u8) {
 /// Names that stand for something else.
 fn is_reserved(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
-    lower == super::LIBRARY_FOLDER || super::manifest::is_manifest_name(&lower) || is_device(name)
+    lower == crate::output::SHARED_GEOMETRY || super::manifest::is_manifest_name(&lower) || is_device(name)
 }
 
 /// Windows looks at what stands before the first dot only.
@@ -107,7 +107,7 @@ fn is_device(name: &str) -> bool {
 
 /// The name with a mark that depends on the exact id.
 fn marked(name: &str, id: &str) -> String {
-    let hash = super::hash::to_hex(&Sha256::digest(id.as_bytes()));
+    let hash = crate::disk::to_hex(&Sha256::digest(id.as_bytes()));
     format!("{name}~{}", &hash[..MARK_LENGTH])
 }
 

@@ -6,8 +6,8 @@ use crate::audit::{Finding, RoomAudit, Verdict};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
-use crate::gltf::SharedLibrary;
 use crate::layout::{FurnishOptions, Furnished, furnish_counted};
+use crate::output::{FloorOptions, LevelToWrite, TooLarge, WrittenLevel};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
 
@@ -15,13 +15,9 @@ use super::bug::catch_bug;
 use super::context::Context;
 use super::event::{LevelFailure, LevelMisfit, Stage};
 use super::fault::{FaultCode, OutputFault};
-use super::files::{LevelFiles, encode};
 use super::folder::OutputFolder;
 use super::job::Job;
-use super::library::put_models;
-use super::options::BakeOptions;
-use super::record::{LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
-use super::textures::put_images;
+use super::record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
 
 /// A level that is in place.
 pub(crate) struct BakedLevel {
@@ -54,15 +50,13 @@ pub(crate) fn bake_floor(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLe
     let mut results = RoomResults::default();
     rooms.into_iter().for_each(|room| results.add(room));
 
-    // The tree of nodes, and what it becomes.
+    // The tree of nodes, and what it becomes; what other levels refer to as well is put into place at once.
     let built = catch_bug(|| {
         let scene = context.watch.measure(Stage::Scene, || scene(context, job, &results));
-        let library = context.library.as_ref().map(|library| library.of_scene(&scene));
-        let files =
-            context.watch.measure(Stage::Encoding, || encode(context, job, (&scene, library.as_ref())))?;
-        let shared =
-            context.watch.measure(Stage::Writing, || put_shared(context, job, &scene, library.as_ref()))?;
-        Ok(LevelFiles { shared, ..files })
+        let level = LevelToWrite { scene: &scene, path: &job.path };
+        let written = context.watch.measure(Stage::Encoding, || context.output.level(&level));
+        let written = written.map_err(|error| too_large(context, job, error))?;
+        context.watch.measure(Stage::Writing, || LevelFiles::new(context, job, written))
     });
     let files = match built {
         Ok(Ok(files)) => files,
@@ -82,23 +76,36 @@ pub(crate) fn bake_floor(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLe
     })
 }
 
-/// Puts what a level shares with others of its building into place.
-fn put_shared(
-    context: &Context<'_>,
-    job: &Job<'_>,
-    scene: &Scene,
-    library: Option<&SharedLibrary>,
-) -> Result<Vec<String>, OutputFault> {
-    let to = (&context.shared, context.folder);
-    let mut paths =
-        library.map(|library| put_models(library, job.folder(), to)).transpose()?.unwrap_or_default();
-    paths.extend(put_images(scene, job.folder(), to)?);
-    Ok(paths)
+/// The files of a level with their content, the one to open first.
+struct LevelFiles {
+    files: Vec<(FileRecord, Vec<u8>)>,
+    /// Paths in the output folder of the shared files that they refer to.
+    shared: Vec<String>,
+}
+
+impl LevelFiles {
+    /// Puts what a level shares with others into place, and hashes its own files.
+    fn new(context: &Context<'_>, job: &Job<'_>, written: WrittenLevel<'_>) -> Result<Self, OutputFault> {
+        let shared = written.shared.into_iter().map(|file| context.shared.put(file, context.folder));
+        let shared = shared.collect::<Result<_, _>>()?;
+        let record = |(extension, bytes)| FileRecord::with_bytes(format!("{}.{extension}", job.path), bytes);
+        Ok(Self { files: written.files.into_iter().map(record).collect(), shared })
+    }
+}
+
+fn too_large(context: &Context<'_>, job: &Job<'_>, TooLarge { message, hint }: TooLarge) -> OutputFault {
+    let name = format!("{}.{}", job.path, context.options.floor.format.name());
+    OutputFault {
+        code: FaultCode::TooLarge,
+        path: context.folder.root().join(name),
+        message,
+        hint: Some(hint.to_owned()),
+    }
 }
 
 fn bake_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
     catch_bug(|| furnish_room(context, job, room)).unwrap_or_else(|bug| BakedRoom {
-        furnished: unfurnished(room, context.options),
+        furnished: unfurnished(room, &context.options.floor),
         verdict: Verdict::default(),
         misfits: Vec::new(),
         failure: Some(bug),
@@ -106,7 +113,8 @@ fn bake_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
 }
 
 fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
-    let Context { catalog, options, watch, .. } = context;
+    let Context { catalog, watch, .. } = context;
+    let options = &context.options.floor;
     let level = job.level;
     let edits = job.edits.and_then(|edits| edits.room(&level.rooms[room].id));
     let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
@@ -131,7 +139,7 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
 }
 
 /// The bare room that stands in for one that could not be furnished.
-fn unfurnished(room: usize, options: &BakeOptions) -> Furnished {
+fn unfurnished(room: usize, options: &FloorOptions) -> Furnished {
     Furnished {
         room,
         seed: options.seed,
@@ -152,12 +160,13 @@ fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
         verdicts: &rooms.verdicts,
         catalog,
         models: &|class, variant, geometry| {
-            context.models.model_in_detail(class, variant, geometry, context.options.detail)
+            context.models.model_in_detail(class, variant, geometry, context.options.floor.detail)
         },
         swatches: context.swatched.as_ref(),
-        options: context.options.scene,
+        options: context.options.floor.scene,
         textures: context.textures.as_ref().map(|textures| &textures.library),
-        seed: context.options.seed,
+        seed: context.options.floor.seed,
+        style: context.options.floor.style.as_deref(),
     })
 }
 
@@ -194,7 +203,7 @@ fn record(context: &Context<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &Room
         level: job.level.id.clone(),
         program: None,
         inputs: job.inputs.clone(),
-        seed: context.options.seed,
+        seed: context.options.floor.seed,
         site: SiteRecord { position: [site.position.x, site.position.y], turn: site.turn },
         files: files.files.iter().map(|(file, _)| file.clone()).collect(),
         library: files.shared.clone(),
@@ -277,7 +286,7 @@ fn bug_failure(context: &Context<'_>, job: &Job<'_>, room: Option<String>, bug: 
         room,
         message: format!("the program failed: {bug}"),
         hint: Some("this is a fault of roomwright; please report it with these ids and the seed".to_owned()),
-        seed: context.options.seed,
+        seed: context.options.floor.seed,
     }
 }
 
@@ -289,6 +298,6 @@ fn level_failure(context: &Context<'_>, job: &Job<'_>, fault: OutputFault) -> Le
         code: fault.code,
         message: fault.to_string(),
         hint: fault.hint,
-        seed: context.options.seed,
+        seed: context.options.floor.seed,
     }
 }

@@ -3,8 +3,8 @@
 use std::io;
 use std::path::Path;
 
-use super::hash::file_hash;
 use super::record::FileRecord;
+use crate::disk::file_hash;
 use crate::disk::open_inside;
 
 /// Whether the files have exactly these contents. One of another length is not read.

@@ -4,14 +4,12 @@ use sha2::{Digest, Sha256};
 
 use crate::catalog::Catalog;
 use crate::edits::{EditBook, LevelEdits};
-use crate::gltf::FlatNormals;
+use crate::output::FloorOptions;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
-use crate::scene::SceneOptions;
 
 use super::file_name::distinct_names;
-use super::hash::FieldHash;
-use super::options::{BakeOptions, Format, TextureOptions};
 use super::record::LevelKey;
+use crate::disk::FieldHash;
 
 /// One level to bake.
 #[derive(Clone, Debug)]
@@ -33,11 +31,6 @@ impl Job<'_> {
     pub(crate) fn key(&self) -> LevelKey {
         (self.placed.id.clone(), self.level.id.clone())
     }
-
-    /// Its building's folder in the output folder.
-    pub(crate) fn folder(&self) -> &str {
-        self.path.split_once('/').map_or("", |(folder, _)| folder)
-    }
 }
 
 /// All levels of the plan, sorted by building id, then level id: whatever order the files were named in,
@@ -45,7 +38,7 @@ impl Job<'_> {
 pub(crate) fn list_jobs<'a>(
     (plan, edits): (&'a Plan, &'a EditBook),
     catalog: &Catalog,
-    options: &BakeOptions,
+    options: &FloorOptions,
 ) -> Vec<Job<'a>> {
     let mut buildings: Vec<&PlacedBuilding> = plan.buildings.iter().collect();
     buildings.sort_by(|one, other| one.id.cmp(&other.id));
@@ -71,43 +64,11 @@ fn sorted_levels(building: &Building) -> Vec<(&Level, String)> {
     levels.into_iter().zip(names).collect()
 }
 
-/// Hash of what all levels have in common. Every option is named here: a new one does not compile until it is said whether
-/// it alters bytes.
-fn common_hash(catalog: &Catalog, options: &BakeOptions) -> [u8; 32] {
-    let BakeOptions {
-        seed,
-        style,
-        effort,
-        format,
-        has_shared_library,
-        textures: TextureOptions { size, are_shared },
-        flat_normals,
-        detail,
-        scene: SceneOptions { lights, parts, has_variants, door_angle },
-        // None of these changes a byte of a level.
-        threads: _,
-        shard: _,
-        unplanned: _,
-        cache: _,
-    } = options;
+/// Hash of what all levels have in common: the catalogue, and the options as they are written.
+fn common_hash(catalog: &Catalog, options: &FloorOptions) -> [u8; 32] {
     let mut hash = Sha256::new();
     hash.update(catalog.digest);
-    hash.update(seed.to_le_bytes());
-    hash.update(effort.to_le_bytes());
-    hash.update([u8::from(*format == Format::Gltf), u8::from(*has_shared_library)]);
-    hash.update(size.map_or(0, |size| size.pixels() as u64).to_le_bytes());
-    hash.update([
-        u8::from(*are_shared),
-        *lights as u8,
-        *parts as u8,
-        u8::from(*has_variants),
-        *detail as u8,
-        u8::from(*flat_normals == FlatNormals::Implied),
-    ]);
-    // As far as the plan lets them is no number of degrees.
-    hash.update(door_angle.unwrap_or(u16::MAX).to_le_bytes());
-    // Last, so that its length needs no mark.
-    hash.update(style.as_deref().unwrap_or(crate::catalog::DEFAULT_STYLE));
+    hash.update(serde_json::to_vec(options).expect("options are plain data"));
     hash.finalize().into()
 }
 
@@ -138,10 +99,12 @@ pub(crate) mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::batch::options::{Shard, TextureOptions};
+    use crate::batch::options::Shard;
+    use crate::gltf::FlatNormals;
     use crate::model::Detail;
+    use crate::output::{Format, TextureOptions};
     use crate::plan::SitePlacement;
-    use crate::scene::{Lights, Parts};
+    use crate::scene::{Lights, Parts, SceneOptions};
     use crate::texture::TextureSize;
 
     pub(crate) fn empty_level(id: &str, digest: u8) -> Level {
@@ -169,7 +132,7 @@ pub(crate) mod tests {
 
     fn paths(plan: &Plan) -> Vec<String> {
         let no_edits = EditBook::default();
-        let jobs = list_jobs((plan, &no_edits), &Catalog::default(), &BakeOptions::default());
+        let jobs = list_jobs((plan, &no_edits), &Catalog::default(), &FloorOptions::default());
         jobs.into_iter().map(|job| job.path).collect()
     }
 
@@ -195,35 +158,35 @@ pub(crate) mod tests {
     #[test]
     fn every_input_changes_the_hash() {
         let plan = Plan { buildings: vec![tower("a", &["1"])] };
-        let inputs = |plan: &Plan, options: &BakeOptions| {
+        let inputs = |plan: &Plan, options: &FloorOptions| {
             list_jobs((plan, &EditBook::default()), &Catalog::default(), options)[0].inputs.clone()
         };
-        let base = inputs(&plan, &BakeOptions::default());
-        let showing = |scene| BakeOptions { scene, ..BakeOptions::default() };
+        let base = inputs(&plan, &FloorOptions::default());
+        let showing = |scene| FloorOptions { scene, ..FloorOptions::default() };
         let options = [
-            BakeOptions { seed: 2, ..BakeOptions::default() },
-            BakeOptions { effort: 1, ..BakeOptions::default() },
-            BakeOptions { style: Some("hotel".to_owned()), ..BakeOptions::default() },
-            BakeOptions { format: Format::Gltf, ..BakeOptions::default() },
-            BakeOptions { has_shared_library: true, ..BakeOptions::default() },
+            FloorOptions { seed: 2, ..FloorOptions::default() },
+            FloorOptions { effort: 1, ..FloorOptions::default() },
+            FloorOptions { style: Some("hotel".to_owned()), ..FloorOptions::default() },
+            FloorOptions { format: Format::named("gltf").unwrap(), ..FloorOptions::default() },
+            FloorOptions { has_shared_library: true, ..FloorOptions::default() },
             showing(SceneOptions { lights: Lights::Physical, ..SceneOptions::default() }),
             showing(SceneOptions { lights: Lights::Off, ..SceneOptions::default() }),
             showing(SceneOptions { parts: Parts::Separate, ..SceneOptions::default() }),
             showing(SceneOptions { door_angle: Some(0), ..SceneOptions::default() }),
             showing(SceneOptions { has_variants: true, ..SceneOptions::default() }),
-            BakeOptions { detail: Detail::Boxes, ..BakeOptions::default() },
-            BakeOptions { flat_normals: FlatNormals::Implied, ..BakeOptions::default() },
-            BakeOptions {
+            FloorOptions { detail: Detail::Boxes, ..FloorOptions::default() },
+            FloorOptions { flat_normals: FlatNormals::Implied, ..FloorOptions::default() },
+            FloorOptions {
                 textures: TextureOptions { size: None, are_shared: false },
-                ..BakeOptions::default()
+                ..FloorOptions::default()
             },
-            BakeOptions {
+            FloorOptions {
                 textures: TextureOptions { size: Some(TextureSize::Large), are_shared: false },
-                ..BakeOptions::default()
+                ..FloorOptions::default()
             },
-            BakeOptions {
+            FloorOptions {
                 textures: TextureOptions { size: Some(TextureSize::Small), are_shared: true },
-                ..BakeOptions::default()
+                ..FloorOptions::default()
             },
         ];
         for changed in options {
@@ -231,28 +194,17 @@ pub(crate) mod tests {
         }
         let mut moved = plan.clone();
         moved.buildings[0].site.turn = 1.0;
-        assert_ne!(inputs(&moved, &BakeOptions::default()), base);
+        assert_ne!(inputs(&moved, &FloorOptions::default()), base);
         let mut edits = EditBook::default();
         edits.pin("a", "1", "101", 7);
         let edited = |edits: &EditBook| {
-            list_jobs((&plan, edits), &Catalog::default(), &BakeOptions::default())[0].inputs.clone()
+            list_jobs((&plan, edits), &Catalog::default(), &FloorOptions::default())[0].inputs.clone()
         };
         assert_ne!(edited(&edits), base);
         edits = EditBook::default();
         edits.pin("a", "2", "201", 7);
         assert_eq!(edited(&edits), base, "of another level");
         let renamed = Plan { buildings: vec![tower("b", &["1"])] };
-        assert_ne!(inputs(&renamed, &BakeOptions::default()), base);
-    }
-
-    #[test]
-    fn threads_and_shards_are_no_input() {
-        let plan = Plan { buildings: vec![tower("a", &["1"])] };
-        let base = BakeOptions::default();
-        let other = BakeOptions { threads: 7, shard: Shard::new(1, 2), ..BakeOptions::default() };
-        let jobs = |options| {
-            list_jobs((&plan, &EditBook::default()), &Catalog::default(), options)[0].inputs.clone()
-        };
-        assert_eq!(jobs(&base), jobs(&other));
+        assert_ne!(inputs(&renamed, &FloorOptions::default()), base);
     }
 }

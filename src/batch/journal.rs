@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
-use super::hash::PROGRAM;
+use super::program::PROGRAM;
 use super::record::{FileRecord, LevelRecord};
 
 /// One line of a journal, as written.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::ser::{Formatter, PrettyFormatter};
 use serde_json::value::RawValue;
 
-use super::hash::PROGRAM;
+use super::program::PROGRAM;
 use super::record::{FileRecord, LevelRecord, Totals};
 
 /// The file in the output folder.
@@ -241,7 +241,7 @@ pub(crate) mod tests {
             site: SiteRecord { position: [0.1 + 0.2, -4.0], turn: 1.0 / 3.0 },
             files: vec![FileRecord {
                 path: format!("{building}/{level}.glb"),
-                sha256: super::super::hash::content_hash(level.as_bytes()),
+                sha256: crate::disk::content_hash(level.as_bytes()),
                 bytes: level.len() as u64,
             }],
             library: Vec::new(),

@@ -6,20 +6,18 @@ mod context;
 mod event;
 mod fault;
 mod file_name;
-mod files;
 mod floor;
 mod folder;
-mod hash;
 mod in_place;
 mod job;
 mod join;
 mod journal;
-mod library;
 mod listing;
 mod manifest;
 mod options;
 mod place;
 mod plan_paths;
+mod program;
 mod record;
 mod shared;
 mod sources;
@@ -34,20 +32,14 @@ pub use event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage, T
 pub use fault::{FaultCode, OutputFault};
 pub(crate) use file_name::distinct_names;
 pub use folder::OutputFolder;
-pub use hash::PROGRAM;
-pub(crate) use hash::{content_hash, file_hash};
 pub use join::{Joined, MergeReport, merge};
 pub(crate) use listing::{Listing, list_levels};
 #[cfg(test)]
 pub(crate) use manifest::Manifest;
 pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
-pub use options::{BakeOptions, Format, Shard, TextureOptions, Unplanned};
+pub use options::{BakeOptions, Shard, Unplanned};
 pub use plan_paths::{record_plans, recorded_plan};
+pub use program::PROGRAM;
 pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
 pub use unplanned::Leftovers;
 pub use work::{BakeInput, bake};
-
-/// The folder of geometry that floors share, beside them.
-pub(crate) const LIBRARY_FOLDER: &str = "shared-geometry";
-/// The folder of textures that floors share, beside them.
-pub(crate) const TEXTURE_FOLDER: &str = "shared-textures";

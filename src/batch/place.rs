@@ -8,11 +8,11 @@ use tempfile::NamedTempFile;
 
 use super::fault::OutputFault;
 use super::folder::OutputFolder;
-use super::hash::file_hash;
 use super::in_place::is_in_place;
 use super::record::{FileRecord, LevelRecord};
 use super::sources::{Sources, Written, manifest_paths};
 use super::state::{RESULT_PREFIX, create_folder, find_runs, lock_state, state_folder};
+use crate::disk::file_hash;
 use crate::disk::{new_temporary, open_inside};
 
 /// How often a file may appear or vanish under our hands before it is taken for one of others.

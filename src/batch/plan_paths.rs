@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::hash::content_hash;
+use crate::disk::content_hash;
 use crate::disk::{ignore_unsupported, new_temporary, read_plain, sweep_temporaries};
 use crate::plan::Plan;
 

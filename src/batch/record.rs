@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::hash::content_hash;
 use crate::audit::{AuditSummary, Grade};
 use crate::contract::FindingExtras;
+use crate::disk::content_hash;
 
 /// One level of one building as it was written. The keys and their order are part of the output.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use super::fault::OutputFault;
 use super::folder::OutputFolder;
 use super::record::FileRecord;
+use crate::output::SharedFile;
 
 /// The shared files that are in place, by their path in the output folder.
 #[derive(Debug, Default)]
@@ -14,26 +15,23 @@ pub(crate) struct SharedFiles {
 }
 
 impl SharedFiles {
-    /// Puts a file into place unless it is. What it holds depends on its path alone, so that processes and shards agree.
+    /// Puts a file into place unless it is, and gives its path. What it holds depends on its path alone, so that processes and
+    /// shards agree.
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub(crate) fn put(
-        &self,
-        path: &str,
-        bytes: impl FnOnce() -> Vec<u8>,
-        folder: &OutputFolder,
-    ) -> Result<(), OutputFault> {
+    pub(crate) fn put(&self, file: SharedFile<'_>, folder: &OutputFolder) -> Result<String, OutputFault> {
+        let SharedFile { path, content } = file;
         // Held while writing, so that no level is recorded before its files are there.
         let mut placed = self.placed.lock().unwrap_or_else(PoisonError::into_inner);
-        if placed.contains(path) {
-            return Ok(());
+        if placed.contains(&path) {
+            return Ok(path);
         }
-        let (file, bytes) = FileRecord::with_bytes(path.to_owned(), bytes());
+        let (file, bytes) = FileRecord::with_bytes(path.clone(), content());
         folder.announce(std::slice::from_ref(&file))?;
         folder.place(&file, &bytes)?;
         folder.record_library_file(&file)?;
-        placed.insert(path.to_owned());
-        Ok(())
+        placed.insert(path.clone());
+        Ok(path)
     }
 }

@@ -10,10 +10,10 @@ use serde_json::value::RawValue;
 
 use super::claim::{FalseClaim, check_file, check_level, check_shared};
 use super::fault::{FaultCode, OutputFault};
-use super::hash::PROGRAM;
 use super::in_place::is_in_place;
 use super::journal::{JournalText, journal_lines};
 use super::manifest::{LARGEST_RECORDS, MANIFEST_NAME, ManifestText, is_part_name, parse_manifest};
+use super::program::PROGRAM;
 use super::record::{FileRecord, LevelKey, LevelRecord, Totals};
 use crate::disk::read_plain;
 use crate::document::{Fault, Faults, PathStep, Source};

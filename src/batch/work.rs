@@ -10,12 +10,11 @@ use super::event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage
 use super::fault::{FaultCode, OutputFault};
 use super::floor::{BakedLevel, bake_floor};
 use super::folder::OutputFolder;
-use super::hash::PROGRAM;
 use super::in_place::is_in_place;
 use super::job::{Job, list_jobs};
 use super::join::Planned;
-use super::library::GeometryLibrary;
 use super::options::BakeOptions;
+use super::program::PROGRAM;
 use super::record::{FileRecord, Totals};
 use super::shared::SharedFiles;
 use super::sources::{Contents, RecordHead};
@@ -24,8 +23,8 @@ use super::unplanned::Leftovers;
 use crate::catalog::Catalog;
 use crate::disk::look_inside;
 use crate::edits::EditBook;
-use crate::gltf::EncodedModels;
 use crate::model::{ModelLibrary, SwatchedModels};
+use crate::output::output_format;
 use crate::plan::Plan;
 use crate::scene::Parts;
 
@@ -58,7 +57,7 @@ pub fn bake(
 ) -> Result<BakeReport, OutputFault> {
     let &BakeInput { plan, edits, catalog, models, options } = input;
     // The levels of this share; those that are up to date are kept.
-    let jobs = list_jobs((plan, edits), catalog, options);
+    let jobs = list_jobs((plan, edits), catalog, &options.floor);
     let is_ours = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
     let share = jobs.iter().enumerate().filter(|(index, _)| is_ours(*index)).map(|(_, job)| job);
     let (kept, open): (Vec<&Job<'_>>, Vec<&Job<'_>>) = share.partition(|job| folder.is_current(job));
@@ -67,19 +66,20 @@ pub fn bake(
 
     // The others are baked.
     let pool = thread_pool(options, folder.root())?;
-    let library = options.has_shared_library.then(|| GeometryLibrary::new(catalog, options));
-    let textures = Textures::new(options.textures, options.cache.clone()).filter(|_| !open.is_empty());
+    let output = (output_format(options.floor.format).begin)(catalog, &options.floor);
+    let textures = Textures::new(options.floor.textures, options.cache.clone()).filter(|_| !open.is_empty());
     let watch = Stopwatch::default();
     if let Some(textures) = &textures {
         watch.measure(Stage::Scene, || pool.install(|| textures.library.paint_all()));
     }
-    let encoded = EncodedModels::default();
     let shared = SharedFiles::default();
-    let has_swatches = options.scene.parts == Parts::Merged && textures.is_some();
+    let has_swatches = options.floor.scene.parts == Parts::Merged && textures.is_some();
     let swatched = has_swatches.then(|| SwatchedModels::new(catalog));
-    let context =
-        Context { catalog, options, folder, models, swatched, encoded, library, textures, shared, watch };
+    let context = Context { catalog, options, folder, models, swatched, output, textures, shared, watch };
     let tally = work(&pool, &context, &open, observer);
+    for file in context.output.finish() {
+        context.shared.put(file, folder)?;
+    }
 
     // The records become the manifest.
     let (joined, leftovers) = folder

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::arguments::{
-    BakeArguments, DetailWord, FormatWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
+    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
 };
 use super::exit::Outcome;
 use super::leftovers::leftovers_text;
@@ -16,14 +16,15 @@ use super::sources::{Sources, read_sources, run_style};
 use super::summary::{bake_answer, failure_text, summary_text, timing_text, where_to_look};
 use super::watch::watch;
 use crate::batch::{
-    BakeInput, BakeOptions, BakeReport, Format, LevelMisfit, OutputFault, OutputFolder, PROGRAM,
-    TextureOptions, Unplanned, bake, record_plans,
+    BakeInput, BakeOptions, BakeReport, LevelMisfit, OutputFault, OutputFolder, PROGRAM, Unplanned, bake,
+    record_plans,
 };
 use crate::cache::Cache;
 use crate::document::{Fault, Faults};
 use crate::edits::distinct_misfits;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
+use crate::output::{FloorOptions, TextureOptions};
 use crate::scene::{Lights, Parts, SceneOptions};
 use crate::texture::TextureSize;
 
@@ -113,14 +114,11 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
     let cache = cache_root.as_deref().map(|root| Cache::new(root, PROGRAM));
     sources.models = sources.models.with_cache(cache.clone());
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let options = BakeOptions {
+    let floor = FloorOptions {
         seed,
         style,
         effort: arguments.furnish.effort,
-        format: match arguments.format {
-            FormatWord::Glb => Format::Glb,
-            FormatWord::Gltf => Format::Gltf,
-        },
+        format: arguments.format,
         has_shared_library: arguments.shared_library,
         textures: textures(arguments.textures, arguments.shared_textures),
         flat_normals: flat_normals(arguments.flat_normals, arguments.textures),
@@ -130,6 +128,9 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             DetailWord::Boxes => Detail::Boxes,
         },
         scene: scene_options(&arguments),
+    };
+    let options = BakeOptions {
+        floor,
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
         unplanned: unplanned(arguments.prune, &sources.faults, screen),
@@ -261,7 +262,7 @@ fn announcement(run: &Run) -> String {
         "Baking {what}{levels} levels of {} buildings into {} (seed {}, {} threads).",
         sources.plan.buildings.len(),
         out.display(),
-        options.seed,
+        options.floor.seed,
         options.threads,
     )
 }

@@ -7,9 +7,9 @@ use std::time::SystemTime;
 
 use super::pairs::Entry;
 use crate::audit::{Finding, judge_room};
-use crate::batch::{FileRecord, LARGEST_RECORDS, MANIFEST_NAME, catch_bug, file_hash, parse_manifest};
+use crate::batch::{FileRecord, LARGEST_RECORDS, MANIFEST_NAME, catch_bug, parse_manifest};
 use crate::catalog::Catalog;
-use crate::disk::{look_inside, open_inside, read_regular, stray_step};
+use crate::disk::{file_hash, look_inside, open_inside, read_regular, stray_step};
 use crate::document::Fault;
 use crate::read_back::{Inventory, ReadLevel, parse_inventory, parse_level, read_bytes};
 
@@ -197,7 +197,7 @@ pub(super) fn is_same_content(old: &Path, new: &Path) -> Result<bool, Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::batch::content_hash;
+    use crate::disk::content_hash;
 
     fn folder(root: &Path, path: &str, recorded: &str) -> Folder {
         let file = FileRecord {

@@ -54,7 +54,7 @@ fn bake(root: &Path, count: usize, moved: usize) {
              \"rooms\": [{filler}{{\"room\": \"a\"}}]}}",
             number / 10,
             number % 10,
-            crate::batch::content_hash(text.as_bytes()),
+            crate::disk::content_hash(text.as_bytes()),
             text.len()
         );
         levels.push(record);

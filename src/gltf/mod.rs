@@ -24,7 +24,9 @@ mod models;
 mod node;
 mod number;
 mod options;
+mod output;
 mod pack;
+mod shared;
 mod tangent;
 mod variant;
 mod view;
@@ -35,6 +37,7 @@ pub use encode::Painting;
 pub use library::{SharedLibrary, SharedModel};
 pub use models::EncodedModels;
 pub use options::{FlatNormals, WriteOptions};
+pub(crate) use output::{GLB, GLTF};
 
 use crate::scene::Scene;
 

@@ -1,5 +1,7 @@
 //! Options for writing levels.
 
+use serde::Serialize;
+
 use super::library::SharedLibrary;
 use super::models::EncodedModels;
 
@@ -15,7 +17,7 @@ pub struct WriteOptions<'a> {
 }
 
 /// Whether primitives of flat faces without textures have normals.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum FlatNormals {
     /// They have.
     #[default]

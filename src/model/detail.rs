@@ -1,7 +1,7 @@
 //! How finely furniture is modelled.
 
 /// A level of detail of all furniture of a bake.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 pub enum Detail {
     /// As the recipes draw it.
     #[default]

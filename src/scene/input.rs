@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::options::SceneOptions;
 use crate::audit::Verdict;
-use crate::catalog::{Catalog, ClassIndex};
-use crate::layout::Furnished;
+use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE};
+use crate::layout::{FurnishOptions, Furnished, room_style};
 use crate::model::{Model, SwatchedModels};
-use crate::plan::{Level, SitePlacement};
+use crate::plan::{Level, Opening, SitePlacement};
 use crate::recipes::GeometrySet;
 use crate::texture::TextureLibrary;
 
@@ -23,7 +23,7 @@ pub struct SceneInput<'a> {
     pub building: &'a str,
     /// Where the building stands; recorded, not applied.
     pub site: SitePlacement,
-    /// One per room, in the order of the level's rooms.
+    /// The rooms to show, in the order of the level's rooms; all of a level's, or some.
     pub furnished: &'a [Furnished],
     /// The verdicts of the audit, in the same order; rooms past the end count as empty.
     pub verdicts: &'a [Verdict],
@@ -39,4 +39,29 @@ pub struct SceneInput<'a> {
     pub options: SceneOptions,
     /// Seed of the run.
     pub seed: u64,
+    /// Style of the run: a door looks like the first room that it joins, also where that one is not shown.
+    pub style: Option<&'a str>,
+}
+
+impl<'a> SceneInput<'a> {
+    /// Whether an opening is one of the rooms to show; all are where all rooms are shown.
+    pub(crate) fn shows(&self, opening: &Opening) -> bool {
+        let is_shown = |room: usize| self.furnished_room(room).is_some();
+        self.furnished.len() == self.level.rooms.len() || opening.sides.iter().any(|side| is_shown(side.room))
+    }
+
+    /// The style of a room, furnished or not.
+    pub(crate) fn style_of(&self, room: usize) -> &'a str {
+        let undrawn = || {
+            let options = FurnishOptions::new(self.seed, self.building).with_style(self.style);
+            let style = room_style(self.level, &self.level.rooms[room], self.catalog, &options);
+            style.map_or(DEFAULT_STYLE, |style| style.id.as_str())
+        };
+        self.furnished_room(room).map_or_else(undrawn, |furnished| furnished.style.as_str())
+    }
+
+    fn furnished_room(&self, room: usize) -> Option<&'a Furnished> {
+        let index = self.furnished.binary_search_by_key(&room, |furnished| furnished.room);
+        index.ok().map(|index| &self.furnished[index])
+    }
 }

@@ -33,22 +33,21 @@ use crate::catalog::DEFAULT_STYLE;
 use crate::contract::level_name;
 use crate::geometry::Point;
 
-/// Builds the tree of one level.
+/// Builds the tree of one level, or of some of its rooms with the openings that they have.
 ///
 /// The level's floor is at y = 0; its elevation stands in the extras only. Openings come first, in the
 /// order of the plan, then rooms.
 ///
 /// # Panics
-/// If `furnished` has not one entry per room, or an index in it points nowhere.
+/// If an index in `furnished` points nowhere.
 #[must_use]
 pub fn build_scene(input: &SceneInput<'_>) -> Scene {
-    assert_eq!(input.furnished.len(), input.level.rooms.len(), "one furnished room per room");
     let mut meshes = MeshTable::new(input);
     let name = level_name(input.building, &input.level.id);
     let origin = Pose::on_floor(Point::ZERO, 0.0);
     let mut root = Node::at(name, &origin, None, extras::level_extras(input));
     root.children.extend(openings(input, &mut meshes));
-    root.children.extend((0..input.level.rooms.len()).map(|room| room::room_node(input, room, &mut meshes)));
+    root.children.extend((0..input.furnished.len()).map(|room| room::room_node(input, room, &mut meshes)));
     meshes.finish(root)
 }
 
@@ -56,12 +55,12 @@ pub fn build_scene(input: &SceneInput<'_>) -> Scene {
 fn openings<'a>(input: &SceneInput<'a>, meshes: &mut MeshTable<'a>) -> Vec<Node> {
     let node = |opening: &crate::plan::Opening| {
         let room = opening.sides.first().map(|side| side.room);
-        let style = room.map_or(DEFAULT_STYLE, |room| &input.furnished[room].style);
+        let style = room.map_or(DEFAULT_STYLE, |room| input.style_of(room));
         let look = Look::of_style(input.catalog, style);
         let finish =
             room.map_or(RoomFinish::PLAIN, |room| RoomFinish::of(input.catalog, &input.level.rooms[room]));
         let SceneOptions { door_angle, parts, .. } = input.options;
         opening_node(input.level, opening, &OpeningLook { finish, look, door_angle, parts }, meshes)
     };
-    input.level.openings.iter().map(node).collect()
+    input.level.openings.iter().filter(|opening| input.shows(opening)).map(node).collect()
 }

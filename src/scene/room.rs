@@ -15,7 +15,8 @@ use crate::layout::{Furnished, Parent, Placement};
 
 /// The node of a room: shell parts first, then furniture in the order of its placement.
 pub(crate) fn room_node<'a>(input: &SceneInput<'a>, index: usize, meshes: &mut MeshTable<'a>) -> Node {
-    let (room, furnished) = (&input.level.rooms[index], &input.furnished[index]);
+    let furnished = &input.furnished[index];
+    let room = &input.level.rooms[furnished.room];
     let verdict = input.verdicts.get(index).cloned().unwrap_or_default();
     let look = Look::of_style(input.catalog, &furnished.style);
     let finish = RoomFinish::of(input.catalog, room);

@@ -19,7 +19,7 @@ pub use crate::catalog::SURFACES;
 pub(crate) use swatches::swatch_textures;
 
 /// The resolution of textures.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub enum TextureSize {
     /// 512 pixels a metre: threads and pores of 2 mm.
     #[default]

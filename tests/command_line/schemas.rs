@@ -80,8 +80,7 @@ fn extras_and_manifest_obey_their_schemas() {
     let plan = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/paper/office_concave.yaml");
     world.must(&["bake", plan.to_str().unwrap(), "--out", "out", "--format", "gltf", "--shared-library"]);
     obeys(&serde_json::from_slice(&world.read("out/manifest.json")).unwrap(), "manifest");
-    let levels: Vec<String> =
-        world.files("out").into_keys().filter(|path| path.ends_with(".gltf")).collect();
+    let levels: Vec<String> = world.files("out").into_keys().filter(|path| path.ends_with(".gltf")).collect();
     assert!(!levels.is_empty());
     for path in levels {
         let level: Value = serde_json::from_slice(&world.read(&format!("out/{path}"))).unwrap();

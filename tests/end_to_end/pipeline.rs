@@ -59,6 +59,7 @@ impl Pipeline {
         let judged = |judged: Judged| (judged.furnished, judged.verdict);
         let (furnished, verdicts): (Vec<_>, Vec<_>) = rooms.map(best).map(judged).unzip();
         let scene = build_scene(&SceneInput {
+            style: None,
             level,
             building,
             site: SitePlacement::default(),

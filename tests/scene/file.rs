@@ -235,6 +235,7 @@ fn textured_scene() -> Scene {
     let model = Arc::new(textured_model());
     let level = two_rooms();
     build_scene(&SceneInput {
+        style: None,
         level: &level,
         building: "tower",
         site: SitePlacement { position: point(10.0, -5.0), turn: 0.5 },
@@ -255,6 +256,7 @@ fn lamps_that_are_lit_are_brighter_than_their_colour() {
     let model = Arc::new(box_model(Size { width: 0.2, depth: 0.2, height: 0.4 }, "lamp"));
     let written = |lights: Lights| {
         let scene = build_scene(&SceneInput {
+            style: None,
             level: &level,
             building: "tower",
             site: SitePlacement::default(),
@@ -323,6 +325,7 @@ fn accessors_are_aligned_and_indices_as_long_as_a_mesh_needs() {
     let model = Arc::new(Model { primitives });
     let level = two_rooms();
     let scene = build_scene(&SceneInput {
+        style: None,
         level: &level,
         building: "tower",
         site: SitePlacement::default(),

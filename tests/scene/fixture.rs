@@ -320,6 +320,7 @@ pub(crate) fn scene(level: &Level, furnished: &[Furnished]) -> Scene {
 
 fn scene_by(catalog: Catalog, level: &Level, furnished: &[Furnished], parts: Parts) -> Scene {
     build_scene(&SceneInput {
+        style: None,
         level,
         building: "tower",
         site: SitePlacement::default(),

@@ -18,6 +18,7 @@ fn scene_with(parts: Parts, has_swatches: bool) -> Scene {
     let swatched = SwatchedModels::new(&catalog);
     let model = Arc::new(cupboard());
     build_scene(&SceneInput {
+        style: None,
         level: &level,
         building: "tower",
         site: SitePlacement::default(),

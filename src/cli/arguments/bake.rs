@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use super::number::whole_number;
 use super::{FurnishArguments, SourceArguments};
 use crate::batch::Shard;
+use crate::output::{Format, OUTPUTS};
 
 /// `bake`.
 #[derive(Clone, Debug, Args)]
@@ -33,8 +35,8 @@ pub(crate) struct BakeArguments {
     #[arg(long)]
     pub(crate) prune: bool,
     /// Format of the files.
-    #[arg(long, value_enum, default_value = "glb")]
-    pub(crate) format: FormatWord,
+    #[arg(long, value_parser = formats(), default_value = Format::default().name())]
+    pub(crate) format: Format,
     /// Write each model once per building, into shared-geometry/ beside its levels, instead of into each level.
     #[arg(long)]
     pub(crate) shared_library: bool,
@@ -97,13 +99,10 @@ pub(crate) enum PartsWord {
     Separate,
 }
 
-/// Kinds of files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FormatWord {
-    /// One binary file per level.
-    Glb,
-    /// A JSON file and a binary one beside it.
-    Gltf,
+/// The words of `--format`: the table of formats.
+fn formats() -> impl TypedValueParser<Value = Format> {
+    let words = OUTPUTS.iter().map(|output| PossibleValue::new(output.name).help(output.about));
+    PossibleValuesParser::new(words).map(|name| Format::named(&name).expect("the word is of the table"))
 }
 
 /// The words of `--textures`.

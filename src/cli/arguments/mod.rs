@@ -16,7 +16,7 @@ use clap::{Args, Parser, Subcommand};
 use super::exit::{AUDIT_EXIT_CODES, DIFF_EXIT_CODES, EXIT_CODES};
 
 pub(crate) use bake::{
-    BakeArguments, DetailWord, FormatWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
+    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
 };
 pub(crate) use edits::EditsCommand;
 pub(crate) use exchange::{ImportArguments, MergeArguments};

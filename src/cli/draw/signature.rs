@@ -4,7 +4,7 @@
 //! <!-- drawn by roomwright; unchanged while the lines above have sha256 3f1a… -->
 //! ```
 
-use crate::batch::content_hash;
+use crate::disk::content_hash;
 
 const BEGINNING: &str = "<!-- drawn by roomwright; unchanged while the lines above have sha256 ";
 const END: &str = " -->\n";

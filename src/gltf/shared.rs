@@ -2,18 +2,15 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::encode::Painting;
+use super::library::{SharedLibrary, SharedModel};
+use super::options::FlatNormals;
 use crate::catalog::Catalog;
-use crate::gltf::{FlatNormals, Painting, SharedLibrary, SharedModel};
+use crate::disk::content_hash;
 use crate::model::{Model, ModelMaterial, TextureUse};
+use crate::output::{FloorOptions, SHARED_GEOMETRY};
 use crate::scene::{ModelKey, Scene};
 use crate::texture::has_relief;
-
-use super::LIBRARY_FOLDER;
-use super::fault::OutputFault;
-use super::folder::OutputFolder;
-use super::hash::content_hash;
-use super::options::BakeOptions;
-use super::shared::SharedFiles;
 
 /// Digits of the content's hash in the name of a model's file.
 const NAME_DIGITS: usize = 12;
@@ -21,13 +18,13 @@ const NAME_DIGITS: usize = 12;
 /// The models of a run as floors share them, laid out when a level first shows them.
 pub(crate) struct GeometryLibrary<'a> {
     catalog: &'a Catalog,
-    options: &'a BakeOptions,
+    options: &'a FloorOptions,
     known: Mutex<SharedLibrary>,
 }
 
 impl<'a> GeometryLibrary<'a> {
     /// Nothing is laid out yet.
-    pub(crate) fn new(catalog: &'a Catalog, options: &'a BakeOptions) -> Self {
+    pub(crate) fn new(catalog: &'a Catalog, options: &'a FloorOptions) -> Self {
         Self { catalog, options, known: Mutex::default() }
     }
 
@@ -55,32 +52,11 @@ impl<'a> GeometryLibrary<'a> {
 fn file_name(key: &ModelKey, bytes: &[u8]) -> String {
     let hash = content_hash(bytes);
     let ModelKey { class, variant, .. } = key;
-    format!("{LIBRARY_FOLDER}/{class}.{variant}.{}.bin", &hash[..NAME_DIGITS])
-}
-
-/// Puts the models that a level refers to into place in its building's folder, and gives their paths in the output folder,
-/// sorted.
-///
-/// # Errors
-/// If a file cannot be written.
-pub(crate) fn put_models(
-    library: &SharedLibrary,
-    building: &str,
-    (shared, folder): (&SharedFiles, &OutputFolder),
-) -> Result<Vec<String>, OutputFault> {
-    let mut paths = Vec::with_capacity(library.len());
-    for model in library.values() {
-        let path = format!("{building}/{}", model.path());
-        shared.put(&path, || model.bytes(), folder)?;
-        paths.push(path);
-    }
-    paths.sort();
-    paths.dedup();
-    Ok(paths)
+    format!("{SHARED_GEOMETRY}/{class}.{variant}.{}.bin", &hash[..NAME_DIGITS])
 }
 
 /// What is painted on a material, in any palette.
-fn painting(catalog: &Catalog, material: &ModelMaterial, options: &BakeOptions) -> Painting {
+fn painting(catalog: &Catalog, material: &ModelMaterial, options: &FloorOptions) -> Painting {
     let has_textures = options.textures.size.is_some();
     let lacks_flat_normals = options.flat_normals == FlatNormals::Implied;
     match material {

@@ -1,0 +1,74 @@
+//! What a format is.
+
+use super::options::FloorOptions;
+use crate::catalog::Catalog;
+use crate::scene::Scene;
+
+/// A line of the table.
+pub(crate) struct OutputFormat {
+    /// The word of `--format`, and the extension of the file to open.
+    pub(crate) name: &'static str,
+    /// What its files are, for `--help`.
+    pub(crate) about: &'static str,
+    /// Extensions of the files of a level, the one to open first. The files of a level are `<level>.<extension>`.
+    pub(crate) extensions: &'static [&'static str],
+    /// Begins a run.
+    pub(crate) begin: for<'a> fn(&'a Catalog, &'a FloorOptions) -> Box<dyn Output + 'a>,
+}
+
+/// A format in a run: it may keep what several levels share. Many threads write levels at once.
+pub(crate) trait Output: Sync {
+    /// The files of a level.
+    ///
+    /// # Errors
+    /// If the format cannot hold the level.
+    fn level<'s>(&'s self, level: &LevelToWrite<'s>) -> Result<WrittenLevel<'s>, TooLarge>;
+
+    /// Files over all levels, such as an index: those that levels refer to and have not given themselves. Called once, after
+    /// the last level of the run.
+    fn finish(&self) -> Vec<SharedFile<'_>> {
+        Vec::new()
+    }
+}
+
+/// A level on its way into files.
+#[derive(Clone, Copy)]
+pub(crate) struct LevelToWrite<'a> {
+    /// What it shows.
+    pub(crate) scene: &'a Scene,
+    /// `<building>/<level>` in the output folder, with `/`, without extension.
+    pub(crate) path: &'a str,
+}
+
+impl<'a> LevelToWrite<'a> {
+    /// The folder of its building in the output folder.
+    pub(crate) fn folder(&self) -> &'a str {
+        self.path.split_once('/').map_or("", |(folder, _)| folder)
+    }
+}
+
+/// The files of a level.
+#[derive(Default)]
+pub(crate) struct WrittenLevel<'a> {
+    /// Extension and content of each file, in the order of [`OutputFormat::extensions`].
+    pub(crate) files: Vec<(&'static str, Vec<u8>)>,
+    /// Files that it refers to and that other levels may refer to as well, sorted within each kind.
+    pub(crate) shared: Vec<SharedFile<'a>>,
+}
+
+/// A file that several levels refer to. Equal paths have equal contents, in every process of a bake.
+pub(crate) struct SharedFile<'a> {
+    /// In the output folder, below a folder whose name begins with `shared-`.
+    pub(crate) path: String,
+    /// What it holds; asked for once, by the first level that puts it into place.
+    pub(crate) content: Box<dyn Fn() -> Vec<u8> + 'a>,
+}
+
+/// A level that a format cannot hold.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct TooLarge {
+    /// Says how large it is and how large it may be.
+    pub(crate) message: String,
+    /// What to do about it.
+    pub(crate) hint: &'static str,
+}

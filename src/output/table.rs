@@ -1,0 +1,47 @@
+//! The formats that there are.
+
+use super::format::OutputFormat;
+use super::options::Format;
+use crate::gltf;
+
+/// All formats; the first is the default.
+pub(crate) const OUTPUTS: &[OutputFormat] = &[gltf::GLB, gltf::GLTF];
+
+/// The line of a format.
+pub(crate) fn output_format(format: Format) -> &'static OutputFormat {
+    let line = OUTPUTS.iter().find(|line| line.name == format.name());
+    line.expect("a format is made from a line of the table")
+}
+
+impl Format {
+    /// The format of a name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        OUTPUTS.iter().find(|line| line.name == name).map(|line| Self(line.name))
+    }
+}
+
+impl Default for Format {
+    fn default() -> Self {
+        Self(OUTPUTS[0].name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn formats_are_known_by_their_names_and_open_the_file_of_that_ending() {
+        let names: BTreeSet<&str> = OUTPUTS.iter().map(|line| line.name).collect();
+        assert_eq!(names.len(), OUTPUTS.len());
+        for line in OUTPUTS {
+            let format = Format::named(line.name).unwrap();
+            assert_eq!((format.name(), output_format(format).name), (line.name, line.name));
+            assert_eq!(line.extensions[0], line.name);
+        }
+        assert_eq!(Format::named("usd"), None);
+    }
+}
