@@ -11,7 +11,7 @@ use glam::{Quat, Vec3};
 use roomwright::catalog::{Palette, load_catalog};
 use roomwright::gltf::write_glb;
 use roomwright::model::{Model, ModelMaterial};
-use roomwright::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
+use roomwright::recipes::{GeometrySet, Recipe, RecipeInput, Slot, recipes};
 use roomwright::scene::{Node, Scene, SceneMaterial, SceneMesh};
 use roomwright::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
 
@@ -61,7 +61,7 @@ struct Sheet<'a> {
     palette: &'a Palette,
     scene: Scene,
     textures: TextureLibrary,
-    slots: BTreeMap<&'static str, usize>,
+    slots: BTreeMap<Slot, usize>,
 }
 
 impl<'a> Sheet<'a> {
@@ -88,12 +88,12 @@ impl<'a> Sheet<'a> {
         let ModelMaterial::Slot(slot) = material else { unreachable!("recipes name slots") };
         let Self { palette, scene, textures, slots } = self;
         *slots.entry(*slot).or_insert_with(|| {
-            let material = palette.materials[*slot].clone();
+            let material = palette.materials[slot].clone();
             let textures = material
                 .texture
                 .map_or(&[][..], |surface| textures.textures(surface, SurfaceUse::Room))
                 .to_vec();
-            scene.materials.push(SceneMaterial::Slot { name: (*slot).to_owned(), material, textures });
+            scene.materials.push(SceneMaterial::Slot { name: slot.name().to_owned(), material, textures });
             scene.materials.len() - 1
         })
     }

@@ -9,7 +9,7 @@ use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
 use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
 
 use super::{Code, Finding, Verdict, judge_room};
-use crate::recipes::{GeometrySet, find};
+use crate::recipes::{GeometrySet, Slot, find};
 
 /// A room 2.5 m high with hand-placed objects of the test catalogue:
 /// chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3, picture 0.6 × 0.05 × 0.5,
@@ -198,9 +198,9 @@ fn catalog() -> Catalog {
         share: crate::catalog::Share::default(),
         density: (0.0, 1.0),
         finish: Finish {
-            floor: "parquet".into(),
-            wall: "plaster".into(),
-            ceiling: "ceiling".into(),
+            floor: Slot::Parquet,
+            wall: Slot::Plaster,
+            ceiling: Slot::Ceiling,
             dado: None,
             sockets: None,
             has_switches: false,

@@ -5,6 +5,7 @@
 //! - every class index points into [`Catalog::classes`], every name into its table;
 //! - sizes are positive;
 //! - every palette fills every slot;
+//! - recipes, material slots and geometry sets are values, no names that later stages look up;
 //! - no class has itself as its only ancestor.
 
 mod audit;
@@ -49,7 +50,7 @@ pub(crate) use file::{ClassFile, PaletteFile, RoomFile, StyleFile, WordsFile};
 pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub(crate) use load::load_catalog_so_far;
-pub use palette::{MATERIAL_SLOTS, Material, Palette, SURFACES};
+pub use palette::{Material, Palette, SURFACES};
 pub(crate) use resolve::{srgb_encoded, srgb_linear};
 pub use shape::{Extent, PrismRule, Shape};
 pub use style::{Access, Count, Dado, Era, Finish, Plausible, Request, RoomType, Style, Untidiness, WEALTH};

@@ -2,13 +2,15 @@
 
 use std::collections::BTreeMap;
 
+use crate::recipes::Slot;
+
 /// Materials by slot (`wood`, `fabric`, `metal`): recipes name slots, the palette says what they are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Palette {
     /// The word used in styles.
     pub id: String,
-    /// Every slot of [`MATERIAL_SLOTS`].
-    pub materials: BTreeMap<String, Material>,
+    /// Every slot.
+    pub materials: BTreeMap<Slot, Material>,
 }
 
 /// A glTF metallic-roughness material.
@@ -47,48 +49,4 @@ pub const SURFACES: [&str; 13] = [
     "tile",
     "tile_wall",
     "wood",
-];
-
-/// Every slot that a recipe or the shell may name.
-pub const MATERIAL_SLOTS: [&str; 40] = [
-    "wood",
-    "wood_dark",
-    "wood_light",
-    "painted",
-    "painted_accent",
-    "laminate",
-    "metal",
-    "metal_dark",
-    "chrome",
-    "brass",
-    "glass",
-    "mirror",
-    "ceramic",
-    "fabric",
-    "fabric_accent",
-    "fabric_light",
-    "leather",
-    "mattress",
-    "linen",
-    "plastic",
-    "plastic_dark",
-    "rubber",
-    "stone",
-    "concrete",
-    "plaster",
-    "ceiling",
-    "tile",
-    "tile_wall",
-    "parquet",
-    "carpet",
-    "linoleum",
-    "paper",
-    "book",
-    "leaf",
-    "soil",
-    "terracotta",
-    "screen",
-    "lamp",
-    "shade",
-    "appliance",
 ];

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::building_style::Share;
 use super::class::{Class, ClassIndex};
-use crate::recipes::GeometrySet;
+use crate::recipes::{GeometrySet, Slot};
 
 /// A kind of room and its programme.
 #[derive(Clone, Debug)]
@@ -54,13 +54,13 @@ impl Default for Plausible {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finish {
     /// Material slot of the floor.
-    pub floor: String,
+    pub floor: Slot,
     /// Material slot of the walls.
-    pub wall: String,
+    pub wall: Slot,
     /// Another material on the lower part of the walls.
     pub dado: Option<Dado>,
     /// Material slot of the ceiling.
-    pub ceiling: String,
+    pub ceiling: Slot,
     /// Metres of wall for each socket; none without sockets.
     pub sockets: Option<f64>,
     /// Whether light switches are beside its doors.
@@ -71,7 +71,7 @@ pub struct Finish {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dado {
     /// Material slot.
-    pub slot: String,
+    pub slot: Slot,
     /// Metres above the floor up to which it reaches, above zero.
     pub height: f64,
 }

@@ -5,7 +5,7 @@ use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft
 use super::*;
 use crate::audit::Code;
 use crate::catalog::{Class, Clearance, ModelSource, RoomType, Side, Size};
-use crate::recipes::find;
+use crate::recipes::{Slot, find};
 
 const DESK: Size = Size { width: 1.6, depth: 0.8, height: 0.74 };
 
@@ -29,9 +29,9 @@ fn catalog() -> Catalog {
         share: crate::catalog::Share::default(),
         density: (0.0, 1.0),
         finish: crate::catalog::Finish {
-            floor: "wood".into(),
-            wall: "plaster".into(),
-            ceiling: "ceiling".into(),
+            floor: Slot::Wood,
+            wall: Slot::Plaster,
+            ceiling: Slot::Ceiling,
             dado: None,
             sockets: None,
             has_switches: false,

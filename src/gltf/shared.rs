@@ -61,7 +61,7 @@ fn painting(catalog: &Catalog, material: &ModelMaterial, options: &FloorOptions)
     let lacks_flat_normals = options.flat_normals == FlatNormals::Implied;
     match material {
         ModelMaterial::Slot(slot) => {
-            let materials = catalog.palettes.values().filter_map(|palette| palette.materials.get(*slot));
+            let materials = catalog.palettes.values().filter_map(|palette| palette.materials.get(slot));
             let surfaces: Vec<&str> = materials.filter_map(|material| material.texture).collect();
             Painting {
                 has_coordinates: has_textures && !surfaces.is_empty(),

@@ -8,7 +8,7 @@ use super::*;
 use crate::catalog::*;
 use crate::geometry::{Point, Polygon, Region, direction};
 use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
-use crate::recipes::{GeometrySet, find};
+use crate::recipes::{GeometrySet, Slot, find};
 
 pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
     ParentRule {
@@ -71,9 +71,9 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         needs_window: false,
     };
     let finish = Finish {
-        floor: "carpet".into(),
-        wall: "plaster".into(),
-        ceiling: "ceiling".into(),
+        floor: Slot::Carpet,
+        wall: Slot::Plaster,
+        ceiling: Slot::Ceiling,
         dado: None,
         sockets: None,
         has_switches: false,

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::stand_in::{distance_outside, rules};
 use super::{Model, ModelLibrary, ModelMaterial, Primitive};
 use crate::catalog::{Catalog, Class, ModelSource, Side, Size, load_catalog};
-use crate::recipes::GeometrySet;
+use crate::recipes::{GeometrySet, Slot};
 
 /// Metres by which a part may stand out of the declared shape: room enough for cushions, seams and taps.
 const TOLERANCE: f64 = 0.04;
@@ -17,7 +17,7 @@ const CLOSE: f64 = 0.004;
 const SEAT: f64 = 0.6;
 
 /// Materials of loose pillows, which may lie on what carries them.
-const LOOSE: [&str; 3] = ["linen", "fabric_accent", "fabric_light"];
+const LOOSE: [Slot; 3] = [Slot::Linen, Slot::FabricAccent, Slot::FabricLight];
 /// Classes with arm rests that go under table tops: no part of the shape, so that the seats may, too.
 const ARM_RESTS: [&str; 1] = ["office_chair"];
 
@@ -97,7 +97,7 @@ fn nothing_stands_up_where_basins_carry_soap() {
 
 /// How far the farthest corner of a model stands out of its class's shape, and where.
 fn farthest_outside(class: &Class, model: &Model, size: Size) -> (f64, DVec3) {
-    let is_firm = |part: &&Primitive| !LOOSE.iter().any(|slot| part.material == ModelMaterial::Slot(slot));
+    let is_firm = |part: &&Primitive| !LOOSE.iter().any(|&slot| part.material == ModelMaterial::Slot(slot));
     let points = model
         .primitives
         .iter()

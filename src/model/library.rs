@@ -3,7 +3,6 @@
 use std::sync::{Arc, OnceLock};
 
 use super::stand_in::stand_in;
-use super::stored::StoredModel;
 use super::user::{UserModels, reduced};
 use super::{Detail, Model};
 use crate::cache::Cache;
@@ -139,7 +138,7 @@ impl Entry {
             let name = recipe.name();
             let extent = [size.width, size.depth, size.height];
             let key = ("model", name, parameters, extent, look, set.name(), detail as u8);
-            cache.get_or_make(&key, || StoredModel::from(Model::from(build()))).into()
+            cache.get_or_make(&key, build).into()
         };
         let model = match detail {
             Detail::Full => of_recipe(&|| recipe.build(&input)),

@@ -6,7 +6,7 @@ use gltf_json::texture::{MagFilter, MinFilter, WrappingMode};
 use serde::{Deserialize, Serialize};
 
 use crate::catalog::Material;
-use crate::recipes::{Mesh, MeshPart};
+use crate::recipes::{Mesh, MeshPart, Slot};
 
 /// The look of one variant of a class.
 ///
@@ -67,17 +67,17 @@ impl From<MeshPart> for Primitive {
 /// The material of a primitive.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ModelMaterial {
-    /// A slot of the style's palette, one of [`crate::catalog::MATERIAL_SLOTS`].
-    Slot(&'static str),
+    /// A slot of the style's palette.
+    Slot(Slot),
     /// Several slots of the style's palette, sorted: texture coordinates are the places of their swatches.
-    Swatches(Arc<[&'static str]>),
+    Swatches(Arc<[Slot]>),
     /// A material of a user's file, shared by all its primitives.
     Own(Arc<OwnMaterial>),
 }
 
 impl Default for ModelMaterial {
     fn default() -> Self {
-        Self::Slot("wood")
+        Self::Slot(Slot::Wood)
     }
 }
 

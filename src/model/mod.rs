@@ -10,7 +10,6 @@ mod detail;
 mod library;
 mod mesh;
 mod stand_in;
-mod stored;
 mod swatches;
 mod user;
 

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
 use super::{Model, ModelMaterial, Primitive};
-use crate::catalog::{Catalog, MATERIAL_SLOTS, Material};
+use crate::catalog::{Catalog, Material};
+use crate::recipes::Slot;
 
 /// Swatches along each side of their image: room for all slots.
 pub(crate) const SWATCHES_PER_SIDE: usize = 8;
@@ -19,7 +20,7 @@ pub(crate) const SWATCHES_PER_SIDE: usize = 8;
 const LEAST_TEXTURED_AREA: f64 = 0.6;
 
 /// Slots that renderers treat in ways of their own, whatever their material is.
-const SPECIAL: [&str; 2] = ["mirror", "screen"];
+const SPECIAL: [Slot; 2] = [Slot::Mirror, Slot::Screen];
 
 /// Which slots can become swatches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +34,7 @@ enum Rule {
 /// The models of a run with swatches, each made once. Threads may share it.
 #[derive(Debug)]
 pub struct SwatchedModels {
-    /// By slot, in the order of [`MATERIAL_SLOTS`].
+    /// By slot.
     rules: Vec<Rule>,
     /// By the address of the model, which is held so that no other gets it.
     known: RwLock<BTreeMap<usize, [Arc<Model>; 2]>>,
@@ -43,9 +44,9 @@ impl SwatchedModels {
     /// By the palettes of a catalogue; a slot is treated alike in all of them, so that they share triangles.
     #[must_use]
     pub fn new(catalog: &Catalog) -> Self {
-        let rule = |slot: &&str| {
+        let rule = |slot: &Slot| {
             let materials: Vec<&Material> =
-                catalog.palettes.values().filter_map(|palette| palette.materials.get(*slot)).collect();
+                catalog.palettes.values().filter_map(|palette| palette.materials.get(slot)).collect();
             let is_own = |material: &&Material| material.transmission > 0.0 || material.base_color[3] < 1.0;
             if SPECIAL.contains(slot) || materials.iter().any(is_own) {
                 Rule::Never
@@ -55,7 +56,7 @@ impl SwatchedModels {
                 Rule::Always
             }
         };
-        Self { rules: MATERIAL_SLOTS.iter().map(rule).collect(), known: RwLock::default() }
+        Self { rules: Slot::ALL.iter().map(rule).collect(), known: RwLock::default() }
     }
 
     /// The model with swatches; the same one for the same model.
@@ -99,10 +100,9 @@ impl SwatchedModels {
     }
 
     /// The slot of a primitive that can be joined with others.
-    fn slot_to_join(&self, primitive: &Primitive) -> Option<&'static str> {
+    fn slot_to_join(&self, primitive: &Primitive) -> Option<Slot> {
         let ModelMaterial::Slot(slot) = primitive.material else { return None };
-        let rule = MATERIAL_SLOTS.iter().position(|other| *other == slot).map(|index| self.rules[index])?;
-        let can_join = match rule {
+        let can_join = match self.rules[slot as usize] {
             Rule::Always => true,
             Rule::WhenSmall => area(primitive) < LEAST_TEXTURED_AREA,
             Rule::Never => false,
@@ -112,8 +112,8 @@ impl SwatchedModels {
 }
 
 /// Where the swatch of a slot is in its image: the middle of its square.
-fn swatch_place(slot: &str) -> [f32; 2] {
-    let index = MATERIAL_SLOTS.iter().position(|other| *other == slot).unwrap_or(0);
+fn swatch_place(slot: Slot) -> [f32; 2] {
+    let index = slot as usize;
     let middle = |square: usize| (square as f32 + 0.5) / SWATCHES_PER_SIDE as f32;
     [middle(index % SWATCHES_PER_SIDE), middle(index / SWATCHES_PER_SIDE)]
 }

@@ -9,7 +9,7 @@
 //!
 //! | to | read |
 //! |---|---|
-//! | call a recipe | `recipe.rs`, `input.rs`, `geometry_set.rs`, `mesh.rs`, `symbol.rs` |
+//! | call a recipe | `recipe.rs`, `input.rs`, `geometry_set.rs`, `mesh.rs`, `slot.rs`, `symbol.rs` |
 //! | write one | `docs/recipe.md`, one file of `furniture/`, `kit/mod.rs` |
 //!
 //! Nothing here uses anything of the program but `geometry`.
@@ -20,6 +20,7 @@ mod input;
 pub(crate) mod kit;
 mod mesh;
 mod recipe;
+mod slot;
 mod symbol;
 #[cfg(test)]
 mod tests;
@@ -30,6 +31,7 @@ pub use {
     input::RecipeInput,
     mesh::{Mesh, MeshPart},
     recipe::Recipe,
+    slot::Slot,
     symbol::Symbol,
 };
 

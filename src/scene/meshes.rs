@@ -9,10 +9,10 @@ use super::node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, S
 use super::options::Lights;
 use super::shell::{MergedKey, Shape};
 use super::tint::Tint;
-use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, MATERIAL_SLOTS, Material};
+use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, Material};
 use crate::contract::model_name;
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
-use crate::recipes::GeometrySet;
+use crate::recipes::{GeometrySet, Slot};
 use crate::texture::{SurfaceUse, TextureLibrary, swatch_textures};
 
 /// How a room's style looks.
@@ -54,7 +54,7 @@ pub(crate) struct MeshTable<'a> {
     shells: BTreeMap<(usize, &'a str), usize>,
     merged: BTreeMap<(MergedKey, &'a str), usize>,
     /// By palette, slot and tint.
-    slots: BTreeMap<(&'a str, &'static str, usize), usize>,
+    slots: BTreeMap<(&'a str, Slot, usize), usize>,
     /// By palette, the number that all slots are tinted by, and whether they give light.
     swatches: BTreeMap<(&'a str, usize, bool), usize>,
 }
@@ -230,21 +230,21 @@ impl<'a> MeshTable<'a> {
     fn materials_of(&mut self, model: &Model, palette: &'a str, tint: Tint) -> Vec<usize> {
         let primitives = model.primitives.iter();
         let material = |primitive: &Primitive| match &primitive.material {
-            ModelMaterial::Slot(slot) => self.slot(palette, slot, tint),
+            ModelMaterial::Slot(slot) => self.slot(palette, *slot, tint),
             ModelMaterial::Swatches(slots) => self.swatches(palette, slots, tint),
             ModelMaterial::Own(own) => self.own(own),
         };
         primitives.map(material).collect()
     }
 
-    fn slot(&mut self, palette: &'a str, slot: &'static str, tint: Tint) -> usize {
-        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+    fn slot(&mut self, palette: &'a str, slot: Slot, tint: Tint) -> usize {
+        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
         self.slot_of_number(palette, slot, found.map_or(0, |material| tint.pick(material.tints.len())))
     }
 
-    fn slot_of_number(&mut self, palette: &'a str, slot: &'static str, number: usize) -> usize {
+    fn slot_of_number(&mut self, palette: &'a str, slot: Slot, number: usize) -> usize {
         let (catalog, materials) = (self.catalog, &mut self.materials);
-        let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+        let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
         let number = number.min(found.map_or(0, |material| material.tints.len()));
         let lights = self.lights_mode;
         *self.slots.entry((palette, slot, number)).or_insert_with(|| {
@@ -260,21 +260,21 @@ impl<'a> MeshTable<'a> {
 
     /// The swatches of a palette as an object of a tint shows them. Of the numbers by which its slots have these colours the
     /// lowest counts, so that objects that look alike share one material.
-    fn swatches(&mut self, palette: &'a str, slots: &[&'static str], tint: Tint) -> usize {
-        let counts: Vec<usize> = slots.iter().map(|slot| self.tint_count(palette, slot)).collect();
+    fn swatches(&mut self, palette: &'a str, slots: &[Slot], tint: Tint) -> usize {
+        let counts: Vec<usize> = slots.iter().map(|&slot| self.tint_count(palette, slot)).collect();
         let is_alike = |number: &u32| {
             counts.iter().all(|&count| Tint::of_number(*number).pick(count) == tint.pick(count))
         };
         let number = (0..MOST_SWATCHES).find(is_alike).unwrap_or(0);
         let is_lit = slots.iter().any(|slot| {
-            let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(*slot));
+            let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
             found.is_some_and(|material| material.emissive != [0.0; 3])
         });
         self.swatches_of_number(palette, number as usize, is_lit)
     }
 
-    fn tint_count(&self, palette: &str, slot: &str) -> usize {
-        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+    fn tint_count(&self, palette: &str, slot: Slot) -> usize {
+        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
         found.map_or(0, |material| material.tints.len())
     }
 
@@ -287,8 +287,8 @@ impl<'a> MeshTable<'a> {
                 name += &format!(".{number}");
             }
             let tint = Tint::of_number(u32::try_from(number).unwrap_or(0));
-            let of_slot = |slot: &'static str| {
-                let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
+            let of_slot = |slot: Slot| {
+                let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
                 shown(found, tint.pick(found.map_or(0, |material| material.tints.len())), lights)
             };
             let white = Material { base_color: [1.0; 4], metallic: 1.0, roughness: 1.0, ..NEUTRAL };
@@ -328,9 +328,4 @@ fn shown(slot: Option<&Material>, number: usize, lights: Lights) -> Material {
         material.base_color = tint;
     }
     material
-}
-
-/// The fixed name of a material slot; `fallback` for words that are none.
-pub(crate) fn slot_named(word: &str, fallback: &'static str) -> &'static str {
-    MATERIAL_SLOTS.iter().find(|slot| **slot == word).copied().unwrap_or(fallback)
 }

@@ -4,8 +4,9 @@ use std::sync::{Arc, LazyLock};
 
 use super::encode::png;
 use super::surface::sample;
-use crate::catalog::{MATERIAL_SLOTS, Material, SURFACES, srgb_encoded};
+use crate::catalog::{Material, SURFACES, srgb_encoded};
 use crate::model::{Image, SWATCHES_PER_SIDE, Texture, TextureSampler, TextureUse};
+use crate::recipes::Slot;
 
 /// Samples along each side of a surface, for its average.
 const SAMPLES: usize = 24;
@@ -16,9 +17,9 @@ const SAMPLES: usize = 24;
 pub(crate) fn swatch_textures(
     name: &str,
     is_lit: bool,
-    material: impl Fn(&'static str) -> Material,
+    material: impl Fn(Slot) -> Material,
 ) -> (Vec<(TextureUse, Texture)>, f32) {
-    let materials = MATERIAL_SLOTS.map(material);
+    let materials: Vec<Material> = Slot::ALL.iter().copied().map(material).collect();
     let light = |one: &Material| one.emissive.map(|channel| channel * one.emissive_strength);
     let strongest = materials.iter().flat_map(light).fold(1.0, f32::max);
     let mut images = [Vec::new(), Vec::new(), Vec::new()];

@@ -13,6 +13,7 @@ use roomwright::model::{
     Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
 };
 use roomwright::plan::SitePlacement;
+use roomwright::recipes::Slot;
 use roomwright::scene::{
     Lights, ModelKey, Node, Parts, Scene, SceneInput, SceneMaterial, SceneOptions, build_scene,
 };
@@ -223,7 +224,7 @@ fn textured_model() -> Model {
         transparency: Transparency::CutOut(0.4),
         textures: vec![(TextureUse::BaseColor, texture.clone()), (TextureUse::Occlusion, texture)],
     };
-    let mut model = box_model(Size { width: 0.5, depth: 0.5, height: 1.0 }, "wood");
+    let mut model = box_model(Size { width: 0.5, depth: 0.5, height: 1.0 }, Slot::Wood);
     let primitive = &mut model.primitives[0];
     primitive.texture_coordinates = vec![[0.25, 0.75]; primitive.positions.len()];
     primitive.material = ModelMaterial::Own(Arc::new(own));
@@ -253,7 +254,7 @@ fn textured_scene() -> Scene {
 #[test]
 fn lamps_that_are_lit_are_brighter_than_their_colour() {
     let (catalog, level) = (catalog(), two_rooms());
-    let model = Arc::new(box_model(Size { width: 0.2, depth: 0.2, height: 0.4 }, "lamp"));
+    let model = Arc::new(box_model(Size { width: 0.2, depth: 0.2, height: 0.4 }, Slot::Lamp));
     let written = |lights: Lights| {
         let scene = build_scene(&SceneInput {
             style: None,

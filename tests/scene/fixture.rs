@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use roomwright::catalog::{
-    Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, MATERIAL_SLOTS, Material, Palette, RoomType,
-    Side, Size, Style, Untidiness,
+    Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, Material, Palette, RoomType, Side, Size,
+    Style, Untidiness,
 };
 use roomwright::geometry::{Point, Polygon, Region};
 use roomwright::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -14,7 +14,7 @@ use roomwright::plan::{
     Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, Room, RoomOpening, SitePlacement, Wall,
     WallKind,
 };
-use roomwright::recipes::{GeometrySet, find};
+use roomwright::recipes::{GeometrySet, Slot, find};
 use roomwright::scene::{Parts, Scene, SceneInput, SceneOptions, build_scene};
 
 /// Thickness of a wall to the open air, and of one room's half of a wall between rooms.
@@ -163,16 +163,15 @@ fn class(id: &str, width: f64, depth: f64, height: f64) -> Class {
     }
 }
 
-fn material(slot: &str) -> Material {
-    let index = MATERIAL_SLOTS.iter().position(|other| *other == slot).unwrap();
-    let shade = 0.3 + 0.6 * index as f32 / MATERIAL_SLOTS.len() as f32;
-    let is_glass = slot == "glass";
+fn material(slot: Slot) -> Material {
+    let shade = 0.3 + 0.6 * slot as usize as f32 / Slot::ALL.len() as f32;
+    let is_glass = slot == Slot::Glass;
     Material {
         base_color: [shade, 0.5, 1.0 - shade, 1.0],
         metallic: 0.0,
         roughness: if is_glass { 0.05 } else { 0.8 },
-        emissive: if slot == "lamp" { [1.0; 3] } else { [0.0; 3] },
-        emissive_strength: if slot == "lamp" { 4.0 } else { 1.0 },
+        emissive: if slot == Slot::Lamp { [1.0; 3] } else { [0.0; 3] },
+        emissive_strength: if slot == Slot::Lamp { 4.0 } else { 1.0 },
         transmission: if is_glass { 0.9 } else { 0.0 },
         texture: None,
         tints: Vec::new(),
@@ -183,12 +182,12 @@ fn material(slot: &str) -> Material {
 pub(crate) fn catalog() -> Catalog {
     let palette = |id: &str| Palette {
         id: id.to_owned(),
-        materials: MATERIAL_SLOTS.iter().map(|slot| ((*slot).to_owned(), material(slot))).collect(),
+        materials: Slot::ALL.iter().map(|&slot| (slot, material(slot))).collect(),
     };
     let finish = Finish {
-        floor: "carpet".into(),
-        wall: "plaster".into(),
-        ceiling: "ceiling".into(),
+        floor: Slot::Carpet,
+        wall: Slot::Plaster,
+        ceiling: Slot::Ceiling,
         dado: None,
         sockets: Some(3.0),
         has_switches: true,
@@ -282,7 +281,7 @@ pub(crate) fn two_furnished(catalog: &Catalog) -> Vec<Furnished> {
 }
 
 /// A closed box in a class's frame.
-pub(crate) fn box_model(size: Size, slot: &'static str) -> Model {
+pub(crate) fn box_model(size: Size, slot: Slot) -> Model {
     let (w, h, d) = (size.width as f32 / 2.0, size.height as f32, size.depth as f32 / 2.0);
     let faces: [([f32; 3], [[f32; 3]; 4]); 6] = [
         ([0., 0., 1.], [[-w, 0., d], [w, 0., d], [w, h, d], [-w, h, d]]),
@@ -304,9 +303,8 @@ pub(crate) fn box_model(size: Size, slot: &'static str) -> Model {
 /// One box per class and variant.
 pub(crate) fn models(catalog: &Catalog) -> impl Fn(ClassIndex, u32, GeometrySet) -> Arc<Model> + Sync {
     let of_class = |class: &Class| {
-        let box_of = |variant| {
-            Arc::new(box_model(class.size(variant), MATERIAL_SLOTS[variant as usize % MATERIAL_SLOTS.len()]))
-        };
+        let box_of =
+            |variant| Arc::new(box_model(class.size(variant), Slot::ALL[variant as usize % Slot::ALL.len()]));
         (0..class.variant_count()).map(box_of).collect::<Vec<_>>()
     };
     let models: Vec<Vec<Arc<Model>>> = catalog.classes.iter().map(of_class).collect();

@@ -7,6 +7,7 @@ use glam::Vec3;
 use roomwright::catalog::Size;
 use roomwright::model::{Model, ModelMaterial, SwatchedModels};
 use roomwright::plan::SitePlacement;
+use roomwright::recipes::Slot;
 use roomwright::scene::{Node, Parts, Scene, SceneInput, SceneOptions, build_scene};
 
 use crate::fixture::*;
@@ -36,7 +37,7 @@ fn scene_with(parts: Parts, has_swatches: bool) -> Scene {
 /// Boxes of three plain slots and a pane of glass.
 fn cupboard() -> Model {
     let size = Size { width: 0.4, depth: 0.3, height: 0.5 };
-    let parts = ["painted", "plastic", "chrome", "glass"].map(|slot| box_model(size, slot));
+    let parts = [Slot::Painted, Slot::Plastic, Slot::Chrome, Slot::Glass].map(|slot| box_model(size, slot));
     Model { primitives: parts.into_iter().flat_map(|model| model.primitives).collect() }
 }
 
@@ -112,8 +113,8 @@ fn plain_slots_become_one_primitive_and_glass_stays_glass() {
     let made = swatched.of(&model);
     let materials: Vec<&ModelMaterial> =
         made.primitives.iter().map(|primitive| &primitive.material).collect();
-    let slots = ["chrome", "painted", "plastic"];
-    assert_eq!(materials, [&ModelMaterial::Slot("glass"), &ModelMaterial::Swatches(slots.into())]);
+    let slots = [Slot::Painted, Slot::Chrome, Slot::Plastic];
+    assert_eq!(materials, [&ModelMaterial::Slot(Slot::Glass), &ModelMaterial::Swatches(slots.into())]);
     let places: BTreeSet<[u32; 2]> =
         made.primitives[1].texture_coordinates.iter().map(|at| at.map(f32::to_bits)).collect();
     assert_eq!(places.len(), slots.len(), "a square for each slot");

@@ -7,6 +7,7 @@ use roomwright::catalog::Dado;
 use roomwright::geometry::Point;
 use roomwright::model::{Model, ModelMaterial, Primitive};
 use roomwright::plan::{Level, OpeningKind, Room, RoomOpening, WallKind};
+use roomwright::recipes::Slot;
 use roomwright::scene::Scene;
 
 use crate::fixture::*;
@@ -254,7 +255,7 @@ fn skirting_runs_along_plaster_and_stops_at_doors() {
     assert_eq!(meets(1.4), Some((true, 4880.0)), "1.2 cm before the wall");
     assert_eq!(meets(2.0), None, "the entrance is from 1.5 to 2.5");
     let mut tiled = catalog();
-    tiled.room_types.get_mut("office").unwrap().finish.wall = "tile_wall".to_owned();
+    tiled.room_types.get_mut("office").unwrap().finish.wall = Slot::TileWall;
     let scene = scene_of(&level, &tiled);
     assert!(!crate::triangles::bodies(&scene).iter().any(|body| body.part == Some("skirting")));
 }
@@ -333,7 +334,7 @@ fn balconies_have_neither_sockets_nor_switches() {
 fn a_dado_ends_at_its_height_and_closes_the_wall() {
     let mut tiled = catalog();
     let finish = &mut tiled.room_types.get_mut("office").unwrap().finish;
-    finish.dado = Some(Dado { slot: "tile_wall".to_owned(), height: 1.2 });
+    finish.dado = Some(Dado { slot: Slot::TileWall, height: 1.2 });
     let scene = scene_of(&two_rooms(), &tiled);
     assert!(
         !bodies(&scene).iter().any(|body| body.part == Some("skirting")),
@@ -342,7 +343,7 @@ fn a_dado_ends_at_its_height_and_closes_the_wall() {
     let walls = scene.meshes.iter().filter(|mesh| mesh.name.starts_with("wall."));
     for mesh in walls {
         assert_eq!(open_edges(&mesh.model), 0, "{}", mesh.name);
-        let is_tile = |primitive: &&Primitive| primitive.material == ModelMaterial::Slot("tile_wall");
+        let is_tile = |primitive: &&Primitive| primitive.material == ModelMaterial::Slot(Slot::TileWall);
         let tiles = mesh.model.primitives.iter().find(is_tile).unwrap();
         let heights = || tiles.positions.iter().map(|[_, y, _]| *y);
         assert!((heights().fold(f32::MIN, f32::max) - 1.2).abs() < 1e-6, "{}", mesh.name);

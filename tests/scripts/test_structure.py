@@ -29,6 +29,11 @@ def test_textures_know_the_catalogue_and_not_the_other_way_round(graph):
     assert not [other for used in of_catalog for other in used if other[:1] == ("texture",)]
 
 
+def test_recipes_use_nothing_of_the_program_but_geometry(graph):
+    of_recipes = [used for module, used in graph.uses.items() if module[:1] == ("recipes",)]
+    assert {other[:1] for used in of_recipes for other in used} <= {("recipes",), ("geometry",)}
+
+
 def test_use_trees_name_all_their_paths():
     paths = ["super::a::self", "super::a::b", "super::a::d::e", "super::a::d::f"]
     assert expand("super::a::{self, b as c, d::{e, f}}") == paths

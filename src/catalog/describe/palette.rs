@@ -20,14 +20,16 @@ fn list_styles<'a>(catalog: &'a Catalog, palette: &str) -> Vec<&'a str> {
 pub(super) fn describe_palette(catalog: &Catalog, palette: &Palette) -> (Lines, Value) {
     let styles = list_styles(catalog, &palette.id);
     let mut lines = Lines::default();
-    for (slot, material) in &palette.materials {
+    let mut materials: Vec<(&str, &Material)> =
+        palette.materials.iter().map(|(slot, material)| (slot.name(), material)).collect();
+    materials.sort_by_key(|(slot, _)| *slot);
+    for (slot, material) in &materials {
         lines.add(slot, &show_material(material));
     }
     lines.add("styles", &styles.join(", "));
-    let materials: Map<String, Value> = palette
-        .materials
-        .iter()
-        .map(|(slot, material)| (slot.clone(), value_of_material(material)))
+    let materials: Map<String, Value> = materials
+        .into_iter()
+        .map(|(slot, material)| (slot.to_owned(), value_of_material(material)))
         .collect();
     (lines, json!({"materials": materials, "styles": styles}))
 }

@@ -6,11 +6,12 @@ use std::ops::RangeInclusive;
 use super::color::linear_color;
 use super::merged_keys;
 use super::number::{Quantity, SHARE};
-use super::room::check_slot;
+use super::room::find_slot;
 use crate::catalog::file::{MaterialEntry, PaletteEntry};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{MATERIAL_SLOTS, Material, Palette, SURFACES};
+use crate::catalog::{Material, Palette, SURFACES};
+use crate::recipes::Slot;
 
 /// The range of the factor on emitted light.
 const STRENGTH: RangeInclusive<f64> = 0.0..=1000.0;
@@ -27,13 +28,16 @@ pub(crate) fn resolve_palettes(chains: &[Chain<'_, PaletteEntry>], report: &mut 
 
 fn resolve_palette(chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> Palette {
     let mut materials = BTreeMap::new();
-    for slot in merged_keys(chain, |entry| entry.materials.as_ref()) {
-        let found = chain.find("materials", |entry| entry.materials.as_ref()?.get(slot));
-        check_slot(slot, &found.expect("the slot comes from the chain").spot.key(slot), report);
-        materials.insert(slot.clone(), resolve_material(slot, chain, report));
+    for word in merged_keys(chain, |entry| entry.materials.as_ref()) {
+        let found = chain.find("materials", |entry| entry.materials.as_ref()?.get(word));
+        let spot = found.expect("the slot comes from the chain").spot.key(word);
+        let material = resolve_material(word, chain, report);
+        if let Some(slot) = find_slot(word, &spot, report) {
+            materials.insert(slot, material);
+        }
     }
-    let missing: Vec<&str> =
-        MATERIAL_SLOTS.into_iter().filter(|slot| !materials.contains_key(*slot)).collect();
+    let missing = Slot::ALL.iter().filter(|slot| !materials.contains_key(slot));
+    let missing: Vec<&str> = missing.map(|slot| slot.name()).collect();
     if !missing.is_empty() {
         let own = chain.own();
         let message = format!("palette \"{}\" leaves slots empty: {}", own.id, missing.join(", "));

@@ -9,7 +9,8 @@ use super::resolve_label;
 use crate::catalog::file::{Pair, RoomTypeEntry};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{Dado, Finish, MATERIAL_SLOTS, Plausible, RoomType, Share};
+use crate::catalog::{Dado, Finish, Plausible, RoomType, Share};
+use crate::recipes::Slot;
 
 /// Metres of wall for each socket where nothing is said, and what may be said besides 0.
 const SOCKET_INTERVAL: f64 = 3.0;
@@ -106,15 +107,14 @@ fn resolve_finish(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> 
     let dado = resolve_dado(chain, report);
     let sockets = resolve_sockets(chain, report);
     let switches = chain.find("finish", |entry| entry.finish.as_ref()?.switches.as_ref());
-    let mut slot = |key: &str, get: fn(&RoomTypeEntry) -> Option<&String>, default: &str| {
-        let Some(found) = chain.find("finish", get) else { return default.to_owned() };
-        check_slot(found.value, &found.spot.key(key), report);
-        found.value.clone()
+    let mut slot = |key: &str, get: fn(&RoomTypeEntry) -> Option<&String>, default: Slot| {
+        let Some(found) = chain.find("finish", get) else { return default };
+        find_slot(found.value, &found.spot.key(key), report).unwrap_or(default)
     };
     Finish {
-        floor: slot("floor", |entry| entry.finish.as_ref()?.floor.as_ref(), "parquet"),
-        wall: slot("wall", |entry| entry.finish.as_ref()?.wall.as_ref(), "plaster"),
-        ceiling: slot("ceiling", |entry| entry.finish.as_ref()?.ceiling.as_ref(), "ceiling"),
+        floor: slot("floor", |entry| entry.finish.as_ref()?.floor.as_ref(), Slot::Parquet),
+        wall: slot("wall", |entry| entry.finish.as_ref()?.wall.as_ref(), Slot::Plaster),
+        ceiling: slot("ceiling", |entry| entry.finish.as_ref()?.ceiling.as_ref(), Slot::Ceiling),
         dado,
         sockets,
         has_switches: switches.is_none_or(|found| *found.value),
@@ -125,9 +125,9 @@ fn resolve_finish(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> 
 fn resolve_dado(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) -> Option<Dado> {
     let found = chain.find("finish", |entry| entry.finish.as_ref()?.dado.as_ref())?;
     let spot = found.spot.key("dado");
-    check_slot(&found.value.slot, &spot.key("slot"), report);
+    let slot = find_slot(&found.value.slot, &spot.key("slot"), report);
     let height = Quantity::metres("dado", DISTANCE).check(found.value.height, &spot.key("height"), report);
-    (height > 0.0).then(|| Dado { slot: found.value.slot.clone(), height })
+    (height > 0.0).then_some(Dado { slot: slot?, height })
 }
 
 /// Metres of wall for each socket; zero for none.
@@ -139,9 +139,11 @@ fn resolve_sockets(chain: &Chain<'_, RoomTypeEntry>, report: &mut Report<'_>) ->
     (*found.value != 0.0).then(|| interval.check(*found.value, &found.spot.key("sockets"), report))
 }
 
-/// Reports a material slot that does not exist.
-pub(super) fn check_slot(slot: &str, spot: &Spot, report: &mut Report<'_>) {
-    if !MATERIAL_SLOTS.contains(&slot) {
-        report.unknown(spot, "material slot", slot, MATERIAL_SLOTS);
+/// The material slot of a word; an unknown word is reported.
+pub(super) fn find_slot(word: &str, spot: &Spot, report: &mut Report<'_>) -> Option<Slot> {
+    let slot = Slot::find(word);
+    if slot.is_none() {
+        report.unknown(spot, "material slot", word, Slot::ALL.iter().map(|slot| slot.name()));
     }
+    slot
 }

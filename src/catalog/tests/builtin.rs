@@ -1,7 +1,8 @@
 //! The configuration that comes with the program.
 
-use crate::catalog::{DEFAULT_STYLE, MATERIAL_SLOTS, builtin_file, builtin_files, load_catalog};
+use crate::catalog::{DEFAULT_STYLE, builtin_file, builtin_files, load_catalog};
 use crate::document::Source;
+use crate::recipes::Slot;
 
 #[test]
 fn the_builtin_catalogue_loads_without_faults_or_warnings() {
@@ -11,7 +12,7 @@ fn the_builtin_catalogue_loads_without_faults_or_warnings() {
     assert!(catalog.classes.is_sorted_by(|a, b| a.id < b.id));
     assert!(catalog.styles.contains_key(DEFAULT_STYLE));
     for palette in catalog.palettes.values() {
-        assert_eq!(palette.materials.len(), MATERIAL_SLOTS.len(), "{}", palette.id);
+        assert_eq!(palette.materials.len(), Slot::ALL.len(), "{}", palette.id);
     }
 }
 

@@ -13,7 +13,7 @@ use crate::catalog::{
     Turn,
 };
 use crate::document::Faults;
-use crate::recipes::find;
+use crate::recipes::{Slot, find};
 
 /// A folder with the given files.
 pub(super) fn folder(files: &[(&str, &str)]) -> TempDir {
@@ -190,9 +190,9 @@ room_types:
     let (bath, index) = (&catalog.room_types["bath"], |id| catalog.class_index(id).unwrap());
     assert!(!catalog.room_types.contains_key("base") && !catalog.room_words.known.contains("base"));
     assert_eq!((bath.label.as_str(), bath.is_furnished, bath.density), ("Bath", false, (0.2, 0.4)));
-    let finish = [&bath.finish.floor, &bath.finish.wall, &bath.finish.ceiling];
-    assert_eq!(finish, ["stone", "tile_wall", "ceiling"]);
-    assert_eq!(bath.finish.dado, Some(Dado { slot: "stone".to_owned(), height: 1.2 }));
+    let finish = [bath.finish.floor, bath.finish.wall, bath.finish.ceiling];
+    assert_eq!(finish, [Slot::Stone, Slot::TileWall, Slot::Ceiling]);
+    assert_eq!(bath.finish.dado, Some(Dado { slot: Slot::Stone, height: 1.2 }));
     assert_eq!((bath.finish.sockets, bath.finish.has_switches), (None, false));
     let office = &catalog.room_types["office"].finish;
     assert_eq!((office.sockets, office.has_switches), (Some(3.0), true), "where nothing is said");
@@ -242,8 +242,10 @@ palettes:
   warmer: {extends: warm, materials: {wood: {roughness: 0.3, opacity: 0.5}}}
 ";
     let catalog = load(&[("palettes/a.yaml", palettes)]);
-    let (wood, lamp) =
-        (&catalog.palettes["warmer"].materials["wood"], &catalog.palettes["warmer"].materials["lamp"]);
+    let (wood, lamp) = (
+        &catalog.palettes["warmer"].materials[&Slot::Wood],
+        &catalog.palettes["warmer"].materials[&Slot::Lamp],
+    );
     let [red, green, blue, opacity] = wood.base_color;
     assert!((red - 1.0).abs() < 1e-6 && (green - 0.215_86).abs() < 1e-4 && blue.abs() < 1e-6);
     assert!((wood.roughness - 0.3).abs() < 1e-6 && (opacity - 0.5).abs() < 1e-6);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::parts::{Fittings, LegKind, REVEAL, Tap, legs_at_corners, slab_top, tap};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of a rim over the floor where a box is higher for the tap's sake is the box less this share of its
 /// height, and at most [`TAP`].
@@ -33,10 +33,12 @@ fn washbasin(draft: &Draft, builder: &mut Builder) {
     let rim = bay.high.y - tap_height;
     let depth = (rim * 0.5).min(0.16);
     let (slot, corner) = match draft.set() {
-        GeometrySet::Industrial => (["metal", "concrete", "metal", "stone"][look as usize], 0.02),
-        GeometrySet::Budget => ("ceramic", [0.75, 0.4, 0.6, 0.2][look as usize]),
-        GeometrySet::Traditional => ("ceramic", [0.3, 0.6, 0.3, 0.6][look as usize]),
-        GeometrySet::Plain => ("ceramic", [0.08, 0.9, 0.08, 0.5][look as usize]),
+        GeometrySet::Industrial => {
+            ([Slot::Metal, Slot::Concrete, Slot::Metal, Slot::Stone][look as usize], 0.02)
+        }
+        GeometrySet::Budget => (Slot::Ceramic, [0.75, 0.4, 0.6, 0.2][look as usize]),
+        GeometrySet::Traditional => (Slot::Ceramic, [0.3, 0.6, 0.3, 0.6][look as usize]),
+        GeometrySet::Plain => (Slot::Ceramic, [0.08, 0.9, 0.08, 0.5][look as usize]),
     };
     let body = bay.with_y([rim - depth, rim]);
     basin(builder, slot, body, (corner, 0.22));
@@ -45,13 +47,13 @@ fn washbasin(draft: &Draft, builder: &mut Builder) {
         let splash =
             body.slab(Side::Back, 0.0045).with_y([rim - 0.02, rim + 0.035_f64.min(tap_height * 0.3)]);
         let round = bay.width().min(bay.depth()) / 2.0 * corner;
-        builder.cuboid("ceramic", splash.inset(round, 0.0, 0.0004));
+        builder.cuboid(Slot::Ceramic, splash.inset(round, 0.0, 0.0004));
     }
     ledge_tap(draft, builder, rim, tap_height);
     let low = rim - depth;
     if low < CARRIED_FROM {
         if low > 0.01 {
-            waste(builder, DVec3::new(0.0, low + depth * 0.1, 0.0), bay.low.z, "chrome");
+            waste(builder, DVec3::new(0.0, low + depth * 0.1, 0.0), bay.low.z, Slot::Chrome);
         }
         return;
     }
@@ -59,11 +61,11 @@ fn washbasin(draft: &Draft, builder: &mut Builder) {
     match (draft.set(), look) {
         (GeometrySet::Plain, 0 | 1) | (GeometrySet::Budget, 0 | 1) => pedestal(builder, under, depth),
         (GeometrySet::Traditional, 0 | 1) => turned_pedestal(builder, under),
-        (GeometrySet::Plain, 2) => console(builder, under, "metal_dark", LegKind::Square),
-        (GeometrySet::Traditional, _) => console(builder, under, "brass", LegKind::Round),
+        (GeometrySet::Plain, 2) => console(builder, under, Slot::MetalDark, LegKind::Square),
+        (GeometrySet::Traditional, _) => console(builder, under, Slot::Brass, LegKind::Round),
         (GeometrySet::Industrial, _) => frame(builder, under),
         _ => {
-            let slot = if draft.set() == GeometrySet::Budget { "plastic" } else { "chrome" };
+            let slot = if draft.set() == GeometrySet::Budget { Slot::Plastic } else { Slot::Chrome };
             let drain = DVec3::new(0.0, low + depth * 0.2, bay.depth() * 0.1);
             waste(builder, drain, bay.low.z, slot);
             // The pipes of the tap come up from the floor.
@@ -78,7 +80,7 @@ fn washbasin(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A bottle trap under a drain, and its pipe into the wall.
-fn waste(builder: &mut Builder, drain: DVec3, wall: f64, slot: &'static str) {
+fn waste(builder: &mut Builder, drain: DVec3, wall: f64, slot: Slot) {
     let fall = (drain.y * 0.4).min(0.2);
     let bottle = drain.y - fall;
     builder.add(slot, cylinder(0.016, [bottle + 0.02, drain.y], 8).moved(drain.x, 0.0, drain.z));
@@ -101,7 +103,7 @@ fn pedestal(builder: &mut Builder, under: Bay, depth: f64) {
         Slice::new(top + depth * 0.1, x * 1.3, z * 1.1),
     ];
     let slices = slices.map(|slice| slice.at(0.0, under.low.z + z * 1.12));
-    builder.add("ceramic", loft(&Outline::Round(14), &slices));
+    builder.add(Slot::Ceramic, loft(&Outline::Round(14), &slices));
 }
 
 /// A pedestal with a moulded foot and neck and eight sides.
@@ -122,11 +124,11 @@ fn turned_pedestal(builder: &mut Builder, under: Bay) {
     ];
     let slices = profile
         .map(|(rise, share)| Slice::new(rise * top, x * share, z * share).at(0.0, under.low.z + z * 1.25));
-    builder.add("ceramic", loft(&Outline::Round(8), &slices).smooth(20.0));
+    builder.add(Slot::Ceramic, loft(&Outline::Round(8), &slices).smooth(20.0));
 }
 
 /// Two legs before the wall with a rail for towels, and the waste.
-fn console(builder: &mut Builder, under: Bay, slot: &'static str, kind: LegKind) {
+fn console(builder: &mut Builder, under: Bay, slot: Slot, kind: LegKind) {
     let thick = 0.022;
     let room = under.inset(under.width() * 0.08, 0.0, 0.0).without(Side::Front, under.depth() * 0.1);
     let front = room.slab(Side::Front, thick);
@@ -150,21 +152,21 @@ fn console(builder: &mut Builder, under: Bay, slot: &'static str, kind: LegKind)
 fn frame(builder: &mut Builder, under: Bay) {
     let thick = 0.025;
     let room = under.inset(under.width() * 0.04, 0.0, 0.01);
-    legs_at_corners(builder, "metal_dark", room, thick, LegKind::Square);
+    legs_at_corners(builder, Slot::MetalDark, room, thick, LegKind::Square);
     let y = under.high.y * 0.24;
     let shelf = room.inset(0.004, 0.0, 0.004).with_y([y, y + 0.02]);
-    builder.cuboid("wood", shelf);
+    builder.cuboid(Slot::Wood, shelf);
     for side in [Side::Left, Side::Right] {
         let bar = room.slab(side, thick * 0.8).inset(0.0, 0.0, thick * 0.5);
         let inward = if side == Side::Left { 0.002 } else { -0.002 };
-        builder.cuboid("metal_dark", bar.moved(inward, 0.0, 0.0).with_y([y - 0.018, y + 0.002]));
+        builder.cuboid(Slot::MetalDark, bar.moved(inward, 0.0, 0.0).with_y([y - 0.018, y + 0.002]));
     }
-    waste(builder, DVec3::new(0.0, under.high.y, under.depth() * 0.05), under.low.z, "chrome");
+    waste(builder, DVec3::new(0.0, under.high.y, under.depth() * 0.05), under.low.z, Slot::Chrome);
 }
 
 /// A basin with a hollow, an overflow, a drain and a ledge for the tap behind it, filling a bay; `corner` is the share of
 /// its half depth by which it is round, `floor` the share of the height at which the hollow ends.
-fn basin(builder: &mut Builder, slot: &'static str, bay: Bay, (corner, floor): (f64, f64)) {
+fn basin(builder: &mut Builder, slot: Slot, bay: Bay, (corner, floor): (f64, f64)) {
     let (half, middle) = (bay.extent() / 2.0, bay.center());
     let ledge = (bay.depth() * 0.2).min(0.1);
     let corner = (half.x.min(half.z) * corner).max(0.012);
@@ -195,7 +197,7 @@ fn basin(builder: &mut Builder, slot: &'static str, bay: Bay, (corner, floor): (
     let radius = 0.022_f64.min(half.x * 0.15);
     let disc =
         lathe(&[(radius, drain.y - SINK), (radius, drain.y + 0.002), (radius * 0.6, drain.y + 0.005)], 10);
-    builder.add("chrome", disc.moved(drain.center.x, 0.0, drain.center.y));
+    builder.add(Slot::Chrome, disc.moved(drain.center.x, 0.0, drain.center.y));
 }
 
 /// A basin let into a cabinet: flush drawers on a plinth, framed doors on turned feet, an open frame, or plain doors.
@@ -207,7 +209,7 @@ fn vanity(draft: &Draft, builder: &mut Builder) {
     let tap_height = (bay.height() * 0.18).min(0.14);
     let rim = bay.high.y - tap_height;
     let depth = 0.16_f64.min(rim * 0.25);
-    let slot = if draft.set() == GeometrySet::Industrial { "stone" } else { "ceramic" };
+    let slot = if draft.set() == GeometrySet::Industrial { Slot::Stone } else { Slot::Ceramic };
     basin(builder, slot, bay.with_y([rim - depth, rim]), (0.12, 0.6));
     ledge_tap(draft, builder, rim, tap_height);
     let toe = (rim * 0.15).min(0.12);
@@ -217,27 +219,32 @@ fn vanity(draft: &Draft, builder: &mut Builder) {
         return;
     }
     let wood = match draft.set() {
-        GeometrySet::Traditional => ["painted", "wood_dark", "painted_accent", "wood"],
-        GeometrySet::Budget => ["laminate", "painted", "wood_light", "laminate"],
-        _ => ["wood", "painted", "wood_dark", "laminate"],
+        GeometrySet::Traditional => [Slot::Painted, Slot::WoodDark, Slot::PaintedAccent, Slot::Wood],
+        GeometrySet::Budget => [Slot::Laminate, Slot::Painted, Slot::WoodLight, Slot::Laminate],
+        _ => [Slot::Wood, Slot::Painted, Slot::WoodDark, Slot::Laminate],
     }[draft.input.look as usize % 4];
     let fittings = match draft.set() {
         GeometrySet::Plain => {
-            Fittings { front: wood, handle: "metal_dark", reach: 0.0, is_traditional: false }
+            Fittings { front: wood, handle: Slot::MetalDark, reach: 0.0, is_traditional: false }
         }
-        _ => Fittings { front: wood, handle: "chrome", reach: 0.022, is_traditional: draft.is_traditional() },
+        _ => Fittings {
+            front: wood,
+            handle: Slot::Chrome,
+            reach: 0.022,
+            is_traditional: draft.is_traditional(),
+        },
     };
     let top = body.slab(Side::Above, 0.02).without(Side::Front, 0.002);
-    let stone = if draft.set() == GeometrySet::Traditional { "stone" } else { wood };
+    let stone = if draft.set() == GeometrySet::Traditional { Slot::Stone } else { wood };
     slab_top(builder, stone, top, draft.is_traditional());
     let body = body.without(Side::Above, 0.02 - SINK).inset(SINK, 0.0, 0.0);
     fittings.carcass(builder, wood, body);
     let legs = body.with_y([0.0, toe + SINK]).inset(0.01, 0.0, 0.01).without(Side::Front, 0.04);
     match draft.set() {
         GeometrySet::Plain => builder
-            .cuboid("plastic_dark", legs.without(Side::Front, legs.depth() * 0.3).inset(0.05, 0.0, 0.0)),
+            .cuboid(Slot::PlasticDark, legs.without(Side::Front, legs.depth() * 0.3).inset(0.05, 0.0, 0.0)),
         GeometrySet::Traditional => legs_at_corners(builder, wood, legs, 0.05, LegKind::Tapered),
-        _ => legs_at_corners(builder, "chrome", legs, 0.03, LegKind::Round),
+        _ => legs_at_corners(builder, Slot::Chrome, legs, 0.03, LegKind::Round),
     }
     vanity_fronts(draft, builder, &fittings, body.inset(REVEAL / 2.0, REVEAL / 2.0, 0.0));
 }
@@ -250,7 +257,7 @@ fn vanity_fronts(draft: &Draft, builder: &mut Builder, fittings: &Fittings, face
         let columns = if look < 2 { 1 } else { 2 };
         for row in face.rows(rows, 0.0) {
             let groove = row.slab(Side::Above, 0.02).slab(Side::Front, 0.004);
-            builder.cuboid("plastic_dark", groove.moved(0.0, -0.002, -0.0138).inset(0.001, 0.0, 0.0));
+            builder.cuboid(Slot::PlasticDark, groove.moved(0.0, -0.002, -0.0138).inset(0.001, 0.0, 0.0));
             for column in row.without(Side::Above, 0.024).columns(columns, REVEAL) {
                 fittings.panel(builder, column);
             }
@@ -274,20 +281,20 @@ fn vanity_fronts(draft: &Draft, builder: &mut Builder, fittings: &Fittings, face
 /// A steel frame with a board under the basin, one near the floor, and the waste between.
 fn open_vanity(draft: &Draft, builder: &mut Builder, bay: Bay) {
     let thick = 0.03;
-    let wood = ["wood", "wood_dark", "wood_light", "metal"][draft.input.look as usize % 4];
+    let wood = [Slot::Wood, Slot::WoodDark, Slot::WoodLight, Slot::Metal][draft.input.look as usize % 4];
     builder.block(wood, bay.slab(Side::Above, 0.04), 0.003);
     let room = bay.without(Side::Above, 0.04 - SINK).inset(0.01, 0.0, 0.01);
-    legs_at_corners(builder, "metal_dark", room, thick, LegKind::Square);
+    legs_at_corners(builder, Slot::MetalDark, room, thick, LegKind::Square);
     for rise in [0.16, 0.5].into_iter().take(1 + draft.input.look as usize % 2) {
         let y = bay.high.y * rise;
         builder.cuboid(wood, room.inset(0.003, 0.0, 0.003).with_y([y, y + 0.025]));
         for side in [Side::Left, Side::Right] {
             let bar = room.slab(side, thick * 0.7).inset(0.0, 0.0, thick * 0.5);
             let inward = if side == Side::Left { 0.002 } else { -0.002 };
-            builder.cuboid("metal_dark", bar.moved(inward, 0.0, 0.0).with_y([y - 0.025, y + 0.003]));
+            builder.cuboid(Slot::MetalDark, bar.moved(inward, 0.0, 0.0).with_y([y - 0.025, y + 0.003]));
         }
     }
     if draft.input.look.is_multiple_of(2) {
-        waste(builder, DVec3::new(0.0, bay.high.y - 0.02, 0.02), bay.low.z, "chrome");
+        waste(builder, DVec3::new(0.0, bay.high.y - 0.02, 0.02), bay.low.z, Slot::Chrome);
     }
 }

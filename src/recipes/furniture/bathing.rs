@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::parts::{Tap, tap, wall_mixer, wall_panel};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// The forms of a tub.
 #[derive(Clone, Copy, PartialEq)]
@@ -84,9 +84,9 @@ fn bathtub(draft: &Draft, builder: &mut Builder) {
     };
     let slices: Vec<Slice> = outside.into_iter().chain(inside).collect();
     let slot = match (draft.set(), draft.input.look % 4) {
-        (GeometrySet::Industrial, 1) => "stone",
-        (GeometrySet::Industrial, _) => "metal",
-        _ => "ceramic",
+        (GeometrySet::Industrial, 1) => Slot::Stone,
+        (GeometrySet::Industrial, _) => Slot::Metal,
+        _ => Slot::Ceramic,
     };
     builder.add(slot, loft(&Outline::Soft(4), &slices));
     match form {
@@ -100,7 +100,7 @@ fn bathtub(draft: &Draft, builder: &mut Builder) {
 
 fn feet(draft: &Draft, builder: &mut Builder, rim: f64) {
     let half = builder.bay().extent() / 2.0;
-    let slot = ["brass", "chrome", "brass", "metal_dark"][draft.input.look as usize % 4];
+    let slot = [Slot::Brass, Slot::Chrome, Slot::Brass, Slot::MetalDark][draft.input.look as usize % 4];
     let claw =
         [(0.026, 0.0), (0.036, 0.02), (0.03, 0.045), (0.018, 0.06), (0.022, rim * 0.16), (0.04, rim * 0.23)];
     for x in [-1.0, 1.0] {
@@ -116,7 +116,7 @@ fn frame(builder: &mut Builder, rim: f64) {
     let thick = 0.035;
     super::parts::legs_at_corners(
         builder,
-        "metal_dark",
+        Slot::MetalDark,
         bay.with_y([0.0, rim * 0.5]),
         thick,
         super::parts::LegKind::Square,
@@ -124,13 +124,13 @@ fn frame(builder: &mut Builder, rim: f64) {
     let y = [rim * 0.16, rim * 0.16 + thick];
     for side in [Side::Front, Side::Back] {
         builder.cuboid(
-            "metal_dark",
+            Slot::MetalDark,
             bay.slab(side, thick * 0.9).inset(0.002, 0.0, 0.0).with_y(y).inset(0.0, 0.0, 0.001),
         );
     }
     for side in [Side::Left, Side::Right] {
         builder.cuboid(
-            "metal_dark",
+            Slot::MetalDark,
             bay.slab(side, thick * 0.9).inset(0.001, 0.0, 0.004).with_y([y[0] + 0.001, y[1] - 0.001]),
         );
     }
@@ -140,10 +140,14 @@ fn frame(builder: &mut Builder, rim: f64) {
 fn panels(draft: &Draft, builder: &mut Builder, rim: f64) {
     let bay = builder.bay();
     let slot = match draft.set() {
-        GeometrySet::Traditional => "painted",
-        GeometrySet::Industrial => "tile_wall",
-        GeometrySet::Budget => ["plastic", "tile_wall", "plastic", "laminate"][draft.input.look as usize % 4],
-        GeometrySet::Plain => ["ceramic", "wood", "tile_wall", "wood"][draft.input.look as usize % 4],
+        GeometrySet::Traditional => Slot::Painted,
+        GeometrySet::Industrial => Slot::TileWall,
+        GeometrySet::Budget => {
+            [Slot::Plastic, Slot::TileWall, Slot::Plastic, Slot::Laminate][draft.input.look as usize % 4]
+        }
+        GeometrySet::Plain => {
+            [Slot::Ceramic, Slot::Wood, Slot::TileWall, Slot::Wood][draft.input.look as usize % 4]
+        }
     };
     let face = bay.with_y([rim * 0.04, rim * 0.925]).inset(0.035, 0.0, 0.0);
     let front = face.slab(Side::Front, 0.03 + SINK).without(Side::Front, 0.012);
@@ -156,7 +160,7 @@ fn panels(draft: &Draft, builder: &mut Builder, rim: f64) {
         wall_panel(builder, draft.set(), slot, column);
     }
     let foot = bay.with_y([0.001, rim * 0.05]).inset(0.032, 0.0, 0.0).slab(Side::Front, 0.036);
-    builder.cuboid("plastic_dark", foot.without(Side::Front, 0.024));
+    builder.cuboid(Slot::PlasticDark, foot.without(Side::Front, 0.024));
 }
 
 /// Tap, overflow and drain at the left end, or at the back of a deep tub.
@@ -174,7 +178,7 @@ fn end_fittings(draft: &Draft, builder: &mut Builder, rim: f64, tap_height: f64,
         draft.set(),
         Tap { foot, height: tap_height, reach: (border * 2.6).max(0.09).min(half.min_element() * 0.5) },
     );
-    let slot = if draft.is_traditional() { "brass" } else { "chrome" };
+    let slot = if draft.is_traditional() { Slot::Brass } else { Slot::Chrome };
     let disc = |radius: f64| lathe(&[(radius, 0.0), (radius, 0.012), (radius * 0.7, 0.016)], 12);
     let overflow = disc(0.034).turned_x(std::f64::consts::FRAC_PI_2);
     parts.add(slot, overflow.moved(0.0, -rim * 0.25, border * 1.35));
@@ -202,14 +206,14 @@ fn shower(draft: &Draft, builder: &mut Builder) {
         slice(tray * 0.5, 0.075),
     ];
     let slot = match (set, draft.input.look % 2) {
-        (GeometrySet::Industrial, _) => "concrete",
-        (GeometrySet::Plain, 1) => "stone",
-        _ => "ceramic",
+        (GeometrySet::Industrial, _) => Slot::Concrete,
+        (GeometrySet::Plain, 1) => Slot::Stone,
+        _ => Slot::Ceramic,
     };
     builder.add(slot, loft(&Outline::Soft(2), &slices));
     let drain =
         lathe(&[(0.05, tray * 0.5 - SINK), (0.05, tray * 0.5 + 0.003), (0.03, tray * 0.5 + 0.006)], 12);
-    builder.add("chrome", drain);
+    builder.add(Slot::Chrome, drain);
     let walls = bay.inset(0.006, 0.0, 0.006).with_y([tray - 0.002, bay.high.y]);
     match (set, draft.input.look % 4) {
         (GeometrySet::Budget, 0 | 2) => curtain(draft, builder, walls),
@@ -223,25 +227,25 @@ fn shower(draft: &Draft, builder: &mut Builder) {
 /// Panes without frames, held by clamps, with an upright bar as handle.
 fn frameless(draft: &Draft, builder: &mut Builder, bay: Bay) {
     let pane = 0.008;
-    builder.cuboid("glass", bay.slab(Side::Right, pane));
+    builder.cuboid(Slot::Glass, bay.slab(Side::Right, pane));
     let front = bay.slab(Side::Front, pane).without(Side::Right, pane + 0.001).without(Side::Above, 0.002);
     let door = [0.5, 0.62, 0.0, 0.55][draft.input.look as usize % 4];
     let fixed =
         front.slab(Side::Right, front.width() * (1.0 - door) * if door > 0.0 { 1.0 } else { 0.55 } - 0.004);
-    builder.cuboid("glass", fixed);
+    builder.cuboid(Slot::Glass, fixed);
     for y in [0.12, 0.9] {
         let clamp = bay.slab(Side::Right, 0.045).slab(Side::Front, 0.022).moved(0.004, 0.0, 0.004);
         let y = bay.low.y + bay.height() * y;
-        builder.cuboid("chrome", clamp.with_y([y, y + 0.045]));
+        builder.cuboid(Slot::Chrome, clamp.with_y([y, y + 0.045]));
     }
     let stay = [
         DVec3::new(fixed.low.x + 0.03, bay.high.y - 0.02, front.center().z),
         DVec3::new(fixed.low.x + 0.03, bay.high.y - 0.02, builder.bay().low.z),
     ];
-    builder.add("chrome", sweep(&stay, 0.008, 6));
+    builder.add(Slot::Chrome, sweep(&stay, 0.008, 6));
     if door > 0.0 {
         let leaf = front.slab(Side::Left, front.width() * door);
-        builder.cuboid("glass", leaf.without(Side::Below, 0.012));
+        builder.cuboid(Slot::Glass, leaf.without(Side::Below, 0.012));
         let (x, y) = (leaf.high.x - 0.06, (bay.height() * 0.5).min(1.05));
         let (out, back) = (leaf.high.z - 0.003, leaf.high.z - 0.045);
         let bar = [
@@ -250,11 +254,11 @@ fn frameless(draft: &Draft, builder: &mut Builder, bay: Bay) {
             DVec3::new(x, y + 0.15, back),
             DVec3::new(x, y + 0.15, out),
         ];
-        builder.add("chrome", sweep(&bar, 0.008, 6));
+        builder.add(Slot::Chrome, sweep(&bar, 0.008, 6));
         for y in [0.15, 0.85] {
             let y = bay.low.y + bay.height() * y;
             builder.cuboid(
-                "chrome",
+                Slot::Chrome,
                 leaf.slab(Side::Left, 0.05)
                     .inset(0.0, 0.0, -0.004)
                     .moved(0.001, 0.0, 0.0)
@@ -267,9 +271,9 @@ fn frameless(draft: &Draft, builder: &mut Builder, bay: Bay) {
 /// Panes in frames: with bars across in the industrial set, brass in the traditional, broad in the budget set.
 fn framed(draft: &Draft, builder: &mut Builder, bay: Bay) {
     let (slot, thick) = match draft.set() {
-        GeometrySet::Industrial => ("metal_dark", 0.025),
-        GeometrySet::Traditional => (["brass", "chrome"][draft.input.look as usize % 2], 0.022),
-        _ => (["painted", "metal"][draft.input.look as usize / 2 % 2], 0.035),
+        GeometrySet::Industrial => (Slot::MetalDark, 0.025),
+        GeometrySet::Traditional => ([Slot::Brass, Slot::Chrome][draft.input.look as usize % 2], 0.022),
+        _ => ([Slot::Painted, Slot::Metal][draft.input.look as usize / 2 % 2], 0.035),
     };
     let front = bay.slab(Side::Front, thick).without(Side::Right, thick + SINK);
     let share = [0.5, 0.6, 0.45, 0.55][draft.input.look as usize % 4];
@@ -295,8 +299,8 @@ fn framed(draft: &Draft, builder: &mut Builder, bay: Bay) {
 }
 
 /// One pane in its frame.
-fn pane(draft: &Draft, builder: &mut Builder, slot: &'static str, thick: f64, bay: Bay) {
-    builder.cuboid("glass", bay.inset(thick * 0.5, thick * 0.5, (bay.depth() - 0.006) / 2.0));
+fn pane(draft: &Draft, builder: &mut Builder, slot: Slot, thick: f64, bay: Bay) {
+    builder.cuboid(Slot::Glass, bay.inset(thick * 0.5, thick * 0.5, (bay.depth() - 0.006) / 2.0));
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, bay.slab(side, thick));
     }
@@ -326,8 +330,9 @@ fn curtain(draft: &Draft, builder: &mut Builder, bay: Bay) {
         DVec3::new(x, y, z - 0.12),
         DVec3::new(x, y, bay.low.z - 0.006),
     ];
-    builder.add("chrome", sweep(&rail, 0.012, 8));
-    let slot = ["fabric_light", "linen", "fabric_accent", "linen"][draft.input.look as usize % 4];
+    builder.add(Slot::Chrome, sweep(&rail, 0.012, 8));
+    let slot =
+        [Slot::FabricLight, Slot::Linen, Slot::FabricAccent, Slot::Linen][draft.input.look as usize % 4];
     let cloth = Bay::new([bay.low.x + bay.width() * 0.42, x - 0.1], [0.12, y], [z - 0.05, z + 0.02]);
     builder.add(slot, super::windows::folds(cloth, 6));
     let mut side = builder.empty();
@@ -349,9 +354,9 @@ fn riser(draft: &Draft, builder: &mut Builder, x: f64) {
     let bay = builder.bay();
     let set = draft.set();
     let slot = match set {
-        GeometrySet::Traditional => "brass",
-        GeometrySet::Industrial => "metal_dark",
-        _ => "chrome",
+        GeometrySet::Traditional => Slot::Brass,
+        GeometrySet::Industrial => Slot::MetalDark,
+        _ => Slot::Chrome,
     };
     let (z, reach) = (bay.low.z, (bay.depth() * 0.35).min(0.35));
     let (low, high) = (bay.height() * 0.52, bay.height() * 0.95);
@@ -394,5 +399,5 @@ fn riser(draft: &Draft, builder: &mut Builder, x: f64) {
         hang(0.005, low - 0.2, 0.015),
         hang(0.0, low - 0.01, 0.0),
     ];
-    builder.add("metal", sweep(&hose, 0.007, 6));
+    builder.add(Slot::Metal, sweep(&hose, 0.007, 6));
 }

@@ -6,7 +6,7 @@ use super::parts::turned_forward;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, Solid, extrude, loft, loft_ring, pillow as soft_pillow,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A pillow: one with pointed corners, one with a flat hem, one with buttoned flat faces, or a plain thick one.
 pub(super) static PILLOW: Recipe = Recipe::accessory("pillow", [0.5, 0.4, 0.14]).every_set(pillow);
@@ -14,7 +14,7 @@ pub(super) static PILLOW: Recipe = Recipe::accessory("pillow", [0.5, 0.4, 0.14])
 fn pillow(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let (extent, middle) = (bay.extent(), bay.center());
-    let slot = draft.sampler().pick(&["linen", "fabric_light", "fabric_accent"]);
+    let slot = draft.sampler().pick(&[Slot::Linen, Slot::FabricLight, Slot::FabricAccent]);
     let put = |solid: Solid| solid.moved(middle.x, middle.y, middle.z);
     match draft.set() {
         GeometrySet::Plain => builder.add(slot, put(soft_pillow(extent.x, extent.y, extent.z))),
@@ -33,7 +33,7 @@ fn pillow(draft: &Draft, builder: &mut Builder) {
             let size = extent.x.min(extent.z) * 0.1;
             for x in [-0.2, 0.2] {
                 let button = Bay::around(middle + DVec3::X * x * extent.x, size, extent.y, size);
-                builder.cuboid("leather", button);
+                builder.cuboid(Slot::Leather, button);
             }
         }
         GeometrySet::Budget => {
@@ -69,67 +69,98 @@ pub(super) static PICTURE_FRAME: Recipe =
     Recipe::accessory("picture_frame", [0.15, 0.08, 0.2]).every_set(picture_frame);
 
 fn picture_frame(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
     let holder = Holder::of(draft.set());
-    let slot =
-        if draft.is_traditional() { "brass" } else { draft.sampler().pick(&["wood", "metal", "painted"]) };
-    let thick = (bay.depth() * holder.thick[0]).min(holder.thick[1]);
-    let lean = libm::atan2(bay.depth() * 0.55, bay.height());
-    let height = bay.height() / libm::cos(lean) - thick * libm::tan(lean);
-    let half = DVec2::new(bay.width() / 2.0, height / 2.0);
-    let border = half.min_element() * holder.border;
-    let slice = |rise: f64, back: f64| Slice::new(thick * rise, half.x - back, half.y - back);
-    // Upright on its lower edge, then leant back about it.
-    let place = |solid: Solid| {
-        let upright = turned_forward(solid).moved(0.0, half.y, -thick);
-        upright.turned_x(-lean).moved(0.0, thick * libm::sin(lean), bay.high.z)
+    let slot = if draft.is_traditional() {
+        Slot::Brass
+    } else {
+        draft.sampler().pick(&[Slot::Wood, Slot::Metal, Slot::Painted])
     };
-    let board =
-        |rises: [f64; 2], back: f64| place(loft(&Outline::Square, &rises.map(|rise| slice(rise, back))));
-    let ring = |profile: &[(f64, f64)]| {
-        let slices: Vec<Slice> = profile.iter().map(|&(rise, share)| slice(rise, border * share)).collect();
-        place(loft_ring(&Outline::Square, &slices))
-    };
-    // Over the upper or lower edge, at a share of the half width.
-    let clip = |sign: f64, share: f64| {
-        let size = half.min_element() * 0.09;
-        let slices = [-0.2, 1.0].map(|rise| {
-            Slice::new(thick * rise, size, size * 0.8).at(half.x * share, sign * (half.y - size * 0.8 + SINK))
-        });
-        place(loft(&Outline::Square, &slices))
-    };
+    let leaning = Leaning::of(builder.bay(), &holder);
     match draft.set() {
-        GeometrySet::Traditional => {
-            // The outer edge lies back, the moulding rises to a bead and falls to the picture.
-            let profile = [
-                (0.0, 0.0),
-                (0.45, 0.0),
-                (0.55, 0.3),
-                (1.0, 0.42),
-                (1.0, 0.62),
-                (0.6, 0.74),
-                (0.5, 1.0),
-                (0.0, 1.0),
-            ];
-            builder.add(slot, ring(&profile));
-        }
+        GeometrySet::Traditional => builder.add(slot, leaning.ring(&MOULDING)),
         GeometrySet::Plain | GeometrySet::Industrial => {
-            builder.add(slot, ring(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]));
+            builder.add(slot, leaning.ring(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]));
         }
-        GeometrySet::Budget => builder.add(slot, board([0.0, 0.65], 0.0)),
+        GeometrySet::Budget => builder.add(slot, leaning.board([0.0, 0.65], 0.0)),
     }
-    // A sheet under the photograph, which lies a little higher.
-    let mount = (border - SINK).max(half.min_element() * 0.02);
-    builder.add("paper", board([holder.sunk * 0.4, holder.sunk + 0.1], mount));
-    let photo = mount + half.min_element() * 0.12;
-    builder.add("fabric_accent", board([holder.sunk, holder.sunk + 0.2], photo));
-    if border == 0.0 {
+    leaning.photograph(builder, holder.sunk);
+    if leaning.border == 0.0 {
         let ends = [(-1.0, -0.5), (-1.0, 0.5), (1.0, -0.5), (1.0, 0.5)];
-        ends.into_iter().for_each(|(sign, share)| builder.add("metal", clip(sign, share)));
+        ends.into_iter().for_each(|(sign, share)| builder.add(Slot::Metal, leaning.clip(sign, share)));
     }
-    let top = bay.height() * 0.7;
-    let at = bay.high.z - top * libm::tan(lean) - thick * 0.8;
-    let strut = [(bay.low.z, 0.0), (bay.low.z + 0.006, 0.0), (at, top), (at - 0.004, top)].map(DVec2::from);
-    let width = bay.width() * 0.12;
-    builder.add(slot, extrude(&strut, Axis::X, [-width, width]));
+    builder.add(slot, leaning.strut());
+}
+
+/// A broad moulding: its outer edge lies back, it rises to a bead and falls to the picture.
+const MOULDING: [(f64, f64); 8] =
+    [(0.0, 0.0), (0.45, 0.0), (0.55, 0.3), (1.0, 0.42), (1.0, 0.62), (0.6, 0.74), (0.5, 1.0), (0.0, 1.0)];
+
+/// A flat thing that leans back so that it fills a box with its strut.
+struct Leaning {
+    bay: Bay,
+    thick: f64,
+    /// Radians.
+    lean: f64,
+    half: DVec2,
+    border: f64,
+}
+
+impl Leaning {
+    fn of(bay: Bay, holder: &Holder) -> Self {
+        let thick = (bay.depth() * holder.thick[0]).min(holder.thick[1]);
+        let lean = libm::atan2(bay.depth() * 0.55, bay.height());
+        let height = bay.height() / libm::cos(lean) - thick * libm::tan(lean);
+        let half = DVec2::new(bay.width() / 2.0, height / 2.0);
+        Self { bay, thick, lean, half, border: half.min_element() * holder.border }
+    }
+
+    /// A slice of the thing as it lies, at a share of its thickness.
+    fn slice(&self, rise: f64, back: f64) -> Slice {
+        Slice::new(self.thick * rise, self.half.x - back, self.half.y - back)
+    }
+
+    /// Upright on its lower edge, then leant back about it.
+    fn place(&self, solid: Solid) -> Solid {
+        let upright = turned_forward(solid).moved(0.0, self.half.y, -self.thick);
+        upright.turned_x(-self.lean).moved(0.0, self.thick * libm::sin(self.lean), self.bay.high.z)
+    }
+
+    fn board(&self, rises: [f64; 2], back: f64) -> Solid {
+        self.place(loft(&Outline::Square, &rises.map(|rise| self.slice(rise, back))))
+    }
+
+    /// A frame of a profile: shares of the thickness and of the border.
+    fn ring(&self, profile: &[(f64, f64)]) -> Solid {
+        let slices: Vec<Slice> =
+            profile.iter().map(|&(rise, share)| self.slice(rise, self.border * share)).collect();
+        self.place(loft_ring(&Outline::Square, &slices))
+    }
+
+    /// Over the upper or lower edge, at a share of the half width.
+    fn clip(&self, sign: f64, share: f64) -> Solid {
+        let size = self.half.min_element() * 0.09;
+        let slices = [-0.2, 1.0].map(|rise| {
+            Slice::new(self.thick * rise, size, size * 0.8)
+                .at(self.half.x * share, sign * (self.half.y - size * 0.8 + SINK))
+        });
+        self.place(loft(&Outline::Square, &slices))
+    }
+
+    /// A sheet, and the photograph on it, which lies a little higher.
+    fn photograph(&self, builder: &mut Builder, sunk: f64) {
+        let mount = (self.border - SINK).max(self.half.min_element() * 0.02);
+        builder.add(Slot::Paper, self.board([sunk * 0.4, sunk + 0.1], mount));
+        let photo = mount + self.half.min_element() * 0.12;
+        builder.add(Slot::FabricAccent, self.board([sunk, sunk + 0.2], photo));
+    }
+
+    fn strut(&self) -> Solid {
+        let bay = self.bay;
+        let top = bay.height() * 0.7;
+        let at = bay.high.z - top * libm::tan(self.lean) - self.thick * 0.8;
+        let side =
+            [(bay.low.z, 0.0), (bay.low.z + 0.006, 0.0), (at, top), (at - 0.004, top)].map(DVec2::from);
+        let width = bay.width() * 0.12;
+        extrude(&side, Axis::X, [-width, width])
+    }
 }

@@ -8,18 +8,18 @@ use glam::{DVec2, DVec3};
 use super::parts::{across, ball, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A car: round as they are today; with mudguards and running boards; with an open bed behind the cab; a small one with an
 /// upright tail.
 pub(super) static CAR: Recipe = Recipe::furniture("car", [1.8, 4.5, 1.48]).every_set(car);
 
 fn car(draft: &Draft, builder: &mut Builder) {
-    let paint = draft.sampler().pick(&["painted_accent", "metal", "metal_dark", "painted"]);
+    let paint = draft.sampler().pick(&[Slot::PaintedAccent, Slot::Metal, Slot::MetalDark, Slot::Painted]);
     match draft.set() {
         GeometrySet::Plain => saloon(builder, paint),
         GeometrySet::Traditional => {
-            oldtimer(builder, [paint, "book", "leaf", "painted"][draft.input.look as usize % 4])
+            oldtimer(builder, [paint, Slot::Book, Slot::Leaf, Slot::Painted][draft.input.look as usize % 4])
         }
         GeometrySet::Industrial => pick_up(builder, paint),
         GeometrySet::Budget => hatchback(builder, paint),
@@ -27,10 +27,10 @@ fn car(draft: &Draft, builder: &mut Builder) {
 }
 
 /// Four wheels of a radius and a width on two axles.
-fn wheels(builder: &mut Builder, (radius, broad): (f64, f64), axles: [f64; 2], hub: (&'static str, f64)) {
+fn wheels(builder: &mut Builder, (radius, broad): (f64, f64), axles: [f64; 2], hub: (Slot, f64)) {
     let right = builder.bay().high.x - 0.005;
     for z in axles {
-        builder.add_pair("rubber", across(radius, [right - broad, right], 14).moved(0.0, radius, z));
+        builder.add_pair(Slot::Rubber, across(radius, [right - broad, right], 14).moved(0.0, radius, z));
         let cap = across(radius * hub.1, [right - broad - 0.005, right + 0.005], 12);
         builder.add_pair(hub.0, cap.moved(0.0, radius, z));
     }
@@ -42,13 +42,13 @@ fn axles(bay: Bay, [back, front]: [f64; 2]) -> [f64; 2] {
 }
 
 /// Glass all round on a foot, narrower at the roof, which lies on it.
-fn cabin(builder: &mut Builder, paint: &'static str, foot: Bay, roof: Bay) {
+fn cabin(builder: &mut Builder, paint: Slot, foot: Bay, roof: Bay) {
     let slice = |bay: Bay, y: f64| {
         let middle = bay.center();
         Slice::new(y, bay.width() / 2.0, bay.depth() / 2.0).at(middle.x, middle.z).softened(0.08)
     };
     let glass = [slice(foot, foot.low.y), slice(roof, roof.low.y + SINK)];
-    builder.add("screen", loft(&Outline::Soft(2), &glass));
+    builder.add(Slot::Screen, loft(&Outline::Soft(2), &glass));
     let lid =
         [slice(roof.inset(-0.012, 0.0, -0.012), roof.low.y), slice(roof.inset(0.05, 0.0, 0.08), roof.high.y)];
     builder.add(paint, loft(&Outline::Soft(2), &lid));
@@ -64,12 +64,12 @@ fn cabin(builder: &mut Builder, paint: &'static str, foot: Bay, roof: Bay) {
 fn lamps(builder: &mut Builder, body: Bay, y: [f64; 2]) {
     for side in [Side::Left, Side::Right] {
         let corner = body.inset(body.width() * 0.05, 0.0, 0.0).slab(side, body.width() * 0.18).with_y(y);
-        builder.cuboid("lamp", corner.slab(Side::Front, 0.06).moved(0.0, 0.0, 0.004));
-        builder.cuboid("book", corner.slab(Side::Back, 0.06).moved(0.0, 0.0, -0.004));
+        builder.cuboid(Slot::Lamp, corner.slab(Side::Front, 0.06).moved(0.0, 0.0, 0.004));
+        builder.cuboid(Slot::Book, corner.slab(Side::Back, 0.06).moved(0.0, 0.0, -0.004));
     }
 }
 
-fn saloon(builder: &mut Builder, paint: &'static str) {
+fn saloon(builder: &mut Builder, paint: Slot) {
     let bay = builder.bay();
     let (width, high, depth) = (bay.width(), bay.high.y, bay.depth());
     let wheel = high * 0.22;
@@ -77,20 +77,20 @@ fn saloon(builder: &mut Builder, paint: &'static str) {
     builder.rounded(paint, body, DVec3::new(0.12, 0.12, 0.25), 3);
     let cabin = bay.with_y([high * 0.5, high]).inset(width * 0.1, 0.0, 0.0);
     let cabin = cabin.with_z([bay.low.z + depth * 0.14, bay.high.z - depth * 0.34]);
-    builder.rounded("screen", cabin.without(Side::Above, 0.03), DVec3::new(0.12, 0.25, 0.5), 3);
+    builder.rounded(Slot::Screen, cabin.without(Side::Above, 0.03), DVec3::new(0.12, 0.25, 0.5), 3);
     let roof = cabin.slab(Side::Above, 0.09).inset(width * 0.03, 0.0, depth * 0.09);
     builder.rounded(paint, roof, DVec3::new(0.1, 0.04, 0.2), 3);
-    wheels(builder, (wheel, 0.215), axles(bay, [0.19, 0.19]), ("chrome", 0.55));
+    wheels(builder, (wheel, 0.215), axles(bay, [0.19, 0.19]), (Slot::Chrome, 0.55));
     for side in [Side::Left, Side::Right] {
         let corner = body.inset(width * 0.08, 0.0, 0.0).slab(side, width * 0.2);
         let lamp = corner.with_y([high * 0.42, high * 0.5]);
-        builder.cuboid("lamp", lamp.slab(Side::Front, 0.06).moved(0.0, 0.0, -0.004));
-        builder.cuboid("book", lamp.slab(Side::Back, 0.06).moved(0.0, 0.0, 0.004));
+        builder.cuboid(Slot::Lamp, lamp.slab(Side::Front, 0.06).moved(0.0, 0.0, -0.004));
+        builder.cuboid(Slot::Book, lamp.slab(Side::Back, 0.06).moved(0.0, 0.0, 0.004));
     }
 }
 
 /// A narrow body with an upright grille between arched mudguards, with running boards and round lamps.
-fn oldtimer(builder: &mut Builder, paint: &'static str) {
+fn oldtimer(builder: &mut Builder, paint: Slot) {
     let bay = builder.bay();
     let (half, high, depth) = (bay.high.x, bay.high.y, bay.depth());
     let wheel = high * 0.24;
@@ -132,9 +132,9 @@ fn oldtimer(builder: &mut Builder, paint: &'static str) {
         [axles[0] + wheel * 1.2, axles[1] - wheel * 1.2],
     );
     for ends in [board.x(), [-board.high.x, -board.low.x]] {
-        builder.block("rubber", board.with_x(ends), 0.01);
+        builder.block(Slot::Rubber, board.with_x(ends), 0.01);
     }
-    wheels(builder, (wheel, 0.16), axles, ("chrome", 0.6));
+    wheels(builder, (wheel, 0.16), axles, (Slot::Chrome, 0.6));
     face(builder, at(0.94, 0.0).x);
     spare_wheel(builder, wheel * 0.9);
 }
@@ -145,23 +145,23 @@ fn face(builder: &mut Builder, front: f64) {
     let (half, high) = (bay.high.x, bay.high.y);
     let grille =
         Bay::new([-half * 0.3, half * 0.3], [high * 0.24, high * 0.64], [front - 0.06, front + 0.04]);
-    builder.block("chrome", grille, 0.03);
+    builder.block(Slot::Chrome, grille, 0.03);
     for bar in grille.inset(0.03, 0.04, 0.0).columns(7, 0.02) {
-        builder.cuboid("metal_dark", bar.with_z([grille.high.z - SINK, grille.high.z + 0.006]));
+        builder.cuboid(Slot::MetalDark, bar.with_z([grille.high.z - SINK, grille.high.z + 0.006]));
     }
     let lamp = turned_forward(cylinder(0.09, [-0.1, 0.06], 12));
-    builder.add_pair("chrome", lamp.moved(half * 0.46, high * 0.56, front));
-    builder.add_pair("lamp", ball(0.082, 10).moved(half * 0.46, high * 0.56, front + 0.02));
+    builder.add_pair(Slot::Chrome, lamp.moved(half * 0.46, high * 0.56, front));
+    builder.add_pair(Slot::Lamp, ball(0.082, 10).moved(half * 0.46, high * 0.56, front + 0.02));
     for (z, y) in [(bay.low.z, 0.24), (bay.high.z - 0.05, 0.24)] {
         let bumper = Bay::new([-half * 0.96, half * 0.96], [high * y, high * (y + 0.05)], [z, z + 0.05]);
-        builder.block("chrome", bumper, 0.015);
+        builder.block(Slot::Chrome, bumper, 0.015);
         let stay = bumper.inset(0.0, 0.01, 0.0).with_z(if z < 0.0 {
             [z + 0.04, z + 0.3]
         } else {
             [z - 0.25, z + 0.01]
         });
-        builder.cuboid("metal_dark", stay.with_x([half * 0.32, half * 0.38]));
-        builder.cuboid("metal_dark", stay.with_x([-half * 0.38, -half * 0.32]));
+        builder.cuboid(Slot::MetalDark, stay.with_x([half * 0.32, half * 0.38]));
+        builder.cuboid(Slot::MetalDark, stay.with_x([-half * 0.38, -half * 0.32]));
     }
 }
 
@@ -170,13 +170,13 @@ fn spare_wheel(builder: &mut Builder, radius: f64) {
     let bay = builder.bay();
     let (half, high, depth) = (bay.high.x, bay.high.y, bay.depth());
     let spare = turned_forward(cylinder(radius, [0.0, 0.15], 14));
-    builder.add("rubber", spare.moved(0.0, high * 0.46, bay.low.z + 0.06));
-    builder.add("book", ball(0.05, 8).moved(half * 0.66, high * 0.4, bay.low.z + depth * 0.05));
-    builder.add("book", ball(0.05, 8).moved(-half * 0.66, high * 0.4, bay.low.z + depth * 0.05));
+    builder.add(Slot::Rubber, spare.moved(0.0, high * 0.46, bay.low.z + 0.06));
+    builder.add(Slot::Book, ball(0.05, 8).moved(half * 0.66, high * 0.4, bay.low.z + depth * 0.05));
+    builder.add(Slot::Book, ball(0.05, 8).moved(-half * 0.66, high * 0.4, bay.low.z + depth * 0.05));
 }
 
 /// A cab and an open bed on large wheels, with bumpers of steel and a bow behind the cab.
-fn pick_up(builder: &mut Builder, paint: &'static str) {
+fn pick_up(builder: &mut Builder, paint: Slot) {
     let bay = builder.bay();
     let (high, depth) = (bay.high.y, bay.depth());
     let wheel = high * 0.26;
@@ -201,7 +201,7 @@ fn pick_up(builder: &mut Builder, paint: &'static str) {
         );
     }
     builder.cuboid(
-        "rubber",
+        Slot::Rubber,
         bed.inset(0.069, 0.0, 0.059)
             .with_y([bed.low.y + bed.height() * 0.5, bed.low.y + bed.height() * 0.57]),
     );
@@ -212,31 +212,31 @@ fn pick_up(builder: &mut Builder, paint: &'static str) {
         .without(Side::Front, 0.3)
         .without(Side::Back, 0.03);
     cabin(builder, paint, foot, roof);
-    wheels(builder, (wheel, 0.25), axles(bay, [0.21, 0.19]), ("metal_dark", 0.6));
+    wheels(builder, (wheel, 0.25), axles(bay, [0.21, 0.19]), (Slot::MetalDark, 0.6));
     for share in [0.21, 0.81] {
         let arch = across(wheel * 1.18, [body.high.x - 0.18, body.high.x + 0.02], 14);
-        builder.add_pair("plastic_dark", arch.moved(0.0, wheel * 1.05, z(share)));
+        builder.add_pair(Slot::PlasticDark, arch.moved(0.0, wheel * 1.05, z(share)));
     }
     for side in [Side::Front, Side::Back] {
         let bumper = bay.slab(side, 0.12).with_y([wheel * 0.9, wheel * 1.5]).inset(0.08, 0.0, 0.0);
-        builder.block("metal_dark", bumper, 0.02);
+        builder.block(Slot::MetalDark, bumper, 0.02);
     }
     let face = front
         .slab(Side::Front, 0.004)
         .inset(front.width() * 0.24, 0.0, 0.0)
         .with_y([waist * 0.66, waist * 0.9]);
     for bar in face.rows(4, 0.02) {
-        builder.cuboid("metal_dark", bar.moved(0.0, 0.0, 0.002));
+        builder.cuboid(Slot::MetalDark, bar.moved(0.0, 0.0, 0.002));
     }
     lamps(builder, body, [waist * 0.68, waist * 0.9]);
     let x = body.high.x - 0.1;
     let bow = [(-x, waist - 0.05), (-x * 0.86, high * 0.93), (x * 0.86, high * 0.93), (x, waist - 0.05)];
     let bow = bow.map(|(x, y)| DVec3::new(x, y, bed.high.z - 0.1));
-    builder.add("chrome", sweep(&bow, 0.03, 8));
+    builder.add(Slot::Chrome, sweep(&bow, 0.03, 8));
 }
 
 /// A body in one sweep with a short bonnet and an upright tail, on small wheels; plain bumpers, a rack on the roof.
-fn hatchback(builder: &mut Builder, paint: &'static str) {
+fn hatchback(builder: &mut Builder, paint: Slot) {
     let bay = builder.bay();
     let (half, high, depth) = (bay.high.x - 0.02, bay.high.y, bay.depth());
     let wheel = high * 0.2;
@@ -260,23 +260,23 @@ fn hatchback(builder: &mut Builder, paint: &'static str) {
         .without(Side::Front, depth * 0.15)
         .without(Side::Back, 0.1);
     cabin(builder, paint, foot, roof);
-    wheels(builder, (wheel, 0.19), axles(bay, [0.17, 0.17]), ("plastic", 0.66));
+    wheels(builder, (wheel, 0.19), axles(bay, [0.17, 0.17]), (Slot::Plastic, 0.66));
     for side in [Side::Left, Side::Right] {
         let strip = bay.slab(side, 0.022).with_z([at(0.28, 0.0).x, at(0.72, 0.0).x]);
-        builder.cuboid("plastic_dark", strip.with_y([high * 0.36, high * 0.4]));
+        builder.cuboid(Slot::PlasticDark, strip.with_y([high * 0.36, high * 0.4]));
         let handle = bay.slab(side, 0.03).with_z([at(0.44, 0.0).x, at(0.49, 0.0).x]);
-        builder.cuboid("plastic_dark", handle.with_y([high * 0.52, high * 0.54]));
+        builder.cuboid(Slot::PlasticDark, handle.with_y([high * 0.52, high * 0.54]));
         let rail = roof.slab(side, 0.03).with_y([high * 0.985, high]).inset(0.0, 0.0, 0.2);
-        builder.cuboid("metal_dark", rail.moved(if side == Side::Left { 0.1 } else { -0.1 }, 0.0, 0.0));
+        builder.cuboid(Slot::MetalDark, rail.moved(if side == Side::Left { 0.1 } else { -0.1 }, 0.0, 0.0));
     }
     for share in [0.3, 0.7] {
         let bar = roof.inset(0.08, 0.0, 0.0).with_y([high * 0.94, high * 0.99]);
         let z = roof.low.z + share * roof.depth();
-        builder.cuboid("metal_dark", bar.with_z([z - 0.02, z + 0.02]));
+        builder.cuboid(Slot::MetalDark, bar.with_z([z - 0.02, z + 0.02]));
     }
     for side in [Side::Front, Side::Back] {
         let bumper = bay.slab(side, 0.1).with_y([high * 0.2, high * 0.32]).inset(0.008, 0.0, 0.0);
-        builder.block("plastic_dark", bumper, 0.025);
+        builder.block(Slot::PlasticDark, bumper, 0.025);
     }
     let body = bay.with_z([at(0.004, 0.0).x, at(0.985, 0.0).x]).inset(0.04, 0.0, 0.0);
     lamps(builder, body, [high * 0.36, high * 0.48]);

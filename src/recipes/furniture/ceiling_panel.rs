@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::seating::depth_slats;
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Slice, extrude, loft_ring};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Share of the shorter side that a frame around tubes is wide, and of the frame that the tubes keep off it.
 const FRAME: f64 = 0.04;
@@ -38,7 +38,7 @@ fn along(bay: Bay, count: u32, gap: f64) -> Vec<Bay> {
 }
 
 /// A frame through (share of the height, share of its width inwards); gives what is within.
-fn frame(builder: &mut Builder, slot: &'static str, wide: f64, profile: &[(f64, f64)]) -> Bay {
+fn frame(builder: &mut Builder, slot: Slot, wide: f64, profile: &[(f64, f64)]) -> Bay {
     let bay = builder.bay();
     let slice = |&(rise, back): &(f64, f64)| {
         let back = back * wide;
@@ -54,7 +54,7 @@ fn tubes(builder: &mut Builder, count: u32) {
     let bay = builder.bay();
     let off = short(bay) * FRAME * (1.0 + OFF_FRAME) - SINK;
     for tube in along(bay.inset(off, 0.0, off), count, short(bay) * 0.08) {
-        builder.cuboid("lamp", tube.with_y([bay.height() * 0.35, bay.height() * 0.62]));
+        builder.cuboid(Slot::Lamp, tube.with_y([bay.height() * 0.35, bay.height() * 0.62]));
     }
 }
 
@@ -62,25 +62,25 @@ fn tubes(builder: &mut Builder, count: u32) {
 fn diffuser(builder: &mut Builder, look: u32) {
     let bay = builder.bay();
     let border = short(bay) * 0.025;
-    let inner = frame(builder, "painted", border, &[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
+    let inner = frame(builder, Slot::Painted, border, &[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
     if look == 0 {
-        builder.cuboid("lamp", inner.inset(0.0, bay.height() * 0.2, 0.0));
+        builder.cuboid(Slot::Lamp, inner.inset(0.0, bay.height() * 0.2, 0.0));
         return;
     }
-    builder.cuboid("painted", inner.with_y([bay.height() * 0.3, bay.height() * 0.9]));
+    builder.cuboid(Slot::Painted, inner.with_y([bay.height() * 0.3, bay.height() * 0.9]));
     for strip in along(inner.inset(border, 0.0, border), 3, short(bay) * 0.14) {
-        builder.cuboid("lamp", strip.with_y([bay.height() * 0.15, bay.height() * 0.4]));
+        builder.cuboid(Slot::Lamp, strip.with_y([bay.height() * 0.15, bay.height() * 0.4]));
     }
 }
 
 /// Tubes over bars that cross, in a frame with a step: the ceilings of old reading rooms.
 fn grid(builder: &mut Builder, look: u32) {
     let bay = builder.bay();
-    let slot = ["wood", "painted"][look as usize];
+    let slot = [Slot::Wood, Slot::Painted][look as usize];
     // From the ceiling down to an inner edge that lies lowest.
     let stepped = [(0.5, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.3)];
     let inner = frame(builder, slot, short(bay) * FRAME, &stepped);
-    builder.cuboid("painted", inner.with_y([bay.height() * 0.75, bay.height() * 0.95]));
+    builder.cuboid(Slot::Painted, inner.with_y([bay.height() * 0.75, bay.height() * 0.95]));
     tubes(builder, 2 + look);
     let fields = |length: f64| (length / (short(bay) / 3.0)).round().clamp(2.0, 8.0) as u32;
     let half = (short(bay) * 0.02).min(0.01);
@@ -118,7 +118,7 @@ fn trough(builder: &mut Builder, look: u32) {
     let other = if is_long_in_x { Side::Right } else { Side::Front };
     let between = bay.without(end, SHEET).without(other, SHEET);
     builder.add(
-        "metal",
+        Slot::Metal,
         if is_long_in_x {
             extrude(&section, Axis::X, between.x())
         } else {
@@ -126,7 +126,7 @@ fn trough(builder: &mut Builder, look: u32) {
         },
     );
     for side in [end, other] {
-        builder.cuboid("metal_dark", bay.slab(side, SHEET + SINK).inset(0.0, SINK, 0.0));
+        builder.cuboid(Slot::MetalDark, bay.slab(side, SHEET + SINK).inset(0.0, SINK, 0.0));
     }
     tubes(builder, 2 + look);
     let blades = if is_long_in_x { between.columns(6, 0.0) } else { depth_slats(between, 6, 0.0) };
@@ -137,7 +137,7 @@ fn trough(builder: &mut Builder, look: u32) {
         } else {
             blade.with_z([across.z - SHEET, across.z + SHEET]).inset(wall * 0.5, 0.0, 0.0)
         };
-        builder.cuboid("metal", plate.with_y([height * 0.04, height * 0.3]));
+        builder.cuboid(Slot::Metal, plate.with_y([height * 0.04, height * 0.3]));
     }
 }
 
@@ -145,7 +145,7 @@ fn trough(builder: &mut Builder, look: u32) {
 fn bare(builder: &mut Builder, look: u32) {
     let bay = builder.bay();
     let (long, height) = (bay.width().max(bay.depth()), bay.height());
-    builder.cuboid("painted", bay.with_y([height * 0.72, height]));
+    builder.cuboid(Slot::Painted, bay.with_y([height * 0.72, height]));
     tubes(builder, 4);
     let ends = if bay.width() >= bay.depth() { [Side::Left, Side::Right] } else { [Side::Back, Side::Front] };
     for side in ends {
@@ -155,10 +155,10 @@ fn bare(builder: &mut Builder, look: u32) {
         } else {
             holder.inset(short(bay) * 0.02, 0.0, 0.0)
         };
-        builder.cuboid("plastic", holder.with_y([0.0, height * 0.73]));
+        builder.cuboid(Slot::Plastic, holder.with_y([0.0, height * 0.73]));
     }
     if look == 1 {
         let middle = along(bay.inset(short(bay) * 0.09, 0.0, short(bay) * 0.09), 3, short(bay) * 0.35)[1];
-        builder.cuboid("painted", middle.with_y([height * 0.4, height * 0.74]));
+        builder.cuboid(Slot::Painted, middle.with_y([height * 0.4, height * 0.74]));
     }
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::parts::slanted_leg;
 use crate::recipes::kit::{Bay, Builder, Solid, cuboid, cylinder, lathe, pipe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A stand drawn in a circle and stretched where its box is not square.
 struct Stand {
@@ -16,12 +16,12 @@ struct Stand {
 }
 
 impl Stand {
-    fn place(&self, builder: &mut Builder, slot: &'static str, solid: Solid) {
+    fn place(&self, builder: &mut Builder, slot: Slot, solid: Solid) {
         builder.add(slot, solid.stretched(self.stretch));
     }
 
     /// `count` copies of a piece around the middle, the first turned by `first` radians.
-    fn around(&self, builder: &mut Builder, slot: &'static str, (count, first): (u32, f64), piece: &Solid) {
+    fn around(&self, builder: &mut Builder, slot: Slot, (count, first): (u32, f64), piece: &Solid) {
         for step in 0..count {
             let turn = TAU * f64::from(step) / f64::from(count) + first;
             self.place(builder, slot, piece.clone().turned_y(turn));
@@ -45,9 +45,9 @@ fn coat_rack(draft: &Draft, builder: &mut Builder) {
     match draft.set() {
         GeometrySet::Plain => match form {
             0 => leaning_poles(&stand, builder),
-            1 => pegs_on_a_post(&stand, builder, "wood_light"),
+            1 => pegs_on_a_post(&stand, builder, Slot::WoodLight),
             2 => disc_and_loops(&stand, builder),
-            _ => pegs_on_a_post(&stand, builder, "painted"),
+            _ => pegs_on_a_post(&stand, builder, Slot::Painted),
         },
         GeometrySet::Traditional => bentwood(&stand, builder, form),
         GeometrySet::Industrial => pipes(&stand, builder, form),
@@ -61,17 +61,17 @@ fn leaning_poles(stand: &Stand, builder: &mut Builder) {
     let foot = stand.at(0.0, 1.0) - DVec3::Z * pole;
     let top = DVec3::new(0.03, stand.high, -stand.radius * 0.55);
     let shape = slanted_leg([foot, top], pole, &[(0.75, 0.0), (1.0, 0.5), (0.75, 1.0)], 8);
-    stand.around(builder, "wood", (4, 0.0), &shape);
+    stand.around(builder, Slot::Wood, (4, 0.0), &shape);
     for rise in [0.82, 0.95] {
         let at = foot.lerp(top, rise);
         let peg = sweep(&[at, at + DVec3::new(0.02, 0.05, -0.1)], 0.009, 6);
-        stand.around(builder, "metal_dark", (4, 0.0), &peg);
+        stand.around(builder, Slot::MetalDark, (4, 0.0), &peg);
     }
-    stand.place(builder, "metal_dark", cylinder(0.055, [stand.high * 0.66, stand.high * 0.675], 10));
+    stand.place(builder, Slot::MetalDark, cylinder(0.055, [stand.high * 0.66, stand.high * 0.675], 10));
 }
 
 /// A square post on a cross, with round pegs that climb around it.
-fn pegs_on_a_post(stand: &Stand, builder: &mut Builder, slot: &'static str) {
+fn pegs_on_a_post(stand: &Stand, builder: &mut Builder, slot: Slot) {
     let half = 0.02;
     stand.place(builder, slot, cuboid(Bay::new([-half, half], [0.03, stand.high], [-half, half])));
     let foot = Bay::new([-0.024, 0.024], [0.0, 0.045], [-stand.radius, stand.radius]);
@@ -81,13 +81,13 @@ fn pegs_on_a_post(stand: &Stand, builder: &mut Builder, slot: &'static str) {
     for step in 0..8 {
         let rise = 0.72 + 0.03 * f64::from(step);
         let peg = sweep(&[stand.at(rise, 0.04), stand.at(rise + 0.018, 0.5)], 0.011, 6);
-        stand.place(builder, "wood", peg.turned_y(FRAC_PI_2 * f64::from(step)));
+        stand.place(builder, Slot::Wood, peg.turned_y(FRAC_PI_2 * f64::from(step)));
     }
 }
 
 /// A thin tube on a disc of steel, its ends bent to loops.
 fn disc_and_loops(stand: &Stand, builder: &mut Builder) {
-    let slot = "metal_dark";
+    let slot = Slot::MetalDark;
     let disc = [(stand.radius, 0.0), (stand.radius, 0.012), (stand.radius * 0.96, 0.016)];
     stand.place(builder, slot, lathe(&disc, 20));
     stand.place(builder, slot, cylinder(0.014, [0.01, stand.high - 0.02], 8));
@@ -102,7 +102,7 @@ fn disc_and_loops(stand: &Stand, builder: &mut Builder) {
     }
     stand.place(
         builder,
-        "wood",
+        Slot::Wood,
         lathe(
             &[
                 (0.0, stand.high - 0.05),
@@ -117,7 +117,7 @@ fn disc_and_loops(stand: &Stand, builder: &mut Builder) {
 
 /// A turned column on four bent legs, with double hooks in the form of an S and a ring for umbrellas (Thonet).
 fn bentwood(stand: &Stand, builder: &mut Builder, form: usize) {
-    let slot = ["wood", "wood_dark", "wood_dark", "wood"][form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::WoodDark, Slot::Wood][form];
     let column: &[(f64, f64)] = if form.is_multiple_of(2) {
         &[
             (0.9, 0.06),
@@ -173,13 +173,13 @@ fn bentwood(stand: &Stand, builder: &mut Builder, form: usize) {
 
 /// Water pipe on a flange or on four legs of pipe, with tees as hooks and a valve wheel on top of some.
 fn pipes(stand: &Stand, builder: &mut Builder, form: usize) {
-    let slot = ["metal_dark", "metal", "metal_dark", "metal"][form];
+    let slot = [Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::Metal][form];
     let tube = 0.017;
     let head = if form.is_multiple_of(2) { 0.03 } else { 0.0 };
     stand.place(builder, slot, cylinder(tube, [0.02, stand.high - head], 8));
     if form < 2 {
         let disc = [(stand.radius, 0.0), (stand.radius, 0.025)];
-        stand.place(builder, ["wood", "metal_dark"][form], lathe(&disc, [16, 8][form]));
+        stand.place(builder, [Slot::Wood, Slot::MetalDark][form], lathe(&disc, [16, 8][form]));
         stand.place(builder, slot, lathe(&[(0.06, 0.02), (0.06, 0.032), (0.03, 0.036), (0.03, 0.06)], 10));
     }
     if form >= 2 {
@@ -200,19 +200,19 @@ fn pipes(stand: &Stand, builder: &mut Builder, form: usize) {
             (0.05, stand.high),
             (0.012, stand.high - 0.01),
         ];
-        stand.place(builder, "painted_accent", lathe(&wheel, 10));
+        stand.place(builder, Slot::PaintedAccent, lathe(&wheel, 10));
     }
 }
 
 /// Chromed or painted tube with hooks that end in plastic balls, on a small foot.
 fn thin_tube(stand: &Stand, builder: &mut Builder, form: usize) {
-    let slot = ["chrome", "metal_dark", "painted", "chrome"][form];
-    let tip = ["plastic_dark", "plastic", "painted_accent", "plastic"][form];
+    let slot = [Slot::Chrome, Slot::MetalDark, Slot::Painted, Slot::Chrome][form];
+    let tip = [Slot::PlasticDark, Slot::Plastic, Slot::PaintedAccent, Slot::Plastic][form];
     stand.place(builder, slot, cylinder(0.013, [0.02, stand.high - 0.02], 8));
     if form.is_multiple_of(2) {
         let disc =
             [(stand.radius, 0.0), (stand.radius * 0.98, 0.015), (stand.radius * 0.2, 0.03), (0.02, 0.05)];
-        stand.place(builder, if form == 0 { "plastic_dark" } else { slot }, lathe(&disc, 16));
+        stand.place(builder, if form == 0 { Slot::PlasticDark } else { slot }, lathe(&disc, 16));
     } else {
         let leg = [stand.at(0.16, 0.03), stand.at(0.06, 0.5), stand.at(0.006, 0.96)];
         stand.around(builder, slot, (4, 0.0), &sweep(&leg, 0.009, 6));

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use super::screens::{body, display};
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, lathe, loft, sweep};
-use crate::recipes::{Draft, Recipe};
+use crate::recipes::{Draft, Recipe, Slot};
 
 /// A computer's screen: a wide one on a stand; one of 5 to 4 between two loudspeakers; one in a steel case with handles on
 /// a post; one of 5 to 4 beside the case of its computer.
@@ -24,7 +24,7 @@ fn cable(builder: &mut Builder, x: f64, (lift, z): (f64, f64)) {
         DVec3::new(x + 0.05, lift * 0.4, back + 0.012),
         DVec3::new(x + 0.12, 0.004, back + 0.004),
     ];
-    builder.add("plastic_dark", sweep(&path, 0.0035, 4));
+    builder.add(Slot::PlasticDark, sweep(&path, 0.0035, 4));
 }
 
 /// A monitor on a stand: a plate, a disc, a forked foot, or a computer with everything behind its screen.
@@ -37,17 +37,17 @@ fn wide(draft: &Draft, builder: &mut Builder) {
     let (slot, border) = body(draft);
     let panel = bay.without(Side::Below, lift).with_z([z, z + thick]);
     display(builder, panel, (slot, border));
-    let metal = if slot == "metal" || look % 2 == 1 { "metal" } else { "plastic_dark" };
+    let metal = if slot == Slot::Metal || look % 2 == 1 { Slot::Metal } else { Slot::PlasticDark };
     if look == 2 {
         // A chin under the screen, with a badge.
         let chin = panel
             .slab(Side::Below, panel.height() * 0.14)
             .slab(Side::Front, 0.004 + SINK)
             .moved(0.0, 0.0, 0.0008);
-        builder.cuboid("metal", chin.inset(0.001, 0.001, 0.0));
+        builder.cuboid(Slot::Metal, chin.inset(0.001, 0.001, 0.0));
     }
     let hump = panel.inset(panel.width() * 0.34, panel.height() * 0.3, 0.0).with_z([z - 0.016, z + SINK]);
-    builder.cuboid("plastic_dark", hump);
+    builder.cuboid(Slot::PlasticDark, hump);
     let foot = bay.width() * 0.22;
     wide_foot(builder, metal, (look, z, foot));
     let neck = [
@@ -60,12 +60,12 @@ fn wide(draft: &Draft, builder: &mut Builder) {
     builder.add(metal, extrude(&neck.map(DVec2::from), Axis::X, [-half, half]));
     cable(builder, 0.0, (lift, z));
     let light = DVec3::new(panel.high.x - 0.03, panel.low.y + 0.004, panel.high.z - 0.004);
-    builder.cuboid("lamp", Bay::around(light, 0.01, 0.004, 0.003));
+    builder.cuboid(Slot::Lamp, Bay::around(light, 0.01, 0.004, 0.003));
 }
 
 /// What a wide monitor stands on: a plate, a disc, or two bars; its screen is at `z`, its foot `foot` metres to either
 /// side.
-fn wide_foot(builder: &mut Builder, metal: &'static str, (look, z, foot): (usize, f64, f64)) {
+fn wide_foot(builder: &mut Builder, metal: Slot, (look, z, foot): (usize, f64, f64)) {
     let bay = builder.bay();
     match look {
         1 => {
@@ -87,10 +87,10 @@ fn wide_foot(builder: &mut Builder, metal: &'static str, (look, z, foot): (usize
 }
 
 /// A screen with a broad border before a back that tapers.
-fn deep_screen(builder: &mut Builder, panel: Bay, slot: &'static str, border: f64) {
+fn deep_screen(builder: &mut Builder, panel: Bay, slot: Slot, border: f64) {
     builder.cuboid(slot, panel);
     let glass = panel.inset(border, border, 0.0).without(Side::Below, border * 0.5);
-    builder.cuboid("screen", glass.with_z([panel.high.z - SINK, panel.high.z + 0.001]));
+    builder.cuboid(Slot::Screen, glass.with_z([panel.high.z - SINK, panel.high.z + 0.001]));
     let (half, depth) = (panel.extent() / 2.0, panel.low.z - builder.bay().low.z);
     let slice = |back: f64, share: f64| Slice::new(back, half.x * share, half.y * share);
     let back = loft(&Outline::Square, &[slice(-SINK, 0.9), slice(depth * 0.62, 0.55)]);
@@ -102,7 +102,7 @@ fn deep_screen(builder: &mut Builder, panel: Bay, slot: &'static str, border: f6
 /// A screen on a ball and a round foot; loudspeakers that lean back, with cloth before them.
 fn with_speakers(builder: &mut Builder, look: u32) {
     let bay = builder.bay();
-    let slot = ["plastic", "plastic_dark"][look as usize];
+    let slot = [Slot::Plastic, Slot::PlasticDark][look as usize];
     let (width, height, z) = (bay.width(), bay.height(), bay.center().z);
     let lift = height * 0.28;
     let panel = bay.with_x([-0.33, 0.33].map(|x| x * width)).without(Side::Below, lift);
@@ -125,16 +125,16 @@ fn with_speakers(builder: &mut Builder, look: u32) {
         let cloth = |share: f64, out: f64| (deep - lean * share + out, top * share);
         let cloth = [cloth(0.3, -SINK), cloth(0.3, 0.003), cloth(0.95, 0.003), cloth(0.95, -SINK)];
         let x = speaker.inset(width * 0.012, 0.0, 0.0).x();
-        builder.add("fabric", extrude(&cloth.map(DVec2::from), Axis::X, x));
+        builder.add(Slot::Fabric, extrude(&cloth.map(DVec2::from), Axis::X, x));
     }
     let knob =
         Bay::around(DVec3::new(bay.high.x - width * 0.075, height * 0.075, bay.high.z), 0.018, 0.018, 0.0);
-    builder.cuboid("metal", knob.with_z([bay.high.z - 0.03, bay.high.z - 0.002]));
+    builder.cuboid(Slot::Metal, knob.with_z([bay.high.z - 0.03, bay.high.z - 0.002]));
     cable(builder, 0.0, (lift, z));
 }
 
 /// A sealed case with fins behind and bars to carry it by at its sides, on a round post and a plate: as beside machines.
-fn in_steel(builder: &mut Builder, (slot, _): (&'static str, f64)) {
+fn in_steel(builder: &mut Builder, (slot, _): (Slot, f64)) {
     let bay = builder.bay();
     let (width, height, z) = (bay.width(), bay.height(), bay.center().z);
     let lift = height * 0.24;
@@ -143,10 +143,10 @@ fn in_steel(builder: &mut Builder, (slot, _): (&'static str, f64)) {
     builder.cuboid(slot, panel);
     let glass = panel.inset(width * 0.06, width * 0.05, 0.0);
     builder.cuboid(
-        "rubber",
+        Slot::Rubber,
         glass.inset(-0.008, -0.008, 0.0).with_z([panel.high.z - SINK, panel.high.z + 0.004]),
     );
-    builder.cuboid("screen", glass.with_z([panel.high.z, panel.high.z + 0.005]));
+    builder.cuboid(Slot::Screen, glass.with_z([panel.high.z, panel.high.z + 0.005]));
     // One bow and its mirror image.
     let (inner, outer) = (panel.high.x - SINK, bay.high.x);
     let bar = width * 0.022;
@@ -162,25 +162,25 @@ fn in_steel(builder: &mut Builder, (slot, _): (&'static str, f64)) {
         (inner, low + bar),
     ];
     let depth = [panel.center().z - bar * 0.6, panel.center().z + bar * 0.6];
-    builder.add_pair("metal_dark", extrude(&bow.map(DVec2::from), Axis::Z, depth));
+    builder.add_pair(Slot::MetalDark, extrude(&bow.map(DVec2::from), Axis::Z, depth));
     let fins = panel.inset(panel.width() * 0.14, panel.height() * 0.12, 0.0);
     for fin in fins.columns(5, fins.width() * 0.17) {
         builder.cuboid(slot, fin.with_z([panel.low.z - bay.depth() * 0.08, panel.low.z + SINK]));
     }
     let post = z - bay.depth() * 0.3;
     let radius = bay.depth() * 0.09;
-    builder.add("metal_dark", cylinder(radius, [0.008, height * 0.78], 8).moved(0.0, 0.0, post));
+    builder.add(Slot::MetalDark, cylinder(radius, [0.008, height * 0.78], 8).moved(0.0, 0.0, post));
     let arm = Bay::new(
         [-0.05, 0.05].map(|x| x * width),
         [0.5, 0.66].map(|y| y * height),
         [post, panel.low.z + SINK],
     );
-    builder.cuboid("metal_dark", arm);
-    builder.cuboid("metal_dark", Bay::new([-0.24, 0.24].map(|x| x * width), [0.0, 0.012], bay.z()));
+    builder.cuboid(Slot::MetalDark, arm);
+    builder.cuboid(Slot::MetalDark, Bay::new([-0.24, 0.24].map(|x| x * width), [0.0, 0.012], bay.z()));
 }
 
 /// A screen on a plain foot, with the case of its computer upright to its right: drives, a button, slits for air.
-fn with_case(builder: &mut Builder, (slot, border): (&'static str, f64)) {
+fn with_case(builder: &mut Builder, (slot, border): (Slot, f64)) {
     let bay = builder.bay();
     let (width, height, z) = (bay.width(), bay.height(), bay.center().z);
     let lift = height * 0.22;
@@ -190,7 +190,7 @@ fn with_case(builder: &mut Builder, (slot, border): (&'static str, f64)) {
     display(builder, panel, (slot, border));
     let middle = panel.center().x;
     let hump = panel.inset(panel.width() * 0.24, panel.height() * 0.2, 0.0);
-    builder.cuboid("plastic_dark", hump.with_z([z - bay.depth() * 0.14, z + SINK]));
+    builder.cuboid(Slot::PlasticDark, hump.with_z([z - bay.depth() * 0.14, z + SINK]));
     let foot = Bay::around(DVec3::new(middle, 0.0, z), panel.width() * 0.56, 0.0, bay.depth() * 0.8);
     builder.cuboid(slot, foot.with_y([0.0, 0.014]));
     let neck = Bay::around(DVec3::new(middle, 0.0, z - bay.depth() * 0.07), panel.width() * 0.2, 0.0, 0.03);
@@ -198,12 +198,13 @@ fn with_case(builder: &mut Builder, (slot, border): (&'static str, f64)) {
     builder.cuboid(slot, case);
     let front = |bay: Bay, out: f64| bay.with_z([case.high.z - SINK, case.high.z + out]);
     let face = case.inset(case.width() * 0.14, case.height() * 0.05, 0.0);
-    for (place, high, dark) in [(0.82, 0.1, "metal_dark"), (0.66, 0.06, "metal_dark"), (0.06, 0.3, "rubber")]
+    for (place, high, dark) in
+        [(0.82, 0.1, Slot::MetalDark), (0.66, 0.06, Slot::MetalDark), (0.06, 0.3, Slot::Rubber)]
     {
         let y = [place, place + high].map(|share| face.low.y + share * face.height());
         builder.cuboid(dark, front(face.with_y(y), 0.002));
     }
     let button = Bay::around(face.center(), face.width() * 0.3, face.width() * 0.3, 0.0);
-    builder.cuboid("metal", front(button, 0.004));
+    builder.cuboid(Slot::Metal, front(button, 0.004));
     cable(builder, middle, (lift, z));
 }

@@ -6,7 +6,7 @@ use super::ovens::{hob, hob_height, oven_front, oven_slots};
 use super::parts::{Fittings, HandleKind, LegKind, handle, legs_at_corners, raised_panel, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft_ring};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres by which handles and knobs stand out.
 const REACH: f64 = 0.028;
@@ -29,22 +29,22 @@ fn cooker(draft: &Draft, builder: &mut Builder) {
     }
 }
 
-fn fittings([front, handle]: [&'static str; 2], reach: f64) -> Fittings {
+fn fittings([front, handle]: [Slot; 2], reach: f64) -> Fittings {
     Fittings { front, handle, reach, is_traditional: false }
 }
 
 /// The foot that steps back under the fronts.
 fn kick(builder: &mut Builder, body: Bay, foot: f64) {
     let kick = body.slab(Side::Below, foot + SINK).inset(0.008, 0.0, 0.008).without(Side::Front, 0.05);
-    builder.cuboid("plastic_dark", kick);
+    builder.cuboid(Slot::PlasticDark, kick);
 }
 
 /// A flush front with a touch panel over a door of glass and a drawer with a groove.
-fn flush(draft: &Draft, builder: &mut Builder, slots: [&'static str; 2]) {
+fn flush(draft: &Draft, builder: &mut Builder, slots: [Slot; 2]) {
     let bay = builder.bay();
     let lift = hob_height(GeometrySet::Plain);
     let top = bay.without(Side::Above, lift).slab(Side::Above, 0.02);
-    builder.block("metal", top, 0.004);
+    builder.block(Slot::Metal, top, 0.004);
     hob(draft, builder, top);
     let foot = (bay.height() * 0.08).min(0.06);
     let body = bay.with_y([0.0, top.low.y + SINK]).inset(0.002, 0.0, 0.002);
@@ -60,9 +60,9 @@ fn flush(draft: &Draft, builder: &mut Builder, slots: [&'static str; 2]) {
     for panel in [strip, door, drawer] {
         fittings.panel(builder, panel);
     }
-    builder.cuboid("screen", strip.inset(0.004, 0.004, 0.0).with_z([surface - SINK, surface + 0.003]));
+    builder.cuboid(Slot::Screen, strip.inset(0.004, 0.004, 0.0).with_z([surface - SINK, surface + 0.003]));
     let glass = door.inset(0.004, 0.004, 0.0).without(Side::Above, door.height() * 0.14);
-    builder.cuboid("screen", glass.with_z([surface - SINK, surface + 0.004]));
+    builder.cuboid(Slot::Screen, glass.with_z([surface - SINK, surface + 0.004]));
     // One bar along the whole door, one along the whole drawer.
     for panel in [door, drawer] {
         let bar = panel.slab(Side::Above, 0.022).inset(0.004, 0.003, 0.0);
@@ -71,12 +71,12 @@ fn flush(draft: &Draft, builder: &mut Builder, slots: [&'static str; 2]) {
 }
 
 /// A range: two panelled doors under big knobs and a rail, on turned feet, with cast rings.
-fn range(builder: &mut Builder, slots: [&'static str; 2]) {
+fn range(builder: &mut Builder, slots: [Slot; 2]) {
     let bay = builder.bay();
     let [front, metal] = slots;
     let lift = hob_height(GeometrySet::Traditional);
     let top = bay.without(Side::Above, lift).slab(Side::Above, 0.035);
-    builder.block("metal_dark", top, 0.01);
+    builder.block(Slot::MetalDark, top, 0.01);
     let radius = bay.width().min(bay.depth()) * 0.17;
     for (x, z) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
         let size = radius * if x * z > 0.0 { 1.0 } else { 0.8 };
@@ -84,7 +84,7 @@ fn range(builder: &mut Builder, slots: [&'static str; 2]) {
             [(top.high.y - SINK, 1.0), (bay.high.y, 0.92), (bay.high.y, 0.68), (top.high.y - SINK, 0.6)];
         let slices = ring.map(|(y, share)| Slice::round(y, size * share));
         let at = [x * bay.width() * 0.24, z * bay.depth() * 0.22];
-        builder.add("metal_dark", loft_ring(&Outline::Round(14), &slices).moved(at[0], 0.0, at[1]));
+        builder.add(Slot::MetalDark, loft_ring(&Outline::Round(14), &slices).moved(at[0], 0.0, at[1]));
         let crown = [(size * 0.45, top.high.y - SINK), (size * 0.3, top.high.y + lift * 0.7)];
         builder.add(metal, lathe(&crown, 8).moved(at[0], 0.0, at[1]));
     }
@@ -123,7 +123,7 @@ fn range(builder: &mut Builder, slots: [&'static str; 2]) {
         raised_panel(builder, front, field);
         if index == 0 {
             let window = field.inset(field.width() * 0.2, field.height() * 0.28, 0.0);
-            builder.cuboid("screen", window.with_z([surface, surface + 0.014]));
+            builder.cuboid(Slot::Screen, window.with_z([surface, surface + 0.014]));
         }
         let bar = DVec3::new(door.center().x, door.high.y - margin * 0.5, surface);
         handle(builder, metal, (HandleKind::Level, door.width() * 0.6), bar, REACH);
@@ -131,35 +131,35 @@ fn range(builder: &mut Builder, slots: [&'static str; 2]) {
 }
 
 /// Heavy grates and a guard at the back on a body of steel over an open frame of square legs.
-fn of_a_restaurant(builder: &mut Builder, slots: [&'static str; 2]) {
+fn of_a_restaurant(builder: &mut Builder, slots: [Slot; 2]) {
     let bay = builder.bay();
     let [front, metal] = slots;
     let top = bay.without(Side::Above, GUARD).slab(Side::Above, 0.05);
-    builder.block("metal", top, 0.006);
+    builder.block(Slot::Metal, top, 0.006);
     let guard = bay.slab(Side::Back, 0.03).inset(0.001, 0.0, 0.001).with_y([top.high.y - SINK, bay.high.y]);
-    builder.cuboid("metal", guard);
+    builder.cuboid(Slot::Metal, guard);
     let room = top.inset(0.03, 0.0, 0.03).without(Side::Back, 0.02);
     for grate in room.columns(2, 0.012) {
         let high = top.high.y + 0.034;
         for side in [Side::Front, Side::Back] {
             let sill = grate.slab(side, 0.016).with_y([top.high.y - SINK, high - 0.008]);
-            builder.cuboid("metal_dark", sill);
+            builder.cuboid(Slot::MetalDark, sill);
         }
         for bar in grate.inset(0.004, 0.0, -0.002).columns(4, grate.width() * 0.18) {
-            builder.cuboid("metal_dark", bar.with_y([high - 0.02, high]));
+            builder.cuboid(Slot::MetalDark, bar.with_y([high - 0.02, high]));
         }
         for share in [0.27, 0.73] {
             let crown = [(0.05, top.high.y - SINK), (0.045, top.high.y + 0.01), (0.03, top.high.y + 0.012)];
             let at = DVec3::new(grate.center().x, 0.0, grate.low.z + grate.depth() * share);
-            builder.add("metal_dark", lathe(&crown, 10).moved(at.x, 0.0, at.z));
+            builder.add(Slot::MetalDark, lathe(&crown, 10).moved(at.x, 0.0, at.z));
         }
     }
     let foot = bay.height() * 0.24;
     let body = bay.with_y([0.0, top.low.y + SINK]).inset(0.004, 0.0, 0.004);
     let frame = body.with_y([0.0, foot + SINK]).without(Side::Front, REACH + 0.01);
-    legs_at_corners(builder, "metal", frame.inset(0.006, 0.0, 0.006), 0.04, LegKind::Square);
+    legs_at_corners(builder, Slot::Metal, frame.inset(0.006, 0.0, 0.006), 0.04, LegKind::Square);
     let shelf = frame.inset(0.012, 0.0, 0.012).with_y([foot * 0.36, foot * 0.36 + 0.02]);
-    builder.cuboid("metal_dark", shelf);
+    builder.cuboid(Slot::MetalDark, shelf);
     let body = body.without(Side::Below, foot);
     let fittings = fittings(slots, REACH);
     fittings.carcass(builder, front, body);
@@ -181,7 +181,7 @@ fn of_a_restaurant(builder: &mut Builder, slots: [&'static str; 2]) {
 }
 
 /// Thin sheet: a shallow top, knobs, an oven with a small window over a drawer.
-fn of_sheet(draft: &Draft, builder: &mut Builder, slots: [&'static str; 2]) {
+fn of_sheet(draft: &Draft, builder: &mut Builder, slots: [Slot; 2]) {
     let bay = builder.bay();
     let lift = hob_height(GeometrySet::Budget);
     let top = bay.without(Side::Above, lift).slab(Side::Above, 0.012).without(Side::Front, REACH * 0.6);
@@ -190,7 +190,7 @@ fn of_sheet(draft: &Draft, builder: &mut Builder, slots: [&'static str; 2]) {
     let foot = (bay.height() * 0.05).min(0.04);
     let body = bay.with_y([0.0, top.low.y + SINK]).inset(0.002, 0.0, 0.002).without(Side::Front, -0.002);
     let feet = body.with_y([0.0, foot + SINK]).inset(0.02, 0.0, 0.02).without(Side::Front, 0.04);
-    legs_at_corners(builder, "plastic_dark", feet, 0.04, LegKind::Square);
+    legs_at_corners(builder, Slot::PlasticDark, feet, 0.04, LegKind::Square);
     let body = body.without(Side::Below, foot);
     let fittings = fittings(slots, REACH);
     fittings.carcass(builder, slots[0], body);

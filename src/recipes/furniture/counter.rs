@@ -3,7 +3,7 @@
 use super::parts::{LegKind, across, legs_at_corners, slab_top};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a counter's top.
 const TOP: f64 = 0.04;
@@ -25,7 +25,7 @@ fn counter(draft: &Draft, builder: &mut Builder) {
 }
 
 /// Boards side by side over a face of the body.
-fn boards(builder: &mut Builder, slot: &'static str, face: Bay, (usual, gap): (f64, f64)) -> Vec<Bay> {
+fn boards(builder: &mut Builder, slot: Slot, face: Bay, (usual, gap): (f64, f64)) -> Vec<Bay> {
     let count = (face.width() / usual).round().clamp(1.0, 40.0) as u32;
     let columns = face.inset(0.004, 0.004, 0.0).columns(count, gap);
     columns.iter().for_each(|&column| builder.cuboid(slot, column));
@@ -40,9 +40,12 @@ fn faces(body: Bay) -> [Bay; 2] {
 /// A thick top that runs down both ends, the fronts set back under it, on a plinth that steps back far.
 fn folded(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let [slot, wood] =
-        [["stone", "wood"], ["wood_dark", "painted"], ["stone", "painted_accent"], ["wood", "laminate"]]
-            [look];
+    let [slot, wood] = [
+        [Slot::Stone, Slot::Wood],
+        [Slot::WoodDark, Slot::Painted],
+        [Slot::Stone, Slot::PaintedAccent],
+        [Slot::Wood, Slot::Laminate],
+    ][look];
     let thick = 0.06_f64.min(bay.height() * 0.1).min(bay.width() * 0.1);
     builder.block(slot, bay.slab(Side::Above, thick), 0.003);
     for side in [Side::Left, Side::Right] {
@@ -53,7 +56,7 @@ fn folded(builder: &mut Builder, look: usize) {
     let body = bay.without(Side::Above, thick - SINK).inset(thick - 0.003, 0.0, deep);
     let kick = 0.08_f64.min(bay.height() * 0.15);
     builder.cuboid(
-        "metal_dark",
+        Slot::MetalDark,
         body.slab(Side::Below, kick + SINK).without(Side::Below, 0.001).inset(0.004, 0.0, 0.06),
     );
     let upper = body.without(Side::Below, kick);
@@ -67,8 +70,12 @@ fn folded(builder: &mut Builder, look: usize) {
 /// Raised panels between a plinth and a moulded top, a rail of brass for the feet.
 fn panelled(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let [slot, wood] =
-        [["wood_dark", "wood_dark"], ["stone", "wood"], ["wood", "painted"], ["stone", "wood_dark"]][look];
+    let [slot, wood] = [
+        [Slot::WoodDark, Slot::WoodDark],
+        [Slot::Stone, Slot::Wood],
+        [Slot::Wood, Slot::Painted],
+        [Slot::Stone, Slot::WoodDark],
+    ][look];
     let top = TOP.min(bay.height() * 0.2);
     slab_top(builder, slot, bay.slab(Side::Above, top), true);
     let body = bay.without(Side::Above, top - SINK).inset(0.05, 0.0, 0.05);
@@ -87,19 +94,23 @@ fn panelled(builder: &mut Builder, look: usize) {
             builder.block(wood, field.moved(0.0, 0.0, out), 0.004);
         }
     }
-    foot_rail(builder, "brass", body, [kick * 1.3, 0.016]);
+    foot_rail(builder, Slot::Brass, body, [kick * 1.3, 0.016]);
 }
 
 /// Planks in a frame of square steel under a thick top, a pipe for the feet.
 fn framed(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let [slot, wood] =
-        [["wood", "metal_dark"], ["metal", "wood"], ["concrete", "wood_dark"], ["wood_dark", "metal"]][look];
+    let [slot, wood] = [
+        [Slot::Wood, Slot::MetalDark],
+        [Slot::Metal, Slot::Wood],
+        [Slot::Concrete, Slot::WoodDark],
+        [Slot::WoodDark, Slot::Metal],
+    ][look];
     let top = (TOP * 1.6).min(bay.height() * 0.2);
     builder.block(slot, bay.slab(Side::Above, top), 0.005);
     let frame = bay.without(Side::Above, top - SINK).inset(0.016, 0.0, 0.016);
     let thick = 0.05_f64.min(frame.depth() * 0.15);
-    let metal = if wood == "metal" { "metal_dark" } else { "metal" };
+    let metal = if wood == Slot::Metal { Slot::MetalDark } else { Slot::Metal };
     legs_at_corners(builder, metal, frame, thick, LegKind::Square);
     let foot = 0.13_f64.min(bay.height() * 0.15);
     for y in [foot, frame.high.y - thick - 0.01] {
@@ -122,21 +133,21 @@ fn framed(builder: &mut Builder, look: usize) {
 fn boarded(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let [slot, wood] = [
-        ["laminate", "laminate"],
-        ["wood_light", "painted"],
-        ["laminate", "painted_accent"],
-        ["plastic", "laminate"],
+        [Slot::Laminate, Slot::Laminate],
+        [Slot::WoodLight, Slot::Painted],
+        [Slot::Laminate, Slot::PaintedAccent],
+        [Slot::Plastic, Slot::Laminate],
     ][look];
     let top = 0.028_f64.min(bay.height() * 0.2);
     builder.cuboid(slot, bay.slab(Side::Above, top).inset(0.0, 0.0, 0.002));
     for side in [Side::Front, Side::Back] {
         let edge = bay.slab(Side::Above, top).slab(side, 0.002 + SINK).inset(0.0004, 0.0004, 0.0);
-        builder.cuboid("plastic_dark", edge);
+        builder.cuboid(Slot::PlasticDark, edge);
     }
     let foot = 0.06_f64.min(bay.height() * 0.1);
     let body = bay.without(Side::Above, top - SINK).inset(0.02, 0.0, 0.02);
     let feet = body.slab(Side::Below, foot + SINK).inset(0.01, 0.0, 0.01);
-    legs_at_corners(builder, "plastic_dark", feet, 0.05, LegKind::Round);
+    legs_at_corners(builder, Slot::PlasticDark, feet, 0.05, LegKind::Round);
     let upper = body.without(Side::Below, foot);
     // Open on the staff's side: ends, a front for guests, a bottom, a shelf.
     let thin = 0.022;
@@ -157,7 +168,7 @@ fn boarded(builder: &mut Builder, look: usize) {
 }
 
 /// A rail before the guests' side at a height, on stays; its body ends `out` metres behind the body's face at most.
-fn foot_rail(builder: &mut Builder, metal: &'static str, body: Bay, [y, out]: [f64; 2]) {
+fn foot_rail(builder: &mut Builder, metal: Slot, body: Bay, [y, out]: [f64; 2]) {
     let bay = builder.bay();
     let radius = 0.015;
     let z = bay.low.z + radius + 0.0002;

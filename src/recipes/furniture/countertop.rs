@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::parts::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, Solid, cylinder, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A kettle with a spout to the right and a handle to the left or above: a jug on its base, one with a belly and a bail,
 /// a goose neck, or one of plastic.
@@ -14,7 +14,7 @@ pub(super) static KETTLE: Recipe = Recipe::accessory("kettle", [0.22, 0.16, 0.24
 fn kettle(draft: &Draft, builder: &mut Builder) {
     let look = draft.input.look as usize % 4;
     if draft.is_traditional() {
-        kettle_with_bail(builder, ["painted_accent", "chrome", "brass", "painted"][look]);
+        kettle_with_bail(builder, [Slot::PaintedAccent, Slot::Chrome, Slot::Brass, Slot::Painted][look]);
     } else {
         kettle_on_base(builder, draft.set(), look);
     }
@@ -38,7 +38,7 @@ fn kettle_point(bay: Bay, out: f64, y: f64) -> DVec3 {
 }
 
 /// One with a belly and a bail over its lid.
-fn kettle_with_bail(builder: &mut Builder, slot: &'static str) {
+fn kettle_with_bail(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let (height, radius, x) = (bay.height(), bay.depth() / 2.0, kettle_middle(bay));
     let at = |out: f64, y: f64| kettle_point(bay, out, y);
@@ -47,7 +47,7 @@ fn kettle_with_bail(builder: &mut Builder, slot: &'static str) {
     let turned = |profile: &[(f64, f64)]| kettle_body(bay, profile, 12);
     builder
         .add(slot, turned(&[(0.86, 0.0), (1.0, 0.14), (1.0, 0.26), (0.8, 0.46), (0.42, 0.58), (0.3, 0.6)]));
-    builder.add("wood_dark", turned(&[(0.08, 0.59), (0.14, 0.63), (0.05, 0.68)]));
+    builder.add(Slot::WoodDark, turned(&[(0.08, 0.59), (0.14, 0.63), (0.05, 0.68)]));
     builder.add(
         slot,
         sweep(
@@ -65,7 +65,7 @@ fn kettle_with_bail(builder: &mut Builder, slot: &'static str) {
         at(radius * 0.86, 0.7),
         at(radius * 0.8, 0.42),
     ];
-    builder.add("metal_dark", sweep(&bail, radius * 0.07, 4));
+    builder.add(Slot::MetalDark, sweep(&bail, radius * 0.07, 4));
     builder.cuboid(
         slot,
         Bay::new([bay.low.x, x - radius * 0.9], [height * 0.5, height * 0.53], [-0.006, 0.006]),
@@ -76,13 +76,15 @@ fn kettle_with_bail(builder: &mut Builder, slot: &'static str) {
 fn kettle_on_base(builder: &mut Builder, set: GeometrySet, look: usize) {
     let bay = builder.bay();
     let (slot, grip) = match set {
-        GeometrySet::Industrial => (["metal", "metal_dark", "metal", "brass"][look], "wood_dark"),
-        GeometrySet::Budget => {
-            (["plastic", "plastic_dark", "painted_accent", "plastic"][look], "plastic_dark")
+        GeometrySet::Industrial => {
+            ([Slot::Metal, Slot::MetalDark, Slot::Metal, Slot::Brass][look], Slot::WoodDark)
         }
-        _ => (["metal", "plastic_dark", "painted", "glass"][look], "plastic_dark"),
+        GeometrySet::Budget => {
+            ([Slot::Plastic, Slot::PlasticDark, Slot::PaintedAccent, Slot::Plastic][look], Slot::PlasticDark)
+        }
+        _ => ([Slot::Metal, Slot::PlasticDark, Slot::Painted, Slot::Glass][look], Slot::PlasticDark),
     };
-    builder.add("plastic_dark", kettle_body(bay, &[(0.94, 0.0), (0.94, 0.05), (0.8, 0.08)], 12));
+    builder.add(Slot::PlasticDark, kettle_body(bay, &[(0.94, 0.0), (0.94, 0.05), (0.8, 0.08)], 12));
     let is_goose = set == GeometrySet::Industrial;
     let body: &[(f64, f64)] = if is_goose {
         &[(1.0, 0.075), (0.96, 0.2), (0.62, 0.7), (0.5, 0.74), (0.2, 0.78)]
@@ -100,7 +102,7 @@ fn kettle_on_base(builder: &mut Builder, set: GeometrySet, look: usize) {
 }
 
 /// A goose neck from low on the body, or a short spout at the rim.
-fn kettle_spout(builder: &mut Builder, slot: &'static str, is_goose: bool) {
+fn kettle_spout(builder: &mut Builder, slot: Slot, is_goose: bool) {
     let bay = builder.bay();
     let (radius, right) = (bay.depth() / 2.0, bay.high.x - kettle_middle(bay));
     let at = |out: f64, y: f64| kettle_point(bay, out, y);
@@ -120,7 +122,7 @@ fn kettle_spout(builder: &mut Builder, slot: &'static str, is_goose: bool) {
 }
 
 /// A bow at the left.
-fn kettle_handle(builder: &mut Builder, grip: &'static str, is_goose: bool) {
+fn kettle_handle(builder: &mut Builder, grip: Slot, is_goose: bool) {
     let bay = builder.bay();
     let (radius, left) = (bay.depth() / 2.0, bay.low.x - kettle_middle(bay));
     let at = |out: f64, y: f64| kettle_point(bay, out, y);
@@ -148,10 +150,10 @@ fn coffee_machine(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Budget => [1, 1, 0, 1],
     }[look];
     let slot = match draft.set() {
-        GeometrySet::Plain => ["plastic_dark", "metal", "metal", "plastic"],
-        GeometrySet::Traditional => ["brass", "painted_accent", "chrome", "painted"],
-        GeometrySet::Industrial => ["metal", "metal_dark", "metal", "chrome"],
-        GeometrySet::Budget => ["plastic", "plastic_dark", "plastic_dark", "painted_accent"],
+        GeometrySet::Plain => [Slot::PlasticDark, Slot::Metal, Slot::Metal, Slot::Plastic],
+        GeometrySet::Traditional => [Slot::Brass, Slot::PaintedAccent, Slot::Chrome, Slot::Painted],
+        GeometrySet::Industrial => [Slot::Metal, Slot::MetalDark, Slot::Metal, Slot::Chrome],
+        GeometrySet::Budget => [Slot::Plastic, Slot::PlasticDark, Slot::PlasticDark, Slot::PaintedAccent],
     }[look];
     let bay = builder.bay();
     let height = bay.height();
@@ -166,9 +168,9 @@ fn coffee_machine(draft: &Draft, builder: &mut Builder) {
 
 fn grid(builder: &mut Builder, base: Bay) {
     let grid = base.slab(Side::Front, base.depth() * 0.5).inset(base.width() * 0.1, 0.0, base.depth() * 0.03);
-    builder.cuboid("metal_dark", grid.with_y([base.high.y - SINK, base.high.y + 0.003]));
+    builder.cuboid(Slot::MetalDark, grid.with_y([base.high.y - SINK, base.high.y + 0.003]));
     for bar in grid.inset(0.004, 0.0, 0.004).columns(7, grid.width() * 0.05) {
-        builder.cuboid("metal", bar.with_y([base.high.y + 0.002, base.high.y + 0.006]));
+        builder.cuboid(Slot::Metal, bar.with_y([base.high.y + 0.002, base.high.y + 0.006]));
     }
 }
 
@@ -176,10 +178,10 @@ fn grid(builder: &mut Builder, base: Bay) {
 fn cup(builder: &mut Builder, at: DVec3, size: f64) {
     let profile = [(0.6, 0.0), (1.0, 0.5), (1.0, 1.4), (0.9, 1.4), (0.6, 0.2)];
     let cup = lathe(&profile.map(|(radius, y)| (radius * size, at.y + y * size)), 10);
-    builder.add("ceramic", cup.moved(at.x, 0.0, at.z));
+    builder.add(Slot::Ceramic, cup.moved(at.x, 0.0, at.z));
 }
 
-fn automatic(builder: &mut Builder, slot: &'static str, base: Bay) {
+fn automatic(builder: &mut Builder, slot: Slot, base: Bay) {
     let bay = builder.bay();
     let height = bay.height();
     grid(builder, base);
@@ -188,12 +190,14 @@ fn automatic(builder: &mut Builder, slot: &'static str, base: Bay) {
     let head = bay.with_y([height * 0.68, height * 0.93]).without(Side::Front, bay.depth() * 0.05);
     builder.block(slot, head, 0.01);
     let hopper = head.slab(Side::Back, head.depth() * 0.5).inset(head.width() * 0.16, 0.0, 0.02);
-    builder.block("glass", hopper.with_y([head.high.y - SINK, height]), 0.006);
+    builder.block(Slot::Glass, hopper.with_y([head.high.y - SINK, height]), 0.006);
     let z = bay.high.z - bay.depth() * 0.24;
     for x in [-0.05, 0.05] {
         let x = x * bay.width();
-        builder
-            .add("chrome", cylinder(bay.width() * 0.03, [height * 0.54, height * 0.69], 8).moved(x, 0.0, z));
+        builder.add(
+            Slot::Chrome,
+            cylinder(bay.width() * 0.03, [height * 0.54, height * 0.69], 8).moved(x, 0.0, z),
+        );
     }
     builder.block(
         slot,
@@ -201,13 +205,13 @@ fn automatic(builder: &mut Builder, slot: &'static str, base: Bay) {
         0.004,
     );
     let panel = head.inset(head.width() * 0.16, head.height() * 0.22, 0.0);
-    builder.cuboid("screen", panel.with_z([head.high.z - SINK, head.high.z + 0.002]));
+    builder.cuboid(Slot::Screen, panel.with_z([head.high.z - SINK, head.high.z + 0.002]));
     let knob = turned_forward(cylinder(head.height() * 0.13, [0.0, bay.depth() * 0.05], 12));
-    builder.add("chrome", knob.moved(head.width() * 0.28, head.center().y, head.high.z));
+    builder.add(Slot::Chrome, knob.moved(head.width() * 0.28, head.center().y, head.high.z));
     cup(builder, DVec3::new(0.0, base.high.y + 0.0055, z), height * 0.085);
 }
 
-fn filter(builder: &mut Builder, slot: &'static str, base: Bay) {
+fn filter(builder: &mut Builder, slot: Slot, base: Bay) {
     let bay = builder.bay();
     let height = bay.height();
     let tank = bay.slab(Side::Back, bay.depth() * 0.38).with_y([base.high.y - SINK, height * 0.99]);
@@ -217,9 +221,9 @@ fn filter(builder: &mut Builder, slot: &'static str, base: Bay) {
     let z = bay.high.z - bay.depth() * 0.32;
     let radius = (bay.width() * 0.36).min(bay.depth() * 0.27);
     let cone = [(radius * 0.35, height * 0.63), (radius * 0.95, height * 0.84)];
-    builder.add("plastic_dark", lathe(&cone, 12).moved(0.0, 0.0, z));
+    builder.add(Slot::PlasticDark, lathe(&cone, 12).moved(0.0, 0.0, z));
     builder.add(
-        "metal_dark",
+        Slot::MetalDark,
         cylinder(radius * 0.9, [base.high.y - SINK, base.high.y + 0.005], 14).moved(0.0, 0.0, z),
     );
     let low = base.high.y + 0.0045;
@@ -230,13 +234,13 @@ fn filter(builder: &mut Builder, slot: &'static str, base: Bay) {
         (radius * 0.62, low + height * 0.42),
         (radius * 0.68, low + height * 0.46),
     ];
-    builder.add("glass", lathe(&jug, 12).moved(0.0, 0.0, z));
+    builder.add(Slot::Glass, lathe(&jug, 12).moved(0.0, 0.0, z));
     let coffee = [
         (radius * 0.7, low + 0.003),
         (radius * 0.9, low + height * 0.12),
         (radius * 0.9, low + height * 0.2),
     ];
-    builder.add("soil", lathe(&coffee, 12).moved(0.0, 0.0, z));
+    builder.add(Slot::Soil, lathe(&coffee, 12).moved(0.0, 0.0, z));
     let front = bay.high.z - 0.008;
     let bow = [
         DVec3::new(0.0, low + height * 0.42, z + radius * 0.6),
@@ -244,12 +248,13 @@ fn filter(builder: &mut Builder, slot: &'static str, base: Bay) {
         DVec3::new(0.0, low + height * 0.1, front),
         DVec3::new(0.0, low + height * 0.08, z + radius * 0.94),
     ];
-    builder.add("plastic_dark", sweep(&bow, 0.008, 6));
+    builder.add(Slot::PlasticDark, sweep(&bow, 0.008, 6));
     let light = Bay::around(DVec3::new(bay.width() * 0.36, base.center().y, base.high.z), 0.02, 0.014, 0.0);
-    builder.cuboid("lamp", light.with_z([base.high.z - 0.004, base.high.z - SINK]).moved(0.0, 0.0, 0.001));
+    builder
+        .cuboid(Slot::Lamp, light.with_z([base.high.z - 0.004, base.high.z - SINK]).moved(0.0, 0.0, 0.001));
 }
 
-fn espresso(builder: &mut Builder, slot: &'static str, base: Bay) {
+fn espresso(builder: &mut Builder, slot: Slot, base: Bay) {
     let bay = builder.bay();
     let height = bay.height();
     grid(builder, base);
@@ -263,37 +268,37 @@ fn espresso(builder: &mut Builder, slot: &'static str, base: Bay) {
             .inset(0.012 + thin, 0.0, 0.012 + thin)
             .with_y([height * 0.9, height * 0.915])
             .inset(0.0, thin, 0.0);
-        builder.cuboid("chrome", rail.slab(side, 0.005));
+        builder.cuboid(Slot::Chrome, rail.slab(side, 0.005));
     }
     let z = head.high.z - bay.depth() * 0.1;
     let radius = bay.width() * 0.12;
     builder.add(
-        "chrome",
+        Slot::Chrome,
         lathe(&[(radius * 0.9, height * 0.54), (radius, height * 0.56), (radius, height * 0.66)], 12)
             .moved(0.0, 0.0, z),
     );
     let holder = [DVec3::new(0.0, height * 0.555, z), DVec3::new(0.0, height * 0.53, bay.high.z - 0.006)];
-    builder.add("wood_dark", sweep(&holder, (height * 0.03).min(0.012), 8));
+    builder.add(Slot::WoodDark, sweep(&holder, (height * 0.03).min(0.012), 8));
     builder.cuboid(
-        "wood_dark",
+        Slot::WoodDark,
         Bay::around(DVec3::new(0.0, height * 0.53, bay.high.z - 0.006), 0.016, 0.02, 0.012),
     );
     for x in [-0.3, 0.3] {
         let knob = turned_forward(lathe(&[(0.012, -SINK), (0.018, 0.01), (0.014, 0.026)], 8));
-        builder.add("plastic_dark", knob.moved(x * bay.width(), head.center().y, head.high.z));
+        builder.add(Slot::PlasticDark, knob.moved(x * bay.width(), head.center().y, head.high.z));
     }
     let gauge = turned_forward(lathe(
         &[(head.height() * 0.26, -SINK), (head.height() * 0.26, 0.006), (head.height() * 0.2, 0.007)],
         14,
     ));
-    builder.add("paper", gauge.moved(0.0, head.center().y, head.high.z));
+    builder.add(Slot::Paper, gauge.moved(0.0, head.center().y, head.high.z));
     let x = bay.width() * 0.42;
     let wand = [
         DVec3::new(x, head.low.y + 0.01, z),
         DVec3::new(x, height * 0.4, z + 0.02),
         DVec3::new(x * 0.9, height * 0.26, z + 0.03),
     ];
-    builder.add("chrome", sweep(&wand, 0.006, 6));
+    builder.add(Slot::Chrome, sweep(&wand, 0.006, 6));
     let size = height * 0.07;
     cup(builder, DVec3::new(0.0, base.high.y + 0.0055, z), size);
     for place in [-0.22, 0.18] {

@@ -6,7 +6,7 @@ use super::parts::{ball, turned_forward, wall_panel};
 use super::toilets::toilet_in;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Width, height and depth in metres of the toilet in a cubicle.
 const BOWL: DVec3 = DVec3::new(0.38, 0.8, 0.66);
@@ -16,7 +16,7 @@ const AJAR: f64 = 0.5;
 /// Measures of the partition walls of a set, in metres.
 struct Walls {
     set: GeometrySet,
-    color: &'static str,
+    color: Slot,
     thickness: f64,
     /// The floor under them that stays open.
     foot: f64,
@@ -29,16 +29,16 @@ impl Walls {
         let set = draft.set();
         let (colors, [thickness, foot, head]) = match set {
             GeometrySet::Plain => {
-                (["laminate", "painted", "painted_accent", "wood_light"], [0.035, 0.03, 0.0])
+                ([Slot::Laminate, Slot::Painted, Slot::PaintedAccent, Slot::WoodLight], [0.035, 0.03, 0.0])
             }
             GeometrySet::Traditional => {
-                (["wood_dark", "painted", "wood", "painted_accent"], [0.04, 0.1, 0.1])
+                ([Slot::WoodDark, Slot::Painted, Slot::Wood, Slot::PaintedAccent], [0.04, 0.1, 0.1])
             }
             GeometrySet::Industrial => {
-                (["metal_dark", "metal", "painted_accent", "painted"], [0.02, 0.24, 0.14])
+                ([Slot::MetalDark, Slot::Metal, Slot::PaintedAccent, Slot::Painted], [0.02, 0.24, 0.14])
             }
             GeometrySet::Budget => {
-                (["laminate", "painted_accent", "plastic", "painted"], [0.025, 0.15, 0.03])
+                ([Slot::Laminate, Slot::PaintedAccent, Slot::Plastic, Slot::Painted], [0.025, 0.15, 0.03])
             }
         };
         // Usual cubicles are two metres high.
@@ -67,8 +67,8 @@ fn toilet_cubicle(draft: &Draft, builder: &mut Builder) {
     let roll = turned_forward(cylinder(0.055, [-0.05, 0.05], 10));
     let x = bay.low.x + walls.thickness + 0.056;
     let at = DVec3::new(x, 0.72_f64.min(bay.height() * 0.4), bay.low.z + bowl.z);
-    builder.add("paper", roll.moved(at.x, at.y, at.z));
-    builder.cuboid("chrome", Bay::around(at + DVec3::new(-0.028, 0.056, 0.0), 0.057, 0.006, 0.09));
+    builder.add(Slot::Paper, roll.moved(at.x, at.y, at.z));
+    builder.cuboid(Slot::Chrome, Bay::around(at + DVec3::new(-0.028, 0.056, 0.0), 0.057, 0.006, 0.09));
 }
 
 /// A wall and what it stands on.
@@ -81,7 +81,7 @@ fn side_wall(builder: &mut Builder, walls: &Walls, panels: Bay, side: Side) {
         GeometrySet::Plain => {
             builder.cuboid(walls.color, wall);
             let plinth = strip.inset(thickness * 0.2, 0.0, 0.01).with_y([bay.low.y, panels.low.y + SINK]);
-            builder.cuboid("metal_dark", plinth);
+            builder.cuboid(Slot::MetalDark, plinth);
         }
         GeometrySet::Traditional => {
             builder.cuboid(walls.color, wall.inset(thickness * 0.25, 0.004, thickness * 0.5));
@@ -103,14 +103,14 @@ fn side_wall(builder: &mut Builder, walls: &Walls, panels: Bay, side: Side) {
             let radius = thickness * 0.5;
             for end in [Side::Front, Side::Back] {
                 let post = strip.slab(end, thickness).center();
-                builder.add("metal", cylinder(radius, bay.y(), 8).moved(post.x, 0.0, post.z));
+                builder.add(Slot::Metal, cylinder(radius, bay.y(), 8).moved(post.x, 0.0, post.z));
             }
         }
         GeometrySet::Budget => {
             builder.cuboid(walls.color, wall);
             for end in [Side::Front, Side::Back] {
                 let post = strip.inset(thickness * 0.2, 0.0, 0.0).with_y([bay.low.y, panels.low.y + SINK]);
-                builder.cuboid("metal", post.slab(end, thickness).inset(0.0, 0.0, SINK));
+                builder.cuboid(Slot::Metal, post.slab(end, thickness).inset(0.0, 0.0, SINK));
             }
         }
     }
@@ -131,11 +131,11 @@ fn rail(builder: &mut Builder, walls: &Walls, panels: Bay) {
             let z = bay.high.z - thickness * 0.5;
             let y = bay.high.y - walls.head * 0.5;
             let pipe = [DVec3::new(bay.low.x + 0.004, y, z), DVec3::new(bay.high.x - 0.004, y, z)];
-            builder.add("metal", sweep(&pipe, thickness * 0.4, 8));
+            builder.add(Slot::Metal, sweep(&pipe, thickness * 0.4, 8));
         }
         GeometrySet::Budget => {
             let rail = bay.slab(Side::Above, walls.head + SINK).slab(Side::Front, thickness);
-            builder.cuboid("metal", rail.inset(0.001, 0.0, 0.001));
+            builder.cuboid(Slot::Metal, rail.inset(0.001, 0.0, 0.001));
         }
     }
 }
@@ -155,10 +155,10 @@ fn front(builder: &mut Builder, walls: &Walls, panels: Bay) {
     let leaf = Bay::new([0.0, opening.width()], opening.y(), [-thickness * 0.6, 0.0]);
     wall_panel(&mut door, walls.set, walls.color, leaf);
     let lock = DVec3::new(leaf.high.x - 0.06, panels.center().y, 0.0);
-    door.cuboid("chrome", Bay::around(lock, 0.05, 0.05, 0.024));
+    door.cuboid(Slot::Chrome, Bay::around(lock, 0.05, 0.05, 0.024));
     for y in [0.12, 0.85] {
         let hinge = lathe(&[(0.009, 0.0), (0.009, 0.07)], 6);
-        door.add("metal", hinge.moved(0.004, leaf.low.y + leaf.height() * y, 0.006));
+        door.add(Slot::Metal, hinge.moved(0.004, leaf.low.y + leaf.height() * y, 0.006));
     }
     for (slot, solid) in door.into_parts() {
         builder.add(slot, solid.turned_y(AJAR).moved(opening.low.x, 0.0, opening.high.z - 0.012));

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::lamps::squat;
 use super::lights::SIDES;
 use crate::recipes::kit::{Bay, Builder, SINK, Solid, cylinder, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Radians by which the head of a jointed lamp looks forward.
 const TILT: f64 = 0.35;
@@ -24,9 +24,11 @@ fn desk_lamp(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Plain if look == 2 => bar_lamp(builder),
         set => {
             let slot = match set {
-                GeometrySet::Industrial => ["metal", "metal_dark", "painted_accent", "metal_dark"],
-                GeometrySet::Budget => ["plastic", "plastic_dark", "painted_accent", "metal"],
-                _ => ["metal_dark", "painted_accent", "metal", "painted"],
+                GeometrySet::Industrial => {
+                    [Slot::Metal, Slot::MetalDark, Slot::PaintedAccent, Slot::MetalDark]
+                }
+                GeometrySet::Budget => [Slot::Plastic, Slot::PlasticDark, Slot::PaintedAccent, Slot::Metal],
+                _ => [Slot::MetalDark, Slot::PaintedAccent, Slot::Metal, Slot::Painted],
             }[look];
             jointed_lamp(builder, set, slot, look);
         }
@@ -34,7 +36,7 @@ fn desk_lamp(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A foot, what carries the head, and the head.
-fn jointed_lamp(builder: &mut Builder, set: GeometrySet, slot: &'static str, look: usize) {
+fn jointed_lamp(builder: &mut Builder, set: GeometrySet, slot: Slot, look: usize) {
     let jointed = Jointed::new(builder.bay(), slot, look);
     jointed.foot(builder, set == GeometrySet::Budget && look % 2 == 1);
     if set == GeometrySet::Budget {
@@ -48,7 +50,7 @@ fn jointed_lamp(builder: &mut Builder, set: GeometrySet, slot: &'static str, loo
 /// The measures that the parts of a jointed lamp share.
 struct Jointed {
     bay: Bay,
-    slot: &'static str,
+    slot: Slot,
     /// Radius of the foot, front to back.
     foot: f64,
     /// Where the foot's middle is, front to back.
@@ -65,7 +67,7 @@ struct Jointed {
 }
 
 impl Jointed {
-    fn new(bay: Bay, slot: &'static str, look: usize) -> Self {
+    fn new(bay: Bay, slot: Slot, look: usize) -> Self {
         let (width, height, depth) = (bay.width(), bay.height(), bay.depth());
         let foot = (width / 2.0).min(depth * 0.36);
         let (sine, cosine) = libm::sincos(TILT);
@@ -100,7 +102,7 @@ impl Jointed {
             DVec3::new(0.0, y, base + (neck.z - base) * out)
         };
         let path = [DVec3::new(0.0, height * 0.04, base), at(0.0, 0.0), at(0.7, 0.15), at(0.95, 0.5), neck];
-        builder.add("metal", sweep(&path, self.rod * 1.1, 6));
+        builder.add(Slot::Metal, sweep(&path, self.rod * 1.1, 6));
     }
 
     /// Two pairs of rods with joints and a spring.
@@ -114,10 +116,10 @@ impl Jointed {
             builder.add(self.slot, sweep(&[elbow + aside, neck + aside], rod * 0.6, 4));
         }
         for joint in [start + DVec3::Y * height * 0.03, elbow, neck] {
-            builder.cuboid("metal_dark", Bay::around(joint, rod * 5.5, rod * 2.6, rod * 2.6));
+            builder.cuboid(Slot::MetalDark, Bay::around(joint, rod * 5.5, rod * 2.6, rod * 2.6));
         }
         let spring = [start.lerp(elbow, 0.2), start.lerp(elbow, 0.6)];
-        builder.add("chrome", sweep(&spring, rod * 0.8, 4));
+        builder.add(Slot::Chrome, sweep(&spring, rod * 0.8, 4));
     }
 
     /// A shade, hollow from below, with its bulb; a bell, or a plain cone. Looks forward and down.
@@ -144,7 +146,7 @@ impl Jointed {
         let tilted = |solid: Solid| solid.turned_x(-TILT).moved(0.0, self.neck.y - foot * 0.05, self.head);
         builder.add(self.slot, tilted(lathe(&profile, 8)));
         let bulb = [(0.0, -long * 0.85), (wide * 0.42, -long * 0.6), (wide * 0.2, -long * 0.25)];
-        builder.add("lamp", tilted(lathe(&bulb, 6)));
+        builder.add(Slot::Lamp, tilted(lathe(&bulb, 6)));
     }
 }
 
@@ -163,9 +165,9 @@ fn bankers_lamp(builder: &mut Builder, look: usize) {
         (base * 0.1, height * 0.46),
         (base * 0.1, height * 0.74),
     ];
-    builder.add("brass", lathe(&foot, 8).moved(0.0, 0.0, -depth * 0.08));
+    builder.add(Slot::Brass, lathe(&foot, 8).moved(0.0, 0.0, -depth * 0.08));
     let radius = depth / 2.0;
-    let slot = ["painted_accent", "glass", "leaf", "shade"][look];
+    let slot = [Slot::PaintedAccent, Slot::Glass, Slot::Leaf, Slot::Shade][look];
     // Half a tube, open below.
     let arc = |radius: f64, steps: u32, is_back: bool| {
         (0..=steps).map(move |step| {
@@ -185,11 +187,11 @@ fn bankers_lamp(builder: &mut Builder, look: usize) {
         crate::recipes::kit::extrude(&profile, crate::recipes::kit::Axis::X, [-width / 2.0, width / 2.0]),
     );
     let tube = Bay::around(DVec3::new(0.0, height * 0.8, 0.0), width * 0.7, height * 0.06, height * 0.06);
-    builder.cuboid("lamp", tube);
+    builder.cuboid(Slot::Lamp, tube);
     let chain = cylinder(width * 0.008, [height * 0.55, height * 0.8], 4);
-    builder.add("brass", chain.moved(width * 0.25, 0.0, depth * 0.1));
+    builder.add(Slot::Brass, chain.moved(width * 0.25, 0.0, depth * 0.1));
     builder.add(
-        "brass",
+        Slot::Brass,
         lathe(&[(0.0, height * 0.52), (width * 0.025, height * 0.54), (0.0, height * 0.56)], 6).moved(
             width * 0.25,
             0.0,
@@ -203,7 +205,7 @@ fn bar_lamp(builder: &mut Builder) {
     let bay = builder.bay();
     let (width, height) = (bay.width(), bay.height());
     let foot = bay.slab(crate::geometry::Side::Back, bay.depth() * 0.5);
-    builder.block("metal_dark", foot.with_y([0.0, height * 0.03]).inset(width * 0.12, 0.0, 0.0), 0.003);
+    builder.block(Slot::MetalDark, foot.with_y([0.0, height * 0.03]).inset(width * 0.12, 0.0, 0.0), 0.003);
     let rod = (height * 0.018).min(0.008);
     let z = foot.center().z;
     let path = [
@@ -211,9 +213,9 @@ fn bar_lamp(builder: &mut Builder) {
         DVec3::new(0.0, height - rod * 2.5, z),
         DVec3::new(0.0, height - rod * 1.3, bay.high.z - width * 0.2),
     ];
-    builder.add("metal_dark", sweep(&path, rod, 6));
+    builder.add(Slot::MetalDark, sweep(&path, rod, 6));
     let head = bay.with_y([height - rod * 2.6, height]).with_z([bay.high.z - width * 0.25, bay.high.z]);
-    builder.block("metal_dark", head, rod * 0.4);
+    builder.block(Slot::MetalDark, head, rod * 0.4);
     let strip = head.inset(width * 0.05, 0.0, width * 0.05);
-    builder.cuboid("lamp", strip.with_y([head.low.y - rod * 0.5, head.low.y + SINK]));
+    builder.cuboid(Slot::Lamp, strip.with_y([head.low.y - rod * 0.5, head.low.y + SINK]));
 }

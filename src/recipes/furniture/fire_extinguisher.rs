@@ -5,15 +5,15 @@ use glam::{DVec2, DVec3};
 
 use super::parts::turned_forward;
 use crate::geometry::Side;
-use crate::recipes::Recipe;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, lathe, loft_ring, sweep,
 };
+use crate::recipes::{Recipe, Slot};
 
 /// Corners of a bottle.
 const SIDES: usize = 10;
 /// What the bottle is painted with: red (ISO 3864).
-const RED: &str = "book";
+const RED: Slot = Slot::Book;
 
 /// A fire extinguisher on a wall: powder with gauge and hose; a cone of copper; CO2 with a horn; a small bottle
 /// strapped to a plate under its sign.
@@ -31,7 +31,7 @@ fn turned(profile: &[(f64, f64)], (radius, height): (f64, f64), z: f64) -> crate
 }
 
 /// The lever and the fixed grip below it, to the right of a valve.
-fn grips(builder: &mut Builder, middle: DVec3, (length, rise): (f64, f64), slot: &'static str) {
+fn grips(builder: &mut Builder, middle: DVec3, (length, rise): (f64, f64), slot: Slot) {
     let lower =
         Bay::new([middle.x - 0.012, middle.x + length], [middle.y, middle.y + rise * 0.2], [0.0, 0.0]);
     let half = 0.009;
@@ -51,7 +51,7 @@ fn grips(builder: &mut Builder, middle: DVec3, (length, rise): (f64, f64), slot:
 /// A bracket between the wall and a bottle.
 fn bracket(builder: &mut Builder, (radius, z): (f64, f64), y: [f64; 2]) {
     let back = builder.bay().low.z;
-    builder.cuboid("metal_dark", Bay::new([-radius * 0.45, radius * 0.45], y, [back, z - radius * 0.6]));
+    builder.cuboid(Slot::MetalDark, Bay::new([-radius * 0.45, radius * 0.45], y, [back, z - radius * 0.6]));
 }
 
 /// Powder under pressure: a domed bottle on a black foot, a gauge before the valve, a hose clipped to the left.
@@ -62,20 +62,20 @@ fn powder(builder: &mut Builder) {
     let z = bay.high.z - radius;
     let body = [(0.98, 0.045), (1.0, 0.06), (1.0, 0.68), (0.84, 0.77), (0.3, 0.83)];
     builder.add(RED, turned(&body, (radius, height), z));
-    builder.add("plastic_dark", turned(&[(0.93, 0.0), (0.96, 0.06)], (radius, height), z));
-    builder.add("paper", turned(&[(1.012, 0.34), (1.012, 0.56)], (radius, height), z));
+    builder.add(Slot::PlasticDark, turned(&[(0.93, 0.0), (0.96, 0.06)], (radius, height), z));
+    builder.add(Slot::Paper, turned(&[(1.012, 0.34), (1.012, 0.56)], (radius, height), z));
     let head = DVec3::new(0.0, height * 0.855, z);
-    builder.cuboid("metal", Bay::around(head, radius * 0.5, height * 0.084, radius * 0.5));
-    grips(builder, DVec3::new(0.0, height * 0.895, z), (bay.high.x, height * 0.105), "plastic_dark");
+    builder.cuboid(Slot::Metal, Bay::around(head, radius * 0.5, height * 0.084, radius * 0.5));
+    grips(builder, DVec3::new(0.0, height * 0.895, z), (bay.high.x, height * 0.105), Slot::PlasticDark);
     let gauge = turned_forward(cylinder(radius * 0.2, [radius * 0.2, radius * 0.36], 6));
-    builder.add("painted", gauge.moved(0.0, head.y, z));
+    builder.add(Slot::Painted, gauge.moved(0.0, head.y, z));
     let hose_radius = radius * 0.11;
     let left = bay.low.x + hose_radius * 1.3;
     let at = |x: f64, share: f64| DVec3::new(x, height * share, z);
     let hose = [at(-radius * 0.1, 0.86), at(left * 0.86, 0.83), at(left, 0.7), at(left, 0.3)];
-    builder.add("rubber", sweep(&hose, hose_radius, 5));
+    builder.add(Slot::Rubber, sweep(&hose, hose_radius, 5));
     let nozzle = lathe(&[(hose_radius * 1.3, height * 0.12), (hose_radius * 0.9, height * 0.31)], 6);
-    builder.add("plastic_dark", nozzle.moved(left, 0.0, z));
+    builder.add(Slot::PlasticDark, nozzle.moved(left, 0.0, z));
     bracket(builder, (radius, z), [height * 0.6, height * 0.66]);
 }
 
@@ -85,25 +85,26 @@ fn cone(builder: &mut Builder, look: usize) {
     let height = bay.height();
     let radius = (bay.width() * 0.5).min(bay.depth() * 0.47);
     let z = bay.high.z - radius;
-    let slot = ["brass", RED][look];
+    let slot = [Slot::Brass, RED][look];
     let body = [(0.96, 0.0), (1.0, 0.02), (1.0, 0.07), (0.94, 0.085), (0.3, 0.87)];
     builder.add(slot, turned(&body, (radius, height), z));
     let cap = [(0.36, 0.865), (0.36, 0.89), (0.14, 0.92), (0.2, 0.97), (0.1, 1.0)];
-    builder.add("brass", turned(&cap, (radius, height), z));
-    builder.add(["paper", "brass"][look], turned(&[(0.777, 0.3), (0.679, 0.42)], (radius, height), z));
+    builder.add(Slot::Brass, turned(&cap, (radius, height), z));
+    builder
+        .add([Slot::Paper, Slot::Brass][look], turned(&[(0.777, 0.3), (0.679, 0.42)], (radius, height), z));
     let spout = [DVec3::new(radius * 0.3, height * 0.78, z), DVec3::new(bay.high.x * 0.99, height * 0.86, z)];
-    builder.add("brass", sweep(&spout, radius * 0.07, 5));
+    builder.add(Slot::Brass, sweep(&spout, radius * 0.07, 5));
     let at = |out: f64, share: f64| DVec3::new(-out, height * share, z);
     let reach = bay.high.x - radius * 0.07;
     let ring = [at(radius * 0.6, 0.42), at(reach, 0.46), at(reach, 0.6), at(radius * 0.42, 0.68)];
-    builder.add("metal_dark", sweep(&ring, radius * 0.06, 4));
+    builder.add(Slot::MetalDark, sweep(&ring, radius * 0.06, 4));
     bracket(builder, (radius, z), [height * 0.32, height * 0.36]);
     let hook = Bay::new(
         [-radius * 0.1, radius * 0.1],
         [height * 0.72, height * 0.76],
         [bay.low.z, z - radius * 0.2],
     );
-    builder.cuboid("metal_dark", hook);
+    builder.cuboid(Slot::MetalDark, hook);
 }
 
 /// A slim bottle of steel with a round shoulder and a black horn on a bent pipe, which hangs down at the left.
@@ -116,23 +117,23 @@ fn carbon_dioxide(builder: &mut Builder) {
     let middle = bay.high.x - radius * 1.2;
     builder.add(RED, turned(&body, (radius, height), z).moved(middle, 0.0, 0.0));
     let label = turned(&[(1.012, 0.36), (1.012, 0.54)], (radius, height), z);
-    builder.add("paper", label.moved(middle, 0.0, 0.0));
+    builder.add(Slot::Paper, label.moved(middle, 0.0, 0.0));
     let valve =
         [(radius * 0.24, height * 0.79), (radius * 0.32, height * 0.83), (radius * 0.2, height * 0.89)];
-    builder.add("brass", lathe(&valve, 6).moved(middle, 0.0, z));
-    grips(builder, DVec3::new(middle, height * 0.885, z), (radius * 1.2, height * 0.115), "metal");
+    builder.add(Slot::Brass, lathe(&valve, 6).moved(middle, 0.0, z));
+    grips(builder, DVec3::new(middle, height * 0.885, z), (radius * 1.2, height * 0.115), Slot::Metal);
     let out = bay.low.x + radius * 0.6;
     let at = |x: f64, share: f64| DVec3::new(x, height * share, z);
     let pipe = [at(middle, 0.845), at(out + 0.012, 0.845), at(out, 0.82), at(out, 0.6)];
-    builder.add("rubber", sweep(&pipe, radius * 0.13, 5));
+    builder.add(Slot::Rubber, sweep(&pipe, radius * 0.13, 5));
     let horn = [(radius * 0.6, height * 0.2), (radius * 0.4, height * 0.44), (radius * 0.16, height * 0.66)];
-    builder.add("plastic_dark", lathe(&horn, 7).moved(out, 0.0, z));
+    builder.add(Slot::PlasticDark, lathe(&horn, 7).moved(out, 0.0, z));
     let back = Bay::new(
         [middle - radius * 0.5, middle + radius * 0.5],
         [height * 0.5, height * 0.56],
         [bay.low.z, z],
     );
-    builder.cuboid("metal", back.without(Side::Front, radius * 0.5));
+    builder.cuboid(Slot::Metal, back.without(Side::Front, radius * 0.5));
 }
 
 /// A small bottle held by a strap to a plate of plastic, under a sign with a flame.
@@ -142,7 +143,7 @@ fn plate(builder: &mut Builder) {
     let radius = (bay.width() * 0.31).min(bay.depth() * 0.4);
     let z = bay.high.z - radius;
     let board = bay.slab(Side::Back, (bay.depth() * 0.1).min(0.014));
-    builder.cuboid("plastic", board);
+    builder.cuboid(Slot::Plastic, board);
     let sign = board.slab(Side::Above, height * 0.24).inset(bay.width() * 0.08, height * 0.02, 0.0);
     let red = sign.with_z([board.high.z - SINK, board.high.z + 0.003]);
     builder.cuboid(RED, red);
@@ -150,7 +151,7 @@ fn plate(builder: &mut Builder) {
     let flame =
         [(0.0, 0.42), (-0.12, 0.1), (-0.26, 0.16), (-0.24, -0.24), (0.0, -0.38), (0.24, -0.24), (0.2, 0.08)];
     let flame = flame.map(|(x, y)| DVec2::new(middle.x + x * size, middle.y + y * size));
-    builder.add("paper", extrude(&flame, Axis::Z, [red.high.z - SINK, red.high.z + 0.002]));
+    builder.add(Slot::Paper, extrude(&flame, Axis::Z, [red.high.z - SINK, red.high.z + 0.002]));
     let body = [(0.92, 0.0), (1.0, 0.03), (1.0, 0.46), (0.8, 0.53), (0.26, 0.57)];
     builder.add(RED, turned(&body, (radius, height), z));
     let strap = |y: f64, share: f64| Slice::round(y, radius * share);
@@ -160,18 +161,18 @@ fn plate(builder: &mut Builder) {
         strap(height * 0.29, 0.9),
         strap(height * 0.24, 0.9),
     ];
-    builder.add("plastic_dark", loft_ring(&Outline::Round(SIDES), &strap).moved(0.0, 0.0, z));
+    builder.add(Slot::PlasticDark, loft_ring(&Outline::Round(SIDES), &strap).moved(0.0, 0.0, z));
     let arm = Bay::new(
         [-radius * 0.3, radius * 0.3],
         [height * 0.245, height * 0.285],
         [board.high.z - SINK, z - radius * 0.9],
     );
-    builder.cuboid("plastic_dark", arm);
+    builder.cuboid(Slot::PlasticDark, arm);
     builder.cuboid(
-        "plastic_dark",
+        Slot::PlasticDark,
         Bay::around(DVec3::new(0.0, height * 0.595, z), radius * 0.5, height * 0.074, radius * 0.5),
     );
-    grips(builder, DVec3::new(0.0, height * 0.63, z), (radius * 1.1, height * 0.09), "plastic_dark");
+    grips(builder, DVec3::new(0.0, height * 0.63, z), (radius * 1.1, height * 0.09), Slot::PlasticDark);
     let nozzle = [DVec3::new(0.0, height * 0.6, z), DVec3::new(-radius * 0.95, height * 0.58, z)];
-    builder.add("plastic_dark", sweep(&nozzle, radius * 0.13, 5));
+    builder.add(Slot::PlasticDark, sweep(&nozzle, radius * 0.13, 5));
 }

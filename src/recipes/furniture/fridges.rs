@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::parts::{HandleKind, handle, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// A refrigerator: two doors with recessed grips, a round-shouldered one with a lever, one of steel with bars, or a
 /// plain white one; one door where it is low.
@@ -16,17 +16,23 @@ fn fridge(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let look = draft.input.look as usize % 4;
     let (slot, metal) = match draft.set() {
-        GeometrySet::Plain => (["metal", "appliance", "metal_dark", "painted"][look], "metal_dark"),
-        GeometrySet::Traditional => {
-            (["painted_accent", "appliance", "painted", "painted_accent"][look], "chrome")
+        GeometrySet::Plain => {
+            ([Slot::Metal, Slot::Appliance, Slot::MetalDark, Slot::Painted][look], Slot::MetalDark)
         }
-        GeometrySet::Industrial => (["metal", "metal", "metal_dark", "metal"][look], "metal"),
-        GeometrySet::Budget => ("appliance", ["plastic", "metal", "plastic_dark", "plastic"][look]),
+        GeometrySet::Traditional => {
+            ([Slot::PaintedAccent, Slot::Appliance, Slot::Painted, Slot::PaintedAccent][look], Slot::Chrome)
+        }
+        GeometrySet::Industrial => {
+            ([Slot::Metal, Slot::Metal, Slot::MetalDark, Slot::Metal][look], Slot::Metal)
+        }
+        GeometrySet::Budget => {
+            (Slot::Appliance, [Slot::Plastic, Slot::Metal, Slot::PlasticDark, Slot::Plastic][look])
+        }
     };
     let reach = if draft.set() == GeometrySet::Plain { 0.002 } else { 0.035 };
     let foot = 0.04_f64.min(bay.height() * 0.1);
     let feet = bay.slab(Side::Below, foot + SINK).inset(0.01, 0.0, 0.01).without(Side::Front, 0.06);
-    builder.cuboid("plastic_dark", feet);
+    builder.cuboid(Slot::PlasticDark, feet);
     let body = bay.without(Side::Below, foot);
     let round = if draft.is_traditional() { 0.07 } else { 0.008 };
     let door = 0.05;
@@ -34,7 +40,7 @@ fn fridge(draft: &Draft, builder: &mut Builder) {
     builder.rounded(slot, case, DVec3::new(round, round, 0.006), if draft.is_traditional() { 3 } else { 1 });
     // The seal between the case and the doors.
     builder.cuboid(
-        "rubber",
+        Slot::Rubber,
         body.inset(round * 0.6 + 0.008, round * 0.6 + 0.008, 0.0)
             .with_z([case.high.z - SINK, case.high.z + 0.008]),
     );
@@ -60,13 +66,7 @@ fn fridge(draft: &Draft, builder: &mut Builder) {
 }
 
 /// The handle of one door; `is_lower` says that it is reached for from above.
-fn grip(
-    draft: &Draft,
-    builder: &mut Builder,
-    metal: &'static str,
-    face: Bay,
-    (reach, is_lower): (f64, bool),
-) {
+fn grip(draft: &Draft, builder: &mut Builder, metal: Slot, face: Bay, (reach, is_lower): (f64, bool)) {
     let surface = face.high.z;
     let length = (face.height() * 0.4).min(0.42);
     let inner = if is_lower { face.high.y - length * 0.6 } else { face.low.y + length * 0.6 };
@@ -109,31 +109,33 @@ fn extras(draft: &Draft, builder: &mut Builder, body: Bay, reach: f64) {
     let at = |x: f64, y: f64| DVec3::new(x * body.width(), body.low.y + y * body.height(), surface);
     match draft.set() {
         GeometrySet::Plain if draft.input.look.is_multiple_of(2) => {
-            builder
-                .cuboid("screen", Bay::around(at(0.0, 0.68), body.width() * 0.3, body.height() * 0.1, 0.003));
+            builder.cuboid(
+                Slot::Screen,
+                Bay::around(at(0.0, 0.68), body.width() * 0.3, body.height() * 0.1, 0.003),
+            );
         }
-        GeometrySet::Plain => builder.cuboid("metal", Bay::around(at(0.2, 0.94), 0.09, 0.014, 0.003)),
+        GeometrySet::Plain => builder.cuboid(Slot::Metal, Bay::around(at(0.2, 0.94), 0.09, 0.014, 0.003)),
         GeometrySet::Traditional => {
-            builder.cuboid("chrome", Bay::around(at(0.12, 0.86), body.width() * 0.36, 0.02, 0.008))
+            builder.cuboid(Slot::Chrome, Bay::around(at(0.12, 0.86), body.width() * 0.36, 0.02, 0.008))
         }
         GeometrySet::Industrial => {
             for row in 0..4 {
                 let y = body.low.y + 0.02 + 0.016 * f64::from(row);
                 let slit = Bay::around(DVec3::new(0.0, y, surface), body.width() * 0.7, 0.006, 0.0024);
-                builder.cuboid("metal_dark", slit);
+                builder.cuboid(Slot::MetalDark, slit);
             }
         }
         GeometrySet::Budget => {
             let notes = [
-                (-0.1, 0.8, 0.1, 0.14, "paper"),
-                (0.14, 0.74, 0.08, 0.08, "fabric_accent"),
-                (0.2, 0.84, 0.07, 0.1, "paper"),
+                (-0.1, 0.8, 0.1, 0.14, Slot::Paper),
+                (0.14, 0.74, 0.08, 0.08, Slot::FabricAccent),
+                (0.2, 0.84, 0.07, 0.1, Slot::Paper),
             ];
             for (x, y, wide, tall, slot) in notes {
                 builder.cuboid(slot, Bay::around(at(x, y), wide, tall, 0.0022));
                 let pin = turned_forward(cylinder(0.01, [-0.0004, 0.006], 6));
                 let middle = at(x, y);
-                builder.add("book", pin.moved(middle.x, middle.y + tall * 0.4, surface));
+                builder.add(Slot::Book, pin.moved(middle.x, middle.y + tall * 0.4, surface));
             }
         }
     }

@@ -8,7 +8,7 @@ use super::parts::turned_forward;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Sampler, Slice, Solid, cylinder, extrude, loft, loft_ring,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres between layers of paint, so that none shares a plane with another.
 const LAYER: f64 = 0.000_4;
@@ -69,7 +69,11 @@ fn picture(draft: &Draft, builder: &mut Builder) {
     let is_canvas = set == GeometrySet::Plain && look == 3;
     let is_poster = set == GeometrySet::Budget && look.is_multiple_of(2);
     let sheet = if is_canvas {
-        builder.block("linen", bay.inset(0.0, 0.0, 0.0).with_z([bay.low.z, bay.high.z - LAYER * 6.0]), 0.004);
+        builder.block(
+            Slot::Linen,
+            bay.inset(0.0, 0.0, 0.0).with_z([bay.low.z, bay.high.z - LAYER * 6.0]),
+            0.004,
+        );
         bay.inset(0.002, 0.002, 0.0).with_z([bay.high.z - LAYER * 7.0, bay.high.z - LAYER * 5.0])
     } else if is_poster {
         poster(builder, bay)
@@ -80,14 +84,14 @@ fn picture(draft: &Draft, builder: &mut Builder) {
             _ => (short * 0.045).min(0.022),
         };
         let slot = match set {
-            GeometrySet::Traditional => ["brass", "wood_dark", "brass", "wood"],
-            GeometrySet::Industrial => ["metal_dark", "metal", "metal_dark", "wood_dark"],
-            GeometrySet::Budget => ["plastic_dark", "plastic_dark", "plastic", "wood_light"],
-            GeometrySet::Plain => ["wood", "metal_dark", "painted", "wood_light"],
+            GeometrySet::Traditional => [Slot::Brass, Slot::WoodDark, Slot::Brass, Slot::Wood],
+            GeometrySet::Industrial => [Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::WoodDark],
+            GeometrySet::Budget => [Slot::PlasticDark, Slot::PlasticDark, Slot::Plastic, Slot::WoodLight],
+            GeometrySet::Plain => [Slot::Wood, Slot::MetalDark, Slot::Painted, Slot::WoodLight],
         }[look];
         builder.add(slot, framed(&Outline::Square, bay, &profile(set, border)));
         let z = |share: f64| bay.low.z + share * bay.depth();
-        builder.cuboid("paper", bay.inset(border - SINK, border - SINK, 0.0).with_z([z(0.1), z(0.5)]));
+        builder.cuboid(Slot::Paper, bay.inset(border - SINK, border - SINK, 0.0).with_z([z(0.1), z(0.5)]));
         let margin = if set == GeometrySet::Plain {
             short * [0.16, 0.1, 0.2, 0.1][look]
         } else if look % 2 == 1 {
@@ -98,7 +102,7 @@ fn picture(draft: &Draft, builder: &mut Builder) {
         let inner = bay.inset(border + margin, border + margin, 0.0);
         if margin > 0.01 {
             // The bevel that is cut into the card.
-            builder.cuboid("linen", inner.inset(-0.004, -0.004, 0.0).with_z([z(0.45), z(0.5) + LAYER]));
+            builder.cuboid(Slot::Linen, inner.inset(-0.004, -0.004, 0.0).with_z([z(0.45), z(0.5) + LAYER]));
         }
         inner.with_z([z(0.45), z(0.5) + LAYER * 2.0])
     };
@@ -110,14 +114,15 @@ fn poster(builder: &mut Builder, bay: Bay) -> Bay {
     let rail = (bay.height() * 0.035).min(0.02);
     let middle = bay.center().z;
     for y in [[bay.low.y, bay.low.y + rail], [bay.high.y - rail, bay.high.y]] {
-        builder.block("wood_light", bay.with_y(y), 0.002);
+        builder.block(Slot::WoodLight, bay.with_y(y), 0.002);
     }
     let paper = bay.inset(0.004, rail - SINK, 0.0).with_z([middle - 0.001, middle + 0.001]);
-    builder.cuboid("paper", paper);
+    builder.cuboid(Slot::Paper, paper);
     paper.inset(bay.width() * 0.05, bay.height() * 0.04, 0.0).with_z([middle, middle + 0.001 + LAYER])
 }
 
-const FIELDS: [&str; 6] = ["painted_accent", "fabric_accent", "leaf", "terracotta", "fabric_light", "book"];
+const FIELDS: [Slot; 6] =
+    [Slot::PaintedAccent, Slot::FabricAccent, Slot::Leaf, Slot::Terracotta, Slot::FabricLight, Slot::Book];
 
 /// A sheet to be painted, and the colour that a picture begins with.
 struct Canvas {
@@ -222,7 +227,7 @@ fn circles(builder: &mut Builder, canvas: &Canvas) {
     }
 }
 
-fn disc(builder: &mut Builder, slot: &'static str, at: DVec2, radius: f64, z: [f64; 2]) {
+fn disc(builder: &mut Builder, slot: Slot, at: DVec2, radius: f64, z: [f64; 2]) {
     builder.add(slot, turned_forward(cylinder(radius, z, 14)).moved(at.x, at.y, 0.0));
 }
 
@@ -251,10 +256,10 @@ fn mirror(draft: &Draft, builder: &mut Builder) {
         _ => Outline::Square,
     };
     let slot = match set {
-        GeometrySet::Traditional => ["brass", "brass", "wood_dark", "wood"],
-        GeometrySet::Industrial => ["metal_dark", "metal_dark", "metal", "brass"],
-        GeometrySet::Budget => ["plastic", "metal", "plastic_dark", "wood_light"],
-        GeometrySet::Plain => ["metal_dark", "wood", "brass", "metal"],
+        GeometrySet::Traditional => [Slot::Brass, Slot::Brass, Slot::WoodDark, Slot::Wood],
+        GeometrySet::Industrial => [Slot::MetalDark, Slot::MetalDark, Slot::Metal, Slot::Brass],
+        GeometrySet::Budget => [Slot::Plastic, Slot::Metal, Slot::PlasticDark, Slot::WoodLight],
+        GeometrySet::Plain => [Slot::MetalDark, Slot::Wood, Slot::Brass, Slot::Metal],
     }[look];
     let short = bay.width().min(bay.height());
     let border = match set {
@@ -263,7 +268,7 @@ fn mirror(draft: &Draft, builder: &mut Builder) {
         _ => (short * 0.04).min(0.018),
     };
     if set == GeometrySet::Budget && look % 2 == 1 {
-        builder.add("mirror", plate(&outline, bay, &[(0.1, 0.006), (0.5, 0.004), (0.6, 0.008)]));
+        builder.add(Slot::Mirror, plate(&outline, bay, &[(0.1, 0.006), (0.5, 0.004), (0.6, 0.008)]));
         for x in [-0.3, 0.3] {
             for (y, turn) in [(bay.low.y, 1.0), (bay.high.y, -1.0)] {
                 let clip = Bay::around(
@@ -278,14 +283,14 @@ fn mirror(draft: &Draft, builder: &mut Builder) {
         return;
     }
     builder.add(slot, framed(&outline, bay, &profile(set, border)));
-    builder.add("mirror", plate(&outline, bay, &[(0.15, border - SINK), (0.5, border - SINK)]));
+    builder.add(Slot::Mirror, plate(&outline, bay, &[(0.15, border - SINK), (0.5, border - SINK)]));
     if set == GeometrySet::Traditional && look.is_multiple_of(2) {
         crest(builder, slot, bay, border);
     }
 }
 
 /// Carved scrolls in the middle of a frame's upper and lower bar.
-fn crest(builder: &mut Builder, slot: &'static str, bay: Bay, border: f64) {
+fn crest(builder: &mut Builder, slot: Slot, bay: Bay, border: f64) {
     for (y, size) in [(bay.high.y - border * 0.5, 0.96), (bay.low.y + border * 0.5, 0.8)] {
         for (x, radius) in [(0.0, 0.5), (-0.92, 0.34), (0.92, 0.34)] {
             let shell = [

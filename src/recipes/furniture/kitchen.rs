@@ -6,7 +6,7 @@ use super::ovens::{hob, hob_height, oven_front};
 use super::parts::{Fittings, LegKind, REVEAL, Tap, legs_at_corners, slab_top, tap};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft, loft_ring};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of a worktop (usual ones: 0.02-0.04).
 const TOP: f64 = 0.04;
@@ -26,8 +26,8 @@ const GROOVE: f64 = 0.025;
 /// Fronts, worktop and handles of a kitchen of a set and look.
 struct Kitchen {
     fittings: Fittings,
-    top: &'static str,
-    carcass: &'static str,
+    top: Slot,
+    carcass: Slot,
     thickness: f64,
 }
 
@@ -36,37 +36,47 @@ fn kitchen(draft: &Draft) -> Kitchen {
     let fittings = |front, handle, reach, is_traditional| Fittings { front, handle, reach, is_traditional };
     match draft.set() {
         GeometrySet::Plain => Kitchen {
-            fittings: fittings(["laminate", "painted", "wood", "painted"][look], "metal_dark", 0.0, false),
-            top: ["stone", "wood", "stone", "concrete"][look],
-            carcass: "laminate",
+            fittings: fittings(
+                [Slot::Laminate, Slot::Painted, Slot::Wood, Slot::Painted][look],
+                Slot::MetalDark,
+                0.0,
+                false,
+            ),
+            top: [Slot::Stone, Slot::Wood, Slot::Stone, Slot::Concrete][look],
+            carcass: Slot::Laminate,
             thickness: [0.03, 0.04, 0.02, 0.04][look],
         },
         GeometrySet::Traditional => Kitchen {
             fittings: fittings(
-                ["painted", "wood", "painted_accent", "wood_dark"][look],
-                "brass",
+                [Slot::Painted, Slot::Wood, Slot::PaintedAccent, Slot::WoodDark][look],
+                Slot::Brass,
                 0.024,
                 true,
             ),
-            top: ["wood", "stone", "wood_dark", "stone"][look],
-            carcass: ["painted", "wood", "painted_accent", "wood_dark"][look],
+            top: [Slot::Wood, Slot::Stone, Slot::WoodDark, Slot::Stone][look],
+            carcass: [Slot::Painted, Slot::Wood, Slot::PaintedAccent, Slot::WoodDark][look],
             thickness: 0.04,
         },
         GeometrySet::Industrial => Kitchen {
-            fittings: fittings(["wood", "metal", "wood_dark", "metal_dark"][look], "metal_dark", 0.03, false),
-            top: ["wood", "metal", "wood_dark", "concrete"][look],
-            carcass: "metal_dark",
+            fittings: fittings(
+                [Slot::Wood, Slot::Metal, Slot::WoodDark, Slot::MetalDark][look],
+                Slot::MetalDark,
+                0.03,
+                false,
+            ),
+            top: [Slot::Wood, Slot::Metal, Slot::WoodDark, Slot::Concrete][look],
+            carcass: Slot::MetalDark,
             thickness: [0.05, 0.03, 0.06, 0.05][look],
         },
         GeometrySet::Budget => Kitchen {
             fittings: fittings(
-                ["laminate", "plastic", "wood_light", "laminate"][look],
-                "metal",
+                [Slot::Laminate, Slot::Plastic, Slot::WoodLight, Slot::Laminate][look],
+                Slot::Metal,
                 0.022,
                 false,
             ),
-            top: ["laminate", "wood_light", "laminate", "stone"][look],
-            carcass: "laminate",
+            top: [Slot::Laminate, Slot::WoodLight, Slot::Laminate, Slot::Stone][look],
+            carcass: Slot::Laminate,
             thickness: 0.028,
         },
     }
@@ -119,10 +129,10 @@ fn worktop(draft: &Draft, builder: &mut Builder) {
 }
 
 /// The worktop: chamfered, moulded, or with an edge strip.
-fn board(draft: &Draft, builder: &mut Builder, slot: &'static str, top: Bay) {
+fn board(draft: &Draft, builder: &mut Builder, slot: Slot, top: Bay) {
     if draft.set() == GeometrySet::Budget {
         builder.cuboid(slot, top.without(Side::Front, 0.003 - SINK).inset(0.0, 0.0, 0.0));
-        builder.block("plastic_dark", top.slab(Side::Front, 0.003).inset(0.0, 0.0004, 0.0), 0.0008);
+        builder.block(Slot::PlasticDark, top.slab(Side::Front, 0.003).inset(0.0, 0.0004, 0.0), 0.0008);
         return;
     }
     slab_top(builder, slot, top, draft.is_traditional());
@@ -131,7 +141,7 @@ fn board(draft: &Draft, builder: &mut Builder, slot: &'static str, top: Bay) {
 /// The toe kick, or a plinth with blocks at its ends.
 fn foot(draft: &Draft, builder: &mut Builder, kitchen: &Kitchen, body: Bay, toe: f64) {
     let kick = body.with_y([0.0, toe + SINK]).without(Side::Front, TOE[1]).inset(0.002, 0.0, 0.002);
-    let slot = if draft.set() == GeometrySet::Budget { "laminate" } else { "plastic_dark" };
+    let slot = if draft.set() == GeometrySet::Budget { Slot::Laminate } else { Slot::PlasticDark };
     builder.cuboid(if draft.is_traditional() { kitchen.carcass } else { slot }, kick);
     if draft.is_traditional() {
         let front = body.with_y([0.001, toe + SINK]).without(Side::Front, 0.03).slab(Side::Front, 0.05);
@@ -192,7 +202,7 @@ fn unit_fronts(draft: &Draft, builder: &mut Builder, fittings: &Fittings, body: 
 /// A dark hollow to reach into behind the upper edge of fronts.
 fn groove(builder: &mut Builder, fittings: &Fittings, bay: Bay) {
     let back = bay.without(Side::Front, fittings.depth() - 0.004).slab(Side::Front, 0.008);
-    builder.cuboid("metal_dark", back.inset(0.001, -0.001, 0.0));
+    builder.cuboid(Slot::MetalDark, back.inset(0.001, -0.001, 0.0));
 }
 
 /// Drawers: the lower ones deeper.
@@ -235,7 +245,7 @@ fn open_unit(draft: &Draft, builder: &mut Builder, kitchen: &Kitchen, bay: Bay) 
         let shelf = frame.inset(thick * 0.3, 0.0, 0.003).with_y([y - SINK, y + 0.016]);
         let slats = (shelf.width() / 0.12).round().clamp(2.0, 14.0) as u32;
         for slat in shelf.columns(slats, 0.014) {
-            builder.cuboid(if look == 1 { "metal" } else { "wood" }, slat);
+            builder.cuboid(if look == 1 { Slot::Metal } else { Slot::Wood }, slat);
         }
         pots(
             builder,
@@ -275,17 +285,21 @@ fn pots(builder: &mut Builder, room: Bay, look: usize) {
             (radius * 0.9, y + tall * 0.1),
         ];
         let x = share * room.width();
-        builder.add(["metal", "ceramic"][(look / 2 + index) % 2], lathe(&pot, 12).moved(x, 0.0, 0.0));
+        builder.add([Slot::Metal, Slot::Ceramic][(look / 2 + index) % 2], lathe(&pot, 12).moved(x, 0.0, 0.0));
         let grip = Bay::around(DVec3::new(x, y + tall * 0.8, 0.0), radius * 2.4, 0.012, radius * 0.4);
-        builder.cuboid("metal_dark", grip);
+        builder.cuboid(Slot::MetalDark, grip);
     }
     let crate_bay =
         Bay::around(DVec3::new(room.width() * 0.36, 0.0, 0.0), room.width() * 0.2, 1.0, room.depth() * 0.8);
-    builder.block("wood_light", crate_bay.with_y([room.low.y - SINK * 0.6, room.low.y + tall * 0.8]), 0.004);
+    builder.block(
+        Slot::WoodLight,
+        crate_bay.with_y([room.low.y - SINK * 0.6, room.low.y + tall * 0.8]),
+        0.004,
+    );
 }
 
 /// A worktop with a basin and a drainer let into it, and a tap where the box reaches over the top.
-fn sink(draft: &Draft, builder: &mut Builder, slot: &'static str, top: Bay, bay: Bay) {
+fn sink(draft: &Draft, builder: &mut Builder, slot: Slot, top: Bay, bay: Bay) {
     let half = top.extent() / 2.0;
     let hole = [half.x * 0.5, (half.z - 0.09).max(half.z * 0.4)];
     let side = if draft.input.look.is_multiple_of(2) { -1.0 } else { 1.0 };
@@ -308,10 +322,10 @@ fn sink(draft: &Draft, builder: &mut Builder, slot: &'static str, top: Bay, bay:
         rim(low + 0.02, -0.016),
         rim(low, -0.035),
     ];
-    let metal = if draft.is_traditional() { "ceramic" } else { "metal" };
+    let metal = if draft.is_traditional() { Slot::Ceramic } else { Slot::Metal };
     builder.add(metal, loft(&Outline::Soft(2), &basin));
     let strainer = [(0.04, low - SINK), (0.04, low + 0.002), (0.02, low + 0.004)];
-    builder.add("chrome", lathe(&strainer, 10).moved(across, 0.0, forward));
+    builder.add(Slot::Chrome, lathe(&strainer, 10).moved(across, 0.0, forward));
     drainer(builder, metal, top, [across + side * hole[0], side, hole[1]], forward);
     if bay.high.y - top.high.y > 0.08 {
         let foot = DVec3::new(0.0, top.high.y, forward - hole[1] - 0.035);
@@ -321,7 +335,7 @@ fn sink(draft: &Draft, builder: &mut Builder, slot: &'static str, top: Bay, bay:
 }
 
 /// Grooves beside a basin; `edge` is where the basin ends, which way the drainer lies, and half its depth.
-fn drainer(builder: &mut Builder, slot: &'static str, top: Bay, [_, side, deep]: [f64; 3], forward: f64) {
+fn drainer(builder: &mut Builder, slot: Slot, top: Bay, [_, side, deep]: [f64; 3], forward: f64) {
     let (inner, outer) = (top.width() * 0.5 * 0.24, top.width() * 0.5 - 0.02);
     let x = if side < 0.0 { [inner, outer] } else { [-outer, -inner] };
     let y = top.high.y;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::lights::{SIDES, bulb, cage, globe, pleated, shade};
 use crate::recipes::kit::{Builder, SINK, Solid, cylinder, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Where the shade of a standing lamp begins and what it stands on.
 struct Stand {
@@ -31,7 +31,7 @@ fn floor_lamp(draft: &Draft, builder: &mut Builder) {
     let stand = Stand { radius, low: bay.high.y - tall, top: bay.high.y, rod: 0.011 };
     match draft.set() {
         GeometrySet::Plain => {
-            let slot = ["metal_dark", "wood", "brass", "wood_light"][look];
+            let slot = [Slot::MetalDark, Slot::Wood, Slot::Brass, Slot::WoodLight][look];
             if look.is_multiple_of(2) {
                 disc_foot(builder, slot, &stand)
             } else {
@@ -41,7 +41,7 @@ fn floor_lamp(draft: &Draft, builder: &mut Builder) {
             cloth_head(builder, &stand, shade([radius, radius * narrow], [stand.low, stand.top]));
         }
         GeometrySet::Traditional => {
-            let slot = ["brass", "wood_dark", "wood", "brass"][look];
+            let slot = [Slot::Brass, Slot::WoodDark, Slot::Wood, Slot::Brass][look];
             turned_post(builder, slot, &stand);
             cloth_head(
                 builder,
@@ -53,15 +53,15 @@ fn floor_lamp(draft: &Draft, builder: &mut Builder) {
             pipe_stand(builder, &stand);
             if look.is_multiple_of(2) {
                 let mut head = builder.empty();
-                cage(&mut head, "metal_dark", radius, [0.0, tall], 4);
+                cage(&mut head, Slot::MetalDark, radius, [0.0, tall], 4);
                 place_upside_down(builder, head, stand.top);
                 bulb(builder, DVec3::new(0.0, stand.low + tall * 0.55, 0.0), 0.04, -1.0);
             } else {
-                reflector(builder, ["metal", "metal_dark"][look / 2], &stand);
+                reflector(builder, [Slot::Metal, Slot::MetalDark][look / 2], &stand);
             }
         }
         GeometrySet::Budget => {
-            disc_foot(builder, ["metal_dark", "metal", "painted", "plastic"][look], &stand);
+            disc_foot(builder, [Slot::MetalDark, Slot::Metal, Slot::Painted, Slot::Plastic][look], &stand);
             if look.is_multiple_of(2) {
                 uplighter(builder, &stand)
             } else {
@@ -73,15 +73,16 @@ fn floor_lamp(draft: &Draft, builder: &mut Builder) {
 
 /// A shade with its bulb and the fitting that carries it.
 fn cloth_head(builder: &mut Builder, stand: &Stand, shade: Solid) {
-    builder.add("shade", shade);
+    builder.add(Slot::Shade, shade);
     let tall = stand.top - stand.low;
     let radius = (stand.radius * 0.3).min(0.035).min(tall * 0.16);
     let middle = stand.low + tall * 0.5;
     bulb(builder, DVec3::new(0.0, middle, 0.0), radius, -1.0);
-    builder.add("metal_dark", cylinder(stand.rod * 0.7, [stand.low - tall * 0.3, middle - radius * 2.0], 6));
+    builder
+        .add(Slot::MetalDark, cylinder(stand.rod * 0.7, [stand.low - tall * 0.3, middle - radius * 2.0], 6));
 }
 
-fn disc_foot(builder: &mut Builder, slot: &'static str, stand: &Stand) {
+fn disc_foot(builder: &mut Builder, slot: Slot, stand: &Stand) {
     let foot = stand.radius * 0.72;
     let lift = stand.low * 0.03;
     builder.add(
@@ -91,9 +92,9 @@ fn disc_foot(builder: &mut Builder, slot: &'static str, stand: &Stand) {
     builder.add(slot, cylinder(stand.rod, [lift * 0.8, stand.low], 6));
 }
 
-fn tripod(builder: &mut Builder, slot: &'static str, stand: &Stand) {
+fn tripod(builder: &mut Builder, slot: Slot, stand: &Stand) {
     let knot = stand.low * 0.93;
-    builder.add("metal_dark", cylinder(stand.radius * 0.16, [knot - stand.low * 0.04, stand.low], 8));
+    builder.add(Slot::MetalDark, cylinder(stand.radius * 0.16, [knot - stand.low * 0.04, stand.low], 8));
     for leg in 0..3 {
         let (sine, cosine) = libm::sincos(std::f64::consts::TAU * (f64::from(leg) / 3.0 + 0.25));
         let at = |share: f64, y: f64| DVec3::new(cosine, 0.0, sine) * stand.radius * share + DVec3::Y * y;
@@ -102,7 +103,7 @@ fn tripod(builder: &mut Builder, slot: &'static str, stand: &Stand) {
 }
 
 /// A post turned on a lathe.
-fn turned_post(builder: &mut Builder, slot: &'static str, stand: &Stand) {
+fn turned_post(builder: &mut Builder, slot: Slot, stand: &Stand) {
     let (wide, high) = (stand.radius, stand.low);
     let profile = [
         (wide * 0.66, 0.0),
@@ -126,17 +127,17 @@ fn pipe_stand(builder: &mut Builder, stand: &Stand) {
     let rod = stand.rod * 1.4;
     let flange = stand.radius * 0.66;
     builder.add(
-        "metal_dark",
+        Slot::MetalDark,
         lathe(&[(flange, 0.0), (flange, stand.low * 0.02), (rod * 1.8, stand.low * 0.03)], 8),
     );
-    builder.add("metal_dark", cylinder(rod, [stand.low * 0.02, stand.low], 6));
+    builder.add(Slot::MetalDark, cylinder(rod, [stand.low * 0.02, stand.low], 6));
     for share in [0.05, 0.88] {
-        builder.add("metal", cylinder(rod * 1.5, [stand.low * share, stand.low * (share + 0.05)], 6));
+        builder.add(Slot::Metal, cylinder(rod * 1.5, [stand.low * share, stand.low * (share + 0.05)], 6));
     }
 }
 
 /// A dome of sheet metal over a bulb, open below.
-fn reflector(builder: &mut Builder, slot: &'static str, stand: &Stand) {
+fn reflector(builder: &mut Builder, slot: Slot, stand: &Stand) {
     let (wide, tall) = (stand.radius, stand.top - stand.low);
     let at = |share: f64| stand.low + tall * share;
     let profile = [
@@ -150,7 +151,7 @@ fn reflector(builder: &mut Builder, slot: &'static str, stand: &Stand) {
     ];
     builder.add(slot, lathe(&profile, if wide < 0.15 { 8 } else { SIDES }));
     bulb(builder, DVec3::new(0.0, at(0.5), 0.0), (wide * 0.3).min(0.035), -1.0);
-    builder.add("metal_dark", cylinder(stand.rod, [stand.low - tall * 0.1, at(0.34)], 6));
+    builder.add(Slot::MetalDark, cylinder(stand.rod, [stand.low - tall * 0.1, at(0.34)], 6));
 }
 
 /// A dish that shines at the ceiling.
@@ -165,10 +166,12 @@ fn uplighter(builder: &mut Builder, stand: &Stand) {
         (wide * 0.5, at(0.56)),
         (wide * 0.1, at(0.4)),
     ];
-    builder.add("plastic", lathe(&dish, SIDES));
-    builder
-        .add("lamp", lathe(&[(wide * 0.1, at(0.45)), (wide * 0.62, at(0.72)), (wide * 0.3, at(0.82))], 10));
-    builder.add("metal_dark", cylinder(stand.rod * 0.8, [stand.low - SINK, at(0.34)], 6));
+    builder.add(Slot::Plastic, lathe(&dish, SIDES));
+    builder.add(
+        Slot::Lamp,
+        lathe(&[(wide * 0.1, at(0.45)), (wide * 0.62, at(0.72)), (wide * 0.3, at(0.82))], 10),
+    );
+    builder.add(Slot::MetalDark, cylinder(stand.rod * 0.8, [stand.low - SINK, at(0.34)], 6));
 }
 
 fn place_upside_down(builder: &mut Builder, head: Builder, top: f64) {
@@ -190,17 +193,17 @@ fn table_lamp(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Plain => match look {
             1 => {
                 builder.add(
-                    "wood",
+                    Slot::Wood,
                     lathe(
                         &[(radius * 0.6, 0.0), (radius * 0.62, height * 0.1), (radius * 0.4, height * 0.16)],
                         SIDES,
                     ),
                 );
-                builder.add("lamp", globe(height - radius * 0.98, radius, [-0.92, 1.0], SIDES));
-                builder.add("brass", cylinder(radius * 0.3, [height * 0.1, height - radius * 1.85], 8));
+                builder.add(Slot::Lamp, globe(height - radius * 0.98, radius, [-0.92, 1.0], SIDES));
+                builder.add(Slot::Brass, cylinder(radius * 0.3, [height * 0.1, height - radius * 1.85], 8));
             }
             _ => {
-                let slot = ["ceramic", "wood", "metal_dark", "painted_accent"][look];
+                let slot = [Slot::Ceramic, Slot::Wood, Slot::MetalDark, Slot::PaintedAccent][look];
                 vessel(builder, slot, &stand, [[0.55, 0.55], [0.5, 0.5], [0.3, 0.9], [0.75, 0.35]][look]);
                 cloth_head(
                     builder,
@@ -210,7 +213,7 @@ fn table_lamp(draft: &Draft, builder: &mut Builder) {
             }
         },
         GeometrySet::Traditional => {
-            let slot = ["brass", "wood_dark", "ceramic", "brass"][look];
+            let slot = [Slot::Brass, Slot::WoodDark, Slot::Ceramic, Slot::Brass][look];
             vessel(builder, slot, &stand, [[0.66, 0.16], [0.5, 0.34], [0.5, 0.7], [0.3, 0.6]][look]);
             let narrow = [0.45, 0.6, 0.5, 0.35][look];
             cloth_head(builder, &stand, pleated([radius, radius * narrow], [stand.low, stand.top], 14));
@@ -219,20 +222,20 @@ fn table_lamp(draft: &Draft, builder: &mut Builder) {
             pipe_stand(builder, &Stand { rod: radius * 0.09, ..stand });
             if look.is_multiple_of(2) {
                 let mut head = builder.empty();
-                cage(&mut head, "metal_dark", radius, [0.0, height * 0.48], 3);
+                cage(&mut head, Slot::MetalDark, radius, [0.0, height * 0.48], 3);
                 place_upside_down(builder, head, height);
                 bulb(builder, DVec3::new(0.0, height * 0.78, 0.0), radius * 0.36, -1.0);
             } else {
-                reflector(builder, ["metal", "painted_accent"][look / 2], &stand);
+                reflector(builder, [Slot::Metal, Slot::PaintedAccent][look / 2], &stand);
             }
         }
         GeometrySet::Budget => {
-            let slot = ["plastic", "painted", "plastic_dark", "metal"][look];
+            let slot = [Slot::Plastic, Slot::Painted, Slot::PlasticDark, Slot::Metal][look];
             disc_foot(builder, slot, &stand);
             if look.is_multiple_of(2) {
                 cloth_head(builder, &stand, shade([radius, radius * 0.55], [stand.low, stand.top]));
             } else {
-                builder.add("lamp", globe(height - radius * 0.98, radius, [-0.92, 1.0], SIDES));
+                builder.add(Slot::Lamp, globe(height - radius * 0.98, radius, [-0.92, 1.0], SIDES));
             }
         }
     }
@@ -242,7 +245,7 @@ fn table_lamp(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A body between two widths, below and above, as shares of the radius.
-fn vessel(builder: &mut Builder, slot: &'static str, stand: &Stand, [low, high]: [f64; 2]) {
+fn vessel(builder: &mut Builder, slot: Slot, stand: &Stand, [low, high]: [f64; 2]) {
     let (wide, tall) = (stand.radius, stand.low);
     let profile = [
         (wide * low * 0.9, 0.0),
@@ -259,7 +262,7 @@ fn vessel(builder: &mut Builder, slot: &'static str, stand: &Stand, [low, high]:
 fn flex(builder: &mut Builder, radius: f64) {
     let thick = radius * 0.025;
     let at = |x: f64, z: f64| DVec3::new(x * radius, thick, -z * radius);
-    builder.add("plastic_dark", sweep(&[at(0.0, 0.4), at(0.1, 0.75), at(0.35, 0.88)], thick, 3));
+    builder.add(Slot::PlasticDark, sweep(&[at(0.0, 0.4), at(0.1, 0.75), at(0.35, 0.88)], thick, 3));
 }
 
 /// Where the box is low, a table lamp stretched to it.
@@ -269,7 +272,7 @@ pub(super) fn squat(draft: &Draft, builder: &mut Builder) {
     let stretch = DVec3::new(1.0, 1.0, bay.depth() / bay.width());
     let stand = Stand { radius, low: bay.height() * 0.52, top: bay.height(), rod: radius * 0.07 };
     let mut round = builder.empty();
-    turned_post(&mut round, if draft.is_traditional() { "brass" } else { "ceramic" }, &stand);
+    turned_post(&mut round, if draft.is_traditional() { Slot::Brass } else { Slot::Ceramic }, &stand);
     cloth_head(&mut round, &stand, shade([radius, radius * 0.7], [stand.low, stand.top]));
     round.into_parts().for_each(|(slot, solid)| builder.add(slot, solid.stretched(stretch)));
 }

@@ -5,38 +5,38 @@ use glam::DVec3;
 use super::parts::{Fittings, HandleKind, LegKind, handle, legs_at_corners, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft_ring};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres by which handles, knobs and doors stand out.
 const REACH: f64 = 0.025;
 
 /// What a machine of a set is made of: its body, its front and its handles.
-fn slots(draft: &Draft) -> [&'static str; 3] {
+fn slots(draft: &Draft) -> [Slot; 3] {
     let look = draft.input.look as usize % 4;
     let choices = match draft.set() {
         GeometrySet::Plain => [
-            ["appliance", "appliance", "metal"],
-            ["metal", "metal", "metal_dark"],
-            ["appliance", "appliance", "metal_dark"],
-            ["metal_dark", "metal_dark", "chrome"],
+            [Slot::Appliance, Slot::Appliance, Slot::Metal],
+            [Slot::Metal, Slot::Metal, Slot::MetalDark],
+            [Slot::Appliance, Slot::Appliance, Slot::MetalDark],
+            [Slot::MetalDark, Slot::MetalDark, Slot::Chrome],
         ],
         GeometrySet::Traditional => [
-            ["appliance", "painted", "brass"],
-            ["painted_accent", "painted_accent", "chrome"],
-            ["appliance", "appliance", "chrome"],
-            ["painted", "painted", "brass"],
+            [Slot::Appliance, Slot::Painted, Slot::Brass],
+            [Slot::PaintedAccent, Slot::PaintedAccent, Slot::Chrome],
+            [Slot::Appliance, Slot::Appliance, Slot::Chrome],
+            [Slot::Painted, Slot::Painted, Slot::Brass],
         ],
         GeometrySet::Industrial => [
-            ["metal", "metal", "metal_dark"],
-            ["metal_dark", "metal", "metal"],
-            ["metal", "metal", "plastic_dark"],
-            ["metal", "painted_accent", "metal"],
+            [Slot::Metal, Slot::Metal, Slot::MetalDark],
+            [Slot::MetalDark, Slot::Metal, Slot::Metal],
+            [Slot::Metal, Slot::Metal, Slot::PlasticDark],
+            [Slot::Metal, Slot::PaintedAccent, Slot::Metal],
         ],
         GeometrySet::Budget => [
-            ["appliance", "appliance", "plastic"],
-            ["appliance", "plastic", "plastic_dark"],
-            ["plastic", "appliance", "plastic"],
-            ["appliance", "appliance", "plastic_dark"],
+            [Slot::Appliance, Slot::Appliance, Slot::Plastic],
+            [Slot::Appliance, Slot::Plastic, Slot::PlasticDark],
+            [Slot::Plastic, Slot::Appliance, Slot::Plastic],
+            [Slot::Appliance, Slot::Appliance, Slot::PlasticDark],
         ],
     };
     choices[look]
@@ -68,10 +68,10 @@ fn case(draft: &Draft, builder: &mut Builder, foot: Foot) -> (Fittings, Bay) {
     };
     let under = room.slab(Side::Below, high + SINK).inset(0.008, 0.0, 0.008).without(Side::Front, 0.05);
     match foot {
-        Foot::Kick => builder.cuboid("plastic_dark", under),
-        Foot::Feet => legs_at_corners(builder, "rubber", under, 0.05, LegKind::Round),
+        Foot::Kick => builder.cuboid(Slot::PlasticDark, under),
+        Foot::Feet => legs_at_corners(builder, Slot::Rubber, under, 0.05, LegKind::Round),
         Foot::Turned => legs_at_corners(builder, metal, under, 0.07, LegKind::Turned),
-        Foot::Plinth => builder.block("concrete", under.without(Side::Front, -0.04), 0.006),
+        Foot::Plinth => builder.block(Slot::Concrete, under.without(Side::Front, -0.04), 0.006),
     }
     let room = room.without(Side::Below, high);
     fittings.carcass(builder, body, room);
@@ -113,14 +113,14 @@ fn washing_machine(draft: &Draft, builder: &mut Builder) {
     let flap = front.slab(Side::Below, 0.09).inset(0.02, 0.015, 0.0);
     if is_dryer {
         for slit in flap.inset(front.width() * 0.1, 0.0, 0.0).rows(4, 0.008) {
-            builder.cuboid("plastic_dark", slit.with_z([surface - SINK, surface + 0.0015]));
+            builder.cuboid(Slot::PlasticDark, slit.with_z([surface - SINK, surface + 0.0015]));
         }
     } else if draft.set() != GeometrySet::Industrial {
         let hatch = flap.slab(
             if draft.input.look.is_multiple_of(2) { Side::Left } else { Side::Right },
             front.width() * 0.22,
         );
-        builder.cuboid("plastic", hatch.with_z([surface - SINK, surface + 0.003]));
+        builder.cuboid(Slot::Plastic, hatch.with_z([surface - SINK, surface + 0.003]));
     }
 }
 
@@ -132,7 +132,7 @@ fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
     let knobs: &[f64] = match draft.set() {
         GeometrySet::Plain => {
             builder.cuboid(
-                "screen",
+                Slot::Screen,
                 strip.without(Side::Left, strip.width() * 0.3).inset(0.006, 0.006, 0.0).with_z(out(0.003)),
             );
             &[]
@@ -140,11 +140,11 @@ fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
         GeometrySet::Traditional => &[0.05, 0.34],
         GeometrySet::Industrial => {
             let case = strip.without(Side::Left, strip.width() * 0.4).inset(0.02, 0.02, 0.0);
-            builder.block("metal_dark", case.with_z(out(REACH * 0.7)), 0.004);
+            builder.block(Slot::MetalDark, case.with_z(out(REACH * 0.7)), 0.004);
             for (index, key) in
                 case.inset(0.03, case.height() * 0.25, 0.0).columns(3, 0.03).into_iter().enumerate()
             {
-                let slot = ["painted_accent", "plastic", "plastic"][index];
+                let slot = [Slot::PaintedAccent, Slot::Plastic, Slot::Plastic][index];
                 builder.block(slot, key.with_z([surface, surface + REACH * 0.95]), 0.003);
             }
             &[]
@@ -152,14 +152,15 @@ fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
         GeometrySet::Budget => {
             for column in right.columns(3, 0.012) {
                 let key = column.inset(column.width() * 0.2, column.height() * 0.2, 0.0);
-                builder.block("plastic", key.with_z(out(0.008)), 0.002);
+                builder.block(Slot::Plastic, key.with_z(out(0.008)), 0.002);
             }
             &[0.0]
         }
     };
     let drawer = strip.slab(Side::Left, strip.width() * 0.28).inset(0.015, 0.015, 0.0);
-    builder.block("plastic", drawer.with_z(out(0.006)), 0.002);
-    builder.cuboid("plastic_dark", drawer.slab(Side::Below, 0.02).inset(0.03, 0.004, 0.0).with_z(out(0.008)));
+    builder.block(Slot::Plastic, drawer.with_z(out(0.006)), 0.002);
+    builder
+        .cuboid(Slot::PlasticDark, drawer.slab(Side::Below, 0.02).inset(0.03, 0.004, 0.0).with_z(out(0.008)));
     let radius = strip.height() * 0.3;
     let knob = [
         (radius * 1.15, -SINK),
@@ -197,25 +198,25 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
         .map(|&(out, share)| Slice::round(if out > 0.0 { REACH * out } else { -SINK }, radius * share));
     let ring: Vec<Slice> = rings.collect();
     let rim = match (draft.set(), draft.input.look % 2) {
-        (GeometrySet::Plain, 0) | (GeometrySet::Traditional, _) => "chrome",
-        (GeometrySet::Industrial, _) => "metal",
-        (GeometrySet::Budget, 0) => "plastic",
-        _ => "plastic_dark",
+        (GeometrySet::Plain, 0) | (GeometrySet::Traditional, _) => Slot::Chrome,
+        (GeometrySet::Industrial, _) => Slot::Metal,
+        (GeometrySet::Budget, 0) => Slot::Plastic,
+        _ => Slot::PlasticDark,
     };
     let place = |solid: crate::recipes::kit::Solid| turned_forward(solid).moved(0.0, y, surface);
     builder.add(rim, place(loft_ring(&Outline::Round(20), &ring)));
     let bulge = [(radius * 0.69, 0.002), (radius * 0.69, REACH * 0.5), (radius * 0.3, REACH * 0.8)];
-    builder.add(if is_dryer { slots(draft)[1] } else { "screen" }, place(lathe(&bulge, 20)));
+    builder.add(if is_dryer { slots(draft)[1] } else { Slot::Screen }, place(lathe(&bulge, 20)));
     let x = if is_dryer { -1.0 } else { 1.0 };
     if draft.set() == GeometrySet::Industrial {
         // A lever to the rim, and a hinge across from it.
         let lever = Bay::around(DVec3::new(x * radius, y, 0.0), radius * 0.44, 0.03, 0.0);
-        builder.block("metal_dark", lever.with_z([surface + REACH * 0.4, surface + REACH]), 0.004);
+        builder.block(Slot::MetalDark, lever.with_z([surface + REACH * 0.4, surface + REACH]), 0.004);
         let hinge = Bay::around(DVec3::new(-x * radius, y, 0.0), radius * 0.24, radius * 0.5, 0.0);
-        builder.block("metal_dark", hinge.with_z([surface - SINK, surface + REACH * 0.8]), 0.004);
+        builder.block(Slot::MetalDark, hinge.with_z([surface - SINK, surface + REACH * 0.8]), 0.004);
     } else {
         let grip = Bay::around(DVec3::new(x * radius * 0.86, y, 0.0), radius * 0.12, radius * 0.36, 0.0);
-        builder.block("plastic_dark", grip.with_z([surface + REACH * 0.5, surface + REACH]), 0.003);
+        builder.block(Slot::PlasticDark, grip.with_z([surface + REACH * 0.5, surface + REACH]), 0.003);
     }
     if is_dryer {
         for line in 0..5 {
@@ -226,7 +227,7 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
                 0.006,
                 0.0,
             );
-            builder.cuboid("plastic_dark", bar.with_z([surface + REACH * 0.4, surface + REACH * 0.83]));
+            builder.cuboid(Slot::PlasticDark, bar.with_z([surface + REACH * 0.4, surface + REACH * 0.83]));
         }
     }
 }
@@ -248,7 +249,7 @@ fn dishwasher(draft: &Draft, builder: &mut Builder) {
     let bar = DVec3::new(0.0, door.high.y - 0.04, surface);
     match draft.set() {
         GeometrySet::Budget => builder.block(
-            "plastic_dark",
+            Slot::PlasticDark,
             strip
                 .slab(Side::Below, strip.height() * 0.4)
                 .inset(strip.width() * 0.3, 0.004, 0.0)
@@ -268,13 +269,13 @@ fn dishwasher(draft: &Draft, builder: &mut Builder) {
     }
     let display =
         strip.inset(strip.width() * 0.38, strip.height() * 0.3, 0.0).moved(0.0, strip.height() * 0.1, 0.0);
-    builder.cuboid("screen", display.with_z(out(0.002)));
+    builder.cuboid(Slot::Screen, display.with_z(out(0.002)));
     let keys = strip.slab(Side::Right, strip.width() * 0.3).inset(0.02, strip.height() * 0.34, 0.0);
     for key in keys.columns(4, 0.01) {
-        builder.cuboid("plastic_dark", key.moved(0.0, strip.height() * 0.1, 0.0).with_z(out(0.003)));
+        builder.cuboid(Slot::PlasticDark, key.moved(0.0, strip.height() * 0.1, 0.0).with_z(out(0.003)));
     }
     let knob = turned_forward(cylinder((strip.height() * 0.25).min(0.02), [-SINK, REACH * 0.6], 10));
     builder.add(metal, knob.moved(strip.low.x + strip.width() * 0.12, strip.center().y, surface));
     let badge = Bay::around(DVec3::new(0.0, door.low.y + 0.05, surface), 0.07, 0.012, 0.0);
-    builder.cuboid("metal", badge.with_z(out(0.002)));
+    builder.cuboid(Slot::Metal, badge.with_z(out(0.002)));
 }

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use crate::recipes::kit::{
     Bay, Builder, Outline, SINK, Slice, Solid, cylinder, lathe, loft, loft_ring, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Corners of shades and feet.
 pub(super) const SIDES: usize = 12;
@@ -53,14 +53,14 @@ pub(super) fn globe(middle: f64, radius: f64, ends: [f64; 2], sides: usize) -> S
 pub(super) fn bulb(builder: &mut Builder, middle: DVec3, radius: f64, socket: f64) {
     let half = [(0.0, -1.0), (0.8, -0.55), (0.95, 0.1), (0.5, 0.85), (0.32, 1.2)];
     let profile = half.map(|(share, rise)| (share * radius, rise * radius * socket));
-    builder.add("lamp", lathe(&profile, 6).moved(middle.x, middle.y, middle.z));
+    builder.add(Slot::Lamp, lathe(&profile, 6).moved(middle.x, middle.y, middle.z));
     let ends = [1.15 * radius * socket, 2.2 * radius * socket];
     let ends = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-    builder.add("metal_dark", cylinder(radius * 0.45, ends, 6).moved(middle.x, middle.y, middle.z));
+    builder.add(Slot::MetalDark, cylinder(radius * 0.45, ends, 6).moved(middle.x, middle.y, middle.z));
 }
 
 /// A cage of wires around a bulb: `ribs` meridians and a ring, hanging from its top.
-pub(super) fn cage(builder: &mut Builder, slot: &'static str, radius: f64, y: [f64; 2], ribs: u32) {
+pub(super) fn cage(builder: &mut Builder, slot: Slot, radius: f64, y: [f64; 2], ribs: u32) {
     let (low, high) = (y[0], y[1]);
     let tall = high - low;
     let wire = (radius * 0.04).clamp(0.0015, 0.003);
@@ -89,15 +89,18 @@ fn ceiling_lamp(draft: &Draft, builder: &mut Builder) {
     let round = |slices: &[Slice]| loft(&Outline::Round(sides), slices);
     match draft.set() {
         GeometrySet::Plain => {
-            let slot = ["metal", "painted", "metal_dark", "wood_light"][look as usize];
+            let slot = [Slot::Metal, Slot::Painted, Slot::MetalDark, Slot::WoodLight][look as usize];
             let low = if look % 2 == 0 { 0.08 } else { 0.0 };
             builder.add(slot, round(&[slice(low, 0.99), slice(low + 0.04, 1.0), slice(1.0, 1.0)]));
             let bowl = [slice(0.0, 0.86), slice(0.1, 0.92), slice(0.3, 0.94)];
             let flat = [slice(0.0, 0.72), slice(0.06, 0.74)];
-            builder.add("lamp", if low > 0.0 { round(&bowl) } else { round(&flat).moved(0.0, -0.0004, 0.0) });
+            builder.add(
+                Slot::Lamp,
+                if low > 0.0 { round(&bowl) } else { round(&flat).moved(0.0, -0.0004, 0.0) },
+            );
         }
         GeometrySet::Traditional => {
-            let slot = ["brass", "brass", "wood_dark", "metal_dark"][look as usize];
+            let slot = [Slot::Brass, Slot::Brass, Slot::WoodDark, Slot::MetalDark][look as usize];
             builder.add(
                 slot,
                 round(&[
@@ -109,23 +112,23 @@ fn ceiling_lamp(draft: &Draft, builder: &mut Builder) {
                 ]),
             );
             builder.add(
-                "lamp",
+                Slot::Lamp,
                 round(&[slice(0.08, 0.3), slice(0.16, 0.62), slice(0.42, 0.88), slice(0.78, 0.93)]),
             );
             builder.add(slot, lathe(&[(0.004, 0.0), (0.014, height * 0.05), (0.006, height * 0.12)], 8));
         }
         GeometrySet::Industrial => bulkhead(builder, look),
         GeometrySet::Budget => {
-            builder.add("plastic", round(&[slice(0.8, 0.8), slice(1.0, 0.8)]));
+            builder.add(Slot::Plastic, round(&[slice(0.8, 0.8), slice(1.0, 0.8)]));
             let swell = [0.72, 0.9, 0.6, 0.85][look as usize];
             builder.add(
-                "lamp",
+                Slot::Lamp,
                 round(&[slice(0.0, swell * 0.6), slice(0.14, swell), slice(0.5, 1.0), slice(0.86, 0.97)]),
             );
             for turn in 0..3 {
                 let (sine, cosine) = libm::sincos(TAU * f64::from(turn) / 3.0 + 0.4);
                 let at = DVec3::new(cosine * half.x * 0.92, height * 0.72, sine * half.z * 0.92);
-                builder.cuboid("metal", Bay::around(at, half.x * 0.1, height * 0.2, half.x * 0.1));
+                builder.cuboid(Slot::Metal, Bay::around(at, half.x * 0.1, height * 0.2, half.x * 0.1));
             }
         }
     }
@@ -136,12 +139,13 @@ fn bulkhead(builder: &mut Builder, look: u32) {
     let bay = builder.bay();
     let (half, height) = (bay.extent() / 2.0, bay.height());
     let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
-    let slot = ["metal_dark", "metal", "painted_accent", "metal_dark"][look as usize];
+    let slot = [Slot::MetalDark, Slot::Metal, Slot::PaintedAccent, Slot::MetalDark][look as usize];
     builder.add(
         slot,
         loft(&Outline::Round(16), &[slice(0.5, 1.0), slice(0.6, 1.0), slice(0.65, 0.94), slice(1.0, 0.94)]),
     );
-    builder.add("lamp", loft(&Outline::Round(12), &[slice(0.1, 0.4), slice(0.22, 0.68), slice(0.52, 0.8)]));
+    builder
+        .add(Slot::Lamp, loft(&Outline::Round(12), &[slice(0.1, 0.4), slice(0.22, 0.68), slice(0.52, 0.8)]));
     let wire = (height * 0.035).min(0.005);
     let bars = 2 + look % 2;
     for bar in 0..bars {
@@ -176,32 +180,32 @@ fn pendant(draft: &Draft, builder: &mut Builder) {
     let radius = bay.width().min(bay.depth()) / 2.0;
     let (form, slot) = match draft.set() {
         GeometrySet::Plain => [
-            (Hanging::Drum, "shade"),
-            (Hanging::Globe, "lamp"),
-            (Hanging::Bell, "painted_accent"),
-            (Hanging::Cone, "wood_light"),
+            (Hanging::Drum, Slot::Shade),
+            (Hanging::Globe, Slot::Lamp),
+            (Hanging::Bell, Slot::PaintedAccent),
+            (Hanging::Cone, Slot::WoodLight),
         ][look],
         GeometrySet::Traditional => [
-            (Hanging::Pleats, "shade"),
-            (Hanging::Arms, "brass"),
-            (Hanging::Bell, "brass"),
-            (Hanging::Globe, "glass"),
+            (Hanging::Pleats, Slot::Shade),
+            (Hanging::Arms, Slot::Brass),
+            (Hanging::Bell, Slot::Brass),
+            (Hanging::Globe, Slot::Glass),
         ][look],
         GeometrySet::Industrial => [
-            (Hanging::Dome, "metal_dark"),
-            (Hanging::Cage, "metal_dark"),
-            (Hanging::Cone, "metal"),
-            (Hanging::Dome, "painted_accent"),
+            (Hanging::Dome, Slot::MetalDark),
+            (Hanging::Cage, Slot::MetalDark),
+            (Hanging::Cone, Slot::Metal),
+            (Hanging::Dome, Slot::PaintedAccent),
         ][look],
         GeometrySet::Budget => [
-            (Hanging::Globe, "shade"),
-            (Hanging::Cone, "plastic"),
-            (Hanging::Drum, "shade"),
-            (Hanging::Dome, "plastic"),
+            (Hanging::Globe, Slot::Shade),
+            (Hanging::Cone, Slot::Plastic),
+            (Hanging::Drum, Slot::Shade),
+            (Hanging::Dome, Slot::Plastic),
         ][look],
     };
     let tall = (bay.height() * 0.55).min(radius * 1.5);
-    let metal = if draft.is_traditional() { "brass" } else { "metal_dark" };
+    let metal = if draft.is_traditional() { Slot::Brass } else { Slot::MetalDark };
     let top = hang(builder, form, slot, radius, tall);
     builder.add(metal, cylinder(FLEX, [top, bay.high.y - 0.01], 6));
     let canopy =
@@ -212,13 +216,13 @@ fn pendant(draft: &Draft, builder: &mut Builder) {
 /// What hangs, before it is built.
 struct Shade {
     form: Hanging,
-    slot: &'static str,
+    slot: Slot,
     radius: f64,
     tall: f64,
 }
 
 /// Builds the shade with its bulb upwards from 0; gives where the flex starts.
-fn hang(builder: &mut Builder, form: Hanging, slot: &'static str, radius: f64, tall: f64) -> f64 {
+fn hang(builder: &mut Builder, form: Hanging, slot: Slot, radius: f64, tall: f64) -> f64 {
     let shade = Shade { form, slot, radius, tall };
     match form {
         Hanging::Drum | Hanging::Pleats | Hanging::Cone => shade.of_cloth(builder),
@@ -252,7 +256,7 @@ impl Shade {
         builder.add(self.slot, body);
         let y = tall * 0.94;
         let across = radius * (1.0 - (1.0 - narrow) * 0.94) * 0.985;
-        builder.cuboid("metal_dark", Bay::new([-across, across], [y - 0.003, y + 0.003], [-0.003, 0.003]));
+        builder.cuboid(Slot::MetalDark, Bay::new([-across, across], [y - 0.003, y + 0.003], [-0.003, 0.003]));
         bulb(builder, DVec3::new(0.0, y - small * 2.0, 0.0), small, 1.0);
         y
     }
@@ -261,12 +265,12 @@ impl Shade {
     fn globe(&self, builder: &mut Builder) -> f64 {
         let radius = self.radius;
         builder.add(self.slot, globe(radius, radius, [-1.0, 0.93], SIDES));
-        if self.slot == "glass" {
+        if self.slot == Slot::Glass {
             bulb(builder, DVec3::new(0.0, radius, 0.0), self.small(), 1.0);
         }
         let neck = radius * 1.9;
         builder.add(
-            "brass",
+            Slot::Brass,
             lathe(&[(radius * 0.4, neck), (radius * 0.38, neck + 0.015), (0.012, neck + 0.04)], 8),
         );
         neck + 0.03
@@ -285,8 +289,8 @@ impl Shade {
         builder.add(self.slot, self.hollow(&profile));
         bulb(builder, DVec3::new(0.0, top * 0.42, 0.0), small, 1.0);
         let cap = [(radius * 0.17, top - 0.004), (radius * 0.17, top + 0.03), (0.01, top + 0.05)];
-        builder.add("metal_dark", lathe(&cap, 8));
-        builder.add("metal_dark", cylinder(0.008, [top * 0.42 + small * 2.0, top], 6));
+        builder.add(Slot::MetalDark, lathe(&cap, 8));
+        builder.add(Slot::MetalDark, cylinder(0.008, [top * 0.42 + small * 2.0, top], 6));
         top + 0.04
     }
 
@@ -336,7 +340,7 @@ impl Shade {
             let end = at(out, 0.0);
             let candle =
                 [(cup, hub * 1.1 - SINK), (cup * 0.4, hub * 1.2), (cup * 0.35, hub * 2.0), (0.0, hub * 2.8)];
-            builder.add("lamp", lathe(&candle, 4).moved(end.x, 0.0, end.z));
+            builder.add(Slot::Lamp, lathe(&candle, 4).moved(end.x, 0.0, end.z));
         }
         tall * 0.98
     }

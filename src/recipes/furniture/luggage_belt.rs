@@ -6,10 +6,10 @@ use glam::{DVec2, DVec3};
 
 use super::parts::{LegKind, leg, turned_forward};
 use crate::geometry::Side;
-use crate::recipes::Recipe;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, loft, loft_ring, sweep,
 };
+use crate::recipes::{Recipe, Slot};
 
 /// A belt for luggage: a loop of plates around an island; a belt between panelled sides with a rail of brass; rollers
 /// between beams of steel; a plain belt over drums on legs.
@@ -31,19 +31,19 @@ fn carousel(builder: &mut Builder) {
         rounded(height * 0.2, 0.03),
         rounded(height * 0.72, 0.02),
     ];
-    builder.add("metal", loft(&Outline::Soft(8), &skirt));
+    builder.add(Slot::Metal, loft(&Outline::Soft(8), &skirt));
     let (low, high) = (height * 0.7, height * 0.84);
     let bumper = [rounded(low, 0.0), rounded(high, 0.0), rounded(high, 0.035), rounded(low, 0.035)];
-    builder.add("rubber", loft_ring(&Outline::Soft(8), &bumper));
+    builder.add(Slot::Rubber, loft_ring(&Outline::Soft(8), &bumper));
     let inner = half.z * 0.3;
     let track = half.z - 0.045 - inner;
     let island = |y: f64, back: f64| {
         Slice::new(y, half.x - half.z + inner - back, inner - back).softened((inner - back) * 0.96)
     };
     let rise = [island(height * 0.5, 0.0), island(height * 0.93, 0.0), island(height, 0.03)];
-    builder.add("metal", loft(&Outline::Soft(6), &rise));
+    builder.add(Slot::Metal, loft(&Outline::Soft(6), &rise));
     builder.add(
-        "painted_accent",
+        Slot::PaintedAccent,
         loft(&Outline::Soft(6), &[island(height * 0.85, -0.004), island(height * 0.9, -0.004)]),
     );
     let straight = half.x - half.z;
@@ -55,7 +55,7 @@ fn carousel(builder: &mut Builder) {
         for (index, plate) in row.columns(count, -0.004).into_iter().enumerate() {
             let lift = if index % 2 == 0 { 0.0 } else { -0.006 };
             builder.cuboid(
-                "rubber",
+                Slot::Rubber,
                 plate.inset(0.0, 0.0, 0.001 + 0.0005 * (index % 2) as f64).moved(0.0, lift, 0.0),
             );
         }
@@ -78,13 +78,13 @@ fn fan(builder: &mut Builder, (side, straight): (f64, f64), radii: [f64; 2], y: 
         let middle = (from + to) / 2.0;
         let plate = [at(from, inner), at(from, outer), at(middle, outer), at(to, outer), at(to, inner)];
         let lift = if index % 2 == 0 { -0.003 } else { -0.009 };
-        builder.add("rubber", extrude(&plate, Axis::Y, y.map(|y| y + lift)));
+        builder.add(Slot::Rubber, extrude(&plate, Axis::Y, y.map(|y| y + lift)));
     }
 }
 
 /// Crosswise lines on a belt that runs along x.
 fn belt(builder: &mut Builder, bay: Bay) {
-    builder.cuboid("rubber", bay);
+    builder.cuboid(Slot::Rubber, bay);
     let count = (bay.width() / 0.5).round().clamp(2.0, 30.0) as u32;
     for joint in bay.columns(count, 0.0).iter().skip(1) {
         let seam = Bay::around(
@@ -93,7 +93,7 @@ fn belt(builder: &mut Builder, bay: Bay) {
             0.004,
             bay.depth() - 0.004,
         );
-        builder.cuboid("plastic_dark", seam);
+        builder.cuboid(Slot::PlasticDark, seam);
     }
 }
 
@@ -102,10 +102,10 @@ fn panelled(builder: &mut Builder) {
     let bay = builder.bay();
     let (height, thick) = (bay.height(), 0.05);
     let top = height * 0.86;
-    builder.cuboid("metal_dark", bay.inset(0.07, 0.0, 0.07).with_y([0.0, height * 0.15]));
+    builder.cuboid(Slot::MetalDark, bay.inset(0.07, 0.0, 0.07).with_y([0.0, height * 0.15]));
     for side in [Side::Front, Side::Back] {
         let board = bay.slab(side, thick).without(side, 0.02).with_y([height * 0.1, top]);
-        builder.cuboid("wood_dark", board.inset(0.02, 0.0, 0.0));
+        builder.cuboid(Slot::WoodDark, board.inset(0.02, 0.0, 0.0));
         let face = board
             .inset(0.06, height * 0.12, 0.0)
             .columns((bay.width() / 0.75).round().clamp(1.0, 12.0) as u32, 0.08);
@@ -115,28 +115,28 @@ fn panelled(builder: &mut Builder) {
             } else {
                 [board.low.z - 0.012, board.low.z + SINK]
             };
-            builder.block("wood_dark", panel.with_z(z), 0.008);
+            builder.block(Slot::WoodDark, panel.with_z(z), 0.008);
         }
         let cap = bay.slab(side, 0.1).with_y([top - SINK, top + 0.03]);
-        builder.block("wood", cap.without(side, 0.004).inset(0.012, 0.0, 0.0), 0.008);
+        builder.block(Slot::Wood, cap.without(side, 0.004).inset(0.012, 0.0, 0.0), 0.008);
         let z = bay.slab(side, 0.05).center().z;
         let rail = [DVec3::new(bay.low.x, height - 0.013, z), DVec3::new(bay.high.x, height - 0.013, z)];
-        builder.add("brass", sweep(&rail, 0.0135, 8));
+        builder.add(Slot::Brass, sweep(&rail, 0.0135, 8));
         let count = (bay.width() / 1.0).round().clamp(2.0, 10.0) as u32;
         for post in bay.inset(0.1, 0.0, 0.0).columns(count, 0.0) {
             builder.add(
-                "brass",
+                Slot::Brass,
                 cylinder(0.008, [top + 0.02, height - 0.012], 6).moved(post.center().x, 0.0, z),
             );
         }
         builder.cuboid(
-            "brass",
+            Slot::Brass,
             bay.slab(side, 0.016).inset(0.03, 0.0, 0.0).with_y([height * 0.04, height * 0.1]),
         );
     }
     for side in [Side::Left, Side::Right] {
         let board = bay.slab(side, thick).without(side, 0.014).with_y([height * 0.1 + 0.001, top + 0.02]);
-        builder.block("wood", board.inset(0.0, 0.0, 0.03), 0.004);
+        builder.block(Slot::Wood, board.inset(0.0, 0.0, 0.03), 0.004);
     }
     belt(builder, bay.inset(0.048, 0.0, 0.066).with_y([height * 0.4, top - 0.006]));
 }
@@ -149,36 +149,36 @@ fn rollers(builder: &mut Builder) {
     let axis = height - radius;
     for side in [Side::Front, Side::Back] {
         let beam = bay.slab(side, 0.012).with_y([axis - 0.09, axis + 0.02]);
-        builder.cuboid("painted_accent", beam);
+        builder.cuboid(Slot::PaintedAccent, beam);
         for y in [axis - 0.09, axis + 0.008] {
             let flange = bay.slab(side, 0.046).without(side, 0.011).with_y([y + 0.0006, y + 0.008]);
-            builder.cuboid("painted_accent", flange.inset(0.0008, 0.0, 0.0));
+            builder.cuboid(Slot::PaintedAccent, flange.inset(0.0008, 0.0, 0.0));
         }
     }
     let count = (bay.width() / 0.14).floor().clamp(2.0, 48.0) as u32;
     let z = [bay.low.z + 0.011, bay.high.z - 0.011];
     for place in bay.inset(0.02, 0.0, 0.0).columns(count, 0.0) {
         let roller = turned_forward(cylinder(radius, z, 8));
-        builder.add("metal", roller.moved(place.center().x, axis, 0.0));
+        builder.add(Slot::Metal, roller.moved(place.center().x, axis, 0.0));
     }
     let pairs = (bay.width() / 1.5).round().clamp(1.0, 6.0) as u32 + 1;
     for index in 0..pairs {
         let x = bay.low.x + 0.1 + (bay.width() - 0.2) * f64::from(index) / f64::from(pairs - 1);
         for side in [Side::Front, Side::Back] {
             let post = bay.slab(side, 0.05).without(side, 0.012 - SINK).with_x([x - 0.025, x + 0.025]);
-            builder.cuboid("metal_dark", post.with_y([0.008, axis - 0.03]));
-            builder.cuboid("metal_dark", post.with_y([0.0, 0.0085]).inset(-0.03, 0.0, -0.011));
+            builder.cuboid(Slot::MetalDark, post.with_y([0.008, axis - 0.03]));
+            builder.cuboid(Slot::MetalDark, post.with_y([0.0, 0.0085]).inset(-0.03, 0.0, -0.011));
         }
         let tie = Bay::around(DVec3::new(x, height * 0.24, 0.0), 0.03, 0.03, bay.depth() - 0.098);
-        builder.cuboid("metal_dark", tie);
+        builder.cuboid(Slot::MetalDark, tie);
     }
     let motor = Bay::around(DVec3::new(0.3, axis - 0.16, 0.0), 0.4, 0.14, 0.3);
-    builder.block("metal", motor, 0.01);
+    builder.block(Slot::Metal, motor, 0.01);
     let drum = turned_forward(cylinder(0.06, [-0.3, 0.0], 10));
-    builder.add("metal_dark", drum.moved(0.22, axis - 0.17, -0.1));
+    builder.add(Slot::MetalDark, drum.moved(0.22, axis - 0.17, -0.1));
     for end in [Side::Left, Side::Right] {
         let stop = bay.slab(end, 0.02).inset(0.0, 0.0, 0.014).with_y([axis - 0.05, axis - 0.01]);
-        builder.cuboid("metal_dark", stop);
+        builder.cuboid(Slot::MetalDark, stop);
     }
 }
 
@@ -191,7 +191,7 @@ fn on_drums(builder: &mut Builder) {
     let rim = 0.06;
     for end in [bay.low.x + radius, bay.high.x - radius] {
         let drum = turned_forward(cylinder(radius, [bay.low.z + rim + 0.004, bay.high.z - rim - 0.004], 16));
-        builder.add("rubber", drum.moved(end, middle, 0.0));
+        builder.add(Slot::Rubber, drum.moved(end, middle, 0.0));
     }
     let run = bay.inset(radius, 0.0, rim + 0.006).with_y([middle - radius * 0.96, height - 0.002]);
     belt(builder, run);
@@ -201,15 +201,15 @@ fn on_drums(builder: &mut Builder) {
             .without(side, 0.004)
             .inset(radius * 0.4, 0.0, 0.0)
             .with_y([middle - radius * 1.4, middle + radius * 0.7]);
-        builder.block("metal", wall, 0.012);
+        builder.block(Slot::Metal, wall, 0.012);
         let count = (bay.width() / 1.6).round().clamp(1.0, 6.0) as u32;
         for place in bay.inset(0.2, 0.0, 0.0).columns(count, 0.0) {
             let x = place.center().x;
             let post = bay.slab(side, rim).inset(0.0, 0.0, 0.006).with_x([x - 0.024, x + 0.024]);
-            leg(builder, "metal_dark", post.with_y([0.0, middle - radius * 1.4 + SINK]), LegKind::Square);
+            leg(builder, Slot::MetalDark, post.with_y([0.0, middle - radius * 1.4 + SINK]), LegKind::Square);
         }
     }
     let stop = bay.slab(Side::Front, 0.002).center();
     let button = turned_forward(cylinder(0.03, [-SINK - 0.02, 0.0], 10));
-    builder.add("book", button.moved(bay.high.x - 0.4, middle - radius * 0.3, stop.z + 0.001));
+    builder.add(Slot::Book, button.moved(bay.high.x - 0.4, middle - radius * 0.3, stop.z + 0.001));
 }

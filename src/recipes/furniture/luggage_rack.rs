@@ -7,7 +7,7 @@ use super::parts::{across, slanted_leg};
 use super::seating::depth_slats;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, rounded_path, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Share of the height at which a suitcase lies on a rack with a board behind it.
 const LYING_SHARE: f64 = 0.86;
@@ -32,10 +32,10 @@ fn luggage_rack(draft: &Draft, builder: &mut Builder) {
 fn bench(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let (frame, slats) = [
-        ("metal_dark", "wood"),
-        ("wood_light", "wood_light"),
-        ("metal_dark", "wood_dark"),
-        ("brass", "wood_dark"),
+        (Slot::MetalDark, Slot::Wood),
+        (Slot::WoodLight, Slot::WoodLight),
+        (Slot::MetalDark, Slot::WoodDark),
+        (Slot::Brass, Slot::WoodDark),
     ][look];
     let (tube, lying) = (0.025, bay.high.y * LYING_SHARE);
     for side in [Side::Left, Side::Right] {
@@ -56,7 +56,7 @@ fn bench(builder: &mut Builder, look: usize) {
     }
     let top = inner.with_y([lying - 0.024, lying - 0.002]).without(Side::Back, tube);
     if look == 3 {
-        builder.block("leather", top, 0.008);
+        builder.block(Slot::Leather, top, 0.008);
     } else {
         for slat in depth_slats(top, 5, 0.018) {
             builder.cuboid(slats, slat);
@@ -68,7 +68,7 @@ fn bench(builder: &mut Builder, look: usize) {
 /// A folding stand: turned legs that cross at both sides, and straps of leather between two rails.
 fn crossed_legs(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let slot = ["wood_dark", "wood", "wood_dark", "wood"][look];
+    let slot = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::Wood][look];
     let (radius, rail) = (0.018, 0.015);
     let top = bay.high.y - rail;
     let near = bay.high.z - radius;
@@ -83,14 +83,14 @@ fn crossed_legs(builder: &mut Builder, look: usize) {
     }
     let belts = bay.inset(bay.width() * 0.12, 0.0, 0.004).with_y([bay.high.y - 0.006, bay.high.y - 0.001]);
     for belt in belts.columns(4, bay.width() * 0.12) {
-        builder.cuboid(if look < 2 { "leather" } else { "fabric" }, belt);
+        builder.cuboid(if look < 2 { Slot::Leather } else { Slot::Fabric }, belt);
     }
 }
 
 /// Thick planks on four legs of pipe with flanges, with a bow behind them and a rail below.
 fn planks_on_pipes(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let wood = ["wood", "wood_dark", "wood_light", "wood"][look];
+    let wood = [Slot::Wood, Slot::WoodDark, Slot::WoodLight, Slot::Wood][look];
     let (pipe, flange) = (0.013, 0.032);
     let lying = bay.high.y * LYING_SHARE;
     let (x, z) = (bay.high.x - flange, bay.high.z - flange);
@@ -98,18 +98,18 @@ fn planks_on_pipes(builder: &mut Builder, look: usize) {
     // The hind legs are the ends of the bow.
     let bow = [(x, 0.004), (x, bay.high.y - pipe), (-x, bay.high.y - pipe), (-x, 0.004)]
         .map(|(x, y)| DVec3::new(x, y, -z));
-    builder.add("metal_dark", sweep(&rounded_path(&bow, 0.05, 2), pipe, 6));
+    builder.add(Slot::MetalDark, sweep(&rounded_path(&bow, 0.05, 2), pipe, 6));
     let leg = sweep(&[DVec3::new(x, 0.004, z), DVec3::new(x, under + SINK, z)], pipe, 6);
-    builder.add_pair("metal_dark", leg);
+    builder.add_pair(Slot::MetalDark, leg);
     for z in [-z, z] {
-        builder.add_pair("metal_dark", cylinder(flange, [0.0, 0.008], 8).moved(x, 0.0, z));
+        builder.add_pair(Slot::MetalDark, cylinder(flange, [0.0, 0.008], 8).moved(x, 0.0, z));
     }
     let low = bay.high.y * 0.22;
     for y in [low, under - pipe * 0.8] {
-        builder.add_pair("metal_dark", sweep(&[DVec3::new(x, y, -z), DVec3::new(x, y, z)], pipe * 0.9, 6));
+        builder.add_pair(Slot::MetalDark, sweep(&[DVec3::new(x, y, -z), DVec3::new(x, y, z)], pipe * 0.9, 6));
     }
     for z in [-z * 0.3, z * 0.3] {
-        builder.add("metal_dark", sweep(&[DVec3::new(-x, low, z), DVec3::new(x, low, z)], pipe * 0.9, 6));
+        builder.add(Slot::MetalDark, sweep(&[DVec3::new(-x, low, z), DVec3::new(x, low, z)], pipe * 0.9, 6));
     }
     for plank in depth_slats(bay.with_y([under, lying]).without(Side::Back, flange + 0.02), 3, 0.008) {
         builder.block(wood, plank, 0.004);
@@ -119,7 +119,7 @@ fn planks_on_pipes(builder: &mut Builder, look: usize) {
 /// Two bows of tube that cross before and behind, with broad belts from one to the other and plastic feet.
 fn tube_stand(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let metal = ["chrome", "metal_dark", "metal", "chrome"][look];
+    let metal = [Slot::Chrome, Slot::MetalDark, Slot::Metal, Slot::Chrome][look];
     let tube = 0.011;
     let top = bay.high.y - tube;
     let wide = bay.high.x - tube;
@@ -134,10 +134,10 @@ fn tube_stand(builder: &mut Builder, look: usize) {
         builder.add(metal, sweep(&[at(-z), at(z)], tube * 0.7, 6));
         for end in [-z, z] {
             let shoe = Bay::around(DVec3::new(foot, 0.015, end), 0.03, 0.03, 0.03);
-            builder.cuboid("rubber", shoe.with_x(shoe.x().map(|x| x.clamp(bay.low.x, bay.high.x))));
+            builder.cuboid(Slot::Rubber, shoe.with_x(shoe.x().map(|x| x.clamp(bay.low.x, bay.high.x))));
         }
     }
-    let slot = if look.is_multiple_of(2) { "plastic_dark" } else { "fabric_accent" };
+    let slot = if look.is_multiple_of(2) { Slot::PlasticDark } else { Slot::FabricAccent };
     let belts = bay.inset(0.006, 0.0, 0.055).with_y([bay.high.y - 0.006, bay.high.y]);
     for belt in depth_slats(belts, 3, 0.035) {
         builder.cuboid(slot, belt);

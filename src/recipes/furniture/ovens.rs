@@ -7,7 +7,7 @@ use crate::geometry::Side;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, cuboid, cylinder, extrude, lathe, loft, loft_ring, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres by which handles and knobs stand out.
 const REACH: f64 = 0.028;
@@ -30,7 +30,7 @@ pub(super) fn hob(draft: &Draft, builder: &mut Builder, top: Bay) {
     let (surface, lift) = (top.high.y, hob_height(set));
     let radius = width.min(depth) * 0.19;
     let plate = Bay::around(top.center(), width, 0.004, depth);
-    let slot = if set == GeometrySet::Plain { "screen" } else { "metal" };
+    let slot = if set == GeometrySet::Plain { Slot::Screen } else { Slot::Metal };
     builder.cuboid(slot, plate.with_y([surface - SINK, surface + (lift * 0.4).min(0.004)]));
     let base = surface + (lift * 0.4).min(0.004);
     for x in [-1.0, 1.0] {
@@ -46,7 +46,7 @@ pub(super) fn hob(draft: &Draft, builder: &mut Builder, top: Bay) {
                         (base - SINK, 0.93),
                     ];
                     let slices = ring.map(|(y, share)| Slice::round(y, size * share));
-                    builder.add("metal", loft_ring(&Outline::Round(16), &slices).moved(at.x, 0.0, at.z));
+                    builder.add(Slot::Metal, loft_ring(&Outline::Round(16), &slices).moved(at.x, 0.0, at.z));
                 }
                 GeometrySet::Budget => {
                     let cast = [
@@ -56,7 +56,7 @@ pub(super) fn hob(draft: &Draft, builder: &mut Builder, top: Bay) {
                         (size * 0.3, surface + lift),
                         (size * 0.26, surface + lift * 0.85),
                     ];
-                    builder.add("metal_dark", lathe(&cast, 14).moved(at.x, 0.0, at.z));
+                    builder.add(Slot::MetalDark, lathe(&cast, 14).moved(at.x, 0.0, at.z));
                 }
                 _ => burner(builder, at, [base, surface + lift], size),
             }
@@ -65,7 +65,7 @@ pub(super) fn hob(draft: &Draft, builder: &mut Builder, top: Bay) {
     if set == GeometrySet::Plain {
         let keys = plate.slab(Side::Front, depth * 0.07).inset(width * 0.34, 0.0, 0.004);
         for key in keys.columns(4, width * 0.03) {
-            builder.cuboid("metal", key.with_y([base - SINK, base + 0.0006]));
+            builder.cuboid(Slot::Metal, key.with_y([base - SINK, base + 0.0006]));
         }
     }
 }
@@ -79,48 +79,48 @@ fn burner(builder: &mut Builder, at: DVec3, [low, high]: [f64; 2], size: f64) {
         (size * 0.4, low + tall * 0.42),
         (size * 0.36, low + tall * 0.62),
     ];
-    builder.add("metal_dark", lathe(&crown, 10).moved(at.x, 0.0, at.z));
+    builder.add(Slot::MetalDark, lathe(&crown, 10).moved(at.x, 0.0, at.z));
     let bar = 0.008;
     for turn in [0.0, std::f64::consts::FRAC_PI_2] {
         // One of the crossing bars lies a hair lower.
         let top = high - if turn > 0.0 { 0.0006 } else { 0.0 };
         let across = Bay::new([-size * 1.15, size * 1.15], [top - bar, top], [-bar / 2.0, bar / 2.0]);
-        builder.add("metal_dark", cuboid(across).turned_y(turn).moved(at.x, 0.0, at.z));
+        builder.add(Slot::MetalDark, cuboid(across).turned_y(turn).moved(at.x, 0.0, at.z));
         for end in [-1.0, 1.0] {
             let foot = Bay::around(DVec3::new(end * size * 1.08, 0.0, 0.0), bar * 0.9, 1.0, bar * 0.9);
             let foot = foot.with_y([low - SINK, top - bar * 0.5]);
-            builder.add("metal_dark", cuboid(foot).turned_y(turn).moved(at.x, 0.0, at.z));
+            builder.add(Slot::MetalDark, cuboid(foot).turned_y(turn).moved(at.x, 0.0, at.z));
         }
     }
 }
 
 /// What an oven or a cooker of a set is made of: its front, and its handle and knobs.
-pub(super) fn oven_slots(draft: &Draft) -> [&'static str; 2] {
+pub(super) fn oven_slots(draft: &Draft) -> [Slot; 2] {
     let look = draft.input.look as usize % 4;
     let choices = match draft.set() {
         GeometrySet::Plain => [
-            ["metal", "metal"],
-            ["plastic_dark", "metal"],
-            ["appliance", "metal_dark"],
-            ["metal", "metal_dark"],
+            [Slot::Metal, Slot::Metal],
+            [Slot::PlasticDark, Slot::Metal],
+            [Slot::Appliance, Slot::MetalDark],
+            [Slot::Metal, Slot::MetalDark],
         ],
         GeometrySet::Traditional => [
-            ["painted", "brass"],
-            ["painted_accent", "brass"],
-            ["metal_dark", "brass"],
-            ["appliance", "chrome"],
+            [Slot::Painted, Slot::Brass],
+            [Slot::PaintedAccent, Slot::Brass],
+            [Slot::MetalDark, Slot::Brass],
+            [Slot::Appliance, Slot::Chrome],
         ],
         GeometrySet::Industrial => [
-            ["metal", "metal_dark"],
-            ["metal", "metal"],
-            ["metal_dark", "metal"],
-            ["metal", "painted_accent"],
+            [Slot::Metal, Slot::MetalDark],
+            [Slot::Metal, Slot::Metal],
+            [Slot::MetalDark, Slot::Metal],
+            [Slot::Metal, Slot::PaintedAccent],
         ],
         GeometrySet::Budget => [
-            ["appliance", "plastic_dark"],
-            ["appliance", "plastic"],
-            ["appliance", "metal"],
-            ["plastic", "plastic_dark"],
+            [Slot::Appliance, Slot::PlasticDark],
+            [Slot::Appliance, Slot::Plastic],
+            [Slot::Appliance, Slot::Metal],
+            [Slot::Plastic, Slot::PlasticDark],
         ],
     };
     choices[look]
@@ -145,7 +145,7 @@ pub(super) fn oven_front(draft: &Draft, builder: &mut Builder, face: Bay) {
             0.002,
         );
     }
-    builder.cuboid("screen", glass.with_z([surface - SINK * 2.0, surface + 0.006]));
+    builder.cuboid(Slot::Screen, glass.with_z([surface - SINK * 2.0, surface + 0.006]));
     let bar = DVec3::new(0.0, door.high.y - 0.05_f64.min(door.height() * 0.1), surface);
     handle(builder, metal, (HandleKind::Level, door.width() * 0.82), bar, REACH);
     let has_display = matches!(draft.set(), GeometrySet::Plain | GeometrySet::Budget);
@@ -162,11 +162,11 @@ pub(super) fn oven_front(draft: &Draft, builder: &mut Builder, face: Bay) {
             0.026 * size,
             0.002,
         );
-        builder.cuboid("plastic_dark", mark);
+        builder.cuboid(Slot::PlasticDark, mark);
     }
     if has_display {
         let display = strip.inset(strip.width() * 0.37, strip.height() * 0.3, 0.0);
-        builder.cuboid("screen", display.with_z([surface - SINK, surface + 0.002]));
+        builder.cuboid(Slot::Screen, display.with_z([surface - SINK, surface + 0.002]));
     }
 }
 
@@ -187,7 +187,7 @@ fn hood(draft: &Draft, builder: &mut Builder) {
 fn skirt(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let half = bay.extent() / 2.0;
-    let slot = ["metal", "metal_dark", "painted", "metal"][look];
+    let slot = [Slot::Metal, Slot::MetalDark, Slot::Painted, Slot::Metal][look];
     let lip = bay.height() * 0.1;
     builder.block(slot, bay.with_y([0.0, lip]), 0.004);
     if look % 2 == 1 {
@@ -196,7 +196,7 @@ fn skirt(builder: &mut Builder, look: usize) {
             Slice::new(lip - SINK, half.x * 0.98, half.z * 0.9).at(0.0, half.z * 0.06),
             Slice::new(bay.height() * 0.5, half.x * 0.98, half.z * 0.5).at(0.0, -half.z * 0.49),
         ];
-        builder.add("screen", loft(&Outline::Square, &pane));
+        builder.add(Slot::Screen, loft(&Outline::Square, &pane));
     }
     chimney(builder, slot, [lip, half.x * 0.36, half.z * 0.46]);
     lights(builder);
@@ -206,7 +206,7 @@ fn skirt(builder: &mut Builder, look: usize) {
 fn mantel(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let half = bay.extent() / 2.0;
-    let slot = ["wood", "painted", "wood_dark", "plaster"][look];
+    let slot = [Slot::Wood, Slot::Painted, Slot::WoodDark, Slot::Plaster][look];
     let at = |share: f64, x: f64, z: f64| {
         Slice::new(bay.height() * share, half.x * x, half.z * z).at(0.0, -half.z * (1.0 - z))
     };
@@ -228,7 +228,7 @@ fn mantel(builder: &mut Builder, look: usize) {
 fn canopy(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let half = bay.extent() / 2.0;
-    let slot = ["metal", "metal_dark", "metal", "metal"][look];
+    let slot = [Slot::Metal, Slot::MetalDark, Slot::Metal, Slot::Metal][look];
     let at = |share: f64, x: f64, z: f64, back: f64| {
         Slice::new(bay.height() * share, half.x * x, half.z * z).at(0.0, -half.z * back)
     };
@@ -244,19 +244,19 @@ fn canopy(builder: &mut Builder, look: usize) {
         duct.extend([(radius, y), (radius * 1.06, y + 0.006), (radius, y + 0.012)]);
     }
     duct.push((radius, high));
-    builder.add("metal", lathe(&duct, 14).moved(0.0, 0.0, -half.z * 0.5));
+    builder.add(Slot::Metal, lathe(&duct, 14).moved(0.0, 0.0, -half.z * 0.5));
     let rail = [
         DVec3::new(-half.x * 0.9, bay.height() * 0.08, half.z - 0.012),
         DVec3::new(half.x * 0.9, bay.height() * 0.08, half.z - 0.012),
     ];
-    builder.add("metal_dark", sweep(&rail.map(|point| point - DVec3::Z * 0.001), 0.012, 6));
+    builder.add(Slot::MetalDark, sweep(&rail.map(|point| point - DVec3::Z * 0.001), 0.012, 6));
 }
 
 /// A flat box with a slanted front, a visor and keys under a round duct.
 fn flat_box(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let half = bay.extent() / 2.0;
-    let slot = ["painted", "metal", "appliance", "plastic"][look];
+    let slot = [Slot::Painted, Slot::Metal, Slot::Appliance, Slot::Plastic][look];
     let lip = bay.height() * 0.28;
     let slant = [
         (half.z - SINK, 0.0),
@@ -268,16 +268,16 @@ fn flat_box(builder: &mut Builder, look: usize) {
     .map(DVec2::from);
     builder.add(slot, extrude(&slant, Axis::X, bay.x()));
     let visor = bay.with_y([lip * 0.06, lip * 0.3]).slab(Side::Front, 0.006).inset(0.02, 0.0, 0.0);
-    builder.cuboid("glass", visor);
+    builder.cuboid(Slot::Glass, visor);
     let radius = half.x.min(half.z) * 0.3;
-    builder.add("metal", cylinder(radius, [lip - SINK, bay.high.y], 12).moved(0.0, 0.0, -half.z * 0.4));
+    builder.add(Slot::Metal, cylinder(radius, [lip - SINK, bay.high.y], 12).moved(0.0, 0.0, -half.z * 0.4));
     for (index, x) in [-0.5, -0.42, -0.34].into_iter().enumerate() {
         let key = Bay::around(DVec3::new(x * half.x, lip * 0.5, half.z * 0.9), 0.012, 0.012, 0.02);
-        builder.cuboid(if index == 0 { "lamp" } else { "plastic_dark" }, key);
+        builder.cuboid(if index == 0 { Slot::Lamp } else { Slot::PlasticDark }, key);
     }
 }
 
-fn chimney(builder: &mut Builder, slot: &'static str, [low, x, z]: [f64; 3]) {
+fn chimney(builder: &mut Builder, slot: Slot, [low, x, z]: [f64; 3]) {
     let bay = builder.bay();
     let back = bay.low.z + 0.001;
     builder.cuboid(slot, Bay::new([-x, x], [low - SINK, bay.height() * 0.72], [back, back + z * 2.0]));
@@ -296,11 +296,11 @@ fn lights(builder: &mut Builder) {
     let bay = builder.bay();
     for x in [-0.34, 0.34] {
         let lamp = cylinder(0.028, [-0.0, 0.004], 10);
-        builder.add("lamp", lamp.moved(x * bay.width(), 0.0007, bay.high.z - 0.08));
+        builder.add(Slot::Lamp, lamp.moved(x * bay.width(), 0.0007, bay.high.z - 0.08));
     }
     let keys =
         Bay::around(DVec3::new(0.0, bay.height() * 0.05, bay.high.z), 0.16, bay.height() * 0.03, 0.0012);
     for key in keys.columns(4, 0.02) {
-        builder.cuboid("screen", key);
+        builder.cuboid(Slot::Screen, key);
     }
 }

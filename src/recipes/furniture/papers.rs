@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, Solid, cuboid, cylinder, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a pencil's radius.
 const PENCIL: f64 = 0.004;
@@ -41,21 +41,21 @@ fn lines(builder: &mut Builder, bay: Bay, y: f64, count: u32) {
         let width = field.width() * if step % 3 == 2 { 0.6 } else { 1.0 };
         let line =
             Bay::new([field.low.x, field.low.x + width], [y - SINK, y + 0.0006], [z - 0.002, z + 0.002]);
-        builder.cuboid("metal_dark", line);
+        builder.cuboid(Slot::MetalDark, line);
     }
 }
 
 /// A pen or pencil that lies across.
-fn pencil(builder: &mut Builder, slot: &'static str, [from, to]: [DVec3; 2]) {
+fn pencil(builder: &mut Builder, slot: Slot, [from, to]: [DVec3; 2]) {
     builder.add(slot, sweep(&[from, to], PENCIL, 6));
 }
 
 /// Sheets half out of a coloured folder, a few loose ones on top.
 fn folder(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
-    let slot = ["painted_accent", "leather", "fabric", "wood_light"][form];
+    let slot = [Slot::PaintedAccent, Slot::Leather, Slot::Fabric, Slot::WoodLight][form];
     builder.add(slot, sheet(bay, 1.0, [0.0, 0.3], 0.0));
-    builder.add("paper", sheet(bay, 0.9, [0.28, 0.62], turn * 0.3));
-    builder.add("paper", sheet(bay, 0.82, [0.6, if form == 1 { 1.0 } else { 0.8 }], turn));
+    builder.add(Slot::Paper, sheet(bay, 0.9, [0.28, 0.62], turn * 0.3));
+    builder.add(Slot::Paper, sheet(bay, 0.82, [0.6, if form == 1 { 1.0 } else { 0.8 }], turn));
     if form != 1 {
         let y = bay.low.y + bay.height() * 0.8;
         lines(builder, bay, y, 5);
@@ -65,50 +65,55 @@ fn folder(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
             [y - SINK, y + top],
             [-bay.depth() * 0.25, bay.depth() * 0.25],
         );
-        builder.cuboid("metal_dark", pen);
+        builder.cuboid(Slot::MetalDark, pen);
     }
 }
 
 /// A letter on a blotter with leather corners, and a pen beside it.
 fn blotter(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
-    builder.add(["leaf", "book", "leather", "wood_dark"][form], sheet(bay, 1.0, [0.0, 0.26], 0.0));
+    builder.add(
+        [Slot::Leaf, Slot::Book, Slot::Leather, Slot::WoodDark][form],
+        sheet(bay, 1.0, [0.0, 0.26], 0.0),
+    );
     let y = [bay.low.y + bay.height() * 0.2, bay.low.y + bay.height() * 0.32];
     let side = (bay.width() * 0.14).min(bay.depth() * 0.3);
     for x in [Side::Left, Side::Right] {
         for z in [Side::Front, Side::Back] {
             let corner = bay.inset(0.0008, 0.0, 0.0008).slab(x, side).slab(z, side);
-            builder.cuboid(if form == 0 { "leather" } else { "brass" }, corner.with_y(y));
+            builder.cuboid(if form == 0 { Slot::Leather } else { Slot::Brass }, corner.with_y(y));
         }
     }
-    builder.add("linen", sheet(bay, 0.7, [0.24, 0.44], turn));
+    builder.add(Slot::Linen, sheet(bay, 0.7, [0.24, 0.44], turn));
     let top = bay.low.y + bay.height() * 0.44;
     lines(builder, bay.inset(bay.width() * 0.1, 0.0, bay.depth() * 0.1), top, 6);
     let rest = (bay.high.y - top) / 2.0;
     let at = |x: f64, z: f64| DVec3::new(x * bay.width(), top + rest - SINK, z * bay.depth());
-    builder.add("metal_dark", sweep(&[at(0.3, -0.2), at(0.24, 0.2)], rest.max(0.0015), 6));
-    builder.add("brass", sweep(&[at(0.2415, 0.19), at(0.232, 0.25)], rest.max(0.0015) * 0.7, 6));
+    builder.add(Slot::MetalDark, sweep(&[at(0.3, -0.2), at(0.24, 0.2)], rest.max(0.0015), 6));
+    builder.add(Slot::Brass, sweep(&[at(0.2415, 0.19), at(0.232, 0.25)], rest.max(0.0015) * 0.7, 6));
 }
 
 /// A board with a clip of steel over a form.
 fn clipboard(builder: &mut Builder, bay: Bay, form: usize) {
-    builder.add(if form == 0 { "wood" } else { "metal" }, sheet(bay, 1.0, [0.0, 0.3], 0.0));
-    builder.add("paper", sheet(bay, 0.9, [0.28, 0.42], 0.01));
+    builder.add(if form == 0 { Slot::Wood } else { Slot::Metal }, sheet(bay, 1.0, [0.0, 0.3], 0.0));
+    builder.add(Slot::Paper, sheet(bay, 0.9, [0.28, 0.42], 0.01));
     lines(builder, bay, bay.low.y + bay.height() * 0.42, 7);
     let clip = bay.slab(Side::Back, bay.depth() * 0.1).inset(bay.width() * 0.26, 0.0, 0.0);
-    builder
-        .cuboid("chrome", clip.inset(0.0, 0.0, 0.0006).with_y([bay.low.y + bay.height() * 0.26, bay.high.y]));
+    builder.cuboid(
+        Slot::Chrome,
+        clip.inset(0.0, 0.0, 0.0006).with_y([bay.low.y + bay.height() * 0.26, bay.high.y]),
+    );
     let y = bay.low.y + bay.height() * 0.42 + PENCIL * 0.8;
     let side = bay.width() * 0.4;
     pencil(
         builder,
-        "painted_accent",
+        Slot::PaintedAccent,
         [DVec3::new(side, y, -bay.depth() * 0.2), DVec3::new(side, y, bay.depth() * 0.2)],
     );
 }
 
 /// A plan that is rolled out under two rolls.
 fn plans(builder: &mut Builder, bay: Bay, form: usize) {
-    builder.add(if form == 1 { "painted_accent" } else { "paper" }, sheet(bay, 1.0, [0.0, 0.16], 0.0));
+    builder.add(if form == 1 { Slot::PaintedAccent } else { Slot::Paper }, sheet(bay, 1.0, [0.0, 0.16], 0.0));
     let y = bay.low.y + bay.height() * 0.16;
     let field = bay.inset(bay.width() * 0.1, 0.0, bay.depth() * 0.14);
     let strokes = [
@@ -122,14 +127,14 @@ fn plans(builder: &mut Builder, bay: Bay, form: usize) {
     for (rise, (x, z, wide, deep)) in (2..).zip(strokes) {
         let at = DVec3::new(x * field.width(), y, z * field.depth());
         let line = Bay::around(at, wide * field.width(), 0.0006 * f64::from(rise), deep * field.depth());
-        builder.cuboid("metal_dark", line);
+        builder.cuboid(Slot::MetalDark, line);
     }
     let radius = (bay.high.y - y) / 2.0;
     let roll =
         cylinder(radius, [-bay.depth() * 0.46, bay.depth() * 0.46], 8).turned_x(std::f64::consts::FRAC_PI_2);
     for (share, turn) in [(0.42, 0.06), (0.24, -0.05)] {
         builder.add(
-            if share > 0.3 { "paper" } else { "linen" },
+            if share > 0.3 { Slot::Paper } else { Slot::Linen },
             roll.clone().turned_y(turn).moved(share * bay.width(), y + radius - SINK, 0.0),
         );
     }
@@ -137,11 +142,11 @@ fn plans(builder: &mut Builder, bay: Bay, form: usize) {
 
 /// A squared pad bound at its head, coloured notes, a pen of plastic.
 fn pad(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
-    builder.add("wood_light", sheet(bay, 1.0, [0.0, 0.12], 0.0));
-    builder.add("paper", sheet(bay, 0.985, [0.1, 0.5], 0.0));
+    builder.add(Slot::WoodLight, sheet(bay, 1.0, [0.0, 0.12], 0.0));
+    builder.add(Slot::Paper, sheet(bay, 0.985, [0.1, 0.5], 0.0));
     let head = bay.slab(Side::Back, bay.depth() * 0.08).inset(0.0005, 0.0, 0.0005);
     builder.cuboid(
-        ["painted_accent", "book", "leaf", "metal_dark"][form],
+        [Slot::PaintedAccent, Slot::Book, Slot::Leaf, Slot::MetalDark][form],
         head.with_y([bay.low.y, bay.low.y + bay.height() * 0.62]).inset(0.0, 0.0004, 0.0),
     );
     let y = bay.low.y + bay.height() * 0.5;
@@ -152,11 +157,14 @@ fn pad(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
         bay.high.y - y + SINK,
         bay.width() * 0.34,
     );
-    builder.add(["brass", "leaf", "painted_accent", "brass"][form], cuboid(note).turned_y(turn * 0.5));
+    builder.add(
+        [Slot::Brass, Slot::Leaf, Slot::PaintedAccent, Slot::Brass][form],
+        cuboid(note).turned_y(turn * 0.5),
+    );
     let pen = Bay::new(
         [-bay.width() * 0.3, -bay.width() * 0.3 + 0.008],
         [y - SINK, y + 0.006],
         [-bay.depth() * 0.2, bay.depth() * 0.26],
     );
-    builder.add("book", cuboid(pen).turned_y(0.2));
+    builder.add(Slot::Book, cuboid(pen).turned_y(0.2));
 }

@@ -6,7 +6,7 @@ use super::boards::{frame, inside};
 use super::parts::{LegKind, ball, leg};
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, pipe};
-use crate::recipes::{Draft, Recipe};
+use crate::recipes::{Draft, Recipe, Slot};
 
 /// A screen between desks: cloth in a frame; a folding screen with arched leaves; panes between bars of steel; cloth
 /// laced into a bow of pipe.
@@ -22,7 +22,7 @@ fn lift(bay: Bay) -> f64 {
 }
 
 /// Feet across the lower edge of a panel, at shares of the width, as deep as the box, with short posts.
-fn feet(builder: &mut Builder, slot: &'static str, thick: f64) {
+fn feet(builder: &mut Builder, slot: Slot, thick: f64) {
     let (bay, lift) = (builder.bay(), lift(builder.bay()));
     for side in [Side::Left, Side::Right] {
         let foot = bay.inset(bay.width() * 0.08, 0.0, 0.0).slab(side, 0.05);
@@ -38,28 +38,28 @@ fn padded(draft: &Draft, builder: &mut Builder) {
     let thick = (bay.depth() * 0.6).min(0.04);
     let panel = bay.without(Side::Below, lift(bay)).with_z([-thick / 2.0, thick / 2.0]);
     let border = 0.03_f64.min(bay.width() * 0.05);
-    builder.add("metal", frame(panel, border));
+    builder.add(Slot::Metal, frame(panel, border));
     let count = (bay.width() / 0.8).round().clamp(1.0, 4.0) as u32;
     let cloth = inside(panel, border, [0.12, 0.88]);
-    let slot = draft.sampler().pick(&["fabric", "fabric_accent", "fabric_light"]);
+    let slot = draft.sampler().pick(&[Slot::Fabric, Slot::FabricAccent, Slot::FabricLight]);
     let middle = cloth.low.y + cloth.height() * 0.52;
     let halves = [[cloth.low.y, middle - 0.012], [middle + 0.012, cloth.high.y]];
     for (index, y) in halves.into_iter().enumerate() {
-        let slot = if index == 0 { slot } else { "fabric_light" };
+        let slot = if index == 0 { slot } else { Slot::FabricLight };
         for column in cloth.with_y(y).columns(count, 0.008) {
             builder.block(slot, column, 0.004);
         }
     }
-    builder.cuboid("metal", cloth.with_y([middle - 0.011, middle + 0.011]).inset(0.0, 0.0, thick * 0.1));
-    feet(builder, "metal_dark", thick);
+    builder.cuboid(Slot::Metal, cloth.with_y([middle - 0.011, middle + 0.011]).inset(0.0, 0.0, thick * 0.1));
+    feet(builder, Slot::MetalDark, thick);
 }
 
 /// Three or four leaves in a shallow zigzag, each with an arched head, a turned knob on it, and cloth over a panel.
 fn folding(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let count = (bay.width() / 0.42).round().clamp(2.0, 5.0) as u32;
-    let slot = ["wood_dark", "wood", "wood_dark", "wood_light"][draft.input.look as usize % 4];
-    let cloth = draft.sampler().pick(&["fabric_accent", "fabric_light", "fabric"]);
+    let slot = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::WoodLight][draft.input.look as usize % 4];
+    let cloth = draft.sampler().pick(&[Slot::FabricAccent, Slot::FabricLight, Slot::Fabric]);
     let thick = (bay.depth() * 0.32).min(0.024);
     let pitch = bay.width() / f64::from(count);
     let angle = libm::asin(((bay.depth() - thick) / pitch).clamp(0.0, 0.9));
@@ -76,7 +76,7 @@ fn folding(draft: &Draft, builder: &mut Builder) {
 }
 
 /// One leaf around the origin, as high as the box.
-fn leaf_of_screen(builder: &mut Builder, [wood, cloth]: [&'static str; 2], (width, thick): (f64, f64)) {
+fn leaf_of_screen(builder: &mut Builder, [wood, cloth]: [Slot; 2], (width, thick): (f64, f64)) {
     let high = builder.bay().high.y;
     let (half, z) = (width / 2.0, [-thick / 2.0, thick / 2.0]);
     let stile = (width * 0.12).min(0.045);
@@ -114,7 +114,7 @@ fn leaf_of_screen(builder: &mut Builder, [wood, cloth]: [&'static str; 2], (widt
     builder.cuboid(cloth, field);
     for foot in [-1.0, 1.0] {
         let rod = cylinder(thick * 0.62, [0.004, 0.03], 6);
-        builder.add("brass", rod.moved(foot * (half - stile * 0.5), 0.0, 0.0));
+        builder.add(Slot::Brass, rod.moved(foot * (half - stile * 0.5), 0.0, 0.0));
     }
 }
 
@@ -124,36 +124,36 @@ fn glazed(builder: &mut Builder) {
     let thick = (bay.depth() * 0.5).min(0.04);
     let panel = bay.without(Side::Below, 0.012).with_z([-thick / 2.0, thick / 2.0]);
     let border = 0.032;
-    builder.add("metal_dark", frame(panel, border));
+    builder.add(Slot::MetalDark, frame(panel, border));
     let inner = inside(panel, border, [0.3, 0.7]);
     let sill = inner.low.y + inner.height() * 0.34;
-    builder.cuboid("metal", inner.with_y([inner.low.y, sill]));
+    builder.cuboid(Slot::Metal, inner.with_y([inner.low.y, sill]));
     for brace in inner.with_y([inner.low.y, sill]).rows(4, 0.0).iter().skip(1) {
         let rib = brace.slab(Side::Below, 0.014).moved(0.0, -0.007, 0.0);
-        builder.cuboid("metal", rib.inset(0.02, 0.0, -0.006));
+        builder.cuboid(Slot::Metal, rib.inset(0.02, 0.0, -0.006));
     }
     let glass = inner.with_y([sill, inner.high.y]);
-    builder.cuboid("glass", glass.inset(0.0, 0.0, thick * 0.12));
+    builder.cuboid(Slot::Glass, glass.inset(0.0, 0.0, thick * 0.12));
     let bar = 0.018;
     let columns = (bay.width() / 0.42).round().clamp(2.0, 6.0) as u32;
     for column in glass.columns(columns, 0.0).iter().skip(1) {
         let bar = column.slab(Side::Left, bar).moved(-bar / 2.0, 0.0, 0.0);
-        builder.cuboid("metal_dark", bar.inset(0.0, -SINK, -0.004));
+        builder.cuboid(Slot::MetalDark, bar.inset(0.0, -SINK, -0.004));
     }
     for row in glass.rows(3, 0.0) {
         let bar = row.slab(Side::Below, bar).moved(0.0, -0.002, 0.0);
-        builder.cuboid("metal_dark", bar.inset(-SINK, 0.0, -0.003));
+        builder.cuboid(Slot::MetalDark, bar.inset(-SINK, 0.0, -0.003));
     }
     for side in [Side::Left, Side::Right] {
         let plate = bay.inset(bay.width() * 0.03, 0.0, 0.0).slab(side, 0.12);
-        builder.cuboid("metal_dark", plate.with_y([0.0, 0.012 + SINK]));
+        builder.cuboid(Slot::MetalDark, plate.with_y([0.0, 0.012 + SINK]));
         for z in [-1.0, 1.0] {
             let at = DVec3::new(plate.center().x, 0.0, z * (bay.high.z + thick / 2.0) / 2.0);
             let radius = (bay.high.z - thick / 2.0) * 0.4;
-            builder.add("metal", cylinder(radius, [0.012, 0.022], 6).moved(at.x, 0.0, at.z));
+            builder.add(Slot::Metal, cylinder(radius, [0.012, 0.022], 6).moved(at.x, 0.0, at.z));
         }
         let gusset = plate.inset(0.05, 0.0, 0.0).with_y([0.012, 0.09]);
-        builder.cuboid("metal_dark", gusset.with_z([-bay.high.z * 0.8, bay.high.z * 0.8]));
+        builder.cuboid(Slot::MetalDark, gusset.with_z([-bay.high.z * 0.8, bay.high.z * 0.8]));
     }
 }
 
@@ -164,16 +164,16 @@ fn pipe_and_cloth(draft: &Draft, builder: &mut Builder) {
     let (x, y) = (bay.high.x - radius, bay.high.y - radius);
     let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
     let bow = [at(-x, 0.016), at(-x, y), at(x, y), at(x, 0.016)];
-    builder.add("metal", pipe(&bow, radius, 0.12));
+    builder.add(Slot::Metal, pipe(&bow, radius, 0.12));
     let low = lift(bay) + 0.08;
-    builder.add("metal", pipe(&[at(-x, low), at(x, low)], radius * 0.8, 0.0));
+    builder.add(Slot::Metal, pipe(&[at(-x, low), at(x, low)], radius * 0.8, 0.0));
     for side in [-1.0, 1.0] {
         let thick = radius * 0.96;
         let foot = [bay.low.z, bay.high.z].map(|z| DVec3::new(side * x, thick, z));
-        builder.add("plastic_dark", pipe(&foot, thick, 0.0));
+        builder.add(Slot::PlasticDark, pipe(&foot, thick, 0.0));
     }
     let cloth = Bay::new([-x + 0.05, x - 0.05], [low + 0.05, y - 0.05], [-0.004, 0.004]);
-    let slot = draft.sampler().pick(&["fabric_light", "fabric", "fabric_accent"]);
+    let slot = draft.sampler().pick(&[Slot::FabricLight, Slot::Fabric, Slot::FabricAccent]);
     builder.cuboid(slot, cloth);
     let hem = |bay: Bay| bay.inset(0.0, 0.0, -0.002);
     for side in [Side::Above, Side::Below] {
@@ -185,7 +185,7 @@ fn pipe_and_cloth(draft: &Draft, builder: &mut Builder) {
             let ends = [end.min(pole) - 0.01, end.max(pole)];
             let ends = if pole > end { ends } else { [ends[0] + 0.01, ends[1] + 0.01] };
             let strap = Bay::around(column.center(), 0.024, 1.0, radius * 2.2);
-            builder.cuboid("fabric_light", strap.with_y(ends));
+            builder.cuboid(Slot::FabricLight, strap.with_y(ends));
         }
     }
 }

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, Solid, cuboid, extrude, lathe, rounded_box, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Share of the height that the upper edge of a sloping case takes; the receiver stands over it.
 const RISE: f64 = 0.76;
@@ -18,14 +18,16 @@ fn phone(draft: &Draft, builder: &mut Builder) {
     let form = draft.input.look as usize % 4;
     match draft.set() {
         GeometrySet::Plain => {
-            desk_phone(builder, ["plastic_dark", "plastic_dark", "plastic", "metal_dark"][form])
+            desk_phone(builder, [Slot::PlasticDark, Slot::PlasticDark, Slot::Plastic, Slot::MetalDark][form])
         }
-        GeometrySet::Traditional => dial_phone(builder, ["plastic_dark", "book", "linen", "leather"][form]),
+        GeometrySet::Traditional => {
+            dial_phone(builder, [Slot::PlasticDark, Slot::Book, Slot::Linen, Slot::Leather][form])
+        }
         GeometrySet::Industrial => {
-            steel_phone(builder, ["metal", "painted_accent", "metal_dark", "metal"][form])
+            steel_phone(builder, [Slot::Metal, Slot::PaintedAccent, Slot::MetalDark, Slot::Metal][form])
         }
         GeometrySet::Budget => {
-            cordless(builder, ["plastic_dark", "plastic", "painted_accent", "plastic"][form])
+            cordless(builder, [Slot::PlasticDark, Slot::Plastic, Slot::PaintedAccent, Slot::Plastic][form])
         }
     }
 }
@@ -57,7 +59,7 @@ impl Slope {
     }
 
     /// Four rows of three keys between two ends along x.
-    fn keys(&self, builder: &mut Builder, slot: &'static str, [left, right]: [f64; 2], thickness: f64) {
+    fn keys(&self, builder: &mut Builder, slot: Slot, [left, right]: [f64; 2], thickness: f64) {
         for row in 0..4 {
             let along = 0.45 + 0.12 * f64::from(row);
             for column in 0..3 {
@@ -70,7 +72,7 @@ impl Slope {
 }
 
 /// The case of a sloping telephone.
-fn case(builder: &mut Builder, slot: &'static str) -> Slope {
+fn case(builder: &mut Builder, slot: Slot) -> Slope {
     let bay = builder.bay();
     let (low, high) = (bay.low.z, bay.high.z);
     let wedge = [(high, 0.0), (high, bay.height() * LIP), (low, bay.height() * RISE), (low, 0.0)];
@@ -79,12 +81,12 @@ fn case(builder: &mut Builder, slot: &'static str) -> Slope {
 }
 
 /// Keys under a screen on the right, the receiver along the left.
-fn desk_phone(builder: &mut Builder, slot: &'static str) {
+fn desk_phone(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let slope = case(builder, slot);
     let ends = [-bay.width() * 0.08, bay.high.x - bay.width() * 0.08];
-    builder.add("screen", slope.plate(ends, [0.1, 0.35], 0.002));
-    slope.keys(builder, if slot == "plastic" { "metal_dark" } else { "plastic" }, ends, 0.004);
+    builder.add(Slot::Screen, slope.plate(ends, [0.1, 0.35], 0.002));
+    slope.keys(builder, if slot == Slot::Plastic { Slot::MetalDark } else { Slot::Plastic }, ends, 0.004);
     let receiver = Bay::new(
         [bay.low.x + bay.width() * 0.07, bay.low.x + bay.width() * 0.31],
         [-0.002, bay.height() * 0.27],
@@ -94,7 +96,7 @@ fn desk_phone(builder: &mut Builder, slot: &'static str) {
 }
 
 /// A case that narrows upwards, a dial with its stop, and a receiver across the top.
-fn dial_phone(builder: &mut Builder, slot: &'static str) {
+fn dial_phone(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let (high, back) = (bay.height() * 0.66, bay.low.z);
     let profile = [
@@ -113,15 +115,15 @@ fn dial_phone(builder: &mut Builder, slot: &'static str) {
     let middle = DVec3::new(0.0, high - rise * 0.52, back + bay.depth() * 0.46 + run * 0.52);
     let radius = (bay.width() * 0.3).min(run * 0.48);
     let place = |solid: Solid| solid.turned_x(angle).moved(middle.x, middle.y, middle.z);
-    builder.add("linen", place(lathe(&[(radius, -0.002), (radius, 0.003)], 10)));
+    builder.add(Slot::Linen, place(lathe(&[(radius, -0.002), (radius, 0.003)], 10)));
     builder.add(
-        "brass",
+        Slot::Brass,
         place(lathe(&[(radius * 0.86, 0.0025), (radius * 0.8, 0.006), (radius * 0.3, 0.0075)], 10)),
     );
     for hole in 0..6 {
         let (sine, cosine) = libm::sincos(0.7 + 0.8 * f64::from(hole));
         let at = DVec3::new(cosine, 0.0, sine) * radius * 0.6 + DVec3::Y * 0.006;
-        builder.add("metal_dark", place(cuboid(Bay::around(at, radius * 0.2, 0.005, radius * 0.2))));
+        builder.add(Slot::MetalDark, place(cuboid(Bay::around(at, radius * 0.2, 0.005, radius * 0.2))));
     }
     let (y, z) = (bay.high.y - bay.height() * 0.12, back + bay.depth() * 0.28);
     let end = bay.high.x - bay.width() * 0.13;
@@ -139,14 +141,14 @@ fn dial_phone(builder: &mut Builder, slot: &'static str) {
 }
 
 /// A box of sheet with large keys and a row of lamps, a straight receiver on the left.
-fn steel_phone(builder: &mut Builder, slot: &'static str) {
+fn steel_phone(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let slope = case(builder, slot);
     let ends = [-bay.width() * 0.1, bay.high.x - bay.width() * 0.06];
-    slope.keys(builder, "metal_dark", ends, 0.006);
+    slope.keys(builder, Slot::MetalDark, ends, 0.006);
     for lamp in 0..4 {
         let x = ends[0] + (ends[1] - ends[0]) * 0.25 * f64::from(lamp);
-        let slot = ["painted_accent", "leaf", "brass", "book"][lamp as usize];
+        let slot = [Slot::PaintedAccent, Slot::Leaf, Slot::Brass, Slot::Book][lamp as usize];
         builder.add(slot, slope.plate([x, x + (ends[1] - ends[0]) * 0.18], [0.2, 0.32], 0.004));
     }
     let middle = bay.low.x + bay.width() * 0.19;
@@ -156,19 +158,19 @@ fn steel_phone(builder: &mut Builder, slot: &'static str) {
         [0.006, bay.height() * 0.22],
         [slope.length * 0.08, slope.length * 0.92],
     );
-    builder.add("rubber", slope.lay(cuboid(grip)));
+    builder.add(Slot::Rubber, slope.lay(cuboid(grip)));
     for end in [Side::Back, Side::Front] {
         let ear = grip
             .inset(-wide * 0.3, 0.0, 0.0)
             .slab(end, slope.length * 0.24)
             .with_y([-0.001, bay.height() * 0.24]);
         let out = if end == Side::Back { -0.002 } else { 0.002 };
-        builder.add("plastic_dark", slope.lay(cuboid(ear.moved(0.0, 0.0, out))));
+        builder.add(Slot::PlasticDark, slope.lay(cuboid(ear.moved(0.0, 0.0, out))));
     }
 }
 
 /// A handset that leans in a low cradle.
-fn cordless(builder: &mut Builder, slot: &'static str) {
+fn cordless(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let base = bay.height() * 0.3;
     builder.add(slot, rounded_box(bay.with_y([0.0, base]), DVec3::splat(base * 0.3), 1));
@@ -181,17 +183,17 @@ fn cordless(builder: &mut Builder, slot: &'static str) {
         [(a.0 + off, a.1), (a.0 + off + thick, a.1), (b.0 + off + thick, b.1), (b.0 + off, b.1)]
             .map(DVec2::from)
     };
-    builder.add("metal_dark", extrude(&leaning(0.0, 1.0, 0.0, thick), Axis::X, [-half, half]));
+    builder.add(Slot::MetalDark, extrude(&leaning(0.0, 1.0, 0.0, thick), Axis::X, [-half, half]));
     let face = [-half * 0.8, half * 0.8];
-    builder.add("screen", extrude(&leaning(0.66, 0.9, thick - 0.001, 0.003), Axis::X, face));
+    builder.add(Slot::Screen, extrude(&leaning(0.66, 0.9, thick - 0.001, 0.003), Axis::X, face));
     for row in 0..3 {
         let low = 0.36 + 0.09 * f64::from(row);
         for column in 0..3 {
             let x = face[0] + (face[1] - face[0]) * 0.36 * f64::from(column);
             let key = leaning(low, low + 0.06, thick - 0.001, 0.004);
-            builder.add("plastic", extrude(&key, Axis::X, [x, x + (face[1] - face[0]) * 0.28]));
+            builder.add(Slot::Plastic, extrude(&key, Axis::X, [x, x + (face[1] - face[0]) * 0.28]));
         }
     }
     let lamp = Bay::around(DVec3::new(bay.width() * 0.34, base, bay.depth() * 0.3), 0.014, 0.006, 0.014);
-    builder.cuboid("leaf", lamp);
+    builder.cuboid(Slot::Leaf, lamp);
 }

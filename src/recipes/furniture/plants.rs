@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::parts::{Foliage, Species, grow, pot};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Blade, Builder, Outline, SINK, Slice, blade, lathe, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Share of a plant's height that the pot takes.
 const POT_SHARE: f64 = 0.27;
@@ -44,7 +44,7 @@ fn plant(draft: &Draft, builder: &mut Builder) {
             let step = (trunk + height * 0.2) / f64::from(rings);
             profile.extend([(0.026, y), (0.019, y + step * 0.9)]);
         }
-        builder.add("wood_dark", lathe(&profile, 7));
+        builder.add(Slot::WoodDark, lathe(&profile, 7));
     }
     let foliage = Foliage {
         species,
@@ -118,13 +118,13 @@ fn trough(draft: &Draft, builder: &mut Builder, bay: Bay) {
     let wall = 0.025_f64.min(half.x.min(half.z) * 0.2);
     let look = draft.input.look as usize % 4;
     let slice = |share: f64, back: f64| Slice::new(height * share, half.x - back, half.z - back);
-    let (slot, outside): (&'static str, Vec<Slice>) = match draft.set() {
+    let (slot, outside): (Slot, Vec<Slice>) = match draft.set() {
         GeometrySet::Plain => (
-            ["concrete", "ceramic", "stone", "painted"][look],
+            [Slot::Concrete, Slot::Ceramic, Slot::Stone, Slot::Painted][look],
             vec![slice(0.0, if look.is_multiple_of(2) { 0.0 } else { wall * 1.5 }), slice(1.0, 0.0)],
         ),
         GeometrySet::Traditional => (
-            "terracotta",
+            Slot::Terracotta,
             vec![
                 slice(0.0, wall * 1.4),
                 slice(0.08, wall * 1.4),
@@ -135,32 +135,34 @@ fn trough(draft: &Draft, builder: &mut Builder, bay: Bay) {
             ],
         ),
         GeometrySet::Industrial => (
-            ["metal", "metal_dark", "concrete", "metal"][look],
+            [Slot::Metal, Slot::MetalDark, Slot::Concrete, Slot::Metal][look],
             vec![slice(0.0, wall), slice(0.94, wall * 0.4), slice(0.95, 0.0), slice(1.0, 0.0)],
         ),
         GeometrySet::Budget => (
-            ["plastic_dark", "plastic", "terracotta", "painted_accent"][look],
+            [Slot::PlasticDark, Slot::Plastic, Slot::Terracotta, Slot::PaintedAccent][look],
             vec![slice(0.0, wall * 1.6), slice(0.85, wall * 0.6), slice(0.86, 0.0), slice(1.0, 0.0)],
         ),
     };
     let is_boarded = draft.set() == GeometrySet::Traditional && look.is_multiple_of(2);
     let inside = [slice(1.0, wall), slice(0.7, wall * 1.2)];
     builder.add(
-        if is_boarded { "wood_dark" } else { slot },
+        if is_boarded { Slot::WoodDark } else { slot },
         loft(&Outline::Square, &outside.into_iter().chain(inside).collect::<Vec<_>>()),
     );
-    builder
-        .cuboid("soil", bay.with_y([height * 0.7 - SINK, height * 0.9]).inset(wall * 1.15, 0.0, wall * 1.15));
+    builder.cuboid(
+        Slot::Soil,
+        bay.with_y([height * 0.7 - SINK, height * 0.9]).inset(wall * 1.15, 0.0, wall * 1.15),
+    );
     if is_boarded {
         let boards = bay.with_y([height * 0.12, height * 0.8]).inset(wall * 1.2, 0.0, 0.0);
         for side in [Side::Front, Side::Back] {
             let face = boards.slab(side, wall * 1.6).inset(0.0, 0.0, wall * 0.3);
-            face.rows(3, 0.006).into_iter().for_each(|board| builder.block("wood", board, 0.003));
+            face.rows(3, 0.006).into_iter().for_each(|board| builder.block(Slot::Wood, board, 0.003));
         }
         for side in [Side::Left, Side::Right] {
             for end in [Side::Front, Side::Back] {
                 let post = bay.slab(side, wall * 2.2).slab(end, wall * 2.2).with_y([0.001, height * 0.86]);
-                builder.cuboid("wood", post.inset(0.001, 0.0, 0.001));
+                builder.cuboid(Slot::Wood, post.inset(0.001, 0.0, 0.001));
             }
         }
     }
@@ -191,10 +193,10 @@ fn vase(draft: &Draft, builder: &mut Builder) {
         .chain([slice(1.0, neck - 0.12), slice(0.8, neck.min(profile[4].1) - 0.14)])
         .collect();
     let slot = match draft.set() {
-        GeometrySet::Plain => ["ceramic", "glass", "concrete", "painted_accent"],
-        GeometrySet::Traditional => ["ceramic", "glass", "brass", "ceramic"],
-        GeometrySet::Industrial => ["metal_dark", "glass", "concrete", "metal"],
-        GeometrySet::Budget => ["glass", "ceramic", "plastic", "terracotta"],
+        GeometrySet::Plain => [Slot::Ceramic, Slot::Glass, Slot::Concrete, Slot::PaintedAccent],
+        GeometrySet::Traditional => [Slot::Ceramic, Slot::Glass, Slot::Brass, Slot::Ceramic],
+        GeometrySet::Industrial => [Slot::MetalDark, Slot::Glass, Slot::Concrete, Slot::Metal],
+        GeometrySet::Budget => [Slot::Glass, Slot::Ceramic, Slot::Plastic, Slot::Terracotta],
     }[look as usize];
     builder.add(slot, loft(&Outline::Round(if has_flowers { 8 } else { 12 }), &slices));
     if has_flowers {
@@ -206,14 +208,14 @@ fn vase(draft: &Draft, builder: &mut Builder) {
 fn bunch(draft: &Draft, builder: &mut Builder, bay: Bay, rim: f64) {
     let half = bay.extent() / 2.0;
     let blossom = half.min_element() * 0.3;
-    let slots = ["fabric_accent", "linen", "painted_accent", "book"];
+    let slots = [Slot::FabricAccent, Slot::Linen, Slot::PaintedAccent, Slot::Book];
     let stalks = [((-0.7, 0.0), 1.0), ((0.7, 0.05), 0.84), ((0.05, 0.7), 0.9), ((0.0, -0.7), 0.78)];
     for (index, (place, rise)) in stalks.into_iter().enumerate() {
         let place = DVec2::from(place);
         let top = bay.height() * rise - blossom;
         let head = DVec3::new(place.x * half.x, top, place.y * half.z);
         let foot = DVec3::new(-place.x * half.x * 0.15, rim * 0.6, -place.y * half.z * 0.15);
-        builder.add("leaf", sweep(&[foot, head + DVec3::Y * blossom * 0.3], blossom * 0.1, 3));
+        builder.add(Slot::Leaf, sweep(&[foot, head + DVec3::Y * blossom * 0.3], blossom * 0.1, 3));
         let petals = [(blossom * 0.3, -blossom * 0.6), (blossom, blossom), (0.0, blossom * 0.35)];
         let slot = slots[(draft.input.look as usize / 2 + index / 2) % 4];
         builder.add(slot, lathe(&petals, 5).moved(head.x, head.y, head.z));
@@ -224,7 +226,7 @@ fn bunch(draft: &Draft, builder: &mut Builder, bay: Bay, rim: f64) {
                 foot.lerp(head, 0.8) + DVec3::new(place.x, 0.0, place.y) * half.x * 0.2,
             ];
             builder.add(
-                "leaf",
+                Slot::Leaf,
                 blade(&Blade { rib: &rib, half_widths: &[blossom * 0.4], thickness: 0.001, fold: 0.1 }),
             );
         }

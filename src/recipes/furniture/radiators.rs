@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A radiator with pipes and a valve: panels, cast columns, pipes with fins, or ribs of sheet steel. Usual ones are
 /// 0.4-0.6 m high and 0.1 m deep; columns stand 0.05-0.06 apart.
@@ -17,10 +17,10 @@ fn radiator(draft: &Draft, builder: &mut Builder) {
     let body = bay.without(Side::Below, lift).without(Side::Right, 0.055);
     match draft.set() {
         GeometrySet::Traditional => {
-            columns(builder, ["painted", "metal_dark", "brass", "painted"][look], body, look)
+            columns(builder, [Slot::Painted, Slot::MetalDark, Slot::Brass, Slot::Painted][look], body, look)
         }
         GeometrySet::Industrial if look.is_multiple_of(2) => serpentine(builder, body),
-        GeometrySet::Industrial => columns(builder, ["metal", "metal_dark"][look / 2], body, look),
+        GeometrySet::Industrial => columns(builder, [Slot::Metal, Slot::MetalDark][look / 2], body, look),
         GeometrySet::Budget if look == 3 => tubes(builder, body),
         GeometrySet::Budget => panel(builder, body, 18),
         GeometrySet::Plain => match look {
@@ -35,23 +35,23 @@ fn radiator(draft: &Draft, builder: &mut Builder) {
 
 fn panel(builder: &mut Builder, body: Bay, ribs: u32) {
     let plate = body.slab(Side::Front, body.depth() * 0.24);
-    builder.block("painted", plate.without(Side::Front, if ribs == 0 { 0.0 } else { 0.004 }), 0.005);
+    builder.block(Slot::Painted, plate.without(Side::Front, if ribs == 0 { 0.0 } else { 0.004 }), 0.005);
     if ribs > 0 {
         for rib in plate.inset(0.02, 0.025, 0.0).columns(ribs, body.width() * 0.018) {
-            builder.cuboid("painted", rib.with_z([plate.high.z - 0.006, plate.high.z]));
+            builder.cuboid(Slot::Painted, rib.with_z([plate.high.z - 0.006, plate.high.z]));
         }
     }
-    builder.block("painted", body.slab(Side::Back, body.depth() * 0.24), 0.005);
+    builder.block(Slot::Painted, body.slab(Side::Back, body.depth() * 0.24), 0.005);
     let cover = body.slab(Side::Above, 0.014).inset(0.003, 0.0, 0.0065).moved(0.0, -0.002, 0.0);
     for side in [Side::Front, Side::Back] {
-        builder.cuboid("painted", cover.slab(side, body.depth() * 0.3));
+        builder.cuboid(Slot::Painted, cover.slab(side, body.depth() * 0.3));
     }
     for bar in cover.inset(0.004, 0.001, 0.003).columns(12, body.width() * 0.05) {
-        builder.cuboid("painted", bar);
+        builder.cuboid(Slot::Painted, bar);
     }
     for side in [Side::Left, Side::Right] {
         builder.cuboid(
-            "painted",
+            Slot::Painted,
             body.slab(side, 0.004).inset(0.0, 0.006, 0.012).moved(
                 if side == Side::Left { 0.002 } else { -0.002 },
                 0.0,
@@ -62,7 +62,7 @@ fn panel(builder: &mut Builder, body: Bay, ribs: u32) {
 }
 
 /// Cast columns with bulges at their ends, joined below and above.
-fn columns(builder: &mut Builder, slot: &'static str, body: Bay, look: usize) {
+fn columns(builder: &mut Builder, slot: Slot, body: Bay, look: usize) {
     let count = (body.width() / 0.06).round().clamp(3.0, 18.0) as u32;
     for column in body.columns(count, 0.006) {
         let (half, middle) = (column.extent() / 2.0, column.center());
@@ -103,23 +103,23 @@ fn tubes(builder: &mut Builder, body: Bay) {
     for column in body.columns(count, 0.018) {
         let radius = column.width() / 2.0;
         for z in [body.low.z + radius, body.high.z - radius] {
-            builder.add("painted", cylinder(radius, column.y(), 8).moved(column.center().x, 0.0, z));
+            builder.add(Slot::Painted, cylinder(radius, column.y(), 8).moved(column.center().x, 0.0, z));
         }
     }
     for share in [0.06, 0.94] {
         let y = body.low.y + share * body.height();
-        builder.block("painted", body.inset(0.003, 0.0, 0.012).with_y([y - 0.014, y + 0.014]), 0.006);
+        builder.block(Slot::Painted, body.inset(0.003, 0.0, 0.012).with_y([y - 0.014, y + 0.014]), 0.006);
     }
 }
 
 /// Broad flat bars, one above another.
 fn slats(builder: &mut Builder, body: Bay) {
     for row in body.rows(5, body.height() * 0.035) {
-        builder.block("painted", row.slab(Side::Front, body.depth() * 0.3), 0.004);
+        builder.block(Slot::Painted, row.slab(Side::Front, body.depth() * 0.3), 0.004);
     }
     for side in [Side::Left, Side::Right] {
         let post = body.inset(0.03, 0.004, 0.0).slab(side, 0.04);
-        builder.cuboid("painted", post.without(Side::Front, body.depth() * 0.3 - SINK));
+        builder.cuboid(Slot::Painted, post.without(Side::Front, body.depth() * 0.3 - SINK));
     }
 }
 
@@ -138,7 +138,7 @@ fn serpentine(builder: &mut Builder, body: Bay) {
                 0.0
             };
         builder.add(
-            "metal_dark",
+            Slot::MetalDark,
             sweep(
                 &[DVec3::new(body.low.x + radius, y, 0.0), DVec3::new(body.high.x - radius, y, 0.0)],
                 radius * 1.03,
@@ -149,7 +149,7 @@ fn serpentine(builder: &mut Builder, body: Bay) {
         if index > 0 && index + 1 < bays.len() || index == 0 {
             let next = bays.get(index + 1).map_or(y, |next| next.center().y);
             builder.add(
-                "metal_dark",
+                Slot::MetalDark,
                 sweep(
                     &[DVec3::new(end, y - radius * 0.4, 0.0), DVec3::new(end, next + radius * 0.6, 0.0)],
                     radius * 1.08,
@@ -160,14 +160,14 @@ fn serpentine(builder: &mut Builder, body: Bay) {
         for fin in 0..6 {
             let x = body.low.x + body.width() * (0.12 + 0.15 * f64::from(fin));
             let ring = cylinder(radius * 1.35, [-0.003, 0.003], 8).turned_z(std::f64::consts::FRAC_PI_2);
-            builder.add("metal", ring.moved(x, y, 0.0));
+            builder.add(Slot::Metal, ring.moved(x, y, 0.0));
         }
     }
     for side in [Side::Left, Side::Right] {
         let stay = body.inset(body.width() * 0.08, 0.0, 0.0).slab(side, 0.02);
-        builder.cuboid("metal", stay.with_z([body.low.z, -radius * 0.6]));
+        builder.cuboid(Slot::Metal, stay.with_z([body.low.z, -radius * 0.6]));
         builder.cuboid(
-            "metal",
+            Slot::Metal,
             stay.inset(0.003, 0.0, 0.0)
                 .with_z([radius * 0.6, body.high.z])
                 .with_y([body.low.y + 0.01, body.low.y + 0.03]),
@@ -178,7 +178,7 @@ fn serpentine(builder: &mut Builder, body: Bay) {
 /// Supply at the right with a valve, and where the pipes go into the floor.
 fn pipes(draft: &Draft, builder: &mut Builder, body: Bay) {
     let bay = builder.bay();
-    let slot = if draft.set() == GeometrySet::Traditional { "brass" } else { "metal" };
+    let slot = if draft.set() == GeometrySet::Traditional { Slot::Brass } else { Slot::Metal };
     let x = bay.high.x - 0.028;
     let y = body.low.y + body.height() * 0.1;
     let pipe = [DVec3::new(body.high.x - 0.026, y, 0.0), DVec3::new(x, y, 0.0), DVec3::new(x, 0.0, 0.0)];
@@ -186,10 +186,10 @@ fn pipes(draft: &Draft, builder: &mut Builder, body: Bay) {
     if draft.is_traditional() {
         let wheel =
             [(0.006, y), (0.006, y + 0.04), (0.026, y + 0.044), (0.026, y + 0.052), (0.008, y + 0.058)];
-        builder.add("wood_dark", lathe(&wheel, 8).moved(x, 0.0, 0.0));
+        builder.add(Slot::WoodDark, lathe(&wheel, 8).moved(x, 0.0, 0.0));
     } else {
         let head = [(0.014, y + 0.004), (0.022, y + 0.014), (0.022, y + 0.058), (0.016, y + 0.064)];
-        builder.add("plastic", lathe(&head, 10).moved(x, 0.0, 0.0));
+        builder.add(Slot::Plastic, lathe(&head, 10).moved(x, 0.0, 0.0));
     }
     builder.cuboid(slot, Bay::new([x, bay.high.x], [y - 0.006, y + 0.006], [-0.0062, 0.0062]));
 }

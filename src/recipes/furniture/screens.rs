@@ -4,27 +4,35 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of depth from which a television stands on a foot; a flatter one hangs on the wall.
 const STANDING_FROM: f64 = 0.13;
 
 /// A flat display: a dark body with a lit area in front, `bay` deep, and a border.
-pub(super) fn display(builder: &mut Builder, bay: Bay, (slot, border): (&'static str, f64)) {
+pub(super) fn display(builder: &mut Builder, bay: Bay, (slot, border): (Slot, f64)) {
     let glass = 0.004_f64.min(bay.depth() * 0.2);
     builder.block(slot, bay.without(Side::Front, glass), bay.depth().min(0.02) * 0.2);
     let border = border.min(bay.width() * 0.08).min(bay.height() * 0.1);
-    builder.cuboid("screen", bay.slab(Side::Front, glass + SINK).inset(border, border, 0.0));
+    builder.cuboid(Slot::Screen, bay.slab(Side::Front, glass + SINK).inset(border, border, 0.0));
 }
 
 /// Body and border of a screen, in metres (thin modern bezels: 0.008; older ones 0.03).
-pub(super) fn body(draft: &Draft) -> (&'static str, f64) {
+pub(super) fn body(draft: &Draft) -> (Slot, f64) {
     let look = draft.input.look as usize % 4;
     match draft.set() {
-        GeometrySet::Plain => (["plastic_dark", "metal_dark", "metal", "plastic_dark"][look], 0.007),
-        GeometrySet::Traditional => (["wood_dark", "plastic_dark", "wood", "wood_dark"][look], 0.03),
-        GeometrySet::Industrial => (["metal_dark", "metal", "metal_dark", "plastic_dark"][look], 0.014),
-        GeometrySet::Budget => (["plastic_dark", "plastic_dark", "plastic", "plastic_dark"][look], 0.024),
+        GeometrySet::Plain => {
+            ([Slot::PlasticDark, Slot::MetalDark, Slot::Metal, Slot::PlasticDark][look], 0.007)
+        }
+        GeometrySet::Traditional => {
+            ([Slot::WoodDark, Slot::PlasticDark, Slot::Wood, Slot::WoodDark][look], 0.03)
+        }
+        GeometrySet::Industrial => {
+            ([Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::PlasticDark][look], 0.014)
+        }
+        GeometrySet::Budget => {
+            ([Slot::PlasticDark, Slot::PlasticDark, Slot::Plastic, Slot::PlasticDark][look], 0.024)
+        }
     }
 }
 
@@ -39,10 +47,10 @@ fn tv(draft: &Draft, builder: &mut Builder) {
         display(builder, bay.slab(Side::Front, thick), shell);
         let bracket =
             bay.without(Side::Front, thick - SINK).inset(bay.width() * 0.3, bay.height() * 0.3, 0.0);
-        builder.cuboid("metal_dark", bracket);
+        builder.cuboid(Slot::MetalDark, bracket);
         let bulge = bay.without(Side::Front, thick - SINK * 2.0).slab(Side::Front, bay.depth() * 0.2);
         builder.block(
-            "plastic_dark",
+            Slot::PlasticDark,
             bulge.inset(bay.width() * 0.12, 0.0, 0.0).with_y([bay.height() * 0.08, bay.height() * 0.4]),
             0.004,
         );
@@ -56,9 +64,9 @@ fn tv(draft: &Draft, builder: &mut Builder) {
         [lift + bay.height() * 0.06, bay.height() * 0.5],
         [middle - 0.045, middle - 0.02 + SINK],
     );
-    builder.block("plastic_dark", bulge, 0.006);
+    builder.block(Slot::PlasticDark, bulge, 0.006);
     let sensor = Bay::around(DVec3::new(bay.width() * 0.42, lift + 0.004, middle + 0.02), 0.02, 0.005, 0.006);
-    builder.cuboid("lamp", sensor);
+    builder.cuboid(Slot::Lamp, sensor);
     match (draft.set(), draft.input.look % 2) {
         (GeometrySet::Plain, 0) | (GeometrySet::Budget, _) => plate_foot(builder, lift, middle),
         (GeometrySet::Industrial, _) => tube_foot(builder, lift, middle),
@@ -69,13 +77,13 @@ fn tv(draft: &Draft, builder: &mut Builder) {
         DVec3::new(0.04, lift * 0.5, bay.low.z * 0.7),
         DVec3::new(0.1, 0.005, bay.low.z * 0.85),
     ];
-    builder.add("plastic_dark", sweep(&cable, 0.004, 4));
+    builder.add(Slot::PlasticDark, sweep(&cable, 0.004, 4));
 }
 
 fn plate_foot(builder: &mut Builder, lift: f64, middle: f64) {
     let bay = builder.bay();
     builder.block(
-        "plastic_dark",
+        Slot::PlasticDark,
         Bay::new([-bay.width() * 0.2, bay.width() * 0.2], [0.0, 0.012], bay.z()),
         0.004,
     );
@@ -84,7 +92,7 @@ fn plate_foot(builder: &mut Builder, lift: f64, middle: f64) {
         [0.012 - SINK, lift + 0.05],
         [middle - 0.018, middle],
     );
-    builder.cuboid("plastic_dark", neck);
+    builder.cuboid(Slot::PlasticDark, neck);
 }
 
 fn tube_foot(builder: &mut Builder, lift: f64, middle: f64) {
@@ -94,14 +102,14 @@ fn tube_foot(builder: &mut Builder, lift: f64, middle: f64) {
         let x = side * bay.width() * 0.3;
         let at = |y: f64, z: f64| DVec3::new(x, y, z);
         let path = [at(radius, bay.low.z), at(radius, bay.high.z)];
-        builder.add("metal_dark", sweep(&path, radius * 1.05, 6));
-        builder.add("metal_dark", cylinder(radius, [radius, lift + 0.02], 6).moved(x, 0.0, middle));
+        builder.add(Slot::MetalDark, sweep(&path, radius * 1.05, 6));
+        builder.add(Slot::MetalDark, cylinder(radius, [radius, lift + 0.02], 6).moved(x, 0.0, middle));
     }
     let bar = [DVec3::new(-bay.width() * 0.3, radius, middle), DVec3::new(bay.width() * 0.3, radius, middle)];
-    builder.add("metal_dark", sweep(&bar, radius * 0.9, 6));
+    builder.add(Slot::MetalDark, sweep(&bar, radius * 0.9, 6));
 }
 
-fn splayed_feet(builder: &mut Builder, slot: &'static str, lift: f64, middle: f64) {
+fn splayed_feet(builder: &mut Builder, slot: Slot, lift: f64, middle: f64) {
     let bay = builder.bay();
     for x in [-0.36, 0.36] {
         let (x, peak) = (x * bay.width(), lift + 0.01);

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, Outline, Slice, Solid, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Share of the width from which a box is high enough for a bottle.
 const BOTTLE_FROM: f64 = 0.8;
@@ -49,12 +49,20 @@ fn oval(bay: Bay, profile: &[(f64, f64)]) -> Solid {
 fn bottle(set: GeometrySet, builder: &mut Builder, form: usize) {
     let bay = builder.bay();
     let (slot, pump, sides): (_, _, usize) = match set {
-        GeometrySet::Plain => {
-            (["wood", "stone", "metal_dark", "painted_accent"][form], "metal_dark", [4, 12, 12, 4][form])
+        GeometrySet::Plain => (
+            [Slot::Wood, Slot::Stone, Slot::MetalDark, Slot::PaintedAccent][form],
+            Slot::MetalDark,
+            [4, 12, 12, 4][form],
+        ),
+        GeometrySet::Traditional => {
+            ([Slot::Brass, Slot::Terracotta, Slot::WoodDark, Slot::Leaf][form], Slot::Brass, 12)
         }
-        GeometrySet::Traditional => (["brass", "terracotta", "wood_dark", "leaf"][form], "brass", 12),
-        GeometrySet::Industrial => (["leather", "concrete", "metal", "leather"][form], "plastic_dark", 10),
-        GeometrySet::Budget => (["painted_accent", "leaf", "book", "brass"][form], "plastic_dark", 8),
+        GeometrySet::Industrial => {
+            ([Slot::Leather, Slot::Concrete, Slot::Metal, Slot::Leather][form], Slot::PlasticDark, 10)
+        }
+        GeometrySet::Budget => {
+            ([Slot::PaintedAccent, Slot::Leaf, Slot::Book, Slot::Brass][form], Slot::PlasticDark, 8)
+        }
     };
     let body: &[(f64, f64)] = match set {
         GeometrySet::Plain => &[(0.0, 0.96), (0.03, 1.0), (0.66, 1.0), (0.7, 0.92)],
@@ -75,7 +83,7 @@ fn bottle(set: GeometrySet, builder: &mut Builder, form: usize) {
             [high * 0.16, high * 0.44],
             [bay.high.z * 0.7, bay.high.z],
         );
-        builder.cuboid("paper", label);
+        builder.cuboid(Slot::Paper, label);
     }
 }
 
@@ -84,20 +92,20 @@ fn dish(set: GeometrySet, builder: &mut Builder, form: usize) {
     let bay = builder.bay();
     let (slot, cake) = match set {
         GeometrySet::Plain => (
-            ["stone", "wood", "metal_dark", "glass"][form],
-            ["paper", "linen", "leaf", "painted_accent"][form],
+            [Slot::Stone, Slot::Wood, Slot::MetalDark, Slot::Glass][form],
+            [Slot::Paper, Slot::Linen, Slot::Leaf, Slot::PaintedAccent][form],
         ),
         GeometrySet::Traditional => (
-            ["brass", "ceramic", "terracotta", "wood_dark"][form],
-            ["linen", "leaf", "paper", "painted_accent"][form],
+            [Slot::Brass, Slot::Ceramic, Slot::Terracotta, Slot::WoodDark][form],
+            [Slot::Linen, Slot::Leaf, Slot::Paper, Slot::PaintedAccent][form],
         ),
         GeometrySet::Industrial => (
-            ["metal_dark", "wood_dark", "wood", "metal"][form],
-            ["leather", "linen", "paper", "terracotta"][form],
+            [Slot::MetalDark, Slot::WoodDark, Slot::Wood, Slot::Metal][form],
+            [Slot::Leather, Slot::Linen, Slot::Paper, Slot::Terracotta][form],
         ),
         GeometrySet::Budget => (
-            ["plastic_dark", "painted_accent", "plastic", "leaf"][form],
-            ["painted_accent", "paper", "leaf", "linen"][form],
+            [Slot::PlasticDark, Slot::PaintedAccent, Slot::Plastic, Slot::Leaf][form],
+            [Slot::PaintedAccent, Slot::Paper, Slot::Leaf, Slot::Linen][form],
         ),
     };
     match set {
@@ -119,7 +127,7 @@ fn dish(set: GeometrySet, builder: &mut Builder, form: usize) {
 }
 
 /// A cake with round edges.
-fn bar(builder: &mut Builder, cake: &'static str) {
+fn bar(builder: &mut Builder, cake: Slot) {
     let bay = builder.bay();
     let half = bay.extent() / 2.0;
     let bar = bay.inset(half.x * 0.36, 0.0, half.z * 0.36).with_y([bay.height() * 0.24, bay.height()]);
@@ -127,7 +135,7 @@ fn bar(builder: &mut Builder, cake: &'static str) {
 }
 
 /// Slats over two runners, so that water drains, and a block as it is cut (Marseille soap).
-fn slats(builder: &mut Builder, slot: &'static str, cake: &'static str) {
+fn slats(builder: &mut Builder, slot: Slot, cake: Slot) {
     let bay = builder.bay();
     let (width, height, depth) = (bay.width(), bay.height(), bay.depth());
     let low = bay.with_y([0.0, height * 0.16]);

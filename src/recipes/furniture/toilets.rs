@@ -6,7 +6,7 @@ use crate::geometry::Side;
 use crate::recipes::kit::{
     Bay, Builder, Outline, SINK, Slice, Solid, cylinder, lathe, loft, loft_ring, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Corners of a bowl.
 const ROUND: usize = 16;
@@ -47,7 +47,7 @@ impl Bowl {
     }
 
     /// The body with its hollow and the water in it.
-    fn pan(&self, builder: &mut Builder, slot: &'static str, foot: Foot) {
+    fn pan(&self, builder: &mut Builder, slot: Slot, foot: Foot) {
         let seat = self.seat;
         let rim = seat - LID * 2.0;
         let at = |share: f64, x: f64, z: f64| self.slice(seat * share, [x, z], 1.0 - z);
@@ -70,11 +70,11 @@ impl Bowl {
         let slices: Vec<Slice> = outside.into_iter().chain(inside).collect();
         builder.add(slot, loft(&self.outline, &slices));
         let water = [self.slice(seat * 0.6, [0.4, 0.46], 0.05), self.slice(seat * 0.66, [0.43, 0.49], 0.05)];
-        builder.add("glass", loft(&Outline::Round(8), &water));
+        builder.add(Slot::Glass, loft(&Outline::Round(8), &water));
     }
 
     /// The seat, two hinges and a lid.
-    fn seat(&self, builder: &mut Builder, slot: &'static str, cover: Cover, most: f64) {
+    fn seat(&self, builder: &mut Builder, slot: Slot, cover: Cover, most: f64) {
         let (low, high) = (self.seat - LID * 2.0, self.seat - LID);
         let ring = [
             self.slice(low - SINK, [0.96, 0.97], -0.01),
@@ -93,7 +93,7 @@ impl Bowl {
                 [high - SINK, high + LID * 0.7],
                 [hinge - 0.01, hinge + 0.01],
             );
-            builder.cuboid("chrome", pin);
+            builder.cuboid(Slot::Chrome, pin);
         }
         match cover {
             Cover::None => {}
@@ -163,41 +163,51 @@ pub(super) fn toilet_in(bay: Bay, set: GeometrySet, look: u32, builder: &mut Bui
     let cistern = bay.slab(Side::Back, behind);
     match set {
         GeometrySet::Plain => {
-            bowl.pan(builder, "ceramic", foot);
-            bowl.seat(builder, "plastic", cover, bay.high.y);
+            bowl.pan(builder, Slot::Ceramic, foot);
+            bowl.seat(builder, Slot::Plastic, cover, bay.high.y);
             flush_case(builder, cistern, look);
         }
         GeometrySet::Traditional => {
-            bowl.pan(builder, "ceramic", foot);
-            bowl.seat(builder, if look % 4 < 2 { "wood_dark" } else { "plastic" }, cover, bay.high.y);
+            bowl.pan(builder, Slot::Ceramic, foot);
+            bowl.seat(builder, if look % 4 < 2 { Slot::WoodDark } else { Slot::Plastic }, cover, bay.high.y);
             moulded_cistern(builder, cistern, bowl.seat, look);
         }
         GeometrySet::Industrial => {
-            bowl.pan(builder, if look % 4 < 2 { "metal" } else { "ceramic" }, foot);
+            bowl.pan(builder, if look % 4 < 2 { Slot::Metal } else { Slot::Ceramic }, foot);
             let cover = if look.is_multiple_of(2) { Cover::None } else { Cover::Open };
-            bowl.seat(builder, "plastic_dark", cover, bay.high.y);
+            bowl.seat(builder, Slot::PlasticDark, cover, bay.high.y);
             flush_pipe(builder, cistern, bowl.seat);
         }
         GeometrySet::Budget => {
-            bowl.pan(builder, "ceramic", foot);
-            bowl.seat(builder, if look % 4 == 3 { "plastic_dark" } else { "plastic" }, cover, bay.high.y);
-            plain_cistern(builder, cistern, bowl.seat, if look % 4 < 2 { "ceramic" } else { "plastic" });
+            bowl.pan(builder, Slot::Ceramic, foot);
+            bowl.seat(
+                builder,
+                if look % 4 == 3 { Slot::PlasticDark } else { Slot::Plastic },
+                cover,
+                bay.high.y,
+            );
+            plain_cistern(
+                builder,
+                cistern,
+                bowl.seat,
+                if look % 4 < 2 { Slot::Ceramic } else { Slot::Plastic },
+            );
         }
     }
 }
 
 /// The case of a concealed cistern with its flush plate.
 fn flush_case(builder: &mut Builder, bay: Bay, look: u32) {
-    let slot = ["tile_wall", "painted", "ceramic", "wood"][look as usize % 4];
+    let slot = [Slot::TileWall, Slot::Painted, Slot::Ceramic, Slot::Wood][look as usize % 4];
     builder.block(slot, bay, 0.004);
     let (width, height) = (bay.width() * 0.6, (bay.height() * 0.2).min(0.15));
     let middle = DVec3::new(bay.center().x, bay.high.y - height * 0.75, bay.high.z);
     let plate = Bay::around(middle, width, height, 0.016);
-    builder.block("chrome", plate, 0.003);
+    builder.block(Slot::Chrome, plate, 0.003);
     for (side, share) in [(-1.0, 0.52), (1.0, 0.3)] {
         let key = middle + DVec3::X * side * width * 0.2;
         let button = Bay::around(key, width * share * 0.75, height * 0.62, 0.022);
-        builder.block(if look.is_multiple_of(2) { "metal" } else { "plastic" }, button, 0.002);
+        builder.block(if look.is_multiple_of(2) { Slot::Metal } else { Slot::Plastic }, button, 0.002);
     }
 }
 
@@ -218,8 +228,8 @@ fn moulded_cistern(builder: &mut Builder, bay: Bay, seat: f64, look: u32) {
         slice(0.93, 0.008),
         slice(1.0, 0.02),
     ];
-    builder.add("ceramic", loft(&Outline::Soft(1), &slices));
-    let slot = if look % 4 < 2 { "brass" } else { "chrome" };
+    builder.add(Slot::Ceramic, loft(&Outline::Soft(1), &slices));
+    let slot = if look % 4 < 2 { Slot::Brass } else { Slot::Chrome };
     let (y, z) = (tank.low.y + tank.height() * 0.72, tank.high.z - 0.012);
     let x = middle.x - half.x * 0.55;
     let lever = [
@@ -229,7 +239,7 @@ fn moulded_cistern(builder: &mut Builder, bay: Bay, seat: f64, look: u32) {
     ];
     builder.add(slot, sweep(&lever, 0.006, 6));
     let neck = bay.inset(bay.width() * 0.3, 0.0, 0.0).with_y([seat * 0.45, tank.low.y + 0.02]);
-    builder.cuboid("ceramic", neck.without(Side::Back, 0.004).without(Side::Front, -0.03));
+    builder.cuboid(Slot::Ceramic, neck.without(Side::Back, 0.004).without(Side::Front, -0.03));
 }
 
 /// A pipe from the wall's height to the bowl with a valve that closes by itself.
@@ -243,7 +253,7 @@ fn flush_pipe(builder: &mut Builder, bay: Bay, seat: f64) {
         DVec3::new(x, foot, z + radius * 2.0),
         DVec3::new(x, foot, bay.high.z + 0.03),
     ];
-    builder.add("chrome", sweep(&path, radius, 8));
+    builder.add(Slot::Chrome, sweep(&path, radius, 8));
     let valve = bay.low.y + seat + (bay.high.y - seat) * 0.62;
     let body = lathe(
         &[
@@ -254,32 +264,32 @@ fn flush_pipe(builder: &mut Builder, bay: Bay, seat: f64) {
         ],
         8,
     );
-    builder.add("metal", body.moved(x, 0.0, z));
+    builder.add(Slot::Metal, body.moved(x, 0.0, z));
     let lever =
         [DVec3::new(x, valve, z), DVec3::new(x, valve, z + 0.05), DVec3::new(x, valve - 0.035, z + 0.09)];
-    builder.add("metal_dark", sweep(&lever, 0.007, 6));
+    builder.add(Slot::MetalDark, sweep(&lever, 0.007, 6));
     for y in [seat + 0.02, bay.high.y - 0.06] {
         let clamp =
             Bay::new([x - radius * 1.3, x + radius * 1.3], [y, y + 0.02], [bay.low.z, z + radius * 1.25]);
-        builder.cuboid("metal_dark", clamp);
+        builder.cuboid(Slot::MetalDark, clamp);
     }
 }
 
 /// A cistern of plain boxes with a round button.
-fn plain_cistern(builder: &mut Builder, bay: Bay, seat: f64, slot: &'static str) {
+fn plain_cistern(builder: &mut Builder, bay: Bay, seat: f64, slot: Slot) {
     let tank = bay.with_y([seat * 0.86, bay.high.y]);
     let lid = 0.03;
     let body = tank.without(Side::Above, lid - SINK).inset(0.012, 0.0, 0.0).without(Side::Front, 0.012);
     builder.block(slot, body, 0.014);
     builder.block(slot, tank.slab(Side::Above, lid).without(Side::Above, 0.005), 0.008);
     let button = cylinder(0.022, [bay.high.y - 0.006, bay.high.y], 8);
-    builder.add("chrome", button.moved(tank.center().x, 0.0, tank.center().z));
+    builder.add(Slot::Chrome, button.moved(tank.center().x, 0.0, tank.center().z));
     let neck = bay.inset(bay.width() * 0.28, 0.0, 0.0).with_y([seat * 0.4, tank.low.y + 0.02]);
-    builder.cuboid("ceramic", neck.without(Side::Back, 0.004).without(Side::Front, -0.03));
+    builder.cuboid(Slot::Ceramic, neck.without(Side::Back, 0.004).without(Side::Front, -0.03));
     let hose = [
         DVec3::new(body.high.x - 0.03, tank.low.y + 0.01, bay.low.z + 0.03),
         DVec3::new(body.high.x - 0.03, seat * 0.4, bay.low.z + 0.03),
         DVec3::new(body.high.x - 0.03, seat * 0.4, bay.low.z),
     ];
-    builder.add("chrome", sweep(&hose, 0.006, 6));
+    builder.add(Slot::Chrome, sweep(&hose, 0.006, 6));
 }

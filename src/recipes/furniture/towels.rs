@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::parts::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a towel's border and of its distance from the hem.
 const BORDER: [f64; 2] = [0.02, 0.03];
@@ -76,19 +76,19 @@ impl Rail {
             let y = bay.high.y - bay.height() * 0.12;
             let back = bay.low.z;
             let path = [(ends[0], back), (ends[0], z), (ends[1], z), (ends[1], back)];
-            builder.add("chrome", sweep(&path.map(|(x, z)| DVec3::new(x, y, z)), radius, 6));
+            builder.add(Slot::Chrome, sweep(&path.map(|(x, z)| DVec3::new(x, y, z)), radius, 6));
             return self.over(y);
         }
         for x in ends {
-            builder.add("chrome", cylinder(radius, bay.y(), 8).moved(x, 0.0, z));
+            builder.add(Slot::Chrome, cylinder(radius, bay.y(), 8).moved(x, 0.0, z));
             let foot = bay.high.y * 0.85;
             let bracket =
                 Bay::new([x - radius * 0.6, x + radius * 0.6], [foot, foot + radius], [bay.low.z, z]);
-            builder.cuboid("chrome", bracket);
+            builder.cuboid(Slot::Chrome, bracket);
         }
         let rows = bay.inset(0.0, 0.03, 0.0).rows(self.rows, 0.0);
         for row in &rows {
-            builder.add("chrome", self.bar(row.center().y, ends, radius * 0.75));
+            builder.add(Slot::Chrome, self.bar(row.center().y, ends, radius * 0.75));
         }
         self.over(rows[rows.len() - 2].center().y)
     }
@@ -113,15 +113,15 @@ impl Rail {
             let is_long = high - first > knob * 4.0;
             let knob_alone = [profile[0], profile[1], (knob, high - knob), profile[5]];
             let turned = if is_long { lathe(&profile, 8) } else { lathe(&knob_alone, 8) };
-            builder.add("brass", turned.moved(x, 0.0, self.z));
+            builder.add(Slot::Brass, turned.moved(x, 0.0, self.z));
             let rosette = knob;
             let reach = self.z - bay.low.z;
             let stem = [(rosette, 0.0), (radius * 0.8, reach * 0.3), (radius * 0.8, reach)];
             let y = high * heights[heights.len() - 1];
-            builder.add("brass", turned_forward(lathe(&stem, 5)).moved(x, y, bay.low.z));
+            builder.add(Slot::Brass, turned_forward(lathe(&stem, 5)).moved(x, y, bay.low.z));
         }
         for &rise in heights {
-            builder.add("brass", self.bar(high * rise, ends, radius));
+            builder.add(Slot::Brass, self.bar(high * rise, ends, radius));
         }
         self.over(high * heights[heights.len() - 1])
     }
@@ -147,13 +147,13 @@ impl Rail {
         path.push(DVec3::new(last.x, last.y, bay.low.z));
         for end in [path[0], path[path.len() - 1]] {
             let plate = turned_forward(cylinder(flange, [0.0, 0.008], 8));
-            builder.add("metal_dark", plate.moved(end.x, end.y, bay.low.z));
+            builder.add(Slot::MetalDark, plate.moved(end.x, end.y, bay.low.z));
         }
         // The pipe begins inside its plates.
         let ends = path.len() - 1;
         path[0].z += 0.003;
         path[ends].z += 0.003;
-        builder.add("metal_dark", sweep(&path, radius, 6));
+        builder.add(Slot::MetalDark, sweep(&path, radius, 6));
         self.over(top - if runs > 1 { pitch } else { 0.0 })
     }
 
@@ -164,22 +164,22 @@ impl Rail {
         for side in [Side::Left, Side::Right] {
             let post = bay.slab(side, wide);
             let y = if self.rows > 1 { bay.y() } else { [bay.high.y * 0.7, bay.high.y] };
-            builder.cuboid("metal", post.with_y(y).with_z([z - thick * 1.5, z - thick * 0.5 + SINK]));
+            builder.cuboid(Slot::Metal, post.with_y(y).with_z([z - thick * 1.5, z - thick * 0.5 + SINK]));
             let middle = bay.high.y * heights[heights.len() - 1];
             let bracket = post.inset(wide * 0.25, 0.0, 0.0).with_y([middle - 0.01, middle + 0.01]);
-            builder.cuboid("metal", bracket.with_z([bay.low.z, z - thick]));
+            builder.cuboid(Slot::Metal, bracket.with_z([bay.low.z, z - thick]));
         }
         let high = (wide * 1.3).min(bay.height() * 0.2);
         for &rise in heights {
             let y = bay.high.y * rise;
             let slat = bay.inset(0.004, 0.0, 0.0).with_y([y - high / 2.0, y + high / 2.0]);
-            builder.cuboid("metal", slat.with_z([z - thick / 2.0, z + thick / 2.0]));
+            builder.cuboid(Slot::Metal, slat.with_z([z - thick / 2.0, z + thick / 2.0]));
         }
         if self.rows > 1 {
             let y = bay.high.y * heights[0];
             for hook in bay.inset(bay.width() * 0.2, 0.0, 0.0).columns(3, bay.width() * 0.26) {
                 let tongue = hook.with_z([z, z + bay.depth() * 0.25]);
-                builder.cuboid("plastic", tongue.with_y([y - high * 0.3, y + high * 0.1]));
+                builder.cuboid(Slot::Plastic, tongue.with_y([y - high * 0.3, y + high * 0.1]));
             }
         }
         self.over(bay.high.y * heights[heights.len() - 1] + high / 2.0 - self.radius)
@@ -187,27 +187,33 @@ impl Rail {
 }
 
 /// Materials of a towel and of its border, which differ so that both show on white.
-fn towel_slots(draft: &Draft) -> [&'static str; 2] {
+fn towel_slots(draft: &Draft) -> [Slot; 2] {
     let form = draft.input.look as usize % 4;
     match draft.set() {
-        GeometrySet::Plain => {
-            [["fabric_accent", "linen"], ["fabric", "linen"], ["linen", "fabric_accent"], ["leaf", "linen"]]
-                [form]
-        }
-        GeometrySet::Traditional => {
-            [["linen", "fabric_accent"], ["book", "brass"], ["fabric_light", "leather"], ["fabric", "linen"]]
-                [form]
-        }
-        GeometrySet::Industrial => [
-            ["fabric", "metal_dark"],
-            ["leather", "linen"],
-            ["concrete", "leather"],
-            ["fabric_accent", "linen"],
+        GeometrySet::Plain => [
+            [Slot::FabricAccent, Slot::Linen],
+            [Slot::Fabric, Slot::Linen],
+            [Slot::Linen, Slot::FabricAccent],
+            [Slot::Leaf, Slot::Linen],
         ][form],
-        GeometrySet::Budget => {
-            [["fabric_accent", "plastic"], ["leaf", "paper"], ["book", "paper"], ["paper", "fabric_accent"]]
-                [form]
-        }
+        GeometrySet::Traditional => [
+            [Slot::Linen, Slot::FabricAccent],
+            [Slot::Book, Slot::Brass],
+            [Slot::FabricLight, Slot::Leather],
+            [Slot::Fabric, Slot::Linen],
+        ][form],
+        GeometrySet::Industrial => [
+            [Slot::Fabric, Slot::MetalDark],
+            [Slot::Leather, Slot::Linen],
+            [Slot::Concrete, Slot::Leather],
+            [Slot::FabricAccent, Slot::Linen],
+        ][form],
+        GeometrySet::Budget => [
+            [Slot::FabricAccent, Slot::Plastic],
+            [Slot::Leaf, Slot::Paper],
+            [Slot::Book, Slot::Paper],
+            [Slot::Paper, Slot::FabricAccent],
+        ][form],
     }
 }
 
@@ -253,7 +259,7 @@ fn towel(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A strip along the front of a folded towel, around its upper side and both ends.
-fn bordered(builder: &mut Builder, slot: &'static str, towel: Bay) {
+fn bordered(builder: &mut Builder, slot: Slot, towel: Bay) {
     let [wide, from] = BORDER;
     let front = towel.high.z - from.min(towel.depth() * 0.3);
     let strip = towel.inset(-0.0006, 0.0, 0.0).with_z([front - wide.min(towel.depth() * 0.2), front]);
@@ -261,7 +267,7 @@ fn bordered(builder: &mut Builder, slot: &'static str, towel: Bay) {
 }
 
 /// Towels rolled up side by side, the end of the roll showing.
-fn rolls(builder: &mut Builder, bay: Bay, [slot, border]: [&'static str; 2]) {
+fn rolls(builder: &mut Builder, bay: Bay, [slot, border]: [Slot; 2]) {
     let count = (bay.width() / bay.height()).round().clamp(1.0, 4.0) as u32;
     for cell in bay.columns(count, 0.002) {
         let half = cell.extent() / 2.0;

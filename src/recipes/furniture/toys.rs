@@ -9,7 +9,7 @@ use crate::geometry::Side;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, Solid, cuboid, cylinder, extrude, lathe, loft, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A toy: bricks, a car or rings on a stick; an engine of wood; a robot of tin; a bucket for the sand.
 pub(super) static TOY: Recipe = Recipe::accessory("toy", [0.25, 0.2, 0.25]).every_set(toy);
@@ -34,7 +34,8 @@ fn toy(draft: &Draft, builder: &mut Builder) {
 
 /// A railway engine: a boiler along x, a cab at the left, a funnel, six wheels.
 fn engine(builder: &mut Builder, bay: Bay, form: usize) {
-    let (slot, boiler) = [("book", "wood"), ("wood", "leaf"), ("wood_dark", "painted_accent")][form];
+    let (slot, boiler) =
+        [(Slot::Book, Slot::Wood), (Slot::Wood, Slot::Leaf), (Slot::WoodDark, Slot::PaintedAccent)][form];
     let (width, high, depth) = (bay.width(), bay.high.y, bay.depth());
     let wheel = (high * 0.16).min(width * 0.14);
     let frame = bay.with_y([wheel, wheel + high * 0.12]).inset(0.0, 0.0, depth * 0.155);
@@ -54,7 +55,7 @@ fn engine(builder: &mut Builder, bay: Bay, form: usize) {
         [cab.high.y - SINK, cab.high.y + high * 0.06],
         [-depth * 0.36, depth * 0.36],
     );
-    builder.cuboid("wood_dark", roof);
+    builder.cuboid(Slot::WoodDark, roof);
     let top = middle + radius * 0.9;
     let funnel = [
         (radius * 0.3, top - radius * 0.2),
@@ -62,18 +63,18 @@ fn engine(builder: &mut Builder, bay: Bay, form: usize) {
         (radius * 0.5, high * 0.92),
         (radius * 0.5, high),
     ];
-    builder.add("metal_dark", lathe(&funnel, 8).moved(width * 0.32, 0.0, 0.0));
+    builder.add(Slot::MetalDark, lathe(&funnel, 8).moved(width * 0.32, 0.0, 0.0));
     for (x, share) in [(-0.32, 1.0), (-0.02, 1.0), (0.28, 1.0)] {
         let disc = turned_forward(cylinder(wheel * share, [0.0, depth * 0.16], 8));
         for z in [-depth / 2.0, depth / 2.0 - depth * 0.16] {
-            builder.add("wood_light", disc.clone().moved(x * width, wheel, z));
+            builder.add(Slot::WoodLight, disc.clone().moved(x * width, wheel, z));
         }
     }
 }
 
 /// A robot of tin with lamps on its chest and a key in its back.
 fn robot(builder: &mut Builder, bay: Bay, form: usize) {
-    let slot = ["metal", "painted_accent", "metal_dark"][form];
+    let slot = [Slot::Metal, Slot::PaintedAccent, Slot::MetalDark][form];
     let (width, high, depth) = (bay.width(), bay.high.y, bay.depth());
     let part = |x: [f64; 2], y: [f64; 2], z: [f64; 2]| {
         Bay::new(x.map(|share| share * width), y.map(|share| share * high), z.map(|share| share * depth))
@@ -83,38 +84,40 @@ fn robot(builder: &mut Builder, bay: Bay, form: usize) {
         let leg = part([0.1, 0.26], [0.09, 0.32], [-0.2, 0.16]);
         let arm = part([0.38, 0.5], [0.3, 0.66], [-0.14, 0.14]);
         let hand = part([0.36, 0.498], [0.24, 0.31], [-0.12, 0.3]);
-        for (slot, piece) in [("metal_dark", foot), (slot, leg), (slot, arm), ("metal_dark", hand)] {
+        for (slot, piece) in [(Slot::MetalDark, foot), (slot, leg), (slot, arm), (Slot::MetalDark, hand)] {
             let solid = cuboid(piece);
             builder.add(slot, if side < 0.0 { solid.mirrored() } else { solid });
         }
     }
     builder.cuboid(slot, part([-0.34, 0.34], [0.3, 0.7], [-0.3, 0.3]));
     let shoulders = part([-0.42, 0.42], [0.56, 0.63], [-0.06, 0.06]);
-    builder.cuboid("metal_dark", shoulders);
+    builder.cuboid(Slot::MetalDark, shoulders);
     let chest = part([-0.24, 0.24], [0.4, 0.64], [0.29, 0.33]);
-    builder.cuboid("plastic_dark", chest);
+    builder.cuboid(Slot::PlasticDark, chest);
     for (index, lamp) in
         chest.inset(width * 0.04, high * 0.08, 0.0).columns(3, width * 0.04).into_iter().enumerate()
     {
-        let slot = ["book", "brass", "leaf"][index];
+        let slot = [Slot::Book, Slot::Brass, Slot::Leaf][index];
         builder.cuboid(slot, lamp.slab(Side::Front, depth * 0.02).moved(0.0, 0.0, depth * 0.012));
     }
     builder.cuboid(slot, part([-0.22, 0.22], [0.72, 0.94], [-0.22, 0.22]));
-    builder.cuboid("metal_dark", part([-0.1, 0.1], [0.69, 0.73], [-0.1, 0.1]));
+    builder.cuboid(Slot::MetalDark, part([-0.1, 0.1], [0.69, 0.73], [-0.1, 0.1]));
     for x in [-0.11, 0.11] {
         let eye = turned_forward(cylinder(width * 0.05, [-0.002, depth * 0.04], 6));
-        builder.add("brass", eye.moved(x * width, high * 0.85, depth * 0.22));
+        builder.add(Slot::Brass, eye.moved(x * width, high * 0.85, depth * 0.22));
     }
-    builder.cuboid("metal_dark", part([-0.015, 0.015], [0.93, 1.0], [-0.015, 0.015]));
-    builder.cuboid("brass", part([-0.12, 0.12], [0.46, 0.52], [-0.5, -0.46]));
-    builder.cuboid("brass", part([-0.02, 0.02], [0.47, 0.51], [-0.48, -0.29]));
+    builder.cuboid(Slot::MetalDark, part([-0.015, 0.015], [0.93, 1.0], [-0.015, 0.015]));
+    builder.cuboid(Slot::Brass, part([-0.12, 0.12], [0.46, 0.52], [-0.5, -0.46]));
+    builder.cuboid(Slot::Brass, part([-0.02, 0.02], [0.47, 0.51], [-0.48, -0.29]));
 }
 
 /// A bucket with its handle up, a spade in it, and a ball beside.
 fn bucket(builder: &mut Builder, bay: Bay, form: usize) {
-    let slots =
-        [["painted_accent", "brass", "book"], ["book", "leaf", "paper"], ["leaf", "book", "painted_accent"]]
-            [form];
+    let slots = [
+        [Slot::PaintedAccent, Slot::Brass, Slot::Book],
+        [Slot::Book, Slot::Leaf, Slot::Paper],
+        [Slot::Leaf, Slot::Book, Slot::PaintedAccent],
+    ][form];
     let (width, high, depth) = (bay.width(), bay.high.y, bay.depth());
     let half = (width * 0.34).min(depth * 0.5);
     let (x, z, rim) = (bay.low.x + half, bay.low.z + half, high * 0.62);
@@ -134,7 +137,7 @@ fn bucket(builder: &mut Builder, bay: Bay, form: usize) {
         (0.97, rim * 0.94),
     ];
     let bow = bow.map(|(share, y)| DVec3::new(x + share * half * 0.98, y, z));
-    builder.add("plastic", sweep(&bow, 0.004, 4));
+    builder.add(Slot::Plastic, sweep(&bow, 0.004, 4));
     let spade = [
         DVec3::new(x + half * 0.3, rim * 0.2, z + half * 0.2),
         DVec3::new(x + half * 0.62, high * 0.88, z + half * 0.3),
@@ -146,7 +149,7 @@ fn bucket(builder: &mut Builder, bay: Bay, form: usize) {
 }
 
 /// A ball on the floor in a corner.
-fn ball(builder: &mut Builder, slot: &'static str, (right, front): (f64, f64)) {
+fn ball(builder: &mut Builder, slot: Slot, (right, front): (f64, f64)) {
     let radius = (right * 0.36).min(front * 0.5);
     let ring = |turn: f64| {
         let (sine, cosine) = libm::sincos(turn);
@@ -164,7 +167,7 @@ fn sphere(profile: &[(f64, f64)], radius: f64) -> Solid {
     lathe(&closed, 8)
 }
 
-const TOY_COLORS: [&str; 4] = ["fabric_accent", "painted_accent", "leaf", "book"];
+const TOY_COLORS: [Slot; 4] = [Slot::FabricAccent, Slot::PaintedAccent, Slot::Leaf, Slot::Book];
 
 fn bricks(builder: &mut Builder, bay: Bay) {
     let lower = bay.slab(Side::Below, bay.height() * 0.36);
@@ -192,12 +195,12 @@ fn car(builder: &mut Builder, bay: Bay) {
         0.0,
         bay.depth() * 0.04,
     );
-    builder.block("glass", cabin.without(Side::Above, cabin.height() * 0.2), bay.height() * 0.04);
+    builder.block(Slot::Glass, cabin.without(Side::Above, cabin.height() * 0.2), bay.height() * 0.04);
     builder.block(TOY_COLORS[0], cabin.slab(Side::Above, cabin.height() * 0.2 + SINK), bay.height() * 0.03);
     for x in [-0.3, 0.3] {
         for (z, out) in [(bay.low.z, 0.0), (bay.high.z - bay.depth() * 0.16, 0.0)] {
             let disc = turned_forward(cylinder(wheel, [0.0, bay.depth() * 0.16], 10));
-            builder.add("rubber", disc.moved(x * bay.width(), wheel, z + out));
+            builder.add(Slot::Rubber, disc.moved(x * bay.width(), wheel, z + out));
         }
     }
 }
@@ -205,7 +208,7 @@ fn car(builder: &mut Builder, bay: Bay) {
 fn rings(builder: &mut Builder, bay: Bay) {
     let half = bay.extent() / 2.0;
     builder.add(
-        "wood_light",
+        Slot::WoodLight,
         loft(
             &Outline::Round(12),
             &[Slice::new(0.0, half.x, half.z), Slice::new(bay.height() * 0.1, half.x, half.z)],
@@ -223,7 +226,7 @@ fn rings(builder: &mut Builder, bay: Bay) {
     }
     let knob = half.x * 0.22;
     builder.add(
-        "wood_light",
+        Slot::WoodLight,
         lathe(
             &[(knob * 0.6, bay.height() * 0.87), (knob, bay.height() * 0.94), (knob * 0.5, bay.height())],
             8,

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::parts::slanted_leg;
 use crate::recipes::kit::{Builder, Outline, Sampler, Slice, Solid, lathe, loft, loft_ring, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Radius of a folded umbrella as shares, from its tip to where its handle begins.
 const FOLDED: [(f64, f64); 5] = [(0.14, 0.0), (0.2, 0.1), (0.95, 0.62), (1.0, 0.74), (0.25, 0.8)];
@@ -26,7 +26,7 @@ fn umbrella_stand(draft: &Draft, builder: &mut Builder) {
 }
 
 /// An umbrella that leans from the middle of the floor in a direction, with a curved handle.
-fn umbrella(builder: &mut Builder, slot: &'static str, turn: f64, (top, is_hooked): (f64, bool)) {
+fn umbrella(builder: &mut Builder, slot: Slot, turn: f64, (top, is_hooked): (f64, bool)) {
     let radius = builder.bay().width() / 2.0;
     let (sine, cosine) = libm::sincos(turn);
     let out = DVec3::new(cosine, 0.0, sine);
@@ -40,9 +40,9 @@ fn umbrella(builder: &mut Builder, slot: &'static str, turn: f64, (top, is_hooke
         let across = DVec3::new(-sine, 0.0, cosine) * radius * 0.34;
         let end = along(1.0) - DVec3::Y * 0.012;
         let hook = [start, along(0.94), end + across * 0.45, along(0.95) + across];
-        builder.add("wood_dark", sweep(&hook, 0.009, 4));
+        builder.add(Slot::WoodDark, sweep(&hook, 0.009, 4));
     } else {
-        builder.add("wood_dark", sweep(&[start, along(0.985)], 0.013, 5));
+        builder.add(Slot::WoodDark, sweep(&[start, along(0.985)], 0.013, 5));
     }
 }
 
@@ -71,18 +71,18 @@ fn around(count: u32, offset: f64) -> impl Iterator<Item = DVec3> {
 fn cylinder_with_ring(builder: &mut Builder, sampler: &mut Sampler) {
     let bay = builder.bay();
     let (radius, rim) = (bay.width() / 2.0, bay.height() * 0.7);
-    let slot = sampler.pick(&["metal_dark", "painted", "metal"]);
+    let slot = sampler.pick(&[Slot::MetalDark, Slot::Painted, Slot::Metal]);
     builder.add(slot, vessel(&[(0.96, 0.012), (0.96, rim), (0.9, rim), (0.9, 0.03)], radius, 12));
-    builder.add("plastic_dark", vessel(&[(1.0, 0.0), (1.0, 0.014)], radius, 12));
-    builder.add("chrome", hoop((radius, radius * 0.93), [rim * 0.9, rim * 0.94], 12));
-    umbrella(builder, "fabric", sampler.between(0.0, 3.0), (bay.high.y, true));
+    builder.add(Slot::PlasticDark, vessel(&[(1.0, 0.0), (1.0, 0.014)], radius, 12));
+    builder.add(Slot::Chrome, hoop((radius, radius * 0.93), [rim * 0.9, rim * 0.94], 12));
+    umbrella(builder, Slot::Fabric, sampler.between(0.0, 3.0), (bay.high.y, true));
 }
 
 /// A tray on the floor, four bowed bars, and a ring above; ornaments where the bars meet it.
 fn cast_iron(builder: &mut Builder, sampler: &mut Sampler) {
     let bay = builder.bay();
     let (radius, rim) = (bay.width() / 2.0, bay.height() * 0.78);
-    let slot = sampler.pick(&["metal_dark", "brass"]);
+    let slot = sampler.pick(&[Slot::MetalDark, Slot::Brass]);
     let tray = [(0.86, 0.0), (1.0, 0.045), (0.92, 0.045), (0.8, 0.014)];
     builder.add(slot, vessel(&tray, radius, 10));
     builder.add(slot, hoop((radius * 0.9, radius * 0.76), [rim - 0.008, rim + 0.008], 8));
@@ -93,7 +93,7 @@ fn cast_iron(builder: &mut Builder, sampler: &mut Sampler) {
     }
     umbrella(
         builder,
-        sampler.pick(&["fabric", "fabric_accent"]),
+        sampler.pick(&[Slot::Fabric, Slot::FabricAccent]),
         sampler.between(0.0, 3.0),
         (bay.high.y, true),
     );
@@ -103,17 +103,17 @@ fn cast_iron(builder: &mut Builder, sampler: &mut Sampler) {
 fn mesh(builder: &mut Builder, sampler: &mut Sampler) {
     let bay = builder.bay();
     let (radius, rim) = (bay.width() / 2.0, bay.height() * 0.72);
-    builder.add("metal_dark", vessel(&[(0.94, 0.0), (0.98, 0.02)], radius, 8));
+    builder.add(Slot::MetalDark, vessel(&[(0.94, 0.0), (0.98, 0.02)], radius, 8));
     for (low, wide) in [(rim - 0.014, 1.0), (rim * 0.45, 0.97)] {
-        builder.add("metal_dark", hoop((radius * wide, radius * (wide - 0.07)), [low, low + 0.014], 8));
+        builder.add(Slot::MetalDark, hoop((radius * wide, radius * (wide - 0.07)), [low, low + 0.014], 8));
     }
     let wire = 0.0035;
     let places = |lean: f64| around(5, 0.25).zip(around(5, 0.25 + lean));
     for (foot, head) in places(0.9).chain(places(-0.9)) {
         let ends = [foot * radius * 0.9 + DVec3::Y * 0.015, head * radius * 0.92 + DVec3::Y * (rim - 0.004)];
-        builder.add("metal", sweep(&ends, wire, 3));
+        builder.add(Slot::Metal, sweep(&ends, wire, 3));
     }
-    umbrella(builder, "fabric_accent", sampler.between(0.0, 3.0), (bay.high.y, true));
+    umbrella(builder, Slot::FabricAccent, sampler.between(0.0, 3.0), (bay.high.y, true));
 }
 
 /// A pot of plastic with round corners, wider above, with a broad rim.
@@ -129,9 +129,9 @@ fn square_pot(builder: &mut Builder, sampler: &mut Sampler) {
         slice(rim, 0.88),
         slice(0.02, 0.68),
     ];
-    let slot = sampler.pick(&["plastic", "plastic_dark", "painted_accent"]);
+    let slot = sampler.pick(&[Slot::Plastic, Slot::PlasticDark, Slot::PaintedAccent]);
     builder.add(slot, loft(&Outline::Soft(2), &slices));
     let turn = sampler.between(0.0, 3.0);
-    umbrella(builder, "fabric", turn, (bay.high.y, true));
-    umbrella(builder, "fabric_accent", turn + 2.2, (bay.high.y * 0.94, false));
+    umbrella(builder, Slot::Fabric, turn, (bay.high.y, true));
+    umbrella(builder, Slot::FabricAccent, turn + 2.2, (bay.high.y * 0.94, false));
 }

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::parts::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, lathe, loft, sweep};
-use crate::recipes::{Recipe, Symbol};
+use crate::recipes::{Recipe, Slot, Symbol};
 
 /// A urinal on a wall: a shell with its flush in the wall, one with a hood and a brass pipe, a trough of steel, or a
 /// bowl before a shield with a pipe.
@@ -38,7 +38,7 @@ fn bowl(builder: &mut Builder, bay: Bay, rim: f64) {
         inside(bay, rim, 0.8, [0.28, 0.9]),
         inside(bay, rim * 0.4, 0.55, [0.28, 0.63]),
     ];
-    builder.add("ceramic", loft(&Outline::Soft(2), &slices));
+    builder.add(Slot::Ceramic, loft(&Outline::Soft(2), &slices));
 }
 
 /// Smooth from below to the top, open to the front and above; a plate with a sensor over it.
@@ -54,11 +54,11 @@ fn shell(builder: &mut Builder) {
         inside(bay, top * 0.4, 0.7, [0.16, 0.7]),
         inside(bay, top * 0.26, 0.4, [0.24, 0.6]),
     ];
-    builder.add("ceramic", loft(&Outline::Soft(2), &slices));
+    builder.add(Slot::Ceramic, loft(&Outline::Soft(2), &slices));
     let plate = bay.slab(Side::Back, 0.012).with_y([top + bay.height() * 0.03, bay.high.y]);
-    builder.block("chrome", plate.inset(bay.width() * 0.32, 0.0, 0.0), 0.003);
+    builder.block(Slot::Chrome, plate.inset(bay.width() * 0.32, 0.0, 0.0), 0.003);
     let eye = Bay::around(DVec3::new(0.0, plate.center().y, plate.high.z), 0.04, 0.02, 0.006);
-    builder.cuboid("screen", eye);
+    builder.cuboid(Slot::Screen, eye);
 }
 
 /// A bowl under a tall round hood, a pipe of brass with a valve above.
@@ -86,17 +86,17 @@ fn hooded(builder: &mut Builder) {
         .chain([DVec2::new(half * 0.84, low)])
         .collect();
     let back = bay.low.z;
-    builder.add("ceramic", extrude(&outline, Axis::Z, [back + 0.002, back + bay.depth() * 0.62]));
+    builder.add(Slot::Ceramic, extrude(&outline, Axis::Z, [back + 0.002, back + bay.depth() * 0.62]));
     let field = bay.slab(Side::Back, bay.depth() * 0.12).with_y([low, top - rise * 0.6]);
-    builder.cuboid("ceramic", field.inset(bay.width() * 0.06, 0.003, 0.0).without(Side::Back, 0.001));
+    builder.cuboid(Slot::Ceramic, field.inset(bay.width() * 0.06, 0.003, 0.0).without(Side::Back, 0.001));
     let z = back + 0.05_f64.min(bay.depth() * 0.2);
-    builder.add("brass", cylinder(0.012, [top - 0.02, bay.high.y], 8).moved(0.0, 0.0, z));
+    builder.add(Slot::Brass, cylinder(0.012, [top - 0.02, bay.high.y], 8).moved(0.0, 0.0, z));
     let y = top + (bay.high.y - top) * 0.5;
     let valve = [(0.02, -0.02), (0.032, -0.01), (0.032, 0.01), (0.02, 0.02)];
-    builder.add("brass", lathe(&valve, 8).moved(0.0, y, z));
-    builder.cuboid("brass", Bay::around(DVec3::new(0.0, y, back), 0.016, 0.014, 0.0).with_z([back, z]));
+    builder.add(Slot::Brass, lathe(&valve, 8).moved(0.0, y, z));
+    builder.cuboid(Slot::Brass, Bay::around(DVec3::new(0.0, y, back), 0.016, 0.014, 0.0).with_z([back, z]));
     builder.add(
-        "wood_dark",
+        Slot::WoodDark,
         turned_forward(lathe(&[(0.008, 0.0), (0.014, 0.05), (0.008, 0.06)], 8)).moved(0.0, y, z),
     );
 }
@@ -119,7 +119,7 @@ fn trough(builder: &mut Builder) {
     for end in [-1.0, 1.0] {
         let mut ends = [end * wide, end * (wide - 0.014)];
         ends.sort_by(f64::total_cmp);
-        builder.add("metal", extrude(&side, Axis::X, ends));
+        builder.add(Slot::Metal, extrude(&side, Axis::X, ends));
     }
     // The sheet between the sides, bent like them.
     let bent = [
@@ -134,16 +134,16 @@ fn trough(builder: &mut Builder) {
         at(0.08, 0.84),
         at(0.02, 0.84),
     ];
-    builder.add("metal", extrude(&bent, Axis::X, [SINK * 2.0 - wide + 0.01, wide - 0.01 - SINK * 2.0]));
+    builder.add(Slot::Metal, extrude(&bent, Axis::X, [SINK * 2.0 - wide + 0.01, wide - 0.01 - SINK * 2.0]));
     let z = low + 0.03;
     let pipe = [
         DVec3::new(0.0, bay.high.y, z),
         DVec3::new(0.0, bay.height() * 0.74, z),
         DVec3::new(0.0, bay.height() * 0.7, z + bay.depth() * 0.16),
     ];
-    builder.add("chrome", sweep(&pipe, 0.012, 6));
+    builder.add(Slot::Chrome, sweep(&pipe, 0.012, 6));
     let button = turned_forward(lathe(&[(0.026, 0.0), (0.026, 0.03), (0.016, 0.04)], 8));
-    builder.add("metal_dark", button.moved(0.0, bay.height() * 0.93, z));
+    builder.add(Slot::MetalDark, button.moved(0.0, bay.height() * 0.93, z));
 }
 
 /// A bowl before a shield with wings, a short pipe above.
@@ -154,19 +154,20 @@ fn shielded(builder: &mut Builder) {
     let rim = top * 0.42;
     bowl(builder, bay, rim);
     let shield = bay.slab(Side::Back, depth * 0.3).with_y([rim * 0.8, top]);
-    builder.cushion("ceramic", shield.inset(bay.width() * 0.02, 0.0, 0.001), 0.05_f64.min(depth * 0.1));
+    builder.cushion(Slot::Ceramic, shield.inset(bay.width() * 0.02, 0.0, 0.001), 0.05_f64.min(depth * 0.1));
     for side in [Side::Left, Side::Right] {
         let wing = bay
             .slab(side, bay.width() * 0.12)
             .with_y([rim * 0.85, top - 0.02])
             .slab(Side::Back, depth * 0.55);
-        builder.cushion("ceramic", wing.inset(0.004, 0.0, 0.004), 0.02);
+        builder.cushion(Slot::Ceramic, wing.inset(0.004, 0.0, 0.004), 0.02);
     }
     let pipe = [
         DVec3::new(0.0, top - 0.01, back + 0.04),
         DVec3::new(0.0, bay.high.y - 0.02, back + 0.04),
         DVec3::new(0.0, bay.high.y - 0.02, back),
     ];
-    builder.add("chrome", sweep(&pipe, 0.014, 6));
-    builder.add("chrome", cylinder(0.022, [bay.high.y - 0.04, bay.high.y], 8).moved(0.0, 0.0, back + 0.04));
+    builder.add(Slot::Chrome, sweep(&pipe, 0.014, 6));
+    builder
+        .add(Slot::Chrome, cylinder(0.022, [bay.high.y - 0.04, bay.high.y], 8).moved(0.0, 0.0, back + 0.04));
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::parts::{Fittings, LegKind, Tap, legs_at_corners, tap};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A deep basin for laundry on legs or a cabinet, with a rub board and a high tap.
 pub(super) static UTILITY_SINK: Recipe =
@@ -17,10 +17,10 @@ fn utility_sink(draft: &Draft, builder: &mut Builder) {
     let rim = bay.high.y - (bay.height() * 0.16).min(0.16);
     let deep = (rim * 0.4).min(0.3);
     let (slot, under) = match draft.set() {
-        GeometrySet::Traditional => (["ceramic", "stone"][look % 2], "wood"),
-        GeometrySet::Industrial => ("metal", "metal_dark"),
-        GeometrySet::Budget => ("plastic", "metal"),
-        GeometrySet::Plain => (["ceramic", "metal"][look % 2], "painted"),
+        GeometrySet::Traditional => ([Slot::Ceramic, Slot::Stone][look % 2], Slot::Wood),
+        GeometrySet::Industrial => (Slot::Metal, Slot::MetalDark),
+        GeometrySet::Budget => (Slot::Plastic, Slot::Metal),
+        GeometrySet::Plain => ([Slot::Ceramic, Slot::Metal][look % 2], Slot::Painted),
     };
     let half = bay.extent() / 2.0;
     let slice = |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back).softened(0.04);
@@ -36,7 +36,7 @@ fn utility_sink(draft: &Draft, builder: &mut Builder) {
     ];
     builder.add(slot, loft(&Outline::Soft(2), &tub));
     builder.add(
-        "chrome",
+        Slot::Chrome,
         lathe(
             &[(0.03, rim - deep + 0.02 - SINK), (0.03, rim - deep + 0.023), (0.015, rim - deep + 0.025)],
             10,
@@ -61,13 +61,13 @@ fn utility_sink(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A cupboard with two doors under a basin whose underside is at a height.
-fn cupboard(draft: &Draft, builder: &mut Builder, under: &'static str, high: f64) {
+fn cupboard(draft: &Draft, builder: &mut Builder, under: Slot, high: f64) {
     let bay = builder.bay();
     let fittings =
-        Fittings { front: under, handle: "metal", reach: 0.022, is_traditional: draft.is_traditional() };
+        Fittings { front: under, handle: Slot::Metal, reach: 0.022, is_traditional: draft.is_traditional() };
     let body = bay.inset(0.055, 0.0, 0.052).with_y([0.08, high + 0.002]);
     builder.cuboid(
-        "plastic_dark",
+        Slot::PlasticDark,
         body.with_y([0.0, 0.08 + SINK]).inset(0.006, 0.0, 0.006).without(Side::Front, 0.05),
     );
     fittings.carcass(builder, under, body);
@@ -79,7 +79,7 @@ fn cupboard(draft: &Draft, builder: &mut Builder, under: &'static str, high: f64
 }
 
 /// Four legs with a shelf, and the waste pipe behind it; the hollow of the basin ends at a height.
-fn frame(draft: &Draft, builder: &mut Builder, under: &'static str, low: f64) {
+fn frame(draft: &Draft, builder: &mut Builder, under: Slot, low: f64) {
     let bay = builder.bay();
     let legs = bay.inset(0.05, 0.0, 0.05).with_y([0.0, low + 0.02]);
     legs_at_corners(
@@ -98,5 +98,5 @@ fn frame(draft: &Draft, builder: &mut Builder, under: &'static str, low: f64) {
         DVec3::new(0.0, low * 0.62, bay.low.z + 0.02),
         DVec3::new(0.0, low * 0.62, bay.low.z + 0.001),
     ];
-    builder.add("plastic", sweep(&waste, 0.02, 8));
+    builder.add(Slot::Plastic, sweep(&waste, 0.02, 8));
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::lights::{bulb, cage, globe, pleated, shade};
 use super::parts::turned_forward;
 use crate::recipes::kit::{Builder, cylinder, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A lamp on a wall: a shade on an arm, a lantern, a caged bulb, or a plastic globe.
 pub(super) static WALL_LAMP: Recipe = Recipe::accessory("wall_lamp", [0.2, 0.2, 0.3]).every_set(wall_lamp);
@@ -14,10 +14,10 @@ fn wall_lamp(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let look = draft.input.look as usize % 4;
     let slot = match draft.set() {
-        GeometrySet::Traditional => "brass",
-        GeometrySet::Industrial => ["metal_dark", "metal", "metal_dark", "painted_accent"][look],
-        GeometrySet::Budget => ["plastic", "metal", "plastic_dark", "painted"][look],
-        GeometrySet::Plain => ["metal", "metal_dark", "brass", "painted"][look],
+        GeometrySet::Traditional => Slot::Brass,
+        GeometrySet::Industrial => [Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::PaintedAccent][look],
+        GeometrySet::Budget => [Slot::Plastic, Slot::Metal, Slot::PlasticDark, Slot::Painted][look],
+        GeometrySet::Plain => [Slot::Metal, Slot::MetalDark, Slot::Brass, Slot::Painted][look],
     };
     let (half_width, height) = (bay.width() / 2.0, bay.height());
     let radius = half_width.min(bay.depth() * 0.42);
@@ -38,7 +38,7 @@ fn wall_lamp(draft: &Draft, builder: &mut Builder) {
         (GeometrySet::Plain, 1 | 3) | (GeometrySet::Budget, _) => {
             let squat = (height * 0.3).min(radius);
             let ball = globe(height - squat, squat, [-0.9, 1.0], 10);
-            head.add("lamp", ball.stretched(DVec3::new(radius / squat, 1.0, radius / squat)));
+            head.add(Slot::Lamp, ball.stretched(DVec3::new(radius / squat, 1.0, radius / squat)));
             head.add(slot, cylinder(radius * 0.4, [height * 0.36, height - squat * 1.8], 8));
         }
         (GeometrySet::Industrial, _) => {
@@ -47,11 +47,11 @@ fn wall_lamp(draft: &Draft, builder: &mut Builder) {
             head = mirrored_up(head, height);
         }
         (GeometrySet::Traditional, _) => {
-            head.add("shade", pleated([radius, radius * 0.55], [height * 0.4, height], 16));
+            head.add(Slot::Shade, pleated([radius, radius * 0.55], [height * 0.4, height], 16));
             bulb(&mut head, DVec3::new(0.0, height * 0.66, 0.0), radius * 0.26, -1.0);
         }
         _ => {
-            head.add("shade", shade([radius, radius * 0.85], [height * 0.36, height]));
+            head.add(Slot::Shade, shade([radius, radius * 0.85], [height * 0.36, height]));
             bulb(&mut head, DVec3::new(0.0, height * 0.66, 0.0), radius * 0.26, -1.0);
         }
     }

@@ -6,7 +6,7 @@ use crate::geometry::Side;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Level, Outline, SINK, Slice, Solid, cylinder, extrude, hung, lathe, loft_ring, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of cloth for one fold.
 const FOLD: f64 = 0.16;
@@ -46,13 +46,14 @@ fn curtain(draft: &Draft, builder: &mut Builder) {
         Hanging::Pelmet => pelmet(builder, look),
         _ => {
             let rail = bay.slab(Side::Above, (bay.height() * 0.03).min(0.025));
-            builder.cuboid("painted", rail.inset(0.0, 0.0, bay.depth() * 0.25));
+            builder.cuboid(Slot::Painted, rail.inset(0.0, 0.0, bay.depth() * 0.25));
             rail.low.y + SINK
         }
     };
     let width = bay.width() * sampler.between(0.24, 0.285);
     let cloth = bay.with_x([bay.high.x - width, bay.high.x - 0.012]).with_y([0.0, head]);
-    let slot = ["fabric", "fabric_light", "fabric_accent", "linen"][(look + draft.set() as usize) % 4];
+    let slot =
+        [Slot::Fabric, Slot::FabricLight, Slot::FabricAccent, Slot::Linen][(look + draft.set() as usize) % 4];
     let count = (width / FOLD).round().clamp(2.0, 9.0) as u32;
     let is_tied = hanging == Hanging::Pelmet && bay.height() > 0.9;
     builder.add_pair(slot, drape(cloth, count, if is_tied { Some(0.4) } else { None }));
@@ -63,12 +64,12 @@ fn curtain(draft: &Draft, builder: &mut Builder) {
             [y - 0.03, y + 0.03],
             [-bay.depth() * 0.42, bay.depth() * 0.42],
         );
-        builder.add_pair("fabric_accent", crate::recipes::kit::cuboid(tie));
+        builder.add_pair(Slot::FabricAccent, crate::recipes::kit::cuboid(tie));
     }
     if hanging == Hanging::Rail && look % 2 == 1 {
         // A net curtain hangs behind.
         let net = bay.with_y([0.001, head]).with_x([bay.high.x - width * 1.02, bay.high.x - 0.02]);
-        builder.add_pair("linen", drape(net.slab(Side::Back, bay.depth() * 0.12), count + 1, None));
+        builder.add_pair(Slot::Linen, drape(net.slab(Side::Back, bay.depth() * 0.12), count + 1, None));
     }
 }
 
@@ -76,10 +77,12 @@ fn curtain(draft: &Draft, builder: &mut Builder) {
 fn rod(draft: &Draft, builder: &mut Builder) -> f64 {
     let bay = builder.bay();
     let slot = match draft.set() {
-        GeometrySet::Traditional => "brass",
-        GeometrySet::Budget => "painted",
-        GeometrySet::Plain => ["metal_dark", "metal", "wood_light", "metal"][draft.input.look as usize % 4],
-        GeometrySet::Industrial => "metal_dark",
+        GeometrySet::Traditional => Slot::Brass,
+        GeometrySet::Budget => Slot::Painted,
+        GeometrySet::Plain => {
+            [Slot::MetalDark, Slot::Metal, Slot::WoodLight, Slot::Metal][draft.input.look as usize % 4]
+        }
+        GeometrySet::Industrial => Slot::MetalDark,
     };
     let radius = (bay.depth() * 0.1).min(if draft.set() == GeometrySet::Industrial { 0.017 } else { 0.013 });
     let ring = radius * 1.8;
@@ -117,7 +120,11 @@ fn rod(draft: &Draft, builder: &mut Builder) -> f64 {
 fn pelmet(builder: &mut Builder, look: usize) -> f64 {
     let bay = builder.bay();
     let board = (bay.height() * 0.04).min(0.03);
-    builder.block(["wood_dark", "brass", "wood", "wood_dark"][look], bay.slab(Side::Above, board), 0.006);
+    builder.block(
+        [Slot::WoodDark, Slot::Brass, Slot::Wood, Slot::WoodDark][look],
+        bay.slab(Side::Above, board),
+        0.006,
+    );
     let fall = (bay.height() * 0.14).min(0.105);
     let (top, low) = (bay.high.y - board + SINK, bay.high.y - board - fall);
     let room = bay.inset(0.006, 0.0, 0.0);
@@ -130,9 +137,9 @@ fn pelmet(builder: &mut Builder, look: usize) -> f64 {
             edge.push(DVec2::new(left + wide * share, top - (top - low) * drop));
         }
     }
-    builder.add("fabric_accent", extrude(&edge, Axis::Z, [bay.high.z - 0.014, bay.high.z - 0.004]));
+    builder.add(Slot::FabricAccent, extrude(&edge, Axis::Z, [bay.high.z - 0.014, bay.high.z - 0.004]));
     builder.cuboid(
-        "brass",
+        Slot::Brass,
         bay.with_y([top - 0.018, top - 0.008])
             .inset(0.005, 0.0, 0.0)
             .slab(Side::Front, 0.006)
@@ -188,62 +195,65 @@ fn wave(bay: Bay, count: u32) -> (Vec<DVec2>, f64) {
 fn blind(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let look = draft.input.look as usize % 4;
-    let is_rolled = draft.set() == GeometrySet::Industrial && look == 1;
+    let is_industrial = draft.set() == GeometrySet::Industrial;
     let fall = (bay.height() * 0.14).min(0.11);
     let case = bay.slab(Side::Above, fall * 0.35);
-    let slot = if draft.set() == GeometrySet::Industrial { "metal" } else { "painted" };
-    if is_rolled {
-        let radius = (bay.depth() * 0.4).min(fall * 0.5);
-        let y = bay.high.y - radius;
-        let roll = [DVec3::new(bay.low.x + 0.012, y, 0.0), DVec3::new(bay.high.x - 0.012, y, 0.0)];
-        builder.add("fabric_light", sweep(&roll, radius * 1.04, 12));
-        let sheet = bay
-            .inset(0.02, 0.0, 0.0)
-            .with_y([bay.high.y - fall, y])
-            .with_z([-radius - 0.001, -radius + 0.002]);
-        builder.cuboid("fabric_light", sheet);
-        builder.cuboid(
-            "metal",
-            sheet.slab(Side::Below, 0.012).inset(-0.004, 0.0, -0.006).moved(0.0, -0.002, 0.0),
-        );
-        for side in [Side::Left, Side::Right] {
-            builder.cuboid("metal_dark", bay.slab(side, 0.014).slab(Side::Above, fall));
-        }
-    } else {
-        builder.block(slot, case.inset(0.0, 0.0, bay.depth() * 0.1), 0.003);
-        let slats = bay.with_y([bay.high.y - fall, case.low.y]).inset(0.01, 0.0, bay.depth() * 0.14);
-        for slat in slats.rows(7, slats.height() * 0.06) {
-            builder.cuboid(if look == 3 { "wood" } else { slot }, slat.inset(0.0, slat.height() * 0.12, 0.0));
-        }
-        builder
-            .cuboid(slot, slats.slab(Side::Below, 0.014).inset(-0.003, 0.0, -0.003).moved(0.0, -0.006, 0.0));
-        for x in [-0.32, 0.32] {
-            let tape = Bay::around(slats.center(), 0.012, slats.height(), slats.depth() + 0.009).moved(
-                x * bay.width(),
-                0.002,
-                0.0,
-            );
-            builder.cuboid("linen", tape);
-        }
-    }
-    // Cords with a weight at the right, a wand at the left; both end at the sill.
-    let x = bay.high.x - bay.width() * 0.06;
-    let z = bay.high.z - bay.depth() * 0.2;
-    builder.add("linen", sweep(&[DVec3::new(x, 0.03, z), DVec3::new(x, case.low.y + 0.004, z)], 0.0025, 4));
-    builder.add("plastic", lathe(&[(0.007, 0.0), (0.009, 0.012), (0.003, 0.035)], 6).moved(x, 0.0, z));
-    builder.add("plastic", cylinder(0.004, [bay.height() * 0.3, case.low.y + 0.004], 6).moved(-x, 0.0, z));
-    if is_rolled {
+    if is_industrial && look == 1 {
+        rolled_up(builder, fall);
+        cords(builder, case.low.y);
         return;
     }
+    let slot = if is_industrial { Slot::Metal } else { Slot::Painted };
+    slats(builder, (case, fall), [slot, if look == 3 { Slot::Wood } else { slot }]);
+    cords(builder, case.low.y);
     // The brackets reach the wall and the room.
-    for side in [Side::Left, Side::Right] {
-        builder.cuboid(
-            "metal",
-            bay.slab(side, 0.006).with_y([case.low.y + 0.004, bay.high.y - 0.002]).moved(
-                if side == Side::Left { 0.0006 } else { -0.0006 },
-                0.0,
-                0.0,
-            ),
-        );
+    for (side, inwards) in [(Side::Left, 0.0006), (Side::Right, -0.0006)] {
+        let bracket = bay.slab(side, 0.006).with_y([case.low.y + 0.004, bay.high.y - 0.002]);
+        builder.cuboid(Slot::Metal, bracket.moved(inwards, 0.0, 0.0));
     }
+}
+
+/// Cloth on a roller, the last of it hanging `fall` metres.
+fn rolled_up(builder: &mut Builder, fall: f64) {
+    let bay = builder.bay();
+    let radius = (bay.depth() * 0.4).min(fall * 0.5);
+    let y = bay.high.y - radius;
+    let roll = [DVec3::new(bay.low.x + 0.012, y, 0.0), DVec3::new(bay.high.x - 0.012, y, 0.0)];
+    builder.add(Slot::FabricLight, sweep(&roll, radius * 1.04, 12));
+    let sheet =
+        bay.inset(0.02, 0.0, 0.0).with_y([bay.high.y - fall, y]).with_z([-radius - 0.001, -radius + 0.002]);
+    builder.cuboid(Slot::FabricLight, sheet);
+    let hem = sheet.slab(Side::Below, 0.012).inset(-0.004, 0.0, -0.006);
+    builder.cuboid(Slot::Metal, hem.moved(0.0, -0.002, 0.0));
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid(Slot::MetalDark, bay.slab(side, 0.014).slab(Side::Above, fall));
+    }
+}
+
+/// Slats drawn up under their case, with tapes and a heavier slat below; `slot` is of the case, `of_slats` of most slats.
+fn slats(builder: &mut Builder, (case, fall): (Bay, f64), [slot, of_slats]: [Slot; 2]) {
+    let bay = builder.bay();
+    builder.block(slot, case.inset(0.0, 0.0, bay.depth() * 0.1), 0.003);
+    let slats = bay.with_y([bay.high.y - fall, case.low.y]).inset(0.01, 0.0, bay.depth() * 0.14);
+    for slat in slats.rows(7, slats.height() * 0.06) {
+        builder.cuboid(of_slats, slat.inset(0.0, slat.height() * 0.12, 0.0));
+    }
+    let last = slats.slab(Side::Below, 0.014).inset(-0.003, 0.0, -0.003);
+    builder.cuboid(slot, last.moved(0.0, -0.006, 0.0));
+    for x in [-0.32, 0.32] {
+        let tape = Bay::around(slats.center(), 0.012, slats.height(), slats.depth() + 0.009);
+        builder.cuboid(Slot::Linen, tape.moved(x * bay.width(), 0.002, 0.0));
+    }
+}
+
+/// Cords with a weight at the right, a wand at the left; both end at the sill.
+fn cords(builder: &mut Builder, top: f64) {
+    let bay = builder.bay();
+    let x = bay.high.x - bay.width() * 0.06;
+    let z = bay.high.z - bay.depth() * 0.2;
+    let cord = [DVec3::new(x, 0.03, z), DVec3::new(x, top + 0.004, z)];
+    builder.add(Slot::Linen, sweep(&cord, 0.0025, 4));
+    let weight = lathe(&[(0.007, 0.0), (0.009, 0.012), (0.003, 0.035)], 6);
+    builder.add(Slot::Plastic, weight.moved(x, 0.0, z));
+    builder.add(Slot::Plastic, cylinder(0.004, [bay.height() * 0.3, top + 0.004], 6).moved(-x, 0.0, z));
 }

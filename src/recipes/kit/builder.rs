@@ -10,6 +10,7 @@ use super::projection::Projection;
 use super::reduce::reduced;
 use super::{Bay, Shading, Solid, THINNEST, cuboid, rounded_box};
 use crate::geometry::Size;
+use crate::recipes::Slot;
 use crate::recipes::mesh::{Mesh, MeshPart};
 
 /// Collects the parts of a model.
@@ -21,12 +22,12 @@ pub(crate) struct Builder {
 
 #[derive(Clone, Debug)]
 struct Part {
-    slot: &'static str,
+    slot: Slot,
     solid: Solid,
 }
 
 /// What stands in for a model of which nothing thick enough remains.
-const PLAIN_SLOT: &str = "painted";
+const PLAIN_SLOT: Slot = Slot::Painted;
 
 impl Builder {
     /// For a box of this size.
@@ -40,35 +41,35 @@ impl Builder {
     }
 
     /// Adds a closed solid of a material slot.
-    pub(crate) fn add(&mut self, slot: &'static str, solid: Solid) {
+    pub(crate) fn add(&mut self, slot: Slot, solid: Solid) {
         self.parts.push(Part { slot, solid });
     }
 
     /// Adds a solid and its mirror image in x.
-    pub(crate) fn add_pair(&mut self, slot: &'static str, solid: Solid) {
+    pub(crate) fn add_pair(&mut self, slot: Slot, solid: Solid) {
         self.add(slot, solid.clone().mirrored());
         self.add(slot, solid);
     }
 
     /// Adds a box with sharp edges; one too thin to be seen is left out.
-    pub(crate) fn cuboid(&mut self, slot: &'static str, bay: Bay) {
+    pub(crate) fn cuboid(&mut self, slot: Slot, bay: Bay) {
         if bay.extent().min_element() > THINNEST {
             self.add(slot, cuboid(bay));
         }
     }
 
     /// Adds a box with chamfered edges, `edge` metres wide.
-    pub(crate) fn block(&mut self, slot: &'static str, bay: Bay, edge: f64) {
+    pub(crate) fn block(&mut self, slot: Slot, bay: Bay, edge: f64) {
         self.rounded(slot, bay, DVec3::splat(edge), 1);
     }
 
     /// Adds a soft box, rounded by `radius` metres in two segments.
-    pub(crate) fn cushion(&mut self, slot: &'static str, bay: Bay, radius: f64) {
+    pub(crate) fn cushion(&mut self, slot: Slot, bay: Bay, radius: f64) {
         self.rounded(slot, bay, DVec3::splat(radius), 2);
     }
 
     /// Adds a rounded box; one too thin to be seen is left out, one too thin to be rounded is sharp.
-    pub(crate) fn rounded(&mut self, slot: &'static str, bay: Bay, radii: DVec3, segments: usize) {
+    pub(crate) fn rounded(&mut self, slot: Slot, bay: Bay, radii: DVec3, segments: usize) {
         if bay.extent().min_element() > THINNEST {
             let is_roundable = radii.min(bay.extent()).min_element() > THINNEST;
             self.add(slot, if is_roundable { rounded_box(bay, radii, segments) } else { cuboid(bay) });
@@ -81,7 +82,7 @@ impl Builder {
     }
 
     /// The parts collected so far by slot, to be placed in another builder.
-    pub(crate) fn into_parts(self) -> impl Iterator<Item = (&'static str, Solid)> {
+    pub(crate) fn into_parts(self) -> impl Iterator<Item = (Slot, Solid)> {
         self.parts.into_iter().map(|part| (part.slot, part.solid))
     }
 
@@ -94,7 +95,7 @@ impl Builder {
     /// The model with at most this share of its triangles, as far as its parts allow.
     pub(crate) fn finish_reduced(mut self, size: Size, share: f64) -> Mesh {
         self.settle(size);
-        let slots: Vec<&'static str> = self.parts.iter().map(|part| part.slot).collect();
+        let slots: Vec<Slot> = self.parts.iter().map(|part| part.slot).collect();
         let solids: Vec<Solid> = self.parts.into_iter().map(|part| part.solid).collect();
         let count: usize = solids.iter().map(|solid| solid.triangles.len()).sum();
         let target = (count as f64 * share) as usize;
@@ -133,7 +134,7 @@ impl Builder {
         let mut counts: Vec<usize> = Vec::new();
         for Part { slot, solid } in &self.parts {
             let index = parts.iter().position(|part| part.slot == *slot).unwrap_or_else(|| {
-                parts.push(MeshPart::empty(slot));
+                parts.push(MeshPart::empty(*slot));
                 parts.len() - 1
             });
             counts.resize(parts.len(), 0);
@@ -206,7 +207,7 @@ mod tests {
     #[test]
     fn a_box_keeps_four_corners_a_face() {
         let mut builder = Builder::new(SIZE);
-        builder.cuboid("wood", builder.bay());
+        builder.cuboid(Slot::Wood, builder.bay());
         let model = builder.finish(SIZE);
         assert_eq!(model.parts[0].positions.len(), 24);
         assert_eq!(model.parts[0].indices.len(), 36);
@@ -216,18 +217,18 @@ mod tests {
     fn parts_of_one_slot_become_one_primitive() {
         let mut builder = Builder::new(SIZE);
         let halves = builder.bay().columns(2, 0.1);
-        builder.cuboid("wood", halves[0]);
-        builder.cuboid("metal", builder.bay().inset(0.3, 0.3, 0.1));
-        builder.cuboid("wood", halves[1]);
+        builder.cuboid(Slot::Wood, halves[0]);
+        builder.cuboid(Slot::Metal, builder.bay().inset(0.3, 0.3, 0.1));
+        builder.cuboid(Slot::Wood, halves[1]);
         let model = builder.finish(SIZE);
         let slots: Vec<_> = model.parts.iter().map(|part| part.slot).collect();
-        assert_eq!(slots, ["wood", "metal"]);
+        assert_eq!(slots, [Slot::Wood, Slot::Metal]);
     }
 
     #[test]
     fn what_is_a_little_off_is_fitted_to_the_box() {
         let mut builder = Builder::new(SIZE);
-        builder.cuboid("wood", builder.bay().inset(0.01, 0.0, 0.02).moved(0.0, 0.01, 0.0));
+        builder.cuboid(Slot::Wood, builder.bay().inset(0.01, 0.0, 0.02).moved(0.0, 0.01, 0.0));
         assert!(builder.misfit() > 0.009);
         let positions = &builder.finish(SIZE).parts[0].positions;
         let high =
@@ -238,7 +239,7 @@ mod tests {
     #[test]
     fn nothing_at_all_becomes_the_plain_box() {
         let mut builder = Builder::new(SIZE);
-        builder.cuboid("wood", Bay::new([0.0, 0.0], [0.0, 1.0], [0.0, 1.0]));
+        builder.cuboid(Slot::Wood, Bay::new([0.0, 0.0], [0.0, 1.0], [0.0, 1.0]));
         assert_eq!(builder.finish(SIZE).parts[0].indices.len(), 36);
     }
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use crate::catalog::MATERIAL_SLOTS;
 use crate::geometry::{DisjointSets, Size};
 use crate::recipes::Mesh;
 
@@ -186,14 +185,11 @@ fn overlap(first: [DVec3; 3], second: [DVec3; 3], normal: DVec3) -> (f64, DVec3)
     (area, across * middle.x + up * middle.y + normal * normal.dot(first[0]))
 }
 
-/// The first fault of a model's numbers: an unknown slot, a bad index, a normal that is not of unit length or looks
+/// The first fault of a model's numbers: a bad index, a normal that is not of unit length or looks
 /// away, a box that is not filled.
 pub(in crate::recipes) fn number_fault(model: &Mesh, size: Size) -> Option<String> {
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for part in &model.parts {
-        if !MATERIAL_SLOTS.contains(&part.slot) {
-            return Some(format!("material {}", part.slot));
-        }
         if part.positions.len() != part.normals.len() || part.indices.len() % 3 != 0 {
             return Some("lists of different length".to_owned());
         }

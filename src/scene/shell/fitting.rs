@@ -5,6 +5,7 @@ use glam::Vec3;
 use super::solid::Solid;
 use super::ticks::Ticks;
 use crate::contract::Part;
+use crate::recipes::Slot;
 
 /// A fitting of a wall, in its own frame: the origin on the wall's face in the middle of the plate, +Z into the room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,7 +29,7 @@ const PIN: [Ticks; 4] = [Ticks(950), Ticks(250), Ticks(100), Ticks(250)];
 /// Half of a rocker's side, where it begins, and how far it stands out below and above.
 const ROCKER: [Ticks; 4] = [Ticks(2_800), Ticks(800), Ticks(1_050), Ticks(1_400)];
 /// Slot of holes.
-const HOLE_SLOT: &str = "plastic_dark";
+const HOLE_SLOT: Slot = Slot::PlasticDark;
 
 /// Corners of a rectangle at four depths: right above, left above, left below, right below; counter-clockwise as seen from
 /// the room.
@@ -82,7 +83,7 @@ impl Fitting {
     }
 
     /// The plate and what moves in the slot, then what is dark.
-    pub(crate) fn build(self, slot: &'static str) -> [Solid; 2] {
+    pub(crate) fn build(self, slot: Slot) -> [Solid; 2] {
         let (mut plate, mut holes) = (Solid::new(slot), Solid::new(HOLE_SLOT));
         let back = rectangle(PLATE, [Ticks(0); 4]);
         let front = rectangle(PLATE_FRONT, [PLATE_DEPTH; 4]);

@@ -6,6 +6,7 @@
 use super::leaf::{JAMB, LEAF_GAP};
 use super::solid::Solid;
 use super::ticks::Ticks;
+use crate::recipes::Slot;
 
 /// The clear hole through all of the wall, in the frame of the opening's node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,14 +55,14 @@ impl Reveal {
     }
 
     /// The floor through the wall.
-    pub(crate) fn threshold(&self, bottom: Ticks, slot: &'static str) -> Solid {
+    pub(crate) fn threshold(&self, bottom: Ticks, slot: Slot) -> Solid {
         let mut solid = Solid::new(slot);
         solid.cuboid([self.left, bottom, self.back], [self.right, Ticks(0), self.front]);
         solid
     }
 
     /// Two jambs and a head around a doorway, and boards of the width `casing` around it on both faces of the wall.
-    pub(crate) fn door_frame(&self, casing: Ticks, slot: &'static str) -> Solid {
+    pub(crate) fn door_frame(&self, casing: Ticks, slot: Slot) -> Solid {
         let bar = self.fitted(JAMB);
         let (back, front) = (self.back - PROJECTION, self.front + PROJECTION);
         let mut solid = Solid::new(slot);
@@ -80,7 +81,7 @@ impl Reveal {
 
     /// One of the two panels of a sliding door, stiles then glass; `second` is the one on the right, nearer
     /// to the first room.
-    pub(crate) fn sliding_panel(&self, second: bool, slots: [&'static str; 2]) -> [Solid; 2] {
+    pub(crate) fn sliding_panel(&self, second: bool, slots: [Slot; 2]) -> [Solid; 2] {
         let bar = self.fitted(JAMB);
         let middle = Ticks((self.left.0 + self.right.0) / 2);
         let (left, right) = if second {
@@ -102,7 +103,7 @@ impl Reveal {
         [panel.stiles(slots[0]), panel.pane(slots[1])]
     }
 
-    fn stiles(&self, slot: &'static str) -> Solid {
+    fn stiles(&self, slot: Slot) -> Solid {
         let bar = self.fitted(BAR);
         let mut solid = Solid::new(slot);
         solid.cuboid([self.left, self.bottom, self.back], [self.left + bar, self.top, self.front]);
@@ -113,7 +114,7 @@ impl Reveal {
         solid
     }
 
-    fn pane(&self, slot: &'static str) -> Solid {
+    fn pane(&self, slot: Slot) -> Solid {
         let bar = self.fitted(BAR);
         let half = Ticks(GLASS.0 / 2);
         let depth = self.middle_depth();

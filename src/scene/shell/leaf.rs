@@ -3,7 +3,7 @@
 use super::slots::{FRAME_SLOT, GLASS_SLOT};
 use super::solid::{Grain, Solid};
 use super::ticks::Ticks;
-use crate::recipes::GeometrySet;
+use crate::recipes::{GeometrySet, Slot};
 
 /// A hinged leaf in the frame of its own node: the hinge at the origin, x towards the free end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -77,13 +77,13 @@ impl LeafDesign {
     }
 
     /// Slots of leaf and handle.
-    fn slots(self) -> [&'static str; 2] {
+    fn slots(self) -> [Slot; 2] {
         match self {
-            Self::Flush => ["wood_light", "metal"],
-            Self::Laminate => ["laminate", "metal"],
-            Self::Panelled => ["painted", "brass"],
-            Self::Steel => ["metal_dark", "metal"],
-            Self::Glazed => [FRAME_SLOT, "metal"],
+            Self::Flush => [Slot::WoodLight, Slot::Metal],
+            Self::Laminate => [Slot::Laminate, Slot::Metal],
+            Self::Panelled => [Slot::Painted, Slot::Brass],
+            Self::Steel => [Slot::MetalDark, Slot::Metal],
+            Self::Glazed => [FRAME_SLOT, Slot::Metal],
         }
     }
 }

@@ -38,6 +38,7 @@ use ticks::Ticks;
 use wall::WallShape;
 
 use crate::model::Model;
+use crate::recipes::Slot;
 
 /// Thickness of floors, downward from zero, and least thickness of ceilings, upward from the room's height.
 const SLAB: Ticks = Ticks(2_000);
@@ -61,9 +62,9 @@ pub(crate) enum Shape {
     /// The skirting boards of a room.
     Skirting(SkirtingShape),
     /// A socket or switch, with its plate's slot.
-    Fitting(Fitting, &'static str),
+    Fitting(Fitting, Slot),
     /// The floor of a doorway, with its slot.
-    Threshold(Reveal, &'static str),
+    Threshold(Reveal, Slot),
     /// Jambs and head, with boards of a width around them.
     DoorFrame(Reveal, Ticks),
     /// Bars of a window.
@@ -75,7 +76,7 @@ pub(crate) enum Shape {
     /// A leaf on hinges.
     Leaf(LeafShape),
     /// One of two sliding panels; `true` for the second. Its stiles have the slot.
-    SlidingPanel(Reveal, bool, &'static str),
+    SlidingPanel(Reveal, bool, Slot),
 }
 
 impl Shape {
@@ -86,15 +87,15 @@ impl Shape {
             Self::Wall(wall) => wall.build().into(),
             Self::Railing(railing) => vec![railing.build(-SLAB)],
             Self::Skirting(skirting) => vec![skirting.build()],
-            Self::Fitting(fitting, slot) => fitting.build(slot).into(),
-            Self::Threshold(reveal, slot) => vec![reveal.threshold(-SLAB, slot)],
+            Self::Fitting(fitting, slot) => fitting.build(*slot).into(),
+            Self::Threshold(reveal, slot) => vec![reveal.threshold(-SLAB, *slot)],
             Self::DoorFrame(reveal, casing) => vec![reveal.door_frame(*casing, FRAME_SLOT)],
             Self::WindowFrame(reveal) => reveal.window_frame().into(),
             Self::WindowGlass(reveal) => vec![reveal.window_glass()],
             Self::Sill(reveal, is_exterior) => reveal.sills(*is_exterior).into(),
             Self::Leaf(leaf) => leaf.build().into(),
             Self::SlidingPanel(reveal, second, slot) => {
-                reveal.sliding_panel(*second, [slot, GLASS_SLOT]).into()
+                reveal.sliding_panel(*second, [*slot, GLASS_SLOT]).into()
             }
         };
         let filled = solids.into_iter().filter(|solid| !solid.is_empty());

@@ -13,6 +13,7 @@ use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::Point;
 use crate::layout::opening_id;
 use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Wall, WallKind};
+use crate::recipes::Slot;
 use crate::scene::axes::{Pose, angle_along, angle_facing, axes_at};
 use crate::scene::extras::opening_extras;
 use crate::scene::meshes::{Look, MeshTable};
@@ -139,7 +140,7 @@ struct Pieces<'a, 'm, 'n> {
 }
 
 impl Pieces<'_, '_, '_> {
-    fn door(&mut self, opening: &Opening, reveal: Reveal, floor: &'static str) {
+    fn door(&mut self, opening: &Opening, reveal: Reveal, floor: Slot) {
         self.doorway(reveal, floor);
         let count = opening.leaves.len();
         for (index, leaf) in opening.leaves.iter().enumerate() {
@@ -164,7 +165,7 @@ impl Pieces<'_, '_, '_> {
         self.piece(id, &pose, Shape::Leaf(shape));
     }
 
-    fn sliding_door(&mut self, reveal: Reveal, floor: &'static str) {
+    fn sliding_door(&mut self, reveal: Reveal, floor: Slot) {
         self.doorway(reveal, floor);
         let slot = if self.design == LeafDesign::Steel { RAILING_SLOT } else { FRAME_SLOT };
         for second in [false, true] {
@@ -173,12 +174,12 @@ impl Pieces<'_, '_, '_> {
         }
     }
 
-    fn doorway(&mut self, reveal: Reveal, floor: &'static str) {
+    fn doorway(&mut self, reveal: Reveal, floor: Slot) {
         self.threshold(reveal, floor);
         self.piece_here(PartId::only(Part::Frame), Shape::DoorFrame(reveal, self.casing));
     }
 
-    fn threshold(&mut self, reveal: Reveal, floor: &'static str) {
+    fn threshold(&mut self, reveal: Reveal, floor: Slot) {
         if reveal.bottom <= Ticks(0) && reveal.front - reveal.back > Ticks(0) {
             let shape = Shape::Threshold(Reveal { top: SLAB, ..reveal }, floor);
             self.piece_here(PartId::only(Part::Threshold), shape);

@@ -2,6 +2,7 @@
 
 use super::solid::Solid;
 use super::ticks::Ticks;
+use crate::recipes::Slot;
 
 /// A railing in the frame of a wall ([`super::wall::WallShape`]).
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -15,7 +16,7 @@ pub(crate) struct RailingShape {
     /// Where people pass, as `u`.
     pub gaps: Vec<(Ticks, Ticks)>,
     /// Material.
-    pub slot: &'static str,
+    pub slot: Slot,
 }
 
 /// Side of a post's square section.

@@ -18,7 +18,7 @@ use super::{INSET, SLAB, Shape};
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::{Point, Region};
 use crate::plan::{Level, Room, Wall, WallKind};
-use crate::recipes::GeometrySet;
+use crate::recipes::{GeometrySet, Slot};
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
 use crate::scene::meshes::{Look, MeshTable};
@@ -146,7 +146,7 @@ impl RoomParts<'_, '_, '_> {
         if self.is_outdoors() {
             return;
         }
-        let slot = if set == GeometrySet::Industrial { "metal" } else { "plastic" };
+        let slot = if set == GeometrySet::Industrial { Slot::Metal } else { Slot::Plastic };
         let mut fitted: Vec<Fitted> =
             finish.sockets.map(|interval| sockets(level, self.room, interval)).unwrap_or_default();
         if finish.has_switches {
@@ -167,7 +167,7 @@ impl RoomParts<'_, '_, '_> {
         self.room.walls.iter().any(|wall| wall.kind != WallKind::Solid)
     }
 
-    fn columns(&mut self, slot: &'static str) {
+    fn columns(&mut self, slot: Slot) {
         // A column that ends at floor and ceiling reaches into both: faces in one plane flicker.
         let sunk = Ticks(SLAB.0 / 2);
         let ceiling = Ticks::of(self.room.height);

@@ -6,6 +6,7 @@ use super::solid::Solid;
 use super::ticks::{Ticks, point_in_ticks};
 use crate::geometry::Point;
 use crate::plan::{Wall, WallKind};
+use crate::recipes::Slot;
 
 /// The boards of a room, in plan axes relative to the node that carries them.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -13,7 +14,7 @@ pub(crate) struct SkirtingShape {
     /// Straight boards.
     pub boards: Vec<Board>,
     /// Material.
-    pub slot: &'static str,
+    pub slot: Slot,
 }
 
 /// The footprint of one board.
@@ -43,7 +44,7 @@ impl SkirtingShape {
         walls: &[Wall],
         gaps: impl Fn(usize) -> Vec<(f64, f64)>,
         anchor: Point,
-        slot: &'static str,
+        slot: Slot,
     ) -> Self {
         let mut boards = Vec::new();
         for (index, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.kind == WallKind::Solid) {
@@ -147,7 +148,7 @@ mod tests {
 
     fn boards(walls: &[Wall], gap: Option<(f64, f64)>) -> Vec<Board> {
         let gaps = |index: usize| if index == 0 { gap.into_iter().collect() } else { Vec::new() };
-        SkirtingShape::along(walls, gaps, Point::ZERO, "painted").boards
+        SkirtingShape::along(walls, gaps, Point::ZERO, Slot::Painted).boards
     }
 
     #[test]
@@ -181,7 +182,7 @@ mod tests {
 
     #[test]
     fn a_board_has_sixteen_triangles() {
-        let shape = SkirtingShape::along(&walls(&SQUARE), |_| Vec::new(), Point::ZERO, "painted");
+        let shape = SkirtingShape::along(&walls(&SQUARE), |_| Vec::new(), Point::ZERO, Slot::Painted);
         assert_eq!(shape.build().finish().indices.len(), 4 * 16 * 3);
     }
 }

@@ -5,6 +5,7 @@ use glam::Vec3;
 use super::solid::{Grain, Solid};
 use super::ticks::{Ticks, point_in_ticks};
 use crate::geometry::{Point, Polygon, Region};
+use crate::recipes::Slot;
 
 /// An upright prism. Outlines are in plan axes relative to the node that carries it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -18,14 +19,14 @@ pub(crate) struct SlabShape {
     /// Height of the top.
     pub top: Ticks,
     /// Material.
-    pub slot: &'static str,
+    pub slot: Slot,
     /// Which way it runs.
     pub grain: Grain,
 }
 
 impl SlabShape {
     /// A region between two heights, as seen from `anchor`.
-    pub(crate) fn of_region(region: &Region, anchor: Point, heights: [Ticks; 2], slot: &'static str) -> Self {
+    pub(crate) fn of_region(region: &Region, anchor: Point, heights: [Ticks; 2], slot: Slot) -> Self {
         let ring = |polygon: &Polygon| without_straight_corners(polygon, anchor);
         Self {
             outline: ring(&region.outline),

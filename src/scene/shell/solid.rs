@@ -6,6 +6,7 @@ use glam::{DVec3, Vec2, Vec3};
 
 use super::ticks::Ticks;
 use crate::model::{ModelMaterial, Primitive};
+use crate::recipes::Slot;
 
 /// Triangles of one material under construction, in the glTF frame of the node that will carry them.
 #[derive(Clone, Debug)]
@@ -33,7 +34,7 @@ const LEAST_FACE: f64 = 1e-12;
 
 impl Solid {
     /// Nothing yet.
-    pub(crate) fn new(slot: &'static str) -> Self {
+    pub(crate) fn new(slot: Slot) -> Self {
         let primitive = Primitive { material: ModelMaterial::Slot(slot), ..Primitive::default() };
         Self { primitive, grain: Grain::Level, known: BTreeMap::new() }
     }

@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use super::solid::Solid;
 use super::ticks::Ticks;
+use crate::recipes::Slot;
 
 /// A wall in its own frame: the origin at the middle of the inner face's foot, +Z into the room, the body
 /// behind (−Z). Seen from above, `u` runs along the inner face from the wall's start:
@@ -32,11 +33,11 @@ pub(crate) struct WallShape {
     /// The holes for openings.
     pub holes: Vec<Hole>,
     /// Material.
-    pub slot: &'static str,
+    pub slot: Slot,
     /// Material of the outer face.
-    pub outer_slot: &'static str,
+    pub outer_slot: Slot,
     /// Height up to which the inner face has another material, and that one.
-    pub dado: Option<(Ticks, &'static str)>,
+    pub dado: Option<(Ticks, Slot)>,
 }
 
 /// A rectangular hole through a wall.

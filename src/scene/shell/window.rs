@@ -4,6 +4,7 @@ use super::frame::{BAR, GLASS, Reveal};
 use super::slots::{FRAME_SLOT, GLASS_SLOT, HANDLE_SLOT};
 use super::solid::Solid;
 use super::ticks::Ticks;
+use crate::recipes::Slot;
 
 /// Depth of the bars of a window frame.
 const BAR_DEPTH: Ticks = Ticks(7_000);
@@ -16,7 +17,7 @@ const SILL_BOARD: [Ticks; 2] = [Ticks(2_500), Ticks(2_000)];
 /// Sheet on the sill outside: thickness, and how far it stands out.
 const SILL_SHEET: [Ticks; 2] = [Ticks(1_500), Ticks(3_500)];
 /// Material of the sheet.
-const SHEET_SLOT: &str = "metal";
+const SHEET_SLOT: Slot = Slot::Metal;
 /// Handle: height, width, distance from the bar, thickness.
 const HANDLE: [Ticks; 4] = [Ticks(12_000), Ticks(1_600), Ticks(3_000), Ticks(1_200)];
 /// Shortest casement with a handle, and highest sill above which hands do not reach it.

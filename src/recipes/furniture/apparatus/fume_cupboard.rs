@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{Fittings, HandleKind, handle, turned_forward};
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Share of the height at which one works.
 const BENCH: f64 = 0.4;
@@ -31,9 +31,9 @@ pub(in super::super) static FUME_CUPBOARD: Recipe =
 fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let look = draft.input.look as usize % 4;
-    let slot = ["painted", "metal", "laminate", "painted"][look];
+    let slot = [Slot::Painted, Slot::Metal, Slot::Laminate, Slot::Painted][look];
     let bench = bay.height() * BENCH;
-    let slots = (slot, ["painted_accent", "laminate", "painted", "metal"][look]);
+    let slots = (slot, [Slot::PaintedAccent, Slot::Laminate, Slot::Painted, Slot::Metal][look]);
     match draft.set() {
         GeometrySet::Industrial => frame(builder, bench),
         GeometrySet::Budget => panels(builder, slots, bench),
@@ -41,7 +41,7 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
             cupboards(builder, slots, bench, draft.is_traditional());
         }
     }
-    builder.block("stone", bay.with_y([bench - TOP - SINK, bench]), 0.004);
+    builder.block(Slot::Stone, bay.with_y([bench - TOP - SINK, bench]), 0.004);
     let upper = bay.with_y([bench - SINK, bay.high.y]).inset(0.001, 0.0, 0.001).without(Side::Front, 0.05);
     // Panes that are lifted stand half open in their frame.
     let open = |low: f64| bench + (low - bench) * (0.25 + 0.12 * look as f64);
@@ -62,7 +62,7 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
                 cornice(builder, slot, upper);
                 glazing_bars(builder, slot, sash);
             } else {
-                builder.block("metal", upper.slab(Side::Above, HEAD + SINK), 0.006);
+                builder.block(Slot::Metal, upper.slab(Side::Above, HEAD + SINK), 0.006);
             }
         }
     }
@@ -70,7 +70,7 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
     for (x, tall) in [(-0.2, 0.16), (-0.1, 0.22), (0.18, 0.12)] {
         let glass =
             [(0.05, bench - SINK), (0.055, bench + 0.02), (0.016, bench + tall * 0.6), (0.016, bench + tall)];
-        builder.add("glass", lathe(&glass, 10).moved(x * bay.width(), 0.0, 0.0));
+        builder.add(Slot::Glass, lathe(&glass, 10).moved(x * bay.width(), 0.0, 0.0));
     }
 }
 
@@ -80,18 +80,18 @@ fn frame(builder: &mut Builder, bench: f64) {
     let tube = 0.045;
     for x in [Side::Left, Side::Right] {
         for z in [Side::Front, Side::Back] {
-            builder.cuboid("metal_dark", bay.slab(x, tube).slab(z, tube));
+            builder.cuboid(Slot::MetalDark, bay.slab(x, tube).slab(z, tube));
         }
     }
     let rails = bay.inset(0.002, 0.0, 0.002);
     for z in [Side::Front, Side::Back] {
         let rail = rails.slab(z, tube - 0.004).inset(tube - 0.002 - SINK, 0.0, 0.0);
-        builder.cuboid("metal_dark", rail.with_y([bay.high.y - tube, bay.high.y - 0.002]));
+        builder.cuboid(Slot::MetalDark, rail.with_y([bay.high.y - tube, bay.high.y - 0.002]));
     }
     let shelf = bench * 0.22;
-    builder.cuboid("metal", rails.inset(0.004, 0.0, 0.004).with_y([shelf - 0.02, shelf]));
+    builder.cuboid(Slot::Metal, rails.inset(0.004, 0.0, 0.004).with_y([shelf - 0.02, shelf]));
     let (radius, tall) = (0.09, (bench - TOP - shelf) * 0.86);
-    for (x, slot) in [(-0.3, "painted_accent"), (-0.14, "metal")] {
+    for (x, slot) in [(-0.3, Slot::PaintedAccent), (-0.14, Slot::Metal)] {
         let bottle = [
             (radius, shelf - SINK),
             (radius, shelf + tall * 0.72),
@@ -103,14 +103,14 @@ fn frame(builder: &mut Builder, bench: f64) {
 }
 
 /// Two ends and a back of panels, with a chest of drawers on one side and room for the knees.
-fn panels(builder: &mut Builder, (slot, front): (&'static str, &'static str), bench: f64) {
+fn panels(builder: &mut Builder, (slot, front): (Slot, Slot), bench: f64) {
     let bay = builder.bay().with_y([0.0, bench - TOP]).inset(0.004, 0.0, 0.01);
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, bay.slab(side, 0.022));
     }
     let back = bay.slab(Side::Back, 0.06).slab(Side::Front, 0.02).inset(0.022 - SINK, 0.0, 0.0);
     builder.cuboid(slot, back.without(Side::Below, bench * 0.3).without(Side::Above, 0.001));
-    let fittings = Fittings { front, handle: "metal", reach: 0.02, is_traditional: false };
+    let fittings = Fittings { front, handle: Slot::Metal, reach: 0.02, is_traditional: false };
     let chest = bay.slab(Side::Right, bay.width() * 0.36).without(Side::Right, 0.02);
     let chest = chest.without(Side::Back, 0.06 - SINK).without(Side::Below, 0.06).without(Side::Above, 0.002);
     fittings.carcass(builder, slot, chest);
@@ -118,17 +118,12 @@ fn panels(builder: &mut Builder, (slot, front): (&'static str, &'static str), be
 }
 
 /// Cupboards with doors on a plinth, up to the bench.
-fn cupboards(
-    builder: &mut Builder,
-    (slot, front): (&'static str, &'static str),
-    bench: f64,
-    is_traditional: bool,
-) {
+fn cupboards(builder: &mut Builder, (slot, front): (Slot, Slot), bench: f64, is_traditional: bool) {
     let bay = builder.bay();
-    let fittings = Fittings { front, handle: "metal", reach: 0.025, is_traditional };
+    let fittings = Fittings { front, handle: Slot::Metal, reach: 0.025, is_traditional };
     let base = bay.with_y([PLINTH, bench - TOP]).inset(0.002, 0.0, 0.002);
     builder.cuboid(
-        "plastic_dark",
+        Slot::PlasticDark,
         base.with_y([0.0, PLINTH + SINK]).inset(0.01, 0.0, 0.01).without(Side::Front, 0.05),
     );
     fittings.carcass(builder, slot, base);
@@ -139,21 +134,21 @@ fn cupboards(
 }
 
 /// Walls, a tiled back and the hood with its lamp, up to the duct; gives the hood.
-fn chamber(builder: &mut Builder, slot: &'static str, upper: Bay, tall: f64) -> Bay {
+fn chamber(builder: &mut Builder, slot: Slot, upper: Bay, tall: f64) -> Bay {
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, upper.slab(side, SIDE_WALL).without(Side::Above, HEAD));
     }
     let back = upper.slab(Side::Back, BACK_WALL).inset(SIDE_WALL - SINK, 0.001, 0.0006);
-    builder.cuboid("tile_wall", back.without(Side::Above, HEAD));
+    builder.cuboid(Slot::TileWall, back.without(Side::Above, HEAD));
     let top = upper.high.y;
     let hood = upper.with_y([top - HEAD - tall, top - HEAD]).inset(SIDE_WALL - SINK, 0.0, 0.001);
     builder.cuboid(slot, hood.without(Side::Back, BACK_WALL - SINK).without(Side::Front, 0.002));
-    builder.cuboid("lamp", hood.with_y([hood.low.y - 0.006, hood.low.y + SINK]).inset(0.08, 0.0, 0.2));
+    builder.cuboid(Slot::Lamp, hood.with_y([hood.low.y - 0.006, hood.low.y + SINK]).inset(0.08, 0.0, 0.2));
     hood
 }
 
 /// A moulding that grows out over the chamber.
-fn cornice(builder: &mut Builder, slot: &'static str, upper: Bay) {
+fn cornice(builder: &mut Builder, slot: Slot, upper: Bay) {
     let (half, middle, top) = (upper.extent() / 2.0, upper.center(), upper.high.y);
     let slice = |share: f64, back: f64| {
         Slice::new(top - HEAD * share - SINK, half.x - back, half.z - back).at(middle.x, middle.z)
@@ -171,13 +166,13 @@ fn smoke_hood(builder: &mut Builder, upper: Bay) -> f64 {
     let post = 0.05;
     for x in [Side::Left, Side::Right] {
         for z in [Side::Front, Side::Back] {
-            builder.cuboid("metal_dark", low.slab(x, post).slab(z, post).inset(0.002, 0.0, 0.002));
+            builder.cuboid(Slot::MetalDark, low.slab(x, post).slab(z, post).inset(0.002, 0.0, 0.002));
         }
         let pane = low.slab(x, 0.026).inset(0.01, 0.0, post - 0.002 - SINK);
-        builder.cuboid("glass", pane);
+        builder.cuboid(Slot::Glass, pane);
     }
     let back = low.slab(Side::Back, BACK_WALL).inset(post - 0.002 - SINK, 0.001, 0.006);
-    builder.cuboid("tile_wall", back);
+    builder.cuboid(Slot::TileWall, back);
     let (half, middle) = (upper.extent() / 2.0, upper.center());
     let pipe = half.x.min(half.z) * 0.36;
     let slice = |y: f64, x: f64, z: f64| Slice::new(y, x, z).at(middle.x, middle.z);
@@ -187,21 +182,21 @@ fn smoke_hood(builder: &mut Builder, upper: Bay) -> f64 {
         slice(hood[1] + 0.02, half.x, half.z),
         slice(neck, pipe * 1.3, pipe * 1.3),
     ];
-    builder.add("metal", loft(&Outline::Square, &slices));
-    builder.add("metal", cylinder(pipe, [neck - SINK, top], 16).moved(middle.x, 0.0, middle.z));
+    builder.add(Slot::Metal, loft(&Outline::Square, &slices));
+    builder.add(Slot::Metal, cylinder(pipe, [neck - SINK, top], 16).moved(middle.x, 0.0, middle.z));
     let lamp = upper.with_y([hood[0] - 0.006, hood[0] + SINK]).inset(0.15, 0.0, 0.2);
-    builder.cuboid("lamp", lamp);
+    builder.cuboid(Slot::Lamp, lamp);
     hood[0]
 }
 
 /// A flat lid with two connections for ducts.
 fn vents(builder: &mut Builder, upper: Bay) {
     let lid = upper.with_y([upper.high.y - HEAD - SINK, upper.high.y - HEAD * 0.75]).inset(0.002, 0.0, 0.002);
-    builder.cuboid("metal", lid);
+    builder.cuboid(Slot::Metal, lid);
     for side in [-0.24, 0.24] {
         let at = upper.center() + DVec3::X * side * upper.width();
         let vent = Bay::around(at, upper.width() * 0.22, 1.0, upper.depth() * 0.4);
-        builder.block("plastic", vent.with_y([lid.high.y - SINK, upper.high.y]), 0.006);
+        builder.block(Slot::Plastic, vent.with_y([lid.high.y - SINK, upper.high.y]), 0.006);
     }
 }
 
@@ -214,17 +209,17 @@ fn pane_bay(upper: Bay, y: [f64; 2]) -> Bay {
 /// A pane between two rails with a handle to lift it; gives its box.
 fn pane(builder: &mut Builder, upper: Bay, y: [f64; 2]) -> Bay {
     let pane = pane_bay(upper, y);
-    builder.cuboid("glass", pane.inset(0.004, 0.004, 0.006));
+    builder.cuboid(Slot::Glass, pane.inset(0.004, 0.004, 0.006));
     for edge in [Side::Below, Side::Above] {
-        builder.cuboid("metal", pane.slab(edge, 0.025));
+        builder.cuboid(Slot::Metal, pane.slab(edge, 0.025));
     }
     let at = DVec3::new(0.0, pane.low.y + 0.0125, pane.high.z);
-    handle(builder, "metal_dark", (HandleKind::Level, pane.width() * 0.3), at, 0.016);
+    handle(builder, Slot::MetalDark, (HandleKind::Level, pane.width() * 0.3), at, 0.016);
     pane
 }
 
 /// Stiles and bars that divide a sash into six panes.
-fn glazing_bars(builder: &mut Builder, slot: &'static str, sash: Bay) {
+fn glazing_bars(builder: &mut Builder, slot: Slot, sash: Bay) {
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, sash.slab(side, 0.03).inset(0.001, 0.002, 0.001));
     }
@@ -241,14 +236,14 @@ fn glazing_bars(builder: &mut Builder, slot: &'static str, sash: Bay) {
 fn side_panes(builder: &mut Builder, upper: Bay, y: [f64; 2], look: usize) {
     let whole = pane_bay(upper, y);
     for rail in [Side::Below, Side::Above] {
-        builder.cuboid("metal", whole.slab(rail, 0.022));
+        builder.cuboid(Slot::Metal, whole.slab(rail, 0.022));
     }
     let half = whole.inset(0.004, 0.02, 0.0).slab(Side::Left, whole.width() * 0.52);
     let pushed = whole.width() * (0.1 + 0.08 * look as f64);
     for (x, z) in [(0.0, 0.004), (pushed, 0.011)] {
         let pane = half.with_z([whole.low.z + z, whole.low.z + z + 0.005]).moved(x, 0.0, 0.0);
-        builder.cuboid("glass", pane);
-        builder.cuboid("metal", pane.slab(Side::Right, 0.016).inset(-0.001, 0.001, -0.001));
+        builder.cuboid(Slot::Glass, pane);
+        builder.cuboid(Slot::Metal, pane.slab(Side::Right, 0.016).inset(-0.001, 0.001, -0.001));
     }
 }
 
@@ -257,6 +252,9 @@ fn valves(builder: &mut Builder, width: f64, bench: f64, front: f64) {
     for (index, x) in [-0.47, -0.455, 0.455, 0.47].into_iter().enumerate() {
         let at = DVec3::new(x * width * 0.985, bench + 0.14 + 0.12 * (index % 2) as f64, front);
         let valve = turned_forward(lathe(&[(0.01, -SINK), (0.01, 0.02), (0.02, 0.022), (0.018, 0.045)], 8));
-        builder.add(["book", "leaf", "painted_accent", "brass"][index], valve.moved(at.x, at.y, at.z));
+        builder.add(
+            [Slot::Book, Slot::Leaf, Slot::PaintedAccent, Slot::Brass][index],
+            valve.moved(at.x, at.y, at.z),
+        );
     }
 }

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::Bed;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, Sampler, pillow, skin};
 
 /// Where the corners of a blanket's cross-section lie, as shares of half its width, and metres under its top; the hem
@@ -35,7 +36,7 @@ struct Cloth {
 }
 
 /// Cloth in one closed body whose hems wave: rings from the head to the foot.
-fn drape(builder: &mut Builder, slot: &'static str, cloth: &Cloth) {
+fn drape(builder: &mut Builder, slot: Slot, cloth: &Cloth) {
     let bay = cloth.bay;
     let (half, deep) = (bay.width() / 2.0, bay.depth());
     let along = [0.0, 0.012, 0.05, 0.24, 0.42, 0.6, 0.8, 1.0];
@@ -81,9 +82,9 @@ fn drape(builder: &mut Builder, slot: &'static str, cloth: &Cloth) {
 pub(super) fn make(bed: &Bed, builder: &mut Builder, sampler: &mut Sampler, count: u32) {
     let whole = bed.body();
     let mattress = whole.with_y([bed.frame - 0.002, bed.lying - 0.025]).inset(0.022, 0.0, 0.0);
-    builder.cushion("mattress", mattress.without(Side::Front, 0.026).without(Side::Back, 0.006), 0.035);
+    builder.cushion(Slot::Mattress, mattress.without(Side::Front, 0.026).without(Side::Back, 0.006), 0.035);
     let start = [0.3, 0.34, 0.44, 0.27][bed.form as usize] * whole.depth();
-    let slot = ["fabric_light", "fabric", "linen", "fabric_accent"][bed.form as usize];
+    let slot = [Slot::FabricLight, Slot::Fabric, Slot::Linen, Slot::FabricAccent][bed.form as usize];
     let phase = sampler.between(0.0, 6.0);
     let hem = bed.frame - [0.02, 0.05, 0.0, 0.09][bed.form as usize] * (bed.lying / 0.55);
     let bay = whole.with_y([hem, bed.lying]).without(Side::Back, start);
@@ -92,14 +93,14 @@ pub(super) fn make(bed: &Bed, builder: &mut Builder, sampler: &mut Sampler, coun
     drape(builder, slot, &Cloth { bay: cover, wave: 0.008, phase, has_front: true });
     let fold = bay.slab(Side::Back, [0.26, 0.2, 0.34, 0.16][bed.form as usize]).moved(0.0, 0.012, -0.03);
     let fold = fold.with_y([hem + 0.05, fold.high.y]).inset(0.001, 0.0, 0.0);
-    let under = if bed.form == 2 { "fabric_accent" } else { "linen" };
+    let under = if bed.form == 2 { Slot::FabricAccent } else { Slot::Linen };
     drape(builder, under, &Cloth { bay: fold, wave: 0.01, phase: phase + 1.0, has_front: false });
     if bed.form == 1 {
         let throw = whole.slab(Side::Front, whole.depth() * 0.26).without(Side::Front, whole.depth() * 0.07);
         let throw = throw.with_y([hem - 0.03, bed.lying + 0.007]).inset(0.0005, 0.0, 0.0);
         drape(
             builder,
-            "fabric_accent",
+            Slot::FabricAccent,
             &Cloth { bay: throw, wave: 0.007, phase: phase + 2.0, has_front: false },
         );
     }
@@ -117,16 +118,17 @@ fn pillows(bed: &Bed, builder: &mut Builder, sampler: &mut Sampler, mattress: Ba
         let turn = sampler.between(-0.05, 0.05);
         let at = mattress.low.z + depth * 0.56 + 0.02;
         let place = soft(0.17).turned_x(tilt).turned_y(turn);
-        builder.add("linen", place.moved(middle, mattress.high.y + 0.062, at));
+        builder.add(Slot::Linen, place.moved(middle, mattress.high.y + 0.062, at));
         if bed.form >= 2 {
             let upright = pillow(width * 0.86, 0.15, depth * 0.9).turned_x(1.05).turned_y(-turn);
-            let slot = if bed.form == 2 { "fabric_light" } else { "linen" };
+            let slot = if bed.form == 2 { Slot::FabricLight } else { Slot::Linen };
             builder.add(slot, upright.moved(middle, mattress.high.y + 0.2, at + 0.02));
         }
     }
     if bed.form == 3 {
         let small = pillow(0.42, 0.13, 0.3).turned_x(0.85);
-        builder.add("fabric_accent", small.moved(0.0, mattress.high.y + 0.17, mattress.low.z + depth + 0.13));
+        builder
+            .add(Slot::FabricAccent, small.moved(0.0, mattress.high.y + 0.17, mattress.low.z + depth + 0.13));
     }
 }
 

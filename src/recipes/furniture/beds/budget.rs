@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::Bed;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
 use crate::recipes::kit::{Builder, SINK, pipe, sweep};
 
@@ -12,10 +13,10 @@ pub(super) fn frame(bed: &Bed, builder: &mut Builder) {
     let (body, head) = (bed.body(), bed.head);
     match bed.form {
         0 => {
-            panels(bed, builder, "laminate");
+            panels(bed, builder, Slot::Laminate);
             let board = head.without(Side::Back, 0.032).without(Side::Front, 0.01);
             builder.block(
-                "laminate",
+                Slot::Laminate,
                 head.slab(Side::Back, 0.018)
                     .without(Side::Below, 0.002)
                     .without(Side::Above, 0.02 - SINK)
@@ -23,10 +24,10 @@ pub(super) fn frame(bed: &Bed, builder: &mut Builder) {
                 0.003,
             );
             let shelf = head.with_y([head.high.y - 0.02, head.high.y]);
-            builder.block("laminate", shelf, 0.003);
+            builder.block(Slot::Laminate, shelf, 0.003);
             for side in [Side::Left, Side::Right] {
                 builder.cuboid(
-                    "laminate",
+                    Slot::Laminate,
                     board
                         .slab(side, 0.018)
                         .inset(0.002, 0.0, 0.0)
@@ -37,63 +38,63 @@ pub(super) fn frame(bed: &Bed, builder: &mut Builder) {
         }
         1 => tube(bed, builder),
         2 => {
-            panels(bed, builder, "painted");
-            builder.block("painted", head.without(Side::Back, 0.03).without(Side::Below, 0.004), 0.004);
+            panels(bed, builder, Slot::Painted);
+            builder.block(Slot::Painted, head.without(Side::Back, 0.03).without(Side::Below, 0.004), 0.004);
             drawers(bed, builder);
         }
         _ => {
             legs_at_corners(
                 builder,
-                "wood_light",
+                Slot::WoodLight,
                 body.with_y([0.0, bed.frame - 0.004]).inset(0.0155, 0.0, 0.018),
                 0.045,
                 LegKind::Square,
             );
-            bed.rails(builder, "wood_light", 0.1, 0.022);
+            bed.rails(builder, Slot::WoodLight, 0.1, 0.022);
             for side in [Side::Left, Side::Right] {
-                builder.block("wood_light", head.slab(side, 0.045).inset(0.0, 0.0, 0.006), 0.004);
+                builder.block(Slot::WoodLight, head.slab(side, 0.045).inset(0.0, 0.0, 0.006), 0.004);
             }
             let boards = head.inset(0.045 - SINK, 0.0, 0.018).with_y([bed.lying * 0.7, head.high.y - 0.02]);
             for row in boards.rows(3, 0.06) {
-                builder.block("wood_light", row, 0.004);
+                builder.block(Slot::WoodLight, row, 0.004);
             }
         }
     }
     if bed.form == 0 || bed.form == 2 {
-        builder.cuboid("plastic_dark", head.inset(0.1, 0.0, 0.02).with_y([0.0, 0.03]));
+        builder.cuboid(Slot::PlasticDark, head.inset(0.1, 0.0, 0.02).with_y([0.0, 0.03]));
     }
 }
 
 /// Thin boards down to low feet.
-fn panels(bed: &Bed, builder: &mut Builder, slot: &'static str) {
+fn panels(bed: &Bed, builder: &mut Builder, slot: Slot) {
     bed.rails(builder, slot, bed.frame - 0.03, 0.018);
     let feet = bed.body().with_y([0.0, 0.04]).inset(0.04, 0.0, 0.04);
-    legs_at_corners(builder, "plastic_dark", feet, 0.05, LegKind::Square);
+    legs_at_corners(builder, Slot::PlasticDark, feet, 0.05, LegKind::Square);
 }
 
 fn tube(bed: &Bed, builder: &mut Builder) {
     let (head, radius) = (bed.head, 0.0125);
     let body = bed.body();
     let legs = body.with_y([0.0, bed.frame - 0.004]).inset(0.016, 0.0, 0.02);
-    legs_at_corners(builder, "painted", legs, 0.028, LegKind::Round);
-    bed.rails(builder, "painted", 0.035, 0.025);
+    legs_at_corners(builder, Slot::Painted, legs, 0.028, LegKind::Round);
+    bed.rails(builder, Slot::Painted, 0.035, 0.025);
     let (x, z) = (head.high.x - radius, head.center().z);
     let at = |x: f64, y: f64| DVec3::new(x, y, z);
     let high = head.high.y - radius;
-    builder.add("painted", pipe(&[at(x, 0.0), at(x, high), at(-x, high), at(-x, 0.0)], radius, 0.05));
+    builder.add(Slot::Painted, pipe(&[at(x, 0.0), at(x, high), at(-x, high), at(-x, 0.0)], radius, 0.05));
     for y in [bed.lying * 0.9, (bed.lying * 0.9 + high) / 2.0] {
-        builder.add("painted", sweep(&[at(-x, y), at(x, y)], radius * 0.7, 6));
+        builder.add(Slot::Painted, sweep(&[at(-x, y), at(x, y)], radius * 0.7, 6));
     }
     for column in head.inset(head.width() * 0.2, 0.0, 0.0).columns(3, head.width() * 0.18) {
         builder.add(
-            "painted",
+            Slot::Painted,
             sweep(&[at(column.center().x, bed.lying * 0.9), at(column.center().x, high)], radius * 0.6, 6),
         );
     }
     for z in [head.low.z, head.high.z - 0.012] {
         for x in [-x, x] {
             builder.add(
-                "plastic_dark",
+                Slot::PlasticDark,
                 sweep(&[DVec3::new(x, 0.1, z), DVec3::new(x, 0.1, z + 0.012)], 0.011, 6),
             );
         }
@@ -109,11 +110,11 @@ fn drawers(bed: &Bed, builder: &mut Builder) {
         let length = face.depth() / count - 0.01;
         for index in 0..2 {
             let z = face.low.z + f64::from(index) * (length + 0.02);
-            builder.block("painted", face.with_z([z, z + length]).inset(0.004, 0.0, 0.0), 0.003);
+            builder.block(Slot::Painted, face.with_z([z, z + length]).inset(0.004, 0.0, 0.0), 0.003);
             let grip = face
                 .with_z([z + length * 0.4, z + length * 0.6])
                 .with_y([face.high.y - 0.03, face.high.y - 0.015]);
-            builder.cuboid("metal_dark", grip.inset(0.001, 0.0, 0.0));
+            builder.cuboid(Slot::MetalDark, grip.inset(0.001, 0.0, 0.0));
         }
     }
 }

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cuboid, cylinder, extrude, lathe, rounded_box, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Share of the height at which the child lies.
 const LYING: f64 = 0.42;
@@ -38,10 +38,10 @@ impl Cot {
     }
 
     /// A board that carries the mattress, the mattress, and a blanket turned down.
-    fn bedding(&self, builder: &mut Builder, slot: &'static str) {
+    fn bedding(&self, builder: &mut Builder, slot: Slot) {
         let inner = self.bay.inset(self.post * 0.8, 0.0, self.post * 0.9);
         let mattress = inner.with_y([self.bed, self.bed + MATTRESS]);
-        builder.add("mattress", rounded_box(mattress, DVec3::splat(0.025), 1));
+        builder.add(Slot::Mattress, rounded_box(mattress, DVec3::splat(0.025), 1));
         let blanket = mattress.slab(Side::Front, mattress.depth() * 0.6).inset(-0.003, 0.0, 0.0);
         let blanket =
             blanket.without(Side::Front, 0.002).with_y([mattress.high.y - 0.03, mattress.high.y + 0.02]);
@@ -52,11 +52,11 @@ impl Cot {
             0.05,
             0.2,
         );
-        builder.add("linen", rounded_box(pillow, DVec3::new(0.05, 0.022, 0.05), 2));
+        builder.add(Slot::Linen, rounded_box(pillow, DVec3::new(0.05, 0.022, 0.05), 2));
     }
 
     /// Two rails with bars between them along a long side.
-    fn fence(&self, builder: &mut Builder, slot: &'static str, (side, top): (Side, f64), bar: f64) {
+    fn fence(&self, builder: &mut Builder, slot: Slot, (side, top): (Side, f64), bar: f64) {
         let field = self.side(side, 0.022).with_y([self.bed - 0.06, top]);
         builder.cuboid(slot, field.slab(Side::Above, 0.035));
         builder.cuboid(slot, field.slab(Side::Below, 0.035));
@@ -71,7 +71,7 @@ impl Cot {
     }
 
     /// Bars along both ends.
-    fn end_bars(&self, builder: &mut Builder, slot: &'static str, top: f64, bar: f64) {
+    fn end_bars(&self, builder: &mut Builder, slot: Slot, top: f64, bar: f64) {
         let inner = self.bay.inset(self.post - SINK, 0.0, self.post * 0.3);
         for side in [Side::Front, Side::Back] {
             let field = inner.slab(side, 0.022).with_y([self.bed - 0.06, top]);
@@ -104,8 +104,8 @@ fn crib(draft: &Draft, builder: &mut Builder) {
 
 /// Straight posts, thin bars; ends of bars or of one board.
 fn plain(cot: &Cot, builder: &mut Builder) {
-    let slot = ["wood_light", "painted", "wood", "painted"][cot.form];
-    let posts = if cot.form == 1 { "wood_light" } else { slot };
+    let slot = [Slot::WoodLight, Slot::Painted, Slot::Wood, Slot::Painted][cot.form];
+    let posts = if cot.form == 1 { Slot::WoodLight } else { slot };
     legs_at_corners(
         builder,
         posts,
@@ -125,12 +125,12 @@ fn plain(cot: &Cot, builder: &mut Builder) {
             builder.block(slot, end.with_y([cot.bed - 0.1, top]), 0.006);
         }
     }
-    cot.bedding(builder, ["fabric_accent", "fabric", "fabric_light", "fabric_accent"][cot.form]);
+    cot.bedding(builder, [Slot::FabricAccent, Slot::Fabric, Slot::FabricLight, Slot::FabricAccent][cot.form]);
 }
 
 /// Turned posts with knobs, an arched head and foot, turned bars.
 fn traditional(cot: &Cot, builder: &mut Builder) {
-    let slot = ["wood", "wood_dark", "painted", "wood"][cot.form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Painted, Slot::Wood][cot.form];
     let bay = cot.bay;
     let knob = 0.05;
     let posts = bay.without(Side::Above, knob);
@@ -151,11 +151,11 @@ fn traditional(cot: &Cot, builder: &mut Builder) {
         let end = bay.inset(cot.post - SINK, 0.0, cot.post * 0.28).slab(side, 0.022);
         arch(builder, slot, end.with_y([cot.bed - 0.1, bay.high.y - 0.008]), cot.form);
     }
-    cot.bedding(builder, ["fabric_light", "fabric_accent", "fabric_accent", "fabric"][cot.form]);
+    cot.bedding(builder, [Slot::FabricLight, Slot::FabricAccent, Slot::FabricAccent, Slot::Fabric][cot.form]);
 }
 
 /// A board whose upper edge rises to its middle, or a bowed rail over bars.
-fn arch(builder: &mut Builder, slot: &'static str, bay: Bay, form: usize) {
+fn arch(builder: &mut Builder, slot: Slot, bay: Bay, form: usize) {
     let half = bay.width() / 2.0;
     let (rise, steps) = (bay.height() * 0.16, 8);
     let upper = |step: i32, drop: f64| {
@@ -176,7 +176,7 @@ fn arch(builder: &mut Builder, slot: &'static str, bay: Bay, form: usize) {
 
 /// A hospital's cot: bent steel tube, round bars, large castors, sides that slide down.
 fn industrial(cot: &Cot, builder: &mut Builder) {
-    let slot = ["metal", "painted", "metal_dark", "chrome"][cot.form];
+    let slot = [Slot::Metal, Slot::Painted, Slot::MetalDark, Slot::Chrome][cot.form];
     let (bay, tube) = (cot.bay, 0.014);
     let castor = 0.05;
     let (x, top) = (bay.high.x - tube, bay.high.y - tube);
@@ -200,15 +200,16 @@ fn industrial(cot: &Cot, builder: &mut Builder) {
         }
         for wheel_x in [-x, x] {
             let wheel = cylinder(castor * 0.9, [-0.012, 0.012], 8).turned_z(FRAC_PI_2);
-            builder.add("rubber", wheel.moved(wheel_x, castor * 0.9, z * 0.97));
+            builder.add(Slot::Rubber, wheel.moved(wheel_x, castor * 0.9, z * 0.97));
         }
     }
     let inner = Cot { bay, post: 0.03, bed: cot.bed, form: cot.form };
     for side in [Side::Left, Side::Right] {
         inner.fence(builder, slot, (side, top - 0.03), 0.01);
     }
-    builder.cuboid("metal_dark", bay.inset(0.04, 0.0, 0.04).with_y([cot.bed - 0.02, cot.bed + 0.002]));
-    inner.bedding(builder, ["fabric_light", "fabric_accent", "fabric", "fabric_light"][cot.form]);
+    builder.cuboid(Slot::MetalDark, bay.inset(0.04, 0.0, 0.04).with_y([cot.bed - 0.02, cot.bed + 0.002]));
+    inner
+        .bedding(builder, [Slot::FabricLight, Slot::FabricAccent, Slot::Fabric, Slot::FabricLight][cot.form]);
 }
 
 /// A travelling cot with sides of net between padded rails, or one of laminated boards.
@@ -218,13 +219,13 @@ fn budget(cot: &Cot, builder: &mut Builder) {
         return;
     }
     let (bay, radius) = (cot.bay, 0.022);
-    let cloth = ["fabric_accent", "", "painted_accent", ""][cot.form];
+    let cloth = if cot.form == 0 { Slot::FabricAccent } else { Slot::PaintedAccent };
     let (x, z, top) = (bay.high.x - radius, bay.high.z - radius, bay.high.y - radius);
     for end in [-1.0, 1.0] {
         let post = [DVec3::new(x, 0.02, end * z), DVec3::new(x, bay.high.y - 0.01, end * z)];
-        builder.add_pair("plastic_dark", sweep(&post, radius * 0.8, 6));
+        builder.add_pair(Slot::PlasticDark, sweep(&post, radius * 0.8, 6));
         let shoe = Bay::around(DVec3::new(x, 0.02, end * z), radius * 2.0, 0.04, radius * 2.0);
-        builder.add_pair("plastic_dark", cuboid(shoe));
+        builder.add_pair(Slot::PlasticDark, cuboid(shoe));
         let rail = [DVec3::new(-x, top, end * z), DVec3::new(x, top, end * z)];
         builder.add(cloth, sweep(&rail, radius, 6));
     }
@@ -233,37 +234,37 @@ fn budget(cot: &Cot, builder: &mut Builder) {
     let low = cot.bed - 0.02;
     for side in [Side::Left, Side::Right] {
         let wall = bay.inset(radius - 0.004, 0.0, radius).slab(side, 0.008);
-        builder.cuboid("fabric_light", wall.with_y([low + 0.1, top]));
+        builder.cuboid(Slot::FabricLight, wall.with_y([low + 0.1, top]));
         builder.cuboid(cloth, wall.inset(-0.001, 0.0, 0.001).with_y([low - 0.05, low + 0.101]));
     }
     for side in [Side::Front, Side::Back] {
         let wall = bay.inset(radius, 0.0, radius - 0.004).slab(side, 0.008);
         builder.cuboid(cloth, wall.with_y([low - 0.049, top - 0.002]));
     }
-    builder.cuboid("plastic_dark", bay.inset(radius, 0.0, radius).with_y([low - 0.03, low + 0.03]));
-    cot.bedding(builder, "fabric");
+    builder.cuboid(Slot::PlasticDark, bay.inset(radius, 0.0, radius).with_y([low - 0.03, low + 0.03]));
+    cot.bedding(builder, Slot::Fabric);
 }
 
 /// Ends of laminated board with rounded tops, bars of wood between rails.
 fn boards(cot: &Cot, builder: &mut Builder) {
-    let slot = ["", "laminate", "", "wood_light"][cot.form];
+    let slot = if cot.form == 1 { Slot::Laminate } else { Slot::WoodLight };
     for side in [Side::Front, Side::Back] {
         let end = cot.bay.slab(side, 0.018);
         builder.block(slot, end.without(Side::Below, 0.05), 0.006);
         for foot in [Side::Left, Side::Right] {
             builder.cuboid(
-                "plastic_dark",
+                Slot::PlasticDark,
                 end.slab(foot, 0.06).slab(Side::Below, 0.052).inset(0.006, 0.0, 0.001),
             );
         }
         let cut = end
             .inset(cot.bay.width() * 0.3, 0.0, -0.0008)
             .with_y([cot.bay.high.y - 0.12, cot.bay.high.y - 0.07]);
-        builder.cuboid("painted_accent", cut);
+        builder.cuboid(Slot::PaintedAccent, cut);
     }
     let slim = Cot { bay: cot.bay, post: 0.018, bed: cot.bed, form: cot.form };
     for side in [Side::Left, Side::Right] {
-        slim.fence(builder, "painted", (side, cot.bay.high.y - 0.03), 0.012);
+        slim.fence(builder, Slot::Painted, (side, cot.bay.high.y - 0.03), 0.012);
     }
-    cot.bedding(builder, "fabric_accent");
+    cot.bedding(builder, Slot::FabricAccent);
 }

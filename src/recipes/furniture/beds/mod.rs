@@ -17,7 +17,7 @@ pub(super) use treatment::TREATMENT_BED;
 
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of a bed's headboard; the shapes in the catalogue are cut for it.
 const HEADBOARD: f64 = 0.06;
@@ -66,7 +66,7 @@ impl Bed {
     }
 
     /// Four rails around the slats, of a height and a thickness, under the top of the frame.
-    fn rails(&self, builder: &mut Builder, slot: &'static str, height: f64, thickness: f64) {
+    fn rails(&self, builder: &mut Builder, slot: Slot, height: f64, thickness: f64) {
         let ring = self.body().with_y([self.frame - height, self.frame]).inset(0.014, 0.0, 0.0);
         let ring = ring.without(Side::Front, 0.016);
         for side in [Side::Left, Side::Right] {

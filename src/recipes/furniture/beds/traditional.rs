@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::Bed;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, leg, legs_at_corners, raised_panel, slab_top, slanted_leg};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, Station, extrude, lathe, sheet};
 
@@ -12,7 +13,7 @@ const POST: f64 = 0.058;
 
 /// Frame, headboard and a low board at the foot.
 pub(super) fn frame(bed: &Bed, builder: &mut Builder) {
-    let slot = if bed.form.is_multiple_of(2) { "wood_dark" } else { "wood" };
+    let slot = if bed.form.is_multiple_of(2) { Slot::WoodDark } else { Slot::Wood };
     bed.rails(builder, slot, 0.14, 0.032);
     let body = bed.body();
     let end = body.slab(Side::Front, POST).inset(0.002, 0.0, 0.0).with_y([0.0, bed.frame + 0.012]);
@@ -32,7 +33,7 @@ pub(super) fn frame(bed: &Bed, builder: &mut Builder) {
     }
 }
 
-fn posts_with_knobs(bed: &Bed, builder: &mut Builder, slot: &'static str) {
+fn posts_with_knobs(bed: &Bed, builder: &mut Builder, slot: Slot) {
     let head = bed.head;
     let high = if bed.form == 2 { head.high.y * 0.88 } else { head.high.y };
     let x = head.high.x - POST / 2.0;
@@ -48,7 +49,7 @@ fn posts_with_knobs(bed: &Bed, builder: &mut Builder, slot: &'static str) {
     builder.add_pair(slot, lathe(&profile, 6).moved(x, 0.0, head.center().z));
 }
 
-fn panels(bed: &Bed, builder: &mut Builder, slot: &'static str) {
+fn panels(bed: &Bed, builder: &mut Builder, slot: Slot) {
     let field = bed.head.inset(POST - SINK, 0.0, 0.012).with_y([bed.frame * 0.7, bed.head.high.y * 0.9]);
     builder.cuboid(slot, field.inset(0.0, 0.0, 0.006));
     let count = (field.width() / 0.42).round().clamp(2.0, 4.0) as u32;
@@ -60,7 +61,7 @@ fn panels(bed: &Bed, builder: &mut Builder, slot: &'static str) {
     slab_top(builder, slot, cap, true);
 }
 
-fn spindles(bed: &Bed, builder: &mut Builder, slot: &'static str) {
+fn spindles(bed: &Bed, builder: &mut Builder, slot: Slot) {
     let inner = bed.head.inset(POST - SINK, 0.0, 0.014);
     let (low, high) = (bed.lying * 0.78, bed.head.high.y * 0.84);
     for [from, to] in [[low - 0.05, low], [high - 0.05, high]] {
@@ -81,7 +82,7 @@ fn spindles(bed: &Bed, builder: &mut Builder, slot: &'static str) {
     }
 }
 
-fn arch(bed: &Bed, builder: &mut Builder, slot: &'static str) {
+fn arch(bed: &Bed, builder: &mut Builder, slot: Slot) {
     let (half, high) = (bed.head.width() / 2.0 - POST * 0.7, bed.head.high.y);
     let low = bed.lying * 0.5;
     let spring = high * 0.8;
@@ -101,7 +102,7 @@ fn arch(bed: &Bed, builder: &mut Builder, slot: &'static str) {
 }
 
 /// Head and foot that roll outwards.
-fn sleigh(bed: &Bed, builder: &mut Builder, slot: &'static str) {
+fn sleigh(bed: &Bed, builder: &mut Builder, slot: Slot) {
     let (head, half) = (bed.head, bed.head.width() / 2.0);
     let middle = head.low.z + 0.034;
     let high = head.high.y;

@@ -9,7 +9,7 @@ use crate::geometry::Side;
 use crate::recipes::furniture::parts::{HandleKind, LegKind, handle, legs_at_corners, turned_forward};
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe, rounded_box, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Share of the height at which the patient lies.
 const LYING: f64 = 0.84;
@@ -28,7 +28,7 @@ struct Couch {
 
 impl Couch {
     /// Upholstery: a flat part, and a head end that is raised to the top of the box.
-    fn pads(&self, builder: &mut Builder, slot: &'static str, radius: f64) {
+    fn pads(&self, builder: &mut Builder, slot: Slot, radius: f64) {
         let (bay, head) = (self.bay, self.head());
         let flat = bay.with_y([self.lying - self.pad, self.lying]).without(Side::Back, head);
         builder.add(slot, rounded_box(flat, DVec3::splat(radius), 2));
@@ -48,7 +48,7 @@ impl Couch {
     }
 
     /// A frame under the upholstery.
-    fn frame(&self, builder: &mut Builder, slot: &'static str, height: f64) -> Bay {
+    fn frame(&self, builder: &mut Builder, slot: Slot, height: f64) -> Bay {
         let frame = self.bay.with_y([self.under() - height, self.under() + SINK]).inset(0.05, 0.0, 0.06);
         builder.cuboid(slot, frame);
         frame
@@ -60,11 +60,11 @@ impl Couch {
         let width = self.bay.width() * 0.7;
         let roll = turned_forward(cylinder(radius, [0.0, width], 10)).turned_y(FRAC_PI_2);
         let at = DVec3::new(-width / 2.0, self.under() - radius - 0.004, self.bay.low.z + radius + 0.002);
-        builder.add("paper", roll.moved(at.x, at.y, at.z));
+        builder.add(Slot::Paper, roll.moved(at.x, at.y, at.z));
         for side in [-1.0, 1.0] {
             let holder =
                 Bay::around(at + DVec3::X * (width * (0.5 + 0.5 * side) + side * 0.003), 0.008, 0.05, 0.05);
-            builder.cuboid("metal_dark", holder.without(Side::Above, -0.06));
+            builder.cuboid(Slot::MetalDark, holder.without(Side::Above, -0.06));
         }
     }
 }
@@ -91,19 +91,23 @@ fn treatment_bed(draft: &Draft, builder: &mut Builder) {
 
 /// Columns or a scissor lift on a base with castors, or a chest of drawers.
 fn plain(couch: &Couch, builder: &mut Builder) {
-    couch.pads(builder, ["leather", "fabric_accent", "plastic_dark", "painted_accent"][couch.form], 0.025);
+    couch.pads(
+        builder,
+        [Slot::Leather, Slot::FabricAccent, Slot::PlasticDark, Slot::PaintedAccent][couch.form],
+        0.025,
+    );
     couch.roll(builder);
-    let frame = couch.frame(builder, "painted", 0.04);
+    let frame = couch.frame(builder, Slot::Painted, 0.04);
     if couch.form == 2 {
         chest(builder, frame);
         return;
     }
     let base = frame.with_y([0.07, 0.12]).inset(0.03, 0.0, 0.12);
-    builder.block("painted", base, 0.012);
+    builder.block(Slot::Painted, base, 0.012);
     for x in [base.low.x + 0.02, base.high.x - 0.02] {
         for z in [base.low.z + 0.05, base.high.z - 0.05] {
             let castor = cylinder(0.04, [-0.014, 0.014], 10).turned_z(FRAC_PI_2);
-            builder.add("rubber", castor.moved(x, 0.04, z));
+            builder.add(Slot::Rubber, castor.moved(x, 0.04, z));
         }
     }
     let lift = [base.high.y - SINK, frame.low.y + SINK];
@@ -111,7 +115,7 @@ fn plain(couch: &Couch, builder: &mut Builder) {
         let (low, high) = (base.low.z + 0.1, base.high.z - 0.1);
         for (x, from, to) in [(base.high.x - 0.06, low, high), (base.high.x - 0.11, high, low)] {
             let arm = [DVec3::new(x, lift[0], from), DVec3::new(x, lift[1], to)];
-            builder.add_pair("metal_dark", sweep(&arm, 0.024, 4));
+            builder.add_pair(Slot::MetalDark, sweep(&arm, 0.024, 4));
         }
     } else {
         let spots: &[f64] = if couch.form == 0 { &[-0.5, 0.5] } else { &[0.0] };
@@ -119,8 +123,8 @@ fn plain(couch: &Couch, builder: &mut Builder) {
             let z = share * base.depth() * 0.7;
             let half = if couch.form == 0 { 0.07 } else { 0.13 };
             let post = Bay::new([-half, half], lift, [z - half, z + half]);
-            builder.block("metal", post.with_y([lift[0], lift[1] * 0.62]), 0.01);
-            builder.cuboid("metal_dark", post.inset(0.015, 0.0, 0.015));
+            builder.block(Slot::Metal, post.with_y([lift[0], lift[1] * 0.62]), 0.01);
+            builder.cuboid(Slot::MetalDark, post.inset(0.015, 0.0, 0.015));
         }
     }
 }
@@ -128,26 +132,26 @@ fn plain(couch: &Couch, builder: &mut Builder) {
 /// Drawers on one side under the couch, doors beside them.
 fn chest(builder: &mut Builder, frame: Bay) {
     let plinth = frame.with_y([0.0, 0.09]).inset(0.03, 0.0, 0.03);
-    builder.cuboid("metal_dark", plinth);
+    builder.cuboid(Slot::MetalDark, plinth);
     let body = frame.with_y([0.089, frame.low.y + SINK]).inset(0.008, 0.0, 0.004);
-    builder.cuboid("painted", body);
+    builder.cuboid(Slot::Painted, body);
     let side = body.slab(Side::Right, 0.004).moved(0.008, 0.0, 0.0);
     let columns = depth_slats(side.inset(0.0, 0.01, 0.01), 3, 0.008);
     for (index, column) in columns.into_iter().enumerate() {
         let rows = if index == 1 { column.rows(1, 0.0) } else { column.rows(3, 0.008) };
         for front in rows {
-            builder.cuboid("laminate", front.slab(Side::Right, 0.012));
+            builder.cuboid(Slot::Laminate, front.slab(Side::Right, 0.012));
             let grip =
                 Bay::around(front.center().with_x(front.high.x + 0.007), 0.016, 0.012, front.depth() * 0.4);
-            builder.cuboid("metal", grip);
+            builder.cuboid(Slot::Metal, grip);
         }
     }
 }
 
 /// A couch of wood on turned legs with a shelf, nailed leather, a bolster.
 fn traditional(couch: &Couch, builder: &mut Builder) {
-    let slot = ["wood", "wood_dark", "wood_dark", "wood"][couch.form];
-    couch.pads(builder, if couch.form == 3 { "fabric_accent" } else { "leather" }, 0.03);
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::WoodDark, Slot::Wood][couch.form];
+    couch.pads(builder, if couch.form == 3 { Slot::FabricAccent } else { Slot::Leather }, 0.03);
     let frame = couch.frame(builder, slot, 0.09);
     let legs = frame.with_y([0.0, frame.low.y + SINK]).inset(0.002, 0.0, 0.002);
     let kind = [LegKind::Turned, LegKind::Baluster, LegKind::Spade, LegKind::Turned][couch.form];
@@ -162,21 +166,25 @@ fn traditional(couch: &Couch, builder: &mut Builder) {
         builder.cuboid(slot, front.slab(Side::Right, 0.012));
         let knob = lathe(&[(0.006, 0.0), (0.013, 0.014), (0.009, 0.02)], 8).turned_z(-FRAC_PI_2);
         let at = front.center();
-        builder.add("brass", knob.moved(front.high.x - SINK, at.y, at.z));
+        builder.add(Slot::Brass, knob.moved(front.high.x - SINK, at.y, at.z));
     }
     // A bolster for the neck.
     let radius = 0.05;
     let neck = turned_forward(cylinder(radius, [0.0, couch.bay.width() * 0.86], 12)).turned_y(FRAC_PI_2);
     let z = couch.bay.low.z + couch.head() * 0.34;
     let y = couch.lying + (couch.bay.high.y - couch.lying) * 0.66 - radius * 0.3;
-    builder.add("linen", neck.moved(-couch.bay.width() * 0.43, y.min(couch.bay.high.y - radius), z));
+    builder.add(Slot::Linen, neck.moved(-couch.bay.width() * 0.43, y.min(couch.bay.high.y - radius), z));
 }
 
 /// Steel tube on wheels with a rail around, a prop under the head end, a step that folds out.
 fn industrial(couch: &Couch, builder: &mut Builder) {
-    let tube = ["chrome", "metal_dark", "metal", "chrome"][couch.form];
-    couch.pads(builder, ["leather", "leather", "plastic_dark", "fabric_accent"][couch.form], 0.02);
-    let frame = couch.frame(builder, "metal_dark", 0.02);
+    let tube = [Slot::Chrome, Slot::MetalDark, Slot::Metal, Slot::Chrome][couch.form];
+    couch.pads(
+        builder,
+        [Slot::Leather, Slot::Leather, Slot::PlasticDark, Slot::FabricAccent][couch.form],
+        0.02,
+    );
+    let frame = couch.frame(builder, Slot::MetalDark, 0.02);
     let radius = 0.016;
     let (x, high) = (frame.high.x - radius, frame.low.y - 0.002);
     let wheel: f64 = if couch.form.is_multiple_of(2) { 0.06 } else { 0.0 };
@@ -194,7 +202,7 @@ fn industrial(couch: &Couch, builder: &mut Builder) {
             } else {
                 cylinder(radius * 1.3, [0.0, 0.03], 8).moved(x, 0.0, z)
             };
-            builder.add("rubber", foot);
+            builder.add(Slot::Rubber, foot);
         }
     }
     let low = couch.bay.height() * 0.26;
@@ -202,7 +210,7 @@ fn industrial(couch: &Couch, builder: &mut Builder) {
     builder.add_pair(tube, sweep(&side, radius * 0.8, 6));
     if couch.form % 2 == 1 {
         let deck = frame.inset(0.03, 0.0, 0.15).with_y([low - 0.006, low + 0.012]);
-        builder.cuboid("metal", deck);
+        builder.cuboid(Slot::Metal, deck);
     }
     let prop_z = couch.bay.low.z + couch.head() * 0.4;
     let prop = [
@@ -215,8 +223,8 @@ fn industrial(couch: &Couch, builder: &mut Builder) {
 
 /// A folding table for massage: thin pads, legs with stays, cables below.
 fn budget(couch: &Couch, builder: &mut Builder) {
-    let slot = ["plastic_dark", "painted_accent", "leather", "fabric"][couch.form];
-    let wood = ["wood_light", "metal", "wood_light", "metal"][couch.form];
+    let slot = [Slot::PlasticDark, Slot::PaintedAccent, Slot::Leather, Slot::Fabric][couch.form];
+    let wood = [Slot::WoodLight, Slot::Metal, Slot::WoodLight, Slot::Metal][couch.form];
     couch.pads(builder, slot, 0.014);
     let frame = couch.frame(builder, wood, 0.05);
     let seam = Bay::around(
@@ -225,7 +233,7 @@ fn budget(couch: &Couch, builder: &mut Builder) {
         couch.pad + 0.002,
         0.008,
     );
-    builder.cuboid("rubber", seam);
+    builder.cuboid(Slot::Rubber, seam);
     let (x, high) = (frame.high.x - 0.03, frame.low.y + 0.02);
     let reach = frame.depth() / 2.0 - 0.05;
     for end in [-1.0, 1.0] {
@@ -244,11 +252,11 @@ fn budget(couch: &Couch, builder: &mut Builder) {
         let bar = Bay::around(DVec3::new(0.0, y, middle + end * reach * 0.93), x * 2.0, 0.05, 0.02);
         builder.cuboid(wood, bar);
         let cable = [DVec3::new(x * 0.9, y, middle + end * reach * 0.92), DVec3::new(x * 0.9, high, middle)];
-        builder.add_pair("metal_dark", sweep(&cable, 0.003, 4));
+        builder.add_pair(Slot::MetalDark, sweep(&cable, 0.003, 4));
     }
     handle(
         builder,
-        "plastic_dark",
+        Slot::PlasticDark,
         (HandleKind::Level, 0.14),
         DVec3::new(0.0, frame.center().y, frame.high.z),
         0.03,

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::castor;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe, pipe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A stand with bags that hang from hooks: on five castors; on a cast foot, with bottles; on a cross, with two pumps; on three
 /// bent feet.
@@ -17,23 +17,23 @@ fn drip_stand(draft: &Draft, builder: &mut Builder) {
     let high = builder.bay().height();
     match draft.set() {
         GeometrySet::Plain => {
-            star(builder, "chrome");
-            pole(builder, "chrome");
-            hooks(builder, "chrome", &[1.0, -1.0], 0.0);
+            star(builder, Slot::Chrome);
+            pole(builder, Slot::Chrome);
+            hooks(builder, Slot::Chrome, &[1.0, -1.0], 0.0);
             bags(builder, high, look);
             pump(builder, high * 0.54);
         }
         GeometrySet::Traditional => {
             cast_foot(builder);
-            pole(builder, "painted");
-            hooks(builder, "brass", &[1.0, -1.0], 0.0);
+            pole(builder, Slot::Painted);
+            hooks(builder, Slot::Brass, &[1.0, -1.0], 0.0);
             bottles(builder, look);
         }
         GeometrySet::Industrial => {
             cross(builder);
-            pole(builder, "metal");
-            hooks(builder, "metal", &[1.0, -1.0], 0.0);
-            hooks(builder, "metal", &[1.0, -1.0], std::f64::consts::FRAC_PI_2);
+            pole(builder, Slot::Metal);
+            hooks(builder, Slot::Metal, &[1.0, -1.0], 0.0);
+            hooks(builder, Slot::Metal, &[1.0, -1.0], std::f64::consts::FRAC_PI_2);
             bags(builder, high, look);
             pump(builder, high * 0.6);
             pump(builder, high * 0.47);
@@ -41,8 +41,8 @@ fn drip_stand(draft: &Draft, builder: &mut Builder) {
         }
         GeometrySet::Budget => {
             three_feet(builder);
-            pole(builder, "metal");
-            hooks(builder, "plastic", &[1.0, -1.0], 0.0);
+            pole(builder, Slot::Metal);
+            hooks(builder, Slot::Plastic, &[1.0, -1.0], 0.0);
             bags(builder, high, look & 1);
         }
     }
@@ -54,7 +54,7 @@ fn hub(bay: Bay) -> f64 {
 }
 
 /// Five legs on castors.
-fn star(builder: &mut Builder, metal: &'static str) {
+fn star(builder: &mut Builder, metal: Slot) {
     let bay = builder.bay();
     let (half, hub) = (bay.extent() / 2.0, hub(bay));
     for leg in 0..5 {
@@ -73,7 +73,7 @@ fn cast_foot(builder: &mut Builder) {
     let (bay, hub) = (builder.bay(), hub(builder.bay()));
     let profile = [(1.0, 0.0), (1.0, 0.1), (0.8, 0.3), (0.35, 0.55), (0.14, 0.9), (0.1, 1.3)];
     let foot = lathe(&profile.map(|(share, y)| (share * 0.5, y * hub)), 20);
-    builder.add("metal_dark", foot.stretched(DVec3::new(bay.width(), 1.0, bay.depth())));
+    builder.add(Slot::MetalDark, foot.stretched(DVec3::new(bay.width(), 1.0, bay.depth())));
 }
 
 /// Two bars across each other, on four castors.
@@ -81,14 +81,14 @@ fn cross(builder: &mut Builder) {
     let (bay, hub) = (builder.bay(), hub(builder.bay()));
     let height = hub * 0.62;
     let bar = bay.with_y([height - 0.002, height + 0.03]);
-    builder.cuboid("metal", bar.with_z([-0.02, 0.02]));
-    builder.cuboid("metal", bar.with_x([-0.0198, 0.0198]).moved(0.0, 0.0005, 0.0));
+    builder.cuboid(Slot::Metal, bar.with_z([-0.02, 0.02]));
+    builder.cuboid(Slot::Metal, bar.with_x([-0.0198, 0.0198]).moved(0.0, 0.0005, 0.0));
     let reach = bay.extent() / 2.0 - DVec3::splat(0.04);
     for at in [DVec3::X * reach.x, DVec3::NEG_X * reach.x, DVec3::Z * reach.z, DVec3::NEG_Z * reach.z] {
         castor(builder, at, height);
     }
     builder.block(
-        "metal_dark",
+        Slot::MetalDark,
         bar.with_x([-0.05, 0.05]).with_z([-0.05, 0.05]).moved(0.0, 0.025, 0.0),
         0.006,
     );
@@ -102,23 +102,23 @@ fn three_feet(builder: &mut Builder) {
     for (x, z) in [(0.0, 1.0), (-0.97, -0.95), (0.97, -0.95)] {
         let end = DVec3::new(x * (half.x - 0.012), 0.012, z * (half.z - 0.012));
         let knee = DVec3::new(end.x * 0.5, hub * 0.9, end.z * 0.5);
-        builder.add("metal", pipe(&[DVec3::new(0.0, top, 0.0), knee, end], 0.011, 0.1));
-        builder.add("rubber", cylinder(0.014, [0.0, 0.026], 8).moved(end.x * 0.99, 0.0, end.z * 0.99));
+        builder.add(Slot::Metal, pipe(&[DVec3::new(0.0, top, 0.0), knee, end], 0.011, 0.1));
+        builder.add(Slot::Rubber, cylinder(0.014, [0.0, 0.026], 8).moved(end.x * 0.99, 0.0, end.z * 0.99));
     }
-    builder.add("plastic", cylinder(0.024, [top - 0.05, top + 0.02], 10));
+    builder.add(Slot::Plastic, cylinder(0.024, [top - 0.05, top + 0.02], 10));
 }
 
 /// A pole that slides in another, with a clamp.
-fn pole(builder: &mut Builder, metal: &'static str) {
+fn pole(builder: &mut Builder, metal: Slot) {
     let (hub, height) = (hub(builder.bay()), builder.bay().height());
     builder.add(metal, cylinder(0.022, [hub * 0.7, hub * 1.5], 10));
     builder.add(metal, cylinder(0.015, [hub, height * 0.62], 8));
     builder.add(metal, cylinder(0.01, [height * 0.6, height - 0.03], 8));
-    builder.add("plastic_dark", cylinder(0.026, [height * 0.59, height * 0.63], 8));
+    builder.add(Slot::PlasticDark, cylinder(0.026, [height * 0.59, height * 0.63], 8));
 }
 
 /// Hooks at the top, to the sides and turned by an angle.
-fn hooks(builder: &mut Builder, metal: &'static str, sides: &[f64], turn: f64) {
+fn hooks(builder: &mut Builder, metal: Slot, sides: &[f64], turn: f64) {
     let height = builder.bay().height();
     for side in sides {
         let hook = |x: f64, y: f64| DVec3::new(side * x, height + y, 0.0);
@@ -135,14 +135,14 @@ fn bottles(builder: &mut Builder, look: usize) {
         let top = height - 0.075;
         let profile = [(0.014, -0.28), (0.016, -0.24), (0.045, -0.2), (0.045, -0.02), (0.03, 0.0)];
         let glass = lathe(&profile.map(|(radius, y)| (radius, top + y)), 10);
-        builder.add("glass", glass.moved(x, 0.0, 0.0));
-        builder.add("rubber", cylinder(0.017, [top - 0.3, top - 0.262], 8).moved(x, 0.0, 0.0));
+        builder.add(Slot::Glass, glass.moved(x, 0.0, 0.0));
+        builder.add(Slot::Rubber, cylinder(0.017, [top - 0.3, top - 0.262], 8).moved(x, 0.0, 0.0));
         let bow = [(-0.046, -0.06), (-0.046, 0.01), (0.046, 0.01), (0.046, -0.06)];
         let bow = bow.map(|(side, y)| DVec3::new(x + side, top + y, 0.0));
-        builder.add("brass", sweep(&bow, 0.003, 4));
+        builder.add(Slot::Brass, sweep(&bow, 0.003, 4));
         let hose = [(1.0, -0.29), (1.0, -0.7), (0.4, -0.95), (0.5, -1.1)];
         let hose = hose.map(|(share, y)| DVec3::new(x * share, top + y * height * 0.55, 0.012));
-        builder.add("rubber", sweep(&hose, 0.004, 4));
+        builder.add(Slot::Rubber, sweep(&hose, 0.004, 4));
     }
 }
 
@@ -155,8 +155,8 @@ fn push_ring(builder: &mut Builder) {
         DVec3::new(cosine * 0.13, y, sine * 0.13)
     };
     let ring: Vec<DVec3> = (0..=10).map(|step| at(f64::from(step) / 10.6)).collect();
-    builder.add("rubber", sweep(&ring, 0.011, 6));
-    builder.add("metal", sweep(&[at(0.0), DVec3::new(0.0, y, 0.0), at(0.47)], 0.008, 6));
+    builder.add(Slot::Rubber, sweep(&ring, 0.011, 6));
+    builder.add(Slot::Metal, sweep(&[at(0.0), DVec3::new(0.0, y, 0.0), at(0.47)], 0.008, 6));
 }
 
 /// One or two bags on the hooks, each with its hose.
@@ -164,26 +164,36 @@ fn bags(builder: &mut Builder, height: f64, look: usize) {
     for bag in 0..=look % 2 {
         let x = if bag == 0 { 0.1 } else { -0.1 };
         let hung = Bay::around(DVec3::new(x, height - 0.2, 0.0), 0.12, 0.26, 0.035);
-        builder.rounded(if look < 2 { "glass" } else { "plastic" }, hung, DVec3::new(0.03, 0.03, 0.016), 2);
-        builder.cuboid("paper", hung.inset(0.02, 0.07, 0.0).slab(Side::Front, 0.003).moved(0.0, 0.0, 0.0012));
+        builder.rounded(
+            if look < 2 { Slot::Glass } else { Slot::Plastic },
+            hung,
+            DVec3::new(0.03, 0.03, 0.016),
+            2,
+        );
+        builder.cuboid(
+            Slot::Paper,
+            hung.inset(0.02, 0.07, 0.0).slab(Side::Front, 0.003).moved(0.0, 0.0, 0.0012),
+        );
         let hose = [
             DVec3::new(x, height - 0.32, 0.0),
             DVec3::new(x, height * 0.66, 0.01),
             DVec3::new(x * 0.4, height * 0.5, 0.03),
             DVec3::new(x * 0.5, height * 0.38, 0.03),
         ];
-        builder.add("plastic", sweep(&hose, 0.004, 4));
+        builder.add(Slot::Plastic, sweep(&hose, 0.004, 4));
     }
 }
 
 /// A pump on the pole at a height: a screen over three keys.
 fn pump(builder: &mut Builder, height: f64) {
     let pump = Bay::around(DVec3::new(0.0, height, 0.055), 0.14, 0.17, 0.1);
-    builder.block("plastic", pump, 0.01);
+    builder.block(Slot::Plastic, pump, 0.01);
     let front = pump.with_z([pump.high.z - SINK, pump.high.z + 0.003]);
-    builder
-        .cuboid("screen", front.inset(0.02, 0.0, 0.0).with_y([pump.center().y + 0.01, pump.high.y - 0.02]));
+    builder.cuboid(
+        Slot::Screen,
+        front.inset(0.02, 0.0, 0.0).with_y([pump.center().y + 0.01, pump.high.y - 0.02]),
+    );
     for key in front.inset(0.02, 0.0, 0.0).with_y([pump.low.y + 0.02, pump.low.y + 0.05]).columns(3, 0.012) {
-        builder.cuboid("painted_accent", key);
+        builder.cuboid(Slot::PaintedAccent, key);
     }
 }

@@ -14,15 +14,16 @@ pub(super) use tool_trolley::TOOL_TROLLEY;
 use glam::DVec3;
 
 use super::parts::turned_forward;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, cylinder};
 
 /// A castor under a point at a height over the floor.
 fn castor(builder: &mut Builder, at: DVec3, height: f64) {
     let radius = height * 0.42;
     let wheel = turned_forward(cylinder(radius, [-radius * 0.35, radius * 0.35], 10));
-    builder.add("rubber", wheel.turned_y(std::f64::consts::FRAC_PI_2).moved(at.x, radius, at.z));
+    builder.add(Slot::Rubber, wheel.turned_y(std::f64::consts::FRAC_PI_2).moved(at.x, radius, at.z));
     let fork = Bay::around(DVec3::new(at.x, 0.0, at.z), radius * 1.05, 1.0, radius * 0.9);
-    builder.cuboid("metal", fork.with_y([radius * 0.9, height]));
+    builder.cuboid(Slot::Metal, fork.with_y([radius * 0.9, height]));
 }
 
 /// Castors near the corners of a bay's floor.

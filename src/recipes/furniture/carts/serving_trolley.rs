@@ -12,7 +12,7 @@ use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{
     Bay, Builder, Outline, SINK, Slice, Solid, cuboid, cylinder, lathe, loft, loft_ring, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Radius of a turned post as a share of its thickest, at a share of its height.
 const TURNED: [(f64, f64); 7] =
@@ -36,8 +36,12 @@ fn serving_trolley(draft: &Draft, builder: &mut Builder) {
 /// Thin boards between two bows of tube, which are the handles.
 fn bar_trolley(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let (board, metal) =
-        [("wood", "metal_dark"), ("glass", "brass"), ("painted", "metal"), ("wood_light", "chrome")][look];
+    let (board, metal) = [
+        (Slot::Wood, Slot::MetalDark),
+        (Slot::Glass, Slot::Brass),
+        (Slot::Painted, Slot::Metal),
+        (Slot::WoodLight, Slot::Chrome),
+    ][look];
     let (lift, tube) = (0.07_f64.min(bay.height() * 0.1), 0.012);
     castors(builder, bay.inset(0.03, 0.0, 0.0), lift);
     let (x, z) = (bay.high.x - tube, bay.high.z - lift * 0.5);
@@ -67,7 +71,7 @@ fn bar_trolley(builder: &mut Builder, look: usize) {
 /// wheels.
 fn tea_trolley(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let wood = ["wood_dark", "wood", "wood", "wood_dark"][look];
+    let wood = [Slot::WoodDark, Slot::Wood, Slot::Wood, Slot::WoodDark][look];
     let wheel = bay.height().min(bay.width()) * 0.14;
     let top = bay.slab(Side::Above, 0.03).without(Side::Left, 0.045).without(Side::Right, 0.01);
     slab_top(builder, wood, top, true);
@@ -76,7 +80,12 @@ fn tea_trolley(builder: &mut Builder, look: usize) {
     let legs = top.inset(0.03, 0.0, 0.045).without(Side::Right, wheel - 0.05);
     let shelf = legs.with_y([shelf_top - 0.022, shelf_top]).inset(-0.012, 0.0, -0.012);
     slab_top(builder, wood, shelf, true);
-    rail(builder, if look.is_multiple_of(2) { "brass" } else { wood }, shelf.inset(0.012, 0.0, 0.012), 0.05);
+    rail(
+        builder,
+        if look.is_multiple_of(2) { Slot::Brass } else { wood },
+        shelf.inset(0.012, 0.0, 0.012),
+        0.05,
+    );
     goods(builder, shelf, look);
     let caster = wheel * 0.4;
     for z in [legs.low.z + 0.02, legs.high.z - 0.02] {
@@ -100,7 +109,7 @@ fn tea_trolley(builder: &mut Builder, look: usize) {
 }
 
 /// Two wheels with six spokes on an axle, whose middle on the right is given with the outer end.
-fn spoked_wheels(builder: &mut Builder, wood: &'static str, at: DVec3, radius: f64) {
+fn spoked_wheels(builder: &mut Builder, wood: Slot, at: DVec3, radius: f64) {
     let thick = 0.018;
     let place = |solid: Solid, z: f64| turned_forward(solid).moved(at.x, at.y, z);
     for z in [at.z - thick / 2.0, thick / 2.0 - at.z] {
@@ -115,7 +124,7 @@ fn spoked_wheels(builder: &mut Builder, wood: &'static str, at: DVec3, radius: f
             ],
         );
         builder.add(wood, place(rim, z));
-        builder.add("brass", place(cylinder(radius * 0.2, [-thick * 0.45, thick * 0.45], 6), z));
+        builder.add(Slot::Brass, place(cylinder(radius * 0.2, [-thick * 0.45, thick * 0.45], 6), z));
         for turn in 0..3 {
             let bar = Bay::around(DVec3::ZERO, radius * 1.76, 0.009 - 0.001 * f64::from(turn), 0.012);
             let spoke = cuboid(bar).turned_y(PI / 3.0 * f64::from(turn));
@@ -123,13 +132,13 @@ fn spoked_wheels(builder: &mut Builder, wood: &'static str, at: DVec3, radius: f
         }
     }
     let axle = cylinder(0.008, [-at.z + thick, at.z - thick], 6);
-    builder.add("metal_dark", place(axle, 0.0));
+    builder.add(Slot::MetalDark, place(axle, 0.0));
 }
 
 /// Steel pans with high sides between angles, a plank on top, a bow of pipe to push by.
 fn pan_trolley(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let metal = ["metal", "metal_dark", "metal", "metal_dark"][look];
+    let metal = [Slot::Metal, Slot::MetalDark, Slot::Metal, Slot::MetalDark][look];
     let (lift, sheet) = (0.13_f64.min(bay.height() * 0.16), 0.004);
     let body = bay.without(Side::Left, 0.045);
     castors(builder, body, lift);
@@ -145,7 +154,7 @@ fn pan_trolley(builder: &mut Builder, look: usize) {
     }
     let plank = body.inset(sheet, 0.0, sheet).slab(Side::Above, 0.035);
     for board in depth_slats(plank, 3, 0.004) {
-        builder.cuboid(if look == 2 { "metal" } else { "wood" }, board);
+        builder.cuboid(if look == 2 { Slot::Metal } else { Slot::Wood }, board);
     }
     let (z, tube) = (bay.high.z - 0.06, 0.013);
     let y = bay.high.y - tube - 0.04;
@@ -156,11 +165,11 @@ fn pan_trolley(builder: &mut Builder, look: usize) {
         (body.low.x + 0.002, y - 0.06),
     ];
     let path: Vec<DVec3> = bow.iter().zip([z, z, -z, -z]).map(|(&(x, y), z)| DVec3::new(x, y, z)).collect();
-    builder.add("metal_dark", sweep(&path, tube, 6));
+    builder.add(Slot::MetalDark, sweep(&path, tube, 6));
 }
 
 /// A pan of sheet: a floor and four sides.
-fn pan(builder: &mut Builder, slot: &'static str, bay: Bay) {
+fn pan(builder: &mut Builder, slot: Slot, bay: Bay) {
     let sheet = 0.004;
     builder.cuboid(slot, bay.slab(Side::Below, sheet).inset(0.001, 0.0, 0.001));
     let sides = bay.without(Side::Below, sheet - SINK);
@@ -176,10 +185,10 @@ fn pan(builder: &mut Builder, slot: &'static str, bay: Bay) {
 fn tub_trolley(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let (tub, column) = [
-        ("plastic_dark", "plastic"),
-        ("plastic", "plastic_dark"),
-        ("plastic_dark", "metal"),
-        ("painted_accent", "plastic_dark"),
+        (Slot::PlasticDark, Slot::Plastic),
+        (Slot::Plastic, Slot::PlasticDark),
+        (Slot::PlasticDark, Slot::Metal),
+        (Slot::PaintedAccent, Slot::PlasticDark),
     ][look];
     let lift = 0.11_f64.min(bay.height() * 0.15);
     let body = bay.without(Side::Right, 0.05);
@@ -224,7 +233,7 @@ fn tub_trolley(builder: &mut Builder, look: usize) {
 }
 
 /// A rail around a tray, some metres over it, on posts in the corners.
-fn rail(builder: &mut Builder, slot: &'static str, tray: Bay, up: f64) {
+fn rail(builder: &mut Builder, slot: Slot, tray: Bay, up: f64) {
     let (bar, y) = (0.006, tray.high.y + up);
     let around = tray.with_y([y - bar, y]);
     for side in [Side::Front, Side::Back] {
@@ -241,10 +250,10 @@ fn goods(builder: &mut Builder, tray: Bay, seed: usize) {
     for index in 0..3 {
         let x = tray.center().x + tray.width() * [-0.28, -0.02, 0.26][index];
         let z = tray.depth() * [0.1, -0.14, 0.05][index];
-        let (slot, profile): (&'static str, &[(f64, f64)]) = match (index + seed) % 3 {
-            0 => ("glass", &[(0.034, 0.0), (0.035, 0.55), (0.013, 0.75), (0.012, 1.0)]),
-            1 => ("ceramic", &[(0.03, 0.0), (0.055, 0.5), (0.05, 0.5), (0.028, 0.1)]),
-            _ => ("ceramic", &[(0.06, 0.0), (0.1, 0.2), (0.095, 0.22), (0.055, 0.06)]),
+        let (slot, profile): (Slot, &[(f64, f64)]) = match (index + seed) % 3 {
+            0 => (Slot::Glass, &[(0.034, 0.0), (0.035, 0.55), (0.013, 0.75), (0.012, 1.0)]),
+            1 => (Slot::Ceramic, &[(0.03, 0.0), (0.055, 0.5), (0.05, 0.5), (0.028, 0.1)]),
+            _ => (Slot::Ceramic, &[(0.06, 0.0), (0.1, 0.2), (0.095, 0.22), (0.055, 0.06)]),
         };
         let profile: Vec<(f64, f64)> =
             profile.iter().map(|&(radius, rise)| (radius, y + rise * tall)).collect();

@@ -4,13 +4,14 @@ use glam::DVec3;
 
 use super::{castor, castors};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{ball, turned_forward, turned_sideways};
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, pipe, sweep};
 
 /// Three trays of steel with rims between posts, a drawer under the upper one, a bow to push; boxes and tools on them.
 pub(super) fn open_cart(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let slot = ["painted_accent", "metal_dark", "metal", "book"][look];
+    let slot = [Slot::PaintedAccent, Slot::MetalDark, Slot::Metal, Slot::Book][look];
     let lift = 0.13;
     let bow = 0.08;
     let frame = bay.without(Side::Right, bow);
@@ -18,7 +19,7 @@ pub(super) fn open_cart(builder: &mut Builder, look: usize) {
     for x in [Side::Left, Side::Right] {
         for z in [Side::Front, Side::Back] {
             let post = frame.slab(x, 0.03).slab(z, 0.03).with_y([lift - 0.02, bay.high.y * 0.94]);
-            builder.cuboid("metal_dark", post.inset(0.0012, 0.0, 0.0012));
+            builder.cuboid(Slot::MetalDark, post.inset(0.0012, 0.0, 0.0012));
         }
     }
     for (index, share) in [0.18, 0.5, 0.84].into_iter().enumerate() {
@@ -38,7 +39,7 @@ pub(super) fn open_cart(builder: &mut Builder, look: usize) {
     let drawer = frame.inset(0.034, 0.0, 0.0).with_y([bay.high.y * 0.84 - 0.11, bay.high.y * 0.84 - 0.014]);
     builder.cuboid(slot, drawer.without(Side::Front, 0.01).without(Side::Back, 0.02));
     let grip = drawer.slab(Side::Front, 0.011).inset(0.12, 0.036, 0.0);
-    builder.cuboid("metal", grip.without(Side::Front, 0.001));
+    builder.cuboid(Slot::Metal, grip.without(Side::Front, 0.001));
     let (y, x) = (bay.high.y - 0.014, bay.high.x - 0.014);
     let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
     let (near, far) = (frame.high.z - 0.015, frame.low.z + 0.015);
@@ -48,7 +49,7 @@ pub(super) fn open_cart(builder: &mut Builder, look: usize) {
         at(x, y, far),
         at(frame.high.x - 0.02, bay.high.y * 0.7, far),
     ];
-    builder.add("metal", pipe(&path, 0.0135, 0.05));
+    builder.add(Slot::Metal, pipe(&path, 0.0135, 0.05));
 }
 
 /// What lies on a tray: a case and a can below, boxes of parts in the middle, wrenches above.
@@ -57,18 +58,18 @@ fn load(builder: &mut Builder, tray: Bay, level: usize) {
     match level {
         0 => {
             let case = Bay::around(DVec3::new(middle.x - 0.08, y + 0.08, middle.z), 0.34, 0.16, 0.2);
-            builder.block("book", case, 0.012);
+            builder.block(Slot::Book, case, 0.012);
             let handle = case.slab(Side::Above, 0.02).inset(0.1, 0.0, 0.085).moved(0.0, 0.019, 0.0);
-            builder.cuboid("metal_dark", handle);
+            builder.cuboid(Slot::MetalDark, handle);
             let can = cylinder(0.06, [y, y + 0.2], 10);
-            builder.add("metal", can.moved(middle.x + 0.2, 0.0, middle.z));
+            builder.add(Slot::Metal, can.moved(middle.x + 0.2, 0.0, middle.z));
         }
         1 => {
             let row = tray.inset(0.05, 0.0, 0.1).with_y([y, y + 0.1]);
             for (index, bin) in row.columns(4, 0.015).into_iter().enumerate() {
-                builder.block(["leaf", "book", "brass", "painted_accent"][index], bin, 0.006);
+                builder.block([Slot::Leaf, Slot::Book, Slot::Brass, Slot::PaintedAccent][index], bin, 0.006);
                 builder.cuboid(
-                    "metal_dark",
+                    Slot::MetalDark,
                     bin.inset(0.012, 0.0, 0.014).with_y([bin.high.y - 0.004, bin.high.y + 0.001]),
                 );
             }
@@ -78,16 +79,16 @@ fn load(builder: &mut Builder, tray: Bay, level: usize) {
                 let length = 0.3 - 0.05 * index as f64;
                 let shank =
                     Bay::around(DVec3::new(middle.x - 0.06, y + 0.006, middle.z + z), length, 0.008, 0.018);
-                builder.cuboid("chrome", shank);
+                builder.cuboid(Slot::Chrome, shank);
                 for end in [shank.low.x, shank.high.x] {
                     let ring = cylinder(0.02, [y, y + 0.0125], 8);
-                    builder.add("chrome", ring.moved(end, 0.0, middle.z + z));
+                    builder.add(Slot::Chrome, ring.moved(end, 0.0, middle.z + z));
                 }
             }
             let driver = turned_sideways(cylinder(0.014, [0.0, 0.1], 6));
-            builder.add("book", driver.moved(middle.x + 0.1, y + 0.012, middle.z + 0.1));
+            builder.add(Slot::Book, driver.moved(middle.x + 0.1, y + 0.012, middle.z + 0.1));
             let blade = turned_sideways(cylinder(0.005, [-0.12, 0.01], 6));
-            builder.add("chrome", blade.moved(middle.x + 0.1, y + 0.012, middle.z + 0.1));
+            builder.add(Slot::Chrome, blade.moved(middle.x + 0.1, y + 0.012, middle.z + 0.1));
         }
     }
 }
@@ -95,7 +96,7 @@ fn load(builder: &mut Builder, tray: Bay, level: usize) {
 /// A machinist's chest of wood with an open lid and many flat drawers on a cabinet with two doors.
 pub(super) fn wooden_chest(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let slot = ["wood", "wood_dark", "wood", "wood_dark"][look];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Wood, Slot::WoodDark][look];
     let (lift, height) = (0.1, bay.height());
     let middle = height * 0.52;
     castors(builder, bay.inset(0.03, 0.0, 0.03), lift);
@@ -115,10 +116,14 @@ pub(super) fn wooden_chest(builder: &mut Builder, look: usize) {
     for (index, door) in face.columns(2, 0.006).into_iter().enumerate() {
         let z = [lower.high.z - SINK, lower.high.z + 0.012];
         builder.cuboid(slot, door.with_z(z));
-        builder.block("wood_light", door.inset(0.05, 0.05, 0.0).with_z([z[1] - SINK, z[1] + 0.006]), 0.005);
+        builder.block(
+            Slot::WoodLight,
+            door.inset(0.05, 0.05, 0.0).with_z([z[1] - SINK, z[1] + 0.006]),
+            0.005,
+        );
         let x = if index == 0 { door.high.x - 0.025 } else { door.low.x + 0.025 };
         let knob = turned_forward(cylinder(0.009, [0.0, 0.016], 8));
-        builder.add("brass", knob.moved(x, door.center().y, z[1] - SINK));
+        builder.add(Slot::Brass, knob.moved(x, door.center().y, z[1] - SINK));
     }
     let upper = bay
         .with_y([middle + 0.012 - SINK, height * 0.86])
@@ -130,12 +135,14 @@ pub(super) fn wooden_chest(builder: &mut Builder, look: usize) {
     for (index, row) in rows.into_iter().enumerate() {
         for drawer in row.columns(if index == 4 { 3 } else { 2 - u32::from(index == 0) }, 0.006) {
             let z = [upper.high.z - SINK, upper.high.z + 0.008];
-            builder.cuboid("wood_light", drawer.with_z(z));
+            builder.cuboid(Slot::WoodLight, drawer.with_z(z));
             let pulls: &[f64] = if drawer.width() > 0.25 { &[-0.3, 0.3] } else { &[0.0] };
             for share in pulls {
                 let at = DVec3::new(drawer.center().x + share * drawer.width(), drawer.center().y, z[1]);
-                builder
-                    .add("brass", turned_forward(cylinder(0.008, [-SINK, 0.014], 6)).moved(at.x, at.y, at.z));
+                builder.add(
+                    Slot::Brass,
+                    turned_forward(cylinder(0.008, [-SINK, 0.014], 6)).moved(at.x, at.y, at.z),
+                );
             }
         }
     }
@@ -143,12 +150,12 @@ pub(super) fn wooden_chest(builder: &mut Builder, look: usize) {
 }
 
 /// A lid that stands open at the back of a chest, hammers and rules in front of it, and grips at the sides.
-fn open_lid(builder: &mut Builder, slot: &'static str, chest: Bay) {
+fn open_lid(builder: &mut Builder, slot: Slot, chest: Bay) {
     let bay = builder.bay();
     let lid = chest.with_y([chest.high.y - 0.05, bay.high.y]).with_z([bay.low.z, chest.low.z + 0.003]);
     builder.block(slot, lid.inset(0.002, 0.0, 0.0), 0.006);
     builder.cuboid(
-        "leaf",
+        Slot::Leaf,
         lid.inset(0.03, 0.0, 0.0)
             .with_y([chest.high.y + 0.002, bay.high.y - 0.025])
             .with_z([lid.high.z - SINK, lid.high.z + 0.002]),
@@ -166,8 +173,8 @@ fn open_lid(builder: &mut Builder, slot: &'static str, chest: Bay) {
     );
     let y = chest.high.y + 0.012;
     let shaft = [DVec3::new(-0.16, y, chest.center().z), DVec3::new(0.1, y, chest.center().z + 0.04)];
-    builder.add("wood_light", sweep(&shaft, 0.01, 6));
-    builder.block("metal_dark", Bay::around(shaft[1], 0.03, 0.026, 0.1), 0.005);
+    builder.add(Slot::WoodLight, sweep(&shaft, 0.01, 6));
+    builder.block(Slot::MetalDark, Bay::around(shaft[1], 0.03, 0.026, 0.1), 0.005);
     for side in [-1.0, 1.0] {
         let at = |x: f64, y: f64, z: f64| DVec3::new(side * x, chest.center().y + y, chest.center().z + z);
         let x = chest.high.x;
@@ -177,7 +184,7 @@ fn open_lid(builder: &mut Builder, slot: &'static str, chest: Bay) {
             at(x + 0.03, -0.012, 0.05),
             at(x - 0.002, 0.0, 0.06),
         ];
-        builder.add("brass", sweep(&bow, 0.006, 5));
+        builder.add(Slot::Brass, sweep(&bow, 0.006, 5));
     }
 }
 
@@ -185,7 +192,7 @@ fn open_lid(builder: &mut Builder, slot: &'static str, chest: Bay) {
 /// draw them stands behind.
 pub(super) fn stacked_boxes(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let slot = ["painted_accent", "book", "brass", "leaf"][look];
+    let slot = [Slot::PaintedAccent, Slot::Book, Slot::Brass, Slot::Leaf][look];
     let height = bay.height();
     let body = bay.without(Side::Back, 0.05).inset(0.03, 0.0, 0.0);
     wheels(builder);
@@ -193,16 +200,16 @@ pub(super) fn stacked_boxes(builder: &mut Builder, look: usize) {
         castor(builder, DVec3::new(x * body.width() * 0.7, 0.0, body.high.z - 0.07), 0.05);
     }
     let bin = body.with_y([0.05 - SINK, height * 0.42]);
-    builder.block("plastic_dark", bin.inset(0.012, 0.0, 0.004).without(Side::Front, 0.012), 0.02);
+    builder.block(Slot::PlasticDark, bin.inset(0.012, 0.0, 0.004).without(Side::Front, 0.012), 0.02);
     builder.block(slot, bin.slab(Side::Above, 0.06).without(Side::Front, 0.006), 0.014);
     let chest = body
         .with_y([height * 0.42 - SINK, height * 0.62])
         .inset(0.016, 0.0, 0.003)
         .without(Side::Front, 0.016);
-    builder.block("plastic_dark", chest, 0.012);
+    builder.block(Slot::PlasticDark, chest, 0.012);
     for row in chest.inset(0.02, 0.014, 0.0).rows(2, 0.01) {
         let drawer = row.with_z([chest.high.z - SINK, chest.high.z + 0.008]);
-        builder.cuboid("plastic", drawer);
+        builder.cuboid(Slot::Plastic, drawer);
         builder.cuboid(
             slot,
             drawer
@@ -216,13 +223,13 @@ pub(super) fn stacked_boxes(builder: &mut Builder, look: usize) {
         .with_y([height * 0.62 - SINK, height * 0.82])
         .inset(0.012, 0.0, 0.005)
         .without(Side::Front, 0.014);
-    builder.block("plastic_dark", case.without(Side::Above, 0.07), 0.014);
+    builder.block(Slot::PlasticDark, case.without(Side::Above, 0.07), 0.014);
     builder.block(slot, case.slab(Side::Above, 0.075).inset(-0.004, 0.0, -0.004), 0.018);
     for level in [0.42, 0.62, 0.745] {
         for x in [-0.28, 0.28] {
             let latch = Bay::around(DVec3::new(x * body.width(), height * level, 0.0), 0.06, 0.07, 1.0);
             builder.cuboid(
-                if level > 0.7 { "plastic" } else { slot },
+                if level > 0.7 { Slot::Plastic } else { slot },
                 latch.with_z([body.high.z - 0.03, bay.high.z - if level > 0.7 { 0.001 } else { 0.0 }]),
             );
         }
@@ -241,7 +248,7 @@ fn bows(builder: &mut Builder, body: Bay, case: Bay) {
         at(0.11, case.high.y + 0.05),
         at(0.13, case.high.y - 0.01),
     ];
-    builder.add("plastic_dark", pipe(&bow, 0.013, 0.03));
+    builder.add(Slot::PlasticDark, pipe(&bow, 0.013, 0.03));
     let (x, z) = (body.high.x * 0.62, bay.low.z + 0.026);
     let handle = [
         DVec3::new(-x, height * 0.2, z),
@@ -249,11 +256,11 @@ fn bows(builder: &mut Builder, body: Bay, case: Bay) {
         DVec3::new(x, height - 0.0125, z),
         DVec3::new(x, height * 0.2, z),
     ];
-    builder.add("metal", pipe(&handle, 0.0125, 0.04));
+    builder.add(Slot::Metal, pipe(&handle, 0.0125, 0.04));
     for side in [-1.0, 1.0] {
-        builder.add("plastic_dark", ball(0.02, 8).moved(side * x, height * 0.2, z));
+        builder.add(Slot::PlasticDark, ball(0.02, 8).moved(side * x, height * 0.2, z));
         let clip = Bay::around(DVec3::new(side * x, height * 0.36, z + 0.02), 0.05, 0.05, 0.05);
-        builder.cuboid("plastic_dark", clip);
+        builder.cuboid(Slot::PlasticDark, clip);
     }
 }
 
@@ -263,8 +270,8 @@ fn wheels(builder: &mut Builder) {
     let radius = 0.085;
     for side in [-1.0, 1.0] {
         let wheel = turned_sideways(cylinder(radius, [-0.03, 0.03], 14));
-        builder.add("rubber", wheel.moved(side * (bay.high.x - 0.03), radius, bay.low.z + radius));
+        builder.add(Slot::Rubber, wheel.moved(side * (bay.high.x - 0.03), radius, bay.low.z + radius));
         let hub = turned_sideways(cylinder(radius * 0.5, [-0.032, 0.032], 8));
-        builder.add("plastic", hub.moved(side * (bay.high.x - 0.033), radius, bay.low.z + radius));
+        builder.add(Slot::Plastic, hub.moved(side * (bay.high.x - 0.033), radius, bay.low.z + radius));
     }
 }

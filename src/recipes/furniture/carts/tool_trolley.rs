@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{castors, tool_carts};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres by which the lips of drawers stand out.
 const REACH: f64 = 0.018;
@@ -27,7 +27,7 @@ fn tool_trolley(draft: &Draft, builder: &mut Builder) {
 /// A chest of drawers on castors, with a push bar.
 fn steel_chest(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
-    let slot = ["book", "painted_accent", "metal_dark", "plastic_dark"][look];
+    let slot = [Slot::Book, Slot::PaintedAccent, Slot::MetalDark, Slot::PlasticDark][look];
     let lift = 0.14_f64.min(bay.height() * 0.2);
     let bar = 0.05;
     let body = bay.with_y([lift - SINK, bay.high.y - 0.03]).without(Side::Right, bar);
@@ -36,7 +36,7 @@ fn steel_chest(builder: &mut Builder, look: usize) {
     let face = body.inset(0.02, 0.02, 0.0).without(Side::Front, REACH).slab(Side::Front, 0.014);
     drawers(builder, slot, face, if look.is_multiple_of(2) { 5 } else { 7 });
     builder.block(
-        "rubber",
+        Slot::Rubber,
         body.inset(0.004, 0.0, 0.004)
             .with_y([body.high.y - SINK, body.high.y + 0.012])
             .without(Side::Front, REACH),
@@ -50,15 +50,15 @@ fn steel_chest(builder: &mut Builder, look: usize) {
         DVec3::new(x, bay.high.y * 0.86, body.high.z - 0.1),
         DVec3::new(body.high.x - 0.01, bay.high.y * 0.86, body.high.z - 0.1),
     ];
-    builder.add("chrome", sweep(&path, 0.0145, 8));
+    builder.add(Slot::Chrome, sweep(&path, 0.0145, 8));
     builder.cuboid(
-        "metal",
+        Slot::Metal,
         bay.slab(Side::Front, REACH * 0.3)
             .with_x([-0.02, 0.02])
             .with_y([body.high.y - 0.05, body.high.y - 0.03]),
     );
     builder.cuboid(
-        "metal",
+        Slot::Metal,
         Bay::new(
             [-0.015, 0.015],
             [body.high.y - 0.046, body.high.y - 0.037],
@@ -68,7 +68,7 @@ fn steel_chest(builder: &mut Builder, look: usize) {
 }
 
 /// Drawers over each other with a lip along each; the lowest is as high as two.
-fn drawers(builder: &mut Builder, slot: &'static str, face: Bay, count: u32) {
+fn drawers(builder: &mut Builder, slot: Slot, face: Bay, count: u32) {
     let rows = face.rows(count, 0.008);
     for (index, row) in rows.iter().enumerate() {
         // The two lowest are one deep drawer.
@@ -80,14 +80,14 @@ fn drawers(builder: &mut Builder, slot: &'static str, face: Bay, count: u32) {
         builder.cuboid(slot, row);
         let grip = row.slab(Side::Above, 0.014).inset(0.02, 0.0, 0.0);
         builder.cuboid(
-            "metal",
+            Slot::Metal,
             grip.with_z([row.high.z - SINK, row.high.z + REACH * 0.9]).moved(0.0, -0.001, 0.0),
         );
     }
 }
 
 /// A rim around the top, and a wrench on it.
-fn rim_with_wrench(builder: &mut Builder, slot: &'static str, body: Bay) {
+fn rim_with_wrench(builder: &mut Builder, slot: Slot, body: Bay) {
     let bay = builder.bay();
     let rim = body.with_y([body.high.y - SINK, bay.high.y]).without(Side::Front, REACH * 0.5);
     for side in [Side::Left, Side::Right] {
@@ -95,5 +95,5 @@ fn rim_with_wrench(builder: &mut Builder, slot: &'static str, body: Bay) {
     }
     let behind = rim.slab(Side::Back, 0.008).inset(0.006, 0.0, 0.0).without(Side::Above, 0.001);
     builder.cuboid(slot, behind.without(Side::Below, 0.0002).moved(0.0, 0.0, 0.0008));
-    builder.cuboid("chrome", Bay::around(DVec3::new(-0.08, body.high.y + 0.015, 0.06), 0.2, 0.008, 0.02));
+    builder.cuboid(Slot::Chrome, Bay::around(DVec3::new(-0.08, body.high.y + 0.015, 0.06), 0.2, 0.008, 0.02));
 }

@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use crate::geometry::Size;
 use crate::recipes::kit::{Bay, Builder, SINK, Solid, cuboid};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Share of the height from which a clock is deep enough to stand.
 const STANDING_FROM: f64 = 0.4;
@@ -71,7 +71,7 @@ impl Dial {
     }
 
     /// Two hands at ten past ten, as in every shop window, and what holds them. `wide` is half a width.
-    fn hands(&self, builder: &mut Builder, slot: &'static str, wide: f64) {
+    fn hands(&self, builder: &mut Builder, slot: Slot, wide: f64) {
         builder.add(slot, self.bar([-0.12, 0.54], wide, 1.0, TAU / 6.0));
         builder.add(slot, self.bar([-0.15, 0.84], wide * 0.7, 2.0, -TAU / 6.0));
         builder.add(slot, self.bar([-wide * 1.5, wide * 1.5], wide * 1.5, 3.0, 0.0));
@@ -79,11 +79,11 @@ impl Dial {
 
     /// A hand of seconds over the others.
     fn seconds(&self, builder: &mut Builder) {
-        builder.add("painted_accent", self.bar([-0.2, 0.86], 0.014, 2.6, TAU * 0.45));
+        builder.add(Slot::PaintedAccent, self.bar([-0.2, 0.86], 0.014, 2.6, TAU * 0.45));
     }
 
     /// Marks all around, from twelve on.
-    fn marks(&self, builder: &mut Builder, slot: &'static str, count: u32, half: f64) {
+    fn marks(&self, builder: &mut Builder, slot: Slot, count: u32, half: f64) {
         for mark in 0..count {
             let turn = TAU * f64::from(mark) / f64::from(count);
             builder.add(slot, self.bar([0.76, 0.94], half, 0.5, turn));

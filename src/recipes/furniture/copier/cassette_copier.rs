@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::Slots;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, extrude};
 
@@ -16,7 +17,7 @@ pub(super) fn cassette_copier(builder: &mut Builder, (shell, dark): Slots, look:
     let foot = height * 0.05;
     legs_at_corners(
         builder,
-        "rubber",
+        Slot::Rubber,
         body.with_y([0.0, foot + SINK]).inset(0.03, 0.0, 0.05),
         0.05,
         LegKind::Square,
@@ -53,7 +54,7 @@ fn cassettes(builder: &mut Builder, (shell, dark): Slots, bay: Bay, count: u32) 
         let grip = front.slab(Side::Above, row.height() * 0.3).inset(row.width() * 0.34, 0.004, 0.0);
         builder.cuboid(dark, grip.with_z([front.high.z - SINK, bay.high.z]));
         builder.cuboid(
-            "paper",
+            Slot::Paper,
             front
                 .slab(Side::Left, 0.05)
                 .inset(0.012, row.height() * 0.3, 0.0)
@@ -78,7 +79,8 @@ fn engine(builder: &mut Builder, (shell, dark): Slots, body: Bay) {
         .without(Side::Back, neck.depth() * 0.4 - SINK)
         .without(Side::Left, body.width() * 0.22 - SINK * 3.0);
     builder.cuboid(dark, hollow.with_y([neck.low.y + 0.0024, neck.low.y + 0.03]).inset(0.0, 0.0, 0.001));
-    builder.cuboid("paper", hollow.with_y([neck.low.y + 0.029, neck.low.y + 0.042]).inset(0.05, 0.0, 0.04));
+    builder
+        .cuboid(Slot::Paper, hollow.with_y([neck.low.y + 0.029, neck.low.y + 0.042]).inset(0.05, 0.0, 0.04));
 }
 
 /// The scanner, and the tilted panel before it.
@@ -103,7 +105,7 @@ fn scanner(builder: &mut Builder, (shell, dark): Slots, body: Bay) {
         (bay.high.z - 0.028, height * 0.835),
     ]
     .map(DVec2::from);
-    builder.add("screen", extrude(&glow, Axis::X, [right - width * 0.9, right - width * 0.3]));
+    builder.add(Slot::Screen, extrude(&glow, Axis::X, [right - width * 0.9, right - width * 0.3]));
 }
 
 /// The feeder: a low box with a slope for originals.
@@ -123,5 +125,5 @@ fn feeder(builder: &mut Builder, (shell, dark): Slots, body: Bay) {
     .map(DVec2::from);
     builder.add(dark, extrude(&slope, Axis::Z, [lid.low.z + 0.06, lid.high.z - 0.06]));
     let sheet = slope.map(|point| point + DVec2::new(0.004, 0.008));
-    builder.add("paper", extrude(&sheet, Axis::Z, [lid.low.z + 0.1, lid.high.z - 0.1]));
+    builder.add(Slot::Paper, extrude(&sheet, Axis::Z, [lid.low.z + 0.1, lid.high.z - 0.1]));
 }

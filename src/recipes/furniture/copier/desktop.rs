@@ -2,6 +2,7 @@
 
 use super::{Slots, keys, slope};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
 use crate::recipes::kit::{Bay, Builder, SINK};
 
@@ -10,17 +11,17 @@ pub(super) fn desktop(builder: &mut Builder, (shell, dark): Slots) {
     let bay = builder.bay();
     let table = bay.height() * 0.52;
     let board = bay.with_y([table - 0.022, table]);
-    builder.block("laminate", board, 0.003);
+    builder.block(Slot::Laminate, board, 0.003);
     let frame = bay.with_y([0.0, table - 0.022 + SINK]).inset(0.02, 0.0, 0.02);
-    legs_at_corners(builder, "metal_dark", frame, 0.03, LegKind::Square);
+    legs_at_corners(builder, Slot::MetalDark, frame, 0.03, LegKind::Square);
     let lower = frame.inset(0.006, 0.0, 0.006).with_y([0.1, 0.118]);
-    builder.cuboid("laminate", lower);
+    builder.cuboid(Slot::Laminate, lower);
     packs(builder, lower);
     let body = bay.with_y([table - SINK, bay.high.y]).inset(0.06, 0.0, 0.05);
     let height = body.height();
     let at = |share: f64| body.low.y + share * height;
     let cassette = body.with_y([at(0.03), at(0.26)]).without(Side::Front, 0.012);
-    builder.cuboid("rubber", body.with_y([at(0.0), at(0.04)]).inset(0.02, 0.0, 0.02));
+    builder.cuboid(Slot::Rubber, body.with_y([at(0.0), at(0.04)]).inset(0.02, 0.0, 0.02));
     builder.block(shell, cassette, 0.008);
     let front = cassette.inset(0.02, 0.014, 0.0).with_z([cassette.high.z - SINK, cassette.high.z + 0.006]);
     builder.cuboid(dark, front);
@@ -42,7 +43,7 @@ pub(super) fn desktop(builder: &mut Builder, (shell, dark): Slots) {
     }
     let tray = neck.inset(0.055, 0.0, 0.0).without(Side::Back, neck.depth() * 0.3).slab(Side::Below, 0.02);
     builder.cuboid(dark, tray.moved(0.0, 0.002, 0.0));
-    builder.cuboid("paper", tray.inset(0.03, 0.0, 0.03).moved(0.0, 0.012, 0.0));
+    builder.cuboid(Slot::Paper, tray.inset(0.03, 0.0, 0.03).moved(0.0, 0.012, 0.0));
     let scanner = body.with_y([at(0.5), at(0.64)]).without(Side::Front, 0.03);
     builder.block(shell, scanner, 0.008);
     let panel = body.with_y([at(0.52), at(0.6)]).slab(Side::Front, 0.09).inset(0.02, 0.0, 0.0);
@@ -54,7 +55,7 @@ pub(super) fn desktop(builder: &mut Builder, (shell, dark): Slots) {
     let ends = [(feeder.high.x - 0.02, at(0.82)), (lid.high.x, at(0.985) - 0.008)];
     slope(builder, dark, ends, (0.008, [lid.low.z + 0.05, lid.high.z - 0.05]));
     let sheet = ends.map(|(x, y)| (x - 0.01, y + 0.005));
-    slope(builder, "paper", sheet, (0.008, [lid.low.z + 0.08, lid.high.z - 0.08]));
+    slope(builder, Slot::Paper, sheet, (0.008, [lid.low.z + 0.08, lid.high.z - 0.08]));
 }
 
 /// Packs of paper side by side on a board, two high at the left.
@@ -67,13 +68,13 @@ fn packs(builder: &mut Builder, board: Bay) {
                 0.0,
                 0.006 * level as f64,
             );
-            builder.cuboid("paper", pack);
+            builder.cuboid(Slot::Paper, pack);
             let band = pack.slab(Side::Left, pack.width() * 0.3).inset(-0.001, 0.006, -0.001).moved(
                 pack.width() * 0.3,
                 0.0,
                 0.0,
             );
-            builder.cuboid("painted_accent", band);
+            builder.cuboid(Slot::PaintedAccent, band);
         }
     }
 }

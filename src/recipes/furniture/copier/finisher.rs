@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{Slots, keys, slope};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::Fittings;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, sweep};
 
@@ -20,11 +21,11 @@ pub(super) fn with_sorter(builder: &mut Builder, (shell, dark): Slots) {
     let stand = body.with_y([0.05, height * 0.5]);
     for x in [body.low.x + 0.06, body.high.x - 0.06] {
         for z in [body.low.z + 0.07, body.high.z - 0.1] {
-            builder.add("rubber", cylinder(0.026, [0.0, 0.052], 10).moved(x, 0.0, z));
+            builder.add(Slot::Rubber, cylinder(0.026, [0.0, 0.052], 10).moved(x, 0.0, z));
         }
     }
-    let fittings = Fittings { front: "wood", handle: "brass", reach: 0.022, is_traditional: true };
-    fittings.carcass(builder, "wood", stand);
+    let fittings = Fittings { front: Slot::Wood, handle: Slot::Brass, reach: 0.022, is_traditional: true };
+    fittings.carcass(builder, Slot::Wood, stand);
     for (index, column) in stand.inset(0.006, 0.006, 0.0).columns(2, 0.005).into_iter().enumerate() {
         fittings.door(builder, column, if index == 0 { Side::Left } else { Side::Right }, 0.8);
     }
@@ -46,7 +47,7 @@ pub(super) fn with_sorter(builder: &mut Builder, (shell, dark): Slots) {
     let grip = lid.slab(Side::Front, 0.02).inset(lid.width() * 0.36, 0.012, 0.0).moved(0.0, 0.0, 0.015);
     builder.block(shell, grip, 0.004);
     let originals = lid.inset(0.08, 0.0, 0.08).with_y([lid.high.y - SINK, lid.high.y + 0.012]);
-    builder.cuboid("paper", originals);
+    builder.cuboid(Slot::Paper, originals);
     sorter(builder, (shell, dark), bay.with_x([body.high.x - 0.006, bay.high.x]));
 }
 
@@ -71,7 +72,7 @@ fn sorter(builder: &mut Builder, (shell, dark): Slots, bay: Bay) {
         slope(builder, dark, ends, (0.004, z));
         if bin % 3 != 1 {
             let sheet = [(ends[0].0 + 0.02, ends[0].1 + 0.009), (ends[1].0 - 0.012, ends[1].1 + 0.003)];
-            slope(builder, "paper", sheet, (0.006, [z[0] + 0.03, z[1] - 0.03]));
+            slope(builder, Slot::Paper, sheet, (0.006, [z[0] + 0.03, z[1] - 0.03]));
         }
     }
 }
@@ -82,7 +83,7 @@ pub(super) fn with_tower(builder: &mut Builder, (shell, dark): Slots) {
     let bay = builder.bay();
     let height = bay.height();
     let body = bay.without(Side::Right, bay.width() * TOWER);
-    builder.cuboid("rubber", body.with_y([0.0, 0.03]).inset(0.03, 0.0, 0.05));
+    builder.cuboid(Slot::Rubber, body.with_y([0.0, 0.03]).inset(0.03, 0.0, 0.05));
     let lower = body.with_y([0.03 - SINK, height * 0.52]).without(Side::Front, 0.02);
     builder.block(shell, lower, 0.008);
     let rows = lower.inset(0.014, 0.02, 0.0).rows(3, 0.012);
@@ -90,7 +91,7 @@ pub(super) fn with_tower(builder: &mut Builder, (shell, dark): Slots) {
         let drawer = row.with_z([lower.high.z - SINK, lower.high.z + 0.01]);
         builder.block(if index == 2 { dark } else { shell }, drawer, 0.004);
         let grip = drawer.slab(Side::Above, 0.024).inset(drawer.width() * 0.2, 0.004, 0.0);
-        builder.cuboid("metal", grip.with_z([drawer.high.z - SINK, bay.high.z - 0.001]));
+        builder.cuboid(Slot::Metal, grip.with_z([drawer.high.z - SINK, bay.high.z - 0.001]));
     }
     let upper =
         body.with_y([height * 0.52 - SINK, height * 0.84]).without(Side::Front, 0.012).inset(0.0, 0.0, 0.002);
@@ -102,7 +103,7 @@ pub(super) fn with_tower(builder: &mut Builder, (shell, dark): Slots) {
     slope(builder, shell, ends, (0.01, [feeder.low.z + 0.06, feeder.high.z - 0.1]));
     slope(
         builder,
-        "paper",
+        Slot::Paper,
         ends.map(|(x, y)| (x - 0.012, y + 0.008)),
         (0.008, [feeder.low.z + 0.1, feeder.high.z - 0.14]),
     );
@@ -113,11 +114,11 @@ pub(super) fn with_tower(builder: &mut Builder, (shell, dark): Slots) {
     );
     let foot = DVec3::new(body.low.x + 0.06, height * 0.83, body.high.z - 0.06);
     let head = DVec3::new(foot.x, height - 0.09, body.high.z - 0.025);
-    builder.add("metal_dark", sweep(&[foot, head], 0.012, 6));
+    builder.add(Slot::MetalDark, sweep(&[foot, head], 0.012, 6));
     let screen = Bay::around(head + DVec3::new(0.06, 0.03, 0.008), 0.24, 0.12, 0.02);
     builder.block(dark, screen, 0.005);
     builder.cuboid(
-        "lamp",
+        Slot::Lamp,
         screen.inset(0.014, 0.014, 0.0).with_z([screen.high.z - SINK, screen.high.z + 0.001]),
     );
     builder.cuboid(
@@ -137,7 +138,7 @@ fn tower(builder: &mut Builder, (shell, dark): Slots, bay: Bay) {
     let case =
         bay.with_y([0.02, height * 0.8]).without(Side::Right, bay.width() * 0.42).inset(0.0, 0.0, 0.03);
     builder.block(shell, case, 0.012);
-    builder.cuboid("rubber", case.with_y([0.0, 0.03]).inset(0.012, 0.0, 0.04));
+    builder.cuboid(Slot::Rubber, case.with_y([0.0, 0.03]).inset(0.012, 0.0, 0.04));
     let door = case.inset(0.014, 0.03, 0.0).with_z([case.high.z - SINK, case.high.z + 0.006]);
     builder.cuboid(shell, door.slab(Side::Below, case.height() * 0.46));
     builder.cuboid(dark, door.slab(Side::Above, case.height() * 0.3));
@@ -148,7 +149,7 @@ fn tower(builder: &mut Builder, (shell, dark): Slots, bay: Bay) {
         let sheet = [(ends[0].0 + 0.01, ends[0].1 + 0.012), (ends[1].0 - 0.02, ends[1].1 + 0.008)];
         slope(
             builder,
-            "paper",
+            Slot::Paper,
             sheet,
             (0.012 + 0.006 * index as f64, [case.low.z + 0.08, case.high.z - 0.08]),
         );

@@ -9,10 +9,10 @@ use glam::DVec2;
 
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, extrude};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// What a copier is made of: its shell and what is dark on it.
-type Slots = (&'static str, &'static str);
+type Slots = (Slot, Slot);
 
 /// A copier: on drawers of paper with a tray at its side; with a lid and a sorter of many bins on a cupboard; with a
 /// tower that staples; a small one on a table with paper under it.
@@ -21,10 +21,10 @@ pub(super) static COPIER: Recipe = Recipe::furniture("copier", [0.62, 0.64, 1.05
 fn copier(draft: &Draft, builder: &mut Builder) {
     let look = draft.input.look as usize % 4;
     let slots = [
-        ("plastic", "plastic_dark"),
-        ("appliance", "metal_dark"),
-        ("plastic", "metal_dark"),
-        ("plastic_dark", "plastic_dark"),
+        (Slot::Plastic, Slot::PlasticDark),
+        (Slot::Appliance, Slot::MetalDark),
+        (Slot::Plastic, Slot::MetalDark),
+        (Slot::PlasticDark, Slot::PlasticDark),
     ][look];
     match draft.set() {
         GeometrySet::Plain => cassette_copier::cassette_copier(builder, slots, draft.input.look),
@@ -35,12 +35,7 @@ fn copier(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A sheet or shelf that rises outwards, between two ends along x and depths, with a thickness.
-fn slope(
-    builder: &mut Builder,
-    slot: &'static str,
-    [from, to]: [(f64, f64); 2],
-    (thick, z): (f64, [f64; 2]),
-) {
+fn slope(builder: &mut Builder, slot: Slot, [from, to]: [(f64, f64); 2], (thick, z): (f64, [f64; 2])) {
     let outline = [from, to, (to.0, to.1 + thick), (from.0, from.1 + thick)].map(DVec2::from);
     builder.add(slot, extrude(&outline, Axis::Z, z));
 }
@@ -49,13 +44,16 @@ fn slope(
 fn keys(builder: &mut Builder, (shell, dark): Slots, panel: Bay) {
     builder.block(dark, panel, 0.003);
     let on_top = panel.inset(0.012, 0.0, 0.01).with_y([panel.high.y - SINK, panel.high.y + 0.003]);
-    builder.cuboid("screen", on_top.slab(Side::Left, on_top.width() * 0.4));
+    builder.cuboid(Slot::Screen, on_top.slab(Side::Left, on_top.width() * 0.4));
     let field = on_top.slab(Side::Right, on_top.width() * 0.5);
     for column in field.columns(4, 0.008) {
         for z in [Side::Back, Side::Front] {
-            builder.cuboid(if shell == dark { "metal" } else { shell }, column.slab(z, field.depth() * 0.36));
+            builder.cuboid(
+                if shell == dark { Slot::Metal } else { shell },
+                column.slab(z, field.depth() * 0.36),
+            );
         }
     }
     let start = field.slab(Side::Right, 0.018).moved(0.024, 0.0, 0.0);
-    builder.cuboid("leaf", start.inset(0.0, 0.0, start.depth() * 0.2));
+    builder.cuboid(Slot::Leaf, start.inset(0.0, 0.0, start.depth() * 0.2));
 }

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::{WALL, boards};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{CONE, LegKind, legs_at_corners, slanted_leg};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cuboid, cylinder, extrude, lathe, sweep};
 
@@ -16,10 +17,10 @@ const TURNED: [(f64, f64); 7] =
 /// A shallow body on four round legs that stand apart.
 pub(super) fn splayed(builder: &mut Builder, body: Bay, look: usize) -> f64 {
     let (slot, wood) = [
-        ("painted", "wood"),
-        ("wood", "wood"),
-        ("painted_accent", "wood_light"),
-        ("wood_dark", "metal_dark"),
+        (Slot::Painted, Slot::Wood),
+        (Slot::Wood, Slot::Wood),
+        (Slot::PaintedAccent, Slot::WoodLight),
+        (Slot::WoodDark, Slot::MetalDark),
     ][look];
     let low = body.high.y - 0.21;
     boards(builder, slot, body, [low, body.high.y]);
@@ -35,7 +36,7 @@ pub(super) fn splayed(builder: &mut Builder, body: Bay, look: usize) -> f64 {
 
 /// A cabinet with a rim and a base moulding and brass on its corners, on turned legs with stretchers.
 pub(super) fn cabinet(builder: &mut Builder, body: Bay, look: usize) -> f64 {
-    let slot = ["wood_dark", "wood", "wood_dark", "wood"][look];
+    let slot = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::Wood][look];
     let low = body.high.y - 0.33;
     boards(builder, slot, body, [low, body.high.y - 0.02]);
     let around = |out: f64, y: [f64; 2]| body.inset(-out, 0.0, -out).with_y(y);
@@ -56,7 +57,7 @@ pub(super) fn cabinet(builder: &mut Builder, body: Bay, look: usize) -> f64 {
     for side in [Side::Left, Side::Right] {
         for end in [Side::Front, Side::Back] {
             let corner = around(0.003, [low + 0.06, body.high.y - 0.06]).slab(side, 0.05).slab(end, 0.05);
-            builder.cuboid("brass", corner);
+            builder.cuboid(Slot::Brass, corner);
         }
     }
     let (x, z) = (body.high.x - 0.06, body.high.z - 0.06);
@@ -78,10 +79,10 @@ pub(super) fn cabinet(builder: &mut Builder, body: Bay, look: usize) -> f64 {
 /// Two planks a side between angles of steel that are the legs, with crossed bars at the ends.
 pub(super) fn planks(builder: &mut Builder, body: Bay, look: usize) -> f64 {
     let (slot, steel) = [
-        ("wood", "metal_dark"),
-        ("wood_dark", "metal_dark"),
-        ("wood_light", "metal"),
-        ("metal", "metal_dark"),
+        (Slot::Wood, Slot::MetalDark),
+        (Slot::WoodDark, Slot::MetalDark),
+        (Slot::WoodLight, Slot::Metal),
+        (Slot::Metal, Slot::MetalDark),
     ][look];
     let low = body.high.y - 0.28;
     let walls = body.inset(0.009, 0.0, 0.009);
@@ -105,10 +106,10 @@ pub(super) fn planks(builder: &mut Builder, body: Bay, look: usize) -> f64 {
 /// A box on two panels with an arch between their feet, a board between them, cups at the ends.
 pub(super) fn panels(builder: &mut Builder, body: Bay, look: usize) -> f64 {
     let (slot, dark) = [
-        ("laminate", "plastic_dark"),
-        ("wood_light", "plastic_dark"),
-        ("plastic_dark", "metal_dark"),
-        ("painted_accent", "plastic_dark"),
+        (Slot::Laminate, Slot::PlasticDark),
+        (Slot::WoodLight, Slot::PlasticDark),
+        (Slot::PlasticDark, Slot::MetalDark),
+        (Slot::PaintedAccent, Slot::PlasticDark),
     ][look];
     let low = body.high.y - 0.26;
     boards(builder, slot, body, [low, body.high.y]);

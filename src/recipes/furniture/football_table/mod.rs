@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::parts::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, Solid, cylinder, lathe, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of the side boards.
 const WALL: f64 = 0.035;
@@ -48,7 +48,7 @@ fn football_table(draft: &Draft, builder: &mut Builder) {
 }
 
 /// Boards around the field, from a height to the rim.
-fn boards(builder: &mut Builder, slot: &'static str, body: Bay, [low, high]: [f64; 2]) {
+fn boards(builder: &mut Builder, slot: Slot, body: Bay, [low, high]: [f64; 2]) {
     for side in [Side::Front, Side::Back] {
         builder.block(slot, body.slab(side, WALL).with_y([low, high]), 0.004);
     }
@@ -61,23 +61,23 @@ fn boards(builder: &mut Builder, slot: &'static str, body: Bay, [low, high]: [f6
 /// The dark mouths of the goals in the short boards.
 fn goals(builder: &mut Builder, body: Bay, field: f64) {
     let inner = body.inset(WALL * 1.6, 0.0, body.depth() * 0.34).with_y([field - 0.002, field + 0.07]);
-    builder.cuboid("plastic_dark", inner.slab(Side::Left, 0.002).moved(-0.0012, 0.0, 0.0));
-    builder.cuboid("plastic_dark", inner.slab(Side::Right, 0.002).moved(0.0012, 0.0, 0.0));
+    builder.cuboid(Slot::PlasticDark, inner.slab(Side::Left, 0.002).moved(-0.0012, 0.0, 0.0));
+    builder.cuboid(Slot::PlasticDark, inner.slab(Side::Right, 0.002).moved(0.0012, 0.0, 0.0));
 }
 
 /// The green field, its middle line and circle.
 fn markings(builder: &mut Builder, floor: Bay) {
     let field = floor.high.y;
-    builder.cuboid("leaf", floor);
+    builder.cuboid(Slot::Leaf, floor);
     builder.cuboid(
-        "linen",
+        Slot::Linen,
         Bay::new([-0.004, 0.004], [field - SINK, field + 0.0008], floor.inset(0.0, 0.0, 0.02).z()),
     );
     let ring = lathe(
         &[(0.09, field - SINK), (0.09, field + 0.0012), (0.082, field + 0.0012), (0.08, field - SINK * 0.4)],
         12,
     );
-    builder.add("linen", ring);
+    builder.add(Slot::Linen, ring);
 }
 
 /// A rod with its grip, turned or straight, and its figures: the number of the rod, its place along the table, the length
@@ -90,16 +90,16 @@ fn rod(builder: &mut Builder, floor: Bay, (rod, x, grips): (usize, f64, f64), is
         if is_near { bay.low.z + grips * 0.7 } else { bay.low.z + 0.02 },
         if is_near { bay.high.z - 0.02 } else { bay.high.z - grips * 0.7 },
     ];
-    builder.add("chrome", sweep(&[DVec3::new(x, y, reach[0]), DVec3::new(x, y, reach[1])], 0.007, 4));
+    builder.add(Slot::Chrome, sweep(&[DVec3::new(x, y, reach[0]), DVec3::new(x, y, reach[1])], 0.007, 4));
     let long = grips * 0.8;
     let (slot, grip) = if is_turned {
-        ("wood", lathe(&[(0.011, 0.0), (0.018, long * 0.35), (0.013, long * 0.7), (0.018, long)], 6))
+        (Slot::Wood, lathe(&[(0.011, 0.0), (0.018, long * 0.35), (0.013, long * 0.7), (0.018, long)], 6))
     } else {
-        ("rubber", cylinder(0.016, [0.0, long], 6))
+        (Slot::Rubber, cylinder(0.016, [0.0, long], 6))
     };
     let at = if is_near { bay.high.z - long } else { bay.low.z };
     builder.add(slot, turned_forward(grip).moved(x, y, at));
-    let team = if matches!(rod, 0 | 1 | 3 | 5) { "book" } else { "painted_accent" };
+    let team = if matches!(rod, 0 | 1 | 3 | 5) { Slot::Book } else { Slot::PaintedAccent };
     for figure in 0..FIGURES[rod] {
         let z = floor.low.z + floor.depth() * (f64::from(figure) + 1.0) / (f64::from(FIGURES[rod]) + 1.0);
         builder.add(team, figure_at(y).moved(x, 0.0, z));

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::Sofa;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
 use crate::recipes::kit::{Bay, Builder, SINK, crowned, pipe, rounded_box, sweep};
 
@@ -30,7 +31,7 @@ pub(super) fn budget(sofa: &Sofa, builder: &mut Builder) {
             let foot = 0.09;
             legs_at_corners(
                 builder,
-                "plastic_dark",
+                Slot::PlasticDark,
                 bay.with_y([0.0, foot + SINK]).inset(0.03, 0.0, 0.03),
                 0.045,
                 LegKind::Tapered,
@@ -63,19 +64,19 @@ fn futon(sofa: &Sofa, builder: &mut Builder) {
     for side in [Side::Left, Side::Right] {
         let end = bay.slab(side, 0.045).with_y([0.0, sofa.arm_top()]);
         for post in [Side::Front, Side::Back] {
-            builder.cuboid("wood_light", end.slab(post, 0.05).without(Side::Above, 0.028 - SINK));
+            builder.cuboid(Slot::WoodLight, end.slab(post, 0.05).without(Side::Above, 0.028 - SINK));
         }
-        builder.block("wood_light", end.slab(Side::Above, 0.028), 0.005);
-        builder.cuboid("wood_light", end.with_y([deck - 0.07, deck]).inset(0.006, 0.0, 0.05 - SINK));
+        builder.block(Slot::WoodLight, end.slab(Side::Above, 0.028), 0.005);
+        builder.cuboid(Slot::WoodLight, end.with_y([deck - 0.07, deck]).inset(0.006, 0.0, 0.05 - SINK));
     }
     let inner = bay.inset(0.045 - SINK, 0.0, 0.0);
     let seat_slats = inner.with_y([deck - 0.02, deck]).without(Side::Back, 0.08).without(Side::Front, 0.01);
     for slat in super::super::seating::depth_slats(seat_slats, 5, 0.05) {
-        builder.cuboid("wood_light", slat);
+        builder.cuboid(Slot::WoodLight, slat);
     }
     let back = inner.slab(Side::Back, 0.03).with_y([deck, high - 0.02]);
     for row in back.rows(4, 0.05) {
-        builder.cuboid("wood_light", row.moved(0.0, 0.0, 0.004));
+        builder.cuboid(Slot::WoodLight, row.moved(0.0, 0.0, 0.004));
     }
     let soft = bay.inset(0.05, 0.0, 0.0);
     builder.add(sofa.slot, crowned(soft.with_y([deck - SINK, seat]).without(Side::Back, 0.05), 0.06, 0.03));
@@ -96,9 +97,9 @@ fn tube_frame(sofa: &Sofa, builder: &mut Builder) {
         DVec3::new(x, top, bay.low.z + 0.12),
         DVec3::new(x, high - 0.05, bay.low.z + radius),
     ];
-    builder.add_pair("chrome", pipe(&side, radius, 0.08));
+    builder.add_pair(Slot::Chrome, pipe(&side, radius, 0.08));
     builder.add_pair(
-        "plastic_dark",
+        Slot::PlasticDark,
         rounded_box(
             Bay::new([x - 0.025, bay.high.x], [top, top + 0.03], [bay.low.z + 0.22, bay.high.z - 0.1]),
             DVec3::splat(0.01),
@@ -111,11 +112,11 @@ fn tube_frame(sofa: &Sofa, builder: &mut Builder) {
         (high - 0.1, bay.low.z + 0.03),
         (radius * 1.2, bay.low.z + 0.15),
     ] {
-        builder.add("chrome", sweep(&[DVec3::new(-x, y, z), DVec3::new(x, y, z)], radius * 0.9, 6));
+        builder.add(Slot::Chrome, sweep(&[DVec3::new(-x, y, z), DVec3::new(x, y, z)], radius * 0.9, 6));
     }
     for z in [bay.high.z - radius * 1.4, bay.low.z + 0.2] {
         builder.add_pair(
-            "chrome",
+            Slot::Chrome,
             sweep(
                 &[DVec3::new(x, seat * 0.72, z), DVec3::new(x - 0.04, seat * 0.72, bay.center().z)],
                 radius * 0.7,

@@ -13,7 +13,7 @@ use super::seating::seat_height;
 use crate::geometry::Side;
 
 use crate::recipes::kit::{Bay, Builder, SINK, crowned};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres that one person takes on a sofa.
 const PERSON: f64 = 0.65;
@@ -47,7 +47,7 @@ fn arm_width(bay: Bay) -> f64 {
 /// The measures and materials of one sofa.
 struct Sofa {
     bay: Bay,
-    slot: &'static str,
+    slot: Slot,
     seats: u32,
     /// Metres of the seat over the floor.
     seat: f64,
@@ -63,10 +63,10 @@ fn upholstered(draft: &Draft, builder: &mut Builder, seats: u32) {
     let form = draft.input.look % 4;
     let slot = match (draft.set(), form) {
         (GeometrySet::Industrial, 0..=2) | (GeometrySet::Traditional, 1) | (GeometrySet::Plain, 2) => {
-            "leather"
+            Slot::Leather
         }
-        (GeometrySet::Plain | GeometrySet::Budget, 3) => "fabric_accent",
-        _ => "fabric",
+        (GeometrySet::Plain | GeometrySet::Budget, 3) => Slot::FabricAccent,
+        _ => Slot::Fabric,
     };
     let back = (bay.depth() * 0.24).min(0.22);
     let sofa = Sofa { bay, slot, seats, seat: seat_height(bay.height()), arm: arm_width(bay), back, form };

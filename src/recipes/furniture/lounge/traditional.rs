@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::Sofa;
 use super::plain::slanted_feet;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{SPINDLE, slanted_leg};
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, lathe, loft, rounded_box, sweep,
@@ -18,14 +19,14 @@ pub(super) fn traditional(sofa: &Sofa, builder: &mut Builder) {
     let foot = [0.1, 0.09, 0.16, 0.03][sofa.form as usize];
     match sofa.form {
         0 | 1 => bun_feet(sofa, builder, foot),
-        2 => slanted_feet(sofa, builder, "wood_dark", foot, &SPINDLE),
+        2 => slanted_feet(sofa, builder, Slot::WoodDark, foot, &SPINDLE),
         _ => skirt(sofa, builder, foot),
     }
     let base = foot + (seat - foot) * 0.5;
     sofa.carcass(builder, foot, base, sofa.arm);
     if sofa.form == 2 {
         let band = bay.with_y([foot - 0.004, foot + 0.028]).inset(sofa.arm * 0.5 - 0.006, 0.0, 0.003);
-        builder.block("wood_dark", band, 0.006);
+        builder.block(Slot::WoodDark, band, 0.006);
     }
     rolled_arms(sofa, builder, foot);
     let inner = sofa.between(sofa.arm);
@@ -56,7 +57,7 @@ fn bun_feet(sofa: &Sofa, builder: &mut Builder, foot: f64) {
     for z in [bay.low.z + 0.07, bay.high.z - 0.07] {
         let at = |y: f64| DVec3::new(bay.high.x - 0.07, y, z);
         let bun = [(0.55, 0.0), (0.95, 0.2), (1.0, 0.45), (0.6, 0.72), (0.75, 0.85), (0.7, 1.0)];
-        builder.add_pair("wood_dark", slanted_leg([at(0.0), at(foot + 0.006)], 0.04, &bun, 8));
+        builder.add_pair(Slot::WoodDark, slanted_leg([at(0.0), at(foot + 0.006)], 0.04, &bun, 8));
     }
 }
 
@@ -80,7 +81,7 @@ fn rolled_arms(sofa: &Sofa, builder: &mut Builder, foot: f64) {
     let roll = [(radius * 0.9, z[0]), (radius, z[0] + 0.012), (radius, z[1] - 0.012), (radius * 0.9, z[1])];
     builder.add_pair(sofa.slot, lathe(&roll, 14).turned_x(FRAC_PI_2).moved(x, top - radius, 0.0));
     let disc = lathe(&[(radius * 0.66, 0.0), (radius * 0.62, 0.005), (radius * 0.24, 0.0058)], 10);
-    let slot = if sofa.form == 2 { "wood_dark" } else { sofa.slot };
+    let slot = if sofa.form == 2 { Slot::WoodDark } else { sofa.slot };
     builder.add_pair(slot, disc.turned_x(FRAC_PI_2).moved(x, top - radius, z[1] - SINK));
     let wall = Bay::new(
         [x - radius * 0.62, x + radius * 0.62],
@@ -109,7 +110,7 @@ fn tufts(sofa: &Sofa, builder: &mut Builder, inner: Bay, deep: f64) {
             builder.add(sofa.slot, pad.moved(cell.center().x, cell.center().y, z));
             if row == 0 && index > 0 {
                 let button = lathe(&[(0.014, -0.004), (0.014, 0.012), (0.007, 0.018)], 5).turned_x(FRAC_PI_2);
-                builder.add("wood_dark", button.moved(cell.low.x - 0.003, band.high.y + 0.003, z));
+                builder.add(Slot::WoodDark, button.moved(cell.low.x - 0.003, band.high.y + 0.003, z));
             }
         }
     }
@@ -127,7 +128,7 @@ fn camel_back(sofa: &Sofa, builder: &mut Builder, inner: Bay, foot: f64) {
     builder.add(sofa.slot, extrude(&profile, Axis::Z, [z + 0.006, z + sofa.back * 0.75]));
     let rail: Vec<DVec3> =
         shares.iter().map(|&share| DVec3::new(share * half, swing(share) - 0.016, z + 0.028)).collect();
-    builder.add("wood_dark", sweep(&rail, 0.018, 6));
+    builder.add(Slot::WoodDark, sweep(&rail, 0.018, 6));
 }
 
 /// The wings of a grandfather chair: beside the back, within its depth.

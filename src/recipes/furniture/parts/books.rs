@@ -3,10 +3,19 @@
 use glam::DVec3;
 
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, Sampler, cuboid, lathe};
 
 /// Materials of the spines, the first the most frequent.
-const SPINES: [&str; 7] = ["book", "book", "painted_accent", "leather", "book", "fabric_light", "wood_dark"];
+const SPINES: [Slot; 7] = [
+    Slot::Book,
+    Slot::Book,
+    Slot::PaintedAccent,
+    Slot::Leather,
+    Slot::Book,
+    Slot::FabricLight,
+    Slot::WoodDark,
+];
 /// Metres of air between neighbouring books, so that their covers do not share a plane.
 const AIR: f64 = 0.0015;
 /// Radians by which the last book of a run leans on its neighbour.
@@ -68,7 +77,7 @@ fn run(builder: &mut Builder, sampler: &mut Sampler, room: Bay, (mean, rest): (f
 }
 
 /// A book that leans to the left on its neighbour, its lower edge on the shelf. Gives its right end.
-fn lean(builder: &mut Builder, slot: &'static str, book: Bay) -> f64 {
+fn lean(builder: &mut Builder, slot: Slot, book: Bay) -> f64 {
     let (sine, cosine) = libm::sincos(LEAN);
     // Its upper left edge touches where its lower left edge would have stood.
     let foot = book.low.x + book.height() * 0.94 * sine + 0.002;
@@ -109,17 +118,17 @@ fn thing(builder: &mut Builder, sampler: &mut Sampler, room: Bay) -> (f64, u32) 
         0 => {
             let profile = [(0.5, 0.0), (1.0, 0.4), (0.35, 0.8), (0.5, 1.0)];
             let profile = profile.map(|(share, rise)| (share * radius, rise * tall));
-            let slot = sampler.pick(&["ceramic", "terracotta", "glass"]);
+            let slot = sampler.pick(&[Slot::Ceramic, Slot::Terracotta, Slot::Glass]);
             builder.add(slot, lathe(&profile, 6).moved(middle.x, middle.y, middle.z));
         }
         1 => {
             let carton = Bay::around(middle + DVec3::Y * tall * 0.3, wide, tall * 0.6, room.depth() * 0.7);
-            builder.cuboid("wood_light", carton);
+            builder.cuboid(Slot::WoodLight, carton);
         }
         _ => {
             let frame = Bay::around(middle + DVec3::Y * tall * 0.5, wide, tall, 0.012);
-            builder.cuboid("metal_dark", frame);
-            builder.cuboid("paper", frame.inset(0.012, 0.012, 0.0).moved(0.0, 0.0, 0.001));
+            builder.cuboid(Slot::MetalDark, frame);
+            builder.cuboid(Slot::Paper, frame.inset(0.012, 0.012, 0.0).moved(0.0, 0.0, 0.001));
         }
     }
     (room.low.x + wide * 1.3, THING)

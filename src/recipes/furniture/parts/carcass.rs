@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::handles::{HandleKind, handle};
 use super::turned_forward;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, loft};
 
 /// Metres between neighbouring doors and drawers.
@@ -20,9 +21,9 @@ const FIELD_SLOPE: f64 = 0.015;
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Fittings {
     /// Material of the fronts.
-    pub(in super::super) front: &'static str,
+    pub(in super::super) front: Slot,
     /// Material of the handles.
-    pub(in super::super) handle: &'static str,
+    pub(in super::super) handle: Slot,
     /// Metres by which handles stand out.
     pub(in super::super) reach: f64,
     /// Raised fields and knobs.
@@ -36,7 +37,7 @@ impl Fittings {
     }
 
     /// The carcass behind the fronts, which sink into it; `bay` reaches to the tips of the handles.
-    pub(in super::super) fn carcass(&self, builder: &mut Builder, slot: &'static str, bay: Bay) {
+    pub(in super::super) fn carcass(&self, builder: &mut Builder, slot: Slot, bay: Bay) {
         builder.cuboid(slot, bay.without(Side::Front, self.depth() - SINK));
     }
 
@@ -90,7 +91,7 @@ impl Fittings {
 
 /// A moulding that crowns a piece: widens upwards from a body to the sides of `bay`, but not at the back, which
 /// stands against a wall.
-pub(in super::super) fn cornice(builder: &mut Builder, slot: &'static str, bay: Bay, overhang: f64) {
+pub(in super::super) fn cornice(builder: &mut Builder, slot: Slot, bay: Bay, overhang: f64) {
     let (center, half) = (bay.center(), bay.extent() / 2.0);
     let slice = |share: f64, back: f64| {
         let slice = Slice::new(bay.low.y + share * bay.height(), half.x - back, half.z - back / 2.0);

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use crate::recipes::GeometrySet;
 use crate::recipes::kit::{Blade, Builder, Outline, SINK, Sampler, Slice, Solid, blade, lathe, loft, sweep};
+use crate::recipes::{GeometrySet, Slot};
 
 /// The growth of a plant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +56,7 @@ pub(in super::super) fn grow(builder: &mut Builder, sampler: &mut Sampler, folia
         leaves.push(leaf(foliage, age, turn, size));
     }
     fill(&mut leaves, foliage);
-    leaves.into_iter().for_each(|leaf| builder.add("leaf", leaf));
+    leaves.into_iter().for_each(|leaf| builder.add(Slot::Leaf, leaf));
     if foliage.species == Species::Tree {
         stem(builder, sampler, foliage);
     }
@@ -144,7 +144,7 @@ fn stem(builder: &mut Builder, sampler: &mut Sampler, foliage: &Foliage) {
     let at = |share: f64, x: f64, z: f64| foliage.root + DVec3::new(x, foliage.height * share, z);
     let (x, z) = (sampler.between(-lean, lean), sampler.between(-lean, lean));
     let path = [at(-0.03, 0.0, 0.0), at(0.3, x, z), at(0.62, -x * 0.5, z * 0.4), at(0.93, 0.0, 0.0)];
-    builder.add("wood_dark", sweep(&path, (foliage.height * 0.014).max(0.004), 6));
+    builder.add(Slot::WoodDark, sweep(&path, (foliage.height * 0.014).max(0.004), 6));
 }
 
 /// Stretches leaves away from the root so that the outermost tips lie `spread` and `height` from it.
@@ -166,10 +166,10 @@ fn fill(leaves: &mut [Solid], foliage: &Foliage) {
 }
 
 /// Material and outside of a pot, as (radius, height) shares.
-fn pot_form(set: GeometrySet, look: usize) -> (&'static str, Vec<(f64, f64)>) {
+fn pot_form(set: GeometrySet, look: usize) -> (Slot, Vec<(f64, f64)>) {
     match set {
         GeometrySet::Plain => (
-            ["ceramic", "concrete", "painted_accent", "ceramic"][look],
+            [Slot::Ceramic, Slot::Concrete, Slot::PaintedAccent, Slot::Ceramic][look],
             match look {
                 0 => vec![(0.92, 0.0), (0.98, 0.04), (1.0, 1.0)],
                 1 => vec![(0.7, 0.0), (1.0, 0.96), (1.0, 1.0)],
@@ -178,7 +178,7 @@ fn pot_form(set: GeometrySet, look: usize) -> (&'static str, Vec<(f64, f64)>) {
             },
         ),
         GeometrySet::Traditional => (
-            ["terracotta", "wood_light", "ceramic", "terracotta"][look],
+            [Slot::Terracotta, Slot::WoodLight, Slot::Ceramic, Slot::Terracotta][look],
             match look {
                 1 => vec![
                     (0.8, 0.0),
@@ -203,7 +203,7 @@ fn pot_form(set: GeometrySet, look: usize) -> (&'static str, Vec<(f64, f64)>) {
             },
         ),
         GeometrySet::Industrial => (
-            ["metal", "concrete", "metal_dark", "metal"][look],
+            [Slot::Metal, Slot::Concrete, Slot::MetalDark, Slot::Metal][look],
             match look {
                 1 => vec![(1.0, 0.0), (1.0, 1.0)],
                 _ => vec![
@@ -219,7 +219,7 @@ fn pot_form(set: GeometrySet, look: usize) -> (&'static str, Vec<(f64, f64)>) {
             },
         ),
         GeometrySet::Budget => (
-            ["plastic_dark", "terracotta", "plastic", "painted_accent"][look],
+            [Slot::PlasticDark, Slot::Terracotta, Slot::Plastic, Slot::PaintedAccent][look],
             vec![(0.72, 0.02), (0.9, 0.8), (0.98, 0.82), (1.0, 1.0)],
         ),
     }
@@ -252,12 +252,12 @@ pub(in super::super) fn pot(
     builder.add(slot, loft(&outline, &slices));
     let inner = radius * size * 0.86 - wall;
     builder.add(
-        "soil",
+        Slot::Soil,
         lathe(&[(inner * 0.8, soil * 0.88 - SINK), (inner, soil), (0.0, soil * 1.04)], sides.min(10)),
     );
     if set == GeometrySet::Budget {
         let saucer = [(0.76, 0.0), (0.95, 0.08), (0.9, 0.085), (0.7, 0.03)]
             .map(|(share, y)| (radius * share, y * height));
-        builder.add("plastic", lathe(&saucer, sides.min(10)));
+        builder.add(Slot::Plastic, lathe(&saucer, sides.min(10)));
     }
 }

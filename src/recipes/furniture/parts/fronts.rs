@@ -8,7 +8,7 @@ use super::handles::{HandleKind, handle};
 use super::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft, loft_ring};
-use crate::recipes::{Draft, GeometrySet};
+use crate::recipes::{Draft, GeometrySet, Slot};
 
 /// Metres of a front's thickness: board of 16 to 19 mm.
 const THICKNESS: f64 = 0.018;
@@ -21,21 +21,16 @@ pub(in super::super) struct Fronts {
     set: GeometrySet,
     form: usize,
     /// Material of the fronts.
-    pub(in super::super) front: &'static str,
+    pub(in super::super) front: Slot,
     /// Material of the handles.
-    pub(in super::super) handle: &'static str,
+    pub(in super::super) handle: Slot,
     /// Metres by which handles stand out; none without handles.
     pub(in super::super) reach: f64,
 }
 
 impl Fronts {
     /// Of the set and look that are asked for; some have no handles but a gap to reach into.
-    pub(in super::super) fn new(
-        draft: &Draft,
-        front: &'static str,
-        handle: &'static str,
-        reach: f64,
-    ) -> Self {
+    pub(in super::super) fn new(draft: &Draft, front: Slot, handle: Slot, reach: f64) -> Self {
         let form = draft.input.look as usize % 4;
         let has_no_handles =
             matches!((draft.set(), form), (GeometrySet::Plain, 0) | (GeometrySet::Budget, 2));
@@ -48,7 +43,7 @@ impl Fronts {
     }
 
     /// The carcass behind the fronts, which sink into it; `bay` reaches to the tips of the handles.
-    pub(in super::super) fn carcass(&self, builder: &mut Builder, slot: &'static str, bay: Bay) {
+    pub(in super::super) fn carcass(&self, builder: &mut Builder, slot: Slot, bay: Bay) {
         builder.cuboid(slot, bay.without(Side::Front, self.depth() - SINK));
     }
 
@@ -136,7 +131,7 @@ impl Fronts {
             GeometrySet::Industrial => self.steel(builder, panel, is_door),
             GeometrySet::Budget => {
                 // The edge strip of another colour shows around the face.
-                builder.cuboid("wood_light", panel.without(Side::Front, 0.003 - SINK));
+                builder.cuboid(Slot::WoodLight, panel.without(Side::Front, 0.003 - SINK));
                 builder.cuboid(self.front, panel.slab(Side::Front, 0.003).inset(0.0015, 0.0015, 0.0));
             }
         }
@@ -195,12 +190,12 @@ impl Fronts {
                 builder.cuboid(self.front, panel.without(Side::Front, 0.006));
                 let count = (panel.width() / 0.12).round().clamp(2.0, 6.0) as u32;
                 for plank in panel.inset(0.001, 0.001, 0.0).slab(Side::Front, 0.007).columns(count, 0.003) {
-                    builder.cuboid("wood", plank.without(Side::Front, 0.001));
+                    builder.cuboid(Slot::Wood, plank.without(Side::Front, 0.001));
                 }
                 if is_door && panel.height() > 0.3 {
                     for y in [panel.low.y + panel.height() * 0.14, panel.high.y - panel.height() * 0.14] {
                         let strap = panel.with_y([y - 0.02, y + 0.02]).slab(Side::Front, 0.004);
-                        builder.cuboid("metal_dark", strap.inset(0.004, 0.0, 0.0));
+                        builder.cuboid(Slot::MetalDark, strap.inset(0.004, 0.0, 0.0));
                     }
                 }
             }
@@ -216,10 +211,10 @@ impl Fronts {
                     turned_forward(loft_ring(&Outline::Square, &ring)).moved(middle.x, middle.y, 0.0),
                 );
                 let inner = panel.inset(rim - SINK, rim - SINK, 0.006).without(Side::Back, 0.001);
-                builder.cuboid("metal_dark", inner.slab(Side::Back, 0.004));
+                builder.cuboid(Slot::MetalDark, inner.slab(Side::Back, 0.004));
                 for bar in inner.columns((inner.width() / 0.05).round().clamp(3.0, 9.0) as u32, 0.03) {
                     builder.cuboid(
-                        "metal",
+                        Slot::Metal,
                         Bay::around(bar.center() + DVec3::Z * 0.0015, 0.008, bar.height(), 0.0055),
                     );
                 }
@@ -229,7 +224,7 @@ impl Fronts {
                 let field =
                     panel.inset(panel.width() * 0.22, 0.0, 0.0).without(Side::Above, panel.height() * 0.06);
                 for slot in field.slab(Side::Above, panel.height() * 0.12).rows(4, panel.height() * 0.014) {
-                    builder.cuboid("metal_dark", slot.slab(Side::Front, 0.002).moved(0.0, 0.0, 0.0015));
+                    builder.cuboid(Slot::MetalDark, slot.slab(Side::Front, 0.002).moved(0.0, 0.0, 0.0015));
                 }
             }
             _ => {
@@ -242,7 +237,7 @@ impl Fronts {
                             0.0,
                         );
                     let rivet = lathe(&[(0.007, -0.003), (0.005, 0.003)], 6).turned_x(FRAC_PI_2);
-                    builder.add("metal_dark", rivet.moved(at.x, at.y, panel.high.z));
+                    builder.add(Slot::MetalDark, rivet.moved(at.x, at.y, panel.high.z));
                 }
             }
         }

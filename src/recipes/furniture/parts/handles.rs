@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::turned_forward;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Builder, SINK, lathe, sweep};
 
 /// The forms of a handle.
@@ -24,7 +25,7 @@ const KNOB_SIDES: usize = 8;
 /// A handle of a length on a front whose surface is at `at`, standing `reach` metres out of it.
 pub(in super::super) fn handle(
     builder: &mut Builder,
-    slot: &'static str,
+    slot: Slot,
     (kind, length): (HandleKind, f64),
     at: DVec3,
     reach: f64,

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::kit::{
     Bay, Builder, Outline, SINK, Slice, Solid, Station, cylinder, lathe, loft, sheet, sweep,
 };
@@ -63,7 +64,7 @@ const BALUSTER: [(f64, f64); 10] = [
 const SIDES: usize = 8;
 
 /// A leg that fills a bay and ends flush with its top.
-pub(in super::super) fn leg(builder: &mut Builder, slot: &'static str, bay: Bay, kind: LegKind) {
+pub(in super::super) fn leg(builder: &mut Builder, slot: Slot, bay: Bay, kind: LegKind) {
     let (center, half) = (bay.center(), bay.extent() / 2.0);
     let radius = half.x.min(half.z);
     let at_rise = |rise: f64| bay.low.y + rise * bay.height();
@@ -94,12 +95,12 @@ pub(in super::super) fn leg(builder: &mut Builder, slot: &'static str, bay: Bay,
             let rod = cylinder(radius * 0.62, [low - SINK, top.low.y + SINK], SIDES);
             builder.add(slot, rod.moved(center.x, 0.0, center.z));
             let foot = cylinder(radius * 0.75, [bay.low.y, low], SIDES);
-            builder.add("rubber", foot.moved(center.x, 0.0, center.z));
+            builder.add(Slot::Rubber, foot.moved(center.x, 0.0, center.z));
         }
     }
 }
 
-fn tapered(builder: &mut Builder, slot: &'static str, bay: Bay, shares: &[(f64, f64)]) {
+fn tapered(builder: &mut Builder, slot: Slot, bay: Bay, shares: &[(f64, f64)]) {
     let (center, half) = (bay.center(), bay.extent() / 2.0);
     let slice = |&(share, rise): &(f64, f64)| {
         Slice::new(bay.low.y + rise * bay.height(), half.x * share, half.z * share)
@@ -109,7 +110,7 @@ fn tapered(builder: &mut Builder, slot: &'static str, bay: Bay, shares: &[(f64, 
 }
 
 /// Two flat bars at a right angle, their edge away from the middle of the piece of furniture.
-fn angle(builder: &mut Builder, slot: &'static str, bay: Bay) {
+fn angle(builder: &mut Builder, slot: Slot, bay: Bay) {
     let thickness = (bay.width().min(bay.depth()) * 0.16).max(0.004);
     let [across, along] = outer_sides(bay);
     builder.cuboid(slot, bay.slab(across, thickness));
@@ -124,7 +125,7 @@ fn outer_sides(bay: Bay) -> [Side; 2] {
     [across, if center.z < 0.0 { Side::Back } else { Side::Front }]
 }
 
-fn hairpin(builder: &mut Builder, slot: &'static str, bay: Bay) {
+fn hairpin(builder: &mut Builder, slot: Slot, bay: Bay) {
     let rod = (bay.width().min(bay.depth()) * 0.12).clamp(0.003, 0.006);
     let [across, along] = outer_sides(bay);
     let inner = bay.inset(rod, 0.0, rod);
@@ -143,7 +144,7 @@ fn hairpin(builder: &mut Builder, slot: &'static str, bay: Bay) {
 /// Four legs of a thickness in the corners of a bay.
 pub(in super::super) fn legs_at_corners(
     builder: &mut Builder,
-    slot: &'static str,
+    slot: Slot,
     bay: Bay,
     thickness: f64,
     kind: LegKind,

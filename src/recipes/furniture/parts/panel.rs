@@ -1,12 +1,12 @@
 //! Upright boards: doors, screens.
 
 use crate::geometry::Side;
-use crate::recipes::GeometrySet;
 use crate::recipes::kit::{Bay, Builder, SINK};
+use crate::recipes::{GeometrySet, Slot};
 
 /// A board that stands upright, as doors and screens do: plain, framed, or with ribs, by the geometry set. Its front
 /// looks to +Z.
-pub(in super::super) fn wall_panel(builder: &mut Builder, set: GeometrySet, slot: &'static str, bay: Bay) {
+pub(in super::super) fn wall_panel(builder: &mut Builder, set: GeometrySet, slot: Slot, bay: Bay) {
     let border = (bay.width() * 0.14).min(bay.height() * 0.14).min(0.09);
     match set {
         GeometrySet::Traditional => {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, Outline, Slice, Solid, loft};
 
 /// Metres of a plain board's chamfer.
@@ -10,7 +11,7 @@ const EDGE: f64 = 0.003;
 const MOULDING: f64 = 0.012;
 
 /// A board: chamfered, or with a moulded edge in the traditional set.
-pub(in super::super) fn slab_top(builder: &mut Builder, slot: &'static str, bay: Bay, is_traditional: bool) {
+pub(in super::super) fn slab_top(builder: &mut Builder, slot: Slot, bay: Bay, is_traditional: bool) {
     if !is_traditional {
         builder.block(slot, bay, EDGE.min(bay.height() / 4.0));
         return;
@@ -25,7 +26,7 @@ pub(in super::super) fn slab_top(builder: &mut Builder, slot: &'static str, bay:
 }
 
 /// A raised field with sloping borders on a panel, its front at the front of `bay`.
-pub(in super::super) fn raised_panel(builder: &mut Builder, slot: &'static str, bay: Bay) {
+pub(in super::super) fn raised_panel(builder: &mut Builder, slot: Slot, bay: Bay) {
     let (center, half) = (bay.center(), bay.extent() / 2.0);
     let slope = 0.02_f64.min(half.x * 0.5).min(half.y * 0.5);
     let slices =

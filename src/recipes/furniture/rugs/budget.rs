@@ -1,6 +1,7 @@
 //! Thin rugs with round corners and a cord along the edge.
 
 use super::{Form, layer};
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, Outline, Slice, Solid, loft, loft_ring};
 
 /// Share of the height that the thin field has, and figures on it.
@@ -15,10 +16,10 @@ const MARGIN: f64 = 0.05;
 pub(super) fn rug(builder: &mut Builder, form: Form) {
     let bay = builder.bay();
     let [field, other] = [
-        ["fabric_accent", "fabric_light"],
-        ["fabric_light", "fabric_accent"],
-        ["carpet", "fabric_light"],
-        ["fabric", "fabric_light"],
+        [Slot::FabricAccent, Slot::FabricLight],
+        [Slot::FabricLight, Slot::FabricAccent],
+        [Slot::Carpet, Slot::FabricLight],
+        [Slot::Fabric, Slot::FabricLight],
     ][form.look];
     let radius = bay.depth() * [0.06, 0.05, 0.12, 0.46][form.look];
     let corner = Corner { radius, outline: Outline::Soft(if form.look == 3 { 7 } else { 3 }) };
@@ -43,7 +44,7 @@ pub(super) fn rug(builder: &mut Builder, form: Form) {
 }
 
 /// Two stripes across, a broad one and a narrow one.
-fn stripes(builder: &mut Builder, slot: &'static str, room: Bay, scale: f64) {
+fn stripes(builder: &mut Builder, slot: Slot, room: Bay, scale: f64) {
     for (from, wide) in [(0.62, 0.14), (0.84, 0.05)] {
         let left = room.low.x + room.width() * from;
         builder.cuboid(slot, room.with_x([left, left + room.width() * wide * scale]));
@@ -51,7 +52,7 @@ fn stripes(builder: &mut Builder, slot: &'static str, room: Bay, scale: f64) {
 }
 
 /// Every other field of four by six or so, as square as they go.
-fn chequer(builder: &mut Builder, slot: &'static str, room: Bay) {
+fn chequer(builder: &mut Builder, slot: Slot, room: Bay) {
     let rows = 4_u32;
     let side = room.depth() / f64::from(rows);
     let columns = ((room.width() / side).round() as u32).clamp(2, 8);

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Form, ROOT, add_panel, layer, strips};
+use crate::recipes::Slot;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, extrude, loft};
 
 /// Share of the height that strips of the first colour, and the hide, have.
@@ -49,14 +50,14 @@ const GRADED: &[Strip] = &[
 /// cow (2.0 to 2.4 m long, 1.7 to 2.0 wide).
 pub(super) fn rug(builder: &mut Builder, form: Form) {
     match form.look {
-        0 => sewn(builder, form, ["fabric", "fabric_light", "fabric_accent"], EVEN),
-        1 => sewn(builder, form, ["fabric_light", "fabric", "fabric_accent"], ENDS),
-        2 => sewn(builder, form, ["carpet", "fabric_accent", "fabric_light"], GRADED),
+        0 => sewn(builder, form, [Slot::Fabric, Slot::FabricLight, Slot::FabricAccent], EVEN),
+        1 => sewn(builder, form, [Slot::FabricLight, Slot::Fabric, Slot::FabricAccent], ENDS),
+        2 => sewn(builder, form, [Slot::Carpet, Slot::FabricAccent, Slot::FabricLight], GRADED),
         _ => hide(builder),
     }
 }
 
-fn sewn(builder: &mut Builder, form: Form, slots: [&'static str; 3], sewn: &[Strip]) {
+fn sewn(builder: &mut Builder, form: Form, slots: [Slot; 3], sewn: &[Strip]) {
     let bay = builder.bay();
     // Strips of the first colour are the ground, which others vary in width against.
     let widths: Vec<f64> =
@@ -103,12 +104,12 @@ fn hide(builder: &mut Builder) {
     let near = FLANK.iter().map(|&corner| DVec2::from(corner));
     let far = near.clone().rev().map(|corner| DVec2::new(corner.x, -corner.y));
     let outline: Vec<DVec2> = near.chain(far).map(|corner| corner * half).collect();
-    builder.add("fabric_light", extrude(&outline, Axis::Y, layer(bay, 0.0, GROUND).y()));
+    builder.add(Slot::FabricLight, extrude(&outline, Axis::Y, layer(bay, 0.0, GROUND).y()));
     let shape = Outline::Points(SPOT.iter().map(|&corner| DVec2::from(corner)).collect());
     for [x, z, wide, deep] in SPOTS {
         let middle = DVec3::new(x * half.x, bay.center().y, z * half.y);
         let spot = Bay::around(middle, wide * bay.width(), bay.height(), deep * bay.depth());
         let slices = layer(spot, ROOT, 1.0).y().map(|y| super::cut(spot, y, 0.0));
-        builder.add("leather", loft(&shape, &slices));
+        builder.add(Slot::Leather, loft(&shape, &slices));
     }
 }

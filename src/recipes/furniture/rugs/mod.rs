@@ -14,7 +14,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::geometry::Size;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, Solid, THINNEST, loft, loft_ring};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres that the upper edges of panels and bands are rounded by; more than they sink into each other.
 const BEVEL: f64 = 0.001_2;
@@ -86,7 +86,7 @@ fn bevel(bay: Bay, wide: f64) -> f64 {
 }
 
 /// Adds a rectangle with rounded upper edges: 20 triangles.
-fn add_panel(builder: &mut Builder, slot: &'static str, bay: Bay) {
+fn add_panel(builder: &mut Builder, slot: Slot, bay: Bay) {
     if bay.extent().min_element() > THINNEST {
         let edge = bevel(bay, bay.width().min(bay.depth()));
         let top = bay.high.y;
@@ -97,7 +97,7 @@ fn add_panel(builder: &mut Builder, slot: &'static str, bay: Bay) {
 
 /// Adds a band along the four sides of a piece, inside it, with rounded upper edges (48 triangles), and gives what it goes
 /// round, which reaches under the band.
-fn add_band(builder: &mut Builder, slot: &'static str, bay: Bay, wide: f64) -> Bay {
+fn add_band(builder: &mut Builder, slot: Slot, bay: Bay, wide: f64) -> Bay {
     builder.add(slot, band(bay, wide));
     bay.inset(wide - SINK, 0.0, wide - SINK)
 }

@@ -1,6 +1,7 @@
 //! Plain pile with a narrow bound edge.
 
 use super::{BACKING, Form, ROOT, add_band, add_panel, layer, strips};
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder};
 
 /// Metres of the bound edge, and of a line that is let into the pile.
@@ -13,10 +14,10 @@ const LOW: f64 = 0.92;
 pub(super) fn rug(builder: &mut Builder, form: Form) {
     let bay = builder.bay();
     let [field, other, binding] = [
-        ["carpet", "carpet", "fabric_light"],
-        ["fabric_light", "fabric_accent", "fabric"],
-        ["fabric", "fabric_light", "fabric"],
-        ["fabric_light", "fabric_accent", "fabric_accent"],
+        [Slot::Carpet, Slot::Carpet, Slot::FabricLight],
+        [Slot::FabricLight, Slot::FabricAccent, Slot::Fabric],
+        [Slot::Fabric, Slot::FabricLight, Slot::Fabric],
+        [Slot::FabricLight, Slot::FabricAccent, Slot::FabricAccent],
     ][form.look];
     add_panel(builder, binding, layer(bay, 0.0, BACKING));
     let edge = if form.look == 0 { BINDING * 1.6 } else { BINDING };
@@ -31,7 +32,7 @@ pub(super) fn rug(builder: &mut Builder, form: Form) {
         2 => {
             let parts = strips(pile, &[0.52, 0.16 * form.scale, 0.32]);
             for (part, (slot, share)) in
-                parts.into_iter().zip([(field, 1.0), ("fabric_accent", LOW), (other, 1.0)])
+                parts.into_iter().zip([(field, 1.0), (Slot::FabricAccent, LOW), (other, 1.0)])
             {
                 add_panel(builder, slot, layer_of(part, share));
             }

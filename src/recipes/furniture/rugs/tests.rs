@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::RUG;
 use crate::geometry::Size;
-use crate::recipes::{GeometrySet, Mesh, MeshPart, RecipeInput};
+use crate::recipes::{GeometrySet, Mesh, MeshPart, RecipeInput, Slot};
 
 const SIZE: Size = Size { width: 2.4, depth: 1.7, height: 0.012 };
 
@@ -91,7 +91,7 @@ fn only_traditional_rugs_have_fringes_and_only_at_their_short_ends() {
     for (size, axis, half) in [(SIZE, 0, SIZE.width / 2.0), (across, 2, across.depth / 2.0)] {
         for look in 0..4 {
             let model = rug(GeometrySet::Traditional, look, size);
-            let linen = model.parts.iter().find(|part| part.slot == "linen");
+            let linen = model.parts.iter().find(|part| part.slot == Slot::Linen);
             let ends: BTreeSet<bool> = linen
                 .unwrap()
                 .positions
@@ -105,7 +105,7 @@ fn only_traditional_rugs_have_fringes_and_only_at_their_short_ends() {
         }
     }
     for set in [GeometrySet::Budget, GeometrySet::Industrial, GeometrySet::Plain] {
-        let has_fringes = |part: &MeshPart| part.slot == "linen";
+        let has_fringes = |part: &MeshPart| part.slot == Slot::Linen;
         assert!(!(0..4).any(|look| rug(set, look, SIZE).parts.iter().any(has_fringes)), "{set}");
     }
 }

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{BACKING, Form, ROOT, add_band, add_panel, layer};
+use crate::recipes::Slot;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Shading, Solid, extrude, loft};
 
 /// Metres of the fringes.
@@ -21,10 +22,10 @@ const FIGURE: f64 = 0.93;
 pub(super) fn rug(builder: &mut Builder, form: Form) {
     let bay = builder.bay();
     let [field, border, guard] = [
-        ["fabric_accent", "fabric", "fabric_light"],
-        ["fabric_light", "fabric_accent", "fabric"],
-        ["carpet", "fabric_light", "fabric_accent"],
-        ["fabric", "fabric_accent", "fabric_light"],
+        [Slot::FabricAccent, Slot::Fabric, Slot::FabricLight],
+        [Slot::FabricLight, Slot::FabricAccent, Slot::Fabric],
+        [Slot::Carpet, Slot::FabricLight, Slot::FabricAccent],
+        [Slot::Fabric, Slot::FabricAccent, Slot::FabricLight],
     ][form.look];
     let woven = bay.inset(FRINGE, 0.0, 0.0);
     add_panel(builder, border, layer(woven, 0.0, BACKING));
@@ -55,7 +56,7 @@ fn fringes(builder: &mut Builder, bay: Bay) {
     let pitch = bay.depth() / f64::from(count);
     for index in 0..count {
         let z = bay.low.z + (f64::from(index) + 0.5) * pitch;
-        builder.add_pair("linen", strand(bay, z, pitch * STRAND));
+        builder.add_pair(Slot::Linen, strand(bay, z, pitch * STRAND));
     }
 }
 
@@ -74,7 +75,7 @@ fn strand(bay: Bay, z: f64, wide: f64) -> Solid {
     Solid::new(points, triangles, Shading::FLAT)
 }
 
-fn figures(builder: &mut Builder, [border, guard]: [&'static str; 2], field: Bay, look: usize) {
+fn figures(builder: &mut Builder, [border, guard]: [Slot; 2], field: Bay, look: usize) {
     let half = DVec2::new(field.width(), field.depth()) / 2.0;
     let middle = DVec2::new(field.center().x, field.center().z);
     match look {
@@ -107,7 +108,7 @@ const OCTAGON: [(f64, f64); 8] = [
 /// A figure of a middle and half its size on the field, with a heart of another slot.
 fn lozenge(
     builder: &mut Builder,
-    slots: [&'static str; 2],
+    slots: [Slot; 2],
     corners: &[(f64, f64)],
     field: Bay,
     (middle, half): (DVec2, DVec2),
@@ -127,7 +128,7 @@ fn lozenge(
 }
 
 /// Triangles in the four corners of the field.
-fn corners(builder: &mut Builder, slot: &'static str, field: Bay) {
+fn corners(builder: &mut Builder, slot: Slot, field: Bay) {
     let around = field.inset(-SINK, 0.0, -SINK);
     let side = DVec2::new(field.width() * 0.24, field.depth() * 0.36);
     let ends = layer(field, ROOT + 0.1, FIGURE).y();

@@ -4,9 +4,9 @@
 use glam::DVec3;
 
 use crate::geometry::Side;
-use crate::recipes::GeometrySet;
 use crate::recipes::furniture::parts::slanted_leg;
 use crate::recipes::kit::{Bay, Builder, Station, cuboid, cylinder, lathe, pipe, rounded_box, sheet, sweep};
+use crate::recipes::{GeometrySet, Slot};
 
 /// Share of the height at which the feet rest.
 const REST: f64 = 0.36;
@@ -28,7 +28,7 @@ impl BarStool {
     }
 
     /// Four legs from under the seat outwards, and bars between them at the rest's height.
-    fn legs(&self, builder: &mut Builder, slot: &'static str, bar: &'static str, (thick, top): (f64, f64)) {
+    fn legs(&self, builder: &mut Builder, slot: Slot, bar: Slot, (thick, top): (f64, f64)) {
         let out = 1.0 - thick / self.half;
         let high = self.high - 0.026;
         for z in [-1.0, 1.0] {
@@ -55,7 +55,8 @@ pub(super) fn bar_stool(set: GeometrySet, look: u32, builder: &mut Builder) {
     let stool = BarStool { bay, half, high: bay.high.y, form: look as usize % 4 };
     match (set, stool.form) {
         (GeometrySet::Plain, 0 | 2) => saddle(&stool, builder),
-        (GeometrySet::Plain, _) => lift(&stool, builder, ["", "leather", "", "fabric_accent"][stool.form]),
+        (GeometrySet::Plain, 1) => lift(&stool, builder, Slot::Leather),
+        (GeometrySet::Plain, _) => lift(&stool, builder, Slot::FabricAccent),
         (GeometrySet::Traditional, _) => turned(&stool, builder),
         (GeometrySet::Industrial, 0 | 1) => pressed(&stool, builder),
         (GeometrySet::Industrial, _) => pipes(&stool, builder),
@@ -66,7 +67,7 @@ pub(super) fn bar_stool(set: GeometrySet, look: u32, builder: &mut Builder) {
 
 /// A seat of wood hollowed like a saddle, on slanted legs with a rest of steel.
 fn saddle(stool: &BarStool, builder: &mut Builder) {
-    let slot = if stool.form == 0 { "wood" } else { "wood_light" };
+    let slot = if stool.form == 0 { Slot::Wood } else { Slot::WoodLight };
     let thick = 0.034;
     let station = |share: f64, wide: f64| Station {
         at: DVec3::new(0.0, stool.high - thick / 2.0 - 0.016, share * stool.bay.high.z),
@@ -75,18 +76,23 @@ fn saddle(stool: &BarStool, builder: &mut Builder) {
     };
     let path = [station(0.995, 0.8), station(0.8, 0.97), station(-0.8, 0.97), station(-0.995, 0.8)];
     builder.add(slot, sheet(&path, DVec3::NEG_X, thick, 4));
-    stool.legs(builder, if stool.form == 0 { "wood" } else { "metal_dark" }, "metal_dark", (0.018, 0.62));
+    stool.legs(
+        builder,
+        if stool.form == 0 { Slot::Wood } else { Slot::MetalDark },
+        Slot::MetalDark,
+        (0.018, 0.62),
+    );
 }
 
 /// A padded seat on a gas spring, with a hoop for the feet.
-fn lift(stool: &BarStool, builder: &mut Builder, slot: &'static str) {
+fn lift(stool: &BarStool, builder: &mut Builder, slot: Slot) {
     let (half, high) = (stool.half, stool.high);
     let pad = Bay::around(DVec3::new(0.0, high - 0.035, 0.0), half * 1.9, 0.07, half * 1.8);
     builder.add(slot, rounded_box(pad, DVec3::new(0.05, 0.03, 0.05), 2));
     let foot = [(half, 0.0), (half * 0.98, 0.01), (half * 0.3, 0.024), (0.026, 0.05)];
-    builder.add("chrome", lathe(&foot, 16));
-    builder.add("chrome", cylinder(0.025, [0.03, high * 0.62], 8));
-    builder.add("metal_dark", cylinder(0.015, [high * 0.6, high - 0.06], 8));
+    builder.add(Slot::Chrome, lathe(&foot, 16));
+    builder.add(Slot::Chrome, cylinder(0.025, [0.03, high * 0.62], 8));
+    builder.add(Slot::MetalDark, cylinder(0.015, [high * 0.6, high - 0.06], 8));
     let y = high * REST;
     let hoop = [
         DVec3::new(0.0, y, 0.0),
@@ -96,13 +102,13 @@ fn lift(stool: &BarStool, builder: &mut Builder, slot: &'static str) {
         DVec3::new(half * 0.5, y, half * 0.1),
         DVec3::new(0.001, y, 0.0),
     ];
-    builder.add("chrome", pipe(&hoop, 0.009, 0.03));
+    builder.add(Slot::Chrome, pipe(&hoop, 0.009, 0.03));
 }
 
 /// An upholstered drum over turned legs, a rail of brass for the feet.
 fn turned(stool: &BarStool, builder: &mut Builder) {
-    let slot = ["wood", "wood_dark", "wood_dark", "wood"][stool.form];
-    let cloth = ["leather", "fabric_accent", "leather", "fabric_light"][stool.form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::WoodDark, Slot::Wood][stool.form];
+    let cloth = [Slot::Leather, Slot::FabricAccent, Slot::Leather, Slot::FabricLight][stool.form];
     let radius = stool.half;
     let high = stool.high;
     let drum = [
@@ -139,8 +145,10 @@ fn turned(stool: &BarStool, builder: &mut Builder) {
     }
     let (y, share) = (high * REST, 0.645);
     for z in [-1.0, 1.0] {
-        builder
-            .add("brass", sweep(&[stool.at(-share, y, share * z), stool.at(share, y, share * z)], 0.008, 6));
+        builder.add(
+            Slot::Brass,
+            sweep(&[stool.at(-share, y, share * z), stool.at(share, y, share * z)], 0.008, 6),
+        );
     }
     let side = [stool.at(share, y + 0.002, -share), stool.at(share, y + 0.002, share)];
     builder.add_pair(slot, sweep(&side, 0.0085, 6));
@@ -148,12 +156,12 @@ fn turned(stool: &BarStool, builder: &mut Builder) {
 
 /// Sheet steel: a square seat with a hole to carry it, legs of channels that widen upwards.
 fn pressed(stool: &BarStool, builder: &mut Builder) {
-    let slot = ["metal_dark", "painted_accent"][stool.form];
+    let slot = [Slot::MetalDark, Slot::PaintedAccent][stool.form];
     let (half, high) = (stool.half, stool.high);
     let seat = Bay::around(DVec3::new(0.0, high - 0.02, 0.0), half * 1.56, 0.04, half * 1.56);
     builder.add(slot, rounded_box(seat, DVec3::new(0.03, 0.012, 0.03), 1));
     let hole = Bay::around(DVec3::new(0.0, high - 0.001, 0.0), half * 0.3, 0.003, half * 0.08);
-    builder.cuboid("plastic_dark", hole);
+    builder.cuboid(Slot::PlasticDark, hole);
     for z in [-1.0, 1.0] {
         let ends = [stool.at(0.94, 0.0, 0.94 * z), stool.at(0.68, high - 0.02, 0.68 * z)];
         builder.add_pair(slot, slanted_leg(ends, 0.03, &[(0.6, 0.0), (1.2, 1.0)], 4));
@@ -172,7 +180,7 @@ fn pipes(stool: &BarStool, builder: &mut Builder) {
     let (half, high) = (stool.half, stool.high);
     let thick = 0.04;
     builder.add(
-        ["", "", "wood", "wood_dark"][stool.form],
+        if stool.form == 2 { Slot::Wood } else { Slot::WoodDark },
         lathe(
             &[
                 (half * 0.98, high - thick),
@@ -187,28 +195,30 @@ fn pipes(stool: &BarStool, builder: &mut Builder) {
     let tube = 0.014;
     for z in [-1.0, 1.0] {
         let at = stool.at(post, 0.0, post * z);
-        builder
-            .add_pair("metal_dark", cylinder(tube, [0.012, high - thick + 0.001], 8).moved(at.x, 0.0, at.z));
         builder.add_pair(
-            "metal",
+            Slot::MetalDark,
+            cylinder(tube, [0.012, high - thick + 0.001], 8).moved(at.x, 0.0, at.z),
+        );
+        builder.add_pair(
+            Slot::Metal,
             cylinder(tube * 2.2, [high - thick - 0.006, high - thick + 0.002], 8).moved(at.x, 0.0, at.z),
         );
-        builder.add_pair("rubber", cylinder(tube * 1.2, [0.0, 0.02], 8).moved(at.x, 0.0, at.z));
+        builder.add_pair(Slot::Rubber, cylinder(tube * 1.2, [0.0, 0.02], 8).moved(at.x, 0.0, at.z));
         let y = high * REST;
         builder.add(
-            "metal_dark",
+            Slot::MetalDark,
             sweep(&[stool.at(-post, y, post * z), stool.at(post, y, post * z)], tube * 0.9, 6),
         );
-        builder.add_pair("metal", cylinder(tube * 1.5, [y - 0.02, y + 0.02], 6).moved(at.x, 0.0, at.z));
+        builder.add_pair(Slot::Metal, cylinder(tube * 1.5, [y - 0.02, y + 0.02], 6).moved(at.x, 0.0, at.z));
     }
     let y = high * REST * 0.6;
     let side = [stool.at(post, y, -post), stool.at(post, y, post)];
-    builder.add_pair("metal_dark", sweep(&side, tube * 0.9, 6));
+    builder.add_pair(Slot::MetalDark, sweep(&side, tube * 0.9, 6));
 }
 
 /// A low shell of plastic on a chromed column.
 fn bucket(stool: &BarStool, builder: &mut Builder) {
-    let slot = if stool.form == 0 { "painted_accent" } else { "plastic_dark" };
+    let slot = if stool.form == 0 { Slot::PaintedAccent } else { Slot::PlasticDark };
     let (half, high) = (stool.half, stool.high);
     let seat = high * 0.86;
     let station = |z: f64, y: f64, wide: f64, sag: f64| Station {
@@ -226,21 +236,22 @@ fn bucket(stool: &BarStool, builder: &mut Builder) {
     ];
     builder.add(slot, sheet(&path, DVec3::NEG_X, 0.012, 4));
     let foot = [(half, 0.0), (half * 0.97, 0.012), (half * 0.24, 0.03), (0.024, 0.06)];
-    builder.add("chrome", lathe(&foot, 16));
-    builder.add("chrome", cylinder(0.0235, [0.03, seat * 0.6], 8));
-    builder.add("plastic_dark", cylinder(0.015, [seat * 0.58, seat - 0.02], 8));
+    builder.add(Slot::Chrome, lathe(&foot, 16));
+    builder.add(Slot::Chrome, cylinder(0.0235, [0.03, seat * 0.6], 8));
+    builder.add(Slot::PlasticDark, cylinder(0.015, [seat * 0.58, seat - 0.02], 8));
     let y = high * REST;
     let step = [DVec3::new(-half * 0.5, y, half * 0.5), DVec3::new(half * 0.5, y, half * 0.5)];
-    builder.add("chrome", sweep(&step, 0.01, 6));
+    builder.add(Slot::Chrome, sweep(&step, 0.01, 6));
     for x in [-0.3, 0.3] {
         let stay = [DVec3::new(0.0, y - 0.01, 0.0), DVec3::new(x * half, y, half * 0.5)];
-        builder.add("chrome", sweep(&stay, 0.007, 5));
+        builder.add(Slot::Chrome, sweep(&stay, 0.007, 5));
     }
 }
 
 /// A thin round pad on four bent tubes.
 fn stacking(stool: &BarStool, builder: &mut Builder) {
-    let (slot, frame) = if stool.form == 1 { ("plastic", "metal") } else { ("leaf", "chrome") };
+    let (slot, frame) =
+        if stool.form == 1 { (Slot::Plastic, Slot::Metal) } else { (Slot::Leaf, Slot::Chrome) };
     let radius = stool.half * 0.9;
     let high = stool.high;
     builder.add(

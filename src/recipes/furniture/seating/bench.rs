@@ -4,7 +4,7 @@ use super::{depth_slats, seat_height};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, leg};
 use crate::recipes::kit::{Builder, SINK};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A bench of boards on two trestles, with a back where the box is high enough.
 pub(in super::super) static BENCH: Recipe = Recipe::furniture("bench", [1.2, 0.4, 0.45]).every_set(bench);
@@ -18,20 +18,24 @@ fn bench(draft: &Draft, builder: &mut Builder) {
     let seat =
         bay.with_y([seat_top - board, seat_top]).without(Side::Back, if has_back { 0.04 } else { 0.0 });
     for slat in depth_slats(seat, sampler.count(2, 4), 0.012) {
-        builder.cuboid("wood", slat);
+        builder.cuboid(Slot::Wood, slat);
     }
     let inset = (bay.width() * 0.12).min(0.2);
     let form = draft.input.look as usize % 4;
     let frame = seat.with_y([0.0, seat.low.y + SINK]).inset(inset, 0.0, 0.02);
     let (slot, kind) = match draft.set() {
-        GeometrySet::Plain => (["metal_dark", "wood", "painted", "wood"][form], LegKind::Tapered),
+        GeometrySet::Plain => {
+            ([Slot::MetalDark, Slot::Wood, Slot::Painted, Slot::Wood][form], LegKind::Tapered)
+        }
         GeometrySet::Traditional => {
-            ("wood_dark", [LegKind::Turned, LegKind::Baluster, LegKind::Spade, LegKind::Turned][form])
+            (Slot::WoodDark, [LegKind::Turned, LegKind::Baluster, LegKind::Spade, LegKind::Turned][form])
         }
         GeometrySet::Industrial => {
-            ("metal_dark", [LegKind::Angle, LegKind::Pipe, LegKind::Hairpin, LegKind::Square][form])
+            (Slot::MetalDark, [LegKind::Angle, LegKind::Pipe, LegKind::Hairpin, LegKind::Square][form])
         }
-        GeometrySet::Budget => (["metal", "plastic", "painted", "wood_light"][form], LegKind::Square),
+        GeometrySet::Budget => {
+            ([Slot::Metal, Slot::Plastic, Slot::Painted, Slot::WoodLight][form], LegKind::Square)
+        }
     };
     for side in [Side::Left, Side::Right] {
         let trestle = frame.slab(side, 0.05);
@@ -46,14 +50,14 @@ fn bench(draft: &Draft, builder: &mut Builder) {
     if has_back {
         for side in [Side::Left, Side::Right] {
             let post = bay.inset(inset, 0.0, 0.0).slab(side, 0.05).slab(Side::Back, 0.025);
-            builder.cuboid("metal_dark", post.with_y([seat_top - board - 0.05, bay.high.y - 0.02]));
+            builder.cuboid(Slot::MetalDark, post.with_y([seat_top - board - 0.05, bay.high.y - 0.02]));
         }
         let back = bay
             .slab(Side::Back, 0.045)
             .without(Side::Back, 0.025 - SINK)
             .with_y([seat_top + 0.1, bay.high.y]);
         for row in back.rows(2, 0.03) {
-            builder.cuboid("wood", row);
+            builder.cuboid(Slot::Wood, row);
         }
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::bar_stool::bar_stool;
 use crate::recipes::furniture::parts::{CONE, SPINDLE, slanted_leg};
 use crate::recipes::kit::{Bay, Builder, SINK, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres from which a stool is one for a bar.
 const BAR_FROM: f64 = 0.63;
@@ -26,10 +26,10 @@ fn stool(draft: &Draft, builder: &mut Builder) {
     let profile =
         [(0.94, -1.0), (1.0, -0.7), (1.0, -0.3), (0.9, -0.02), (0.4, if form == 3 { -0.3 } else { 0.0 })];
     let slot = match draft.set() {
-        GeometrySet::Plain => ["fabric_accent", "wood", "leather", "wood_light"][form],
-        GeometrySet::Traditional => ["wood", "fabric_light", "leather", "wood_dark"][form],
-        GeometrySet::Industrial => ["wood", "metal_dark", "leather", "wood"][form],
-        GeometrySet::Budget => ["plastic", "painted_accent", "plastic_dark", "plastic"][form],
+        GeometrySet::Plain => [Slot::FabricAccent, Slot::Wood, Slot::Leather, Slot::WoodLight][form],
+        GeometrySet::Traditional => [Slot::Wood, Slot::FabricLight, Slot::Leather, Slot::WoodDark][form],
+        GeometrySet::Industrial => [Slot::Wood, Slot::MetalDark, Slot::Leather, Slot::Wood][form],
+        GeometrySet::Budget => [Slot::Plastic, Slot::PaintedAccent, Slot::PlasticDark, Slot::Plastic][form],
     };
     let seat = lathe(&profile.map(|(share, rise)| (share * radius, rise * thickness)), 16);
     let stretch = DVec3::new(bay.width(), radius * 2.0, bay.depth()) / (radius * 2.0);
@@ -44,7 +44,7 @@ fn stool(draft: &Draft, builder: &mut Builder) {
 
 /// A column on a disc, with a ring for the feet on high ones.
 fn stool_column(draft: &Draft, builder: &mut Builder, under: Bay, radius: f64) {
-    let slot = if draft.set() == GeometrySet::Plain { "chrome" } else { "metal_dark" };
+    let slot = if draft.set() == GeometrySet::Plain { Slot::Chrome } else { Slot::MetalDark };
     let high = under.high.y;
     let foot = [
         (radius * 0.98, 0.0),
@@ -69,11 +69,13 @@ fn stool_column(draft: &Draft, builder: &mut Builder, under: Bay, radius: f64) {
 /// Four slanted legs with stretchers.
 fn stool_legs(draft: &Draft, builder: &mut Builder, under: Bay, form: usize) {
     let (slot, profile, thick): (_, &[(f64, f64)], _) = match draft.set() {
-        GeometrySet::Plain => (["wood", "wood", "wood", "metal_dark"][form], &CONE, 0.019),
-        GeometrySet::Traditional => (["wood", "wood", "wood_dark", "wood_dark"][form], &SPINDLE, 0.021),
-        GeometrySet::Industrial => ("metal_dark", &[(1.0, 0.0), (1.0, 1.0)], 0.014),
+        GeometrySet::Plain => ([Slot::Wood, Slot::Wood, Slot::Wood, Slot::MetalDark][form], &CONE, 0.019),
+        GeometrySet::Traditional => {
+            ([Slot::Wood, Slot::Wood, Slot::WoodDark, Slot::WoodDark][form], &SPINDLE, 0.021)
+        }
+        GeometrySet::Industrial => (Slot::MetalDark, &[(1.0, 0.0), (1.0, 1.0)], 0.014),
         GeometrySet::Budget => (
-            ["chrome", "metal", "plastic_dark", "plastic"][form],
+            [Slot::Chrome, Slot::Metal, Slot::PlasticDark, Slot::Plastic][form],
             &[(1.0, 0.0), (1.0, 1.0)],
             [0.01, 0.01, 0.01, 0.02][form],
         ),

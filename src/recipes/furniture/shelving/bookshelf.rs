@@ -7,7 +7,7 @@ use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, cornice, fill_with_books, legs_at_corners, slab_top};
 use crate::recipes::furniture::storage::fill_with_boxes;
 use crate::recipes::kit::{Bay, Builder, SINK, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres between the shelves of a bookcase.
 const SHELF_SPACING: f64 = 0.34;
@@ -24,22 +24,31 @@ fn bookshelf(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let form = draft.input.look as usize % 4;
     let open = match draft.set() {
-        GeometrySet::Plain => {
-            plain_case(builder, bay, ["wood", "painted", "wood_light", "wood_dark"][form], form != 2)
-        }
-        GeometrySet::Traditional => {
-            crowned_case(builder, bay, ["wood", "wood_dark", "painted", "wood"][form], form % 2 == 1)
-        }
+        GeometrySet::Plain => plain_case(
+            builder,
+            bay,
+            [Slot::Wood, Slot::Painted, Slot::WoodLight, Slot::WoodDark][form],
+            form != 2,
+        ),
+        GeometrySet::Traditional => crowned_case(
+            builder,
+            bay,
+            [Slot::Wood, Slot::WoodDark, Slot::Painted, Slot::Wood][form],
+            form % 2 == 1,
+        ),
         GeometrySet::Industrial => pipes(builder, bay, form),
-        GeometrySet::Budget => {
-            thin_case(builder, bay, ["laminate", "wood_light", "painted", "laminate"][form], form)
-        }
+        GeometrySet::Budget => thin_case(
+            builder,
+            bay,
+            [Slot::Laminate, Slot::WoodLight, Slot::Painted, Slot::Laminate][form],
+            form,
+        ),
     };
     let slot = match draft.set() {
-        GeometrySet::Plain => ["wood", "painted", "wood_light", "wood_dark"][form],
-        GeometrySet::Traditional => ["wood", "wood_dark", "painted", "wood"][form],
-        GeometrySet::Industrial => ["wood", "wood", "metal_dark", "wood_dark"][form],
-        GeometrySet::Budget => ["laminate", "wood_light", "painted", "laminate"][form],
+        GeometrySet::Plain => [Slot::Wood, Slot::Painted, Slot::WoodLight, Slot::WoodDark][form],
+        GeometrySet::Traditional => [Slot::Wood, Slot::WoodDark, Slot::Painted, Slot::Wood][form],
+        GeometrySet::Industrial => [Slot::Wood, Slot::Wood, Slot::MetalDark, Slot::WoodDark][form],
+        GeometrySet::Budget => [Slot::Laminate, Slot::WoodLight, Slot::Painted, Slot::Laminate][form],
     };
     let board = match draft.set() {
         GeometrySet::Industrial => 0.032,
@@ -50,7 +59,7 @@ fn bookshelf(draft: &Draft, builder: &mut Builder) {
 }
 
 /// Boards with books on them, from the floor of a bay to its top.
-fn rows_of_books(draft: &Draft, builder: &mut Builder, open: Bay, (slot, board): (&'static str, f64)) {
+fn rows_of_books(draft: &Draft, builder: &mut Builder, open: Bay, (slot, board): (Slot, f64)) {
     let mut sampler = draft.sampler();
     let count = draft.count_along("shelves", (open.height(), SHELF_SPACING), 12);
     builder.cuboid(slot, open.slab(Side::Above, board));
@@ -74,7 +83,7 @@ fn rows_of_books(draft: &Draft, builder: &mut Builder, open: Bay, (slot, board):
 }
 
 /// Sides, back and plinth of boards; gives the space for the shelves.
-fn plain_case(builder: &mut Builder, bay: Bay, slot: &'static str, has_back: bool) -> Bay {
+fn plain_case(builder: &mut Builder, bay: Bay, slot: Slot, has_back: bool) -> Bay {
     let board = BOARD.min(bay.width() * 0.1);
     for side in [Side::Left, Side::Right] {
         builder.block(slot, bay.slab(side, board), 0.003);
@@ -91,7 +100,7 @@ fn plain_case(builder: &mut Builder, bay: Bay, slot: &'static str, has_back: boo
 }
 
 /// A cornice above, a moulded plinth below, stiles with ribs, and doors where asked for.
-fn crowned_case(builder: &mut Builder, whole: Bay, slot: &'static str, has_ribs: bool) -> Bay {
+fn crowned_case(builder: &mut Builder, whole: Bay, slot: Slot, has_ribs: bool) -> Bay {
     let crown = 0.07_f64.min(whole.height() * 0.1);
     let overhang = 0.03_f64.min(whole.width() * 0.05).min(whole.depth() * 0.1);
     cornice(builder, slot, whole.slab(Side::Above, crown), overhang);
@@ -125,12 +134,12 @@ fn crowned_case(builder: &mut Builder, whole: Bay, slot: &'static str, has_ribs:
 fn pipes(builder: &mut Builder, bay: Bay, form: usize) -> Bay {
     let post = 0.036_f64.min(bay.width() * 0.1).min(bay.depth() * 0.2);
     let kind = [LegKind::Pipe, LegKind::Angle, LegKind::Angle, LegKind::Square][form];
-    legs_at_corners(builder, "metal_dark", bay, post, kind);
+    legs_at_corners(builder, Slot::MetalDark, bay, post, kind);
     if form != 0 {
         let (z, x) = (bay.low.z + 0.012, bay.high.x - post * 0.6);
         let at = |x: f64, share: f64| DVec3::new(x, bay.low.y + share * bay.height(), z);
-        builder.add("metal", sweep(&[at(-x, 0.06), at(x, 0.94)], 0.005, 6));
-        builder.add("metal", sweep(&[at(x, 0.06), at(-x, 0.94)], 0.0048, 6).moved(0.0, 0.0, 0.008));
+        builder.add(Slot::Metal, sweep(&[at(-x, 0.06), at(x, 0.94)], 0.005, 6));
+        builder.add(Slot::Metal, sweep(&[at(x, 0.06), at(-x, 0.94)], 0.0048, 6).moved(0.0, 0.0, 0.008));
     }
     let inset = if form == 0 { post * 0.24 } else { post * 0.2 };
     bay.inset(inset + 0.0012, 0.0, inset + 0.0012)
@@ -140,7 +149,7 @@ fn pipes(builder: &mut Builder, bay: Bay, form: usize) -> Bay {
 }
 
 /// Thin boards without a plinth, or standards with brackets on a wall.
-fn thin_case(builder: &mut Builder, bay: Bay, slot: &'static str, form: usize) -> Bay {
+fn thin_case(builder: &mut Builder, bay: Bay, slot: Slot, form: usize) -> Bay {
     let board = 0.015_f64.min(bay.width() * 0.08);
     if form == 1 {
         for x in [-0.3, 0.3] {
@@ -148,23 +157,25 @@ fn thin_case(builder: &mut Builder, bay: Bay, slot: &'static str, form: usize) -
                 .with_x([x * bay.width() - 0.012, x * bay.width() + 0.012])
                 .slab(Side::Back, 0.012)
                 .without(Side::Above, 0.002);
-            builder.cuboid("metal", rail);
+            builder.cuboid(Slot::Metal, rail);
             let count = 5;
             for row in bay.without(Side::Below, 0.04).rows(count, 0.0) {
                 let arm = rail.inset(0.0068, 0.0, 0.0).with_z([rail.high.z - SINK, bay.high.z - 0.05]);
-                builder.cuboid("metal", arm.with_y([row.low.y - 0.025, row.low.y + 0.003]));
+                builder.cuboid(Slot::Metal, arm.with_y([row.low.y - 0.025, row.low.y + 0.003]));
             }
         }
         return bay.without(Side::Back, 0.012 - SINK).without(Side::Below, 0.03);
     }
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, bay.slab(side, board).without(Side::Front, 0.001));
-        builder
-            .cuboid("wood_light", bay.slab(side, board).slab(Side::Front, 0.0015).inset(0.0006, 0.001, 0.0));
+        builder.cuboid(
+            Slot::WoodLight,
+            bay.slab(side, board).slab(Side::Front, 0.0015).inset(0.0006, 0.001, 0.0),
+        );
     }
     let inner = bay.inset(board - SINK, 0.0, 0.002);
     if form != 3 {
-        builder.cuboid("paper", inner.slab(Side::Back, 0.004).inset(0.0, 0.004, 0.0));
+        builder.cuboid(Slot::Paper, inner.slab(Side::Back, 0.004).inset(0.0, 0.004, 0.0));
     }
     inner
         .without(Side::Back, 0.004 - SINK)

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, cornice, legs_at_corners, slab_top};
 use crate::recipes::kit::{Bay, Builder, SINK, Sampler, cylinder, lathe};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of a pane.
 const PANE: f64 = 0.006;
@@ -29,8 +29,8 @@ fn display_case(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Budget => budget(builder, form),
     };
     let mut sampler = draft.sampler();
-    let slot = ["glass", "wood", "metal", "glass"][draft.set() as usize];
-    let board = if slot == "glass" { SHELF } else { SHELF * 2.0 };
+    let slot = [Slot::Glass, Slot::Wood, Slot::Metal, Slot::Glass][draft.set() as usize];
+    let board = if slot == Slot::Glass { SHELF } else { SHELF * 2.0 };
     let count = (inner.height() / SPACING).round().clamp(1.0, 4.0) as u32;
     for (index, row) in inner.rows(count, 0.0).into_iter().enumerate() {
         if index > 0 {
@@ -48,7 +48,8 @@ fn on_show(builder: &mut Builder, sampler: &mut Sampler, row: Bay) {
         let tall = (row.height() * sampler.between(0.35, 0.65)).min(0.34);
         let radius = (cell.width().min(cell.depth()) / 2.0).min(tall * 0.42);
         let middle = cell.center();
-        let (y, slot) = (cell.low.y, sampler.pick(&["ceramic", "brass", "terracotta", "painted_accent"]));
+        let (y, slot) =
+            (cell.low.y, sampler.pick(&[Slot::Ceramic, Slot::Brass, Slot::Terracotta, Slot::PaintedAccent]));
         let profile: &[(f64, f64)] = match sampler.count(0, 3) {
             0 => &[(0.5, 0.0), (1.0, 0.4), (0.3, 0.8), (0.5, 1.0)],
             1 => &[(0.4, 0.0), (0.3, 0.2), (1.0, 0.55), (0.9, 0.55), (0.2, 0.26)],
@@ -56,8 +57,8 @@ fn on_show(builder: &mut Builder, sampler: &mut Sampler, row: Bay) {
             _ => {
                 let card =
                     Bay::around(DVec3::new(middle.x, y + tall * 0.5, middle.z), radius * 1.5, tall, 0.012);
-                builder.cuboid("wood_dark", card);
-                builder.cuboid("paper", card.inset(0.016, 0.016, 0.0).moved(0.0, 0.0, 0.001));
+                builder.cuboid(Slot::WoodDark, card);
+                builder.cuboid(Slot::Paper, card.inset(0.016, 0.016, 0.0).moved(0.0, 0.0, 0.001));
                 continue;
             }
         };
@@ -71,25 +72,26 @@ fn on_show(builder: &mut Builder, sampler: &mut Sampler, row: Bay) {
 fn glazing(builder: &mut Builder, bay: Bay, frame: f64) {
     let inset = ((frame - PANE) / 2.0).max(0.0);
     for side in [Side::Front, Side::Back] {
-        builder.cuboid("glass", bay.slab(side, frame.max(PANE)).inset(frame - SINK, 0.0, inset));
+        builder.cuboid(Slot::Glass, bay.slab(side, frame.max(PANE)).inset(frame - SINK, 0.0, inset));
     }
     for side in [Side::Left, Side::Right] {
-        builder.cuboid("glass", bay.slab(side, frame.max(PANE)).inset(inset, 0.0, frame.max(PANE) - SINK));
+        builder
+            .cuboid(Slot::Glass, bay.slab(side, frame.max(PANE)).inset(inset, 0.0, frame.max(PANE) - SINK));
     }
 }
 
 /// Panes glued edge to edge on a plinth with a shadow gap: low, high, between two slabs, or with a back of board.
 fn plain(builder: &mut Builder, form: usize) -> Bay {
     let bay = builder.bay();
-    let slot = ["painted", "wood", "metal_dark", "wood_light"][form];
+    let slot = [Slot::Painted, Slot::Wood, Slot::MetalDark, Slot::WoodLight][form];
     let base = (bay.height() * [0.14, 0.34, 0.05, 0.45][form]).max(0.03);
     builder.block(slot, bay.slab(Side::Below, base), 0.003);
     let gap = bay.with_y([base - SINK, base + 0.012]).inset(0.025, 0.0, 0.025);
-    builder.cuboid("metal_dark", gap);
+    builder.cuboid(Slot::MetalDark, gap);
     let cover = [0.012, 0.012, 0.04, 0.012][form];
     let lid = bay.slab(Side::Above, cover);
     builder.cuboid(
-        if form == 2 { slot } else { "glass" },
+        if form == 2 { slot } else { Slot::Glass },
         if form == 2 { lid } else { lid.inset(0.0008, 0.0, 0.0008) },
     );
     let glazed = bay.with_y([base + 0.012 - SINK, bay.high.y - cover + SINK]).inset(0.003, 0.0, 0.003);
@@ -108,7 +110,7 @@ fn plain(builder: &mut Builder, form: usize) -> Bay {
 
 /// A cabinet of wood: cornice, doors below, glazing bars above.
 fn traditional(builder: &mut Builder, form: usize) -> Bay {
-    let slot = ["wood", "wood_dark", "wood", "wood_dark"][form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Wood, Slot::WoodDark][form];
     let bay = builder.bay();
     let (crown, base) = (0.07_f64.min(bay.height() * 0.08), bay.height() * [0.32, 0.12, 0.42, 0.3][form]);
     cornice(builder, slot, bay.slab(Side::Above, crown), 0.03);
@@ -135,7 +137,7 @@ fn traditional(builder: &mut Builder, form: usize) -> Bay {
                 door.center().y,
                 door.high.z + 0.014,
             );
-            builder.cuboid("brass", Bay::around(knob, 0.016, 0.016, 0.016));
+            builder.cuboid(Slot::Brass, Bay::around(knob, 0.016, 0.016, 0.016));
         }
     }
     let upper = case.with_y([base + 0.025 - SINK, bay.high.y - crown + SINK]).inset(0.004, 0.0, 0.004);
@@ -151,7 +153,7 @@ fn traditional(builder: &mut Builder, form: usize) -> Bay {
 }
 
 /// Glazing bars before a pane: a cross of them, and a middle post between two doors.
-fn bars(builder: &mut Builder, slot: &'static str, field: Bay, form: usize) {
+fn bars(builder: &mut Builder, slot: Slot, field: Bay, form: usize) {
     let middle = field.center();
     builder.cuboid(slot, Bay::around(middle, 0.036, field.height(), field.depth()));
     for half in [-0.25, 0.25] {
@@ -172,25 +174,25 @@ fn bars(builder: &mut Builder, slot: &'static str, field: Bay, form: usize) {
 fn industrial(builder: &mut Builder, form: usize) -> Bay {
     let bay = builder.bay();
     let iron = 0.03_f64.min(bay.width() * 0.06);
-    legs_at_corners(builder, "metal_dark", bay, iron, LegKind::Angle);
+    legs_at_corners(builder, Slot::MetalDark, bay, iron, LegKind::Angle);
     let base = bay.height() * [0.18, 0.3, 0.1, 0.24][form];
     let frame = bay.inset(0.007, 0.0, 0.007);
     let floor = frame.with_y([base, base + 0.03]);
-    builder.cuboid(if form == 2 { "metal" } else { "wood" }, floor);
+    builder.cuboid(if form == 2 { Slot::Metal } else { Slot::Wood }, floor);
     if form % 2 == 1 {
         let drawer = frame.with_y([base - 0.12, base + SINK]).inset(0.012, 0.0, 0.012);
-        builder.cuboid("metal", drawer);
+        builder.cuboid(Slot::Metal, drawer);
         let grip = Bay::around(DVec3::new(0.0, drawer.center().y, drawer.high.z + 0.006), 0.12, 0.02, 0.014);
-        builder.cuboid("metal_dark", grip);
+        builder.cuboid(Slot::MetalDark, grip);
     }
-    builder.cuboid("metal_dark", frame.slab(Side::Above, 0.02).without(Side::Above, 0.002));
+    builder.cuboid(Slot::MetalDark, frame.slab(Side::Above, 0.02).without(Side::Above, 0.002));
     let glazed = frame.with_y([base + 0.03 - SINK, frame.high.y - 0.02 + SINK]);
     glazing(builder, glazed.inset(0.0005, 0.0, 0.0005), PANE);
     let rail = glazed.inset(0.001, 0.0, 0.0);
     let y = glazed.center().y;
     for side in [Side::Front, Side::Back] {
         builder.cuboid(
-            "metal_dark",
+            Slot::MetalDark,
             rail.with_y([y - 0.012, y + 0.012]).slab(side, 0.004).moved(
                 0.0,
                 0.0,
@@ -205,21 +207,21 @@ fn industrial(builder: &mut Builder, form: usize) -> Bay {
 fn budget(builder: &mut Builder, form: usize) -> Bay {
     let bay = builder.bay();
     let base = bay.height() * [0.36, 0.12, 0.24, 0.46][form];
-    let slot = ["laminate", "laminate", "painted_accent", "wood_light"][form];
+    let slot = [Slot::Laminate, Slot::Laminate, Slot::PaintedAccent, Slot::WoodLight][form];
     builder.cuboid(slot, bay.slab(Side::Below, base).without(Side::Below, 0.04).inset(0.002, 0.0, 0.002));
-    builder.cuboid("plastic_dark", bay.slab(Side::Below, 0.041).inset(0.02, 0.0, 0.03));
+    builder.cuboid(Slot::PlasticDark, bay.slab(Side::Below, 0.041).inset(0.02, 0.0, 0.03));
     for door in bay.slab(Side::Below, base).inset(0.02, 0.055, 0.0).columns(2, 0.01) {
         if base > 0.3 {
             builder.cuboid(slot, door.slab(Side::Front, 0.004).moved(0.0, 0.0, 0.0015));
         }
     }
     let cover = bay.slab(Side::Above, 0.03);
-    builder.cuboid("plastic_dark", cover);
+    builder.cuboid(Slot::PlasticDark, cover);
     let radius = 0.013;
     let glazed = bay.with_y([base - SINK, cover.low.y + SINK]).inset(0.003, 0.0, 0.003);
     for x in [glazed.low.x + radius, glazed.high.x - radius] {
         for z in [glazed.low.z + radius, glazed.high.z - radius] {
-            builder.add("metal", cylinder(radius, glazed.y(), 6).moved(x, 0.0, z));
+            builder.add(Slot::Metal, cylinder(radius, glazed.y(), 6).moved(x, 0.0, z));
         }
     }
     glazing(builder, glazed, radius * 2.0);

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, Sampler, extrude, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// A shop's shelf full of goods: a foot with a kick plate under a back of sheet; crates on a stand of wood; baskets of wire;
 /// sheets on slotted posts.
@@ -24,11 +24,11 @@ fn gondola(draft: &Draft, builder: &mut Builder) {
 }
 
 fn on_foot(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
-    let (bay, slot) = (builder.bay(), "painted");
+    let (bay, slot) = (builder.bay(), Slot::Painted);
     let base = (bay.height() * 0.1).min(0.16);
     builder.block(slot, bay.slab(Side::Below, base).without(Side::Front, 0.01), 0.004);
     builder.cuboid(
-        "plastic_dark",
+        Slot::PlasticDark,
         bay.slab(Side::Below, base * 0.6).inset(0.004, 0.001, 0.0).slab(Side::Front, 0.0105),
     );
     builder.block(
@@ -44,11 +44,11 @@ fn on_foot(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
     let crown = if form.is_multiple_of(2) { 0.12_f64.min(bay.height() * 0.08) } else { 0.0 };
     if crown > 0.0 {
         let sign = bay.slab(Side::Above, crown).inset(0.004, 0.002, 0.0).slab(Side::Back, 0.05);
-        builder.cuboid("painted_accent", sign.without(Side::Back, 0.02));
+        builder.cuboid(Slot::PaintedAccent, sign.without(Side::Back, 0.02));
     }
     for side in [Side::Left, Side::Right] {
         builder.cuboid(
-            "metal",
+            Slot::Metal,
             back.inset(0.001, 0.0, 0.0).slab(side, 0.03).without(Side::Above, 0.003).moved(0.0, 0.0, 0.006),
         );
     }
@@ -61,7 +61,7 @@ fn on_foot(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
         if index > 0 {
             builder.cuboid(slot, row.slab(Side::Below, 0.02));
             let strip = row.slab(Side::Below, 0.034).slab(Side::Front, 0.006).moved(0.0, -0.004, 0.003);
-            builder.cuboid("paper", strip.inset(0.006, 0.0, 0.0));
+            builder.cuboid(Slot::Paper, strip.inset(0.006, 0.0, 0.0));
         }
         let floor = if index > 0 { 0.02 - SINK } else { 0.012 - SINK };
         goods(
@@ -77,8 +77,15 @@ fn goods(builder: &mut Builder, sampler: &mut Sampler, shelf: Bay) {
     for cell in shelf.columns((shelf.width() / 0.28).round().clamp(2.0, 5.0) as u32, 0.012) {
         let tall = shelf.height() * sampler.between(0.5, 0.92);
         let block = cell.slab(Side::Below, tall).without(Side::Back, sampler.between(0.0, 0.06));
-        let slot =
-            sampler.pick(&["painted_accent", "paper", "book", "plastic", "leaf", "glass", "terracotta"]);
+        let slot = sampler.pick(&[
+            Slot::PaintedAccent,
+            Slot::Paper,
+            Slot::Book,
+            Slot::Plastic,
+            Slot::Leaf,
+            Slot::Glass,
+            Slot::Terracotta,
+        ]);
         let count = sampler.count(2, 4);
         if sampler.chance(0.5) {
             for carton in block.columns(count, 0.004) {
@@ -99,7 +106,7 @@ fn goods(builder: &mut Builder, sampler: &mut Sampler, shelf: Bay) {
 /// Crates that slope towards the buyer, on a stand of wood under a striped valance.
 fn crates(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
     let bay = builder.bay();
-    let wood = ["wood", "wood_light", "wood_dark", "wood"][form];
+    let wood = [Slot::Wood, Slot::WoodLight, Slot::WoodDark, Slot::Wood][form];
     let (post, high) = (0.045, bay.height());
     for side in [Side::Left, Side::Right] {
         let end = bay.slab(side, post);
@@ -128,18 +135,13 @@ fn crates(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
     let stripes = valance.slab(Side::Front, 0.008).without(Side::Above, 0.02 - SINK).inset(0.004, 0.0, 0.0);
     let count = (bay.width() / 0.1).round().clamp(4.0, 20.0) as u32;
     for (index, stripe) in stripes.columns(count, 0.0012).into_iter().enumerate() {
-        let slot = if index % 2 == 0 { "leaf" } else { "linen" };
+        let slot = if index % 2 == 0 { Slot::Leaf } else { Slot::Linen };
         builder.cuboid(slot, stripe.moved(0.0, 0.0, -0.004).without(Side::Below, 0.012 * (index % 2) as f64));
     }
 }
 
 /// A crate whose front is lower than its back, with round goods in it.
-fn crate_of_fruit(
-    builder: &mut Builder,
-    sampler: &mut Sampler,
-    (wood, cell): (&'static str, Bay),
-    place: usize,
-) {
+fn crate_of_fruit(builder: &mut Builder, sampler: &mut Sampler, (wood, cell): (Slot, Bay), place: usize) {
     let (drop, wall) = ((cell.height() * 0.3).min(0.12), (cell.height() * 0.3).min(0.1));
     let (low, back, front) = (cell.low.y, cell.low.z, cell.high.z);
     let side =
@@ -153,9 +155,9 @@ fn crate_of_fruit(
         (front - 0.001, low + wall * 0.6),
         (back + 0.001, low + drop + wall * 0.6),
     ];
-    let slot = sampler.pick(&["leaf", "book", "brass", "terracotta", "leaf"]);
+    let slot = sampler.pick(&[Slot::Leaf, Slot::Book, Slot::Brass, Slot::Terracotta, Slot::Leaf]);
     let inner = [cell.low.x + 0.012 - SINK, cell.high.x - 0.012 + SINK];
-    builder.add("wood_light", extrude(&floor.map(DVec2::from), Axis::X, inner));
+    builder.add(Slot::WoodLight, extrude(&floor.map(DVec2::from), Axis::X, inner));
     builder.cuboid(
         wood,
         cell.with_y([low - 0.004, low + wall + 0.004])
@@ -181,28 +183,31 @@ fn crate_of_fruit(
 fn baskets(builder: &mut Builder, sampler: &mut Sampler) {
     let bay = builder.bay();
     let high = bay.height();
-    legs_at_corners(builder, "metal_dark", bay, 0.04, LegKind::Angle);
+    legs_at_corners(builder, Slot::MetalDark, bay, 0.04, LegKind::Angle);
     let z = bay.low.z + 0.012;
     for ends in [[0.08, 0.92], [0.92, 0.08]] {
         let x = bay.high.x - 0.02;
         let rod = [DVec3::new(-x, ends[0] * high, z), DVec3::new(x, ends[1] * high, z)];
         let shift = if ends[0] > 0.5 { 0.009 } else { 0.0 };
-        builder.add("metal", sweep(&rod, 0.005, 6).moved(0.0, 0.0, shift));
+        builder.add(Slot::Metal, sweep(&rod, 0.005, 6).moved(0.0, 0.0, shift));
     }
     let tiers = (high / 0.38).round().clamp(2.0, 4.0) as u32;
     for row in bay.inset(0.012, 0.0, 0.012).without(Side::Below, 0.05).rows(tiers, 0.0) {
         let basket = row.without(Side::Back, 0.02).slab(Side::Below, (row.height() * 0.42).min(0.16));
         wires(builder, basket.slab(Side::Front, 0.006).inset(0.0015, 0.0, 0.0));
         for edge in [Side::Above, Side::Below] {
-            builder.cuboid("metal", basket.slab(Side::Back, 0.006).slab(edge, 0.008).inset(0.0015, 0.0, 0.0));
+            builder.cuboid(
+                Slot::Metal,
+                basket.slab(Side::Back, 0.006).slab(edge, 0.008).inset(0.0015, 0.0, 0.0),
+            );
         }
         for side in [Side::Left, Side::Right] {
             let end = basket.slab(side, 0.006).inset(0.0, 0.0, 0.005);
-            builder.cuboid("metal", end.slab(Side::Above, 0.008).inset(0.0, 0.0008, 0.0));
-            builder.cuboid("metal", end.slab(Side::Below, 0.008).inset(0.0, 0.0008, 0.0));
+            builder.cuboid(Slot::Metal, end.slab(Side::Above, 0.008).inset(0.0, 0.0008, 0.0));
+            builder.cuboid(Slot::Metal, end.slab(Side::Below, 0.008).inset(0.0, 0.0008, 0.0));
         }
         let floor = basket.slab(Side::Below, 0.006).inset(0.003, 0.0012, 0.003);
-        builder.cuboid("metal", floor);
+        builder.cuboid(Slot::Metal, floor);
         let inside = row
             .without(Side::Back, 0.02)
             .without(Side::Below, 0.006)
@@ -214,12 +219,12 @@ fn baskets(builder: &mut Builder, sampler: &mut Sampler) {
 
 /// A side of a basket: two bars and wires between them.
 fn wires(builder: &mut Builder, side: Bay) {
-    builder.cuboid("metal", side.slab(Side::Above, 0.008));
-    builder.cuboid("metal", side.slab(Side::Below, 0.008));
+    builder.cuboid(Slot::Metal, side.slab(Side::Above, 0.008));
+    builder.cuboid(Slot::Metal, side.slab(Side::Below, 0.008));
     let count = (side.width() / 0.2).round().clamp(3.0, 6.0) as u32;
     let gap = (side.width() - 0.005 * f64::from(count)) / f64::from(count.max(2) - 1);
     for wire in side.inset(0.001, 0.007, 0.001).columns(count, gap) {
-        builder.cuboid("metal", wire);
+        builder.cuboid(Slot::Metal, wire);
     }
 }
 
@@ -227,35 +232,37 @@ fn wires(builder: &mut Builder, side: Bay) {
 fn slotted(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
     let bay = builder.bay();
     let high = bay.height();
-    let slot = ["laminate", "painted", "painted_accent", "laminate"][form];
+    let slot = [Slot::Laminate, Slot::Painted, Slot::PaintedAccent, Slot::Laminate][form];
     for side in [Side::Left, Side::Right] {
         let post = bay.inset(bay.width() * 0.1, 0.0, 0.0).slab(side, 0.03);
-        builder
-            .cuboid("metal", post.slab(Side::Back, 0.05).with_y([0.03, high * 0.94]).moved(0.0, 0.0, 0.002));
-        builder.block("metal", post.inset(-0.006, 0.0, 0.0).with_y([0.0, 0.035]), 0.004);
+        builder.cuboid(
+            Slot::Metal,
+            post.slab(Side::Back, 0.05).with_y([0.03, high * 0.94]).moved(0.0, 0.0, 0.002),
+        );
+        builder.block(Slot::Metal, post.inset(-0.006, 0.0, 0.0).with_y([0.0, 0.035]), 0.004);
         for hole in 0..8 {
             let y = high * (0.14 + 0.1 * f64::from(hole));
             let at = DVec3::new(post.center().x, y, bay.low.z + 0.052);
-            builder.cuboid("plastic_dark", Bay::around(at, 0.01, 0.03, 0.002));
+            builder.cuboid(Slot::PlasticDark, Bay::around(at, 0.01, 0.03, 0.002));
         }
     }
     let sign = bay.slab(Side::Above, 0.13).inset(bay.width() * 0.06, 0.0, 0.0).slab(Side::Back, 0.04);
-    builder.block("painted_accent", sign.without(Side::Back, 0.006), 0.006);
+    builder.block(Slot::PaintedAccent, sign.without(Side::Back, 0.006), 0.006);
     let text = sign.slab(Side::Front, 0.004).inset(0.06, 0.035, 0.0).moved(0.0, 0.0, 0.0016);
-    builder.cuboid("paper", text.with_x([text.low.x, text.low.x + text.width() * 0.6]));
+    builder.cuboid(Slot::Paper, text.with_x([text.low.x, text.low.x + text.width() * 0.6]));
     let tiers = (high / 0.34).round().clamp(2.0, 5.0) as u32;
     let space = bay.without(Side::Below, 0.08).without(Side::Above, 0.15).without(Side::Back, 0.05 - SINK);
     for (index, row) in space.rows(tiers, 0.0).into_iter().enumerate() {
         let shelf = row.slab(Side::Back, row.depth() * if index == 0 { 0.98 } else { 0.8 });
         builder.cuboid(slot, shelf.slab(Side::Below, 0.008));
         let lip = shelf.slab(Side::Front, 0.003).with_y([shelf.low.y - 0.024, shelf.low.y + 0.012]);
-        builder.cuboid("paper", lip.inset(0.001, 0.0, 0.0).moved(0.0, 0.0, 0.002));
+        builder.cuboid(Slot::Paper, lip.inset(0.001, 0.0, 0.0).moved(0.0, 0.0, 0.002));
         for side in [Side::Left, Side::Right] {
             let bracket = shelf.inset(bay.width() * 0.1 + 0.002, 0.0, 0.0).slab(side, 0.006);
             let (y, z) = (shelf.low.y + SINK, shelf.low.z);
             let profile =
                 [(z, y - 0.05), (z + shelf.depth() * 0.7, y - 0.012), (z + shelf.depth() * 0.7, y), (z, y)];
-            builder.add("metal", extrude(&profile.map(DVec2::from), Axis::X, bracket.x()));
+            builder.add(Slot::Metal, extrude(&profile.map(DVec2::from), Axis::X, bracket.x()));
         }
         goods(
             builder,

@@ -6,7 +6,7 @@ use super::BOARD;
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, cornice, legs_at_corners, slab_top};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, Sampler, extrude, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres from row to row.
 const ROW: f64 = 0.32;
@@ -18,8 +18,8 @@ const LEDGE: f64 = 0.03;
 /// How the rows of a rack are made.
 struct Rows {
     /// The plates that lean; none for wire.
-    plate: &'static str,
-    ledge: &'static str,
+    plate: Slot,
+    ledge: Slot,
     is_wire: bool,
     /// Share of the depth at the floor by which the rows above step back.
     stagger: f64,
@@ -48,7 +48,7 @@ fn magazine_rack(draft: &Draft, builder: &mut Builder) {
 /// Cheeks: straight, cut at a slope so that rows step back, or none but a back board on a foot.
 fn plain(builder: &mut Builder, form: usize) -> (Bay, Rows) {
     let bay = builder.bay();
-    let slot = ["wood", "painted", "wood_light", "metal_dark"][form];
+    let slot = [Slot::Wood, Slot::Painted, Slot::WoodLight, Slot::MetalDark][form];
     let board = BOARD.min(bay.width() * 0.1);
     let rows = |stagger| Rows { plate: slot, ledge: slot, is_wire: false, stagger };
     if form % 2 == 1 {
@@ -73,7 +73,7 @@ fn plain(builder: &mut Builder, form: usize) -> (Bay, Rows) {
 
 /// A case with cornice and plinth, brass rails before the covers.
 fn traditional(builder: &mut Builder, form: usize) -> (Bay, Rows) {
-    let slot = ["wood", "wood_dark", "wood", "wood_dark"][form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Wood, Slot::WoodDark][form];
     let bay = builder.bay();
     let (crown, base) =
         (0.05_f64.min(bay.height() * 0.08), [0.09, 0.24, 0.09, 0.24_f64][form].min(bay.height() * 0.2));
@@ -91,7 +91,7 @@ fn traditional(builder: &mut Builder, form: usize) -> (Bay, Rows) {
         for door in bay.inset(0.05, 0.0, 0.0).columns(2, 0.03) {
             let front = door.with_y([0.05, base - 0.05]).slab(Side::Front, 0.014).without(Side::Front, 0.004);
             builder.block(slot, front, 0.003);
-            builder.cuboid("brass", Bay::around(front.center().with_z(front.high.z), 0.07, 0.012, 0.008));
+            builder.cuboid(Slot::Brass, Bay::around(front.center().with_z(front.high.z), 0.07, 0.012, 0.008));
         }
     }
     let body = bay.inset(0.025, 0.0, 0.002).without(Side::Front, 0.02);
@@ -106,7 +106,10 @@ fn traditional(builder: &mut Builder, form: usize) -> (Bay, Rows) {
         .without(Side::Below, 0.02)
         .without(Side::Front, 0.004)
         .without(Side::Above, 0.006);
-    (space, Rows { plate: slot, ledge: "brass", is_wire: false, stagger: if form >= 2 { 0.3 } else { 0.0 } })
+    (
+        space,
+        Rows { plate: slot, ledge: Slot::Brass, is_wire: false, stagger: if form >= 2 { 0.3 } else { 0.0 } },
+    )
 }
 
 /// Plates of sheet between posts of angle or of pipe.
@@ -114,14 +117,14 @@ fn industrial(builder: &mut Builder, form: usize) -> (Bay, Rows) {
     let bay = builder.bay();
     let post = 0.035_f64.min(bay.width() * 0.08);
     let kind = [LegKind::Angle, LegKind::Pipe, LegKind::Angle, LegKind::Square][form];
-    legs_at_corners(builder, "metal_dark", bay, post, kind);
+    legs_at_corners(builder, Slot::MetalDark, bay, post, kind);
     let inner = bay.inset(post * 0.5, 0.0, post * 0.3).without(Side::Below, 0.1).without(Side::Above, 0.03);
     builder.cuboid(
-        "metal_dark",
+        Slot::MetalDark,
         bay.inset(post * 0.4, 0.0, post * 0.4).slab(Side::Above, 0.03).without(Side::Above, 0.01),
     );
-    let plate = ["metal", "wood", "metal", "wood"][form];
-    (inner, Rows { plate, ledge: "metal_dark", is_wire: form == 2, stagger: 0.0 })
+    let plate = [Slot::Metal, Slot::Wood, Slot::Metal, Slot::Wood][form];
+    (inner, Rows { plate, ledge: Slot::MetalDark, is_wire: form == 2, stagger: 0.0 })
 }
 
 /// Wire on two bent tubes, or plates of plastic on a thin frame.
@@ -137,14 +140,14 @@ fn budget(builder: &mut Builder, form: usize) -> (Bay, Rows) {
         DVec3::new(x, bay.high.y - tube, back + 0.1),
         DVec3::new(x, 0.08, front - 0.002),
     ];
-    let slot = ["chrome", "metal_dark", "plastic_dark", "chrome"][form];
+    let slot = [Slot::Chrome, Slot::MetalDark, Slot::PlasticDark, Slot::Chrome][form];
     builder.add_pair(slot, sweep(&path, tube, 6));
     let inner = bay.inset(tube * 1.4, 0.0, 0.014).without(Side::Below, 0.06).without(Side::Above, 0.014);
     builder.cuboid(
         slot,
         inner.slab(Side::Below, 0.02).moved(0.0, -0.05, 0.0).slab(Side::Back, 0.02).inset(-0.01, 0.0, 0.0),
     );
-    let plate = ["metal", "plastic", "plastic", "laminate"][form];
+    let plate = [Slot::Metal, Slot::Plastic, Slot::Plastic, Slot::Laminate][form];
     (inner, Rows { plate, ledge: plate, is_wire: form == 0, stagger: 0.55 })
 }
 
@@ -174,7 +177,7 @@ fn magazines(builder: &mut Builder, sampler: &mut Sampler, row: Bay, rows: &Rows
     }
     let columns = (row.width() / COVER).round().clamp(1.0, 6.0) as u32;
     for column in row.inset(0.015, 0.0, 0.0).columns(columns, 0.02) {
-        let slot = sampler.pick(&["paper", "book", "painted_accent", "leaf"]);
+        let slot = sampler.pick(&[Slot::Paper, Slot::Book, Slot::PaintedAccent, Slot::Leaf]);
         let cover = leaning(0.02, sampler.between(0.72, 0.9), 0.0068, 0.009);
         builder.add(slot, extrude(&cover, Axis::X, column.x()));
     }

@@ -6,7 +6,7 @@ use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, fill_with_books, legs_at_corners, slab_top};
 use crate::recipes::furniture::storage::fill_with_boxes;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of a moulded board on top, and of a steel plate under a post.
 const CROWN: f64 = 0.03;
@@ -24,24 +24,24 @@ fn shelf(draft: &Draft, builder: &mut Builder) {
     let post = 0.035_f64.min(bay.width() * 0.1).min(bay.depth() * 0.2);
     let (slot, kind, board) = match draft.set() {
         GeometrySet::Plain => (
-            ["metal", "painted", "wood", "metal_dark"][form],
+            [Slot::Metal, Slot::Painted, Slot::Wood, Slot::MetalDark][form],
             LegKind::Square,
-            ["metal", "painted", "wood", "wood"][form],
+            [Slot::Metal, Slot::Painted, Slot::Wood, Slot::Wood][form],
         ),
         GeometrySet::Traditional => (
-            ["wood", "wood_dark"][form % 2],
+            [Slot::Wood, Slot::WoodDark][form % 2],
             [LegKind::Round, LegKind::Square][form / 2],
-            ["wood", "wood_dark"][form % 2],
+            [Slot::Wood, Slot::WoodDark][form % 2],
         ),
         GeometrySet::Industrial => (
-            "metal_dark",
+            Slot::MetalDark,
             [LegKind::Angle, LegKind::Pipe, LegKind::Angle, LegKind::Square][form],
-            ["wood", "wood", "metal", "metal_dark"][form],
+            [Slot::Wood, Slot::Wood, Slot::Metal, Slot::MetalDark][form],
         ),
         GeometrySet::Budget => (
-            ["plastic", "metal", "wood_light", "plastic_dark"][form],
+            [Slot::Plastic, Slot::Metal, Slot::WoodLight, Slot::PlasticDark][form],
             [LegKind::Round, LegKind::Round, LegKind::Square, LegKind::Round][form],
-            ["plastic", "laminate", "wood_light", "plastic_dark"][form],
+            [Slot::Plastic, Slot::Laminate, Slot::WoodLight, Slot::PlasticDark][form],
         ),
     };
     let frame = frame(draft.set(), builder, slot);
@@ -80,7 +80,7 @@ fn shelf(draft: &Draft, builder: &mut Builder) {
 
 /// What a set adds to posts and boards: a moulded board on top, a cross behind and plates under the feet. Gives where the
 /// posts stand: within them, or in from the edges of moulded trays.
-fn frame(set: GeometrySet, builder: &mut Builder, slot: &'static str) -> Bay {
+fn frame(set: GeometrySet, builder: &mut Builder, slot: Slot) -> Bay {
     let bay = builder.bay();
     match set {
         GeometrySet::Plain => bay,
@@ -99,7 +99,7 @@ fn frame(set: GeometrySet, builder: &mut Builder, slot: &'static str) -> Bay {
             let x = frame.high.x - 0.012;
             for (turn, back) in [(1.0, 0.006), (-1.0, 0.014)] {
                 let at = |x: f64, share: f64| DVec3::new(x * turn, share * bay.height(), frame.low.z + back);
-                builder.add("metal", sweep(&[at(-x, 0.1), at(x, 0.9)], 0.005, 4));
+                builder.add(Slot::Metal, sweep(&[at(-x, 0.1), at(x, 0.9)], 0.005, 4));
             }
             frame.without(Side::Below, 0.006 - SINK)
         }

@@ -4,11 +4,11 @@ use super::{CORNICE, CORNICE_OVERHANG, PLINTH, REACH};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, cornice, legs_at_corners, slab_top};
 use crate::recipes::kit::{Bay, Builder, SINK};
-use crate::recipes::{Draft, GeometrySet};
+use crate::recipes::{Draft, GeometrySet, Slot};
 
 /// The box of a tall or wide piece: what it stands on and what crowns it, by set. Gives the bay of the body from back
 /// wall to handle tips.
-pub(super) fn case(draft: &Draft, builder: &mut Builder, slot: &'static str) -> Bay {
+pub(super) fn case(draft: &Draft, builder: &mut Builder, slot: Slot) -> Bay {
     let bay = builder.bay();
     let plinth = PLINTH.min(bay.height() * 0.15);
     let form = draft.input.look % 4;
@@ -17,9 +17,9 @@ pub(super) fn case(draft: &Draft, builder: &mut Builder, slot: &'static str) -> 
         (GeometrySet::Industrial, 1 | 2) => return framed_case(builder, bay, plinth),
         (GeometrySet::Plain, 2) | (GeometrySet::Industrial, _) | (GeometrySet::Budget, 1) => {
             let (legs, kind) = match draft.set() {
-                GeometrySet::Plain => ("wood", LegKind::Tapered),
-                GeometrySet::Industrial => ("metal_dark", LegKind::Square),
-                _ => ("plastic_dark", LegKind::Round),
+                GeometrySet::Plain => (Slot::Wood, LegKind::Tapered),
+                GeometrySet::Industrial => (Slot::MetalDark, LegKind::Square),
+                _ => (Slot::PlasticDark, LegKind::Round),
             };
             let feet = bay.slab(Side::Below, plinth + SINK).inset(0.03, 0.0, 0.0);
             let feet = feet.without(Side::Front, 0.06).without(Side::Back, 0.01);
@@ -45,7 +45,7 @@ pub(super) fn case(draft: &Draft, builder: &mut Builder, slot: &'static str) -> 
 }
 
 /// A cornice above and a plinth, or feet, below.
-fn crowned_case(draft: &Draft, builder: &mut Builder, slot: &'static str, plinth: f64) -> Bay {
+fn crowned_case(draft: &Draft, builder: &mut Builder, slot: Slot, plinth: f64) -> Bay {
     let bay = builder.bay();
     let crown = CORNICE.min(bay.height() * 0.12);
     let overhang = CORNICE_OVERHANG.min(bay.width() * 0.05).min(bay.depth() * 0.1);
@@ -72,10 +72,10 @@ fn crowned_case(draft: &Draft, builder: &mut Builder, slot: &'static str, plinth
 fn framed_case(builder: &mut Builder, bay: Bay, plinth: f64) -> Bay {
     let iron = 0.032_f64.min(bay.width() * 0.08);
     let frame = bay.without(Side::Front, REACH * 0.6);
-    legs_at_corners(builder, "metal_dark", frame, iron, LegKind::Angle);
+    legs_at_corners(builder, Slot::MetalDark, frame, iron, LegKind::Angle);
     let board = 0.025;
     builder.block(
-        "wood",
+        Slot::Wood,
         frame.inset(0.006, 0.0, 0.006).slab(Side::Above, board).moved(0.0, -0.003, 0.0),
         0.004,
     );

@@ -4,7 +4,7 @@ use super::{OVERHANG, body_slot, doors, drawers, fronts, open_box};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners, slab_top};
 use crate::recipes::kit::{Bay, Builder, SINK};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// A chest of drawers; `drawers` rows, two columns where it is wide.
 pub(in super::super) static DRESSER: Recipe = Recipe::furniture("dresser", [1.0, 0.45, 0.85])
@@ -33,11 +33,11 @@ fn dresser(draft: &Draft, builder: &mut Builder) {
 }
 
 /// Four short legs and a top; gives the bay of the body between them.
-fn chest_on_feet(draft: &Draft, builder: &mut Builder, slot: &'static str) -> Bay {
+fn chest_on_feet(draft: &Draft, builder: &mut Builder, slot: Slot) -> Bay {
     let bay = builder.bay();
     let is_traditional = draft.is_traditional();
     let top = 0.022_f64.min(bay.height() * 0.1);
-    let top_slot = if draft.set() == GeometrySet::Industrial { "wood" } else { slot };
+    let top_slot = if draft.set() == GeometrySet::Industrial { Slot::Wood } else { slot };
     slab_top(builder, top_slot, bay.slab(Side::Above, top), is_traditional);
     let foot = (bay.height() * 0.22).min([0.06, 0.12, 0.17, 0.09][draft.input.look as usize % 4]);
     let overhang = if is_traditional { 0.016 } else { OVERHANG };
@@ -46,17 +46,17 @@ fn chest_on_feet(draft: &Draft, builder: &mut Builder, slot: &'static str) -> Ba
     let form = draft.input.look as usize % 4;
     let (feet, kind) = match draft.set() {
         GeometrySet::Plain => (
-            ["wood", "metal_dark", "wood", "wood_light"][form],
+            [Slot::Wood, Slot::MetalDark, Slot::Wood, Slot::WoodLight][form],
             [LegKind::Square, LegKind::Round, LegKind::Tapered, LegKind::Tapered][form],
         ),
         GeometrySet::Traditional => {
             (slot, [LegKind::Turned, LegKind::Spade, LegKind::Tapered, LegKind::Spade][form])
         }
         GeometrySet::Industrial => {
-            ("metal_dark", [LegKind::Pipe, LegKind::Angle, LegKind::Hairpin, LegKind::Square][form])
+            (Slot::MetalDark, [LegKind::Pipe, LegKind::Angle, LegKind::Hairpin, LegKind::Square][form])
         }
         GeometrySet::Budget => (
-            ["plastic_dark", "chrome", "wood_light", "plastic_dark"][form],
+            [Slot::PlasticDark, Slot::Chrome, Slot::WoodLight, Slot::PlasticDark][form],
             [LegKind::Square, LegKind::Round, LegKind::Tapered, LegKind::Round][form],
         ),
     };
@@ -118,7 +118,7 @@ fn tv_stand(draft: &Draft, builder: &mut Builder) {
             open_box(builder, body_slot(draft), niche.inset(SINK * 2.0, 0.0, 0.0), 0.016);
             let player =
                 niche.inset(0.05, 0.0, 0.03).with_y([niche.low.y + 0.016 + SINK, niche.low.y + 0.07]);
-            builder.block("plastic_dark", player, 0.004);
+            builder.block(Slot::PlasticDark, player, 0.004);
         } else {
             let column = column.inset(SINK * 3.0, 0.0, 0.0);
             fittings.carcass(builder, body_slot(draft), column);

@@ -9,7 +9,7 @@ use crate::recipes::furniture::parts::{
     HandleKind, LegKind, REVEAL, handle, legs_at_corners, slab_top, turned_forward,
 };
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, extrude, lathe};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of a drawer for hanging files.
 const DRAWER: f64 = 0.33;
@@ -39,7 +39,7 @@ fn filing_cabinet(draft: &Draft, builder: &mut Builder) {
 }
 
 /// The body behind fronts that are [`FRONT`] thick with handles of a reach before them; gives the space of the fronts.
-fn body(builder: &mut Builder, slot: &'static str, bay: Bay, reach: f64) -> Bay {
+fn body(builder: &mut Builder, slot: Slot, bay: Bay, reach: f64) -> Bay {
     builder.cuboid(slot, bay.without(Side::Front, reach + FRONT - SINK));
     bay.without(Side::Front, reach).slab(Side::Front, FRONT).inset(REVEAL, REVEAL / 2.0, 0.0)
 }
@@ -48,8 +48,8 @@ fn body(builder: &mut Builder, slot: &'static str, bay: Bay, reach: f64) -> Bay 
 fn label(builder: &mut Builder, front: Bay, at: DVec3) {
     let [width, height] = [LABEL[0].min(front.width() * 0.5), LABEL[1].min(front.height() * 0.3)];
     let plate = Bay::around(at, width, height, 0.004);
-    builder.cuboid("metal", plate);
-    builder.cuboid("paper", plate.inset(0.004, 0.004, 0.0).moved(0.0, 0.0, 0.0012));
+    builder.cuboid(Slot::Metal, plate);
+    builder.cuboid(Slot::Paper, plate.inset(0.004, 0.004, 0.0).moved(0.0, 0.0, 0.0012));
 }
 
 /// The middle of a front, a share of its height above or below.
@@ -60,13 +60,13 @@ fn on_front(front: Bay, share: f64) -> DVec3 {
 
 /// Flush fronts of steel with a lip to reach behind, a bar along each front, a shutter, or holes for a finger.
 fn plain(builder: &mut Builder, count: u32, form: usize) {
-    let slot = ["painted", "metal", "painted", "wood"][form];
+    let slot = [Slot::Painted, Slot::Metal, Slot::Painted, Slot::Wood][form];
     let reach = [0.006, 0.016, 0.02, 0.002][form];
     let bay = builder.bay();
     let plinth = 0.03_f64.min(bay.height() * 0.05);
-    builder.cuboid("metal_dark", bay.slab(Side::Below, plinth + SINK).inset(0.01, 0.0, 0.02));
+    builder.cuboid(Slot::MetalDark, bay.slab(Side::Below, plinth + SINK).inset(0.01, 0.0, 0.02));
     let fronts =
-        body(builder, if form == 3 { "painted" } else { slot }, bay.without(Side::Below, plinth), reach);
+        body(builder, if form == 3 { Slot::Painted } else { slot }, bay.without(Side::Below, plinth), reach);
     if form == 2 {
         shutter(builder, fronts, reach);
         return;
@@ -76,11 +76,11 @@ fn plain(builder: &mut Builder, count: u32, form: usize) {
         match form {
             0 => {
                 let lip = front.slab(Side::Above, 0.03).inset(0.002, 0.0, 0.0).without(Side::Above, 0.012);
-                builder.cuboid("metal_dark", lip.with_z([front.high.z - 0.004, front.high.z + reach]));
+                builder.cuboid(Slot::MetalDark, lip.with_z([front.high.z - 0.004, front.high.z + reach]));
             }
             1 => handle(
                 builder,
-                "metal_dark",
+                Slot::MetalDark,
                 (HandleKind::Level, front.width() * 0.8),
                 on_front(front, 0.25),
                 reach,
@@ -88,7 +88,7 @@ fn plain(builder: &mut Builder, count: u32, form: usize) {
             _ => {
                 let hole = turned_forward(lathe(&[(0.017, -0.004), (0.017, reach)], 12));
                 let at = on_front(front, 0.3);
-                builder.add("metal_dark", hole.moved(at.x, at.y, at.z));
+                builder.add(Slot::MetalDark, hole.moved(at.x, at.y, at.z));
             }
         }
         if form == 1 {
@@ -96,27 +96,27 @@ fn plain(builder: &mut Builder, count: u32, form: usize) {
         }
     }
     let lock = turned_forward(lathe(&[(0.009, -0.003), (0.009, 0.002)], 8));
-    builder.add("chrome", lock.moved(fronts.high.x - 0.03, fronts.high.y - 0.012, fronts.high.z));
+    builder.add(Slot::Chrome, lock.moved(fronts.high.x - 0.03, fronts.high.y - 0.012, fronts.high.z));
 }
 
 /// Slats of a shutter that rolls up, with its grip near the floor.
 fn shutter(builder: &mut Builder, field: Bay, reach: f64) {
     let inner = field.inset(0.02, 0.001, 0.0);
     for side in [Side::Left, Side::Right] {
-        builder.cuboid("painted", field.slab(side, 0.022));
+        builder.cuboid(Slot::Painted, field.slab(side, 0.022));
     }
     for slat in
         inner.without(Side::Front, 0.005).rows((inner.height() / 0.045).round().max(4.0) as u32, 0.006)
     {
-        builder.cuboid("metal", slat);
+        builder.cuboid(Slot::Metal, slat);
     }
     let grip = on_front(inner.slab(Side::Below, 0.12), 0.1) - DVec3::Z * 0.006;
-    handle(builder, "metal", (HandleKind::Level, inner.width() * 0.6), grip, reach + 0.006);
+    handle(builder, Slot::Metal, (HandleKind::Level, inner.width() * 0.6), grip, reach + 0.006);
 }
 
 /// Oak with a moulded top: drawers with brass pulls under labels, or a card index of two columns.
 fn traditional(builder: &mut Builder, count: u32, form: usize) {
-    let slot = ["wood", "wood_dark", "wood", "wood_dark"][form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Wood, Slot::WoodDark][form];
     let bay = builder.bay();
     let (top, plinth) = (0.03_f64.min(bay.height() * 0.05), 0.07_f64.min(bay.height() * 0.08));
     slab_top(builder, slot, bay.slab(Side::Above, top), true);
@@ -138,20 +138,20 @@ fn traditional(builder: &mut Builder, count: u32, form: usize) {
 }
 
 /// A drawer whose label sits in a brass frame over a cup to pull.
-fn pulled_drawer(builder: &mut Builder, slot: &'static str, front: Bay) {
+fn pulled_drawer(builder: &mut Builder, slot: Slot, front: Bay) {
     builder.block(slot, front, 0.005);
     let width = LABEL[0].min(front.width() * 0.5);
     let is_low = front.height() < 0.2;
     if !is_low {
         let plate = Bay::around(on_front(front, 0.24), width, LABEL[1], 0.004);
-        builder.cuboid("brass", plate);
-        builder.cuboid("paper", plate.inset(0.004, 0.004, 0.0).moved(0.0, 0.0, 0.0012));
+        builder.cuboid(Slot::Brass, plate);
+        builder.cuboid(Slot::Paper, plate.inset(0.004, 0.004, 0.0).moved(0.0, 0.0, 0.0012));
     }
-    cup(builder, "brass", on_front(front, if is_low { 0.0 } else { -0.02 }), width, REACH);
+    cup(builder, Slot::Brass, on_front(front, if is_low { 0.0 } else { -0.02 }), width, REACH);
 }
 
 /// A cup handle: a quarter of a tube, open below.
-fn cup(builder: &mut Builder, slot: &'static str, at: DVec3, width: f64, reach: f64) {
+fn cup(builder: &mut Builder, slot: Slot, at: DVec3, width: f64, reach: f64) {
     let tall = reach * 1.4;
     let profile = [(-SINK, 0.0), (-SINK, tall), (reach * 0.5, tall * 0.9), (reach, tall * 0.3), (reach, 0.0)];
     let solid = extrude(&profile.map(DVec2::from), Axis::X, [-width / 2.0, width / 2.0]);
@@ -159,7 +159,7 @@ fn cup(builder: &mut Builder, slot: &'static str, at: DVec3, width: f64, reach: 
 }
 
 /// Frames of boards on both sides of a body, one or two fields over each other.
-fn side_panels(builder: &mut Builder, slot: &'static str, case: Bay, form: usize) {
+fn side_panels(builder: &mut Builder, slot: Slot, case: Bay, form: usize) {
     let stile = 0.05_f64.min(case.depth() * 0.15);
     for side in [Side::Left, Side::Right] {
         let out = if side == Side::Left { -1.0 } else { 1.0 };
@@ -178,14 +178,18 @@ fn side_panels(builder: &mut Builder, slot: &'static str, case: Bay, form: usize
 
 /// Riveted sheet on legs of angle: files, flat drawers for plans, or a card index.
 fn industrial(builder: &mut Builder, count: u32, form: usize) {
-    let slot = ["metal", "metal_dark", "metal", "painted_accent"][form];
+    let slot = [Slot::Metal, Slot::MetalDark, Slot::Metal, Slot::PaintedAccent][form];
     let bay = builder.bay();
     let leg = bay.height() * [0.09, 0.14, 0.12, 0.09][form];
     let frame = bay.without(Side::Front, REACH);
-    legs_at_corners(builder, "metal_dark", frame, 0.035, LegKind::Angle);
+    legs_at_corners(builder, Slot::MetalDark, frame, 0.035, LegKind::Angle);
     let case = bay.inset(0.007, 0.0, 0.0).without(Side::Back, 0.007).without(Side::Below, leg);
-    let fronts =
-        body(builder, if form == 3 { "metal_dark" } else { slot }, case.without(Side::Above, 0.004), REACH);
+    let fronts = body(
+        builder,
+        if form == 3 { Slot::MetalDark } else { slot },
+        case.without(Side::Above, 0.004),
+        REACH,
+    );
     let fronts = fronts.inset(0.026, 0.014, 0.0);
     let (rows, columns) = match form {
         1 => ((case.height() / 0.1).round().clamp(3.0, 12.0) as u32, 1),
@@ -202,7 +206,7 @@ fn industrial(builder: &mut Builder, count: u32, form: usize) {
             let width = front.width() * if form == 1 { 0.22 } else { 0.3 };
             for share in if form == 1 { &[-0.26, 0.26][..] } else { &[0.0] } {
                 let at = on_front(front, if tall { 0.02 } else { -0.2 }) + DVec3::X * *share * front.width();
-                cup(builder, if form == 1 { "metal" } else { "metal_dark" }, at, width, REACH);
+                cup(builder, if form == 1 { Slot::Metal } else { Slot::MetalDark }, at, width, REACH);
             }
             if tall {
                 rivets(builder, front);
@@ -217,7 +221,7 @@ fn rivets(builder: &mut Builder, front: Bay) {
     for x in inner.x() {
         for y in inner.y() {
             let rivet = turned_forward(lathe(&[(0.007, -0.003), (0.005, 0.004)], 6));
-            builder.add("metal_dark", rivet.moved(x, y, front.high.z));
+            builder.add(Slot::MetalDark, rivet.moved(x, y, front.high.z));
         }
     }
 }
@@ -231,31 +235,35 @@ fn budget(builder: &mut Builder, count: u32, form: usize) {
     }
     let castor = 0.05_f64.min(bay.height() * 0.08);
     let feet = bay.slab(Side::Below, castor + SINK).inset(0.02, 0.0, 0.03);
-    legs_at_corners(builder, "plastic_dark", feet, 0.045, LegKind::Round);
+    legs_at_corners(builder, Slot::PlasticDark, feet, 0.045, LegKind::Round);
     let reach = [0.012, 0.022, 0.0, 0.001][form];
     let case = bay.without(Side::Below, castor);
-    let slot = ["metal", "laminate", "", "wood_light"][form];
+    let (slot, front_slot) = match form {
+        0 => (Slot::Metal, Slot::Metal),
+        1 => (Slot::Laminate, Slot::Laminate),
+        _ => (Slot::WoodLight, Slot::Laminate),
+    };
     let fronts = body(
         builder,
         slot,
         case.without(Side::Above, 0.016 - SINK).without(Side::Back, 0.001).inset(OVERHANG, 0.0, 0.0),
         reach,
     );
-    builder.cuboid(if form == 0 { slot } else { "wood_light" }, case.slab(Side::Above, 0.016));
+    builder.cuboid(if form == 0 { slot } else { Slot::WoodLight }, case.slab(Side::Above, 0.016));
     for front in fronts.rows(count, REVEAL * 1.5) {
-        builder.cuboid(["metal", "laminate", "", "laminate"][form], front);
+        builder.cuboid(front_slot, front);
         let at = on_front(front, 0.28);
         match form {
             0 => {
                 let grip =
                     Bay::around(at + DVec3::Z * reach / 2.0, front.width() * 0.36, 0.036, reach + SINK);
-                builder.cuboid("plastic_dark", grip.moved(0.0, 0.0, -SINK / 2.0));
-                builder.cuboid("paper", Bay::around(on_front(front, 0.1), 0.07, 0.024, 0.002));
+                builder.cuboid(Slot::PlasticDark, grip.moved(0.0, 0.0, -SINK / 2.0));
+                builder.cuboid(Slot::Paper, Bay::around(on_front(front, 0.1), 0.07, 0.024, 0.002));
             }
-            1 => handle(builder, "plastic_dark", (HandleKind::Knob, 0.0), at, reach),
+            1 => handle(builder, Slot::PlasticDark, (HandleKind::Knob, 0.0), at, reach),
             _ => {
                 let gap = Bay::around(at, front.width() * 0.3, 0.026, 0.002);
-                builder.cuboid("plastic_dark", gap);
+                builder.cuboid(Slot::PlasticDark, gap);
             }
         }
     }
@@ -264,19 +272,19 @@ fn budget(builder: &mut Builder, count: u32, form: usize) {
 /// Boxes of plastic that slide in a frame of the same, on castors.
 fn tower(builder: &mut Builder, bay: Bay, count: u32) {
     let castor = 0.05_f64.min(bay.height() * 0.08);
-    legs_at_corners(builder, "plastic_dark", bay.slab(Side::Below, castor + SINK), 0.045, LegKind::Round);
+    legs_at_corners(builder, Slot::PlasticDark, bay.slab(Side::Below, castor + SINK), 0.045, LegKind::Round);
     let frame = bay.without(Side::Below, castor);
-    builder.block("plastic", frame.slab(Side::Above, 0.025), 0.01);
-    builder.cuboid("plastic", frame.slab(Side::Below, 0.02).inset(0.003, 0.0, 0.003));
+    builder.block(Slot::Plastic, frame.slab(Side::Above, 0.025), 0.01);
+    builder.cuboid(Slot::Plastic, frame.slab(Side::Below, 0.02).inset(0.003, 0.0, 0.003));
     let posts = frame.inset(0.004, 0.01, 0.004);
-    legs_at_corners(builder, "plastic", posts, 0.025, LegKind::Square);
+    legs_at_corners(builder, Slot::Plastic, posts, 0.025, LegKind::Square);
     for (index, row) in posts.inset(0.014, 0.016, 0.01).rows(count, 0.02).into_iter().enumerate() {
-        let slot = ["painted_accent", "plastic"][index % 2];
+        let slot = [Slot::PaintedAccent, Slot::Plastic][index % 2];
         let drawer = row.inset(0.0, 0.0, 0.006);
         builder.cuboid(slot, drawer);
         let lip = drawer.slab(Side::Above, 0.03).inset(drawer.width() * 0.25, 0.0, 0.0);
         builder.cuboid(
-            "plastic_dark",
+            Slot::PlasticDark,
             lip.with_z([drawer.high.z - SINK, drawer.high.z + 0.01]).moved(0.0, -0.02, 0.0),
         );
     }

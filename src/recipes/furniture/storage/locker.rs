@@ -9,7 +9,7 @@ use crate::recipes::furniture::parts::{
     HandleKind, LegKind, REVEAL, cornice, handle, legs_at_corners, slab_top, turned_forward,
 };
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, extrude, lathe};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of a compartment's width.
 const COMPARTMENT: f64 = 0.32;
@@ -47,7 +47,7 @@ fn locker(draft: &Draft, builder: &mut Builder) {
 }
 
 /// The body behind doors; gives the space of the doors.
-fn body(builder: &mut Builder, slot: &'static str, case: Bay) -> Bay {
+fn body(builder: &mut Builder, slot: Slot, case: Bay) -> Bay {
     builder.cuboid(slot, case.without(Side::Front, GRIP + DOOR - SINK));
     case.without(Side::Front, GRIP).slab(Side::Front, DOOR).inset(REVEAL, REVEAL, 0.0)
 }
@@ -58,12 +58,12 @@ fn vents(builder: &mut Builder, door: Bay, from: f64, count: u32) {
     let low = door.low.y + from * door.height();
     let field = field.with_y([low, low + 0.022 * f64::from(count)]);
     for strip in field.rows(count, 0.012) {
-        builder.cuboid("metal_dark", strip.with_z([door.high.z - 0.003, door.high.z + 0.001]));
+        builder.cuboid(Slot::MetalDark, strip.with_z([door.high.z - 0.003, door.high.z + 0.001]));
     }
 }
 
 /// A number on a plate.
-fn plate(builder: &mut Builder, slot: &'static str, door: Bay, share: f64) {
+fn plate(builder: &mut Builder, slot: Slot, door: Bay, share: f64) {
     let at = DVec3::new(door.center().x, door.low.y + share * door.height(), door.high.z);
     builder.cuboid(slot, Bay::around(at, 0.05, 0.03, 0.003));
 }
@@ -72,23 +72,23 @@ fn plate(builder: &mut Builder, slot: &'static str, door: Bay, share: f64) {
 fn lock(builder: &mut Builder, door: Bay, share: f64) {
     let knob = turned_forward(lathe(&[(0.017, -SINK), (0.017, GRIP * 0.6), (0.011, GRIP)], 8));
     let at = DVec3::new(door.high.x - 0.035, door.low.y + share * door.height(), door.high.z);
-    builder.add("metal_dark", knob.moved(at.x, at.y, at.z));
+    builder.add(Slot::MetalDark, knob.moved(at.x, at.y, at.z));
 }
 
 /// Flush doors: full height, in two rows of wood, in the form of a Z, or cubes with a niche for the shoes below.
 fn plain(row: &Row, builder: &mut Builder) {
     let plinth = PLINTH.min(row.bay.height() * 0.1);
     builder.cuboid(
-        "metal_dark",
+        Slot::MetalDark,
         row.bay
             .slab(Side::Below, plinth + SINK)
             .inset(0.004, 0.0, 0.0)
             .without(Side::Front, 0.05)
             .without(Side::Back, 0.002),
     );
-    let doors = body(builder, "painted", row.bay.without(Side::Below, plinth));
+    let doors = body(builder, Slot::Painted, row.bay.without(Side::Below, plinth));
     let (slot, rows) =
-        [("painted_accent", 1), ("wood", 2), ("painted_accent", 1), ("wood_light", 4)][row.form];
+        [(Slot::PaintedAccent, 1), (Slot::Wood, 2), (Slot::PaintedAccent, 1), (Slot::WoodLight, 4)][row.form];
     if row.form == 2 {
         doors.columns(row.count, REVEAL).into_iter().for_each(|column| z_doors(builder, slot, column));
         return;
@@ -97,7 +97,7 @@ fn plain(row: &Row, builder: &mut Builder) {
         for door in line.columns(row.count, REVEAL) {
             builder.cuboid(slot, door);
             lock(builder, door, if rows > 2 { 0.5 } else { 0.56 });
-            plate(builder, "metal", door, 0.9);
+            plate(builder, Slot::Metal, door, 0.9);
             if rows == 1 {
                 vents(builder, door, 0.05, 2);
             }
@@ -106,7 +106,7 @@ fn plain(row: &Row, builder: &mut Builder) {
 }
 
 /// Two doors that share one column, each wide where the other is narrow.
-fn z_doors(builder: &mut Builder, slot: &'static str, column: Bay) {
+fn z_doors(builder: &mut Builder, slot: Slot, column: Bay) {
     let (low, high, middle) = (column.low, column.high, column.center());
     let (step, split) = (column.height() * 0.16, middle.x);
     let lower = [
@@ -130,13 +130,13 @@ fn z_doors(builder: &mut Builder, slot: &'static str, column: Bay) {
         let y = middle.y + if is_lower { -step } else { step } * 1.6;
         let knob = turned_forward(lathe(&[(0.017, -SINK), (0.017, GRIP * 0.6), (0.011, GRIP)], 8));
         let x = if is_lower { high.x - 0.035 } else { low.x + 0.035 };
-        builder.add("metal_dark", knob.moved(x, y, column.high.z));
+        builder.add(Slot::MetalDark, knob.moved(x, y, column.high.z));
     }
 }
 
 /// Louvred doors of wood between stiles, under a cornice; brass numbers.
 fn traditional(row: &Row, builder: &mut Builder) {
-    let slot = ["wood", "wood_dark", "painted", "wood"][row.form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Painted, Slot::Wood][row.form];
     let bay = row.bay;
     let (crown, foot) = (0.06_f64.min(bay.height() * 0.08), 0.08_f64.min(bay.height() * 0.1));
     cornice(builder, slot, bay.slab(Side::Above, crown), 0.025);
@@ -157,14 +157,14 @@ fn traditional(row: &Row, builder: &mut Builder) {
         for door in line.columns(row.count, 0.014) {
             louvred(builder, slot, door, row.form);
             let knob = DVec3::new(door.high.x - 0.025, door.low.y + door.height() * 0.52, door.high.z);
-            handle(builder, "brass", (HandleKind::Knob, 0.0), knob, GRIP);
-            plate(builder, "brass", door, 0.94);
+            handle(builder, Slot::Brass, (HandleKind::Knob, 0.0), knob, GRIP);
+            plate(builder, Slot::Brass, door, 0.94);
         }
     }
 }
 
 /// A frame around slats that shed the view; panels in the lower half of some.
-fn louvred(builder: &mut Builder, slot: &'static str, door: Bay, form: usize) {
+fn louvred(builder: &mut Builder, slot: Slot, door: Bay, form: usize) {
     let stile = 0.045_f64.min(door.width() * 0.2);
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, door.slab(side, stile));
@@ -206,7 +206,7 @@ fn industrial(row: &Row, builder: &mut Builder) {
     let front = bay.high.z - GRIP - 0.002;
     legs_at_corners(
         builder,
-        "metal_dark",
+        Slot::MetalDark,
         bay.slab(Side::Below, leg + SINK).without(Side::Front, GRIP + 0.002),
         0.035,
         LegKind::Angle,
@@ -216,13 +216,13 @@ fn industrial(row: &Row, builder: &mut Builder) {
     if row.form != 3 {
         let (y, back) = (case.high.y - SINK, bay.low.z);
         let roof = [(front, y), (front, y + 0.012), (back, bay.high.y), (back, y)].map(DVec2::from);
-        builder.add("metal_dark", extrude(&roof, Axis::X, bay.x()));
+        builder.add(Slot::MetalDark, extrude(&roof, Axis::X, bay.x()));
     }
     let is_wire = row.form.is_multiple_of(2);
-    let shell = if row.form == 1 { "painted_accent" } else { "metal" };
+    let shell = if row.form == 1 { Slot::PaintedAccent } else { Slot::Metal };
     let doors = body(
         builder,
-        if is_wire { "metal_dark" } else { shell },
+        if is_wire { Slot::MetalDark } else { shell },
         case.inset(0.002, 0.0, 0.0).without(Side::Back, 0.001),
     );
     for side in [Side::Left, Side::Right] {
@@ -248,37 +248,37 @@ fn industrial(row: &Row, builder: &mut Builder) {
 fn wire(builder: &mut Builder, door: Bay) {
     let bar = 0.022;
     for side in [Side::Left, Side::Right] {
-        builder.cuboid("metal", door.slab(side, bar));
+        builder.cuboid(Slot::Metal, door.slab(side, bar));
     }
     let inner = door.inset(bar - SINK, 0.0, 0.0);
     for side in [Side::Above, Side::Below] {
-        builder.cuboid("metal", inner.inset(0.0, 0.0005, 0.0012).slab(side, bar));
+        builder.cuboid(Slot::Metal, inner.inset(0.0, 0.0005, 0.0012).slab(side, bar));
     }
     let field = inner.inset(0.0, bar - SINK, 0.0);
     let (across, up) =
         ((field.width() / 0.05).round().max(3.0) as u32, (field.height() / 0.17).round().max(3.0) as u32);
     for rod in field.columns(across, 0.0) {
-        builder.cuboid("metal", Bay::around(rod.center() + DVec3::Z * 0.003, 0.006, rod.height(), 0.006));
+        builder.cuboid(Slot::Metal, Bay::around(rod.center() + DVec3::Z * 0.003, 0.006, rod.height(), 0.006));
     }
     for rod in field.rows(up, 0.0) {
-        builder.cuboid("metal", Bay::around(rod.center() + DVec3::Z * 0.006, rod.width(), 0.008, 0.005));
+        builder.cuboid(Slot::Metal, Bay::around(rod.center() + DVec3::Z * 0.006, rod.width(), 0.008, 0.005));
     }
 }
 
 /// Folded sheet with fields of slots at both ends.
-fn pressed(builder: &mut Builder, slot: &'static str, door: Bay) {
+fn pressed(builder: &mut Builder, slot: Slot, door: Bay) {
     builder.block(slot, door, 0.004);
     vents(builder, door, 0.06, 5);
     vents(builder, door, 0.82, 5);
-    plate(builder, "brass", door, 0.72);
+    plate(builder, Slot::Brass, door, 0.72);
 }
 
 /// A hasp with its padlock.
 fn hasp(builder: &mut Builder, door: Bay) {
     let at = DVec3::new(door.high.x - 0.03, door.low.y + door.height() * 0.54, door.high.z);
-    builder.cuboid("metal_dark", Bay::around(at + DVec3::Z * 0.0025, 0.05, 0.022, 0.006));
+    builder.cuboid(Slot::MetalDark, Bay::around(at + DVec3::Z * 0.0025, 0.05, 0.022, 0.006));
     let body = Bay::around(at + DVec3::new(0.0, -0.03, GRIP * 0.5 - 0.001), 0.034, 0.036, GRIP);
-    builder.block("brass", body, 0.004);
+    builder.block(Slot::Brass, body, 0.004);
 }
 
 /// Thin coloured doors on round feet: three slots, sheet or plastic, full height or in rows.
@@ -287,16 +287,16 @@ fn budget(row: &Row, builder: &mut Builder) {
     let foot = 0.1_f64.min(bay.height() * 0.08);
     legs_at_corners(
         builder,
-        "plastic_dark",
+        Slot::PlasticDark,
         bay.slab(Side::Below, foot + SINK).inset(0.02, 0.0, 0.03),
         0.03,
         LegKind::Round,
     );
-    let (shell, slots, rows): (_, [&'static str; 2], _) = [
-        ("metal", ["painted_accent", "painted_accent"], 1),
-        ("plastic", ["plastic", "painted_accent"], 2),
-        ("metal", ["metal", "metal"], 1),
-        ("laminate", ["laminate", "painted_accent"], 3),
+    let (shell, slots, rows): (_, [Slot; 2], _) = [
+        (Slot::Metal, [Slot::PaintedAccent, Slot::PaintedAccent], 1),
+        (Slot::Plastic, [Slot::Plastic, Slot::PaintedAccent], 2),
+        (Slot::Metal, [Slot::Metal, Slot::Metal], 1),
+        (Slot::Laminate, [Slot::Laminate, Slot::PaintedAccent], 3),
     ][row.form];
     let doors = body(builder, shell, bay.without(Side::Below, foot));
     for (level, line) in doors.inset(0.004, 0.004, 0.0).rows(rows, 0.008).into_iter().enumerate() {
@@ -304,8 +304,8 @@ fn budget(row: &Row, builder: &mut Builder) {
             builder.cuboid(slots[(level + index) % 2], door);
             let at = DVec3::new(door.high.x - 0.03, door.low.y + door.height() * 0.5, door.high.z);
             let grip = Bay::around(at + DVec3::Z * (GRIP / 2.0 - SINK), 0.022, 0.07, GRIP + SINK);
-            builder.cuboid("plastic_dark", grip);
-            if shell == "metal" {
+            builder.cuboid(Slot::PlasticDark, grip);
+            if shell == Slot::Metal {
                 vents(builder, door, 0.86, 3);
             } else {
                 let hole = Bay::around(
@@ -314,7 +314,7 @@ fn budget(row: &Row, builder: &mut Builder) {
                     0.014,
                     0.002,
                 );
-                builder.cuboid("plastic_dark", hole);
+                builder.cuboid(Slot::PlasticDark, hole);
             }
         }
     }

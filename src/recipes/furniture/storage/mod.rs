@@ -14,7 +14,7 @@ pub(super) use locker::LOCKER;
 use super::parts::{Fronts, REVEAL};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, Sampler};
-use crate::recipes::{Draft, GeometrySet};
+use crate::recipes::{Draft, GeometrySet, Slot};
 
 /// Metres by which handles stand out.
 const REACH: f64 = 0.022;
@@ -30,13 +30,13 @@ const OVERHANG: f64 = 0.003;
 const DOOR: f64 = 0.5;
 
 /// Material of the body of a piece.
-fn body_slot(draft: &Draft) -> &'static str {
+fn body_slot(draft: &Draft) -> Slot {
     let form = draft.input.look as usize % 4;
     match draft.set() {
-        GeometrySet::Plain => ["painted", "wood", "wood", "wood_light"][form],
-        GeometrySet::Traditional => ["wood", "wood_dark", "painted", "wood"][form],
-        GeometrySet::Industrial => ["metal", "metal_dark", "metal_dark", "painted_accent"][form],
-        GeometrySet::Budget => ["laminate", "painted", "wood_light", "laminate"][form],
+        GeometrySet::Plain => [Slot::Painted, Slot::Wood, Slot::Wood, Slot::WoodLight][form],
+        GeometrySet::Traditional => [Slot::Wood, Slot::WoodDark, Slot::Painted, Slot::Wood][form],
+        GeometrySet::Industrial => [Slot::Metal, Slot::MetalDark, Slot::MetalDark, Slot::PaintedAccent][form],
+        GeometrySet::Budget => [Slot::Laminate, Slot::Painted, Slot::WoodLight, Slot::Laminate][form],
     }
 }
 
@@ -44,16 +44,18 @@ fn fronts(draft: &Draft) -> Fronts {
     let form = draft.input.look as usize % 4;
     let (front, handle) = match draft.set() {
         GeometrySet::Plain => (
-            ["painted", "wood", "painted", "wood_light"][form],
-            ["metal", "metal_dark", "leather", "metal"][form],
+            [Slot::Painted, Slot::Wood, Slot::Painted, Slot::WoodLight][form],
+            [Slot::Metal, Slot::MetalDark, Slot::Leather, Slot::Metal][form],
         ),
-        GeometrySet::Traditional => (body_slot(draft), ["brass", "brass", "wood_dark", "metal_dark"][form]),
+        GeometrySet::Traditional => {
+            (body_slot(draft), [Slot::Brass, Slot::Brass, Slot::WoodDark, Slot::MetalDark][form])
+        }
         GeometrySet::Industrial => {
-            (["metal", "metal_dark", "metal_dark", "painted_accent"][form], "metal_dark")
+            ([Slot::Metal, Slot::MetalDark, Slot::MetalDark, Slot::PaintedAccent][form], Slot::MetalDark)
         }
         GeometrySet::Budget => (
-            ["laminate", "painted", "laminate", "painted_accent"][form],
-            ["plastic_dark", "metal", "metal", "wood_light"][form],
+            [Slot::Laminate, Slot::Painted, Slot::Laminate, Slot::PaintedAccent][form],
+            [Slot::PlasticDark, Slot::Metal, Slot::Metal, Slot::WoodLight][form],
         ),
     };
     Fronts::new(draft, front, handle, REACH)
@@ -76,7 +78,7 @@ fn drawers(builder: &mut Builder, fittings: &Fronts, bay: Bay, count: u32) {
 }
 
 /// Two cheeks, a back and a bottom; open to the front, closed above by what stands on it.
-fn open_box(builder: &mut Builder, slot: &'static str, bay: Bay, board: f64) {
+fn open_box(builder: &mut Builder, slot: Slot, bay: Bay, board: f64) {
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, bay.slab(side, board));
     }
@@ -103,7 +105,7 @@ pub(super) fn fill_with_boxes(builder: &mut Builder, sampler: &mut Sampler, bay:
         let height = bay.height() * sampler.between(0.4, 0.85);
         let depth = bay.depth() * sampler.between(0.7, 0.95);
         let carton = bay.with_x([left, left + width]).slab(Side::Below, height).slab(Side::Front, depth);
-        builder.cuboid(sampler.pick(&["paper", "plastic", "painted_accent"]), carton);
+        builder.cuboid(sampler.pick(&[Slot::Paper, Slot::Plastic, Slot::PaintedAccent]), carton);
         left += width + sampler.between(0.01, 0.12);
     }
 }

@@ -6,7 +6,7 @@ use super::{OVERHANG, top_board};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{Fronts, HandleKind, LegKind, handle, leg, raised_panel, slanted_leg};
 use crate::recipes::kit::{Bay, Builder, SINK, cuboid, pipe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a desk's side panels.
 const PANEL: f64 = 0.03;
@@ -37,17 +37,17 @@ fn desk_drawers(draft: &Draft, builder: &mut Builder, between: Bay) {
     let count = draft.count("drawers", 1).min(8);
     let width = (between.width() * 0.35).min(0.42);
     let height = (f64::from(count) * 0.13).min(between.height() * 0.85);
-    let fittings = Fronts::new(draft, "wood", "metal", 0.02);
+    let fittings = Fronts::new(draft, Slot::Wood, Slot::Metal, 0.02);
     let box_bay = between.slab(Side::Right, width).slab(Side::Above, height).without(Side::Above, SINK * 5.0);
     let box_bay = box_bay.without(Side::Front, 0.014);
-    fittings.carcass(builder, "wood", box_bay);
+    fittings.carcass(builder, Slot::Wood, box_bay);
     for row in box_bay.inset(0.006, 0.004, 0.0).rows(count, 0.004) {
         fittings.drawer(builder, row);
     }
 }
 
 /// A panel behind the knees, in the upper half.
-fn modesty(builder: &mut Builder, slot: &'static str, under: Bay, share: f64) -> Bay {
+fn modesty(builder: &mut Builder, slot: Slot, under: Bay, share: f64) -> Bay {
     let between = under.inset(PANEL - SINK, 0.0, 0.0).without(Side::Above, SINK * 2.0);
     let panel =
         between.slab(Side::Back, 0.034).slab(Side::Front, 0.016).slab(Side::Above, under.height() * share);
@@ -56,18 +56,18 @@ fn modesty(builder: &mut Builder, slot: &'static str, under: Bay, share: f64) ->
 }
 
 /// Shallow drawers in a rail under the top.
-fn pencil_drawers(builder: &mut Builder, slot: &'static str, under: Bay, (count, kind): (u32, HandleKind)) {
+fn pencil_drawers(builder: &mut Builder, slot: Slot, under: Bay, (count, kind): (u32, HandleKind)) {
     let rail = under.inset(0.0485, 0.0, 0.012).without(Side::Above, SINK * 3.5).slab(Side::Above, 0.038);
     builder.cuboid(slot, rail.without(Side::Front, 0.012));
     for front in rail.columns(count, 0.006) {
         builder.block(slot, front.slab(Side::Front, 0.014).inset(0.0, 0.001, 0.0), 0.003);
         let at = DVec3::new(front.center().x, front.center().y, front.high.z);
-        handle(builder, "brass", (kind, 0.1), at, 0.011);
+        handle(builder, Slot::Brass, (kind, 0.1), at, 0.011);
     }
 }
 
 /// Legs that lean along the depth at both ends.
-fn slanted_ends(builder: &mut Builder, slot: &'static str, under: Bay, radius: f64) {
+fn slanted_ends(builder: &mut Builder, slot: Slot, under: Bay, radius: f64) {
     let x = under.high.x - radius * 1.2;
     for (z, inwards) in [(under.low.z, 1.0), (under.high.z, -1.0)] {
         let at = |y: f64, off: f64| DVec3::new(x, y, z + inwards * off);
@@ -77,7 +77,7 @@ fn slanted_ends(builder: &mut Builder, slot: &'static str, under: Bay, radius: f
 }
 
 /// A closed frame of bar at either end.
-fn loops(builder: &mut Builder, slot: &'static str, under: Bay, (width, bar): (f64, f64)) {
+fn loops(builder: &mut Builder, slot: Slot, under: Bay, (width, bar): (f64, f64)) {
     for side in [Side::Left, Side::Right] {
         let frame = under.slab(side, width);
         for end in [Side::Front, Side::Back] {
@@ -97,37 +97,37 @@ fn plain(builder: &mut Builder, under: Bay, form: usize) {
     match form {
         0 => {
             for side in [Side::Left, Side::Right] {
-                builder.block("wood", under.slab(side, PANEL), 0.004);
+                builder.block(Slot::Wood, under.slab(side, PANEL), 0.004);
             }
-            modesty(builder, "painted", under, 0.42);
+            modesty(builder, Slot::Painted, under, 0.42);
         }
         1 => {
-            slanted_ends(builder, "wood", under, 0.026);
-            pencil_drawers(builder, "wood", under, (2, HandleKind::Knob));
+            slanted_ends(builder, Slot::Wood, under, 0.026);
+            pencil_drawers(builder, Slot::Wood, under, (2, HandleKind::Knob));
         }
         2 => {
-            loops(builder, "metal_dark", under, (0.04, 0.03));
-            modesty(builder, "painted", under, 0.3);
+            loops(builder, Slot::MetalDark, under, (0.04, 0.03));
+            modesty(builder, Slot::Painted, under, 0.3);
         }
         _ => {
             for side in [Side::Left, Side::Right] {
                 let column = under.slab(side, 0.06).without(Side::Above, 0.02);
                 let foot = column.slab(Side::Below, 0.03);
-                builder.block("painted", foot, 0.008);
+                builder.block(Slot::Painted, foot, 0.008);
                 let post =
                     column.inset(0.008, 0.0, column.depth() / 2.0 - 0.05).without(Side::Below, 0.03 - SINK);
-                builder.block("painted", post, 0.006);
+                builder.block(Slot::Painted, post, 0.006);
                 let arm = under.slab(side, 0.05).slab(Side::Above, 0.03).without(Side::Above, SINK * 2.0);
-                builder.cuboid("painted", arm.inset(0.004, 0.0, under.depth() * 0.08));
+                builder.cuboid(Slot::Painted, arm.inset(0.004, 0.0, under.depth() * 0.08));
             }
             let beam = under.inset(0.03, 0.0, under.depth() / 2.0 - 0.03).slab(Side::Above, 0.035);
-            builder.cuboid("painted", beam.without(Side::Above, SINK * 4.0));
+            builder.cuboid(Slot::Painted, beam.without(Side::Above, SINK * 4.0));
         }
     }
 }
 
 fn traditional(builder: &mut Builder, under: Bay, form: usize) {
-    let slot = if form.is_multiple_of(2) { "wood" } else { "wood_dark" };
+    let slot = if form.is_multiple_of(2) { Slot::Wood } else { Slot::WoodDark };
     let kind = [LegKind::Turned, LegKind::Spade, LegKind::Baluster, LegKind::Square][form];
     for side in [Side::Left, Side::Right] {
         for end in [Side::Front, Side::Back] {
@@ -153,7 +153,7 @@ fn traditional(builder: &mut Builder, under: Bay, form: usize) {
 }
 
 /// Two raised fields over each other on the outside of an end.
-fn side_fields(builder: &mut Builder, slot: &'static str, board: Bay, side: Side) {
+fn side_fields(builder: &mut Builder, slot: Slot, board: Bay, side: Side) {
     let face = board.inset(0.0, 0.03, 0.05).slab(side, 0.0);
     let x = if side == Side::Left { board.low.x } else { board.high.x };
     for row in face.rows(2, 0.05) {
@@ -163,7 +163,7 @@ fn side_fields(builder: &mut Builder, slot: &'static str, board: Bay, side: Side
 }
 
 fn industrial(builder: &mut Builder, under: Bay, form: usize) {
-    let slot = "metal_dark";
+    let slot = Slot::MetalDark;
     match form {
         0 => {
             let x = under.high.x - 0.025;
@@ -173,7 +173,7 @@ fn industrial(builder: &mut Builder, under: Bay, form: usize) {
             builder.add_pair(slot, pipe(&path, 0.017, 0.06));
             for z in [z[0] + 0.03, z[1] - 0.03] {
                 let flange = crate::recipes::kit::cylinder(0.032, [0.0, 0.016], 10);
-                builder.add_pair("metal", flange.moved(x, 0.0, z));
+                builder.add_pair(Slot::Metal, flange.moved(x, 0.0, z));
             }
             for y in [y - 0.12, 0.16] {
                 builder.add_pair(
@@ -191,8 +191,8 @@ fn industrial(builder: &mut Builder, under: Bay, form: usize) {
             let cross = |from: f64, to: f64| {
                 [DVec3::new(from, under.high.y * 0.56, z), DVec3::new(to, under.high.y - 0.03, z)]
             };
-            builder.add("metal", sweep(&cross(-x, x), 0.006, 6));
-            builder.add("metal", sweep(&cross(x, -x), 0.0055, 6).moved(0.0, 0.0, 0.009));
+            builder.add(Slot::Metal, sweep(&cross(-x, x), 0.006, 6));
+            builder.add(Slot::Metal, sweep(&cross(x, -x), 0.0055, 6).moved(0.0, 0.0, 0.009));
         }
         2 => {
             trestles(builder, slot, under, (0.016, 4));
@@ -215,7 +215,7 @@ fn industrial(builder: &mut Builder, under: Bay, form: usize) {
                 for row in
                     panel.moved(if side == Side::Left { 0.006 } else { -0.006 }, 0.0, 0.0).rows(4, 0.008)
                 {
-                    builder.block("wood", row, 0.003);
+                    builder.block(Slot::Wood, row, 0.003);
                 }
             }
             modesty(builder, slot, under, 0.3);
@@ -225,7 +225,7 @@ fn industrial(builder: &mut Builder, under: Bay, form: usize) {
 }
 
 /// Two leaning bars with a cross bar at either end, as an A seen from the side.
-fn trestles(builder: &mut Builder, slot: &'static str, under: Bay, (radius, sides): (f64, usize)) {
+fn trestles(builder: &mut Builder, slot: Slot, under: Bay, (radius, sides): (f64, usize)) {
     let x = under.high.x - 0.03;
     let middle = under.center().z;
     let spread = under.depth() / 2.0 - radius;
@@ -247,43 +247,43 @@ fn trestles(builder: &mut Builder, slot: &'static str, under: Bay, (radius, side
     }
     let pads = Bay::around(DVec3::new(x, 0.006, middle + spread - 0.004), 0.04, 0.012, radius * 2.0);
     for pad in [pads, pads.moved(0.0, 0.0, -2.0 * spread + 0.008)] {
-        builder.add_pair("rubber", cuboid(pad));
+        builder.add_pair(Slot::Rubber, cuboid(pad));
     }
 }
 
 fn budget(builder: &mut Builder, under: Bay, form: usize) {
     match form {
-        0 => trestles(builder, "wood_light", under, (0.017, 4)),
+        0 => trestles(builder, Slot::WoodLight, under, (0.017, 4)),
         1 => {
             for side in [Side::Left, Side::Right] {
-                builder.cuboid("laminate", under.slab(side, 0.018).without(Side::Below, 0.004));
+                builder.cuboid(Slot::Laminate, under.slab(side, 0.018).without(Side::Below, 0.004));
                 builder.cuboid(
-                    "plastic_dark",
+                    Slot::PlasticDark,
                     under.slab(side, 0.016).inset(0.001, 0.0, 0.02).slab(Side::Below, 0.005),
                 );
             }
-            modesty(builder, "laminate", under, 0.4);
+            modesty(builder, Slot::Laminate, under, 0.4);
         }
         2 => {
             for side in [Side::Left, Side::Right] {
                 let foot = under.slab(side, 0.05).slab(Side::Below, 0.03).inset(0.002, 0.0, 0.0);
-                builder.block("metal", foot, 0.008);
+                builder.block(Slot::Metal, foot, 0.008);
                 let post = under.slab(side, 0.04).without(Side::Below, 0.03 - SINK).inset(0.004, 0.0, 0.0);
                 let post = post.slab(Side::Back, under.depth() * 0.42).slab(Side::Front, 0.07);
-                builder.cuboid("metal", post);
+                builder.cuboid(Slot::Metal, post);
                 let arm = under.slab(side, 0.03).slab(Side::Above, 0.03).without(Side::Above, SINK * 2.0);
-                builder.cuboid("metal", arm.inset(0.001, 0.0, 0.06));
+                builder.cuboid(Slot::Metal, arm.inset(0.001, 0.0, 0.06));
             }
-            modesty(builder, "metal", under, 0.26);
+            modesty(builder, Slot::Metal, under, 0.26);
         }
         _ => {
             for side in [Side::Left, Side::Right] {
                 for end in [Side::Front, Side::Back] {
-                    leg(builder, "painted", under.slab(side, 0.045).slab(end, 0.045), LegKind::Pipe);
+                    leg(builder, Slot::Painted, under.slab(side, 0.045).slab(end, 0.045), LegKind::Pipe);
                 }
             }
             let rail = under.inset(0.02, 0.0, 0.02).slab(Side::Above, 0.02).without(Side::Above, SINK * 2.0);
-            builder.cuboid("painted", rail.slab(Side::Back, 0.02));
+            builder.cuboid(Slot::Painted, rail.slab(Side::Back, 0.02));
         }
     }
 }

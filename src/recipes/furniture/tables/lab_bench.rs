@@ -9,7 +9,7 @@ use crate::recipes::furniture::parts::{
     Fittings, HandleKind, LegKind, handle, legs_at_corners, raised_panel, slab_top,
 };
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a working top over the floor.
 const WORK: f64 = 0.9;
@@ -50,18 +50,18 @@ fn cupboard_count(width: f64) -> u32 {
 /// Cupboards with drawers and doors that hang between legs of steel; knee room where none hangs.
 fn plain(builder: &mut Builder, bench: Bay, form: usize) {
     let top = [0.03, 0.03, 0.025, 0.04][form];
-    let slot = ["stone", "ceramic", "laminate", "stone"][form];
+    let slot = [Slot::Stone, Slot::Ceramic, Slot::Laminate, Slot::Stone][form];
     builder.block(slot, bench.slab(Side::Above, top), 0.004);
     let under = bench.without(Side::Above, top - SINK).inset(OVERHANG, 0.0, OVERHANG);
-    c_frames(builder, under, ["metal", "painted", "painted", "metal_dark"][form]);
-    let front = ["laminate", "painted", "wood_light", "painted_accent"][form];
-    let fittings = Fittings { front, handle: "metal", reach: REACH, is_traditional: false };
+    c_frames(builder, under, [Slot::Metal, Slot::Painted, Slot::Painted, Slot::MetalDark][form]);
+    let front = [Slot::Laminate, Slot::Painted, Slot::WoodLight, Slot::PaintedAccent][form];
+    let fittings = Fittings { front, handle: Slot::Metal, reach: REACH, is_traditional: false };
     let hung = under.inset(LEG + 0.01, 0.0, 0.0).without(Side::Front, 0.03).without(Side::Back, 0.05);
     let hung = hung.with_y([bench.height() * [0.11, 0.2, 0.11, 0.3][form], under.high.y - 0.02]);
     let columns = hung.columns(cupboard_count(bench.width()), 0.02);
     for (index, column) in columns.into_iter().enumerate() {
         if index % 2 == form % 2 {
-            fittings.carcass(builder, "laminate", column);
+            fittings.carcass(builder, Slot::Laminate, column);
             let rows = if index < 2 { 3 } else { 1 };
             for row in column.inset(0.004, 0.004, 0.0).rows(rows, 0.004) {
                 fittings.drawer(builder, row);
@@ -71,7 +71,7 @@ fn plain(builder: &mut Builder, bench: Bay, form: usize) {
 }
 
 /// Legs with feet along the depth, and a rail behind.
-fn c_frames(builder: &mut Builder, under: Bay, slot: &'static str) {
+fn c_frames(builder: &mut Builder, under: Bay, slot: Slot) {
     for side in [Side::Left, Side::Right] {
         let frame = under.slab(side, LEG);
         builder.cuboid(slot, frame.slab(Side::Back, LEG));
@@ -99,8 +99,13 @@ fn c_frames(builder: &mut Builder, under: Bay, slot: &'static str) {
 
 /// Doors with raised fields and brass between pilasters, on a plinth, under a thick moulded top.
 fn traditional(builder: &mut Builder, bench: Bay, form: usize) {
-    let slot = ["wood", "wood_dark", "painted", "wood"][form];
-    slab_top(builder, ["wood_dark", "stone", "wood", "stone"][form], bench.slab(Side::Above, 0.04), true);
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Painted, Slot::Wood][form];
+    slab_top(
+        builder,
+        [Slot::WoodDark, Slot::Stone, Slot::Wood, Slot::Stone][form],
+        bench.slab(Side::Above, 0.04),
+        true,
+    );
     let under = bench
         .without(Side::Above, 0.04 - SINK)
         .inset(0.02, 0.0, 0.0)
@@ -130,7 +135,7 @@ fn traditional(builder: &mut Builder, bench: Bay, form: usize) {
                 front.center().y,
                 front.high.z,
             );
-            handle(builder, "brass", (HandleKind::Knob, 0.0), at, REACH);
+            handle(builder, Slot::Brass, (HandleKind::Knob, 0.0), at, REACH);
         }
     }
     for x in [body.low.x, body.high.x - 0.03] {
@@ -142,10 +147,14 @@ fn traditional(builder: &mut Builder, bench: Bay, form: usize) {
 /// Steel: a folded top on a welded frame with a shelf below, crates and gas bottles on it, or a bank of drawers.
 fn industrial(builder: &mut Builder, bench: Bay, form: usize) {
     let fold = 0.05;
-    builder.block(["metal", "metal", "wood", "metal"][form], bench.slab(Side::Above, fold), 0.005);
+    builder.block(
+        [Slot::Metal, Slot::Metal, Slot::Wood, Slot::Metal][form],
+        bench.slab(Side::Above, fold),
+        0.005,
+    );
     let under = bench.without(Side::Above, fold - SINK).inset(OVERHANG, 0.0, OVERHANG);
     let kind = [LegKind::Square, LegKind::Pipe, LegKind::Angle, LegKind::Square][form];
-    let frame = ["metal", "metal", "metal_dark", "metal_dark"][form];
+    let frame = [Slot::Metal, Slot::Metal, Slot::MetalDark, Slot::MetalDark][form];
     legs_at_corners(builder, frame, under, LEG, kind);
     let shelf =
         under.inset(LEG * 0.3, 0.0, LEG * 0.3).with_y([bench.height() * 0.2, bench.height() * 0.2 + 0.025]);
@@ -157,13 +166,14 @@ fn industrial(builder: &mut Builder, bench: Bay, form: usize) {
         (above.slab(Side::Left, above.width() * 0.34), above.slab(Side::Right, above.width() * 0.56));
     if form.is_multiple_of(2) {
         for (index, crate_bay) in left.slab(Side::Below, 0.24).columns(2, 0.03).into_iter().enumerate() {
-            builder.cuboid(["plastic", "painted_accent"][index], crate_bay);
+            builder.cuboid([Slot::Plastic, Slot::PaintedAccent][index], crate_bay);
         }
         bottles(builder, right.slab(Side::Below, 0.3));
     } else {
-        let fittings = Fittings { front: "metal", handle: "metal_dark", reach: REACH, is_traditional: false };
+        let fittings =
+            Fittings { front: Slot::Metal, handle: Slot::MetalDark, reach: REACH, is_traditional: false };
         let unit = right.without(Side::Front, -0.03).with_y([shelf.high.y - SINK, under.high.y - 0.002]);
-        fittings.carcass(builder, "metal_dark", unit);
+        fittings.carcass(builder, Slot::MetalDark, unit);
         for column in unit.inset(0.006, 0.0, 0.0).columns(2, 0.006) {
             for row in column.inset(0.0, 0.006, 0.0).rows(3, 0.006) {
                 fittings.drawer(builder, row);
@@ -185,16 +195,16 @@ fn bottles(builder: &mut Builder, bay: Bay) {
             (radius * 0.3, low + tall * 0.85),
             (radius * 0.3, low + tall),
         ];
-        let slot = ["glass", "plastic", "leather", "painted_accent"][index];
+        let slot = [Slot::Glass, Slot::Plastic, Slot::Leather, Slot::PaintedAccent][index];
         builder.add(slot, lathe(&shape, 8).moved(middle.x, 0.0, middle.z));
     }
 }
 
 /// Boxes of laminated board side by side under a thin top, on a plinth, with a place for knees between them.
 fn budget(builder: &mut Builder, bench: Bay, form: usize) {
-    builder.cuboid("laminate", bench.slab(Side::Above, 0.006));
+    builder.cuboid(Slot::Laminate, bench.slab(Side::Above, 0.006));
     let core = bench.slab(Side::Above, 0.034).without(Side::Above, 0.006 - SINK).inset(0.001, 0.0, 0.001);
-    builder.cuboid(["wood_light", "plastic_dark", "wood_light", "painted_accent"][form], core);
+    builder.cuboid([Slot::WoodLight, Slot::PlasticDark, Slot::WoodLight, Slot::PaintedAccent][form], core);
     let under = bench.without(Side::Above, 0.034 - SINK).inset(OVERHANG, 0.0, OVERHANG);
     let count = cupboard_count(bench.width()) + 1;
     let open = [1, count, 2, 1][form].min(count);
@@ -202,13 +212,13 @@ fn budget(builder: &mut Builder, bench: Bay, form: usize) {
     for (index, column) in (0..).zip(under.columns(count, 0.002)) {
         if index == open {
             builder.cuboid(
-                "laminate",
+                Slot::Laminate,
                 column.slab(Side::Back, 0.018).inset(-0.003, 0.1, 0.0).moved(0.0, 0.0, 0.03),
             );
             continue;
         }
         builder.cuboid(
-            "plastic_dark",
+            Slot::PlasticDark,
             column
                 .slab(Side::Below, 0.1)
                 .inset(0.001, 0.0, 0.0)
@@ -217,16 +227,16 @@ fn budget(builder: &mut Builder, bench: Bay, form: usize) {
         );
         let body = column.without(Side::Below, 0.1 - SINK);
         builder.cuboid(
-            "laminate",
+            Slot::Laminate,
             body.without(Side::Front, reach + 0.018 - SINK).without(Side::Above, SINK / 2.0),
         );
         let fronts = body.without(Side::Front, reach).slab(Side::Front, 0.018).inset(0.002, 0.003, 0.0);
         let split = fronts.height() * 0.76;
         let parts = [fronts.slab(Side::Below, split), fronts.without(Side::Below, split + 0.004)];
         for part in parts {
-            builder.cuboid(["laminate", "painted", "laminate", "plastic"][form], part);
+            builder.cuboid([Slot::Laminate, Slot::Painted, Slot::Laminate, Slot::Plastic][form], part);
             let at = DVec3::new(part.center().x, part.high.y - 0.04, part.high.z);
-            handle(builder, "plastic_dark", (HandleKind::Level, 0.12), at, reach);
+            handle(builder, Slot::PlasticDark, (HandleKind::Level, 0.12), at, reach);
         }
     }
 }
@@ -234,10 +244,10 @@ fn budget(builder: &mut Builder, bench: Bay, form: usize) {
 fn reagent_shelf(builder: &mut Builder, bay: Bay) {
     let rack = bay.slab(Side::Back, bay.depth() * 0.3).inset(0.03, 0.0, 0.01);
     for side in [Side::Left, Side::Right] {
-        builder.cuboid("metal", rack.slab(side, 0.03));
+        builder.cuboid(Slot::Metal, rack.slab(side, 0.03));
     }
     for y in [bay.low.y + bay.height() * 0.5, bay.high.y - 0.02] {
-        builder.cuboid("glass", rack.with_y([y, y + 0.018]).inset(0.03 - SINK, 0.0, 0.004));
+        builder.cuboid(Slot::Glass, rack.with_y([y, y + 0.018]).inset(0.03 - SINK, 0.0, 0.004));
     }
     for (index, column) in rack.inset(0.08, 0.0, 0.0).columns(5, 0.08).into_iter().enumerate() {
         let middle = column.center();
@@ -245,7 +255,7 @@ fn reagent_shelf(builder: &mut Builder, bay: Bay) {
         let tall = bay.height() * (0.2 + 0.04 * (index % 3) as f64);
         let flask = cylinder(column.width().min(0.07) * 0.5, [y, y + tall], 8);
         builder.add(
-            if index.is_multiple_of(2) { "glass" } else { "plastic" },
+            if index.is_multiple_of(2) { Slot::Glass } else { Slot::Plastic },
             flask.moved(middle.x, 0.0, middle.z),
         );
     }

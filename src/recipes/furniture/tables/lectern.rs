@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners, raised_panel, slab_top};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cuboid, extrude, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a desk's board.
 const BOARD: f64 = 0.03;
@@ -23,7 +23,7 @@ impl Desk {
     }
 
     /// The sloping board, and the ledge that keeps papers from sliding.
-    fn board(&self, builder: &mut Builder, slot: &'static str, ledge: &'static str) {
+    fn board(&self, builder: &mut Builder, slot: Slot, ledge: Slot) {
         let (low, high, y) = (self.bay.low.z, self.bay.high.z, self.front);
         let top = [(high, y - BOARD), (high, y), (low, self.bay.high.y), (low, self.bay.high.y - BOARD)];
         builder.add(slot, extrude(&top.map(DVec2::from), Axis::X, self.bay.x()));
@@ -44,7 +44,7 @@ impl Desk {
             DVec3::new(foot.x, top - 0.02, foot.z + 0.004),
             DVec3::new(foot.x * 0.9, top - 0.012, foot.z + 0.06),
         ];
-        builder.add("metal_dark", sweep(&neck, 0.004, 5));
+        builder.add(Slot::MetalDark, sweep(&neck, 0.004, 5));
     }
 }
 
@@ -68,10 +68,10 @@ fn lectern(draft: &Draft, builder: &mut Builder) {
 /// Two cheeks with a front between them, a column on a plate, panes of glass, or a slab off the middle.
 fn plain(desk: &Desk, builder: &mut Builder, form: usize) {
     let bay = desk.bay;
-    let slot = ["wood", "painted", "glass", "wood_light"][form];
-    desk.board(builder, if form == 2 { "wood" } else { slot }, "metal_dark");
+    let slot = [Slot::Wood, Slot::Painted, Slot::Glass, Slot::WoodLight][form];
+    desk.board(builder, if form == 2 { Slot::Wood } else { slot }, Slot::MetalDark);
     desk.microphone(builder);
-    builder.block("metal_dark", bay.slab(Side::Below, 0.02).inset(0.015, 0.0, 0.015), 0.004);
+    builder.block(Slot::MetalDark, bay.slab(Side::Below, 0.02).inset(0.015, 0.0, 0.015), 0.004);
     match form {
         0 | 2 => {
             let thick = if form == 0 { 0.025 } else { 0.014 };
@@ -89,22 +89,23 @@ fn plain(desk: &Desk, builder: &mut Builder, form: usize) {
                 [0.12, desk.under(0.12) - 0.03],
                 [back + 0.02, back + 0.02 + thick],
             );
-            builder.cuboid(if form == 2 { "metal_dark" } else { slot }, screen.inset(-2.0 * SINK, 0.0, 0.0));
+            builder
+                .cuboid(if form == 2 { Slot::MetalDark } else { slot }, screen.inset(-2.0 * SINK, 0.0, 0.0));
         }
         1 => {
             let middle = DVec3::new(0.0, desk.under(0.5) / 2.0, 0.0);
-            builder.block("metal", Bay::around(middle, 0.1, desk.under(0.5) + 0.02, 0.1), 0.008);
+            builder.block(Slot::Metal, Bay::around(middle, 0.1, desk.under(0.5) + 0.02, 0.1), 0.008);
         }
         _ => {
             let slab =
                 Bay::new([-0.18 * bay.width(), 0.3 * bay.width()], [0.0195, desk.under(0.36)], [-0.06, 0.0]);
-            builder.block("wood_dark", slab.moved(0.0, 0.0, -0.06), 0.004);
+            builder.block(Slot::WoodDark, slab.moved(0.0, 0.0, -0.06), 0.004);
             let post = Bay::new(
                 [-0.34 * bay.width(), -0.28 * bay.width()],
                 [0.0195, desk.under(0.5)],
                 [-0.03, 0.03],
             );
-            builder.cuboid("metal_dark", post);
+            builder.cuboid(Slot::MetalDark, post);
         }
     }
 }
@@ -112,8 +113,8 @@ fn plain(desk: &Desk, builder: &mut Builder, form: usize) {
 /// A panelled case with pilasters on a plinth, or a turned column on three feet.
 fn traditional(desk: &Desk, builder: &mut Builder, form: usize) {
     let bay = desk.bay;
-    let slot = ["wood", "wood_dark", "wood_dark", "wood"][form];
-    desk.board(builder, slot, "brass");
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::WoodDark, Slot::Wood][form];
+    desk.board(builder, slot, Slot::Brass);
     let skirt = bay.inset(0.03, 0.0, 0.03).with_y([desk.front - 0.12, desk.front - BOARD * 0.5]);
     if form % 2 == 1 {
         pedestal(desk, builder, slot);
@@ -135,7 +136,7 @@ fn traditional(desk: &Desk, builder: &mut Builder, form: usize) {
     raised_panel(&mut panel, slot, back);
     raised_panel(
         &mut panel,
-        "brass",
+        Slot::Brass,
         back.inset(field.width() * 0.36, field.height() * 0.42, 0.0).moved(0.0, field.height() * 0.1, 0.01),
     );
     for (slot, solid) in panel.into_parts() {
@@ -144,7 +145,7 @@ fn traditional(desk: &Desk, builder: &mut Builder, form: usize) {
 }
 
 /// A turned column on three feet that curve outwards.
-fn pedestal(desk: &Desk, builder: &mut Builder, slot: &'static str) {
+fn pedestal(desk: &Desk, builder: &mut Builder, slot: Slot) {
     let bay = desk.bay;
     let high = desk.under(0.5) - 0.03;
     let radius = (bay.width() * 0.1).min(0.06);
@@ -179,23 +180,24 @@ fn pedestal(desk: &Desk, builder: &mut Builder, slot: &'static str) {
 /// A frame of angles or pipe with planks or sheet before it.
 fn industrial(desk: &Desk, builder: &mut Builder, form: usize) {
     let bay = desk.bay;
-    desk.board(builder, ["wood", "metal", "wood", "wood"][form], "metal_dark");
+    desk.board(builder, [Slot::Wood, Slot::Metal, Slot::Wood, Slot::Wood][form], Slot::MetalDark);
     let frame = bay.inset(0.05, 0.0, 0.05).with_y([0.0, desk.under(0.86)]);
     let kind = [LegKind::Angle, LegKind::Square, LegKind::Pipe, LegKind::Angle][form];
-    legs_at_corners(builder, "metal_dark", frame, 0.04, kind);
+    legs_at_corners(builder, Slot::MetalDark, frame, 0.04, kind);
     let rise = bay.inset(0.06, 0.0, 0.0).slab(Side::Back, 0.1).moved(0.0, 0.0, 0.055);
     for side in [Side::Left, Side::Right] {
         let stay =
             rise.slab(side, 0.02).slab(Side::Back, 0.02).with_y([frame.high.y - 0.01, desk.under(0.14)]);
-        builder.cuboid("metal_dark", stay);
+        builder.cuboid(Slot::MetalDark, stay);
     }
     let band = frame.inset(0.008, 0.0, 0.008);
     for y in [0.1, frame.high.y - 0.05] {
         for side in [Side::Left, Side::Right] {
-            builder.cuboid("metal_dark", band.slab(side, 0.012).inset(0.0, 0.0, 0.03).with_y([y, y + 0.04]));
+            builder
+                .cuboid(Slot::MetalDark, band.slab(side, 0.012).inset(0.0, 0.0, 0.03).with_y([y, y + 0.04]));
         }
         builder.cuboid(
-            "metal_dark",
+            Slot::MetalDark,
             band.slab(Side::Back, 0.012).inset(0.03, 0.0, 0.0).with_y([y + 0.001, y + 0.039]),
         );
     }
@@ -205,17 +207,17 @@ fn industrial(desk: &Desk, builder: &mut Builder, form: usize) {
         .inset(0.03, 0.0, 0.0)
         .with_y([0.16, frame.high.y - 0.06]);
     match form {
-        1 => builder.cuboid("metal", screen.slab(Side::Back, 0.004)),
+        1 => builder.cuboid(Slot::Metal, screen.slab(Side::Back, 0.004)),
         2 => screen.columns(6, screen.width() * 0.1).into_iter().for_each(|bar| {
-            builder.cuboid("metal", Bay::around(bar.center(), 0.01, bar.height() + 0.14, 0.01));
+            builder.cuboid(Slot::Metal, Bay::around(bar.center(), 0.01, bar.height() + 0.14, 0.01));
         }),
         _ => screen
             .rows(if form == 0 { 5 } else { 3 }, 0.008)
             .into_iter()
-            .for_each(|plank| builder.cuboid("wood", plank)),
+            .for_each(|plank| builder.cuboid(Slot::Wood, plank)),
     }
     builder.cuboid(
-        "wood",
+        Slot::Wood,
         band.inset(0.012, 0.0, 0.012)
             .with_y([0.45 * bay.height(), 0.45 * bay.height() + 0.02])
             .without(Side::Back, 0.03),
@@ -225,12 +227,16 @@ fn industrial(desk: &Desk, builder: &mut Builder, form: usize) {
 /// A post on a cross of tube like a music stand's, or a box of laminated board on castors.
 fn budget(desk: &Desk, builder: &mut Builder, form: usize) {
     let bay = desk.bay;
-    desk.board(builder, ["laminate", "plastic_dark", "laminate", "metal_dark"][form], "plastic_dark");
+    desk.board(
+        builder,
+        [Slot::Laminate, Slot::PlasticDark, Slot::Laminate, Slot::MetalDark][form],
+        Slot::PlasticDark,
+    );
     if form.is_multiple_of(2) {
         let foot = 0.06;
         legs_at_corners(
             builder,
-            "plastic_dark",
+            Slot::PlasticDark,
             bay.inset(0.05, 0.0, 0.04).slab(Side::Below, foot + SINK),
             0.045,
             LegKind::Round,
@@ -239,28 +245,29 @@ fn budget(desk: &Desk, builder: &mut Builder, form: usize) {
         let side =
             [(front, foot), (front, desk.under(0.76) + SINK), (back, desk.under(0.04) + SINK), (back, foot)];
         let x = bay.high.x - 0.02;
-        builder.add_pair("laminate", extrude(&side.map(DVec2::from), Axis::X, [x - 0.016, x]));
+        builder.add_pair(Slot::Laminate, extrude(&side.map(DVec2::from), Axis::X, [x - 0.016, x]));
         let inner =
             Bay::new([0.0155 - x, x - 0.0155], [foot + 0.002, desk.under(0.08)], [back + 0.004, back + 0.02]);
-        builder.cuboid(["laminate", "", "painted_accent", ""][form], inner);
+        builder.cuboid(if form == 0 { Slot::Laminate } else { Slot::PaintedAccent }, inner);
         let shelves: &[f64] = if form == 0 { &[0.08, 0.5] } else { &[0.08, 0.36, 0.64] };
         for rise in shelves {
             let y = rise * bay.height();
-            builder.cuboid("wood_light", Bay::new(inner.x(), [y, y + 0.016], [back + 0.019, front - 0.01]));
+            builder
+                .cuboid(Slot::WoodLight, Bay::new(inner.x(), [y, y + 0.016], [back + 0.019, front - 0.01]));
         }
         return;
     }
-    let slot = ["", "chrome", "", "metal_dark"][form];
+    let slot = if form == 1 { Slot::Chrome } else { Slot::MetalDark };
     let post = [DVec3::new(0.0, 0.04, 0.0), DVec3::new(0.0, desk.under(0.5) + 0.01, 0.0)];
     builder.add(slot, sweep(&post, 0.02, 8));
     let collar = [(0.026, bay.height() * 0.5), (0.032, bay.height() * 0.52), (0.026, bay.height() * 0.56)];
-    builder.add("plastic_dark", lathe(&collar, 8));
+    builder.add(Slot::PlasticDark, lathe(&collar, 8));
     let (x, z) = (bay.high.x - 0.04, bay.high.z - 0.03);
     for corner in [[x, z], [x, -z]] {
         let foot = [DVec3::new(0.0, 0.045, 0.0), DVec3::new(corner[0], 0.02, corner[1])];
         builder.add_pair(slot, sweep(&foot, 0.014, 6));
         let shoe = Bay::around(DVec3::new(corner[0], 0.018, corner[1]), 0.04, 0.036, 0.04);
-        builder.add_pair("rubber", cuboid(shoe));
+        builder.add_pair(Slot::Rubber, cuboid(shoe));
     }
     let bracket = Bay::around(DVec3::new(0.0, desk.under(0.5) - 0.008, 0.0), 0.16, 0.03, 0.1);
     builder.cuboid(slot, bracket);

@@ -9,7 +9,7 @@ use crate::geometry::Side;
 use crate::recipes::furniture::parts::{CONE, Fronts, LegKind, leg, legs_at_corners, slab_top, slanted_leg};
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, loft, pipe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a leg.
 const LEG: f64 = 0.05;
@@ -37,7 +37,7 @@ fn topped(draft: &Draft, builder: &mut Builder, thickness: f64) -> Bay {
     bay.without(Side::Above, top - SINK).inset(overhang, 0.0, overhang)
 }
 
-fn shelf(builder: &mut Builder, slot: &'static str, under: Bay, (rise, inset): (f64, f64)) {
+fn shelf(builder: &mut Builder, slot: Slot, under: Bay, (rise, inset): (f64, f64)) {
     let y = under.low.y + under.height() * rise;
     builder.block(slot, under.with_y([y, y + 0.018]).inset(inset, 0.0, inset), 0.003);
 }
@@ -47,8 +47,8 @@ fn plain(draft: &Draft, builder: &mut Builder, form: usize) {
     match form {
         0 => {
             let under = topped(draft, builder, TOP * 0.8);
-            legs_at_corners(builder, "wood", under, LEG * 0.9, LegKind::Tapered);
-            shelf(builder, "wood", under, (0.35, LEG * 0.3));
+            legs_at_corners(builder, Slot::Wood, under, LEG * 0.9, LegKind::Tapered);
+            shelf(builder, Slot::Wood, under, (0.35, LEG * 0.3));
         }
         1 => {
             let half = bay.extent() / 2.0;
@@ -56,46 +56,51 @@ fn plain(draft: &Draft, builder: &mut Builder, form: usize) {
             let slice = |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back).softened(soft - back);
             let slices =
                 [slice(bay.high.y - 0.028, 0.012), slice(bay.high.y - 0.012, 0.0), slice(bay.high.y, 0.0)];
-            builder.add("wood", loft(&Outline::Soft(6), &slices));
+            builder.add(Slot::Wood, loft(&Outline::Soft(6), &slices));
             for z in [-1.0, 1.0] {
                 let at = |share: f64, y: f64| DVec3::new(half.x * share, y, z * half.z * share);
                 builder.add_pair(
-                    "wood",
+                    Slot::Wood,
                     slanted_leg([at(0.72, 0.0), at(0.56, bay.high.y - 0.02)], 0.02, &CONE, 10),
                 );
             }
         }
         2 => {
-            builder.block("glass", bay.slab(Side::Above, 0.012), 0.003);
+            builder.block(Slot::Glass, bay.slab(Side::Above, 0.012), 0.003);
             let under = bay.without(Side::Above, 0.012 - SINK).inset(bay.width() * 0.12, 0.0, 0.03);
             for side in [Side::Left, Side::Right] {
                 let frame = under.slab(side, 0.05);
                 for end in [Side::Front, Side::Back] {
-                    builder.block("wood", frame.slab(end, 0.05), 0.005);
+                    builder.block(Slot::Wood, frame.slab(end, 0.05), 0.005);
                 }
-                builder.block("wood", frame.slab(Side::Above, 0.05).inset(0.002, 0.001, 0.05 - SINK), 0.004);
                 builder.block(
-                    "wood",
+                    Slot::Wood,
+                    frame.slab(Side::Above, 0.05).inset(0.002, 0.001, 0.05 - SINK),
+                    0.004,
+                );
+                builder.block(
+                    Slot::Wood,
                     frame.slab(Side::Below, 0.04).moved(0.0, 0.002, 0.0).inset(0.002, 0.0, 0.05 - SINK),
                     0.004,
                 );
             }
             let rail = under.inset(0.05 - SINK, 0.0, under.depth() / 2.0 - 0.025);
-            builder.block("wood", rail.with_y([0.004, 0.04]), 0.004);
+            builder.block(Slot::Wood, rail.with_y([0.004, 0.04]), 0.004);
         }
         _ => {
             let slab = 0.03_f64.min(bay.height() * 0.1);
-            builder.block("painted", bay.slab(Side::Above, slab), 0.004);
-            builder.cuboid("wood_dark", bay.slab(Side::Below, 0.04).inset(0.05, 0.0, 0.05));
+            builder.block(Slot::Painted, bay.slab(Side::Above, slab), 0.004);
+            builder.cuboid(Slot::WoodDark, bay.slab(Side::Below, 0.04).inset(0.05, 0.0, 0.05));
             let body = bay.with_y([0.04 - SINK, bay.high.y - slab + SINK]).inset(0.003, 0.0, 0.003);
-            builder.block("painted", body.slab(Side::Below, slab), 0.004);
+            builder.block(Slot::Painted, body.slab(Side::Below, slab), 0.004);
             for side in [Side::Left, Side::Right] {
-                builder.cuboid("painted", body.slab(side, 0.025).inset(0.0, slab - 4.0 * SINK, 0.002));
+                builder.cuboid(Slot::Painted, body.slab(side, 0.025).inset(0.0, slab - 4.0 * SINK, 0.002));
             }
             let inner = body.inset(0.025 - SINK, slab - 2.0 * SINK, 0.004);
-            builder.cuboid("wood", inner.slab(Side::Left, inner.width() * 0.45).without(Side::Front, 0.006));
+            builder
+                .cuboid(Slot::Wood, inner.slab(Side::Left, inner.width() * 0.45).without(Side::Front, 0.006));
             let gap = inner.without(Side::Left, inner.width() * 0.5).slab(Side::Below, 0.03);
-            builder.block("book", gap.inset(0.06, 0.0, gap.depth() * 0.2), 0.003);
+            builder.block(Slot::Book, gap.inset(0.06, 0.0, gap.depth() * 0.2), 0.003);
         }
     }
 }
@@ -106,7 +111,7 @@ fn traditional(draft: &Draft, builder: &mut Builder, form: usize) {
         2 => trunk_fronts(draft, builder, under),
         _ => {
             let kind = [LegKind::Turned, LegKind::Baluster, LegKind::Square, LegKind::Spade][form];
-            let slot = if form == 1 { "wood_dark" } else { "wood" };
+            let slot = if form == 1 { Slot::WoodDark } else { Slot::Wood };
             legs_at_corners(builder, slot, under, LEG, kind);
             apron(builder, slot, under, LEG, under.height() * 0.16);
             match form {
@@ -135,10 +140,10 @@ fn traditional(draft: &Draft, builder: &mut Builder, form: usize) {
 /// Drawers on both long sides over a plinth.
 fn trunk_fronts(draft: &Draft, builder: &mut Builder, under: Bay) {
     let plinth = under.height() * 0.16;
-    slab_top(builder, "wood", under.slab(Side::Below, plinth), true);
+    slab_top(builder, Slot::Wood, under.slab(Side::Below, plinth), true);
     let body = under.without(Side::Below, plinth - SINK).inset(0.014, 0.0, 0.014);
-    let fittings = Fronts::new(draft, "wood", "brass", 0.018);
-    fittings.carcass(builder, "wood", body);
+    let fittings = Fronts::new(draft, Slot::Wood, Slot::Brass, 0.018);
+    fittings.carcass(builder, Slot::Wood, body);
     for column in body.inset(0.02, 0.012, 0.0).columns(2, 0.02) {
         fittings.drawer(builder, column);
     }
@@ -146,7 +151,7 @@ fn trunk_fronts(draft: &Draft, builder: &mut Builder, under: Bay) {
 
 fn industrial(draft: &Draft, builder: &mut Builder, form: usize) {
     let bay = builder.bay();
-    let slot = "metal_dark";
+    let slot = Slot::MetalDark;
     match form {
         0 => pallet_on_wheels(builder),
         1 => {
@@ -167,14 +172,14 @@ fn industrial(draft: &Draft, builder: &mut Builder, form: usize) {
             }
             let y = under.height() * 0.3 + 0.009;
             for slat in depth_slats(under.with_y([y, y + 0.022]).inset(0.02, 0.0, 0.05), 3, 0.004) {
-                builder.block("wood", slat, 0.003);
+                builder.block(Slot::Wood, slat, 0.003);
             }
         }
         2 => chest(builder, slot),
         _ => {
             let under = bay.inset(OVERHANG, 0.0, OVERHANG);
             legs_at_corners(builder, slot, under.without(Side::Above, 0.006), 0.04, LegKind::Angle);
-            builder.block("glass", bay.slab(Side::Above, 0.012), 0.003);
+            builder.block(Slot::Glass, bay.slab(Side::Above, 0.012), 0.003);
             let ring = under.without(Side::Above, 0.011).slab(Side::Above, 0.035).inset(0.006, 0.0, 0.006);
             for side in [Side::Front, Side::Back] {
                 builder.cuboid(slot, ring.slab(side, 0.006));
@@ -185,7 +190,7 @@ fn industrial(draft: &Draft, builder: &mut Builder, form: usize) {
             let mesh =
                 under.inset(0.012, 0.0, 0.012).with_y([under.height() * 0.28, under.height() * 0.28 + 0.006]);
             for slat in mesh.columns((mesh.width() / 0.06).round().clamp(6.0, 24.0) as u32, 0.03) {
-                builder.cuboid("metal", slat);
+                builder.cuboid(Slot::Metal, slat);
             }
             for side in [Side::Front, Side::Back] {
                 builder.cuboid(slot, mesh.slab(side, 0.01).inset(0.001, 0.0, 0.001).moved(0.0, 0.004, 0.0));
@@ -201,32 +206,32 @@ fn pallet_on_wheels(builder: &mut Builder) {
     let stack = bay.without(Side::Below, wheel - 0.004);
     let board = stack.height() * 0.14;
     for slat in depth_slats(stack.slab(Side::Above, board), 5, 0.02) {
-        builder.block("wood", slat, 0.004);
+        builder.block(Slot::Wood, slat, 0.004);
     }
     for slat in depth_slats(stack.slab(Side::Below, board), 3, stack.depth() * 0.15) {
-        builder.block("wood", slat.inset(0.004, 0.0, 0.0), 0.004);
+        builder.block(Slot::Wood, slat.inset(0.004, 0.0, 0.0), 0.004);
     }
     let blocks = stack.inset(0.008, board - SINK, 0.008);
     for column in blocks.columns(3, blocks.width() * 0.28) {
         for part in depth_slats(column, 2, column.depth() * 0.5) {
-            builder.cuboid("wood", part);
+            builder.cuboid(Slot::Wood, part);
         }
     }
     for x in [-1.0, 1.0] {
         for z in [-1.0, 1.0] {
             let at = DVec3::new(x * (bay.high.x - 0.09), 0.0, z * (bay.high.z - 0.08));
             let tyre = cylinder(wheel * 0.42, [-0.014, 0.014], 12).turned_z(FRAC_PI_2);
-            builder.add("rubber", tyre.moved(at.x, wheel * 0.42, at.z));
-            builder.cuboid("metal", Bay::around(at + DVec3::Y * wheel * 0.68, 0.04, wheel * 0.6, 0.03));
+            builder.add(Slot::Rubber, tyre.moved(at.x, wheel * 0.42, at.z));
+            builder.cuboid(Slot::Metal, Bay::around(at + DVec3::Y * wheel * 0.68, 0.04, wheel * 0.6, 0.03));
         }
     }
 }
 
 /// A travelling chest with iron corners and straps.
-fn chest(builder: &mut Builder, slot: &'static str) {
+fn chest(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     builder.block(
-        "wood",
+        Slot::Wood,
         bay.inset(0.003, 0.0, 0.003).without(Side::Below, 0.01).without(Side::Above, 0.002),
         0.004,
     );
@@ -245,32 +250,32 @@ fn chest(builder: &mut Builder, slot: &'static str) {
         );
     }
     let lock = Bay::around(DVec3::new(0.0, bay.high.y * 0.7, bay.high.z - 0.004), 0.06, 0.08, 0.008);
-    builder.block("brass", lock, 0.003);
+    builder.block(Slot::Brass, lock, 0.003);
 }
 
 fn budget(draft: &Draft, builder: &mut Builder, form: usize) {
     let bay = builder.bay();
     match form {
         0 => {
-            builder.block("laminate", bay.slab(Side::Above, 0.05_f64.min(bay.height() * 0.15)), 0.003);
+            builder.block(Slot::Laminate, bay.slab(Side::Above, 0.05_f64.min(bay.height() * 0.15)), 0.003);
             let under =
                 bay.without(Side::Above, 0.05_f64.min(bay.height() * 0.15) - SINK).inset(0.001, 0.0, 0.001);
-            legs_at_corners(builder, "laminate", under, 0.05, LegKind::Square);
-            shelf(builder, "laminate", under, (0.28, 0.02));
+            legs_at_corners(builder, Slot::Laminate, under, 0.05, LegKind::Square);
+            shelf(builder, Slot::Laminate, under, (0.28, 0.02));
         }
         1 => {
-            builder.block("wood_light", bay.slab(Side::Above, 0.02), 0.003);
+            builder.block(Slot::WoodLight, bay.slab(Side::Above, 0.02), 0.003);
             for side in [Side::Left, Side::Right] {
                 let end = bay.without(Side::Above, 0.02 - SINK).inset(0.001, 0.0, 0.002).slab(side, 0.018);
-                builder.cuboid("wood_light", end);
+                builder.cuboid(Slot::WoodLight, end);
             }
             let inner =
                 bay.inset(0.018, 0.0, 0.004).with_y([bay.height() * 0.12, bay.height() * 0.12 + 0.018]);
-            builder.cuboid("wood_light", inner);
+            builder.cuboid(Slot::WoodLight, inner);
             let back = bay
                 .inset(0.018, 0.0, bay.depth() / 2.0 - 0.006)
                 .with_y([inner.high.y - SINK, bay.high.y - 0.02 + SINK]);
-            builder.cuboid("painted", back);
+            builder.cuboid(Slot::Painted, back);
         }
         2 => {
             let (rim, top) = (0.05_f64.min(bay.height() * 0.2), bay.high.y);
@@ -280,20 +285,20 @@ fn budget(draft: &Draft, builder: &mut Builder, form: usize) {
                 |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back).softened(soft - back * 0.5);
             let tray =
                 [slice(top - rim, 0.015), slice(top, 0.0), slice(top, 0.006), slice(top - rim + 0.01, 0.02)];
-            builder.add("painted_accent", loft(&Outline::Soft(3), &tray));
+            builder.add(Slot::PaintedAccent, loft(&Outline::Soft(3), &tray));
             let z = [bay.low.z + 0.04, bay.high.z - 0.04];
             let x = bay.high.x - 0.05;
             for z in z {
                 let y = top - rim - 0.006;
                 let path =
                     [(-x, 0.0), (-x + 0.04, y), (x - 0.04, y), (x, 0.0)].map(|(x, y)| DVec3::new(x, y, z));
-                builder.add("metal", pipe(&path, 0.009, 0.04));
+                builder.add(Slot::Metal, pipe(&path, 0.009, 0.04));
             }
         }
         _ => {
             let under = topped(draft, builder, 0.02);
-            legs_at_corners(builder, "metal_dark", under, 0.034, LegKind::Hairpin);
-            apron(builder, "metal_dark", under, 0.03, 0.02);
+            legs_at_corners(builder, Slot::MetalDark, under, 0.034, LegKind::Hairpin);
+            apron(builder, Slot::MetalDark, under, 0.03, 0.02);
         }
     }
 }
@@ -309,17 +314,17 @@ fn console_table(draft: &Draft, builder: &mut Builder) {
         topped(draft, builder, top_of(builder.bay()) * if set == GeometrySet::Budget { 0.6 } else { 1.0 });
     let (slot, kind) = match set {
         GeometrySet::Plain => {
-            ("wood", [LegKind::Tapered, LegKind::Square, LegKind::Round, LegKind::Tapered][form])
+            (Slot::Wood, [LegKind::Tapered, LegKind::Square, LegKind::Round, LegKind::Tapered][form])
         }
         GeometrySet::Traditional => (
-            ["wood", "wood_dark"][form % 2],
+            [Slot::Wood, Slot::WoodDark][form % 2],
             [LegKind::Turned, LegKind::Spade, LegKind::Baluster, LegKind::Turned][form],
         ),
         GeometrySet::Industrial => {
-            ("metal_dark", [LegKind::Angle, LegKind::Pipe, LegKind::Square, LegKind::Hairpin][form])
+            (Slot::MetalDark, [LegKind::Angle, LegKind::Pipe, LegKind::Square, LegKind::Hairpin][form])
         }
         GeometrySet::Budget => (
-            ["laminate", "chrome", "painted", "wood_light"][form],
+            [Slot::Laminate, Slot::Chrome, Slot::Painted, Slot::WoodLight][form],
             [LegKind::Square, LegKind::Pipe, LegKind::Round, LegKind::Square][form],
         ),
     };
@@ -332,11 +337,11 @@ fn console_table(draft: &Draft, builder: &mut Builder) {
             .slab(Side::Above, builder.bay().height() * share)
             .without(Side::Above, SINK * 2.0)
             .inset(0.006, 0.0, 0.002);
-        let front = if set == GeometrySet::Industrial { "metal" } else { "wood" };
+        let front = if set == GeometrySet::Industrial { Slot::Metal } else { Slot::Wood };
         let fittings = Fronts::new(
             draft,
             front,
-            if set == GeometrySet::Traditional { "brass" } else { "metal_dark" },
+            if set == GeometrySet::Traditional { Slot::Brass } else { Slot::MetalDark },
             0.02,
         );
         fittings.carcass(builder, front, chest);
@@ -350,7 +355,7 @@ fn console_table(draft: &Draft, builder: &mut Builder) {
     if form % 2 == 1 && !draft.is_set("knees") {
         shelf(
             builder,
-            if set == GeometrySet::Industrial { "wood" } else { slot },
+            if set == GeometrySet::Industrial { Slot::Wood } else { slot },
             under,
             (0.18, thick * 0.3),
         );

@@ -18,7 +18,7 @@ use super::parts::{LegKind, legs_at_corners, slab_top, slanted_leg};
 use super::seating::depth_slats;
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Slice, extrude, loft};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a table top.
 const TOP: f64 = 0.035;
@@ -36,18 +36,18 @@ fn top_of(bay: Bay) -> f64 {
 /// A top: a chamfered board, a moulded one, planks, or a thin board whose core shows at its edge.
 fn top_board(draft: &Draft, builder: &mut Builder, bay: Bay) {
     match draft.set() {
-        GeometrySet::Plain => slab_top(builder, "wood", bay, false),
-        GeometrySet::Traditional => slab_top(builder, "wood", bay, true),
+        GeometrySet::Plain => slab_top(builder, Slot::Wood, bay, false),
+        GeometrySet::Traditional => slab_top(builder, Slot::Wood, bay, true),
         GeometrySet::Industrial => {
             let count = (bay.depth() / 0.2).round().clamp(2.0, 7.0) as u32;
             for (index, plank) in depth_slats(bay, count, 0.002).into_iter().enumerate() {
-                builder.block("wood", plank.inset([0.0, 0.0015][index % 2], 0.0, 0.0), 0.004);
+                builder.block(Slot::Wood, plank.inset([0.0, 0.0015][index % 2], 0.0, 0.0), 0.004);
             }
         }
         GeometrySet::Budget => {
             let face = (bay.height() * 0.2).min(0.004);
-            builder.cuboid("wood_light", bay.inset(0.001, 0.0, 0.001).without(Side::Above, face - SINK));
-            builder.cuboid("laminate", bay.slab(Side::Above, face));
+            builder.cuboid(Slot::WoodLight, bay.inset(0.001, 0.0, 0.001).without(Side::Above, face - SINK));
+            builder.cuboid(Slot::Laminate, bay.slab(Side::Above, face));
         }
     }
 }
@@ -59,7 +59,7 @@ fn thumb_moulded(builder: &mut Builder, bay: Bay) {
         |rise: f64, back: f64| Slice::new(bay.low.y + rise * bay.height(), half.x - back, half.z - back);
     let slices =
         [slice(0.0, 0.003), slice(0.12, 0.0), slice(0.48, 0.0), slice(0.56, 0.004), slice(1.0, 0.012)];
-    builder.add("wood", loft(&Outline::Square, &slices).moved(center.x, 0.0, center.z));
+    builder.add(Slot::Wood, loft(&Outline::Square, &slices).moved(center.x, 0.0, center.z));
 }
 
 /// Four legs at the corners under a top.
@@ -104,23 +104,23 @@ fn table(draft: &Draft, builder: &mut Builder) {
 }
 
 /// Material and kind of legs that stand under an apron.
-fn legs_of(set: GeometrySet, form: usize) -> (&'static str, LegKind) {
+fn legs_of(set: GeometrySet, form: usize) -> (Slot, LegKind) {
     match set {
         GeometrySet::Plain => [
-            ("wood", LegKind::Tapered),
-            ("wood", LegKind::Square),
-            ("wood", LegKind::Round),
-            ("painted", LegKind::Tapered),
+            (Slot::Wood, LegKind::Tapered),
+            (Slot::Wood, LegKind::Square),
+            (Slot::Wood, LegKind::Round),
+            (Slot::Painted, LegKind::Tapered),
         ][form],
         GeometrySet::Traditional => {
-            ("wood", [LegKind::Turned, LegKind::Baluster, LegKind::Spade, LegKind::Turned][form])
+            (Slot::Wood, [LegKind::Turned, LegKind::Baluster, LegKind::Spade, LegKind::Turned][form])
         }
-        GeometrySet::Industrial => ("metal_dark", LegKind::Angle),
+        GeometrySet::Industrial => (Slot::MetalDark, LegKind::Angle),
         GeometrySet::Budget => [
-            ("chrome", LegKind::Pipe),
-            ("laminate", LegKind::Square),
-            ("metal_dark", LegKind::Square),
-            ("plastic", LegKind::Tapered),
+            (Slot::Chrome, LegKind::Pipe),
+            (Slot::Laminate, LegKind::Square),
+            (Slot::MetalDark, LegKind::Square),
+            (Slot::Plastic, LegKind::Tapered),
         ][form],
     }
 }
@@ -131,40 +131,40 @@ fn slanted_legs(builder: &mut Builder, under: Bay) {
         // At the height of seats they end where upright ones do.
         let at = |y: f64, off: f64| DVec3::new(under.high.x - off, y, z + inwards * off);
         let ends = [at(0.0, 0.014), at(under.high.y, 0.037)];
-        builder.add_pair("wood", slanted_leg(ends, 0.021, &[(0.6, 0.0), (1.0, 0.85), (0.95, 1.0)], 10));
+        builder.add_pair(Slot::Wood, slanted_leg(ends, 0.021, &[(0.6, 0.0), (1.0, 0.85), (0.95, 1.0)], 10));
     }
     let rail = under.slab(Side::Above, 0.03).without(Side::Above, SINK * 3.0).inset(0.06, 0.0, 0.06);
     for side in [Side::Front, Side::Back] {
-        builder.cuboid("wood", rail.slab(side, 0.02).inset(0.012, 0.0, 0.0));
+        builder.cuboid(Slot::Wood, rail.slab(side, 0.02).inset(0.012, 0.0, 0.0));
     }
 }
 
 /// Steel tube with gussets under the top.
 fn gussets(builder: &mut Builder, under: Bay, leg: f64) {
-    legs_at_corners(builder, "metal_dark", under, leg, LegKind::Square);
+    legs_at_corners(builder, Slot::MetalDark, under, leg, LegKind::Square);
     let band = under.slab(Side::Above, 0.04).without(Side::Above, 2.0 * SINK).inset(0.003, 0.0, 0.003);
     for side in [Side::Front, Side::Back] {
-        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(leg - 0.004, 0.0, 0.0));
+        builder.cuboid(Slot::MetalDark, band.slab(side, 0.03).inset(leg - 0.004, 0.0, 0.0));
     }
     for side in [Side::Left, Side::Right] {
-        builder.cuboid("metal_dark", band.slab(side, 0.03).inset(0.0, 0.0, leg - 0.004));
+        builder.cuboid(Slot::MetalDark, band.slab(side, 0.03).inset(0.0, 0.0, leg - 0.004));
     }
     let (x, y) = (under.high.x - leg + SINK, band.low.y + SINK);
     let reach = 0.035;
     let plate = [(x, y), (x - reach, y), (x, y - reach * 1.6)].map(DVec2::from);
     for z in [under.low.z + 0.012, under.high.z - 0.016] {
-        builder.add_pair("metal", extrude(&plate, Axis::Z, [z, z + 0.004]));
+        builder.add_pair(Slot::Metal, extrude(&plate, Axis::Z, [z, z + 0.004]));
     }
 }
 
 /// Legs under plates with bolts, no apron.
 fn corner_plates(builder: &mut Builder, under: Bay, kind: LegKind, wide: f64) {
     let plate = (under.high.y * 0.1).min(0.006);
-    legs_at_corners(builder, "metal_dark", under.without(Side::Above, plate), wide, kind);
+    legs_at_corners(builder, Slot::MetalDark, under.without(Side::Above, plate), wide, kind);
     let top = under.slab(Side::Above, plate + SINK);
     for x in [Side::Left, Side::Right] {
         for z in [Side::Front, Side::Back] {
-            builder.cuboid("metal_dark", top.inset(0.002, 0.0, 0.002).slab(x, 0.085).slab(z, 0.085));
+            builder.cuboid(Slot::MetalDark, top.inset(0.002, 0.0, 0.002).slab(x, 0.085).slab(z, 0.085));
         }
     }
 }
@@ -195,16 +195,16 @@ fn shaped_apron(builder: &mut Builder, under: Bay, leg: f64, height: f64) {
         (under.low.z + inset, under.low.z + inset + 0.018),
         (under.high.z - inset - 0.018, under.high.z - inset),
     ] {
-        builder.add("wood", extrude(&profile(half_x), Axis::Z, [from, to]));
+        builder.add(Slot::Wood, extrude(&profile(half_x), Axis::Z, [from, to]));
     }
     builder.add_pair(
-        "wood",
+        Slot::Wood,
         extrude(&profile(half_z), Axis::X, [under.high.x - inset - 0.018, under.high.x - inset]),
     );
 }
 
 /// Four boards under a top, between legs of a thickness.
-fn apron(builder: &mut Builder, slot: &'static str, under: Bay, leg: f64, height: f64) {
+fn apron(builder: &mut Builder, slot: Slot, under: Bay, leg: f64, height: f64) {
     let board = 0.018;
     let band =
         under.without(Side::Above, SINK * 2.0).slab(Side::Above, height).inset(leg * 0.25, 0.0, leg * 0.25);

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::top_of;
 use crate::recipes::kit::Bay;
 use crate::recipes::kit::{Builder, Outline, SINK, Slice, cuboid, cylinder, lathe, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A round top on a column with a foot of the set.
 pub(in super::super) static ROUND_TABLE: Recipe =
@@ -24,7 +24,7 @@ fn round_table(draft: &Draft, builder: &mut Builder) {
     let slice = |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back);
     let (slot, slices) = match draft.set() {
         GeometrySet::Traditional => (
-            "wood",
+            Slot::Wood,
             vec![
                 slice(height - top, 0.015),
                 slice(height - top * 0.5, 0.0),
@@ -33,21 +33,23 @@ fn round_table(draft: &Draft, builder: &mut Builder) {
             ],
         ),
         GeometrySet::Plain if form == 2 => (
-            "stone",
+            Slot::Stone,
             vec![slice(height - top * 0.6, 0.03), slice(height - top * 0.25, 0.0), slice(height, 0.002)],
         ),
         GeometrySet::Budget => (
-            ["laminate", "plastic", "laminate", "wood_light"][form],
+            [Slot::Laminate, Slot::Plastic, Slot::Laminate, Slot::WoodLight][form],
             vec![slice(height - top, 0.002), slice(height - top * 0.75, 0.0), slice(height, 0.0)],
         ),
-        _ => ("wood", vec![slice(height - top, 0.004), slice(height - top * 0.7, 0.0), slice(height, 0.0)]),
+        _ => {
+            (Slot::Wood, vec![slice(height - top, 0.004), slice(height - top * 0.7, 0.0), slice(height, 0.0)])
+        }
     };
     builder.add(slot, loft(&Outline::Round(28), &slices));
     if draft.set() == GeometrySet::Industrial {
         let band = [slice(height - top * 0.9, -0.0), slice(height - top * 0.25, -0.0)]
             .map(|slice| Slice { half: slice.half * 1.003, ..slice });
         if form.is_multiple_of(2) {
-            builder.add("metal_dark", loft(&Outline::Round(28), &band));
+            builder.add(Slot::MetalDark, loft(&Outline::Round(28), &band));
         }
     }
     let foot = Foot { radius: half.x.min(half.z) * 0.5, end: height - top * 0.5 };
@@ -79,7 +81,7 @@ impl Foot {
     fn arms(
         &self,
         builder: &mut Builder,
-        (slot, count): (&'static str, u32),
+        (slot, count): (Slot, u32),
         path: &[(f64, f64)],
         thick: (f64, usize),
     ) {
@@ -92,7 +94,7 @@ impl Foot {
     }
 
     /// A plate under the top that the column ends in.
-    fn plate(&self, builder: &mut Builder, slot: &'static str) {
+    fn plate(&self, builder: &mut Builder, slot: Slot) {
         let share = 0.55;
         let low = self.end - 0.03;
         builder.add(slot, lathe(&[(self.radius * share, low), (self.radius * share, self.end)], 12));
@@ -102,7 +104,7 @@ impl Foot {
 fn plain(foot: &Foot, builder: &mut Builder, form: usize) {
     match form {
         0 => builder.add(
-            "metal_dark",
+            Slot::MetalDark,
             foot.turned(
                 &[
                     (1.0, 0.0),
@@ -117,7 +119,7 @@ fn plain(foot: &Foot, builder: &mut Builder, form: usize) {
             ),
         ),
         1 | 2 => {
-            let slot = if form == 1 { "painted" } else { "metal" };
+            let slot = if form == 1 { Slot::Painted } else { Slot::Metal };
             let cone = [
                 (1.0, 0.0),
                 (0.98, 0.01),
@@ -131,21 +133,21 @@ fn plain(foot: &Foot, builder: &mut Builder, form: usize) {
             builder.add(slot, foot.turned(&cone, 20));
         }
         _ => {
-            builder.add("wood", foot.turned(&[(0.16, 0.03), (0.18, foot.end * 0.5), (0.16, -1.0)], 12));
-            foot.arms(builder, ("wood", 4), &[(0.05, 0.055), (0.6, 0.045), (1.0, 0.0175)], (0.022, 4));
+            builder.add(Slot::Wood, foot.turned(&[(0.16, 0.03), (0.18, foot.end * 0.5), (0.16, -1.0)], 12));
+            foot.arms(builder, (Slot::Wood, 4), &[(0.05, 0.055), (0.6, 0.045), (1.0, 0.0175)], (0.022, 4));
             let rail = Bay::new(
                 [-foot.radius * 0.9, foot.radius * 0.9],
                 [foot.end - 0.04, foot.end - 0.004],
                 [-0.02, 0.02],
             );
-            builder.add("wood", cuboid(rail));
-            builder.add("wood", cuboid(rail).moved(0.0, -0.001, 0.0).turned_y(FRAC_PI_2));
+            builder.add(Slot::Wood, cuboid(rail));
+            builder.add(Slot::Wood, cuboid(rail).moved(0.0, -0.001, 0.0).turned_y(FRAC_PI_2));
         }
     }
 }
 
 fn traditional(foot: &Foot, builder: &mut Builder, form: usize) {
-    let slot = if form.is_multiple_of(2) { "wood" } else { "wood_dark" };
+    let slot = if form.is_multiple_of(2) { Slot::Wood } else { Slot::WoodDark };
     let end = foot.end;
     let vase: [(f64, f64); 9] = match form {
         0 | 3 => [
@@ -198,7 +200,7 @@ fn traditional(foot: &Foot, builder: &mut Builder, form: usize) {
 }
 
 fn industrial(foot: &Foot, builder: &mut Builder, form: usize) {
-    let slot = "metal_dark";
+    let slot = Slot::MetalDark;
     foot.plate(builder, slot);
     match form {
         0 => {
@@ -222,14 +224,14 @@ fn industrial(foot: &Foot, builder: &mut Builder, form: usize) {
                 ),
             );
             for y in [0.12, foot.end - 0.09] {
-                builder.add("metal", cylinder(foot.radius * 0.18, [y, y + 0.04], 8));
+                builder.add(Slot::Metal, cylinder(foot.radius * 0.18, [y, y + 0.04], 8));
             }
         }
         2 => {
-            builder.add("metal", foot.turned(&[(0.13, 0.1), (0.13, -1.02)], 8));
+            builder.add(Slot::Metal, foot.turned(&[(0.13, 0.1), (0.13, -1.02)], 8));
             for step in 1..9 {
                 let y = foot.end * (0.25 + 0.075 * f64::from(step));
-                builder.add("metal", cylinder(foot.radius * 0.16, [y, y + 0.008], 8));
+                builder.add(Slot::Metal, cylinder(foot.radius * 0.16, [y, y + 0.008], 8));
             }
             builder.add(slot, foot.turned(&[(0.22, 0.03), (0.24, 0.1), (0.24, 0.16), (0.16, 0.18)], 10));
             foot.arms(builder, (slot, 3), &[(0.1, 0.08), (0.5, 0.07), (1.0, 0.02)], (0.024, 6));
@@ -245,7 +247,7 @@ fn industrial(foot: &Foot, builder: &mut Builder, form: usize) {
                 );
             }
             let ring = cylinder(foot.radius * 0.32, [foot.end * 0.5, foot.end * 0.5 + 0.02], 12);
-            builder.add("metal", ring);
+            builder.add(Slot::Metal, ring);
         }
     }
 }
@@ -253,33 +255,33 @@ fn industrial(foot: &Foot, builder: &mut Builder, form: usize) {
 fn budget(foot: &Foot, builder: &mut Builder, form: usize) {
     match form {
         0 => {
-            builder.add("chrome", foot.turned(&[(0.12, 0.03), (0.12, -1.0)], 10));
-            builder.add("chrome", foot.turned(&[(1.0, 0.0), (0.97, 0.008), (0.2, 0.036)], 18));
-            foot.plate(builder, "metal_dark");
+            builder.add(Slot::Chrome, foot.turned(&[(0.12, 0.03), (0.12, -1.0)], 10));
+            builder.add(Slot::Chrome, foot.turned(&[(1.0, 0.0), (0.97, 0.008), (0.2, 0.036)], 18));
+            foot.plate(builder, Slot::MetalDark);
         }
         1 => builder.add(
-            "plastic",
+            Slot::Plastic,
             foot.turned(
                 &[(1.0, 0.0), (0.9, 0.02), (0.4, 0.06), (0.22, 0.16), (0.2, foot.end * 0.7), (0.4, -1.0)],
                 16,
             ),
         ),
         2 => {
-            builder.add("metal_dark", foot.turned(&[(0.11, 0.03), (0.11, -1.0)], 8));
-            foot.arms(builder, ("metal_dark", 4), &[(0.02, 0.045), (1.0, 0.014)], (0.017, 4));
-            foot.plate(builder, "metal_dark");
+            builder.add(Slot::MetalDark, foot.turned(&[(0.11, 0.03), (0.11, -1.0)], 8));
+            foot.arms(builder, (Slot::MetalDark, 4), &[(0.02, 0.045), (1.0, 0.014)], (0.017, 4));
+            foot.plate(builder, Slot::MetalDark);
         }
         _ => {
             for step in 0..3 {
                 let angle = TAU * f64::from(step) / 3.0;
                 let at = |out: f64, y: f64| DVec3::new(0.0, y, foot.radius * out);
                 builder.add(
-                    "wood_light",
+                    Slot::WoodLight,
                     sweep(&[at(0.98, 0.01), at(0.3, 0.06), at(0.18, foot.end - SINK)], 0.014, 6)
                         .turned_y(angle),
                 );
             }
-            foot.plate(builder, "wood_light");
+            foot.plate(builder, Slot::WoodLight);
         }
     }
 }

@@ -5,14 +5,14 @@ use glam::DVec3;
 use super::{Profile, SIDES, turned, turned_coarse};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, Solid, loft, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A tray: with a soft rim; an oval one with two bows; a crate of boards with slots to reach through; one of plastic with a
 /// broad lip.
 pub(in super::super) static TRAY: Recipe = Recipe::accessory("tray", [0.4, 0.3, 0.04]).every_set(tray);
 
 fn tray(draft: &Draft, builder: &mut Builder) {
-    let slot = draft.sampler().pick(&["wood", "metal", "plastic_dark"]);
+    let slot = draft.sampler().pick(&[Slot::Wood, Slot::Metal, Slot::PlasticDark]);
     match draft.set() {
         GeometrySet::Plain => builder.add(slot, soft_tray(builder.bay())),
         GeometrySet::Traditional => oval_tray(builder, slot),
@@ -54,7 +54,7 @@ fn lipped_tray(bay: Bay) -> Solid {
 }
 
 /// An oval with a low gallery and a bow of brass at each end.
-fn oval_tray(builder: &mut Builder, slot: &'static str) {
+fn oval_tray(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let dish = bay.slab(Side::Below, bay.height() * 0.55);
     let profile = [(0.0, 0.9), (0.3, 0.94), (1.0, 1.0), (1.0, 0.96), (0.4, 0.88)];
@@ -69,11 +69,11 @@ fn oval_tray(builder: &mut Builder, slot: &'static str) {
         point(inside, top, z * 0.7),
         point(inside * 0.97, 0.4, z),
     ];
-    builder.add_pair("brass", sweep(&bow, radius, 4));
+    builder.add_pair(Slot::Brass, sweep(&bow, radius, 4));
 }
 
 /// A floor between four boards, those at the ends with a slot.
-fn crate_of_boards(builder: &mut Builder, slot: &'static str) {
+fn crate_of_boards(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let (wall, height) = (wall(bay), bay.height());
     builder.cuboid(slot, bay.with_y([height * 0.04, height * 0.2]).inset(wall * 0.5, 0.0, wall * 0.5));
@@ -101,16 +101,16 @@ fn basket(draft: &Draft, builder: &mut Builder) {
     let grip = bay.height() * 0.18;
     let body = bay.without(Side::Above, grip);
     let slot = match draft.set() {
-        GeometrySet::Plain => ["wood_light", "fabric_light", "fabric", "wood_light"],
-        GeometrySet::Traditional => ["wood_light", "wood", "wood_light", "wood_dark"],
-        GeometrySet::Industrial => ["metal", "metal_dark", "metal", "wood"],
-        GeometrySet::Budget => ["plastic", "painted_accent", "plastic_dark", "plastic"],
+        GeometrySet::Plain => [Slot::WoodLight, Slot::FabricLight, Slot::Fabric, Slot::WoodLight],
+        GeometrySet::Traditional => [Slot::WoodLight, Slot::Wood, Slot::WoodLight, Slot::WoodDark],
+        GeometrySet::Industrial => [Slot::Metal, Slot::MetalDark, Slot::Metal, Slot::Wood],
+        GeometrySet::Budget => [Slot::Plastic, Slot::PaintedAccent, Slot::PlasticDark, Slot::Plastic],
     }[look];
     let profile = woven(draft.set());
     builder.add(slot, turned(body, profile));
     if bay.height() > bay.width() {
         let heap = [(0.7, 0.82), (0.92, 0.9), (1.02, 0.6), (1.06, 0.2)];
-        builder.add("linen", turned_coarse(body, &heap, 6));
+        builder.add(Slot::Linen, turned_coarse(body, &heap, 6));
     }
     let radius = 0.007_f64.min(bay.width() * 0.04);
     // On the upper edge, wherever the basket ends there.
@@ -124,7 +124,7 @@ fn basket(draft: &Draft, builder: &mut Builder) {
         point(z * 0.7, bay.high.y - radius),
         point(z, low),
     ];
-    let metal = if matches!(draft.set(), GeometrySet::Industrial) { "metal_dark" } else { "wood" };
+    let metal = if matches!(draft.set(), GeometrySet::Industrial) { Slot::MetalDark } else { Slot::Wood };
     builder.add_pair(if draft.set() == GeometrySet::Budget { slot } else { metal }, sweep(&bow, radius, 4));
 }
 

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Profile, ring, turned, turned_coarse};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, Solid, loft_ring, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A drinking glass: a tumbler, or a wine glass where it is tall.
 pub(in super::super) static GLASS: Recipe = Recipe::accessory("glass", [0.07, 0.07, 0.12]).every_set(glass);
@@ -25,14 +25,14 @@ fn glass(draft: &Draft, builder: &mut Builder) {
             (0.74, 0.94),
             (0.58, 0.5),
         ];
-        builder.add("glass", turned(bay, &stem));
+        builder.add(Slot::Glass, turned(bay, &stem));
         let wine = [(0.585, 0.48), (0.7, 0.84), (0.71, 0.3)];
-        builder.add(["book", "brass", "book", "fabric_accent"][look], turned(bay, &wine));
+        builder.add([Slot::Book, Slot::Brass, Slot::Book, Slot::FabricAccent][look], turned(bay, &wine));
         return;
     }
-    builder.add("glass", turned(bay, tumbler(draft.set(), look)));
+    builder.add(Slot::Glass, turned(bay, tumbler(draft.set(), look)));
     let drink = [(0.215, 0.6), (0.5, 0.68), (0.52, 0.3)];
-    builder.add(["leather", "fabric_accent", "brass", "leaf"][look], turned(bay, &drink));
+    builder.add([Slot::Leather, Slot::FabricAccent, Slot::Brass, Slot::Leaf][look], turned(bay, &drink));
 }
 
 /// The outline of a low glass: plain ones; on a heavy foot, where there is no room for a stem; jars and beakers; stacking
@@ -86,18 +86,18 @@ fn bottle(draft: &Draft, builder: &mut Builder) {
     // A label stands out a little.
     let body = body.map(|(share, shrink)| (share, shrink * if look == 3 { 1.0 } else { 0.984 }));
     let slots = match draft.set() {
-        GeometrySet::Traditional => ["leaf", "glass", "terracotta", "glass"],
-        GeometrySet::Industrial => ["glass", "metal", "glass", "metal_dark"],
-        GeometrySet::Budget => ["plastic", "leaf", "plastic", "glass"],
-        GeometrySet::Plain => ["leaf", "glass", "ceramic", "glass"],
+        GeometrySet::Traditional => [Slot::Leaf, Slot::Glass, Slot::Terracotta, Slot::Glass],
+        GeometrySet::Industrial => [Slot::Glass, Slot::Metal, Slot::Glass, Slot::MetalDark],
+        GeometrySet::Budget => [Slot::Plastic, Slot::Leaf, Slot::Plastic, Slot::Glass],
+        GeometrySet::Plain => [Slot::Leaf, Slot::Glass, Slot::Ceramic, Slot::Glass],
     };
     builder.add(slots[look], turned(bay, &body));
     if look != 3 {
         let label = [(0.14, 1.0), (body[2].0 * 0.82, 1.0)];
-        builder.add(["paper", "fabric_light", "paper"][look], turned(bay, &label));
+        builder.add([Slot::Paper, Slot::FabricLight, Slot::Paper][look], turned(bay, &label));
     }
     let (rim, wide) = body[6];
-    let cap = ["book", "metal", "brass", "wood_light"][look];
+    let cap = [Slot::Book, Slot::Metal, Slot::Brass, Slot::WoodLight][look];
     builder.add(cap, turned(bay, &[(rim - 0.06, wide + 0.03), (0.99, wide + 0.03), (1.0, wide - 0.02)]));
 }
 
@@ -144,16 +144,16 @@ fn cup(draft: &Draft, builder: &mut Builder) {
     let body = bay.without(Side::Right, handle);
     let profile = mug(draft.set(), look);
     let slots = match draft.set() {
-        GeometrySet::Industrial => ["metal", "painted", "concrete", "painted_accent"],
-        GeometrySet::Traditional => ["ceramic", "ceramic", "terracotta", "painted"],
-        GeometrySet::Budget => ["plastic", "ceramic", "painted_accent", "plastic"],
-        GeometrySet::Plain => ["ceramic", "painted_accent", "ceramic", "painted"],
+        GeometrySet::Industrial => [Slot::Metal, Slot::Painted, Slot::Concrete, Slot::PaintedAccent],
+        GeometrySet::Traditional => [Slot::Ceramic, Slot::Ceramic, Slot::Terracotta, Slot::Painted],
+        GeometrySet::Budget => [Slot::Plastic, Slot::Ceramic, Slot::PaintedAccent, Slot::Plastic],
+        GeometrySet::Plain => [Slot::Ceramic, Slot::PaintedAccent, Slot::Ceramic, Slot::Painted],
     };
     builder.add(slots[look], turned(body, &profile));
-    builder.add("soil", turned_coarse(body, &[(0.7, 0.6), (0.76, 0.66), (0.77, 0.3)], 8));
+    builder.add(Slot::Soil, turned_coarse(body, &[(0.7, 0.6), (0.76, 0.66), (0.77, 0.3)], 8));
     if look == 3 {
         let rim = turned_rim(body);
-        builder.add("metal_dark", rim);
+        builder.add(Slot::MetalDark, rim);
     }
     let radius = handle * 0.16;
     let (left, right) =

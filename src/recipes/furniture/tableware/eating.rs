@@ -3,7 +3,7 @@
 use super::{Profile, turned};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, Solid, lathe, loft};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A place setting: plate, fork on the left, knife on the right; on a mat with sharp or soft corners or, bought cheaply, on
 /// the tray of a canteen.
@@ -12,16 +12,16 @@ pub(in super::super) static PLATE: Recipe = Recipe::accessory("plate", [0.45, 0.
 fn plate(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let thick = (bay.height() * 0.12).min(0.003);
-    let mat = draft.sampler().pick(&["fabric_light", "fabric_accent", "linen"]);
+    let mat = draft.sampler().pick(&[Slot::FabricLight, Slot::FabricAccent, Slot::Linen]);
     match draft.set() {
-        GeometrySet::Budget => builder.add("plastic_dark", canteen_tray(bay, thick)),
+        GeometrySet::Budget => builder.add(Slot::PlasticDark, canteen_tray(bay, thick)),
         GeometrySet::Traditional => builder.add(mat, soft_mat(bay, thick)),
         GeometrySet::Plain | GeometrySet::Industrial => builder.cuboid(mat, bay.slab(Side::Below, thick)),
     }
     let above = bay.without(Side::Below, thick - SINK);
     let side = bay.depth().min(bay.width() * 0.72) * 0.88;
     let dish = Bay::around(above.center(), side, above.height(), side);
-    builder.add("ceramic", dish_of(draft.set(), dish));
+    builder.add(Slot::Ceramic, dish_of(draft.set(), dish));
     let rest = (bay.width() - side) / 2.0 - 0.004;
     let length = (side * 0.8).min(0.22);
     // Rims of trays stand before the ends.
@@ -79,13 +79,14 @@ fn cutlery(builder: &mut Builder, left: Bay, right: Bay) {
     let fork = left.inset(left.width() * 0.28, 0.0, 0.0);
     let head = fork.slab(Side::Back, length * 0.34);
     let grip = fork.without(Side::Back, length * 0.34 - SINK).inset(fork.width() * 0.34, thick * 0.05, 0.0);
-    builder.cuboid("chrome", grip);
-    builder.cuboid("chrome", head.slab(Side::Front, length * 0.1));
+    builder.cuboid(Slot::Chrome, grip);
+    builder.cuboid(Slot::Chrome, head.slab(Side::Front, length * 0.1));
     let tines = head.without(Side::Front, length * 0.1 - SINK).inset(0.0004, thick * 0.05, 0.0);
-    tines.columns(3, fork.width() * 0.16).into_iter().for_each(|tine| builder.cuboid("chrome", tine));
+    tines.columns(3, fork.width() * 0.16).into_iter().for_each(|tine| builder.cuboid(Slot::Chrome, tine));
     let knife = right.inset(right.width() * 0.3, 0.0, 0.0);
-    builder.cuboid("chrome", knife.slab(Side::Front, length * 0.42).inset(knife.width() * 0.2, 0.0, 0.0));
-    builder.cuboid("chrome", knife.without(Side::Front, length * 0.42 - SINK).inset(0.0, thick * 0.1, 0.0));
+    builder.cuboid(Slot::Chrome, knife.slab(Side::Front, length * 0.42).inset(knife.width() * 0.2, 0.0, 0.0));
+    builder
+        .cuboid(Slot::Chrome, knife.without(Side::Front, length * 0.42 - SINK).inset(0.0, thick * 0.1, 0.0));
 }
 
 /// A bowl, with fruit where the look says so: round; on a foot; a pan with a rolled rim; a cone with a lip.
@@ -96,7 +97,7 @@ fn bowl(draft: &Draft, builder: &mut Builder) {
     let mut sampler = draft.sampler();
     let has_fruit = sampler.chance(0.6);
     let dish = if has_fruit { bay.without(Side::Above, bay.height() * 0.25) } else { bay };
-    let slot = sampler.pick(&["ceramic", "wood", "glass"]);
+    let slot = sampler.pick(&[Slot::Ceramic, Slot::Wood, Slot::Glass]);
     let profile: Profile = match draft.set() {
         GeometrySet::Plain => {
             &[(0.0, 0.45), (0.1, 0.45), (0.5, 0.85), (1.0, 1.0), (1.0, 0.95), (0.5, 0.8), (0.14, 0.4)]
@@ -125,7 +126,7 @@ fn fruit(builder: &mut Builder, dish: Bay, floor: f64) {
         let y = top - radius * if index == 0 { 1.0 } else { 1.25 };
         let round = [(0.0, -1.0), (0.75, -0.65), (1.0, 0.0), (0.75, 0.65), (0.0, 1.0)];
         let fruit = lathe(&round.map(|(share, rise)| (share * radius, rise * radius)), 6);
-        let slot = ["fabric_accent", "leaf", "book"][index];
+        let slot = [Slot::FabricAccent, Slot::Leaf, Slot::Book][index];
         builder.add(slot, fruit.moved(x * dish.width() / 2.0, y, z * dish.depth() / 2.0));
     }
 }

@@ -6,8 +6,8 @@ mod steel;
 use glam::DVec3;
 
 use super::parts::{ball, turned_forward};
-use crate::recipes::Recipe;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, sweep};
+use crate::recipes::{Recipe, Slot};
 
 /// Metres between the surface and the top of the box, which is that of the vice's jaws: those of engineers' vices are 0.1
 /// to 0.15 m over the bench.
@@ -37,7 +37,7 @@ fn vice_middle(bay: Bay) -> f64 {
 }
 
 /// A screw's hub that looks forward, with a bar through it that hangs crooked; `at` is the hub's back.
-fn screw_handle(builder: &mut Builder, [hub, bar]: [&'static str; 2], at: DVec3, length: f64) {
+fn screw_handle(builder: &mut Builder, [hub, bar]: [Slot; 2], at: DVec3, length: f64) {
     let front = builder.bay().high.z;
     let radius = (front - at.z).min(0.022);
     let body = turned_forward(cylinder(radius, [at.z - SINK, front], 10));

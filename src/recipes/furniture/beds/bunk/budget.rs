@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{Bunk, EDGE};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Builder, SINK, rounded_path, sweep};
 
 /// Metres of the radius of hoops, and of bars between them.
@@ -12,7 +13,7 @@ const BAR: f64 = 0.009;
 
 pub(super) fn frame(bunk: &Bunk, builder: &mut Builder) {
     let (bay, bases) = (bunk.bay, bunk.bases);
-    let metal = ["painted", "metal", "metal_dark", "painted_accent"][bunk.look];
+    let metal = [Slot::Painted, Slot::Metal, Slot::MetalDark, Slot::PaintedAccent][bunk.look];
     for z in [bay.low.z + TUBE, bay.high.z - TUBE] {
         hoop(bunk, builder, metal, z);
     }
@@ -49,7 +50,7 @@ pub(super) fn frame(bunk: &Bunk, builder: &mut Builder) {
 }
 
 /// A tube up one side and down the other, with bars between two tubes over each bed.
-fn hoop(bunk: &Bunk, builder: &mut Builder, metal: &'static str, z: f64) {
+fn hoop(bunk: &Bunk, builder: &mut Builder, metal: Slot, z: f64) {
     let bay = bunk.bay;
     let (x, top) = (bay.high.x - TUBE, bay.high.y - TUBE);
     let at = |x: f64, y: f64| DVec3::new(x, y, z);

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::Bunk;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
 use crate::recipes::kit::{Bay, Builder, SINK, cuboid, sweep};
 
@@ -16,10 +17,10 @@ const BOLT: f64 = 0.006;
 pub(super) fn frame(bunk: &Bunk, builder: &mut Builder) {
     let (bay, bases) = (bunk.bay, bunk.bases);
     let (wood, steel) = [
-        ("wood", "metal_dark"),
-        ("wood_light", "metal_dark"),
-        ("wood_dark", "metal"),
-        ("wood_light", "painted_accent"),
+        (Slot::Wood, Slot::MetalDark),
+        (Slot::WoodLight, Slot::MetalDark),
+        (Slot::WoodDark, Slot::Metal),
+        (Slot::WoodLight, Slot::PaintedAccent),
     ][bunk.look];
     let posts = bay.inset(BOLT, 0.0, 0.0);
     legs_at_corners(builder, steel, posts, ANGLE, LegKind::Angle);
@@ -64,14 +65,14 @@ fn bolts(bunk: &Bunk, builder: &mut Builder, heights: [f64; 3]) {
     for y in heights {
         for z in [bay.low.z + ANGLE * 0.55, bay.high.z - ANGLE * 0.55] {
             if y < heights[2] || z < 0.0 {
-                builder.add_pair("metal", cuboid(head.moved(0.0, y, z)));
+                builder.add_pair(Slot::Metal, cuboid(head.moved(0.0, y, z)));
             }
         }
     }
 }
 
 /// Two bars that cross between the beds at the head.
-fn braces(bunk: &Bunk, builder: &mut Builder, steel: &'static str) {
+fn braces(bunk: &Bunk, builder: &mut Builder, steel: Slot) {
     let bay = bunk.bay;
     let x = bay.high.x - ANGLE;
     let y = [bunk.bases[0] + 2.0 * TALL + 0.06, bunk.bases[1] - 0.04];
@@ -82,7 +83,7 @@ fn braces(bunk: &Bunk, builder: &mut Builder, steel: &'static str) {
 }
 
 /// Rungs of pipe between two flat bars.
-fn ladder(bunk: &Bunk, builder: &mut Builder, steel: &'static str) {
+fn ladder(bunk: &Bunk, builder: &mut Builder, steel: Slot) {
     let bay = bunk.bay;
     let bars = bay.slab(Side::Right, 0.016).with_z(bunk.way_in).with_y([0.0, bunk.bases[1] + 0.3]);
     for end in [Side::Front, Side::Back] {

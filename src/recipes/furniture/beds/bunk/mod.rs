@@ -8,7 +8,7 @@ mod traditional;
 
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, pillow};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Shares of the height at which the frames of the two beds begin.
 const BASES: [f64; 2] = [0.17, 0.66];
@@ -39,7 +39,7 @@ fn bunk_bed(draft: &Draft, builder: &mut Builder) {
     }
     let mut sampler = draft.sampler();
     for base in bunk.bases {
-        bedding(builder, bay, base, sampler.pick(&["fabric", "fabric_accent", "fabric_light"]));
+        bedding(builder, bay, base, sampler.pick(&[Slot::Fabric, Slot::FabricAccent, Slot::FabricLight]));
     }
 }
 
@@ -62,7 +62,7 @@ impl Bunk {
     }
 
     /// A thin board under each mattress, between rails so many metres inside the box.
-    fn decks(&self, builder: &mut Builder, slot: &'static str, inset: [f64; 2]) {
+    fn decks(&self, builder: &mut Builder, slot: Slot, inset: [f64; 2]) {
         for base in self.bases {
             builder.cuboid(slot, self.bay.inset(inset[0], 0.0, inset[1]).with_y([base + 0.02, base + 0.04]));
         }
@@ -70,11 +70,11 @@ impl Bunk {
 }
 
 /// A mattress, a blanket over most of it and a pillow on a frame.
-fn bedding(builder: &mut Builder, bay: Bay, base: f64, slot: &'static str) {
+fn bedding(builder: &mut Builder, bay: Bay, base: f64, slot: Slot) {
     let mattress = bay.inset(EDGE, 0.0, EDGE).with_y([base + 0.04 - SINK, base + 0.18]);
-    builder.block("mattress", mattress, 0.025);
+    builder.block(Slot::Mattress, mattress, 0.025);
     let blanket = mattress.without(Side::Back, mattress.depth() * 0.32).inset(-0.004, 0.0, -0.004);
     builder.block(slot, blanket.with_y([base + 0.1, base + 0.21]), 0.035);
     let soft = pillow((mattress.width() - 0.16).min(0.7), 0.13, 0.36).turned_x(0.1);
-    builder.add("linen", soft.moved(0.0, base + 0.23, mattress.low.z + 0.22));
+    builder.add(Slot::Linen, soft.moved(0.0, base + 0.23, mattress.low.z + 0.22));
 }

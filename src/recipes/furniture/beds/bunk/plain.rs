@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::Bunk;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, extrude};
 
 /// Metres of a board, and of the ladder before the sides.
@@ -13,10 +14,10 @@ const LADDER: f64 = 0.026;
 pub(super) fn frame(bunk: &Bunk, builder: &mut Builder) {
     let (bay, [low, high]) = (bunk.bay, bunk.bases);
     let (slot, step) = [
-        ("painted", "wood"),
-        ("wood_light", "wood_light"),
-        ("painted_accent", "wood_light"),
-        ("wood", "painted"),
+        (Slot::Painted, Slot::Wood),
+        (Slot::WoodLight, Slot::WoodLight),
+        (Slot::PaintedAccent, Slot::WoodLight),
+        (Slot::Wood, Slot::Painted),
     ][bunk.look];
     builder.block(slot, bay.slab(Side::Back, BOARD), 0.006);
     let foot = bay.slab(Side::Front, BOARD);

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Bunk, RAIL};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cuboid, extrude, lathe, sweep};
 
@@ -17,7 +18,7 @@ const FINIAL: [(f64, f64); 6] =
 
 pub(super) fn frame(bunk: &Bunk, builder: &mut Builder) {
     let (bay, bases) = (bunk.bay, bunk.bases);
-    let wood = ["wood_dark", "wood", "wood_dark", "wood"][bunk.look];
+    let wood = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::Wood][bunk.look];
     for z in [bay.low.z + POST / 2.0, bay.high.z - POST / 2.0] {
         post(bunk, builder, wood, DVec3::new(bay.high.x - POST / 2.0, 0.0, z));
     }
@@ -55,7 +56,7 @@ pub(super) fn frame(bunk: &Bunk, builder: &mut Builder) {
 }
 
 /// Two posts left and right: a foot, blocks where rails meet it, turned between them and above.
-fn post(bunk: &Bunk, builder: &mut Builder, wood: &'static str, at: DVec3) {
+fn post(bunk: &Bunk, builder: &mut Builder, wood: Slot, at: DVec3) {
     let ([low, high], top) = (bunk.bases, bunk.bay.high.y);
     let (under, over) = (0.02, RAIL + 0.03);
     let mut add = |profile: &[(f64, f64)], from: f64, to: f64| {
@@ -73,7 +74,7 @@ fn post(bunk: &Bunk, builder: &mut Builder, wood: &'static str, at: DVec3) {
 }
 
 /// A board between posts from the underside of a rail up to an arch, so many metres over it in the middle.
-fn arch(builder: &mut Builder, wood: &'static str, rail: Bay, tall: f64) {
+fn arch(builder: &mut Builder, wood: Slot, rail: Bay, tall: f64) {
     let half = rail.high.x;
     let low = rail.low.y;
     let profile = [

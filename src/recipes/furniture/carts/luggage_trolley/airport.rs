@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::castor;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::across;
 use crate::recipes::kit::{Axis, Bay, Builder, extrude, rounded_path, sweep};
 
@@ -12,15 +13,15 @@ const TUBE: f64 = 0.015;
 /// Gives the height of the deck.
 pub(super) fn trolley(builder: &mut Builder, look: usize) -> f64 {
     let bay = builder.bay();
-    let metal = ["metal", "chrome", "metal", "metal_dark"][look];
-    let accent = ["painted_accent", "plastic_dark", "book", "painted_accent"][look];
+    let metal = [Slot::Metal, Slot::Chrome, Slot::Metal, Slot::MetalDark][look];
+    let accent = [Slot::PaintedAccent, Slot::PlasticDark, Slot::Book, Slot::PaintedAccent][look];
     let wheel = (bay.height() * 0.09).min(bay.depth() * 0.1);
     let deck = wheel * 2.0;
     let (back, front) = (bay.low.z + wheel + 0.06, bay.high.z - TUBE);
     // What stands behind is between the wheels.
     let (wide, narrow) = (bay.high.x - 0.045, bay.width() * 0.2);
     for x in [bay.low.x, bay.high.x - 0.035] {
-        builder.add("rubber", across(wheel, [x, x + 0.035], 10).moved(0.0, wheel, back));
+        builder.add(Slot::Rubber, across(wheel, [x, x + 0.035], 10).moved(0.0, wheel, back));
     }
     let axle = across(0.012, [bay.low.x + 0.03, bay.high.x - 0.03], 6);
     builder.add(metal, axle.moved(0.0, wheel, back));
@@ -43,17 +44,13 @@ pub(super) fn trolley(builder: &mut Builder, look: usize) -> f64 {
 }
 
 /// The bow behind with its bars, the basket and the board for advertisements.
-fn posts(
-    builder: &mut Builder,
-    (metal, accent): (&'static str, &'static str),
-    (x, foot, low): (f64, f64, f64),
-) {
+fn posts(builder: &mut Builder, (metal, accent): (Slot, Slot), (x, foot, low): (f64, f64, f64)) {
     let bay = builder.bay();
     let (top, head) = (bay.high.y - TUBE - 0.003, bay.low.z + TUBE + 0.003);
     let at = |x: f64, rise: f64| DVec3::new(x, low + rise * (top - low), foot + rise * (head - foot));
     let path = [at(-x, 0.0), at(-x, 1.0), at(x, 1.0), at(x, 0.0)];
     builder.add(metal, sweep(&rounded_path(&path, 0.07, 2), TUBE, 6));
-    builder.add("rubber", sweep(&[at(-x * 0.75, 1.0), at(x * 0.75, 1.0)], TUBE + 0.003, 6));
+    builder.add(Slot::Rubber, sweep(&[at(-x * 0.75, 1.0), at(x * 0.75, 1.0)], TUBE + 0.003, 6));
     builder.add(accent, sweep(&[at(-x, 0.9), at(x, 0.9)], 0.01, 4));
     let board = |rise: f64, out: f64| {
         let at = at(0.0, rise);

@@ -9,7 +9,7 @@ use glam::DVec3;
 use super::{castor, castors};
 use crate::recipes::furniture::parts::{HandleKind, handle};
 use crate::recipes::kit::{Bay, Builder, SINK, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A luggage trolley: of an airport, with a basket; a birdcage of brass over a carpet; planks on four large wheels; a
 /// folding one with a plastic deck.
@@ -35,9 +35,9 @@ fn birdcage(builder: &mut Builder) -> f64 {
     let lift = 0.13_f64.min(bay.height() * 0.2);
     let inner = bay.inset(0.02, 0.0, 0.02);
     castors(builder, inner, lift);
-    builder.block("brass", bay.with_y([lift - SINK, lift + 0.035]), 0.008);
+    builder.block(Slot::Brass, bay.with_y([lift - SINK, lift + 0.035]), 0.008);
     let carpet = bay.inset(0.02, 0.0, 0.02).with_y([lift + 0.034, lift + 0.042]);
-    builder.cuboid("carpet", carpet);
+    builder.cuboid(Slot::Carpet, carpet);
     let radius = 0.014;
     let top = bay.high.y - radius;
     let x = inner.high.x - 0.01;
@@ -54,11 +54,11 @@ fn birdcage(builder: &mut Builder) -> f64 {
         at(top - rise, near),
         at(lift + 0.02, near),
     ];
-    builder.add_pair("brass", sweep(&path, radius, 6));
+    builder.add_pair(Slot::Brass, sweep(&path, radius, 6));
     // Rails where the bows bend, and one to hang coats on.
     for (y, z) in [(top - rise * 0.3, far * 0.7), (top, 0.0), (top - rise * 0.3, near * 0.7)] {
         let bar = [-x, x].map(|x| DVec3::new(x, y, z));
-        builder.add("brass", sweep(&bar, radius * 0.9, 6));
+        builder.add(Slot::Brass, sweep(&bar, radius * 0.9, 6));
     }
     carpet.high.y
 }
@@ -68,16 +68,18 @@ fn suitcases(builder: &mut Builder, floor: f64) {
     let bay = builder.bay();
     let room = bay.height() * 0.55;
     let mut low = floor;
-    for (share, slot, wide, deep) in [(0.46, "leather", 0.8, 0.52), (0.32, "fabric_accent", 0.66, 0.42)] {
+    for (share, slot, wide, deep) in
+        [(0.46, Slot::Leather, 0.8, 0.52), (0.32, Slot::FabricAccent, 0.66, 0.42)]
+    {
         let tall = room * share;
         let middle = DVec3::new(0.0, low + tall / 2.0, bay.depth() * 0.1);
         let case = Bay::around(middle, bay.width() * wide, tall, bay.depth() * deep);
         builder.block(slot, case, 0.02);
         let grip = DVec3::new(0.0, case.center().y, case.high.z);
-        handle(builder, "plastic_dark", (HandleKind::Level, 0.14), grip, 0.02);
+        handle(builder, Slot::PlasticDark, (HandleKind::Level, 0.14), grip, 0.02);
         for x in [-0.3, 0.3] {
             let middle = case.center() + DVec3::X * x * case.width();
-            builder.cuboid("rubber", Bay::around(middle, 0.02, tall + 0.004, case.depth() + 0.004));
+            builder.cuboid(Slot::Rubber, Bay::around(middle, 0.02, tall + 0.004, case.depth() + 0.004));
         }
         low += tall - SINK;
     }

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::Row;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, Solid, Station, sheet, sweep};
 
 /// Metres between neighbouring shells, and of their thickness.
@@ -12,17 +13,17 @@ const SHELL: f64 = 0.012;
 pub(super) fn build(row: &Row, builder: &mut Builder) {
     let (bay, seat) = (row.bay, row.seat);
     let shells = [
-        ["plastic", "plastic"],
-        ["painted_accent", "painted_accent"],
-        ["plastic_dark", "plastic_dark"],
-        ["plastic", "painted_accent"],
+        [Slot::Plastic, Slot::Plastic],
+        [Slot::PaintedAccent, Slot::PaintedAccent],
+        [Slot::PlasticDark, Slot::PlasticDark],
+        [Slot::Plastic, Slot::PaintedAccent],
     ][row.look];
     let middle = bay.center().z;
     let beam = Bay::around(DVec3::new(0.0, seat - 0.11, middle), bay.width() - 0.02, 0.05, 0.05);
-    builder.cuboid("metal_dark", beam);
+    builder.cuboid(Slot::MetalDark, beam);
     for x in row.legs() {
         let post = [DVec3::new(x, 0.04, middle), DVec3::new(x, seat - 0.1, middle)];
-        builder.add("metal_dark", sweep(&post, 0.026, 6));
+        builder.add(Slot::MetalDark, sweep(&post, 0.026, 6));
         // The foot is bent down to the floor at both ends.
         let foot = [
             (0.01, bay.high.z - 0.03),
@@ -31,9 +32,9 @@ pub(super) fn build(row: &Row, builder: &mut Builder) {
             (0.01, bay.low.z + 0.03),
         ]
         .map(|(y, z)| DVec3::new(x, y, z));
-        builder.add("metal_dark", sweep(&foot, 0.02, 4));
+        builder.add(Slot::MetalDark, sweep(&foot, 0.02, 4));
         for z in [bay.high.z - 0.04, bay.low.z + 0.04] {
-            builder.cuboid("rubber", Bay::around(DVec3::new(x, 0.012, z), 0.045, 0.024, 0.06));
+            builder.cuboid(Slot::Rubber, Bay::around(DVec3::new(x, 0.012, z), 0.045, 0.024, 0.06));
         }
     }
     // Shells reach the sides of the box.
@@ -41,7 +42,7 @@ pub(super) fn build(row: &Row, builder: &mut Builder) {
     for (index, cell) in cells.iter().enumerate() {
         builder.add(shells[index % 2], shell(row, *cell));
         let bracket = Bay::around(DVec3::new(cell.center().x, seat - 0.07, middle), 0.2, 0.06, 0.12);
-        builder.cuboid("metal_dark", bracket);
+        builder.cuboid(Slot::MetalDark, bracket);
     }
 }
 

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{LEAN, Row};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, SINK, Station, sheet, sweep};
 
 /// Metres between neighbouring seats.
@@ -15,10 +16,10 @@ const STEEL: f64 = 0.008;
 pub(super) fn build(row: &Row, builder: &mut Builder) {
     let (bay, seat) = (row.bay, row.seat);
     let (bands, frame) = [
-        ("metal", "metal_dark"),
-        ("metal_dark", "metal_dark"),
-        ("wood", "metal_dark"),
-        ("metal", "painted_accent"),
+        (Slot::Metal, Slot::MetalDark),
+        (Slot::MetalDark, Slot::MetalDark),
+        (Slot::Wood, Slot::MetalDark),
+        (Slot::Metal, Slot::PaintedAccent),
     ][row.look];
     let middle = bay.center().z - 0.03;
     channel(row, builder, frame, middle);
@@ -64,7 +65,7 @@ fn path(row: &Row, band: Bay) -> [Station; 6] {
 }
 
 /// A channel of steel on two posts with plates and bolts.
-fn channel(row: &Row, builder: &mut Builder, frame: &'static str, middle: f64) {
+fn channel(row: &Row, builder: &mut Builder, frame: Slot, middle: f64) {
     let (bay, seat) = (row.bay, row.seat);
     let beam = Bay::around(DVec3::new(0.0, seat - 0.13, middle), bay.width(), 0.1, 0.06);
     builder.cuboid(frame, beam.slab(Side::Back, 0.01));
@@ -79,7 +80,7 @@ fn channel(row: &Row, builder: &mut Builder, frame: &'static str, middle: f64) {
         for (x, z) in
             [(-0.065, -0.1), (0.065, -0.1), (-0.065, 0.12), (0.065, 0.12)].map(|(side, z)| (x + side, z))
         {
-            builder.cuboid("metal", Bay::around(DVec3::new(x, 0.016, middle + z), 0.026, 0.02, 0.026));
+            builder.cuboid(Slot::Metal, Bay::around(DVec3::new(x, 0.016, middle + z), 0.026, 0.02, 0.026));
         }
         for z in [-0.115, 0.135] {
             let stay = [DVec3::new(x, 0.008, middle + z), DVec3::new(x, seat * 0.5, middle + 0.006)];
@@ -89,7 +90,7 @@ fn channel(row: &Row, builder: &mut Builder, frame: &'static str, middle: f64) {
 }
 
 /// Bows of flat steel between the seats.
-fn arm_rests(row: &Row, builder: &mut Builder, frame: &'static str, middle: f64) {
+fn arm_rests(row: &Row, builder: &mut Builder, frame: Slot, middle: f64) {
     let (bay, seat) = (row.bay, row.seat);
     let joints = row.joints(GAP);
     for &x in &joints[1..joints.len() - 1] {

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{LEAN, Row};
+use crate::recipes::Slot;
 use crate::recipes::kit::{Bay, Builder, SINK, rounded_box, sweep};
 
 /// Metres between neighbouring pads, in which the frames stand.
@@ -13,10 +14,10 @@ const PAD: f64 = 0.055;
 pub(super) fn build(row: &Row, builder: &mut Builder) {
     let (bay, seat) = (row.bay, row.seat);
     let (cover, metal) = [
-        ("fabric", "metal"),
-        ("leather", "chrome"),
-        ("fabric_accent", "metal_dark"),
-        ("leather", "metal_dark"),
+        (Slot::Fabric, Slot::Metal),
+        (Slot::Leather, Slot::Chrome),
+        (Slot::FabricAccent, Slot::MetalDark),
+        (Slot::Leather, Slot::MetalDark),
     ][row.look];
     let middle = bay.center().z;
     let beam = Bay::around(DVec3::new(0.0, seat - 0.13, middle), bay.width() - 0.02, 0.05, 0.07);
@@ -26,7 +27,7 @@ pub(super) fn build(row: &Row, builder: &mut Builder) {
         let path = [at(0.018, bay.high.z - 0.05), at(seat - 0.14, middle), at(0.018, bay.low.z + 0.05)];
         builder.add(metal, sweep(&path, 0.026, 4));
         for z in [bay.high.z - 0.05, bay.low.z + 0.05] {
-            builder.cuboid("rubber", Bay::around(at(0.008, z), 0.05, 0.016, 0.05));
+            builder.cuboid(Slot::Rubber, Bay::around(at(0.008, z), 0.05, 0.016, 0.05));
         }
     }
     let back = bay.high.y - seat - 0.05;
@@ -58,7 +59,7 @@ pub(super) fn build(row: &Row, builder: &mut Builder) {
             [rest + 0.008, rest + 0.026],
             [bay.low.z + 0.17, bay.high.z - 0.11],
         );
-        builder.cuboid("plastic_dark", pad);
+        builder.cuboid(Slot::PlasticDark, pad);
         let brace = [at(seat - 0.03, bay.low.z + 0.2), at(rest, bay.low.z + 0.16)];
         builder.add(metal, sweep(&brace, 0.012, 4));
     }

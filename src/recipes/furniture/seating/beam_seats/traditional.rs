@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{LEAN, Row, depth_slats};
+use crate::recipes::Slot;
 use crate::recipes::kit::{Axis, Bay, Builder, cuboid, extrude, sweep};
 
 /// Metres of a standard's thickness.
@@ -11,10 +12,10 @@ const IRON: f64 = 0.032;
 pub(super) fn build(row: &Row, builder: &mut Builder) {
     let (bay, seat) = (row.bay, row.seat);
     let (wood, iron) = [
-        ("wood", "metal_dark"),
-        ("wood_dark", "metal_dark"),
-        ("wood_dark", "brass"),
-        ("wood", "painted_accent"),
+        (Slot::Wood, Slot::MetalDark),
+        (Slot::WoodDark, Slot::MetalDark),
+        (Slot::WoodDark, Slot::Brass),
+        (Slot::Wood, Slot::PaintedAccent),
     ][row.look];
     let (back, front) = (bay.low.z, bay.high.z);
     let seats = bay.inset(0.006, 0.0, 0.0).with_y([seat - 0.028, seat]).with_z([back + 0.13, front - 0.01]);

@@ -4,17 +4,18 @@ use glam::DVec3;
 
 use super::{BACK_DEPTH, Chair, TUBE};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{bowed_board, slanted_leg};
 use crate::recipes::kit::{Bay, Builder, Station, crowned, pipe, sheet, sweep};
 
 /// A moulded shell on four thin tubes.
 pub(super) fn plastic_shell(chair: &Chair, builder: &mut Builder) {
-    builder.add("plastic", chair.shell(0.009, 0.042, 0.9));
-    tube_legs(chair, builder, "chrome");
+    builder.add(Slot::Plastic, chair.shell(0.009, 0.042, 0.9));
+    tube_legs(chair, builder, Slot::Chrome);
 }
 
 /// Two bows of tube, one before the other, that carry a seat.
-fn tube_legs(chair: &Chair, builder: &mut Builder, slot: &'static str) {
+fn tube_legs(chair: &Chair, builder: &mut Builder, slot: Slot) {
     let (top, radius) = (chair.seat - 0.068, 0.009);
     for (z, up) in [(0.97, 0.8), (0.03, 0.22)] {
         let path = both_sides(&[chair.at(0.74, top, up), chair.at(0.95, 0.01, z)]);
@@ -25,7 +26,7 @@ fn tube_legs(chair: &Chair, builder: &mut Builder, slot: &'static str) {
             &[(1.0, 0.0), (0.9, 1.0)],
             6,
         );
-        builder.add_pair("rubber", shoe);
+        builder.add_pair(Slot::Rubber, shoe);
     }
     let spine = Bay::around(chair.at(0.0, top + 0.004, 0.5), 0.05, 0.02, chair.bay.depth() * 0.62);
     builder.cuboid(slot, spine);
@@ -41,7 +42,7 @@ fn both_sides(right: &[DVec3]) -> Vec<DVec3> {
 pub(super) fn stacking(chair: &Chair, builder: &mut Builder) {
     let (high, seat) = (chair.bay.high.y, chair.seat);
     builder.add(
-        "painted_accent",
+        Slot::PaintedAccent,
         crowned(chair.seat_bay(0.03).without(Side::Back, 0.04).inset(0.02, 0.0, 0.0), 0.014, 0.004),
     );
     let radius = TUBE * 0.9;
@@ -52,14 +53,14 @@ pub(super) fn stacking(chair: &Chair, builder: &mut Builder) {
         chair.at(x - 0.1, seat - 0.032, 0.17),
         DVec3::new((x - 0.1) * chair.half, high - 0.03, chair.lean(high) + 0.004),
     ];
-    builder.add_pair("metal_dark", pipe(&side, radius, 0.06));
+    builder.add_pair(Slot::MetalDark, pipe(&side, radius, 0.06));
     builder.add_pair(
-        "metal_dark",
+        Slot::MetalDark,
         sweep(&[chair.at(x, 0.0, 0.04), chair.at(x - 0.1, seat - 0.032, 0.26)], radius, 6),
     );
     for z in [0.3, 0.75] {
         builder.add(
-            "metal_dark",
+            Slot::MetalDark,
             sweep(&[chair.at(-0.85, seat - 0.034, z), chair.at(0.85, seat - 0.034, z)], radius * 0.7, 6),
         );
     }
@@ -69,14 +70,14 @@ pub(super) fn stacking(chair: &Chair, builder: &mut Builder) {
     };
     let back = [(0.42, 0.84), (0.48, 0.92), (0.9, 0.94), (0.995, 0.8)];
     let back: Vec<Station> = back.iter().map(|&(rise, wide)| station(rise, wide)).collect();
-    builder.add("painted_accent", sheet(&back, DVec3::NEG_X, 0.01, 4));
+    builder.add(Slot::PaintedAccent, sheet(&back, DVec3::NEG_X, 0.01, 4));
 }
 
 /// A garden-like chair moulded in one piece, its back of staves.
 pub(super) fn monobloc(chair: &Chair, builder: &mut Builder) {
     let (high, seat) = (chair.bay.high.y, chair.seat);
-    builder.add("plastic", crowned(chair.seat_bay(0.026).inset(0.003, 0.0, 0.0), 0.012, 0.003));
-    builder.cuboid("plastic", chair.seat_bay(0.05).inset(0.02, 0.0, 0.02).without(Side::Above, 0.0255));
+    builder.add(Slot::Plastic, crowned(chair.seat_bay(0.026).inset(0.003, 0.0, 0.0), 0.012, 0.003));
+    builder.cuboid(Slot::Plastic, chair.seat_bay(0.05).inset(0.02, 0.0, 0.02).without(Side::Above, 0.0255));
     for (x, z, end) in [(0.95, 0.965, 0.88), (0.95, 0.035, 0.12)] {
         let leg = slanted_leg(
             [chair.at(x, 0.0, z), chair.at(0.8, seat - 0.02, end)],
@@ -84,7 +85,7 @@ pub(super) fn monobloc(chair: &Chair, builder: &mut Builder) {
             &[(0.8, 0.0), (1.3, 1.0)],
             4,
         );
-        builder.add_pair("plastic", leg);
+        builder.add_pair(Slot::Plastic, leg);
     }
     let along = |x: [f64; 2], wide: f64| {
         let station = |rise: f64, share: f64| {
@@ -94,16 +95,16 @@ pub(super) fn monobloc(chair: &Chair, builder: &mut Builder) {
         };
         sheet(&[station(0.0, 1.0), station(0.4, 0.9), station(0.94, 1.0)], DVec3::X, 0.012, 1)
     };
-    builder.add_pair("plastic", along([0.78, 0.8], 0.026));
+    builder.add_pair(Slot::Plastic, along([0.78, 0.8], 0.026));
     for x in [-0.42, -0.14, 0.14, 0.42] {
-        builder.add("plastic", along([x, x * 1.08], 0.019));
+        builder.add(Slot::Plastic, along([x, x * 1.08], 0.019));
     }
     let rail = bowed_board(
         DVec3::new(0.0, high - 0.04, chair.lean(high) + 0.014),
         DVec3::new(chair.half * 1.9, 0.08, 0.02),
         -0.012,
     );
-    builder.add("plastic", rail);
+    builder.add(Slot::Plastic, rail);
 }
 
 /// Crossed tubes with a thin pad as seat and another as back.
@@ -116,18 +117,18 @@ pub(super) fn folding(chair: &Chair, builder: &mut Builder) {
         DVec3::new(outer * chair.half, seat, chair.bay.low.z + BACK_DEPTH - 0.004),
         chair.at(outer, 0.0, 0.97),
     ];
-    builder.add("metal", pipe(&both_sides(&frame), 0.0095, 0.05));
+    builder.add(Slot::Metal, pipe(&both_sides(&frame), 0.0095, 0.05));
     let hind = [chair.at(inner, 0.0, 0.03), chair.at(inner, seat - 0.03, 0.78)];
-    builder.add_pair("metal", sweep(&hind, 0.0095, 6));
+    builder.add_pair(Slot::Metal, sweep(&hind, 0.0095, 6));
     for (end, y, z) in [(outer, 0.11, 0.79), (inner, 0.1, 0.2)] {
-        builder.add("metal", sweep(&[chair.at(-end, y, z), chair.at(end, y, z)], 0.007, 6));
+        builder.add(Slot::Metal, sweep(&[chair.at(-end, y, z), chair.at(end, y, z)], 0.007, 6));
     }
     builder.add(
-        "plastic_dark",
+        Slot::PlasticDark,
         crowned(chair.seat_bay(0.03).inset(0.026, 0.0, 0.0).without(Side::Back, 0.07), 0.012, 0.008),
     );
     builder.add(
-        "metal",
+        Slot::Metal,
         sweep(&[chair.at(-inner, seat - 0.032, 0.77), chair.at(inner, seat - 0.032, 0.77)], 0.008, 6),
     );
     let rise = |share: f64| chair.rise(share);
@@ -139,5 +140,5 @@ pub(super) fn folding(chair: &Chair, builder: &mut Builder) {
             sag: 0.01,
         })
         .collect();
-    builder.add("plastic_dark", sheet(&back, DVec3::NEG_X, 0.016, 3));
+    builder.add(Slot::PlasticDark, sheet(&back, DVec3::NEG_X, 0.016, 3));
 }

@@ -8,7 +8,7 @@ use crate::geometry::Side;
 use crate::recipes::furniture::parts::{bowed_board, slanted_leg};
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, Station, cuboid, pipe, rounded_box, sheet, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A chair for outdoors: cloth on a frame of tube, scrolled iron or slatted teak, straps of steel, moulded plastic.
 pub(in super::super::super) static GARDEN_CHAIR: Recipe =
@@ -28,8 +28,8 @@ fn garden_chair(draft: &Draft, builder: &mut Builder) {
 
 /// Cloth stretched from the front edge to the top of a frame of tube.
 fn sling(chair: &Chair, builder: &mut Builder, form: usize) {
-    let frame = ["metal_dark", "painted", "wood", "metal"][form];
-    let cloth = ["fabric", "fabric_light", "fabric_accent", "plastic_dark"][form];
+    let frame = [Slot::MetalDark, Slot::Painted, Slot::Wood, Slot::Metal][form];
+    let cloth = [Slot::Fabric, Slot::FabricLight, Slot::FabricAccent, Slot::PlasticDark][form];
     let x = chair.half - TUBE;
     let high = chair.bay.high.y;
     let rail = [
@@ -67,7 +67,7 @@ fn sling(chair: &Chair, builder: &mut Builder, form: usize) {
 
 /// Bars of iron bent to a hoop with scrolls in it, on curved legs.
 fn wrought_iron(chair: &Chair, builder: &mut Builder, form: usize) {
-    let slot = if form == 0 { "painted" } else { "metal_dark" };
+    let slot = if form == 0 { Slot::Painted } else { Slot::MetalDark };
     let iron = 0.008;
     let x = chair.half * 0.9;
     let at = |x: f64, rise: f64| DVec3::new(x, chair.rise(rise), chair.lean(chair.rise(rise)) + 0.004);
@@ -118,7 +118,7 @@ fn wrought_iron(chair: &Chair, builder: &mut Builder, form: usize) {
 
 /// Teak: square legs, slats along the seat and up the back.
 fn slatted(chair: &Chair, builder: &mut Builder, form: usize) {
-    let slot = if form == 1 { "wood" } else { "wood_dark" };
+    let slot = if form == 1 { Slot::Wood } else { Slot::WoodDark };
     let (high, post) = (chair.bay.high.y, 0.034);
     back_posts(chair, builder, slot, post * 0.8, high - 0.02);
     for side in [Side::Left, Side::Right] {
@@ -150,8 +150,8 @@ fn slatted(chair: &Chair, builder: &mut Builder, form: usize) {
 
 /// Folding: crossed bars of flat steel, straps across seat and back.
 fn straps(chair: &Chair, builder: &mut Builder, form: usize) {
-    let frame = ["metal_dark", "metal", "painted_accent", "metal_dark"][form];
-    let strap = ["wood", "metal", "painted_accent", "wood_dark"][form];
+    let frame = [Slot::MetalDark, Slot::Metal, Slot::PaintedAccent, Slot::MetalDark][form];
+    let strap = [Slot::Wood, Slot::Metal, Slot::PaintedAccent, Slot::WoodDark][form];
     let high = chair.bay.high.y;
     let (outer, inner) = (1.0 - 0.009 / chair.half, 0.88);
     let long = [
@@ -165,7 +165,7 @@ fn straps(chair: &Chair, builder: &mut Builder, form: usize) {
     let rail = [chair.at(inner, chair.seat - 0.026, 0.2), chair.at(inner, chair.seat - 0.026, 0.95)];
     builder.add_pair(frame, sweep(&rail, 0.0085, 4));
     for slat in depth_slats(chair.seat_bay(0.02).without(Side::Back, 0.05), 6, 0.014) {
-        builder.cuboid(strap, slat.slab(Side::Above, if strap == "metal" { 0.008 } else { 0.016 }));
+        builder.cuboid(strap, slat.slab(Side::Above, if strap == Slot::Metal { 0.008 } else { 0.016 }));
     }
     for rise in [0.56, 0.74, 0.92] {
         let y = chair.rise(rise);
@@ -180,7 +180,7 @@ fn straps(chair: &Chair, builder: &mut Builder, form: usize) {
 
 /// One piece of plastic: seat, staves.
 fn moulded(chair: &Chair, builder: &mut Builder, form: usize) {
-    let slot = ["plastic", "leaf", "plastic", "plastic_dark"][form];
+    let slot = [Slot::Plastic, Slot::Leaf, Slot::Plastic, Slot::PlasticDark][form];
     let (high, seat) = (chair.bay.high.y, chair.seat);
     let board = chair.seat_bay(0.028).inset(0.03, 0.0, 0.004);
     builder.add(slot, rounded_box(board, DVec3::new(0.03, 0.01, 0.03), 1));

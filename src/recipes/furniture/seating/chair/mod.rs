@@ -20,7 +20,7 @@ use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Solid, Station, sheet};
 
 use crate::recipes::furniture::parts::slanted_leg;
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Metres of depth in which a chair's back leans.
 const BACK_DEPTH: f64 = 0.09;
@@ -66,7 +66,7 @@ impl Chair {
     }
 
     /// Four slanted legs from under the seat to the corners of the box.
-    fn slanted_legs(&self, builder: &mut Builder, slot: &'static str, radius: f64, profile: &[(f64, f64)]) {
+    fn slanted_legs(&self, builder: &mut Builder, slot: Slot, radius: f64, profile: &[(f64, f64)]) {
         let top = self.seat - 0.032;
         for (x, z, end) in [(1.0, 1.0, 0.82), (1.0, 0.0, 0.2)] {
             let inset = radius * 0.6;

@@ -9,7 +9,7 @@ use crate::geometry::Side;
 use crate::recipes::furniture::parts::slanted_leg;
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, Solid, Station, cuboid, pipe, rounded_box, sheet, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of bent plywood.
 const PLY: f64 = 0.011;
@@ -66,8 +66,8 @@ fn seat(chair: &Chair, thickness: f64) -> Solid {
 
 /// One loop of tube on each side: along the floor, up in front, back under the seat, up behind the back.
 fn skid(chair: &Chair, builder: &mut Builder, form: usize) {
-    let slot = ["wood", "wood_light", "painted_accent", "wood"][form];
-    let frame = ["metal", "painted_accent", "metal_dark", "chrome"][form];
+    let slot = [Slot::Wood, Slot::WoodLight, Slot::PaintedAccent, Slot::Wood][form];
+    let frame = [Slot::Metal, Slot::PaintedAccent, Slot::MetalDark, Slot::Chrome][form];
     builder.add(slot, seat(chair, PLY));
     builder.add(slot, back(chair, [0.42, 0.995], 0.92, PLY));
     let x = 1.0 - TUBE / chair.half;
@@ -93,7 +93,7 @@ fn skid(chair: &Chair, builder: &mut Builder, form: usize) {
 
 /// Square legs that go on as posts, slats on the seat and across the back.
 fn wooden(chair: &Chair, builder: &mut Builder, form: usize) {
-    let slot = ["wood", "wood_dark", "wood", "wood_dark"][form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Wood, Slot::WoodDark][form];
     let high = chair.bay.high.y;
     back_posts(chair, builder, slot, 0.026, high);
     for side in [Side::Left, Side::Right] {
@@ -123,8 +123,8 @@ fn wooden(chair: &Chair, builder: &mut Builder, form: usize) {
 
 /// Plywood on four legs of tube, bolts showing.
 fn bolted(chair: &Chair, builder: &mut Builder, form: usize) {
-    let slot = ["wood", "wood_dark", "metal", "wood"][form];
-    let frame = ["metal_dark", "metal", "metal_dark", "painted_accent"][form];
+    let slot = [Slot::Wood, Slot::WoodDark, Slot::Metal, Slot::Wood][form];
+    let frame = [Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::PaintedAccent][form];
     builder.add(slot, seat(chair, PLY * 1.1));
     builder.add(slot, back(chair, [0.5, 0.995], 0.98, PLY));
     let under = chair.seat - 0.034;
@@ -149,27 +149,27 @@ fn bolted(chair: &Chair, builder: &mut Builder, form: usize) {
         let y = chair.rise(rise);
         let head =
             Bay::around(DVec3::new(x * chair.half * 0.94, y, chair.lean(y) + 0.024), 0.016, 0.016, 0.012);
-        builder.add_pair("metal", cuboid(head));
+        builder.add_pair(Slot::Metal, cuboid(head));
     }
     for forward in [0.28, 0.68] {
         let head = Bay::around(chair.at(0.6, chair.seat - 0.004, forward), 0.016, 0.012, 0.016);
-        builder.add_pair("metal", cuboid(head));
+        builder.add_pair(Slot::Metal, cuboid(head));
     }
 }
 
 /// A shell with a grip in its back, on four legs of tube with plastic feet.
 fn shell(chair: &Chair, builder: &mut Builder, form: usize) {
-    let slot = ["painted_accent", "plastic_dark", "book", "leaf"][form];
+    let slot = [Slot::PaintedAccent, Slot::PlasticDark, Slot::Book, Slot::Leaf][form];
     builder.add(slot, chair.shell(0.01, 0.034, 0.9));
     let y = chair.rise(0.86);
     let grip = Bay::around(DVec3::new(0.0, y, chair.lean(y)), chair.half * 0.5, 0.022, 0.022);
-    builder.add("metal_dark", rounded_box(grip, DVec3::splat(0.006), 1));
-    let (top, frame) = (chair.seat - 0.072, ["metal", "chrome", "metal_dark", "metal"][form]);
+    builder.add(Slot::MetalDark, rounded_box(grip, DVec3::splat(0.006), 1));
+    let (top, frame) = (chair.seat - 0.072, [Slot::Metal, Slot::Chrome, Slot::MetalDark, Slot::Metal][form]);
     for (forward, up) in [(0.97, 0.74), (0.03, 0.28)] {
         let leg = [chair.at(0.3, top, up), chair.at(0.7, top, up), chair.at(0.955, 0.012, forward)];
         builder.add_pair(frame, sweep(&leg, TUBE, 6));
         let shoe = [chair.at(0.956, 0.0, forward), chair.at(0.945, 0.035, forward)];
-        builder.add_pair("plastic_dark", slanted_leg(shoe, 0.015, &[(1.0, 0.0), (0.9, 1.0)], 6));
+        builder.add_pair(Slot::PlasticDark, slanted_leg(shoe, 0.015, &[(1.0, 0.0), (0.9, 1.0)], 6));
     }
     let plate =
         Bay::around(chair.at(0.0, top + 0.004, 0.5), chair.half * 0.7, 0.022, chair.bay.depth() * 0.52);

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::Lounger;
+use crate::recipes::Slot;
 use crate::recipes::kit::{Builder, Station, rounded_box, rounded_path, sheet, sweep};
 
 /// Metres of the tube's radius and of the bends.
@@ -12,10 +13,10 @@ const BEND: f64 = 0.09;
 pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
     let bay = lounger.bay;
     let (metal, cloth) = [
-        ("chrome", "fabric_accent"),
-        ("painted", "plastic"),
-        ("metal", "book"),
-        ("metal_dark", "fabric_light"),
+        (Slot::Chrome, Slot::FabricAccent),
+        (Slot::Painted, Slot::Plastic),
+        (Slot::Metal, Slot::Book),
+        (Slot::MetalDark, Slot::FabricLight),
     ][look];
     let (knee, right, z) = (lounger.knee, bay.high.x - TUBE, bay.high.z - TUBE);
     let y = lounger.lying - TUBE;

@@ -2,6 +2,7 @@
 
 use super::Lounger;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners, turned_forward};
 use crate::recipes::kit::{Builder, SINK, crowned, cuboid, cylinder};
 
@@ -12,10 +13,10 @@ const FRAME: f64 = 0.05;
 pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
     let bay = lounger.bay;
     let (frame, cover) = [
-        ("wood", "fabric_light"),
-        ("metal_dark", "fabric"),
-        ("painted", "fabric_accent"),
-        ("wood", "fabric"),
+        (Slot::Wood, Slot::FabricLight),
+        (Slot::MetalDark, Slot::Fabric),
+        (Slot::Painted, Slot::FabricAccent),
+        (Slot::Wood, Slot::Fabric),
     ][look];
     let top = lounger.lying - CUSHION;
     let ring = bay.inset(0.004, 0.0, 0.0).with_y([top - FRAME, top]);
@@ -41,7 +42,7 @@ pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
     let at = lounger.length - 0.09;
     let sunk = lounger.bay.high.y - lounger.height_at(lounger.knee - at * libm::cos(lounger.slope)) - 0.05;
     let roll = lounger.raised(roll.moved(-at, 0.0, 0.0)).moved(0.0, sunk, 0.0);
-    builder.add(if look == 2 { "fabric_light" } else { "fabric_accent" }, roll);
+    builder.add(if look == 2 { Slot::FabricLight } else { Slot::FabricAccent }, roll);
     for z in [-half * 0.7, half * 0.7] {
         let prop = cuboid(super::Bay::new([-0.02, 0.02], [-0.1, 0.0], [z - 0.015, z + 0.015]));
         let x = bay.low.x + 0.12;

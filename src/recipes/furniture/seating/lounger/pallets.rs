@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::Lounger;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, SINK, cuboid, rounded_box, sweep};
 
@@ -13,10 +14,10 @@ const MATTRESS: f64 = 0.08;
 pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
     let bay = lounger.bay;
     let (wood, cover) = [
-        ("wood_light", "fabric"),
-        ("wood", "leather"),
-        ("wood_light", "leather"),
-        ("wood_dark", "fabric_light"),
+        (Slot::WoodLight, Slot::Fabric),
+        (Slot::Wood, Slot::Leather),
+        (Slot::WoodLight, Slot::Leather),
+        (Slot::WoodDark, Slot::FabricLight),
     ][look];
     let stack = bay.with_y([0.0, lounger.lying - MATTRESS]);
     for layer in stack.rows(2, 0.002) {
@@ -39,17 +40,17 @@ pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
             DVec3::new(x - 0.05, stack.high.y - 0.004, z),
             DVec3::new(x, lounger.height_at(x) - MATTRESS, z),
         ];
-        builder.add("metal_dark", sweep(&prop, 0.012, 4));
+        builder.add(Slot::MetalDark, sweep(&prop, 0.012, 4));
     }
     for share in [0.3, 0.7] {
         let x = flat.low.x + flat.width() * share;
         let strap = flat.inset(0.0, -0.002, -0.002).with_x([x - 0.02, x + 0.02]);
-        builder.cuboid("metal_dark", strap.without(Side::Below, 0.003));
+        builder.cuboid(Slot::MetalDark, strap.without(Side::Below, 0.003));
     }
 }
 
 /// Boards along the length over blocks at the edges and the boards below them.
-fn pallet(builder: &mut Builder, wood: &'static str, bay: Bay) {
+fn pallet(builder: &mut Builder, wood: Slot, bay: Bay) {
     let board = bay.height() * 0.18;
     for slat in depth_slats(bay.slab(Side::Above, board), 4, 0.035) {
         builder.cuboid(wood, slat);

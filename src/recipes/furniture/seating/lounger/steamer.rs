@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::Lounger;
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::turned_forward;
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, SINK, cuboid, cylinder, lathe, rounded_box, sweep};
@@ -15,7 +16,7 @@ const SLAT: f64 = 0.018;
 
 pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
     let bay = lounger.bay;
-    let wood = ["wood", "wood_dark", "wood", "wood_dark"][look];
+    let wood = [Slot::Wood, Slot::WoodDark, Slot::Wood, Slot::WoodDark][look];
     let under = lounger.lying - SLAT;
     let inner = bay.inset(0.0, 0.0, ARM * 0.4);
     for end in [Side::Front, Side::Back] {
@@ -35,7 +36,7 @@ pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
         let disc = turned_forward(cylinder(wheel, [0.0, 0.03], 12));
         builder.add(wood, disc.moved(x, wheel, z));
         let hub = turned_forward(cylinder(wheel * 0.25, [-0.003, 0.033], 6));
-        builder.add("brass", hub.moved(x, wheel, z));
+        builder.add(Slot::Brass, hub.moved(x, wheel, z));
         let bearing = Bay::new([x - 0.02, x + 0.02], [wheel * 0.8, under - 0.05], [z + 0.004, z + 0.026]);
         builder.cuboid(wood, bearing);
     }
@@ -51,12 +52,12 @@ pub(super) fn build(lounger: &Lounger, builder: &mut Builder, look: usize) {
     arm_rests(lounger, builder, wood);
     if look >= 2 {
         let pad = lounger.flat(0.03).inset(0.0, 0.0, ARM * 1.6).without(Side::Right, handles * 1.4);
-        builder.block("fabric_light", pad.moved(-0.01, 0.03 - SINK, 0.0), 0.012);
+        builder.block(Slot::FabricLight, pad.moved(-0.01, 0.03 - SINK, 0.0), 0.012);
     }
 }
 
 /// A frame with slats, held up by a bar.
-fn head(lounger: &Lounger, builder: &mut Builder, wood: &'static str) {
+fn head(lounger: &Lounger, builder: &mut Builder, wood: Slot) {
     let head = lounger.head(SLAT).inset(0.0, 0.0, ARM * 1.1);
     let frame = head.without(Side::Right, 0.01);
     for end in [Side::Front, Side::Back] {
@@ -85,7 +86,7 @@ fn head(lounger: &Lounger, builder: &mut Builder, wood: &'static str) {
 }
 
 /// Flat arm rests, on two posts each, which end with the box above.
-fn arm_rests(lounger: &Lounger, builder: &mut Builder, wood: &'static str) {
+fn arm_rests(lounger: &Lounger, builder: &mut Builder, wood: Slot) {
     let bay = lounger.bay;
     let x = [lounger.knee - bay.width() * 0.06, lounger.knee + bay.width() * 0.26];
     let rests = bay.slab(Side::Above, 0.022).with_x(x);

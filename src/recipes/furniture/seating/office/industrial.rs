@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{ARM_RISE, HUB, Swivel, flat_bar};
 use crate::geometry::Side;
+use crate::recipes::Slot;
 use crate::recipes::furniture::parts::turned_forward;
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, cuboid, cylinder, lathe, sweep};
@@ -14,31 +15,31 @@ const REST: f64 = 0.15;
 /// A screw with a hand wheel's hub between legs and seat.
 fn screw(chair: &Swivel, builder: &mut Builder) {
     let high = chair.under();
-    builder.add("metal", cylinder(0.016, [high * 0.55, high + 0.03], 8));
+    builder.add(Slot::Metal, cylinder(0.016, [high * 0.55, high + 0.03], 8));
     let nut = [(0.03, high - 0.07), (0.045, high - 0.05), (0.045, high - 0.02), (0.03, high)];
-    builder.add("metal_dark", lathe(&nut, 8));
+    builder.add(Slot::MetalDark, lathe(&nut, 8));
 }
 
 /// A round seat of wood, and a rest of bent sheet on a flat spring, as at lathes and drawing boards.
 pub(super) fn machinist(chair: &Swivel, builder: &mut Builder) {
-    chair.four_legs(builder, "metal_dark", 0.017);
+    chair.four_legs(builder, Slot::MetalDark, 0.017);
     screw(chair, builder);
-    round_seat(chair, builder, "wood");
-    rest(chair, builder, "metal");
+    round_seat(chair, builder, Slot::Wood);
+    rest(chair, builder, Slot::Metal);
 }
 
 /// The same with leather.
 pub(super) fn leather_stool(chair: &Swivel, builder: &mut Builder) {
-    chair.four_legs(builder, "metal_dark", 0.015);
+    chair.four_legs(builder, Slot::MetalDark, 0.015);
     screw(chair, builder);
-    round_seat(chair, builder, "leather");
-    rest(chair, builder, "leather");
+    round_seat(chair, builder, Slot::Leather);
+    rest(chair, builder, Slot::Leather);
 }
 
 /// A dished round seat on a plate.
-fn round_seat(chair: &Swivel, builder: &mut Builder, slot: &'static str) {
+fn round_seat(chair: &Swivel, builder: &mut Builder, slot: Slot) {
     let radius = chair.half * 0.66;
-    let is_soft = slot == "leather";
+    let is_soft = slot == Slot::Leather;
     let rise = if is_soft { 0.0 } else { -0.008 };
     let low = chair.under() + 0.024;
     let profile = [
@@ -49,26 +50,28 @@ fn round_seat(chair: &Swivel, builder: &mut Builder, slot: &'static str) {
         (radius * 0.4, chair.seat + rise),
     ];
     builder.add(slot, lathe(&profile, 16));
-    builder.add("metal_dark", lathe(&[(radius * 0.4, low - 0.008), (radius * 0.8, low + 0.002)], 12));
+    builder.add(Slot::MetalDark, lathe(&[(radius * 0.4, low - 0.008), (radius * 0.8, low + 0.002)], 12));
 }
 
 /// A rest across the back on a flat spring from under the seat.
-fn rest(chair: &Swivel, builder: &mut Builder, slot: &'static str) {
+fn rest(chair: &Swivel, builder: &mut Builder, slot: Slot) {
     let (y, high) = (chair.under() + 0.008, chair.bay.high.y);
     let heel = chair.lean(chair.seat) - 0.04;
     let top = DVec3::new(0.0, high - REST * 0.4, chair.lean(high) - 0.006);
     let spring = [DVec3::new(0.0, y, 0.0), DVec3::new(0.0, y, heel)];
-    builder
-        .cuboid("metal_dark", Bay::new([-0.019, 0.019], [y - 0.004, y + 0.004], [heel - 0.004, spring[0].z]));
-    builder.add("metal_dark", flat_bar([spring[1], top], 0.036, 0.007));
+    builder.cuboid(
+        Slot::MetalDark,
+        Bay::new([-0.019, 0.019], [y - 0.004, y + 0.004], [heel - 0.004, spring[0].z]),
+    );
+    builder.add(Slot::MetalDark, flat_bar([spring[1], top], 0.036, 0.007));
     let share = REST / (high - chair.seat);
     let profile = [(1.0 - share, 0.5), (1.0 - share * 0.75, 0.62), (1.0 - share * 0.2, 0.62), (0.997, 0.5)];
-    let thickness = if slot == "leather" { 0.032 } else { 0.006 };
+    let thickness = if slot == Slot::Leather { 0.032 } else { 0.006 };
     builder.add(slot, chair.back(&profile, thickness, 0.05).moved(0.0, 0.0, thickness * 0.5));
     for rise in [0.3, 0.7] {
         let y = high - REST * rise;
         let bolt = turned_forward(lathe(&[(0.009, 0.0), (0.009, 0.006), (0.005, 0.009)], 6));
-        builder.add("metal", bolt.moved(0.0, y, chair.lean(y) + thickness * 0.9));
+        builder.add(Slot::Metal, bolt.moved(0.0, y, chair.lean(y) + thickness * 0.9));
     }
 }
 
@@ -77,13 +80,13 @@ pub(super) fn planks(chair: &Swivel, builder: &mut Builder) {
     tube_frame(chair, builder);
     let seat = chair.seat_bay(0.028, 0.84);
     for plank in depth_slats(seat, 3, 0.006) {
-        builder.block("wood", plank, 0.005);
+        builder.block(Slot::Wood, plank, 0.005);
     }
     for rise in [0.42, 0.66, 0.9] {
         let y = chair.rise(rise);
         let middle = DVec3::new(0.0, y, chair.lean(y) + 0.016);
         let plank = Bay::around(middle, chair.half * 1.56, chair.rise(0.2) - chair.seat, 0.022);
-        builder.block("wood", plank, 0.005);
+        builder.block(Slot::Wood, plank, 0.005);
     }
 }
 
@@ -91,7 +94,7 @@ pub(super) fn planks(chair: &Swivel, builder: &mut Builder) {
 pub(super) fn perforated(chair: &Swivel, builder: &mut Builder) {
     tube_frame(chair, builder);
     let seat = chair.seat_bay(0.012, 0.84);
-    builder.block("metal", seat, 0.005);
+    builder.block(Slot::Metal, seat, 0.005);
     holes(builder, seat.inset(0.05, 0.0, 0.05), true);
     let (low, high) = (chair.rise(0.3), chair.rise(0.97));
     let sheet = Bay::around(
@@ -100,7 +103,7 @@ pub(super) fn perforated(chair: &Swivel, builder: &mut Builder) {
         high - low,
         0.008,
     );
-    builder.block("metal", sheet, 0.003);
+    builder.block(Slot::Metal, sheet, 0.003);
     holes(builder, sheet.inset(0.06, 0.06, 0.0), false);
 }
 
@@ -112,16 +115,16 @@ fn holes(builder: &mut Builder, field: Bay, is_level: bool) {
         field.slab(Side::Front, 0.004).moved(0.0, 0.0, 0.001).rows(5, field.height() * 0.12)
     };
     for strip in strips {
-        builder.cuboid("metal_dark", strip);
+        builder.cuboid(Slot::MetalDark, strip);
     }
 }
 
 /// Posts of tube that bend from under the seat up behind the back, and arm rests of the same tube.
 fn tube_frame(chair: &Swivel, builder: &mut Builder) {
     let tube = 0.014;
-    chair.spokes(builder, ("metal_dark", "metal"), (5, 0.0), 0.018);
-    builder.add("metal_dark", cylinder(0.03, [HUB - 0.03, HUB + 0.04], 8));
-    builder.add("metal", cylinder(0.02, [HUB, chair.under() + 0.01], 8));
+    chair.spokes(builder, (Slot::MetalDark, Slot::Metal), (5, 0.0), 0.018);
+    builder.add(Slot::MetalDark, cylinder(0.03, [HUB - 0.03, HUB + 0.04], 8));
+    builder.add(Slot::Metal, cylinder(0.02, [HUB, chair.under() + 0.01], 8));
     let (x, y) = (chair.half * 0.6, chair.seat - 0.045);
     let top = chair.bay.high.y - tube * 0.6;
     let post = [
@@ -129,10 +132,10 @@ fn tube_frame(chair: &Swivel, builder: &mut Builder) {
         DVec3::new(x, y, chair.lean(chair.seat) - 0.016),
         DVec3::new(x, top, chair.lean(top) - 0.006),
     ];
-    builder.add_pair("metal_dark", sweep(&post, tube, 4));
+    builder.add_pair(Slot::MetalDark, sweep(&post, tube, 4));
     for z in [-0.36, 0.5] {
         let bar = Bay::around(DVec3::new(0.0, y - 0.004, z * chair.half), x * 2.0, 0.02, 0.03);
-        builder.cuboid("metal_dark", bar);
+        builder.cuboid(Slot::MetalDark, bar);
     }
     let (out, rest) = (chair.bay.high.x - tube, chair.seat + ARM_RISE);
     let arm = [
@@ -142,7 +145,7 @@ fn tube_frame(chair: &Swivel, builder: &mut Builder) {
         DVec3::new(out, rest, chair.lean(rest) * 0.8),
         DVec3::new(x, rest, chair.lean(rest) - 0.01),
     ];
-    builder.add_pair("metal_dark", sweep(&arm, tube * 0.9, 4));
+    builder.add_pair(Slot::MetalDark, sweep(&arm, tube * 0.9, 4));
     let pad = Bay::around(DVec3::new(out, rest + 0.014, chair.half * 0.02), 0.036, 0.022, chair.half * 0.6);
-    builder.add_pair("wood", cuboid(pad));
+    builder.add_pair(Slot::Wood, cuboid(pad));
 }

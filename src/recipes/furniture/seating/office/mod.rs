@@ -13,7 +13,7 @@ use glam::DVec3;
 use super::SEAT_HEIGHT;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Solid, Station, cuboid, cylinder, lathe, rounded_box, sheet, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Symbol};
+use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
 /// Share of the height at most taken by the seat, where the chair is low.
 const SEAT_SHARE: f64 = 0.5;
@@ -82,15 +82,15 @@ impl Swivel {
     }
 
     /// Five spokes on castors around a hub, and the gas spring with the mechanism on it.
-    fn five_star(&self, builder: &mut Builder, slot: &'static str, spring: &'static str) {
-        self.spokes(builder, (slot, "rubber"), (5, 0.0), 0.017);
+    fn five_star(&self, builder: &mut Builder, slot: Slot, spring: Slot) {
+        self.spokes(builder, (slot, Slot::Rubber), (5, 0.0), 0.017);
         builder.add(slot, lathe(&[(0.045, HUB - 0.025), (0.05, HUB), (SPRING, HUB + 0.035)], 8));
         builder.add(spring, cylinder(SPRING * 0.9, [HUB, self.under() - 0.02], 8));
-        self.mechanism(builder, "plastic_dark");
+        self.mechanism(builder, Slot::PlasticDark);
     }
 
     /// The tilting gear under a seat.
-    fn mechanism(&self, builder: &mut Builder, slot: &'static str) {
+    fn mechanism(&self, builder: &mut Builder, slot: Slot) {
         let middle = DVec3::new(0.0, self.under() - 0.012, -self.half * 0.06);
         builder.cuboid(slot, Bay::around(middle, self.half * 0.55, 0.032, self.half * 0.75));
     }
@@ -99,7 +99,7 @@ impl Swivel {
     fn spokes(
         &self,
         builder: &mut Builder,
-        (slot, wheel): (&'static str, &'static str),
+        (slot, wheel): (Slot, Slot),
         (count, first): (u32, f64),
         thickness: f64,
     ) {
@@ -114,7 +114,7 @@ impl Swivel {
     }
 
     /// Arm rests on posts that come from under the seat.
-    fn t_arms(&self, builder: &mut Builder, (post, pad): (&'static str, &'static str)) {
+    fn t_arms(&self, builder: &mut Builder, (post, pad): (Slot, Slot)) {
         let (x, top, y) = (self.bay.high.x - 0.028, self.seat + ARM_RISE, self.under() - 0.008);
         let path =
             [DVec3::new(self.half * 0.2, y, 0.0), DVec3::new(x, y, 0.0), DVec3::new(x, top - 0.02, 0.0)];
@@ -124,7 +124,7 @@ impl Swivel {
     }
 
     /// A bar from the mechanism backwards and up to a share of the back.
-    fn spine(&self, builder: &mut Builder, slot: &'static str, share: f64, thickness: f64) {
+    fn spine(&self, builder: &mut Builder, slot: Slot, share: f64, thickness: f64) {
         let (y, end) = (self.under() - 0.012, self.rise(share));
         let heel = self.lean(self.seat) - 0.03;
         let path = [
@@ -136,7 +136,7 @@ impl Swivel {
     }
 
     /// Four straight legs from a hub under the seat to the corners of the box, with a ring for the feet.
-    fn four_legs(&self, builder: &mut Builder, slot: &'static str, thickness: f64) {
+    fn four_legs(&self, builder: &mut Builder, slot: Slot, thickness: f64) {
         let foot = self.half - thickness;
         let high = self.under() - 0.03;
         for (x, z) in [(1.0, 1.0), (1.0, -1.0)] {
