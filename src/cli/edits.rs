@@ -90,7 +90,7 @@ fn survey(path: &Path) -> Result<Survey, Faults> {
     Ok(parse_survey(path, &read_bytes(path)?)?)
 }
 
-/// The file that was named, else the one beside the plan or project that a floor was baked from.
+/// The file that was named, else the one beside the plan or project that a level was baked from.
 ///
 /// # Errors
 /// If the plan is not known.
@@ -109,7 +109,7 @@ fn file_of(
             Fault::of_file(floor, format!("the plan of building \"{}\" is not known", survey.building));
         let name = distinct_names(&[survey.building.as_str()]).remove(0) + EDITS_ENDING;
         let hint = format!(
-            "name a floor where `roomwright bake` wrote it, or the file beside the plan: --edits plans/{name}"
+            "name a level where `roomwright bake` wrote it, or the file beside the plan: --edits plans/{name}"
         );
         return Err(fault.with_hint(hint).into());
     };

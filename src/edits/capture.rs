@@ -35,7 +35,7 @@ const SAME_MESH: f64 = 2e-3;
 pub fn capture(old: &Survey, new: &Survey, catalog: &Catalog, file: &Path) -> Result<Captured, Fault> {
     if (&old.building, &old.level) != (&new.building, &new.level) {
         let names = |survey: &Survey| format!("{}/{}", survey.building, survey.level);
-        let message = format!("is {}, but the floor before is {}", names(new), names(old));
+        let message = format!("is {}, but the level before is {}", names(new), names(old));
         return Err(Fault::of_file(file, message).with_hint("name the file that was opened in the editor"));
     }
     let mut capturing = Capturing {

@@ -15,7 +15,7 @@ const SAME_PLACE: f64 = 1e-4;
 /// Degrees up to which an object counts as not turned.
 const SAME_TURN: f64 = 0.01;
 
-/// One of the two floors.
+/// One of the two files of a level.
 pub(super) struct Floor<'a> {
     pub(super) objects: &'a [SurveyedObject],
     /// Room and id of each object; `None` for those that are in no room.

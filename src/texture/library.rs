@@ -164,7 +164,7 @@ mod tests {
 
     use SurfaceUse::{Furniture, Room};
 
-    /// Bytes of the images of a surface that a floor with a dozen surfaces can afford.
+    /// Bytes of the images of a surface that a level with a dozen surfaces can afford.
     const MOST_BYTES: usize = 420_000;
 
     fn library(size: TextureSize) -> TextureLibrary {

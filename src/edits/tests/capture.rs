@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::edits::{Captured, EditsFile, RoomEntry, capture, merge, write_edits};
 use crate::read_back::{Survey, parse_survey};
 
-/// A floor with two rooms; nodes below `a` are those given, each with its children.
+/// A level with two rooms; nodes below `a` are those given, each with its children.
 fn floor(furniture: Vec<Value>, loose: Vec<Value>) -> Survey {
     let room = |id: &str| {
         json!({"name": format!("room:{id}"), "extras": {"kind": "room", "room": id, "type": "office", "style": "default",
@@ -191,7 +191,7 @@ fn files_of_two_levels_are_not_compared() {
     let other = Survey { level: "1".to_owned(), ..before() };
     let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
     let fault = capture(&before(), &other, &catalog, Path::new("edited.glb")).unwrap_err();
-    assert!(fault.message.contains("is house/1, but the floor before is house/0"), "{fault}");
+    assert!(fault.message.contains("is house/1, but the level before is house/0"), "{fault}");
 }
 
 /// Merges lines about objects of one room into others.
