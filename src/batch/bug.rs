@@ -11,7 +11,7 @@ thread_local! {
 /// Runs `work`; if it panics, says what happened and, after [`collect_panics`], where.
 pub(crate) fn catch_bug<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     let was_catching = IS_CATCHING.replace(true);
-    // What `work` was changing is dropped with it; shared state is behind locks that are never held here.
+    // Values that `work` was changing are dropped with it; shared state is behind locks that are never held here.
     let result = panic::catch_unwind(AssertUnwindSafe(work));
     IS_CATCHING.set(was_catching);
     result.map_err(|payload| {

@@ -1,5 +1,5 @@
-//! What a record may claim: records lie in a folder that others write into too, so nothing in them is believed that this
-//! program would not have written itself. A path that is believed is read, replaced and deleted.
+//! Checks the claims of records: other programs may write into the output folder, so a record may only name files that
+//! this program would have written itself. A path that passes is read, replaced and deleted.
 
 use super::file_name::{is_name_of, is_safe_name};
 use super::record::{FileRecord, LevelRecord};
@@ -37,7 +37,7 @@ impl FalseClaim {
     }
 }
 
-/// What to do about a false claim.
+/// Advice for a false claim.
 const HINT: &str = "the record is left out and nothing that it names is touched; bake again to write it anew";
 
 /// Refuses the record of a level that names other files than those of its level, or shared ones that none can be.
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_record_that_we_wrote_is_believed() {
+    fn a_record_of_this_program_is_accepted() {
         assert_eq!(check_level(&record("alpha", "1")), Ok(()));
         let odd = ["..", "CON", "EG", "a/b", "", "ю"];
         for id in odd.into_iter().chain([&*"x".repeat(300)]) {
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn paths_of_others_are_refused_with_their_place() {
+    fn records_with_foreign_paths_are_rejected_with_their_place() {
         for path in [
             "../victim",
             "/etc/passwd",
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn other_values_are_refused_too() {
+    fn records_with_invalid_values_are_rejected() {
         assert_eq!(refusal(|record| record.files.clear()).unwrap().0, "files");
         let hash = refusal(|record| record.files[0].sha256 = "00".to_owned()).unwrap();
         assert_eq!(hash.0, "files[0].sha256");

@@ -1,4 +1,4 @@
-//! What a bake tells while it runs and when it is done.
+//! The events that a bake reports while it runs, and its report at the end.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -50,7 +50,7 @@ pub struct LevelFailure {
     pub code: FaultCode,
     /// The fact.
     pub message: String,
-    /// What to do about it.
+    /// Advice for the user.
     pub hint: Option<String>,
     /// Seed of the run, with which the fault can be repeated.
     pub seed: u64,
@@ -78,7 +78,7 @@ pub struct BakeReport {
     pub kept: usize,
     /// Levels that were not tried because the run stopped early.
     pub skipped: usize,
-    /// What failed, sorted by building, level and room.
+    /// The failures, sorted by building, level and room.
     pub failures: Vec<LevelFailure>,
     /// Edits that do not fit the levels written, sorted by building, level and room; those of levels that were kept are
     /// counted in `in_place`.
@@ -93,7 +93,7 @@ pub struct BakeReport {
     pub timings: Timings,
     /// Where the records are, or why they could not be joined.
     pub joined: Result<Joined, OutputFault>,
-    /// What earlier bakes left in the folder.
+    /// The leftovers of earlier bakes in the folder.
     pub leftovers: Leftovers,
 }
 

@@ -1,4 +1,4 @@
-//! What can go wrong with the output folder and with one level.
+//! Faults of the output folder and of single levels.
 
 use std::fmt;
 use std::io;
@@ -15,7 +15,7 @@ pub struct OutputFault {
     pub path: PathBuf,
     /// The fact.
     pub message: String,
-    /// What to do about it.
+    /// Advice for the user.
     pub hint: Option<String>,
 }
 
@@ -83,7 +83,7 @@ impl OutputFault {
             io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists | io::ErrorKind::IsADirectory => {
                 (FaultCode::WrongKind, "a file or folder of that name is in the way; choose another --out")
             }
-            // What `disk` says of links, pipes and devices.
+            // The error of `disk` for links, pipes and devices.
             io::ErrorKind::InvalidInput => (
                 FaultCode::WrongKind,
                 "links, pipes and devices in the output folder are not followed; remove it, or choose another --out",

@@ -1,4 +1,4 @@
-//! Ids of buildings and levels to names that every file system takes.
+//! Turns ids of buildings and levels into names that every file system accepts.
 //!
 //! Letters, digits, `.`, `_` and `-` stay; every other byte becomes `%XX`, so that no name depends on
 //! Unicode normalisation, separators or shells. `~` is kept for our own use: it marks what an id cannot say.
@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 /// Longest file name without its extension in bytes; common file systems end at 255, archives earlier.
 const LONGEST_NAME: usize = 120;
 
-/// Hexadecimal digits of the id's hash in a name that had to be shortened or told apart.
+/// Hexadecimal digits of the id's hash in a name that had to be shortened or made unique.
 const MARK_LENGTH: usize = 8;
 
 /// Names that Windows keeps for devices, with any extension.
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn device_names_and_our_own_are_avoided() {
+    fn names_of_devices_and_of_the_programs_own_files_are_avoided() {
         assert_eq!(safe_name("CON"), "%43ON");
         assert_eq!(safe_name("nul.txt"), "%6Eul.txt");
         assert_eq!(safe_name("com7"), "%63om7");
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn ids_that_differ_in_case_only_are_told_apart() {
+    fn ids_that_differ_in_case_only_get_different_names() {
         let names = distinct_names(&["EG", "eg", "OG"]);
         assert_ne!(names[0].to_lowercase(), names[1].to_lowercase());
         assert!(names[0].starts_with("EG~"));
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_id_is_shortened_and_stays_itself() {
+    fn a_long_id_is_shortened_and_stays_unique() {
         let (one, two) = ("ю".repeat(200), format!("{}x", "ю".repeat(200)));
         let names = distinct_names(&[&one, &two]);
         assert!(names.iter().all(|name| name.len() <= LONGEST_NAME + 1 + MARK_LENGTH));

@@ -1,17 +1,18 @@
-//! The output folder: opened before the first second of work, shared with other processes without harm.
+//! The output folder: opened before any work begins, and safely shared with other processes.
 //!
 //! ```text
 //! out/manifest.json               every file, written whole at the end
-//! out/manifest.2-of-4.json        what shard 2 did, until the last shard or `merge` joins the parts
+//! out/manifest.2-of-4.json        the records of shard 2, until the last shard or `merge` joins the parts
 //! out/<building>/<level>.glb      the results
 //! out/.roomwright/lock            held for moments, while records are joined
 //! out/.roomwright/run-…/alive     locked for as long as the run's process lives
-//! out/.roomwright/run-…/journal   what it has done so far
+//! out/.roomwright/run-…/journal   the levels that the run has written so far
 //! out/.roomwright/run-…/…         its temporary files
 //! ```
 //!
-//! A run folder whose `alive` nobody locks was left by a killed run: its records are taken over, and the
-//! folder is deleted with the temporary files in it. Where there are no locks, its last line in the journal tells.
+//! A run folder whose `alive` is not locked was left by a killed run. The next run takes over its records, and deletes
+//! the folder with the temporary files in it. On file systems without locks, the last line of the journal tells whether
+//! the run ended.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -39,7 +40,7 @@ pub struct OutputFolder {
     has_news: AtomicBool,
 }
 
-/// What the folder held when it was opened.
+/// The content of the folder when it was opened.
 #[derive(Default)]
 pub(crate) struct Known {
     /// The newest record of each level, with the program that wrote it.

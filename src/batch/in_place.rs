@@ -1,4 +1,4 @@
-//! Whether what a record names is there.
+//! Checks whether the files that a record names exist.
 
 use std::io;
 use std::path::Path;

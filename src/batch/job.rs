@@ -1,4 +1,4 @@
-//! What is to be baked: one job per level in a fixed order.
+//! The jobs of a bake: one for each level, in a fixed order.
 
 use sha2::{Digest, Sha256};
 
@@ -20,7 +20,7 @@ pub(crate) struct Job<'a> {
     pub(crate) level: &'a Level,
     /// `<building>/<level>` in the output folder, without extension.
     pub(crate) path: String,
-    /// What people changed in its rooms.
+    /// The edits of its rooms.
     pub(crate) edits: Option<&'a LevelEdits>,
     /// Hash of all that the level is made from, the program excepted.
     pub(crate) inputs: String,
@@ -81,7 +81,7 @@ fn input_hash(
     let site = placed.site;
     let mut hash = FieldHash::new("level");
     hash.field(common).field(&level.digest).field(placed.id.as_bytes()).field(level.id.as_bytes());
-    // The manifest tells it: a level from which something else was left out is no longer the same.
+    // It is part of the manifest: a level from which another part was left out is no longer the same.
     for message in &level.left_out {
         hash.field(message.as_bytes());
     }
@@ -146,7 +146,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn shards_share_everything_once() {
+    fn every_level_is_in_exactly_one_shard() {
         let shards: Vec<Shard> = (1..=3).map(|index| Shard::new(index, 3).unwrap()).collect();
         for job in 0..20 {
             assert_eq!(shards.iter().filter(|shard| shard.takes(job)).count(), 1);

@@ -1,4 +1,4 @@
-//! Joins the records of all runs into the manifest: the same bytes, however many processes wrote them.
+//! Joins the records of all runs into the manifest, with the same bytes for any number of processes.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -19,7 +19,7 @@ use super::unplanned::{Apart, Leftovers, is_there};
 use crate::disk::new_temporary;
 use crate::document::{Fault, FaultSeverity, Faults};
 
-/// What became of the records when a run ended.
+/// The state of the records after a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Joined {
     /// The manifest is complete: its path.
@@ -28,7 +28,7 @@ pub enum Joined {
     Part(PathBuf),
 }
 
-/// What a merge did.
+/// The report of a merge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MergeReport {
     /// The manifest.
@@ -84,13 +84,13 @@ fn nothing_to_join(root: &Path) -> OutputFault {
     }
 }
 
-/// What was to be baked, as the end of a run asks for it.
+/// The levels that were to be baked, as the end of a run needs them.
 pub(crate) struct Planned<'a> {
     /// The levels of all shares.
     pub(crate) levels: BTreeSet<LevelKey>,
     /// The share of this run.
     pub(crate) shard: Option<Shard>,
-    /// What becomes of other levels.
+    /// The treatment of other levels.
     pub(crate) unplanned: Unplanned,
     /// Whether all levels of the plan are in place.
     pub(crate) is_whole: &'a dyn Fn(&Contents<'_>) -> bool,
@@ -142,7 +142,7 @@ impl OutputFolder {
         Ok(finished)
     }
 
-    /// What is in the folder and was not to be baked, neither by this run nor by those beside it.
+    /// The levels in the folder that neither this run nor any run beside it was to bake.
     fn set_apart(
         &self,
         planned: &Planned<'_>,

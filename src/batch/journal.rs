@@ -1,5 +1,5 @@
-//! What a running bake has written so far: one JSON line per event, appended, so that a killed run loses at
-//! most its last line. When the run ends the records move into the manifest.
+//! The journal of a running bake: one JSON line per event, appended, so that a killed run loses at most its last line.
+//! When the run ends, the records move into the manifest.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write};

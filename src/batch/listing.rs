@@ -1,4 +1,4 @@
-//! The levels of an output folder, as its manifest lists them: for commands that read a bake and write nothing.
+//! Lists the levels of an output folder from its manifest, for commands that read a bake and write nothing.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use super::manifest::MANIFEST_NAME;
 use super::sources::Sources;
 use crate::document::Faults;
 
-/// What a manifest lists.
+/// The levels that a manifest lists.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Listing {
     /// The file to open of each level, relative to the folder, in the order of building and level. Levels that are set apart
@@ -16,7 +16,7 @@ pub(crate) struct Listing {
     pub(crate) faults: Faults,
 }
 
-/// What the manifest of a folder lists; `None` where none of ours is.
+/// The levels that the manifest of a folder lists; `None` without a manifest of this program.
 pub(crate) fn list_levels(folder: &Path) -> Option<Listing> {
     let manifest = folder.join(MANIFEST_NAME);
     manifest.symlink_metadata().ok()?;

@@ -1,4 +1,4 @@
-//! `manifest.json`: every file with its hash, and what is in it. Sorted, without times or machine facts.
+//! `manifest.json`: every file with its hash, counts and findings; sorted, without times or facts of the machine.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -79,7 +79,7 @@ pub(crate) struct ManifestText<'a> {
     pub(crate) former_files: Vec<FileRecord>,
 }
 
-/// What a manifest lists, its levels apart.
+/// The content of a manifest besides its levels.
 pub(crate) struct Listed<'a> {
     /// Shared files by path, also those that no level uses.
     pub(crate) library: &'a BTreeMap<String, FileRecord>,
@@ -276,7 +276,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_back_to_the_last_digit() {
+    fn numbers_are_read_back_to_the_last_digit() {
         let records = [record("a", "1"), record("a", "2")];
         let text = written(&records);
         let found = parse_manifest(text.as_bytes()).unwrap();
@@ -298,12 +298,12 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn no_level_is_still_a_manifest() {
+    fn a_manifest_without_levels_is_valid() {
         assert!(parse_manifest(written(&[]).as_bytes()).unwrap().levels.is_empty());
     }
 
     #[test]
-    fn the_programs_name_stands_once() {
+    fn the_name_of_the_program_is_written_once() {
         assert_eq!(written(&[record("a", "1"), record("b", "1")]).matches(PROGRAM).count(), 1);
     }
 
@@ -314,7 +314,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn something_else_is_no_manifest() {
+    fn other_json_is_no_manifest() {
         assert!(parse_manifest(b"{\"name\": \"web app\"}").is_err());
         assert!(parse_manifest(b"{\"manifest\": 99, \"program\": \"x\", \"levels\": []}").is_err());
     }

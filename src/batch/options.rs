@@ -1,4 +1,4 @@
-//! What the caller of a bake chooses.
+//! The options of a bake.
 
 use crate::cache::Cache;
 use crate::output::FloorOptions;
@@ -12,7 +12,7 @@ pub struct BakeOptions {
     pub threads: usize,
     /// The share of the levels to bake; default all.
     pub shard: Option<Shard>,
-    /// What becomes of levels in the output folder that the plan does not have; default listed apart.
+    /// The treatment of levels in the output folder that the plan does not have; default listed apart.
     pub unplanned: Unplanned,
     /// Where textured surfaces are kept between runs; default nowhere.
     pub cache: Option<Cache>,
@@ -58,14 +58,14 @@ impl Shard {
     }
 }
 
-/// What becomes of levels in the output folder that the plan does not have.
+/// The treatment of levels in the output folder that the plan does not have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unplanned {
-    /// They stay listed as they are: part of the plan could not be read, so that nobody knows what it has.
+    /// They stay listed as they are: part of the plan could not be read, so that its levels are not known.
     Listed,
     /// Their files stay, and the manifest lists them apart.
     #[default]
     SetApart,
-    /// Their files are removed where nobody changed them.
+    /// Their files are removed unless they were changed.
     Removed,
 }

@@ -1,4 +1,4 @@
-//! Puts a file into place: whole or not at all, and never over something of other origin.
+//! Moves a finished file to its place: whole or not at all, and never over a file of other origin.
 
 use std::cell::LazyCell;
 use std::fs::{self, File};
@@ -28,13 +28,13 @@ struct Waiting<'a> {
     temporary: NamedTempFile,
 }
 
-/// What stands where a result goes.
+/// The state of the place where a result goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Standing {
     Nothing,
     /// The very result.
     Same,
-    /// What may be replaced: of our making, or anything by force.
+    /// A file that may be replaced: one of this program, or any by force.
     Replaceable,
 }
 
@@ -118,7 +118,7 @@ impl OutputFolder {
         Ok(Waiting { file, temporary: write().map_err(fault)? })
     }
 
-    /// What stands where a file goes; `lock` is the short lock, where this thread holds it.
+    /// The state of the place where a file goes; `lock` is the short lock, where this thread holds it.
     ///
     /// # Errors
     /// [`super::FaultCode::ForeignFile`] for what may not be replaced, [`super::FaultCode::WrongKind`] for links on the way and folders.
@@ -168,7 +168,7 @@ impl OutputFolder {
         }
     }
 
-    /// What this run and those beside it have written so far.
+    /// The files that this run and those beside it have written so far.
     fn written_beside(&self, lock: Option<&File>) -> Result<Written, OutputFault> {
         let state = state_folder(&self.root);
         let _lock = if lock.is_some() { None } else { Some(lock_state(&state)?) };

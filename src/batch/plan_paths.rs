@@ -1,4 +1,4 @@
-//! Where the plans of output folders lie, so that edits captured from a floor go beside its plan.
+//! Remembers which plan each output folder was baked from, so that edits captured from a level go beside its plan.
 //!
 //! Kept beside the cache and not in the output folder: it says something of this machine, and the same plans bake to the same
 //! bytes wherever they lie. It may be deleted at any time; nothing that is baked depends on it.
@@ -26,7 +26,7 @@ const TEMPORARY_PREFIX: &str = "note-";
 /// Most bytes that are read of a note: a million buildings have some 100 MB.
 const MOST_BYTES: u64 = 256 << 20;
 
-/// What the notes say of one output folder.
+/// The note about one output folder.
 #[derive(Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 struct Note {
     /// By building: the project that places it, else its plan.
@@ -71,7 +71,7 @@ fn note_path(cache: &Path, output: &Path) -> PathBuf {
     cache.join(FOLDER).join(format!("{}.json", content_hash(output.as_os_str().as_encoded_bytes())))
 }
 
-/// What is noted; nothing where there is no note, or none of ours.
+/// The note; empty if there is none, or none of this program.
 fn read(path: &Path) -> Note {
     read_plain(path, MOST_BYTES).ok().and_then(|text| serde_json::from_slice(&text).ok()).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! Which program made something.
+//! The version of the program, with a hash of its sources.
 
 /// Changes whenever the bytes that a level becomes may change although its inputs did not: the program's
 /// version and a hash of its own sources and locked dependencies (see `build.rs`).

@@ -1,4 +1,4 @@
-//! What the manifest says about one level.
+//! The manifest's record of one level.
 
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ pub struct LevelRecord {
     pub totals: Totals,
     /// Objects by class id.
     pub classes: BTreeMap<String, u64>,
-    /// What the plan draws and the level does not have, in words, for it is wrong there.
+    /// Faulty parts of the plan that the level lacks, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<String>,
     /// Rooms with something missing or found, in the plan's order.
@@ -82,7 +82,7 @@ pub struct Totals {
     /// Rooms by grade, findings by code, scores.
     #[serde(flatten)]
     pub audit: AuditSummary,
-    /// Edits that could not be made.
+    /// Rejected edits.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub misfits: u64,
     /// Rooms left empty by a fault of the program; their level is baked again next time.
@@ -96,7 +96,7 @@ fn is_zero(count: &u64) -> bool {
 }
 
 impl Totals {
-    /// Adds another sum. Counts that somebody has written into a manifest may be as large as they like.
+    /// Adds another sum. Counts in a manifest that was tampered with may have any size.
     pub fn add(&mut self, other: &Self) {
         self.rooms = self.rooms.saturating_add(other.rooms);
         self.requested = self.requested.saturating_add(other.requested);
@@ -108,7 +108,7 @@ impl Totals {
     }
 }
 
-/// What is missing or wrong in one room.
+/// The missing pieces and the findings of one room.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RoomRecord {
     /// Room id.

@@ -1,4 +1,4 @@
-//! Files that the floors of a building share: each is written once, when the first floor refers to it.
+//! Files that the levels of a building share: each is written once, when the first level refers to it.
 
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};

@@ -1,5 +1,5 @@
-//! Everything that an output folder says about its own content: the manifest, the parts of shards, and the
-//! journals of runs that are under way or were killed.
+//! Reads all records of an output folder: the manifest, the parts of shards, and the journals of runs that are running or
+//! were killed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -28,7 +28,7 @@ pub(crate) struct Sources {
 /// The bytes of a manifest, or why something else of that name can be none.
 type ManifestBytes = Result<Vec<u8>, String>;
 
-/// What the texts say, borrowed from them.
+/// The content of the texts, borrowed from them.
 #[derive(Default)]
 pub(crate) struct Contents<'a> {
     /// The records of each level, oldest first, each with the program that wrote it; never none.
@@ -50,7 +50,7 @@ pub(crate) struct Contents<'a> {
 /// Contents by path.
 pub(crate) type Written = BTreeMap<String, BTreeSet<Content>>;
 
-/// What a file holds.
+/// The fingerprint of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Content {
     /// Its length.
@@ -61,7 +61,7 @@ pub(crate) struct Content {
 
 /// A record as text.
 pub(crate) struct Found<'a> {
-    /// Who wrote it.
+    /// The run or shard that wrote it.
     pub(crate) program: String,
     /// Its deciding part.
     pub(crate) head: RecordHead,
@@ -122,7 +122,7 @@ impl Sources {
         matches!(self.manifests.as_slice(), [(path, _)] if path.ends_with(MANIFEST_NAME))
     }
 
-    /// What the texts say.
+    /// The content of the texts.
     ///
     /// # Errors
     /// [`FaultCode::ForeignFile`] if a manifest is not of our making, unless `is_forced`: then it is passed over.

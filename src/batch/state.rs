@@ -1,7 +1,7 @@
-//! Our own corner of an output folder: the short lock, and a folder for each run.
+//! The folder `.roomwright` in an output folder: a lock that is held briefly, and a folder for each run.
 //!
-//! A link in the corner could lead to anything, and anybody may put files there. Nothing is therefore opened but regular files
-//! without following links, and nothing is removed but what bears a name that this program gives.
+//! Other programs may put files and links there. Only regular files are opened, no link is followed, and only files with
+//! names of this program are removed.
 
 use std::fs::{self, File};
 use std::io;
@@ -19,7 +19,7 @@ const RUN_PREFIX: &str = "run-";
 /// The file of the short lock.
 const LOCK_NAME: &str = "lock";
 
-/// The locked file in a run folder. Not the journal itself: some systems let nobody read a locked file.
+/// The locked file in a run folder. Not the journal itself: on some systems a locked file cannot be read.
 const ALIVE_NAME: &str = "alive";
 
 /// The journal in a run folder.
@@ -115,7 +115,7 @@ pub(crate) fn find_runs(state: &Path, own: Option<&Path>) -> Result<Runs, Output
             folders.push(entry.path());
         }
     }
-    // Joining needs the lock that we hold: whoever began such a file was killed.
+    // Joining needs the lock that this run holds: the run that began such a file was killed.
     remove_temporaries(state, JOINING_PREFIX);
     folders.sort();
     let mut runs = Runs::default();
@@ -123,7 +123,7 @@ pub(crate) fn find_runs(state: &Path, own: Option<&Path>) -> Result<Runs, Output
         let is_own = own.is_some_and(|own| own == folder);
         match is_own || is_alive(state, &folder) {
             true => runs.living.push(folder),
-            // What holds nothing of ours is left alone; an empty folder is a run killed at its first step.
+            // Folders without files of this program stay; an empty folder is a run killed at its first step.
             false if is_plain_file(&folder.join(JOURNAL_NAME)) || is_plain_file(&folder.join(ALIVE_NAME)) => {
                 runs.abandoned.push(folder);
             }
@@ -163,7 +163,7 @@ pub(crate) fn remove_runs(runs: &[PathBuf]) -> Result<(), OutputFault> {
         {
             fs::remove_file(path).map_err(|error| OutputFault::of(path, "delete the ended run", &error))?;
         }
-        // Not empty: somebody keeps files of their own in it.
+        // Not empty: it holds files of other origin.
         let _ = fs::remove_dir(run);
     }
     Ok(())

@@ -1,5 +1,5 @@
-//! What earlier bakes left in an output folder: levels and buildings that no plan has any more, and shared files that no level
-//! uses. No command counts them; only `--prune` removes them, and only what nobody has changed since.
+//! Finds levels, buildings and shared files of earlier bakes that no plan needs any more. No command counts them. Only
+//! `--prune` removes them, unless they were changed since.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +11,7 @@ use super::record::{FileRecord, LevelKey};
 use super::sources::{Contents, Found};
 use crate::disk::look_inside;
 
-/// What a bake found of earlier ones, and what became of it. All lists are sorted.
+/// The leftovers of earlier bakes, and their treatment. All lists are sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Leftovers {
     /// Building id and level id of levels whose files stay.
@@ -20,7 +20,7 @@ pub struct Leftovers {
     pub files: Vec<String>,
     /// Paths of files that were removed.
     pub removed: Vec<String>,
-    /// Paths of files that were to be removed, but that somebody has changed: they stay, and nothing lists them any more.
+    /// Paths of files that were to be removed, but were changed since: they stay, and are listed no longer.
     pub changed: Vec<String>,
 }
 
@@ -39,12 +39,12 @@ pub(super) struct Apart {
 }
 
 impl Apart {
-    /// What the manifest lists apart by now.
+    /// The levels and files that the manifest lists apart.
     pub(super) fn as_listed(contents: &Contents<'_>) -> Self {
         Self { levels: contents.former.clone(), files: contents.former_files.iter().cloned().collect() }
     }
 
-    /// What the records themselves set apart, but for what is planned again.
+    /// The levels and files that the records list apart, without those that are planned again.
     pub(super) fn of_records(
         root: &Path,
         contents: &Contents<'_>,

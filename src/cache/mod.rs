@@ -1,7 +1,7 @@
-//! What every run would make anew although it depends on the program alone, kept in a folder between runs.
+//! Keeps values that depend on the program alone, such as textures and models, in a folder between runs.
 //!
-//! What later stages may rely on: an entry comes back as it was kept, or it is made again. A missing, damaged or unreadable
-//! entry is no fault, and a folder that cannot be written keeps nothing. No byte of the output depends on a cache.
+//! Callers may rely on: an entry comes back as it was kept, or it is made again. A missing, damaged or unreadable entry
+//! is no fault, and a folder that cannot be written keeps nothing. No byte of the output depends on a cache.
 
 mod others;
 
@@ -57,7 +57,7 @@ impl Cache {
         Some(etcetera::choose_base_strategy().ok()?.cache_dir().join("roomwright"))
     }
 
-    /// What was kept under a key, else what `make` makes, which is then kept. A key must name all that `make` depends on
+    /// The value kept under a key; without one, `make` makes it, and it is kept. A key must name all that `make` depends on
     /// besides the program.
     pub fn get_or_make<T: Serialize + DeserializeOwned>(
         &self,
@@ -70,7 +70,7 @@ impl Cache {
             return kept;
         }
         let made = make();
-        // Who cannot keep it, makes it again the next time.
+        // A value that cannot be kept is made again the next time.
         let _ = self.keep(&key, &made);
         made
     }

@@ -1,4 +1,4 @@
-//! The folders of other states of the program: every build has one, and they would pile up.
+//! Removes the cache folders of other builds of the program; each build has its own, and they would pile up.
 
 use std::fs;
 use std::io;
@@ -7,7 +7,7 @@ use std::time::SystemTime;
 
 use crate::disk::{read_plain, remove_temporaries};
 
-/// What the name of every folder begins with, so that nothing else below the root is taken for one.
+/// The beginning of the name of every folder, so that other folders below the root are not taken for one.
 const PREFIX: &str = "roomwright-";
 
 /// Folders of other states that stay: people work with a release and a build or two of their own.

@@ -16,7 +16,7 @@ use crate::read_back::{Inventory, ReadLevel, parse_inventory, parse_level, read_
 /// One side of a comparison.
 #[derive(Debug)]
 pub(super) enum Side {
-    /// What a bake wrote.
+    /// A folder that a bake wrote.
     Folder(Folder),
     /// One level.
     File(PathBuf),
@@ -46,11 +46,11 @@ pub(super) struct CurrentFiles {
 
 /// A level that was read.
 pub(super) struct Reading {
-    /// What it holds.
+    /// The content.
     pub(super) inventory: Inventory,
     /// As the audit and the drawings take it; `None` where the catalogue does not suffice.
     pub(super) level: Option<ReadLevel>,
-    /// What of it cannot be read.
+    /// The faults of parts that cannot be read.
     pub(super) faults: Vec<Fault>,
 }
 
@@ -97,7 +97,7 @@ impl Folder {
         Ok(self.root.join(&file.path))
     }
 
-    /// What `look` finds of a file that lies in the folder, with no link on the way.
+    /// The answer of `look` for a file that lies in the folder, with no link on the way.
     fn inside<T>(
         &self,
         file: &FileRecord,
@@ -117,7 +117,7 @@ impl Folder {
         })
     }
 
-    /// What the files of a level hold now. As a bake that goes on does, a file of the recorded length that is older
+    /// The present content of the files of a level. As in a bake that continues, a file of the recorded length that is older
     /// than the manifest is taken to be what was recorded; any other is read.
     ///
     /// # Errors
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_without_a_manifest_is_no_side() {
+    fn a_folder_without_a_manifest_cannot_be_compared() {
         let root = tempfile::tempdir().unwrap();
         let fault = open(root.path(), false).unwrap_err();
         assert!(fault.file.ends_with("manifest.json") && fault.hint.unwrap().contains("merge"));

@@ -64,7 +64,7 @@ fn bake(root: &Path, count: usize, moved: usize) {
 }
 
 #[test]
-fn ten_thousand_floors_of_which_ten_changed_take_seconds() {
+fn ten_thousand_levels_of_which_ten_changed_take_seconds() {
     let root = tempfile::tempdir().unwrap();
     let (old, new) = (root.path().join("old"), root.path().join("new"));
     bake(&old, 10_000, 0);
@@ -111,7 +111,7 @@ fn equal_files_are_not_opened() {
 }
 
 #[test]
-fn a_file_that_cannot_be_read_is_one_entry_and_the_others_go_on() {
+fn an_unreadable_file_is_one_entry_and_the_others_are_compared() {
     let root = tempfile::tempdir().unwrap();
     let (old, new) = (root.path().join("old"), root.path().join("new"));
     bake(&old, 4, 0);
@@ -127,7 +127,7 @@ fn a_file_that_cannot_be_read_is_one_entry_and_the_others_go_on() {
 }
 
 #[test]
-fn one_room_that_cannot_be_read_is_named_and_nothing_is_said_about_it() {
+fn an_unreadable_room_is_named_and_not_compared() {
     let root = tempfile::tempdir().unwrap();
     let (old, new) = (root.path().join("old.gltf"), root.path().join("new.gltf"));
     fs::write(&old, level(0, 1.0)).unwrap();
@@ -138,7 +138,7 @@ fn one_room_that_cannot_be_read_is_named_and_nothing_is_said_about_it() {
 }
 
 #[test]
-fn a_folder_and_a_file_are_no_pair() {
+fn a_folder_and_a_file_cannot_be_compared() {
     let root = tempfile::tempdir().unwrap();
     bake(root.path(), 1, 0);
     let catalog = catalog();
@@ -150,7 +150,7 @@ fn a_folder_and_a_file_are_no_pair() {
     };
     let faults = compare(root.path(), &root.path().join("b0/0.gltf"), &options).unwrap_err();
     assert!(faults.to_string().contains("two folders, or two files"), "{faults}");
-    // Both sides are told, not the first one only.
+    // The faults of both sides are reported, not only those of the first.
     let faults = compare(Path::new("no-old"), Path::new("no-new"), &options).unwrap_err();
     assert!(faults.to_string().contains("no-old") && faults.to_string().contains("no-new"));
 }
@@ -197,7 +197,7 @@ fn pictures(old: &str, new: &str) -> RoomPictures {
 }
 
 #[test]
-fn pictures_mark_what_differs_and_have_one_frame() {
+fn pictures_mark_differences_and_have_one_frame() {
     use crate::draw::MarkKind::{Added, Changed, Removed};
     let marks = |svg: &Option<String>| {
         let svg = svg.as_ref().unwrap();

@@ -1,4 +1,4 @@
-//! Files below a folder, by relative paths with `/`, without a link on the way.
+//! Opens files below a folder by relative paths with `/`, and rejects links on the way.
 
 use std::fs::{self, File, Metadata};
 use std::io;
@@ -9,7 +9,7 @@ use super::regular::{not_a_file, open_found, refuse_unless_file};
 /// Looks for a regular file; `None` where nothing is. The folder itself may be reached by links.
 ///
 /// # Errors
-/// What the system says; [`io::ErrorKind::InvalidInput`] for a path that leads out of the folder, a link on the way, and
+/// Those of the system; [`io::ErrorKind::InvalidInput`] for a path that leads out of the folder, a link on the way, and
 /// anything but a regular file at its end.
 pub(crate) fn look_inside(folder: &Path, path: &str) -> io::Result<Option<Metadata>> {
     if let Some(step) = stray_step(path) {

@@ -1,9 +1,9 @@
-//! File locks, also where there are none.
+//! File locks, where the file system has them.
 
 use std::fs::{File, TryLockError};
 use std::io;
 
-/// Whether somebody holds a lock.
+/// Whether a lock is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Holder {
     /// A living process.
@@ -25,7 +25,7 @@ pub(crate) fn ignore_unsupported(result: io::Result<()>) -> io::Result<()> {
     }
 }
 
-/// Who holds the lock on a file.
+/// Whether the lock on a file is held, as far as the file system knows.
 pub(crate) fn holder(file: &File) -> Holder {
     match file.try_lock() {
         Ok(()) => Holder::Gone,

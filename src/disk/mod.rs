@@ -1,9 +1,13 @@
-//! Files among those of others: looked at before they are opened, written beside their place and renamed.
+//! Reads and writes files in folders where other programs write too: files are checked before they are opened, and
+//! written beside their place, then renamed.
 //!
-//! What later stages may rely on: only regular files are opened, so that a named pipe hangs nobody and a device without end
-//! fills no memory; no more bytes are read than were asked for; and what is reached from a folder by a relative path lies in
-//! that folder, for a link on the way is an error. Between the look and the opening somebody with the right to write there
-//! may still put something else; against that the rights of the folder guard, not this program.
+//! Callers may rely on:
+//! - only regular files are opened, so that a named pipe cannot block and an endless device cannot fill the memory;
+//! - no more bytes are read than the caller allows;
+//! - a file reached from a folder by a relative path lies in that folder: a link on the way is an error.
+//!
+//! Between the check and the opening, a program with the right to write there may exchange the file. The rights of the
+//! folder guard against this, not Roomwright.
 
 mod hash;
 mod inside;

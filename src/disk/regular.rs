@@ -1,4 +1,4 @@
-//! Bytes of regular files, bounded.
+//! Reads regular files up to a number of bytes.
 
 use std::fs::{self, File, FileType, Metadata};
 use std::io::{self, Read};
@@ -7,7 +7,7 @@ use std::path::Path;
 /// Reads a regular file, or one that a link leads to.
 ///
 /// # Errors
-/// What the system says; [`io::ErrorKind::InvalidInput`] for folders, pipes and devices, [`io::ErrorKind::FileTooLarge`] for
+/// Those of the system; [`io::ErrorKind::InvalidInput`] for folders, pipes and devices, [`io::ErrorKind::FileTooLarge`] for
 /// more bytes than `most`, of which none is read then.
 pub(crate) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let (file, found) = open_regular(path)?;

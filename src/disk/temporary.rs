@@ -1,7 +1,7 @@
-//! Files on their way: written under a temporary name, then renamed into place, or gone.
+//! Temporary files: written beside their place, then renamed to it or removed.
 //!
-//! A killed process leaves its temporary file behind. It holds a lock on it for as long as it lives, so that the next one
-//! to write there knows what nobody will finish.
+//! A killed process leaves its temporary file behind. A living one holds a lock on it, so that later runs know which
+//! files nobody will finish.
 
 use std::fs::{self, File};
 use std::io;
@@ -109,7 +109,7 @@ fn remove_content(folder: &Path) {
     }
 }
 
-/// Deletes the temporary folders of a prefix whose processes have ended. One without the locked file is nobody's of ours.
+/// Deletes the temporary folders of a prefix whose processes have ended. A folder without the locked file is not one of this program.
 fn sweep_folders(root: &Path, prefix: &str) {
     for folder in entries(root, prefix, |kind| kind.is_dir()) {
         let alive = folder.join(ALIVE_NAME);
@@ -129,7 +129,7 @@ fn temporaries(folder: &Path, prefix: &str) -> Vec<PathBuf> {
     entries(folder, prefix, |kind| kind.is_file())
 }
 
-/// What has a temporary name and is of a kind.
+/// The entries of a kind with a temporary name.
 fn entries(folder: &Path, prefix: &str, is_kind: impl Fn(fs::FileType) -> bool) -> Vec<PathBuf> {
     let is_ending =
         |rest: &str| rest.len() == LETTERS && rest.bytes().all(|byte| byte.is_ascii_alphanumeric());

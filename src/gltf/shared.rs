@@ -1,4 +1,4 @@
-//! The geometry that the floors of a building share instead of each carrying a copy: a file for each model in use.
+//! Models that the levels of a building share: one file for each model in use.
 
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -1,4 +1,4 @@
-//! What a format is.
+//! The interface of an output format.
 
 use super::options::FloorOptions;
 use crate::catalog::Catalog;

@@ -1,4 +1,4 @@
-//! The formats that there are.
+//! The table of output formats.
 
 use super::format::OutputFormat;
 use super::options::Format;

@@ -393,7 +393,7 @@ fn a_change_in_one_room_changes_that_rooms_nodes_only() {
 }
 
 #[test]
-fn the_limit_is_told_with_a_way_out() {
+fn the_size_limit_is_reported_with_advice() {
     let message = GltfError::TooLarge(5_000_000_000).to_string();
     assert!(message.contains("5000000000") && message.contains(".gltf"), "{message}");
 }

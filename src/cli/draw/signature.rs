@@ -18,7 +18,7 @@ pub(super) fn sign(mut svg: String) -> String {
     svg
 }
 
-/// Whether `draw` made a file and nobody changed it since: it may be made anew.
+/// Whether `draw` wrote a file that was not changed since: it may be replaced.
 pub(super) fn is_own_drawing(content: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(content) else { return false };
     let Some((svg, line)) = text.rsplit_once(BEGINNING) else { return false };
@@ -30,7 +30,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_drawing_that_somebody_changed_is_not_ours_any_more() {
+    fn an_edited_drawing_is_not_recognised_as_the_programs_own() {
         let signed = sign("<svg/>\n".to_owned());
         assert!(is_own_drawing(signed.as_bytes()));
         for changed in [
