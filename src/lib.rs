@@ -27,6 +27,7 @@ pub mod layout;
 pub mod model;
 pub mod output;
 pub mod plan;
+pub mod project;
 pub mod read_back;
 pub mod recipes;
 pub mod scene;

@@ -4,10 +4,10 @@ use super::event::Stopwatch;
 use super::folder::OutputFolder;
 use super::options::BakeOptions;
 use super::shared::SharedFiles;
-use super::textures::Textures;
 use crate::catalog::Catalog;
 use crate::model::{ModelLibrary, SwatchedModels};
 use crate::output::Output;
+use crate::texture::TextureLibrary;
 
 /// What all levels of a run share.
 pub(crate) struct Context<'a> {
@@ -19,7 +19,7 @@ pub(crate) struct Context<'a> {
     pub(crate) swatched: Option<SwatchedModels>,
     /// What writes levels.
     pub(crate) output: Box<dyn Output + 'a>,
-    pub(crate) textures: Option<Textures>,
+    pub(crate) textures: Option<TextureLibrary>,
     pub(crate) shared: SharedFiles,
     pub(crate) watch: Stopwatch,
 }

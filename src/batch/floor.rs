@@ -164,7 +164,7 @@ fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
         },
         swatches: context.swatched.as_ref(),
         options: context.options.floor.scene,
-        textures: context.textures.as_ref().map(|textures| &textures.library),
+        textures: context.textures.as_ref(),
         seed: context.options.floor.seed,
         style: context.options.floor.style.as_deref(),
     })

@@ -22,7 +22,6 @@ mod record;
 mod shared;
 mod sources;
 mod state;
-mod textures;
 mod unplanned;
 mod work;
 

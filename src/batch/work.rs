@@ -18,15 +18,13 @@ use super::program::PROGRAM;
 use super::record::{FileRecord, Totals};
 use super::shared::SharedFiles;
 use super::sources::{Contents, RecordHead};
-use super::textures::Textures;
 use super::unplanned::Leftovers;
 use crate::catalog::Catalog;
 use crate::disk::look_inside;
 use crate::edits::EditBook;
-use crate::model::{ModelLibrary, SwatchedModels};
+use crate::model::ModelLibrary;
 use crate::output::output_format;
 use crate::plan::Plan;
-use crate::scene::Parts;
 
 /// What is baked.
 #[derive(Clone, Copy, Debug)]
@@ -67,14 +65,13 @@ pub fn bake(
     // The others are baked.
     let pool = thread_pool(options, folder.root())?;
     let output = (output_format(options.floor.format).begin)(catalog, &options.floor);
-    let textures = Textures::new(options.floor.textures, options.cache.clone()).filter(|_| !open.is_empty());
+    let textures = options.floor.textures.library(options.cache.clone()).filter(|_| !open.is_empty());
     let watch = Stopwatch::default();
     if let Some(textures) = &textures {
-        watch.measure(Stage::Scene, || pool.install(|| textures.library.paint_all()));
+        watch.measure(Stage::Scene, || pool.install(|| textures.paint_all()));
     }
     let shared = SharedFiles::default();
-    let has_swatches = options.floor.scene.parts == Parts::Merged && textures.is_some();
-    let swatched = has_swatches.then(|| SwatchedModels::new(catalog));
+    let swatched = options.floor.swatches(catalog).filter(|_| !open.is_empty());
     let context = Context { catalog, options, folder, models, swatched, output, textures, shared, watch };
     let tally = work(&pool, &context, &open, observer);
     for file in context.output.finish() {

@@ -12,7 +12,7 @@ use super::progress::Progress;
 use super::reroll::reroll;
 use super::room_styles::check_room_styles;
 use super::screen::Screen;
-use super::sources::{Sources, read_sources, run_style};
+use super::sources::{read_sources, run_style};
 use super::summary::{bake_answer, failure_text, summary_text, timing_text, where_to_look};
 use super::watch::watch;
 use crate::batch::{
@@ -25,6 +25,7 @@ use crate::edits::distinct_misfits;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
 use crate::output::{FloorOptions, TextureOptions};
+use crate::project::Project;
 use crate::scene::{Lights, Parts, SceneOptions};
 use crate::texture::TextureSize;
 
@@ -39,7 +40,7 @@ pub(crate) const DEFAULT_SEED: u64 = 1;
 
 /// The meaning of a command line.
 struct Run {
-    sources: Sources,
+    sources: Project,
     options: BakeOptions,
     out: PathBuf,
     cache_root: Option<PathBuf>,
@@ -219,7 +220,7 @@ fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
     screen.note(&announcement(run));
     let started = Instant::now();
     let progress = Progress::new(run.progress, screen.is_quiet);
-    let Sources { plan, edits, catalog, models, .. } = &run.sources;
+    let Project { plan, edits, catalog, models, .. } = &run.sources;
     let input = BakeInput { plan, edits, catalog, models, options: &run.options };
     let baked = bake(&input, folder, &|event| progress.observe(event));
     let report = match baked {

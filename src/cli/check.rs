@@ -5,8 +5,9 @@ use super::arguments::CheckArguments;
 use super::exit::Outcome;
 use super::room_styles::check_room_styles;
 use super::screen::Screen;
-use super::sources::{Sources, run_style, survey_sources};
+use super::sources::{run_style, survey_sources};
 use crate::document::Faults;
+use crate::project::Project;
 
 /// Runs the command. The report is the result: it goes to stdout.
 pub(crate) fn run(arguments: &CheckArguments, screen: Screen) -> Outcome {
@@ -32,7 +33,7 @@ fn error_count(faults: &Faults) -> usize {
     faults.0.iter().filter(|fault| fault.is_error()).count()
 }
 
-fn report(sources: Option<&Sources>, faults: &Faults) -> CheckAnswer {
+fn report(sources: Option<&Project>, faults: &Faults) -> CheckAnswer {
     let (buildings, levels, rooms) = counts(sources);
     let errors = error_count(faults);
     CheckAnswer {
@@ -45,14 +46,14 @@ fn report(sources: Option<&Sources>, faults: &Faults) -> CheckAnswer {
     }
 }
 
-fn conclusion(sources: Option<&Sources>, faults: &Faults) -> String {
+fn conclusion(sources: Option<&Project>, faults: &Faults) -> String {
     let (buildings, levels, rooms) = counts(sources);
     let errors = error_count(faults);
     let warnings = faults.0.len() - errors;
     format!("{buildings} buildings, {levels} levels, {rooms} rooms: {errors} errors, {warnings} warnings")
 }
 
-fn counts(sources: Option<&Sources>) -> (usize, usize, usize) {
+fn counts(sources: Option<&Project>) -> (usize, usize, usize) {
     let Some(sources) = sources else { return (0, 0, 0) };
     let levels = || sources.plan.buildings.iter().flat_map(|placed| &placed.building.levels);
     (sources.plan.buildings.len(), levels().count(), levels().map(|level| level.rooms.len()).sum())

@@ -20,7 +20,6 @@ mod init;
 mod leftovers;
 mod man;
 mod merge;
-mod plausible;
 mod progress;
 mod reroll;
 mod room_styles;

@@ -4,64 +4,41 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::arguments::SourceArguments;
-use super::plausible::check_plausible;
-use crate::catalog::{Catalog, builtin_files, load_catalog, load_catalog_so_far};
+use crate::catalog::{builtin_files, load_catalog, load_catalog_so_far};
 use crate::disk::TemporaryFolder;
 use crate::document::{Fault, Faults, Warned, did_you_mean};
-use crate::edits::{EditBook, read_edits};
+use crate::edits::read_edits;
 use crate::model::ModelLibrary;
-use crate::plan::{Plan, PlanOptions, PlanReading, ProjectSettings, project_settings, read_plans};
+use crate::plan::{PlanOptions, PlanReading, project_settings, read_plans};
+use crate::project::{EditsChoice, Project, ProjectPaths};
 
 /// The project that is baked when no path is given, below `configs/`.
 const DEMO: &str = "demo.yaml";
 
-/// Everything that was read.
-pub(crate) struct Sources {
-    /// The catalogue.
-    pub(crate) catalog: Catalog,
-    /// The models of its classes.
-    pub(crate) models: ModelLibrary,
-    /// The buildings that could be read.
-    pub(crate) plan: Plan,
-    /// The edits of the furnished rooms.
-    pub(crate) edits: EditBook,
-    /// The settings of project files for the run.
-    pub(crate) settings: ProjectSettings,
-    /// Errors and warnings; after an error some rooms or buildings are missing.
-    pub(crate) faults: Faults,
-}
-
-/// Reads the catalogue, its models, then the plans.
+/// Reads the catalogue, its models, then the plans; without a path those of the demo.
 ///
 /// # Errors
 /// If nothing could be read: faults of the catalogue, of the project, or of every plan.
-pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Sources, Faults> {
+pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Project, Faults> {
     let demo;
-    let mut paths = arguments.paths.clone();
-    if paths.is_empty() {
+    let mut plans = arguments.paths.clone();
+    if plans.is_empty() {
         demo = extract_demo().map_err(|error| {
             Fault::of_file(&std::env::temp_dir(), format!("cannot unpack the demo: {error}"))
         })?;
-        paths.push(demo.path().join(DEMO));
+        plans.push(demo.path().join(DEMO));
     }
-    let settings = project_settings(&paths)?;
-    // The command line comes after the project: what is typed wins.
-    let folders: Vec<PathBuf> = settings.catalog.iter().chain(&arguments.catalog).cloned().collect();
-    let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
-    let models = ModelLibrary::load(&catalog)?;
-    let plan = read_some_plans(&paths, &catalog, &mut faults)?;
-    let (edits, edit_faults) = match arguments.edits.no_edits {
-        true => (EditBook::default(), Faults::default()),
-        false => read_edits(&plan, &arguments.edits.files, &catalog),
+    let edits = match arguments.edits.no_edits {
+        true => EditsChoice::Without,
+        false => EditsChoice::With(arguments.edits.files.clone()),
     };
-    faults.merge(edit_faults);
-    faults.merge(check_plausible(&plan, &catalog));
-    Ok(Sources { catalog, models, plan, edits, settings, faults })
+    // Folders of the command line come after those of the project: what is typed wins.
+    Project::read(&ProjectPaths { plans, catalog: arguments.catalog.clone(), edits })
 }
 
 /// As [`read_sources`], but where that ends at the faults of some files, the others are read all the same: all faults of all
 /// files come back at once.
-pub(crate) fn survey_sources(arguments: &SourceArguments) -> (Option<Sources>, Faults) {
+pub(crate) fn survey_sources(arguments: &SourceArguments) -> (Option<Project>, Faults) {
     match read_sources(arguments) {
         Ok(mut sources) => {
             let faults = std::mem::take(&mut sources.faults);
@@ -111,12 +88,6 @@ pub(crate) fn read_plans_only(arguments: &SourceArguments) -> Result<PlanReading
     if reading.plan.buildings.is_empty() { Err(faults) } else { Ok(PlanReading { faults, ..reading }) }
 }
 
-fn read_some_plans(paths: &[PathBuf], catalog: &Catalog, faults: &mut Faults) -> Result<Plan, Faults> {
-    let reading = read_plans(paths, &PlanOptions { words: &catalog.room_words });
-    faults.merge(reading.faults);
-    if reading.plan.buildings.is_empty() { Err(std::mem::take(faults)) } else { Ok(reading.plan) }
-}
-
 /// The plans inside the program as files, for as long as the answer lives.
 fn extract_demo() -> std::io::Result<TemporaryFolder> {
     let folder = TemporaryFolder::new(&std::env::temp_dir(), "roomwright-demo-")?;
@@ -134,7 +105,7 @@ fn extract_demo() -> std::io::Result<TemporaryFolder> {
 ///
 /// # Errors
 /// If the catalogue has no such style.
-pub(crate) fn run_style(typed: Option<&String>, sources: &Sources) -> Result<Option<String>, Faults> {
+pub(crate) fn run_style(typed: Option<&String>, sources: &Project) -> Result<Option<String>, Faults> {
     let catalog = &sources.catalog;
     let is_known = |style: &&String| catalog.has_style(style);
     // The project's own is reported where it is written.

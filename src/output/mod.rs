@@ -4,15 +4,12 @@
 //! `batch` relies on: the same scene at the same path gives the same files, whatever other levels were written before it and
 //! by however many threads.
 
+mod folders;
 mod format;
 mod options;
 mod table;
 
+pub(crate) use folders::SHARED_GEOMETRY;
 pub(crate) use format::{LevelToWrite, Output, OutputFormat, SharedFile, TooLarge, WrittenLevel};
 pub use options::{FloorOptions, Format, TextureOptions};
 pub(crate) use table::{OUTPUTS, output_format};
-
-/// The folder of geometry that levels share, beside them.
-pub(crate) const SHARED_GEOMETRY: &str = "shared-geometry";
-/// The folder of textures that levels share, beside them.
-pub(crate) const SHARED_TEXTURES: &str = "shared-textures";

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::super::arguments::DrawArguments;
-use super::super::sources::Sources;
 use crate::document::{Fault, Faults, did_you_mean};
 use crate::plan::{Level, PlacedBuilding};
+use crate::project::Project;
 
 /// A level to draw.
 pub(super) type Subject<'a> = (&'a PlacedBuilding, &'a Level);
@@ -19,7 +19,7 @@ pub(super) type Page<'a> = Vec<Subject<'a>>;
 /// If there is no such building or level.
 pub(super) fn chosen_levels<'a>(
     arguments: &DrawArguments,
-    sources: &'a Sources,
+    sources: &'a Project,
 ) -> Result<Vec<Subject<'a>>, Faults> {
     let buildings = &sources.plan.buildings;
     let of_building =

@@ -4,13 +4,13 @@ use rayon::prelude::*;
 
 use super::super::arguments::DrawArguments;
 use super::super::bake::DEFAULT_SEED;
-use super::super::sources::Sources;
 use super::chosen::{Page, Subject};
 use crate::audit::Finding;
 use crate::catalog::Catalog;
 use crate::draw::{Drawing, draw_level, draw_levels};
 use crate::edits::{Finished, Misfit, furnish_edited};
 use crate::layout::{FurnishOptions, Furnished};
+use crate::project::Project;
 
 /// The furnished rooms of a level, and the findings and the edits that do not fit in each.
 struct Judgement {
@@ -22,7 +22,7 @@ struct Judgement {
 /// Furnishes levels as `bake` does and draws them; edits that do not fit come beside the drawing.
 pub(super) fn draw_page(
     arguments: &DrawArguments,
-    sources: &Sources,
+    sources: &Project,
     style: Option<&str>,
     page: &Page<'_>,
 ) -> (String, Vec<Misfit>) {
@@ -63,7 +63,7 @@ fn drawing<'a>(
 
 fn furnish_level(
     arguments: &DrawArguments,
-    sources: &Sources,
+    sources: &Project,
     (seed, style): (u64, Option<&str>),
     (placed, level): Subject<'_>,
 ) -> Judgement {

@@ -8,15 +8,16 @@ use super::bake::DEFAULT_SEED;
 use super::exit::Outcome;
 use super::find_room::{Found, Wanted, find_room};
 use super::screen::Screen;
-use super::sources::{Sources, read_sources, run_style};
+use super::sources::{read_sources, run_style};
 use crate::audit::Finding;
 use crate::best::furnish_best;
 use crate::edits::RoomEdits;
 use crate::layout::{Explanation, FurnishOptions, Furnished, explain_alternative};
+use crate::project::Project;
 
 /// A room in its building, and all that is to be said about it.
 struct Subject<'a> {
-    sources: &'a Sources,
+    sources: &'a Project,
     found: Found<'a>,
     seed: u64,
     /// Which of the alternatives of `--effort` it is, from 0.
@@ -59,7 +60,7 @@ pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
 /// Furnishes the room as `bake` does, then once more with a trace of the search.
 fn subject<'a>(
     arguments: &ExplainArguments,
-    sources: &'a Sources,
+    sources: &'a Project,
     found: Found<'a>,
     style: Option<&str>,
 ) -> Subject<'a> {

@@ -1,0 +1,107 @@
+//! Files to a project.
+
+use std::path::{Path, PathBuf};
+
+use super::plausible::check_plausible;
+use super::rooms::Rooms;
+use crate::batch::{BakeInput, BakeOptions, BakeReport, OutputFault, OutputFolder, bake};
+use crate::catalog::{Catalog, load_catalog};
+use crate::document::{Faults, Warned};
+use crate::edits::{EditBook, read_edits};
+use crate::model::ModelLibrary;
+use crate::output::FloorOptions;
+use crate::plan::{Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
+
+/// Plans, edits, catalogue and models.
+#[derive(Debug)]
+pub struct Project {
+    /// The catalogue.
+    pub catalog: Catalog,
+    /// The models of its classes.
+    pub models: ModelLibrary,
+    /// The buildings that could be read.
+    pub plan: Plan,
+    /// The edits of the furnished rooms.
+    pub edits: EditBook,
+    /// The settings of project files for the run.
+    pub settings: ProjectSettings,
+    /// Errors and warnings; after an error some rooms or buildings are missing.
+    pub faults: Faults,
+}
+
+/// Where the files of a project are.
+#[derive(Clone, Debug, Default)]
+pub struct ProjectPaths {
+    /// Plans, project files, folders of these, in any format that is read.
+    pub plans: Vec<PathBuf>,
+    /// Further folders of configuration; later ones win, and all win over those that project files name.
+    pub catalog: Vec<PathBuf>,
+    /// Which edits are applied.
+    pub edits: EditsChoice,
+}
+
+/// Which edits are applied.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum EditsChoice {
+    /// Those beside the plans, then these files; later ones win.
+    With(Vec<PathBuf>),
+    /// None.
+    Without,
+}
+
+impl Default for EditsChoice {
+    fn default() -> Self {
+        Self::With(Vec::new())
+    }
+}
+
+impl<P: AsRef<Path>> FromIterator<P> for ProjectPaths {
+    /// Plans alone, with the edits beside them.
+    fn from_iter<I: IntoIterator<Item = P>>(plans: I) -> Self {
+        Self { plans: plans.into_iter().map(|path| path.as_ref().to_owned()).collect(), ..Self::default() }
+    }
+}
+
+impl Project {
+    /// Reads the catalogue, its models, then plans and edits.
+    ///
+    /// # Errors
+    /// If nothing could be read: all faults of the catalogue, of the project file, or of every plan.
+    pub fn read(paths: &ProjectPaths) -> Result<Self, Faults> {
+        let settings = project_settings(&paths.plans)?;
+        let folders: Vec<PathBuf> = settings.catalog.iter().chain(&paths.catalog).cloned().collect();
+        let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
+        let models = ModelLibrary::load(&catalog)?;
+        let reading = read_plans(&paths.plans, &PlanOptions { words: &catalog.room_words });
+        faults.merge(reading.faults);
+        if reading.plan.buildings.is_empty() {
+            return Err(faults);
+        }
+        let plan = reading.plan;
+        let (edits, edit_faults) = match &paths.edits {
+            EditsChoice::With(files) => read_edits(&plan, files, &catalog),
+            EditsChoice::Without => (EditBook::default(), Faults::default()),
+        };
+        faults.merge(edit_faults);
+        faults.merge(check_plausible(&plan, &catalog));
+        Ok(Self { catalog, models, plan, edits, settings, faults })
+    }
+
+    /// Bakes all levels into a folder, which is made where there is none. Levels that are up to date stay as they are.
+    ///
+    /// One bad room or level does not stop the others; see [`BakeReport::failures`].
+    ///
+    /// # Errors
+    /// If the folder holds files of other origin that would be replaced, or cannot be written.
+    pub fn bake(&self, options: &BakeOptions, out: impl AsRef<Path>) -> Result<BakeReport, OutputFault> {
+        let folder = OutputFolder::open(out.as_ref(), false)?;
+        let Self { plan, edits, catalog, models, .. } = self;
+        bake(&BakeInput { plan, edits, catalog, models, options }, &folder, &|_| ())
+    }
+
+    /// The rooms one by one, as a bake with these options furnishes them.
+    #[must_use]
+    pub fn rooms<'a>(&'a self, options: &'a FloorOptions) -> Rooms<'a> {
+        Rooms::new(self, options)
+    }
+}

@@ -1,0 +1,219 @@
+//! One room on demand: furnished, judged, built and written without the other rooms of its level.
+
+use std::fmt;
+
+use super::read::Project;
+use crate::audit::Verdict;
+use crate::edits::{Finished, Misfit, furnish_edited};
+use crate::gltf::{EncodedModels, GltfError, WriteOptions, write_glb_with};
+use crate::layout::{FurnishOptions, Furnished};
+use crate::model::SwatchedModels;
+use crate::output::FloorOptions;
+use crate::plan::{Level, PlacedBuilding};
+use crate::scene::{Scene, SceneInput, build_scene};
+use crate::texture::TextureLibrary;
+
+/// A room by its ids.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RoomId {
+    /// Id of the building.
+    pub building: String,
+    /// Id of the level.
+    pub level: String,
+    /// Id of the room.
+    pub room: String,
+}
+
+impl RoomId {
+    /// The room of these ids.
+    #[must_use]
+    pub fn new(building: &str, level: &str, room: &str) -> Self {
+        Self { building: building.to_owned(), level: level.to_owned(), room: room.to_owned() }
+    }
+}
+
+impl fmt::Display for RoomId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}/{}", self.building, self.level, self.room)
+    }
+}
+
+/// A room that the plan does not have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownRoom(pub RoomId);
+
+impl fmt::Display for UnknownRoom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the plan has no room {}", self.0)
+    }
+}
+
+impl std::error::Error for UnknownRoom {}
+
+/// A furnished room.
+#[derive(Clone, Debug)]
+pub struct FinishedRoom<'a> {
+    /// Its building.
+    pub building: &'a PlacedBuilding,
+    /// Its level.
+    pub level: &'a Level,
+    /// Its furniture; says which room of the level it is.
+    pub furnished: Furnished,
+    /// What the audit finds.
+    pub verdict: Verdict,
+    /// Edits that were rejected, and edited objects with findings.
+    pub misfits: Vec<Misfit>,
+}
+
+/// The rooms of a project, furnished when they are asked for. It may be asked by many threads at once, and keeps what rooms
+/// share (textures, models), but no room.
+pub struct Rooms<'a> {
+    project: &'a Project,
+    options: &'a FloorOptions,
+    textures: Option<TextureLibrary>,
+    swatches: Option<SwatchedModels>,
+    encoded: EncodedModels,
+}
+
+impl<'a> Rooms<'a> {
+    pub(super) fn new(project: &'a Project, options: &'a FloorOptions) -> Self {
+        Self {
+            project,
+            options,
+            textures: options.textures.library(None),
+            swatches: options.swatches(&project.catalog),
+            encoded: EncodedModels::default(),
+        }
+    }
+
+    /// Furnishes a room, applies its edits and judges it. The same room every time, and the one that a bake writes.
+    ///
+    /// # Errors
+    /// If the plan has no such room.
+    pub fn furnish(&self, id: &RoomId) -> Result<FinishedRoom<'a>, UnknownRoom> {
+        let Project { plan, edits, catalog, .. } = self.project;
+        let (building, level, room) = find(&plan.buildings, id).ok_or_else(|| UnknownRoom(id.clone()))?;
+        let run = FurnishOptions::new(self.options.seed, &building.id);
+        let run = run.with_style(self.options.style.as_deref());
+        let edits = edits.level(&building.id, &level.id);
+        let Finished { judged, misfits } =
+            furnish_edited((level, room), catalog, &run, self.options.effort, edits);
+        Ok(FinishedRoom { building, level, furnished: judged.furnished, verdict: judged.verdict, misfits })
+    }
+
+    /// The tree of nodes of a room: its level, its openings, its shell and its furniture, with the names that they have in the
+    /// file of the level.
+    #[must_use]
+    pub fn scene(&self, room: &FinishedRoom<'_>) -> Scene {
+        let Project { catalog, models, .. } = self.project;
+        let FloorOptions { detail, scene, seed, ref style, .. } = *self.options;
+        build_scene(&SceneInput {
+            level: room.level,
+            building: &room.building.id,
+            site: room.building.site,
+            furnished: std::slice::from_ref(&room.furnished),
+            verdicts: std::slice::from_ref(&room.verdict),
+            catalog,
+            models: &|class, variant, geometry| models.model_in_detail(class, variant, geometry, detail),
+            textures: self.textures.as_ref(),
+            swatches: self.swatches.as_ref(),
+            options: scene,
+            seed,
+            style: style.as_deref(),
+        })
+    }
+
+    /// The room alone as one binary glTF file.
+    ///
+    /// # Errors
+    /// If the file would have 4 GiB or more.
+    pub fn glb(&self, room: &FinishedRoom<'_>) -> Result<Vec<u8>, GltfError> {
+        let options = WriteOptions {
+            library: None,
+            models: Some(&self.encoded),
+            flat_normals: self.options.flat_normals,
+        };
+        write_glb_with(&self.scene(room), options)
+    }
+}
+
+fn find<'a>(buildings: &'a [PlacedBuilding], id: &RoomId) -> Option<(&'a PlacedBuilding, &'a Level, usize)> {
+    let building = buildings.iter().find(|placed| placed.id == id.building)?;
+    let level = building.building.levels.iter().find(|level| level.id == id.level)?;
+    let room = level.rooms.iter().position(|room| room.id == id.room)?;
+    Some((building, level, room))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+    use std::path::Path;
+
+    use super::super::ProjectPaths;
+    use super::*;
+    use crate::output::TextureOptions;
+    use crate::scene::Node;
+
+    fn house() -> Project {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/plans/house.yaml");
+        Project::read(&ProjectPaths::from_iter([path])).unwrap()
+    }
+
+    fn plain() -> FloorOptions {
+        let textures = TextureOptions { size: None, are_shared: false };
+        FloorOptions { seed: 5, effort: 2, textures, ..FloorOptions::default() }
+    }
+
+    /// The nodes below a root by name: place and extras.
+    fn nodes(root: &Node, found: &mut BTreeMap<String, String>) {
+        for node in &root.children {
+            let Node { name, translation, rotation, extras, .. } = node;
+            found.insert(name.clone(), format!("{translation} {rotation} {extras:?}"));
+            nodes(node, found);
+        }
+    }
+
+    #[test]
+    fn a_room_alone_is_the_room_of_the_level() {
+        let (project, options) = (house(), plain());
+        let rooms = project.rooms(&options);
+        let placed = &project.plan.buildings[0];
+        let level = &placed.building.levels[0];
+        let of =
+            |room: &crate::plan::Room| rooms.furnish(&RoomId::new(&placed.id, &level.id, &room.id)).unwrap();
+        let all: Vec<FinishedRoom<'_>> = level.rooms.iter().map(of).collect();
+        let furnished: Vec<Furnished> = all.iter().map(|room| room.furnished.clone()).collect();
+        let verdicts: Vec<Verdict> = all.iter().map(|room| room.verdict.clone()).collect();
+        let whole = build_scene(&SceneInput {
+            level,
+            building: &placed.id,
+            site: placed.site,
+            furnished: &furnished,
+            verdicts: &verdicts,
+            catalog: &project.catalog,
+            models: &|class, variant, geometry| project.models.model(class, variant, geometry),
+            textures: None,
+            swatches: None,
+            options: options.scene,
+            seed: options.seed,
+            style: None,
+        });
+        let (mut known, mut together) = (BTreeMap::new(), BTreeMap::new());
+        nodes(&whole.root, &mut known);
+        for room in &all {
+            let alone = rooms.scene(room);
+            assert_eq!(alone.root.name, whole.root.name);
+            nodes(&alone.root, &mut together);
+            assert!(rooms.glb(room).unwrap().starts_with(b"glTF"));
+        }
+        assert_eq!(together, known);
+    }
+
+    #[test]
+    fn a_room_that_is_not_there_is_named() {
+        let (project, options) = (house(), plain());
+        let rooms = project.rooms(&options);
+        let error = rooms.furnish(&RoomId::new("house", "ground", "ballroom")).unwrap_err();
+        assert_eq!(error.to_string(), "the plan has no room house/ground/ballroom");
+    }
+}
