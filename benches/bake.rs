@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::audit::judge_room;
 use roomwright::batch::{BakeInput, BakeOptions, OutputFolder, bake};
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::edits::EditBook;
@@ -13,6 +12,7 @@ use roomwright::model::ModelLibrary;
 use roomwright::output::FloorOptions;
 use roomwright::plan::{Level, PlacedBuilding, Plan, PlanOptions, read_plans};
 use roomwright::scene::{SceneInput, SceneOptions, build_scene};
+use roomwright::solve::judge_room;
 
 /// Seed of all rooms.
 const SEED: u64 = 1;

@@ -7,7 +7,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use roomwright::audit::judge_room;
 use roomwright::batch::merge;
 use roomwright::catalog::{Catalog, load_catalog};
 use roomwright::diff::{DiffOptions, Tolerance, compare};
@@ -16,6 +15,7 @@ use roomwright::edits::read_edits;
 use roomwright::model::ModelLibrary;
 use roomwright::plan::{Plan, PlanOptions, read_plans};
 use roomwright::read_back::{parse_inventory, parse_level, parse_survey};
+use roomwright::solve::judge_room;
 use tempfile::TempDir;
 
 /// Reads an input; answers whether anything came of it.

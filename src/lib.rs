@@ -3,7 +3,7 @@
 //! ```text
 //! plan files -> plan -> layout -> scene -> gltf -> out/<building>/<level>.glb
 //! configs/   -> catalog --'         |
-//! recipes    -> model   ------------'      batch drives it, audit judges it, best chooses
+//! recipes    -> model   ------------'      batch drives it, audit judges it, solve finds places, best chooses
 //! ```
 
 pub mod audit;
@@ -31,5 +31,6 @@ pub mod project;
 pub mod read_back;
 pub mod recipes;
 pub mod scene;
+pub mod solve;
 pub mod texture;
 mod walk;

@@ -2,11 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use roomwright::audit::RoomAudit;
 use roomwright::best::{Judged, best_of};
 use roomwright::catalog::Catalog;
 use roomwright::layout::{FurnishOptions, furnish_counted};
 use roomwright::plan::Level;
+use roomwright::solve::RoomSolver;
 
 /// What one room took.
 pub struct Timed {
@@ -99,7 +99,7 @@ pub fn furnish(
         steps: (0, 0),
     };
     let Timed { alternatives, layout, audit, suggesting, steps, .. } = &mut timed;
-    let room_audit = RoomAudit::new(level, room, catalog);
+    let solver = RoomSolver::new(level, room, catalog);
     let judged = best_of(
         effort,
         |alternative| {
@@ -108,11 +108,11 @@ pub fn furnish(
             steps.0 += made.steps;
             made
         },
-        |furnished| measure(audit, || room_audit.judge(furnished)),
-        |furnished| measure(suggesting, || room_audit.suggest_places(furnished)),
-        || room_audit.steps(),
+        |furnished| measure(audit, || solver.judge(furnished)),
+        |furnished| measure(suggesting, || solver.suggest_places(furnished)),
+        || solver.steps(),
     );
-    timed.steps.1 = room_audit.steps();
+    timed.steps.1 = solver.steps();
     (judged, timed)
 }
 

@@ -2,8 +2,8 @@
 
 use super::clearances::zone;
 use super::finding::{Code, Finding};
-use super::fit::{Held, can_hold};
 use super::groups::BED;
+use super::possible::{Ask, Held, Question};
 use super::subject::{Body, Subject};
 
 use super::zone::Purpose;
@@ -11,7 +11,7 @@ use crate::catalog::{Clearance, Side};
 use crate::walk::{Floor, Walk};
 
 /// Judges the double beds of a room with a floor to walk on.
-pub(crate) fn judge(subject: &Subject<'_>, floor: &Floor, findings: &mut Vec<Finding>) {
+pub(crate) fn judge(subject: &Subject<'_>, floor: &Floor, ask: Ask<'_>, findings: &mut Vec<Finding>) {
     let mut beds = subject.bodies.iter().filter(|body| is_double(body)).peekable();
     if beds.peek().is_none() {
         return;
@@ -24,7 +24,7 @@ pub(crate) fn judge(subject: &Subject<'_>, floor: &Floor, findings: &mut Vec<Fin
         if reached.count() != 1 {
             continue;
         }
-        let is_possible = can_hold(subject, bed.placement.class);
+        let is_possible = ask(&Question::Class(bed.placement.class));
         if is_possible != Held::No {
             let finding = Finding::new(Code::Bedside, vec![bed.id.clone()], 1.0, 2.0);
             findings.push(finding.if_possible(is_possible));

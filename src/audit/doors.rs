@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::catalog::DoorRules;
 use crate::geometry::{Point, direction};
-use crate::plan::{Leaf, Opening, OpeningKind, RoomOpening};
+use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
 use super::finding::{Code, Finding};
 use super::subject::Subject;
@@ -14,13 +15,13 @@ use super::zone::{NearPair, Purpose, Zone};
 const ARC_CORNERS: u32 = 8;
 
 /// The zones of all openings that people walk through, on the room's side.
-pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
+pub(crate) fn zones((level, room): (&Level, &Room), rules: DoorRules) -> Vec<Zone> {
     let mut zones = Vec::new();
-    for place in &subject.room.openings {
-        let opening = &subject.level.openings[place.opening];
+    for place in &room.openings {
+        let opening = &level.openings[place.opening];
         if opening.kind.is_walkable() {
-            zones.push(approach(subject, place, opening));
-            let wall = &subject.room.walls[place.wall];
+            let wall = &room.walls[place.wall];
+            zones.push(approach(wall, place, opening, rules));
             let opens_here = |leaf: &&Leaf| (middle_of_swing(leaf) - wall.start).dot(wall.normal()) > 0.0;
             for leaf in opening.leaves.iter().filter(opens_here) {
                 zones.extend(swing(place.opening, opening, leaf));
@@ -31,9 +32,7 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
 }
 
 /// The box before an opening: as deep as the opening is wide, at most the rule's depth.
-fn approach(subject: &Subject<'_>, place: &RoomOpening, opening: &Opening) -> Zone {
-    let wall = &subject.room.walls[place.wall];
-    let rules = subject.rules().doors;
+fn approach(wall: &Wall, place: &RoomOpening, opening: &Opening, rules: DoorRules) -> Zone {
     let is_open = opening.kind == OpeningKind::OpenBoundary;
     let most = if is_open { rules.open_boundary_depth } else { rules.approach_depth };
     let inward = wall.normal() * opening.width.min(most);

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::contract::FindingExtras;
 
-use super::fit::Held;
+use super::possible::Held;
 
 /// A fault of a furnished room.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,12 +2,13 @@
 
 use super::convex::{area, half};
 use super::finding::{Code, Finding};
-use super::fit::{Held, has_room_beside};
+use super::possible::{Ask, Held, Question};
 use super::subject::{Body, Subject};
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Point, Polygon, Solid};
+use crate::layout::Placement;
 
 /// Judges the halves of a room along both of its main axes.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Finding>) {
     let rules = subject.rules();
     if subject.room.region.area() < rules.balance.least_area {
         return;
@@ -17,18 +18,25 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     let along = main_direction(subject);
     let worst = [along, along.perp(), -along, -along.perp()]
         .into_iter()
-        .filter_map(|direction| crowd(subject, &standing, (middle, direction)))
+        .filter_map(|direction| {
+            let line = (middle, direction);
+            let (share, largest) = crowd(subject, &standing, line)?;
+            has_room_beside(subject, largest, line, ask).then_some((share, &largest.id))
+        })
         .reduce(|a, b| if b.0 > a.0 { b } else { a });
     if let Some((share, largest)) = worst {
-        findings.push(Finding::new(Code::CrowdedHalf, vec![largest], share, rules.balance.share));
+        findings.push(Finding::new(Code::CrowdedHalf, vec![largest.clone()], share, rules.balance.share));
     }
 }
 
-/// The share of the footprints to the right of a line if that is too much, with the largest piece there, for
-/// which the left half has room.
+/// The share of the footprints to the right of a line if that is too much, with the largest piece there.
 ///
 /// One piece that outweighs all others cannot be balanced: moving it would crowd the other half.
-fn crowd(subject: &Subject<'_>, standing: &[&Body<'_>], line: (Point, Point)) -> Option<(f64, String)> {
+fn crowd<'b>(
+    subject: &Subject<'_>,
+    standing: &[&'b Body<'b>],
+    line: (Point, Point),
+) -> Option<(f64, &'b Body<'b>)> {
     let limit = subject.rules().balance.share;
     let all: f64 = standing.iter().map(|body| box_area(body)).sum();
     let right: f64 = standing.iter().map(|body| box_area(body) * share_right_of(body, line)).sum();
@@ -39,7 +47,16 @@ fn crowd(subject: &Subject<'_>, standing: &[&Body<'_>], line: (Point, Point)) ->
     let on_right = standing.iter().filter(|body| share_right_of(body, line) >= 1.0);
     let largest = on_right.max_by(|a, b| box_area(a).total_cmp(&box_area(b)).then(b.id.cmp(&a.id)))?;
     let is_better = 1.0 - (share - box_area(largest) / all) <= limit;
-    (is_better && has_room_beside(subject, largest, line) == Held::Yes).then(|| (share, largest.id.clone()))
+    is_better.then_some((share, *largest))
+}
+
+/// Whether a body could stand among the others on the left of a line.
+fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point), ask: Ask<'_>) -> bool {
+    let is_around = |other: &&Body<'_>| other.low() < body.high() && !other.placement.is_covering();
+    let around = subject.bodies.iter().filter(is_around);
+    let among: Vec<&Solid> = around.flat_map(|other| &other.solids).collect();
+    let Placement { class, size, .. } = *body.placement;
+    ask(&Question::Beside { class, size, among: &among, line }) == Held::Yes
 }
 
 fn box_area(body: &Body<'_>) -> f64 {

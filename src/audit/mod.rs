@@ -2,13 +2,13 @@
 //!
 //! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
 //! ([`crate::layout::solids`]). Where people walk, `walk` tells both. What each code means stands at the
-//! head of the file that judges it, the figures and where they come from in `configs/audit.yaml`.
+//! head of the file that judges it, the figures and where they come from in `configs/audit.yaml`. Whether the plan leaves
+//! another choice the audit asks ([`Question`]): searching for places is the stage after it ([`crate::solve`]).
 
 mod access;
 mod bare;
 mod bedside;
 mod bounds;
-mod budget;
 mod clearances;
 mod collision;
 mod containment;
@@ -17,12 +17,12 @@ mod crooked;
 mod doors;
 mod facing;
 mod finding;
-mod fit;
 mod groups;
 mod halves;
-mod known;
+mod mean;
 mod measure;
 mod near;
+mod possible;
 mod programme;
 mod reach;
 mod relations;
@@ -38,7 +38,6 @@ pub(crate) mod testing;
 mod tests;
 mod thresholds;
 mod tight;
-mod together;
 mod verdict;
 mod wet_room;
 mod windows;
@@ -46,103 +45,31 @@ mod zone;
 
 pub use finding::{Code, Finding, Grade, Severity};
 pub use measure::Measure;
+pub use possible::{Ask, Held, Question};
 pub use score::Score;
 pub use summary::{AuditSummary, GradeCounts, ScoreSum};
 pub use verdict::{DoorRate, Verdict};
 
-use std::rc::Rc;
+pub(crate) use convex::{clip_segment, middle, penetration};
+pub(crate) use doors::zones as door_zones;
+pub(crate) use thresholds::ROUNDING;
 
-use crate::catalog::Catalog;
-use crate::layout::{Furnished, Suggestion};
+use crate::catalog::{Catalog, ClassIndex};
+use crate::layout::Furnished;
 use crate::plan::Level;
 
-use known::RoomKnowledge;
 use near::MOST_NEAR;
 use subject::Subject;
 use zone::{NearPair, Zone};
 
-/// The findings of [`judge_room`].
-///
-/// # Panics
-/// As [`judge_room`].
-#[must_use]
-pub fn audit_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Vec<Finding> {
-    judge_room(level, room, furnished, catalog).findings
-}
-
-/// Judges one furnished room.
+/// Judges one furnished room. `ask` answers what the empty room could hold; [`crate::solve::judge_room`] brings its own.
 ///
 /// `room` is an index into `level.rooms`, `furnished` what the layout made of it.
 ///
 /// # Panics
 /// If `furnished` names a class, parent, wall or opening that does not exist.
-#[must_use]
-pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Verdict {
-    RoomAudit::new(level, room, catalog).judge(furnished)
-}
-
-/// Judges several arrangements of one room; what it finds out about the empty room for one of them it knows for the others.
-/// No answer depends on what was asked before.
-#[derive(Debug)]
-pub struct RoomAudit<'a> {
-    level: &'a Level,
-    room: usize,
-    catalog: &'a Catalog,
-    known: Rc<RoomKnowledge>,
-}
-
-impl<'a> RoomAudit<'a> {
-    /// `room` is an index into `level.rooms`.
-    #[must_use]
-    pub fn new(level: &'a Level, room: usize, catalog: &'a Catalog) -> Self {
-        Self { level, room, catalog, known: Rc::default() }
-    }
-
-    /// Judges one arrangement.
-    ///
-    /// # Panics
-    /// As [`judge_room`].
-    #[must_use]
-    pub fn judge(&self, furnished: &Furnished) -> Verdict {
-        let subject = self.subject(furnished);
-        let verdict = judge(&subject);
-        self.count(&subject);
-        verdict
-    }
-
-    /// Where the pieces could stand that the room misses and cannot do without, beside whatever else it cannot do without:
-    /// places found in the empty room, for [`crate::layout::furnish_alternative`]. Empty where nothing is missing or no
-    /// such places were found.
-    ///
-    /// # Panics
-    /// As [`judge_room`].
-    #[must_use]
-    pub fn suggest_places(&self, furnished: &Furnished) -> Vec<Suggestion> {
-        let subject = self.subject(furnished);
-        let suggestions = programme::suggest(&subject);
-        self.count(&subject);
-        suggestions
-    }
-
-    /// Steps that were made so far to find out what the empty room could hold, the same on every machine.
-    #[must_use]
-    pub fn steps(&self) -> u64 {
-        self.known.steps.get()
-    }
-
-    fn count(&self, subject: &Subject<'_>) {
-        self.known.steps.set(self.known.steps.get() + subject.budget.made());
-    }
-
-    fn subject<'s>(&self, furnished: &'s Furnished) -> Subject<'s>
-    where
-        'a: 's,
-    {
-        Subject::new(self.level, self.room, furnished, self.catalog).knowing(&self.known)
-    }
-}
-
-fn judge(subject: &Subject<'_>) -> Verdict {
+pub fn judge(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog, ask: Ask<'_>) -> Verdict {
+    let subject = &Subject::new(level, room, furnished, catalog);
     let mut findings = Vec::new();
     // The physical faults that one body can have by itself.
     containment::judge(subject, &mut findings);
@@ -154,24 +81,24 @@ fn judge(subject: &Subject<'_>) -> Verdict {
     doors::judge(subject, &hits, &mut findings);
     clearances::judge(subject, &zones, &hits, &mut findings);
     let comfort = tight::takings(subject, &zones, &hits);
-    tight::judge(subject, &comfort, &mut findings);
+    tight::judge(subject, &comfort, ask, &mut findings);
     windows::judge(subject, &hits, &mut findings);
     screens::judge(subject, &hits, &mut findings);
     wet_room::judge(subject, &hits, &mut findings);
     // Ways through the room.
     let floor = reach::floor(subject);
     let rates = floor.map_or_else(Vec::new, |floor| {
-        bedside::judge(subject, &floor, &mut findings);
+        bedside::judge(subject, &floor, ask, &mut findings);
         reach::judge(subject, &floor, &zones, &mut findings)
     });
     access::judge(subject, &zones, &mut findings);
     // How things stand to each other and in the whole.
     facing::judge(subject, &mut findings);
     crooked::judge(subject, &mut findings);
-    halves::judge(subject, &mut findings);
+    halves::judge(subject, ask, &mut findings);
     // What should be there and is not.
-    programme::judge(subject, &mut findings);
-    sparse::judge(subject, &mut findings);
+    programme::judge(subject, ask, &mut findings);
+    sparse::judge(subject, ask, &mut findings);
     bare::judge(subject, &mut findings);
     findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
     // Two pieces in each other's way are one finding.
@@ -188,9 +115,20 @@ fn judge(subject: &Subject<'_>) -> Verdict {
     Verdict { findings, score, walkable: rates.into_iter().map(door).collect() }
 }
 
+/// Each required class that is missing and stands on the floor by itself, first in its list, with whatever else the room
+/// cannot do without.
+pub(crate) fn missing_pieces(
+    level: &Level,
+    room: usize,
+    furnished: &Furnished,
+    catalog: &Catalog,
+) -> Vec<Vec<ClassIndex>> {
+    programme::missing_pieces(&Subject::new(level, room, furnished, catalog))
+}
+
 /// Whatever people need to be free.
 fn all_zones(subject: &Subject<'_>) -> Vec<Zone> {
-    let mut zones = doors::zones(subject);
+    let mut zones = doors::zones((subject.level, subject.room), subject.rules().doors);
     zones.extend(clearances::zones(subject));
     zones.extend(windows::zones(subject));
     zones.extend(wet_room::zones(subject));

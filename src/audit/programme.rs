@@ -3,18 +3,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::catalog::{Class, ClassIndex, Count, ParentName, Request};
-use crate::layout::Suggestion;
 
 use super::finding::{Code, Finding};
-use super::fit::{Held, can_hold};
+use super::possible::{Ask, Held, Question};
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
-use super::together::{Together, place_together};
 
 /// Judges a room against its programme.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Finding>) {
     for class in missing_classes(subject) {
-        let alone = can_hold(subject, class);
+        let alone = ask(&Question::Class(class));
         if alone == Held::No {
             continue;
         }
@@ -22,7 +20,7 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
             (resting(subject, &[class]), resting(subject, &[class]) + removed(subject, class));
         let objects = vec![subject.catalog.classes[class].id.clone()];
         let finding = Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked));
-        findings.push(finding.if_possible(hold_beside_others(subject, class)));
+        findings.push(finding.if_possible(hold_beside_others(subject, class, ask)));
     }
     let (requested, limit) = (subject.furnished.requested, subject.rules().fulfilment.resting);
     let share = f64::from(count(subject.bodies.len())) / f64::from(requested.max(1));
@@ -32,7 +30,7 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
         let share_without = |impossible: u32| {
             f64::from(count(subject.bodies.len())) / f64::from(requested.saturating_sub(impossible).max(1))
         };
-        let Impossible { known, unknown } = impossible_pieces(subject);
+        let Impossible { known, unknown } = impossible_pieces(subject, ask);
         findings.push(finding.if_possible(if share_without(known) >= limit - ROUNDING {
             Held::No
         } else if share_without(known + unknown) >= limit - ROUNDING {
@@ -50,7 +48,7 @@ struct Impossible {
     unknown: u32,
 }
 
-fn impossible_pieces(subject: &Subject<'_>) -> Impossible {
+fn impossible_pieces(subject: &Subject<'_>, ask: Ask<'_>) -> Impossible {
     let mut missing: BTreeMap<ClassIndex, u32> = BTreeMap::new();
     for removal in &subject.furnished.removals {
         *missing.entry(removal.class).or_insert(0) += 1;
@@ -58,7 +56,7 @@ fn impossible_pieces(subject: &Subject<'_>) -> Impossible {
     let mut impossible = Impossible { known: 0, unknown: 0 };
     let stands = |class: &ClassIndex| stands_by_itself(&subject.catalog.classes[*class]);
     for (class, pieces) in missing.into_iter().filter(|(class, _)| stands(class)) {
-        match can_hold(subject, class) {
+        match ask(&Question::Class(class)) {
             Held::Yes => {}
             Held::No => impossible.known += pieces,
             Held::Unknown => impossible.unknown += pieces,
@@ -68,27 +66,19 @@ fn impossible_pieces(subject: &Subject<'_>) -> Impossible {
 }
 
 /// Whether the empty room can hold a class together with whatever else it cannot do without.
-fn hold_beside_others(subject: &Subject<'_>, missing: ClassIndex) -> Held {
+fn hold_beside_others(subject: &Subject<'_>, missing: ClassIndex, ask: Ask<'_>) -> Held {
     if !stands_by_itself(&subject.catalog.classes[missing]) {
         return Held::Yes;
     }
-    match place_together(subject, &needed_beside(subject, missing)) {
-        Together::Fit(_) => Held::Yes,
-        Together::TooMuch => Held::No,
-        Together::Unknown => Held::Unknown,
-    }
+    ask(&Question::Together(&needed_beside(subject, missing)))
 }
 
-/// Places for the first required class that is missing though the room can hold it, and for whatever else the room
+/// Each required class that is missing and stands on the floor by itself, first in its list, with whatever else the room
 /// cannot do without.
-pub(crate) fn suggest(subject: &Subject<'_>) -> Vec<Suggestion> {
+pub(crate) fn missing_pieces(subject: &Subject<'_>) -> Vec<Vec<ClassIndex>> {
     let stands = |class: &ClassIndex| stands_by_itself(&subject.catalog.classes[*class]);
-    let mut missing = missing_classes(subject).into_iter().filter(stands);
-    let fit = |class| match place_together(subject, &needed_beside(subject, class)) {
-        Together::Fit(suggestions) => Some(suggestions),
-        Together::TooMuch | Together::Unknown => None,
-    };
-    missing.find_map(fit).unwrap_or_default()
+    let missing = missing_classes(subject).into_iter().filter(stands);
+    missing.map(|class| needed_beside(subject, class)).collect()
 }
 
 /// A missing class and those of the other required lines.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use super::score::weighted_mean;
+use super::mean::weighted_mean;
 use super::subject::{Body, Subject};
 use super::windows;
 use super::zone::{NearPair, Purpose};

@@ -13,6 +13,7 @@ use super::clearances::Taking;
 use super::crooked::{angle_off, stands_straight};
 use super::groups::MOVABLE;
 use super::halves::middle_of;
+use super::mean::weighted_mean;
 use super::reach::Rates;
 use super::relations;
 use super::subject::{Body, Subject};
@@ -83,13 +84,6 @@ pub(crate) fn score(subject: &Subject<'_>, measured: &Measured<'_>) -> Option<Sc
 
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     weighted_mean(values.map(|value| (value, 1.0)))
-}
-
-/// The mean of values with their weights; `None` where nothing has weight.
-pub(crate) fn weighted_mean(values: impl Iterator<Item = (f64, f64)>) -> Option<f64> {
-    let add = |(sum, all): (f64, f64), (value, weight): (f64, f64)| (sum + value * weight, all + weight);
-    let (sum, all) = values.fold((0.0, 0.0), add);
-    (all > 0.0).then(|| sum / all)
 }
 
 /// For each side that asks for comfort, how much of it is free: 0 at its minimum.

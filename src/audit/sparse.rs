@@ -1,7 +1,7 @@
 //! `sparse`: much less furniture on the floor than the style and the type of the room ask for.
 
 use super::finding::{Code, Finding};
-use super::fit::{Held, can_hold};
+use super::possible::{Ask, Held, Question};
 use super::programme::programme;
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
@@ -9,7 +9,7 @@ use crate::catalog::{ClassIndex, ParentName};
 
 /// Judges the share of the floor that is covered. The low end of the type's range follows the style's
 /// density where that is below one.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Finding>) {
     let rules = subject.rules();
     let area = subject.room.region.area();
     let Some(room_type) = subject.catalog.room_types.get(&subject.room.room_type) else { return };
@@ -22,12 +22,12 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     let share = standing.fold(0.0, |sum, body| sum + body.footprint_area()) / area;
     if share < least - ROUNDING {
         let finding = Finding::new(Code::Sparse, Vec::new(), share, least);
-        findings.push(finding.if_possible(has_room_for_more(subject, area)));
+        findings.push(finding.if_possible(has_room_for_more(subject, area, ask)));
     }
 }
 
 /// Whether the empty room could hold some standing piece of its programme.
-fn has_room_for_more(subject: &Subject<'_>, area: f64) -> Held {
+fn has_room_for_more(subject: &Subject<'_>, area: f64, ask: Ask<'_>) -> Held {
     let lines = programme(subject).into_iter().filter(|line| (line.area.0..=line.area.1).contains(&area));
     let mut classes: Vec<ClassIndex> = lines.flat_map(|line| &line.classes).copied().collect();
     classes.sort_unstable();
@@ -38,7 +38,7 @@ fn has_room_for_more(subject: &Subject<'_>, area: f64) -> Held {
             matches!(rule.parent, ParentName::Floor | ParentName::Wall) && rule.elevation.0 == 0.0
         })
     };
-    Held::any(classes.into_iter().filter(stands).map(|class| can_hold(subject, class)))
+    Held::any(classes.into_iter().filter(stands).map(|class| ask(&Question::Class(class))))
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use core::cell::OnceCell;
 use std::collections::BTreeMap;
-use std::rc::Rc;
 
 use glam::DVec3;
 
@@ -12,11 +11,8 @@ use crate::layout::{Furnished, Parent, Placement, solids};
 use crate::plan::{Level, Room};
 
 use super::bounds::Bounds;
-use super::budget::Budget;
 use super::convex::area;
-use super::known::RoomKnowledge;
 use super::near::{NearBoxes, NearPoints};
-use super::thresholds::MOST_STEPS;
 
 /// One furnished room.
 pub(crate) struct Subject<'a> {
@@ -30,10 +26,6 @@ pub(crate) struct Subject<'a> {
     pub(crate) catalog: &'a Catalog,
     /// One per placement, in its order.
     pub(crate) bodies: Vec<Body<'a>>,
-    /// What was found out about the empty room.
-    pub(crate) known: Rc<RoomKnowledge>,
-    /// What is left for finding out more.
-    pub(crate) budget: Budget,
     /// Objects with those that belong to them, by index, sorted.
     children: Vec<(usize, usize)>,
     /// The boxes around the bodies.
@@ -73,17 +65,10 @@ impl<'a> Subject<'a> {
             furnished,
             catalog,
             bodies,
-            known: Rc::default(),
-            budget: Budget::new(MOST_STEPS),
             children,
             near_boxes: OnceCell::new(),
             by_class: OnceCell::new(),
         }
-    }
-
-    /// The same with what is known about the room.
-    pub(crate) fn knowing(self, known: &Rc<RoomKnowledge>) -> Self {
-        Self { known: Rc::clone(known), ..self }
     }
 
     /// The thresholds.

@@ -7,9 +7,10 @@ use crate::catalog::{
 use crate::geometry::{Point, Polygon, Region};
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
 use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
-
-use super::{Code, Finding, Verdict, judge_room};
 use crate::recipes::{GeometrySet, Slot, find};
+use crate::solve::judge_room;
+
+use super::{Code, Finding, Verdict};
 
 /// A room 2.5 m high with hand-placed objects of the test catalogue:
 /// chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3, picture 0.6 × 0.05 × 0.5,

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use super::clearances::{self, Taking, narrowest};
 use super::finding::{Code, Finding};
-use super::fit::can_hold_comfortably;
+use super::possible::{Ask, Question};
 use super::subject::Subject;
 use super::thresholds::ROUNDING;
 use super::zone::{NearPair, Purpose, Zone};
+use crate::layout::Placement;
 
 /// Metres within which two bodies take as much of a clearance: the 32-bit numbers of a file do not decide which is named.
 const SAME_DEPTH: f64 = 1e-5;
@@ -22,7 +23,7 @@ pub(crate) fn takings(subject: &Subject<'_>, zones: &[Zone], hits: &[NearPair<'_
 
 /// Judges what takes the good clearances; an object makes one finding, that of its tightest side. Where the
 /// good depth does not fit into the empty room, the plan asks for no more than the minimum.
-pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], findings: &mut Vec<Finding>) {
+pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], ask: Ask<'_>, findings: &mut Vec<Finding>) {
     let slack = subject.rules().clearances.intrusion + ROUNDING;
     let clearance = |taking: &Taking| &subject.bodies[taking.owner].class.clearances[taking.number];
     let lacks = |taking: &Taking| clearance(taking).good - taking.free;
@@ -41,7 +42,8 @@ pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], findings: &mut Ve
         let body = &subject.bodies[owner];
         let objects = vec![body.id.clone(), taking.blocker.clone()];
         let finding = Finding::new(Code::TightUse, objects, taking.free, clearance(taking).good);
-        finding.if_possible(can_hold_comfortably(subject, body))
+        let Placement { class, size, .. } = *body.placement;
+        finding.if_possible(ask(&Question::Comfortably { class, size }))
     }));
 }
 

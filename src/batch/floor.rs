@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::audit::{Finding, RoomAudit, Verdict};
+use crate::audit::{Finding, Verdict};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
@@ -10,6 +10,7 @@ use crate::layout::{FurnishOptions, Furnished, furnish_counted};
 use crate::output::{FloorOptions, LevelToWrite, TooLarge, WrittenLevel};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
+use crate::solve::RoomSolver;
 
 use super::bug::catch_bug;
 use super::context::Context;
@@ -120,16 +121,16 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
     let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
     let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
     let run = edits.map_or(run, |edits| edits.options(run, &locks));
-    let audit = RoomAudit::new(level, room, catalog);
-    let judge = |furnished: &Furnished| watch.measure(Stage::Audit, || audit.judge(furnished));
+    let solver = RoomSolver::new(level, room, catalog);
+    let judge = |furnished: &Furnished| watch.measure(Stage::Audit, || solver.judge(furnished));
     let judged = best_of(
         options.effort,
         |alternative| {
             watch.measure(Stage::Layout, || furnish_counted(level, room, catalog, &run, alternative))
         },
         judge,
-        |furnished| watch.measure(Stage::Audit, || audit.suggest_places(furnished)),
-        || audit.steps(),
+        |furnished| watch.measure(Stage::Audit, || solver.suggest_places(furnished)),
+        || solver.steps(),
     );
     let Finished { judged: Judged { furnished, verdict, .. }, misfits } = match edits {
         Some(edits) => finish(level, judged, edits, catalog, judge),

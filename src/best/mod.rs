@@ -1,15 +1,16 @@
 //! Best of several: a room is furnished from derived seeds until the audit finds nothing, a few times at most.
 //!
-//! Outside `layout/`, which knows no audit, and outside `audit/`, which changes no layout. The paper furnishes
+//! Outside `layout/`, which knows no audit, and outside `audit/` and `solve/`, which change no layout. The paper furnishes
 //! each room once; that samples are ranked by how good a room they make is the way of P. Merrell et al.,
 //! "Interactive Furniture Layout Using Interior Design Guidelines", 2011.
 
 use core::cmp::Ordering;
 
-use crate::audit::{Code, Finding, RoomAudit, Severity, Verdict};
+use crate::audit::{Code, Finding, Severity, Verdict};
 use crate::catalog::Catalog;
 use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, Suggestion, furnish_counted};
 use crate::plan::Level;
+use crate::solve::RoomSolver;
 
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: `docs/figures.md`, "Effort".
 pub const DEFAULT_EFFORT: u32 = 16;
@@ -17,17 +18,17 @@ pub const DEFAULT_EFFORT: u32 = 16;
 /// How many alternatives in a row may bring nothing better where only pieces are missing that nobody misses.
 const PATIENCE: u32 = 3;
 
-/// Steps of the layout ([`Counted`]) and of the audit's searches after which no further alternative begins. Of 10,454
+/// Steps of the layout ([`Counted`]) and of the solver after which no further alternative begins. Of 10,454
 /// random rooms, 91.2 % have no finding with so many, and 91.5 % without a limit, where the slowest takes fifty times as
 /// long.
 const MOST_STEPS: u64 = 700_000;
 
 /// The same while the best room fails.
 const MOST_STEPS_OF_FAILING: u64 = 1_600_000;
-/// Steps of the audit ([`RoomAudit::steps`]) in the time of one of the layout.
-const AUDIT_STEPS_A_STEP: u64 = 40;
+/// Steps of the solver ([`RoomSolver::steps`]) in the time of one of the layout.
+const SOLVER_STEPS_A_STEP: u64 = 40;
 
-/// How often a room is furnished at most with the places that the audit suggests.
+/// How often a room is furnished at most with the places that the solver suggests.
 const SUGGESTED_ALTERNATIVES: u32 = 3;
 
 /// A furnished room with what the audit says about it.
@@ -44,7 +45,7 @@ pub struct Judged {
 /// Furnishes one room up to `effort` times (at least once) and keeps the best.
 ///
 /// `room` is an index into `level.rooms`. The answer depends on the arguments only. A greater effort never gives a
-/// worse room, and with an effort of 1 the room is that of [`crate::layout::furnish`], but for rooms in which the audit
+/// worse room, and with an effort of 1 the room is that of [`crate::layout::furnish`], but for rooms in which the solver
 /// has to suggest places: these are furnished a few times more, from seeds that follow the effort.
 #[must_use]
 pub fn furnish_best(
@@ -54,27 +55,27 @@ pub fn furnish_best(
     options: &FurnishOptions<'_>,
     effort: u32,
 ) -> Judged {
-    let audit = RoomAudit::new(level, room, catalog);
+    let solver = RoomSolver::new(level, room, catalog);
     best_of(
         effort,
         |alternative| furnish_counted(level, room, catalog, options, alternative),
-        |furnished| audit.judge(furnished),
-        |furnished| audit.suggest_places(furnished),
-        || audit.steps(),
+        |furnished| solver.judge(furnished),
+        |furnished| solver.suggest_places(furnished),
+        || solver.steps(),
     )
 }
 
 /// The loop of [`furnish_best`], for callers that measure its parts: the first alternative without a finding
 /// and with all that was asked for, else the best of `effort`; of equals the earlier one. A room without a finding in
-/// which a piece is missing is not tried so often, for it may have no place. Where the best fails for want of a piece
-/// for which the audit sees a place, a few more follow in which that place is tried first. `audit_steps` says what the
-/// audit spent on the room so far, as [`RoomAudit::steps`].
+/// which a piece is missing is not tried so often, for it may have no place. If the best misses a required piece and the
+/// solver found a place for it, a few more follow that try this place first. `solver_steps` says what the
+/// solver spent on the room so far, as [`RoomSolver::steps`].
 pub fn best_of(
     effort: u32,
     mut furnish: impl FnMut(&Alternative) -> Counted,
     mut judge: impl FnMut(&Furnished) -> Verdict,
     mut suggest: impl FnMut(&Furnished) -> Vec<Suggestion>,
-    audit_steps: impl Fn() -> u64,
+    solver_steps: impl Fn() -> u64,
 ) -> Judged {
     let mut steps = 0;
     let mut make = |alternative: Alternative, steps: &mut u64| {
@@ -87,7 +88,7 @@ pub fn best_of(
     let mut in_vain = 0;
     for number in 1..effort {
         let is_enough = best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE);
-        if is_enough || steps + audit_steps() / AUDIT_STEPS_A_STEP >= best.most_steps() {
+        if is_enough || steps + solver_steps() / SOLVER_STEPS_A_STEP >= best.most_steps() {
             break;
         }
         let next = make(Alternative::numbered(number), &mut steps);
@@ -242,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn a_room_that_misses_what_the_audit_sees_a_place_for_is_furnished_around_that_place() {
+    fn a_room_that_misses_a_piece_with_a_known_place_is_furnished_with_that_place_first() {
         let furnish = |alternative: &Alternative| {
             let requested = u32::from(!alternative.suggestions.is_empty());
             counted(Furnished { requested, ..nothing() })

@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use super::pairs::Entry;
-use crate::audit::{Finding, judge_room};
+use crate::audit::Finding;
 use crate::batch::{FileRecord, LARGEST_RECORDS, MANIFEST_NAME, catch_bug, parse_manifest};
 use crate::catalog::Catalog;
 use crate::disk::{file_hash, look_inside, open_inside, read_regular, stray_step};
 use crate::document::Fault;
 use crate::read_back::{Inventory, ReadLevel, parse_inventory, parse_level, read_bytes};
+use crate::solve::judge_room;
 
 /// One side of a comparison.
 #[derive(Debug)]

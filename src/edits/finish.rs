@@ -3,11 +3,12 @@
 use super::apply::{Edited, apply};
 use super::book::{LevelEdits, RoomEdits};
 use super::misfit::Misfit;
-use crate::audit::{Finding, Severity, Verdict, judge_room};
+use crate::audit::{Finding, Severity, Verdict};
 use crate::best::{Judged, furnish_best};
 use crate::catalog::Catalog;
 use crate::layout::{FurnishOptions, Furnished, Lock};
 use crate::plan::Level;
+use crate::solve::judge_room;
 
 /// A room after its edits.
 #[derive(Clone, Debug)]

@@ -73,10 +73,11 @@ fn keep(environment: &mut Environment<'_>, place: Point) {
 
 #[cfg(test)]
 mod tests {
-    use crate::audit::{Code, audit_room};
+    use crate::audit::Code;
     use crate::catalog::{Access, Count, DEFAULT_STYLE, Untidiness};
     use crate::layout::Furnished;
     use crate::layout::tests::{catalog, level, run};
+    use crate::solve::judge_room;
 
     /// As many shelves as fit into an office 1.7 m deep, in a style that asks for access or not.
     fn office_with_access(access: Access) -> Furnished {
@@ -93,7 +94,7 @@ mod tests {
             let mut catalog = catalog(&[], Untidiness::default());
             catalog.styles.get_mut(DEFAULT_STYLE).unwrap().access = access;
             let level = level(&[(0.0, 0.0), (3.4, 0.0), (3.4, 1.7), (0.0, 1.7)]);
-            let findings = audit_room(&level, 0, furnished, &catalog);
+            let findings = judge_room(&level, 0, furnished, &catalog).findings;
             !findings.iter().any(|finding| finding.code == Code::NoTurningCircle)
         };
         let (usual, wide) = (office_with_access(Access::Walking), office_with_access(Access::Wheelchair));

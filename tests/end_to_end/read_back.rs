@@ -4,10 +4,11 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use roomwright::audit::{Code, Finding, Verdict, judge_room};
+use roomwright::audit::{Code, Finding, Verdict};
 use roomwright::layout::Parent;
 use roomwright::plan::OpeningKind;
 use roomwright::read_back::{ReadLevel, parse_level};
+use roomwright::solve::judge_room;
 
 use crate::pipeline::{BakedLevel, Pipeline, each_level};
 use crate::root;

@@ -16,12 +16,25 @@ def graph() -> SourceGraph:
     return SourceGraph(PROJECT / "src")
 
 
-FOLDERS = ["layout", "batch", "plan/read", "recipes", "texture", "scene", "walk", "geometry"]
+FOLDERS = [
+    "layout", "audit", "solve", "best", "batch", "plan/read", "recipes", "texture", "scene", "walk", "geometry"
+]
+# Rooms are furnished, judged, searched for places and furnished again: no stage knows those after it.
+STAGES = ["layout", "audit", "solve", "best"]
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
 def test_no_file_uses_itself_through_others(graph, folder):
     assert graph.circles(tuple(folder.split("/"))) == []
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_no_stage_of_a_room_uses_a_later_one(graph, stage):
+    later = STAGES[STAGES.index(stage) + 1 :]
+    is_test = lambda module: module[-1] in ("tests", "testing")  # noqa: E731
+    of_stage = {module: used for module, used in graph.uses.items() if module[:1] == (stage,) and not is_test(module)}
+    assert of_stage
+    assert [(module, other) for module, used in of_stage.items() for other in used if other[0] in later] == []
 
 
 def test_textures_know_the_catalogue_and_not_the_other_way_round(graph):

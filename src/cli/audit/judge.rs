@@ -6,13 +6,14 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::shown;
-use crate::audit::{AuditSummary, Finding, Grade, Score, judge_room};
+use crate::audit::{AuditSummary, Finding, Grade, Score};
 use crate::batch::catch_bug;
 use crate::catalog::Catalog;
 use crate::contract::FindingExtras;
 use crate::document::{Fault, Faults};
 use crate::layout::Furnished;
 use crate::read_back::{ReadLevel, read_level};
+use crate::solve::judge_room;
 
 /// A level with what the audit says about it; as it is written for machines.
 #[derive(Debug, Serialize, JsonSchema)]

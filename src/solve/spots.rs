@@ -2,11 +2,12 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use crate::audit::ROUNDING;
 use crate::catalog::{Class, ParentName, Size};
 use crate::geometry::Point;
 use crate::plan::{FRAME_WIDTH, Wall};
 
-use super::super::thresholds::{FIT_STEP, ROUNDING, SAME_DIRECTION};
+use super::constants::{FIT_STEP, SAME_DIRECTION};
 use super::footprint::{LocalBox, Part, Turned};
 use super::space::Space;
 
@@ -35,10 +36,10 @@ impl Space<'_, '_> {
     /// Calls `is_it` with the free places, those along the walls first, until it answers yes or the budget is spent.
     pub(super) fn any_free(&self, trial: &Trial<'_>, mut is_it: impl FnMut(Spot, &[Part]) -> bool) -> bool {
         let mut turned = Turned::new(trial.boxes);
-        let walls = self.subject.room.walls.iter().enumerate();
+        let walls = self.empty.room.walls.iter().enumerate();
         for wall in walls.filter(|(_, wall)| wall.length() > ROUNDING) {
             for spot in self.spots_at_wall(trial, wall) {
-                if self.subject.budget.is_overdrawn() {
+                if self.empty.budget.is_overdrawn() {
                     return false;
                 }
                 let parts = turned.to(spot.angle);
@@ -63,7 +64,7 @@ impl Space<'_, '_> {
         parts: &[Part],
         mut is_it: impl FnMut(Spot, &[Part]) -> bool,
     ) -> bool {
-        let (low, high) = self.subject.room.region.outline.bounds();
+        let (low, high) = self.empty.room.region.outline.bounds();
         for x in steps(low.x, high.x, step) {
             let mut number = 0_u32;
             loop {
@@ -71,7 +72,7 @@ impl Space<'_, '_> {
                 if position.y > high.y {
                     break;
                 }
-                if self.subject.budget.is_overdrawn() {
+                if self.empty.budget.is_overdrawn() {
                     return false;
                 }
                 number += 1;
@@ -90,16 +91,16 @@ impl Space<'_, '_> {
 
     /// How many places [`Space::any_free`] asks for at most, at [`FIT_STEP`].
     pub(super) fn spot_count(&self, class: &Class) -> f64 {
-        let (low, high) = self.subject.room.region.outline.bounds();
+        let (low, high) = self.empty.room.region.outline.bounds();
         let inside = ((high - low) / FIT_STEP).element_product() * 4.0 * self.directions().len() as f64;
-        let along_walls: f64 = self.subject.room.walls.iter().map(|wall| wall.length() / FIT_STEP).sum();
+        let along_walls: f64 = self.empty.room.walls.iter().map(|wall| wall.length() / FIT_STEP).sum();
         if needs_wall(class) { along_walls } else { inside + along_walls }
     }
 
     /// The directions of the walls that are no quarter turns of each other, nearly parallel ones once.
     fn directions(&self) -> Vec<f64> {
         let mut directions: Vec<Point> = Vec::new();
-        for wall in self.subject.room.walls.iter().filter(|wall| wall.length() > ROUNDING) {
+        for wall in self.empty.room.walls.iter().filter(|wall| wall.length() > ROUNDING) {
             let along = wall.direction();
             let is_known =
                 |known: &Point| known.perp_dot(along).abs().min(known.dot(along).abs()) < SAME_DIRECTION;
@@ -112,15 +113,15 @@ impl Space<'_, '_> {
 
     /// Along a wall, the back of the piece to it, before solid wall.
     fn spots_at_wall(&self, trial: &Trial<'_>, (number, wall): (usize, &Wall)) -> impl Iterator<Item = Spot> {
-        let (size, subject) = (trial.size, self.subject);
+        let (size, empty) = (trial.size, self.empty);
         let angle = libm::atan2(wall.direction().y, wall.direction().x) + core::f64::consts::PI;
         let off_wall = wall.normal() * (size.depth / 2.0 + ROUNDING);
         let (start, along) = (wall.start, wall.direction());
         let is_solid = move |&along: &f64| {
-            let mut here = subject.room.openings.iter().filter(|place| place.wall == number);
+            let mut here = empty.room.openings.iter().filter(|place| place.wall == number);
             let (from, to) = (along - size.width / 2.0, along + size.width / 2.0);
             !here.any(|place| {
-                let is_framed = subject.level.openings[place.opening].kind.has_frame();
+                let is_framed = empty.level.openings[place.opening].kind.has_frame();
                 let frame = if is_framed { FRAME_WIDTH } else { 0.0 };
                 place.from - frame < to && from < place.to + frame
             })

@@ -1,56 +1,13 @@
-//! How much work one judgement may spend on questions about the empty room, and what earlier ones found out.
+//! Answers that are remembered, each with the steps that it took.
 //!
 //! The answers depend on level, room and catalogue alone, so that further arrangements of the same room need not search
 //! again. A remembered answer is charged like one that is searched for: whether a judgement gives up depends on the
 //! room that it judges, never on those judged before.
 
-use core::cell::{Cell, RefCell};
+use core::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Steps that are left. A step is a place, a border or a body that is looked at, or a few cells of a floor: some
-/// nanoseconds.
-#[derive(Debug)]
-pub(crate) struct Budget {
-    left: Cell<u64>,
-    is_overdrawn: Cell<bool>,
-    /// Steps that were really made.
-    made: Cell<u64>,
-}
-
-impl Budget {
-    pub(crate) fn new(steps: u64) -> Self {
-        Self { left: Cell::new(steps), is_overdrawn: Cell::new(false), made: Cell::new(0) }
-    }
-
-    /// Makes some steps; answers whether there were as many.
-    pub(crate) fn spend(&self, steps: u64) -> bool {
-        self.made.set(self.made.get() + steps);
-        self.charge(steps)
-    }
-
-    /// Steps that were made, without those of remembered answers.
-    pub(crate) fn made(&self) -> u64 {
-        self.made.get()
-    }
-
-    fn charge(&self, steps: u64) -> bool {
-        let left = self.left.get();
-        self.left.set(left.saturating_sub(steps));
-        if steps > left {
-            self.is_overdrawn.set(true);
-        }
-        !self.is_overdrawn.get()
-    }
-
-    /// Whether more steps were asked for than there were: all that is searched from now on is given up.
-    pub(crate) fn is_overdrawn(&self) -> bool {
-        self.is_overdrawn.get()
-    }
-
-    fn left(&self) -> u64 {
-        self.left.get()
-    }
-}
+use super::budget::Budget;
 
 /// Answers by question, each with what it took.
 #[derive(Debug)]
@@ -129,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_given_up_is_searched_for_again_by_who_has_more_steps() {
+    fn a_search_that_was_given_up_is_made_again_with_more_steps() {
         let known = Known::default();
         assert_eq!(ask(&known, 9), (None, 0, true));
         assert_eq!(ask(&known, 8), (None, 0, false));
@@ -138,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn who_has_overdrawn_once_gets_no_further_answers() {
+    fn an_overdrawn_budget_gets_no_further_answers() {
         let (budget, known) = (Budget::new(5), Known::<u8, u8>::default());
         assert!(budget.spend(5) && !budget.is_overdrawn());
         assert!(!budget.spend(1) && !budget.spend(0));

@@ -1,42 +1,22 @@
 //! Whether an empty room could hold a piece: what separates a fault of the layout from a room too small.
 //!
-//! All of it is paid from the budget of the judgement ([`super::budget`]): where that is spent, the answer is that
-//! nothing is known.
-
-mod borders;
-mod footprint;
-mod space;
-mod spots;
-
-pub(crate) use footprint::Footprint;
-pub(crate) use space::Space;
-pub(crate) use spots::Spot;
+//! All of it is paid from the budget of the judgement ([`super::budget`]): where that is spent, an answer means nothing.
 
 use std::rc::Rc;
 
 use crate::catalog::{Class, ClassIndex, Clearance, Size};
-use crate::geometry::Point;
+use crate::geometry::{Point, Solid};
 
-use super::subject::{Body, Subject};
-use super::thresholds::{FIT_STEP, MOST_STEPS};
-use footprint::{bounds_of, lowest_underside, needed_boxes};
-use spots::Trial;
+use super::constants::{FIT_STEP, MOST_STEPS};
+use super::empty_room::EmptyRoom;
+use super::footprint::{Footprint, bounds_of, lowest_underside, needed_boxes};
+use super::space::Space;
+use super::spots::{Spot, Trial};
 
 /// Places that are asked for at most before they are taken more coarsely: those of the largest rooms that people live
 /// in. Each is some hundred bytes where the piece may stand. Fewer where the room has so many borders that half of the
 /// budget would not suffice.
 const MOST_SPOTS: f64 = 400_000.0;
-
-/// Whether a room has a place for something.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Held {
-    /// It has.
-    Yes,
-    /// It has not.
-    No,
-    /// The search was given up.
-    Unknown,
-}
 
 /// A piece where it could stand.
 #[derive(Debug)]
@@ -61,67 +41,46 @@ pub(crate) struct Stands {
 /// Whether some size of a class, with its smallest clearances, fits somewhere on the empty floor: clear of
 /// walls, columns and door zones, and with its back to a solid stretch of wall if it can stand in no other
 /// way. Positions are tried every [`FIT_STEP`]; "no" may miss a fit without slack, "yes" never errs.
-pub(crate) fn can_hold(subject: &Subject<'_>, class: ClassIndex) -> Held {
-    let search = || {
-        let class = &subject.catalog.classes[class];
-        let empty = Space::empty(subject);
-        class.sizes.iter().any(|&size| empty.holds(class, size, |clearance| clearance.minimum))
-    };
-    Held::of(subject.known.held.answer(class, &subject.budget, search))
+pub(crate) fn can_hold(empty: &EmptyRoom<'_>, class: ClassIndex) -> bool {
+    let class = &empty.catalog.classes[class];
+    let space = Space::empty(empty);
+    class.sizes.iter().any(|&size| space.holds(class, size, |clearance| clearance.minimum))
 }
 
-/// The same for one body with its good clearances.
-pub(crate) fn can_hold_comfortably(subject: &Subject<'_>, body: &Body<'_>) -> Held {
-    let size = body.placement.size;
-    let search = || Space::empty(subject).holds(body.class, size, |clearance| clearance.good);
-    let bits = [size.width, size.depth, size.height].map(f64::to_bits);
-    Held::of(subject.known.held_comfortably.answer((body.placement.class, bits), &subject.budget, search))
+/// The same for one size with its good clearances.
+pub(crate) fn can_hold_comfortably(empty: &EmptyRoom<'_>, class: ClassIndex, size: Size) -> bool {
+    Space::empty(empty).holds(&empty.catalog.classes[class], size, |clearance| clearance.good)
 }
 
-/// Whether a body could stand, with its smallest clearances, among the others on one side of a line: to the
+/// Whether a size of a class could stand, with its smallest clearances, among some bodies on one side of a line: to the
 /// left of a direction from a point.
-pub(crate) fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point)) -> Held {
-    let among =
-        subject.bodies.iter().filter(|other| other.low() < body.high() && !other.placement.is_covering());
-    let bodies = among.flat_map(|other| &other.solids).collect();
-    let space = Space::empty(subject).beside(bodies, line);
-    let is_held = space.holds(body.class, body.placement.size, |clearance| clearance.minimum);
-    Held::of((is_held || !subject.budget.is_overdrawn()).then_some(is_held))
+pub(crate) fn has_room_beside(
+    empty: &EmptyRoom<'_>,
+    (class, size): (ClassIndex, Size),
+    among: &[&Solid],
+    line: (Point, Point),
+) -> bool {
+    let space = Space::empty(empty).beside(among.to_vec(), line);
+    space.holds(&empty.catalog.classes[class], size, |clearance| clearance.minimum)
 }
 
-/// All free places for the smallest size of a class with its smallest clearances; nothing where the budget is spent.
-pub(crate) fn free_stands(subject: &Subject<'_>, class: ClassIndex, size: Size) -> Option<Stands> {
-    let search = || Space::empty(subject).free_stands(&subject.catalog.classes[class], size);
-    subject.known.stands.answer(class, &subject.budget, search)
+/// All free places for the smallest size of a class with its smallest clearances.
+pub(crate) fn free_stands(empty: &EmptyRoom<'_>, class: ClassIndex) -> Stands {
+    let class = &empty.catalog.classes[class];
+    Space::empty(empty).free_stands(class, smallest_size(class))
 }
 
-impl Held {
-    fn of(answer: Option<bool>) -> Self {
-        match answer {
-            Some(true) => Self::Yes,
-            Some(false) => Self::No,
-            None => Self::Unknown,
-        }
-    }
-
-    /// Whether any of some questions, asked until one is answered yes, is.
-    pub(crate) fn any(answers: impl Iterator<Item = Self>) -> Self {
-        let mut known = Self::No;
-        for answer in answers {
-            match answer {
-                Self::Yes => return Self::Yes,
-                Self::Unknown => known = Self::Unknown,
-                Self::No => {}
-            }
-        }
-        known
-    }
+/// The size of a class that takes least floor.
+pub(crate) fn smallest_size(class: &Class) -> Size {
+    let area = |size: &&Size| size.width * size.depth;
+    let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
+    *smallest.expect("a class has a size")
 }
 
 impl Space<'_, '_> {
     fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
         let boxes = needed_boxes(class, size, depth_of);
-        lowest_underside(class) + size.height <= self.subject.room.height
+        lowest_underside(class) + size.height <= self.empty.room.height
             && self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP }, |_, _| true)
     }
 
@@ -161,9 +120,8 @@ mod tests {
     use crate::plan::{FRAME_WIDTH, Obstacle, OpeningKind};
 
     fn holds(room: &TestRoom, class: &str) -> bool {
-        let furnished = room.furnished();
-        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
-        can_hold(&subject, room.catalog.class_index(class).unwrap()) == Held::Yes
+        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, MOST_STEPS);
+        can_hold(&empty, room.catalog.class_index(class).unwrap())
     }
 
     #[test]

@@ -1,13 +1,11 @@
 //! Where a piece may stand on the floor of a room.
 
+use crate::audit::{ROUNDING, clip_segment, door_zones, middle, penetration};
 use crate::geometry::{Grid, Point, Solid, bounds_overlap};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, RoomOpening};
 
-use super::super::convex::{clip_segment, middle, penetration};
-use super::super::doors;
-use super::super::subject::Subject;
-use super::super::thresholds::ROUNDING;
 use super::borders::Borders;
+use super::empty_room::EmptyRoom;
 use super::footprint::{Footprint, Part, bounds_of};
 
 /// Metres that boxes must be apart for their contents to be: more than rounding makes of contact.
@@ -17,7 +15,7 @@ const EDGES_A_STEP: u64 = 4;
 
 /// Where a piece may stand.
 pub(crate) struct Space<'s, 'a> {
-    pub(super) subject: &'s Subject<'a>,
+    pub(super) empty: &'s EmptyRoom<'a>,
     borders: Borders,
     /// Corners of what no piece may stand in: the ways through the doors, and their frames, each with the box around it.
     door_zones: Vec<(Vec<Point>, (Point, Point))>,
@@ -32,10 +30,10 @@ pub(crate) struct Space<'s, 'a> {
 }
 
 /// What the frames of doors and passages take of the floor.
-fn frames(subject: &Subject<'_>) -> impl Iterator<Item = Vec<Point>> {
-    let kind = |place: &RoomOpening| subject.level.openings[place.opening].kind;
-    subject.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
-        let wall = &subject.room.walls[place.wall];
+fn frames(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
+    let kind = |place: &RoomOpening| empty.level.openings[place.opening].kind;
+    empty.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
+        let wall = &empty.room.walls[place.wall];
         let at = |along: f64| wall.start + wall.direction() * along;
         let (start, end) = (at(place.from - FRAME_WIDTH), at(place.to + FRAME_WIDTH));
         let outward = wall.normal() * FRAME_DEPTH;
@@ -45,14 +43,15 @@ fn frames(subject: &Subject<'_>) -> impl Iterator<Item = Vec<Point>> {
 
 impl<'s, 'a> Space<'s, 'a> {
     /// The room without furniture.
-    pub(crate) fn empty(subject: &'s Subject<'a>) -> Self {
-        let passages = doors::zones(subject).into_iter().map(|zone| zone.base);
-        let zones = passages.chain(frames(subject));
+    pub(crate) fn empty(empty: &'s EmptyRoom<'a>) -> Self {
+        let passages =
+            door_zones((empty.level, empty.room), empty.rules().doors).into_iter().map(|zone| zone.base);
+        let zones = passages.chain(frames(empty));
         Self {
-            subject,
-            borders: Borders::new(subject),
+            empty,
+            borders: Borders::new(empty),
             door_zones: zones.map(|zone| (bounds_of(zone.iter()), zone)).map(|(a, b)| (b, a)).collect(),
-            columns: subject.room.obstacles.iter().map(|column| column.outline.bounds()).collect(),
+            columns: empty.room.obstacles.iter().map(|column| column.outline.bounds()).collect(),
             bodies: Vec::new(),
             body_grid: None,
             line: None,
@@ -61,7 +60,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     /// The same on one side of a line, among some bodies.
     pub(super) fn beside(self, bodies: Vec<&'s Solid>, line: (Point, Point)) -> Self {
-        let (low, high) = self.subject.room.region.outline.bounds();
+        let (low, high) = self.empty.room.region.outline.bounds();
         let mut grid = Grid::new(low, high);
         for (number, body) in (0..).zip(&bodies) {
             grid.insert(number, body.bounds);
@@ -70,7 +69,7 @@ impl<'s, 'a> Space<'s, 'a> {
     }
 
     fn spend(&self, steps: u64) {
-        self.subject.budget.spend(steps);
+        self.empty.budget.spend(steps);
     }
 
     /// About what one place of a piece of so many parts takes: for each, whether its middle is inside, twice, and whether
@@ -104,7 +103,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     fn contains(&self, point: Point) -> bool {
         self.spend(1 + self.borders.len() as u64 / EDGES_A_STEP);
-        self.subject.room.region.contains(point)
+        self.empty.room.region.contains(point)
     }
 
     /// Whether a piece of these parts, the first its body, may stand at a place.
@@ -130,7 +129,7 @@ impl<'s, 'a> Space<'s, 'a> {
     fn is_in_column(&self, point: Point) -> bool {
         self.spend(self.columns.len() as u64 / EDGES_A_STEP);
         let is_near = |(low, high): &(Point, Point)| low.cmple(point).all() && point.cmple(*high).all();
-        let mut columns = self.columns.iter().zip(&self.subject.room.obstacles);
+        let mut columns = self.columns.iter().zip(&self.empty.room.obstacles);
         columns.any(|(bounds, column)| is_near(bounds) && column.outline.contains(point))
     }
 

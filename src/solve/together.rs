@@ -1,14 +1,14 @@
 //! Whether an empty room could hold several pieces at the same time, and where.
 
+use crate::audit::{ROUNDING, penetration};
 use crate::catalog::{Class, ClassIndex, Size};
 use crate::geometry::{Convex, Solid, bounds_overlap};
 use crate::layout::Suggestion;
 use crate::walk::{EmptyWalks, Floor, Goal};
 
-use super::convex::penetration;
-use super::fit::{Footprint, Stand, Stands, free_stands};
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
+use super::empty_room::EmptyRoom;
+use super::footprint::Footprint;
+use super::hold::{Stand, Stands, smallest_size};
 
 /// Pairs of places compared before the question is given up.
 const MOST_TESTS: u32 = 1_000_000;
@@ -33,35 +33,39 @@ pub(crate) enum Together {
 }
 
 /// Whether one piece of each class, in its smallest size and with its smallest clearances, fits on the empty floor
-/// at the same time. Clearances may share space.
-pub(crate) fn place_together(subject: &Subject<'_>, classes: &[ClassIndex]) -> Together {
-    let search = || search(subject, classes).unwrap_or(Together::Unknown);
-    let answer = subject.known.together.answer(classes.to_vec(), &subject.budget, search);
-    answer.unwrap_or(Together::Unknown)
-}
-
-/// The search of [`place_together`]; nothing where the budget is spent.
-fn search(subject: &Subject<'_>, classes: &[ClassIndex]) -> Option<Together> {
-    let choices: Option<Vec<Choice<'_>>> = classes.iter().map(|&class| Choice::new(subject, class)).collect();
-    let choices = choices?;
+/// at the same time. Clearances may share space. `places_of` gives the places of each class by itself.
+pub(crate) fn place_together(
+    empty: &EmptyRoom<'_>,
+    classes: &[ClassIndex],
+    places_of: impl Fn(ClassIndex) -> Option<Stands>,
+) -> Together {
+    let choices = classes.iter().map(|&class| Some(Choice::new(empty, class, places_of(class)?)));
+    let choices: Option<Vec<Choice<'_>>> = choices.collect();
+    // Of some class the budget did not suffice to find the places.
+    let Some(choices) = choices else { return Together::Unknown };
     let open: Vec<Open<'_>> =
         choices.iter().map(|choice| Open { choice, stands: choice.stands().collect() }).collect();
-    let rules = &subject.rules().walking;
-    let floor = Floor::new((subject.level, subject.room), rules, core::iter::empty());
-    let empty = floor.as_ref().map(|floor| EmptyWalks::new(floor, rules));
-    let quick = Search::new(subject, empty.as_ref(), MOST_ARRANGEMENTS);
-    let answer = match (quick.answer(&open), &empty) {
-        (Together::Unknown, Some(empty)) if empty.join_all_doors() => {
-            let most = (MOST_FLOOR / subject.room.region.area()) as u32;
-            Search { is_careful: true, ..Search::new(subject, Some(empty), most) }.answer(&open)
-        }
-        (answer, _) => answer,
-    };
+    let answer = search(empty, &open);
     let knows_all_places = choices.iter().all(|choice| choice.places.are_all);
-    Some(match answer {
+    match answer {
         Together::TooMuch if !knows_all_places => Together::Unknown,
         answer => answer,
-    })
+    }
+}
+
+/// Looks at the ways of whole arrangements; if none of those it tries is open, again with care.
+fn search(empty: &EmptyRoom<'_>, open: &[Open<'_>]) -> Together {
+    let rules = &empty.rules().walking;
+    let floor = Floor::new((empty.level, empty.room), rules, core::iter::empty());
+    let walks = floor.as_ref().map(|floor| EmptyWalks::new(floor, rules));
+    let quick = Search::new(empty, walks.as_ref(), MOST_ARRANGEMENTS);
+    match (quick.answer(open), &walks) {
+        (Together::Unknown, Some(walks)) if walks.join_all_doors() => {
+            let most = (MOST_FLOOR / empty.room.region.area()) as u32;
+            Search { is_careful: true, ..Search::new(empty, Some(walks), most) }.answer(open)
+        }
+        (answer, _) => answer,
+    }
 }
 
 /// A piece with all the places that it has in the empty room.
@@ -73,13 +77,9 @@ struct Choice<'c> {
 }
 
 impl<'c> Choice<'c> {
-    /// Nothing where the budget does not suffice to find its places.
-    fn new(subject: &Subject<'c>, index: ClassIndex) -> Option<Self> {
-        let class = &subject.catalog.classes[index];
-        let area = |size: &&Size| size.width * size.depth;
-        let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
-        let size = *smallest.expect("a class has a size");
-        Some(Self { index, class, size, places: free_stands(subject, index, size)? })
+    fn new(empty: &EmptyRoom<'c>, index: ClassIndex, places: Stands) -> Self {
+        let class = &empty.catalog.classes[index];
+        Self { index, class, size: smallest_size(class), places }
     }
 
     /// All places, those along walls first, neighbours far from each other.
@@ -114,9 +114,9 @@ struct Open<'s> {
 /// A depth-first search for places that agree, with forward checking (R. Haralick, G. Elliott, "Increasing Tree
 /// Search Efficiency for Constraint Satisfaction Problems", 1980).
 struct Search<'s, 'a> {
-    subject: &'s Subject<'a>,
+    empty: &'s EmptyRoom<'a>,
     /// Where people get to in the empty room; nothing where no door leads in.
-    empty: Option<&'s EmptyWalks<'s>>,
+    walks: Option<&'s EmptyWalks<'s>>,
     placed: Vec<(&'s Choice<'s>, &'s Stand)>,
     tests: u32,
     /// How often ways were looked at.
@@ -129,9 +129,9 @@ struct Search<'s, 'a> {
 }
 
 impl<'s, 'a> Search<'s, 'a> {
-    fn new(subject: &'s Subject<'a>, empty: Option<&'s EmptyWalks<'s>>, most_arrangements: u32) -> Self {
+    fn new(empty: &'s EmptyRoom<'a>, walks: Option<&'s EmptyWalks<'s>>, most_arrangements: u32) -> Self {
         let placed = Vec::new();
-        Self { subject, empty, placed, tests: 0, arrangements: 0, most_arrangements, is_careful: false }
+        Self { empty, walks, placed, tests: 0, arrangements: 0, most_arrangements, is_careful: false }
     }
 
     fn answer(mut self, open: &[Open<'s>]) -> Together {
@@ -196,7 +196,7 @@ impl<'s, 'a> Search<'s, 'a> {
     /// The places of a piece that agree with another's.
     fn left_beside(&mut self, open: &Open<'s>, stand: &Stand) -> Open<'s> {
         self.tests += u32::try_from(open.stands.len()).unwrap_or(MOST_TESTS);
-        self.subject.budget.spend(open.stands.len() as u64);
+        self.empty.budget.spend(open.stands.len() as u64);
         let stands = open.stands.iter().copied().filter(|other| agree(stand, other)).collect();
         Open { choice: open.choice, stands }
     }
@@ -204,24 +204,24 @@ impl<'s, 'a> Search<'s, 'a> {
     fn is_given_up(&self) -> bool {
         self.tests > MOST_TESTS
             || self.arrangements >= self.most_arrangements
-            || self.subject.budget.is_overdrawn()
+            || self.empty.budget.is_overdrawn()
     }
 
     /// Whether people get to all doors and to the pieces that have places.
     fn has_open_ways(&mut self) -> bool {
         self.arrangements += 1;
-        let rules = &self.subject.rules().walking;
+        let rules = &self.empty.rules().walking;
         let solids: Vec<Solid> = self.placed.iter().map(|(choice, stand)| body(choice, stand)).collect();
-        let Some(empty) = self.empty else { return true };
-        let floor = &empty.floor().with(rules, solids.iter());
-        self.subject.budget.spend(floor.cell_count() as u64 / CELLS_A_STEP);
+        let Some(walks) = self.walks else { return true };
+        let floor = &walks.floor().with(rules, solids.iter());
+        self.empty.budget.spend(floor.cell_count() as u64 / CELLS_A_STEP);
         let sides = self.placed.iter().flat_map(|(choice, stand)| {
             let clearances = choice.class.clearances.iter().zip(&stand.parts[1..]);
             clearances.filter(|(clearance, _)| clearance.minimum >= rules.narrow_person).map(|(_, part)| part)
         });
         let sides = sides.map(|part| Goal::Area(&part.corners));
         let goals: Vec<Goal<'_>> = floor.doors().map(Goal::Door).chain(sides).collect();
-        !empty.are_blocked(floor, rules, &goals)
+        !walks.are_blocked(floor, rules, &goals)
     }
 
     fn suggestions(&self) -> Vec<Suggestion> {
@@ -255,13 +255,14 @@ mod tests {
     use super::*;
     use crate::audit::testing::TestRoom;
     use crate::plan::OpeningKind;
+    use crate::solve::constants::MOST_STEPS;
+    use crate::solve::hold::free_stands;
 
     fn place(room: &TestRoom, classes: &[&str]) -> Together {
-        let furnished = room.furnished();
-        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
+        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, MOST_STEPS);
         let classes: Vec<ClassIndex> =
             classes.iter().map(|class| room.catalog.class_index(class).unwrap()).collect();
-        place_together(&subject, &classes)
+        place_together(&empty, &classes, |class| Some(free_stands(&empty, class)))
     }
 
     #[test]
@@ -315,14 +316,14 @@ mod tests {
     #[test]
     fn whole_arrangements_alone_do_not_tell_that_a_corridor_is_too_narrow() {
         let room = corridor(0.2);
-        let furnished = room.furnished();
-        let subject = Subject::new(&room.level, 0, &furnished, &room.catalog);
-        let choice = Choice::new(&subject, room.catalog.class_index("chest").unwrap()).unwrap();
+        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, MOST_STEPS);
+        let chest = room.catalog.class_index("chest").unwrap();
+        let choice = Choice::new(&empty, chest, free_stands(&empty, chest));
         let open = [Open { choice: &choice, stands: choice.stands().collect() }];
-        let rules = &subject.rules().walking;
-        let floor = Floor::new((subject.level, subject.room), rules, core::iter::empty()).unwrap();
-        let empty = EmptyWalks::new(&floor, rules);
-        let quick = Search::new(&subject, Some(&empty), MOST_ARRANGEMENTS);
+        let rules = &empty.rules().walking;
+        let floor = Floor::new((empty.level, empty.room), rules, core::iter::empty()).unwrap();
+        let walks = EmptyWalks::new(&floor, rules);
+        let quick = Search::new(&empty, Some(&walks), MOST_ARRANGEMENTS);
         assert!(matches!(quick.answer(&open), Together::Unknown));
     }
 

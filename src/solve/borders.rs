@@ -2,7 +2,7 @@
 
 use crate::geometry::{Grid, Point, bounds_overlap, nearest_on_segment};
 
-use super::super::subject::Subject;
+use super::empty_room::EmptyRoom;
 
 /// Borders from which on a grid finds those near a place faster than looking at each.
 const MANY: usize = 32;
@@ -16,10 +16,10 @@ pub(super) struct Borders {
 }
 
 impl Borders {
-    pub(super) fn new(subject: &Subject<'_>) -> Self {
-        let columns = subject.room.obstacles.iter().flat_map(|column| column.outline.edges());
-        let edges: Vec<(Point, Point)> = subject.room.region.borders().chain(columns).collect();
-        let (low, high) = subject.room.region.outline.bounds();
+    pub(super) fn new(empty: &EmptyRoom<'_>) -> Self {
+        let columns = empty.room.obstacles.iter().flat_map(|column| column.outline.edges());
+        let edges: Vec<(Point, Point)> = empty.room.region.borders().chain(columns).collect();
+        let (low, high) = empty.room.region.outline.bounds();
         let grid = (edges.len() > MANY).then(|| {
             let mut grid = Grid::new(low, high);
             for (number, &(start, end)) in (0..).zip(&edges) {
