@@ -5,7 +5,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::contract::FindingExtras;
 
+use super::checks::Code;
+use super::fault::{Fault, FloorRegion, Named, Thing};
 use super::possible::Held;
+use super::quantity::Quantity;
+use super::severity::Severity;
 
 /// A fault of a furnished room.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -16,13 +20,22 @@ pub struct Finding {
     pub severity: Severity,
     /// Ids of the objects concerned, sorted; an opening is `door:<id>`, a missing piece its class.
     pub objects: Vec<String>,
-    /// The measured value: metres, degrees, a share or a count.
+    /// The measured value, in the unit of the quantity.
     pub measured: f64,
-    /// The threshold that it breaks.
+    /// The threshold that it breaks, in the same unit.
     pub threshold: f64,
     /// Whether it was not searched further if the plan leaves another choice: the finding then counts as if it did.
     #[serde(skip_serializing_if = "is_false")]
     pub not_searched_further: bool,
+    /// What the objects are, in their order.
+    #[serde(skip)]
+    pub things: Vec<Thing>,
+    /// What was measured.
+    #[serde(skip)]
+    pub quantity: Quantity,
+    /// The floor that it is about; empty where it is about things only.
+    #[serde(skip)]
+    pub region: Vec<FloorRegion>,
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
@@ -31,19 +44,14 @@ fn is_false(word: &bool) -> bool {
 }
 
 impl Finding {
-    /// A finding of a kind; sorts the objects.
-    pub(crate) fn new(code: Code, mut objects: Vec<String>, measured: f64, threshold: f64) -> Self {
-        objects.sort_unstable();
-        Self { code, severity: code.severity(), objects, measured, threshold, not_searched_further: false }
-    }
-
-    /// The same finding after a search for whether the plan leaves another choice.
-    pub(crate) fn if_possible(self, is_possible: Held) -> Self {
-        match is_possible {
-            Held::Yes => self,
-            Held::No => self.given(),
-            Held::Unknown => Self { not_searched_further: true, ..self },
-        }
+    /// The finding of a fault.
+    pub(crate) fn new(code: Code, fault: Fault) -> Self {
+        let Fault { mut subjects, quantity, measured, threshold, region, is_possible } = fault;
+        subjects.sort_unstable();
+        let (objects, things) = subjects.into_iter().map(|Named { id, thing }| (id, thing)).unzip();
+        let severity = if is_possible == Held::No { Severity::Given } else { code.severity() };
+        let not_searched_further = is_possible == Held::Unknown;
+        Self { code, severity, objects, measured, threshold, not_searched_further, things, quantity, region }
     }
 
     /// The finding as files hold it.
@@ -58,11 +66,23 @@ impl Finding {
             not_searched_further: self.not_searched_further,
         }
     }
+}
 
-    /// The same finding where the plan leaves no other choice.
-    pub(crate) fn given(self) -> Self {
-        Self { severity: Severity::Given, ..self }
-    }
+/// The findings of faults: sorted by code and objects, each once, and of those that begin with the same object not too many.
+pub(crate) fn findings(faults: impl Iterator<Item = (Code, Fault)>) -> Vec<Finding> {
+    let mut findings: Vec<Finding> = faults.map(|(code, fault)| Finding::new(code, fault)).collect();
+    findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
+    // Two pieces in each other's way are one finding, about the floor that either lacks.
+    findings.dedup_by(|further, kept| {
+        let is_same =
+            further.code == kept.code && !kept.objects.is_empty() && further.objects == kept.objects;
+        if is_same {
+            kept.region.append(&mut further.region);
+        }
+        is_same
+    });
+    bound(&mut findings);
+    findings
 }
 
 /// Findings of a kind that begin with the same object at most.
@@ -70,7 +90,7 @@ const MOST_OF_ONE: usize = 32;
 
 /// Leaves out further findings of those that begin with the same object: what lies in a heap of copies meets hundreds.
 /// They are sorted by code and objects.
-pub(crate) fn bound(findings: &mut Vec<Finding>) {
+fn bound(findings: &mut Vec<Finding>) {
     let mut kept: Vec<Finding> = Vec::with_capacity(findings.len());
     let mut count = 0;
     for finding in findings.drain(..) {
@@ -85,146 +105,6 @@ pub(crate) fn bound(findings: &mut Vec<Finding>) {
     *findings = kept;
 }
 
-/// The kinds of findings; the words are part of the output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Code {
-    /// Two bodies intersect.
-    Collision,
-    /// Part of a body lies outside the room.
-    OutOfRoom,
-    /// Not in contact with its support.
-    Floating,
-    /// Hangs over the edge of what it stands on.
-    Unsupported,
-    /// A body in a door's swing or approach.
-    DoorBlocked,
-    /// A door, or a side of an object that is used, cannot be walked to.
-    Unreachable,
-    /// A body in the clearance of a functional side.
-    BlockedUse,
-    /// A clearance between its minimum and its good depth.
-    TightUse,
-    /// A body before a window that takes its light.
-    WindowBlocked,
-    /// A screen that nobody sees from a seat or bed, or one before a window.
-    TvPosition,
-    /// A seat turned away from its table, a desk used from behind, a mirror over nothing.
-    Facing,
-    /// A tub or shower right before the toilet, a toilet that faces a kitchen.
-    WetRoom,
-    /// A double bed with one side to get in where the room allows two.
-    Bedside,
-    /// Nearly all furniture in one half of the room.
-    CrowdedHalf,
-    /// Wall furniture off its wall in a tidy style.
-    Crooked,
-    /// A required piece is absent.
-    MissingRequired,
-    /// Too few of the requested pieces rest.
-    Unfulfilled,
-    /// Much less furniture than style and room type ask for.
-    Sparse,
-    /// Surfaces that should carry small things are empty.
-    Bare,
-    /// A way too narrow for a wheelchair, where the style asks for access.
-    NarrowWay,
-    /// Nowhere to turn a wheelchair, where the style asks for access.
-    NoTurningCircle,
-}
-
-impl Code {
-    /// All kinds, in the order of their declaration.
-    pub const ALL: [Self; 21] = [
-        Self::Collision,
-        Self::OutOfRoom,
-        Self::Floating,
-        Self::Unsupported,
-        Self::DoorBlocked,
-        Self::Unreachable,
-        Self::BlockedUse,
-        Self::TightUse,
-        Self::WindowBlocked,
-        Self::TvPosition,
-        Self::Facing,
-        Self::WetRoom,
-        Self::Bedside,
-        Self::CrowdedHalf,
-        Self::Crooked,
-        Self::MissingRequired,
-        Self::Unfulfilled,
-        Self::Sparse,
-        Self::Bare,
-        Self::NarrowWay,
-        Self::NoTurningCircle,
-    ];
-
-    /// The word in the output.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Collision => "collision",
-            Self::OutOfRoom => "out_of_room",
-            Self::Floating => "floating",
-            Self::Unsupported => "unsupported",
-            Self::DoorBlocked => "door_blocked",
-            Self::Unreachable => "unreachable",
-            Self::BlockedUse => "blocked_use",
-            Self::TightUse => "tight_use",
-            Self::WindowBlocked => "window_blocked",
-            Self::TvPosition => "tv_position",
-            Self::Facing => "facing",
-            Self::WetRoom => "wet_room",
-            Self::Bedside => "bedside",
-            Self::CrowdedHalf => "crowded_half",
-            Self::Crooked => "crooked",
-            Self::MissingRequired => "missing_required",
-            Self::Unfulfilled => "unfulfilled",
-            Self::Sparse => "sparse",
-            Self::Bare => "bare",
-            Self::NarrowWay => "narrow_way",
-            Self::NoTurningCircle => "no_turning_circle",
-        }
-    }
-
-    /// How bad a finding of this kind is, unless the plan leaves no other choice.
-    #[must_use]
-    pub fn severity(self) -> Severity {
-        match self {
-            Self::TightUse
-            | Self::WindowBlocked
-            | Self::Facing
-            | Self::Bedside
-            | Self::CrowdedHalf
-            | Self::Crooked
-            | Self::Unfulfilled
-            | Self::Sparse
-            | Self::Bare
-            | Self::NarrowWay
-            | Self::NoTurningCircle => Severity::Minor,
-            _ => Severity::Failed,
-        }
-    }
-
-    /// Whether no room may ever have it: the laws of bodies, as against the customs of use.
-    #[must_use]
-    pub fn is_physical(self) -> bool {
-        matches!(self, Self::Collision | Self::OutOfRoom | Self::Floating | Self::Unsupported)
-    }
-}
-
-/// How bad a finding is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Severity {
-    /// The empty room already makes the rule impossible: no fault of the furniture, and no part of the grade.
-    Given,
-    /// The room is usable all the same.
-    Minor,
-    /// The room fails.
-    Failed,
-}
-
 /// The paper's three grades (section 6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -235,18 +115,6 @@ pub enum Grade {
     Minor,
     /// At least one finding that fails the room.
     Failed,
-}
-
-impl Severity {
-    /// The word in the output.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Given => "given",
-            Self::Minor => "minor",
-            Self::Failed => "failed",
-        }
-    }
 }
 
 impl Grade {
@@ -276,39 +144,30 @@ impl Grade {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::testing::{found, given};
 
     #[test]
-    fn what_meets_hundreds_is_told_with_some_of_them() {
-        let meets = |code, a: usize, b: usize| {
-            Finding::new(code, vec![format!("a.{a:04}"), format!("b.{b:04}")], 0.1, 0.001)
-        };
+    fn an_object_that_meets_hundreds_is_reported_with_some_of_them() {
+        let meets = |code, a: usize, b: usize| found(code, &[&format!("a.{a:04}"), &format!("b.{b:04}")]);
         let mut findings: Vec<Finding> =
             (0..3).flat_map(|a| (0..100).map(move |b| meets(Code::Collision, a, b))).collect();
         findings.push(meets(Code::BlockedUse, 2, 0));
         bound(&mut findings);
         assert_eq!(findings.len(), 3 * MOST_OF_ONE + 1);
-        let mut without_objects = vec![Finding::new(Code::Sparse, Vec::new(), 0.1, 0.2); 2 * MOST_OF_ONE];
+        let mut without_objects = vec![found(Code::Sparse, &[]); 2 * MOST_OF_ONE];
         bound(&mut without_objects);
         assert_eq!(without_objects.len(), 2 * MOST_OF_ONE);
     }
 
     #[test]
     fn the_worst_finding_is_the_grade() {
-        let minor = Finding::new(Code::Unfulfilled, Vec::new(), 0.5, 0.9);
-        let failed = Finding::new(Code::Collision, vec!["b.1".into(), "a.1".into()], 0.1, 0.001);
+        let minor = found(Code::Unfulfilled, &[]);
+        let failed = found(Code::Collision, &["b.1", "a.1"]);
         assert_eq!(Grade::of(&[]), Grade::None);
         assert_eq!(Grade::of(std::slice::from_ref(&minor)), Grade::Minor);
         assert_eq!(Grade::of(&[failed.clone(), minor.clone()]), Grade::Failed);
-        assert_eq!(Grade::of(&[failed.clone().given()]), Grade::None);
-        assert_eq!(Grade::of(&[failed.clone().given(), minor]), Grade::Minor);
+        assert_eq!(Grade::of(&[given(&failed)]), Grade::None);
+        assert_eq!(Grade::of(&[given(&failed), minor]), Grade::Minor);
         assert_eq!(failed.objects, ["a.1", "b.1"]);
-    }
-
-    #[test]
-    fn names_are_the_serialized_words_and_all_lists_each_once_in_order() {
-        for code in Code::ALL {
-            assert_eq!(serde_json::to_value(code).unwrap(), code.name());
-        }
-        assert!(Code::ALL.is_sorted() && Code::ALL.last() == Some(&Code::NoTurningCircle));
     }
 }

@@ -1,65 +1,58 @@
 //! Building and placements to findings; never changes a layout.
 //!
 //! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
-//! ([`crate::layout::solids`]). Where people walk, `walk` tells both. What each code means stands at the
-//! head of the file that judges it, the figures and where they come from in `configs/audit.yaml`. Whether the plan leaves
+//! ([`crate::layout::solids`]). Where people walk, both ask `walk`. All codes stand in one table
+//! (`checks/mod.rs`), each check in a file beside it, the figures and where they come from in `configs/audit.yaml`. Whether the plan leaves
 //! another choice the audit asks ([`Question`]): searching for places is the stage after it ([`crate::solve`]).
 
-mod access;
-mod bare;
-mod bedside;
 mod bounds;
-mod clearances;
-mod collision;
-mod containment;
+mod checks;
 mod convex;
-mod crooked;
-mod doors;
-mod facing;
+mod evidence;
+mod fault;
 mod finding;
 mod groups;
-mod halves;
 mod mean;
-mod measure;
 mod near;
 mod possible;
-mod programme;
-mod reach;
+mod quantity;
 mod relations;
 mod score;
-mod screens;
-mod sparse;
+mod severity;
 mod subject;
 mod summary;
-mod support;
+mod taking;
 #[cfg(test)]
 pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 mod thresholds;
-mod tight;
 mod verdict;
-mod wet_room;
-mod windows;
 mod zone;
 
-pub use finding::{Code, Finding, Grade, Severity};
-pub use measure::Measure;
+pub use checks::Code;
+pub use fault::{FloorRegion, Thing};
+pub use finding::{Finding, Grade};
 pub use possible::{Ask, Held, Question};
+pub use quantity::{Quantity, Unit};
 pub use score::Score;
+pub use severity::Severity;
 pub use summary::{AuditSummary, GradeCounts, ScoreSum};
 pub use verdict::{DoorRate, Verdict};
 
+pub(crate) use checks::door_zones;
 pub(crate) use convex::{clip_segment, middle, penetration};
-pub(crate) use doors::zones as door_zones;
 pub(crate) use thresholds::ROUNDING;
 
 use crate::catalog::{Catalog, ClassIndex};
-use crate::layout::Furnished;
+use crate::layout::{Furnished, opening_id};
 use crate::plan::Level;
 
+use checks::Rates;
+use evidence::Evidence;
 use near::MOST_NEAR;
 use subject::Subject;
+use taking::comfort_takings;
 use zone::{NearPair, Zone};
 
 /// Judges one furnished room. `ask` answers what the empty room could hold; [`crate::solve::judge_room`] brings its own.
@@ -70,49 +63,24 @@ use zone::{NearPair, Zone};
 /// If `furnished` names a class, parent, wall or opening that does not exist.
 pub fn judge(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog, ask: Ask<'_>) -> Verdict {
     let subject = &Subject::new(level, room, furnished, catalog);
-    let mut findings = Vec::new();
-    // The physical faults that one body can have by itself.
-    containment::judge(subject, &mut findings);
-    support::judge(subject, &mut findings);
-    // What two bodies, or a body and a zone that people need, do to each other.
+    // What people need free, and what is near it.
     let zones = all_zones(subject);
     let (collisions, hits) = near_pairs(subject, &zones);
-    collision::judge(subject, &collisions, &mut findings);
-    doors::judge(subject, &hits, &mut findings);
-    clearances::judge(subject, &zones, &hits, &mut findings);
-    let comfort = tight::takings(subject, &zones, &hits);
-    tight::judge(subject, &comfort, ask, &mut findings);
-    windows::judge(subject, &hits, &mut findings);
-    screens::judge(subject, &hits, &mut findings);
-    wet_room::judge(subject, &hits, &mut findings);
-    // Ways through the room.
-    let floor = reach::floor(subject);
-    let rates = floor.map_or_else(Vec::new, |floor| {
-        bedside::judge(subject, &floor, ask, &mut findings);
-        reach::judge(subject, &floor, &zones, &mut findings)
-    });
-    access::judge(subject, &zones, &mut findings);
-    // How things stand to each other and in the whole.
-    facing::judge(subject, &mut findings);
-    crooked::judge(subject, &mut findings);
-    halves::judge(subject, ask, &mut findings);
-    // What should be there and is not.
-    programme::judge(subject, ask, &mut findings);
-    sparse::judge(subject, ask, &mut findings);
-    bare::judge(subject, &mut findings);
-    findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
-    // Two pieces in each other's way are one finding.
-    findings.dedup_by(|a, b| a.code == b.code && !a.objects.is_empty() && a.objects == b.objects);
-    finding::bound(&mut findings);
-    let score = score::score(
-        subject,
-        &score::Measured { zones: &zones, hits: &hits, comfort: &comfort, rates: &rates },
-    );
-    let door = |(door, rate): (usize, f64)| DoorRate {
-        door: format!("door:{}", subject.level.openings[door].id),
-        rate,
-    };
-    Verdict { findings, score, walkable: rates.into_iter().map(door).collect() }
+    let comfort = comfort_takings(subject, &zones, &hits);
+    let floor = checks::floor(subject);
+    // What the checks find, by code; how good the room is beside that.
+    let (collisions, hits, floor) = (&collisions, &hits, floor.as_ref());
+    let evidence = Evidence { subject, zones: &zones, hits, collisions, comfort: &comfort, floor, ask };
+    let findings = finding::findings(checks::faults(&evidence));
+    let rates = floor.map_or_else(Vec::new, |floor| checks::rates(subject, floor));
+    let score = score::score(&evidence, &rates);
+    Verdict { findings, score, walkable: door_rates(level, rates) }
+}
+
+fn door_rates(level: &Level, rates: Rates) -> Vec<DoorRate> {
+    let door =
+        |(door, rate): (usize, f64)| DoorRate { door: opening_id(&level.openings[door]).to_string(), rate };
+    rates.into_iter().map(door).collect()
 }
 
 /// Each required class that is missing and stands on the floor by itself, first in its list, with whatever else the room
@@ -123,15 +91,15 @@ pub(crate) fn missing_pieces(
     furnished: &Furnished,
     catalog: &Catalog,
 ) -> Vec<Vec<ClassIndex>> {
-    programme::missing_pieces(&Subject::new(level, room, furnished, catalog))
+    checks::missing_pieces(&Subject::new(level, room, furnished, catalog))
 }
 
 /// Whatever people need to be free.
 fn all_zones(subject: &Subject<'_>) -> Vec<Zone> {
-    let mut zones = doors::zones((subject.level, subject.room), subject.rules().doors);
-    zones.extend(clearances::zones(subject));
-    zones.extend(windows::zones(subject));
-    zones.extend(wet_room::zones(subject));
+    let mut zones = checks::door_zones((subject.level, subject.room), subject.rules().doors);
+    zones.extend(taking::zones(subject));
+    zones.extend(checks::light_zones(subject));
+    zones.extend(checks::bowl_zones(subject));
     zones
 }
 

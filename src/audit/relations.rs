@@ -5,9 +5,9 @@
 
 use std::collections::BTreeSet;
 
+use super::checks::is_before;
 use super::mean::weighted_mean;
 use super::subject::{Body, Subject};
-use super::windows;
 use super::zone::{NearPair, Purpose};
 use crate::catalog::{ParentName, Relation, RelationKind};
 use crate::geometry::{Point, nearest_on_segment};
@@ -58,7 +58,7 @@ struct Known<'s, 'a> {
 impl<'s, 'a> Known<'s, 'a> {
     fn new(subject: &'s Subject<'a>, hits: &[NearPair<'_>]) -> Self {
         let lit = hits.iter().filter(|(zone, _)| matches!(zone.purpose, Purpose::Light(_)));
-        let before = lit.filter(|(zone, body)| windows::is_before(subject, zone, &subject.bodies[*body]));
+        let before = lit.filter(|(zone, body)| is_before(subject, zone, &subject.bodies[*body]));
         Self { subject, before_windows: before.map(|&(_, body)| body).collect() }
     }
 

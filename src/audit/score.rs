@@ -9,15 +9,13 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::clearances::Taking;
-use super::crooked::{angle_off, stands_straight};
+use super::checks::{Rates, angle_off, middle_of, stands_straight};
+use super::evidence::Evidence;
 use super::groups::MOVABLE;
-use super::halves::middle_of;
 use super::mean::weighted_mean;
-use super::reach::Rates;
 use super::relations;
 use super::subject::{Body, Subject};
-use super::zone::{NearPair, Purpose, Zone};
+use super::zone::Purpose;
 use crate::geometry::{Point, nearest_on_segment};
 use crate::layout::Parent;
 
@@ -43,30 +41,19 @@ pub struct Score {
     pub fulfilment: Option<f64>,
 }
 
-/// What the judgement has found out already.
-pub(crate) struct Measured<'m> {
-    /// What must or should stay free.
-    pub(crate) zones: &'m [Zone],
-    /// Which bodies are near it.
-    pub(crate) hits: &'m [NearPair<'m>],
-    /// What takes the good clearances.
-    pub(crate) comfort: &'m [Taking],
-    /// The walkable rates of the doors.
-    pub(crate) rates: &'m Rates,
-}
-
-/// The score of a room; `None` where nothing was asked for.
-pub(crate) fn score(subject: &Subject<'_>, measured: &Measured<'_>) -> Option<Score> {
+/// The score of a room, with the walkable rates of its doors; `None` where nothing was asked for.
+pub(crate) fn score(evidence: &Evidence<'_, '_>, rates: &Rates) -> Option<Score> {
+    let subject = evidence.subject;
     if subject.furnished.requested == 0 {
         return None;
     }
     let terms = Score {
         value: 0.0,
-        clearance: mean(slacks(subject, measured)),
-        walking: mean(measured.rates.iter().map(|&(_, rate)| rate)),
+        clearance: mean(slacks(evidence)),
+        walking: mean(rates.iter().map(|&(_, rate)| rate)),
         balance: balance(subject),
         alignment: mean(alignments(subject)),
-        relations: relations::met(subject, measured.hits),
+        relations: relations::met(subject, evidence.hits),
         fulfilment: Some((subject.bodies.len() as f64 / f64::from(subject.furnished.requested)).min(1.0)),
     };
     let weights = subject.rules().score;
@@ -87,14 +74,15 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 }
 
 /// For each side that asks for comfort, how much of it is free: 0 at its minimum.
-fn slacks<'m>(subject: &'m Subject<'_>, measured: &'m Measured<'_>) -> impl Iterator<Item = f64> + 'm {
+fn slacks<'e>(evidence: &'e Evidence<'_, '_>) -> impl Iterator<Item = f64> + 'e {
+    let subject = evidence.subject;
     let tolerated = subject.rules().clearances.intrusion;
     let mut free: BTreeMap<(usize, usize), f64> = BTreeMap::new();
-    for taking in measured.comfort {
+    for taking in evidence.comfort {
         let known = free.entry((taking.owner, taking.number)).or_insert(f64::INFINITY);
         *known = known.min(taking.free);
     }
-    measured.zones.iter().filter_map(move |zone| {
+    evidence.zones.iter().filter_map(move |zone| {
         let Purpose::Comfort(owner, number) = zone.purpose else { return None };
         let clearance = &subject.bodies[owner].class.clearances[number];
         // What is tolerated is free: a millimetre less does not make the score jump.

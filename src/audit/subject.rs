@@ -6,12 +6,14 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, DEFAULT_STYLE, Style};
+use crate::contract::ElementId;
 use crate::geometry::{Point, Solid, direction, edges};
-use crate::layout::{Furnished, Parent, Placement, solids};
+use crate::layout::{Furnished, Parent, Placement, object_id, opening_id, solids};
 use crate::plan::{Level, Room};
 
 use super::bounds::Bounds;
 use super::convex::area;
+use super::fault::{Named, Thing};
 use super::near::{NearBoxes, NearPoints};
 
 /// One furnished room.
@@ -69,6 +71,31 @@ impl<'a> Subject<'a> {
             near_boxes: OnceCell::new(),
             by_class: OnceCell::new(),
         }
+    }
+
+    /// An object, by index into the placements.
+    pub(crate) fn object(&self, index: usize) -> Named {
+        Named { id: self.bodies[index].id.clone(), thing: Thing::Object(index) }
+    }
+
+    /// An opening, by index into the level's.
+    pub(crate) fn opening(&self, index: usize) -> Named {
+        Named { id: opening_id(&self.level.openings[index]).to_string(), thing: Thing::Opening(index) }
+    }
+
+    /// A class of which a piece is missing.
+    pub(crate) fn class(&self, index: ClassIndex) -> Named {
+        Named { id: self.catalog.classes[index].id.clone(), thing: Thing::Class(index) }
+    }
+
+    /// A wall, by index into the room's.
+    pub(crate) fn wall(index: usize) -> Named {
+        Named { id: ElementId::Wall(index).to_string(), thing: Thing::Wall(index) }
+    }
+
+    /// A column, by index into the room's obstacles.
+    pub(crate) fn column(index: usize) -> Named {
+        Named { id: ElementId::Column(index).to_string(), thing: Thing::Column(index) }
     }
 
     /// The thresholds.
@@ -133,7 +160,7 @@ impl<'a> Body<'a> {
         let class = &catalog.classes[placement.class];
         let solids = solids(class, placement);
         let bounds = solids.iter().map(solid_bounds).fold(Bounds::EMPTY, Bounds::union);
-        Self { id: format!("{}.{}", class.id, placement.number), placement, class, solids, bounds }
+        Self { id: object_id(catalog, placement).to_string(), placement, class, solids, bounds }
     }
 
     /// Whether it belongs to a group of classes.

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::finding::{Code, Grade, Severity};
+use super::checks::Code;
+use super::finding::Grade;
+use super::severity::Severity;
 use super::verdict::Verdict;
 
 /// Verdicts of a level, a building or a whole run. The order in which rooms are added does not matter.
@@ -141,6 +143,7 @@ impl From<WrittenScores> for ScoreSum {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::testing::{found, given};
     use crate::audit::{Finding, Score};
 
     fn verdict(findings: &[&Finding], score: Option<f64>) -> Verdict {
@@ -153,12 +156,12 @@ mod tests {
     }
 
     fn rooms() -> [Verdict; 3] {
-        let collision = Finding::new(Code::Collision, vec!["a.1".into()], 0.1, 0.001);
-        let unfulfilled = Finding::new(Code::Unfulfilled, Vec::new(), 0.5, 0.9);
+        let collision = found(Code::Collision, &["a.1"]);
+        let unfulfilled = found(Code::Unfulfilled, &[]);
         [
             verdict(&[], Some(0.8123)),
             verdict(&[&collision, &collision, &unfulfilled], None),
-            verdict(&[&unfulfilled, &unfulfilled.clone().given()], Some(0.4)),
+            verdict(&[&unfulfilled, &given(&unfulfilled)], Some(0.4)),
         ]
     }
 

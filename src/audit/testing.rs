@@ -10,7 +10,19 @@ use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, W
 use crate::recipes::{GeometrySet, Slot, find};
 use crate::solve::judge_room;
 
-use super::{Code, Finding, Verdict};
+use super::fault::{Fault, Named, Thing};
+use super::{Code, Finding, Severity, Verdict};
+
+/// A finding of a kind that the test has no room for.
+pub(crate) fn found(code: Code, ids: &[&str]) -> Finding {
+    let named = |id: &&str| Named { id: (*id).to_owned(), thing: Thing::Object(0) };
+    Finding::new(code, Fault::new(code.quantities()[0], ids.iter().map(named).collect(), 0.5, 0.9))
+}
+
+/// The same finding where the plan leaves no other choice.
+pub(crate) fn given(finding: &Finding) -> Finding {
+    Finding { severity: Severity::Given, ..finding.clone() }
+}
 
 /// A room 2.5 m high with hand-placed objects of the test catalogue:
 /// chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3, picture 0.6 × 0.05 × 0.5,

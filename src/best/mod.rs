@@ -162,6 +162,7 @@ impl Judged {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::testing::found;
     use crate::catalog::Size;
     use crate::geometry::Point;
     use crate::layout::{Removal, RemovalReason};
@@ -191,9 +192,8 @@ mod tests {
         let judge = |_: &Furnished| {
             let (failed, minor) = flaws[made];
             made += 1;
-            let finding = |code| Finding::new(code, Vec::new(), 0.0, 1.0);
-            let findings = (0..failed).map(|_| finding(Code::Collision));
-            let findings = findings.chain((0..minor).map(|_| finding(Code::Sparse))).collect();
+            let findings = (0..failed).map(|_| found(Code::Collision, &[]));
+            let findings = findings.chain((0..minor).map(|_| found(Code::Sparse, &[]))).collect();
             Verdict { findings, ..Verdict::default() }
         };
         let best = best_of(effort, empty, judge, |_| Vec::new(), || 0);
@@ -207,10 +207,8 @@ mod tests {
             made += 1;
             Counted { furnished: nothing(), steps: MOST_STEPS / 3 }
         };
-        let judge = |_: &Furnished| Verdict {
-            findings: vec![Finding::new(Code::Sparse, Vec::new(), 0.0, 1.0)],
-            ..Verdict::default()
-        };
+        let judge =
+            |_: &Furnished| Verdict { findings: vec![found(Code::Sparse, &[])], ..Verdict::default() };
         let _ = best_of(16, furnish, judge, |_| Vec::new(), || 0);
         assert_eq!(made, 4);
     }
@@ -249,7 +247,7 @@ mod tests {
             counted(Furnished { requested, ..nothing() })
         };
         let judge = |furnished: &Furnished| {
-            let finding = Finding::new(Code::MissingRequired, Vec::new(), 0.0, 1.0);
+            let finding = found(Code::MissingRequired, &[]);
             let findings = if furnished.requested == 0 { vec![finding] } else { Vec::new() };
             Verdict { findings, ..Verdict::default() }
         };

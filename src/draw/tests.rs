@@ -4,6 +4,7 @@ use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft
 
 use super::*;
 use crate::audit::Code;
+use crate::audit::testing::{found as finding, given};
 use crate::catalog::{Class, Clearance, ModelSource, RoomType, Side, Size};
 use crate::recipes::{Slot, find};
 
@@ -142,10 +143,6 @@ fn draw(findings: &[Vec<Finding>], (has_clearances, has_findings): (bool, bool))
         has_findings,
         has_legend: true,
     })
-}
-
-fn finding(code: Code, objects: &[&str], (measured, threshold): (f64, f64)) -> Finding {
-    Finding::new(code, objects.iter().map(|&id| id.to_owned()).collect(), measured, threshold)
 }
 
 #[test]
@@ -291,14 +288,14 @@ fn a_level_without_rooms_can_be_drawn() {
 
 #[test]
 fn a_finding_is_outlined_numbered_and_listed_with_its_figures() {
-    let svg = found(vec![finding(Code::Bare, &["desk.1"], (0.0, 0.5))]);
+    let svg = found(vec![finding(Code::Bare, &["desk.1"])]);
     assert_eq!(svg.matches("stroke=\"#e67700\" stroke-width=\"2.4\"").count(), 1);
     assert_eq!(
         svg.matches("font-weight=\"bold\" fill=\"#fff\">1<").count(),
         2,
         "in the plan and in the list"
     );
-    for word in [">bare<", ">desk.1<", ">0 %<", ">50 %<", ">study: minor<", ">1 minor<"] {
+    for word in [">bare<", ">desk.1<", ">50 %<", ">90 %<", ">study: minor<", ">1 minor<"] {
         assert!(svg.contains(word), "{word}");
     }
     assert!(!drawn(false).contains("#e67700"));
@@ -311,57 +308,28 @@ fn the_worst_grade_colours_the_name_of_the_room() {
         let line = svg.lines().rfind(|line| line.contains(">study<")).unwrap().to_owned();
         line.split("fill=\"").nth(1).unwrap()[..7].to_owned()
     };
-    let minor = finding(Code::Sparse, &[], (0.1, 0.2));
-    let failed = finding(Code::MissingRequired, &["desk"], (0.0, 1.0));
+    let minor = finding(Code::Sparse, &[]);
+    let failed = finding(Code::MissingRequired, &["desk"]);
     assert_eq!(name(vec![]), "#2b8a3e");
-    assert_eq!(name(vec![failed.clone().given()]), "#2b8a3e");
+    assert_eq!(name(vec![given(&failed)]), "#2b8a3e");
     assert_eq!(name(vec![minor.clone()]), "#d9480f");
     assert_eq!(name(vec![minor, failed]), "#c92a2a");
 }
 
 #[test]
-fn the_clearance_that_a_wall_takes_is_hatched_and_no_other() {
-    // The desk's front is 1.6 m off the south wall and its clearance 0.9 m deep at best.
-    let hatched = |objects: &[&str], threshold| {
-        let svg = found(vec![finding(Code::TightUse, objects, (0.8, threshold))]);
+fn the_floor_that_a_finding_is_about_is_hatched() {
+    let hatched = |region| {
+        let svg = found(vec![Finding { region, ..finding(Code::TightUse, &["desk.1"]) }]);
         svg.matches("fill=\"url(#hatch-minor)\"").count()
     };
-    assert_eq!(hatched(&["desk.1", "wall.0"], 0.9), 0, "the wall is out of reach");
-    let mut near = furnished(0);
-    near.placements[0].position.y = 1.2;
-    let (level, catalog) = (level(), catalog());
-    let draw = |objects: &[&str], threshold| {
-        let findings = [vec![finding(Code::TightUse, objects, (0.8, threshold))], Vec::new()];
-        let svg = draw_level(&Drawing {
-            building: "b",
-            site: SitePlacement::default(),
-            level: &level,
-            furnished: &[near.clone(), furnished(1)],
-            findings: &findings,
-            catalog: &catalog,
-            seed: 1,
-            has_clearances: false,
-            has_findings: true,
-            has_legend: true,
-        });
-        svg.matches("fill=\"url(#hatch-minor)\"").count()
-    };
-    assert_eq!(draw(&["desk.1", "wall.0"], 0.9), 1);
-    assert_eq!(draw(&["desk.1", "wall.2"], 0.9), 0, "the wall behind it");
-    assert_eq!(draw(&["desk.1", "wall.0"], 0.8), 0, "another threshold");
-}
-
-#[test]
-fn the_approach_of_a_blocked_door_is_hatched() {
-    let svg = found(vec![finding(Code::DoorBlocked, &["desk.1", "door:d"], (0.1, 0.01))]);
-    assert_eq!(svg.matches("fill=\"url(#hatch-failed)\"").count(), 1);
-    let svg = found(vec![finding(Code::DoorBlocked, &["desk.1", "door:other"], (0.1, 0.01))]);
-    assert_eq!(svg.matches("fill=\"url(#hatch-failed)\"").count(), 0);
+    let square = vec![Point::ZERO, Point::X, Point::ONE, Point::Y];
+    assert_eq!(hatched(Vec::new()), 0);
+    assert_eq!(hatched(vec![square.clone(), square]), 2);
 }
 
 #[test]
 fn marks_of_one_object_stand_side_by_side() {
-    let svg = found(vec![finding(Code::Bare, &["desk.1"], (0.0, 0.5)); 30]);
+    let svg = found(vec![finding(Code::Bare, &["desk.1"]); 30]);
     let value = |line: &str, key: &str| -> f64 {
         let rest = line.split(&format!("{key}=\"")).nth(1).unwrap();
         rest.split('"').next().unwrap().parse().unwrap()

@@ -1,6 +1,6 @@
 //! The report of `audit` for people.
 
-use crate::audit::{AuditSummary, Finding, Severity};
+use crate::audit::{AuditSummary, Finding};
 use crate::cli::summary::audit_lines;
 use crate::document::printable;
 
@@ -57,12 +57,8 @@ fn level_line(level: &JudgedLevel) -> String {
 }
 
 fn finding_line(level: &JudgedLevel, room: &JudgedRoom, finding: &Finding) -> String {
-    let severity = match finding.severity {
-        Severity::Given => "given",
-        Severity::Minor => "minor",
-        Severity::Failed => "failed",
-    };
-    let measure = finding.measure();
+    let severity = finding.severity.name();
+    let unit = finding.quantity.unit();
     let remark = if finding.not_searched_further { ", not searched further" } else { "" };
     let line = format!(
         "  {severity} {}/{}/{} ({}): {} {}: {}, threshold {}{remark}",
@@ -72,8 +68,8 @@ fn finding_line(level: &JudgedLevel, room: &JudgedRoom, finding: &Finding) -> St
         room.room_type,
         finding.code.name(),
         finding.objects.join(", "),
-        measure.show(finding.measured),
-        measure.show(finding.threshold),
+        unit.show(finding.measured),
+        unit.show(finding.threshold),
     );
     printable(&line)
 }

@@ -85,10 +85,10 @@ fn object(subject: &Subject<'_>, story: &ObjectStory, placement: &Placement) -> 
 
 /// `tight_use 0.70 m, should be 0.91 m, with wall.0`.
 fn show_finding(finding: &Finding, own_id: &str) -> String {
-    let measure = finding.measure();
+    let unit = finding.quantity.unit();
     let others: Vec<&str> = finding.objects.iter().map(String::as_str).filter(|id| *id != own_id).collect();
     let others = if others.is_empty() { String::new() } else { format!(", with {}", others.join(", ")) };
-    let (measured, threshold) = (measure.show(finding.measured), measure.show(finding.threshold));
+    let (measured, threshold) = (unit.show(finding.measured), unit.show(finding.threshold));
     format!("{}: {measured}, threshold {threshold}{others}", finding.code.name())
 }
 

@@ -7,7 +7,7 @@ use crate::draw::sheet::broken;
 use crate::geometry::Point;
 
 use super::mark::{RADIUS, draw_number};
-use super::{Noted, grade_color, grade_name, severity_color, severity_name};
+use super::{Noted, grade_color, severity_color};
 
 /// Pixels of a column.
 const COLUMN: f64 = 500.0;
@@ -82,7 +82,7 @@ fn draw_key(canvas: &mut Canvas, all: &[Noted<'_>]) {
         if count > 0 {
             let text = match severity {
                 Severity::Given => format!("{count} given by the plan"),
-                _ => format!("{count} {}", severity_name(severity)),
+                _ => format!("{count} {}", severity.name()),
             };
             draw_disc(canvas, at(x, canvas), severity_color(severity));
             canvas.text_at(at(x + 12.0, canvas), &text, WORDS);
@@ -138,18 +138,18 @@ fn draw_row(canvas: &mut Canvas, at: Point, row: &Row<'_>) {
     match row {
         Row::Room(id, grade) => {
             let style = TextStyle { is_bold: true, color: grade_color(*grade), ..WORDS };
-            canvas.text_at(at, &format!("{id}: {}", grade_name(*grade)), style);
+            canvas.text_at(at, &format!("{id}: {}", grade.name()), style);
         }
         Row::Finding(noted, objects) => {
             let finding = noted.finding;
             draw_disc(canvas, right(RADIUS), severity_color(finding.severity));
             draw_number(canvas, right(RADIUS), noted.number);
-            let measure = finding.measure();
+            let unit = finding.quantity.unit();
             let figure = TextStyle { anchor: "end", ..WORDS };
             canvas.text_at(right(CODE), finding.code.name(), WORDS);
             canvas.text_at(right(OBJECTS), objects, WORDS);
-            canvas.text_at(right(MEASURED), &measure.show(finding.measured), figure);
-            canvas.text_at(right(THRESHOLD), &measure.show(finding.threshold), figure);
+            canvas.text_at(right(MEASURED), &unit.show(finding.measured), figure);
+            canvas.text_at(right(THRESHOLD), &unit.show(finding.threshold), figure);
         }
         Row::More(objects) => canvas.text_at(right(OBJECTS), objects, WORDS),
     }

@@ -1,11 +1,11 @@
-//! Numbered marks of findings, each as near to its subject as other texts allow.
+//! Numbered marks, each as near to what it is about as the other words allow.
 
 use crate::draw::Drawing;
 use crate::draw::canvas::{Canvas, TextStyle, short};
 use crate::draw::labels::label_place;
 use crate::geometry::{Point, direction, edges, nearest_on_segment};
 
-use super::{Noted, severity_color};
+use super::{Noted, severity_color, thing};
 
 /// Pixels of a mark's radius.
 pub(super) const RADIUS: f64 = 7.5;
@@ -36,8 +36,9 @@ pub(crate) fn draw_marks(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[Note
 
 /// The subject of the mark: the region if there is one, else the first object or room part.
 fn outline(drawing: &Drawing<'_>, noted: &Noted<'_>) -> Vec<Point> {
-    let thing = || noted.things.first().map(|thing| thing.outline(drawing, noted.room));
-    noted.zones.first().cloned().or_else(thing).unwrap_or_default()
+    let outlines = noted.finding.things.iter().map(|&thing| thing::outline(thing, drawing, noted.room));
+    let mut outlines = noted.finding.region.iter().cloned().chain(outlines);
+    outlines.find(|outline| !outline.is_empty()).unwrap_or_default()
 }
 
 fn middle(outline: &[Point]) -> Option<Point> {

@@ -3,14 +3,11 @@
 mod legend;
 mod mark;
 mod thing;
-mod zone;
 
 use crate::audit::{Finding, Grade, Severity};
-use crate::geometry::Point;
 
 use super::Drawing;
 use super::canvas::Canvas;
-use thing::Thing;
 
 pub(crate) use legend::draw_legend;
 pub(crate) use mark::draw_marks;
@@ -22,21 +19,14 @@ pub(crate) struct Noted<'a> {
     /// Index of its room in the level.
     room: usize,
     finding: &'a Finding,
-    /// Its objects and room parts, as far as they are in the plan.
-    things: Vec<Thing>,
-    /// Regions of floor that it is about.
-    zones: Vec<Vec<Point>>,
 }
 
 /// All findings of a level, numbered by room.
 pub(crate) fn number<'a>(drawing: &Drawing<'a>) -> Vec<Noted<'a>> {
     let findings = drawing.findings.iter().enumerate();
     let findings = findings.flat_map(|(room, findings)| findings.iter().map(move |finding| (room, finding)));
-    let noted = findings.enumerate().map(|(index, (room, finding))| {
-        let things = thing::find_all(drawing, room, &finding.objects);
-        let zones = zone::find_all(drawing, (room, finding), &things);
-        Noted { number: index + 1, room, finding, things, zones }
-    });
+    let noted =
+        findings.enumerate().map(|(index, (room, finding))| Noted { number: index + 1, room, finding });
     noted.collect()
 }
 
@@ -45,41 +35,35 @@ pub(crate) fn draw_regions(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[No
     let mut by_severity: Vec<&Noted<'_>> = all.iter().collect();
     by_severity.sort_by_key(|noted| (noted.finding.severity, noted.number));
     for severity in [Severity::Given, Severity::Minor, Severity::Failed] {
-        if all.iter().any(|noted| noted.finding.severity == severity && !noted.zones.is_empty()) {
+        if all.iter().any(|noted| noted.finding.severity == severity && !noted.finding.region.is_empty()) {
             canvas.define(&hatch(severity));
         }
     }
     for noted in &by_severity {
-        let (name, color) = (severity_name(noted.finding.severity), severity_color(noted.finding.severity));
-        for zone in &noted.zones {
+        let severity = noted.finding.severity;
+        let (name, color) = (severity.name(), severity_color(severity));
+        for part in &noted.finding.region {
             let attributes = format!("fill=\"url(#hatch-{name})\" stroke=\"{color}\" stroke-width=\"0.8\"");
-            canvas.polygon(zone, &attributes);
+            canvas.polygon(part, &attributes);
         }
     }
     for noted in by_severity {
         let color = severity_color(noted.finding.severity);
-        for thing in &noted.things {
-            thing.draw(canvas, drawing, noted.room, color);
+        for &thing in &noted.finding.things {
+            let outline = thing::outline(thing, drawing, noted.room);
+            thing::draw(thing, &outline, canvas, color);
         }
     }
 }
 
 /// Diagonal lines in a severity's colour.
 fn hatch(severity: Severity) -> String {
-    let (name, color) = (severity_name(severity), severity_color(severity));
+    let (name, color) = (severity.name(), severity_color(severity));
     format!(
         "<pattern id=\"hatch-{name}\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" \
          patternTransform=\"rotate(45)\"><path d=\"M0 0V6\" stroke=\"{color}\" stroke-width=\"1.6\" \
          stroke-opacity=\"0.55\"/></pattern>"
     )
-}
-
-fn severity_name(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Failed => "failed",
-        Severity::Minor => "minor",
-        Severity::Given => "given",
-    }
 }
 
 fn severity_color(severity: Severity) -> &'static str {
@@ -96,13 +80,5 @@ pub(crate) fn grade_color(grade: Grade) -> &'static str {
         Grade::None => "#2b8a3e",
         Grade::Minor => "#d9480f",
         Grade::Failed => "#c92a2a",
-    }
-}
-
-fn grade_name(grade: Grade) -> &'static str {
-    match grade {
-        Grade::None => "none",
-        Grade::Minor => "minor",
-        Grade::Failed => "failed",
     }
 }

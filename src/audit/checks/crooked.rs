@@ -1,26 +1,32 @@
 //! `crooked`: wall furniture that is not parallel to its wall in a tidy style.
 
-use super::finding::{Code, Finding};
-use super::subject::{Body, Subject};
-use super::thresholds::ROUNDING;
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
+use crate::audit::thresholds::ROUNDING;
 use crate::catalog::{ParentName, Shape, Turn};
 use crate::geometry::{Point, direction};
 use crate::layout::Parent;
 
 /// Judges what stands at walls or hangs on them.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, .. } = *evidence;
+    let mut faults = Vec::new();
     let limit = subject.rules().alignment.angle;
     if !is_tidy(subject, limit) {
-        return;
+        return faults;
     }
-    for body in subject.bodies.iter().filter(|body| stands_straight(body, limit)) {
+    let straight = |(_, body): &(usize, &Body<'_>)| stands_straight(body, limit);
+    for (index, body) in subject.bodies.iter().enumerate().filter(straight) {
         let Parent::Wall(wall) = body.placement.parent else { continue };
         let off = angle_off(body, subject.room.walls[wall].direction());
         if off > limit + ROUNDING {
-            let objects = vec![body.id.clone(), format!("wall.{wall}")];
-            findings.push(Finding::new(Code::Crooked, objects, off.to_degrees(), limit.to_degrees()));
+            let subjects = vec![subject.object(index), Subject::wall(wall)];
+            faults.push(Fault::new(Quantity::Angle, subjects, off.to_degrees(), limit.to_degrees()));
         }
     }
+    faults
 }
 
 /// A style whose untidiness turns nothing further than furniture may stand crooked.

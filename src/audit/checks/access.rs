@@ -8,20 +8,18 @@
 use crate::catalog::Access;
 use crate::walk::{CELL, Floor};
 
-use super::finding::{Code, Finding};
-use super::reach::{Target, goals, names, widest};
-use super::subject::Subject;
-use super::zone::Zone;
+use super::reach::{Target, goals, named, widest};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::{Fault, Named};
+use crate::audit::possible::Held;
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::Subject;
 
-/// Judges a room with some furniture.
-pub(crate) fn judge(subject: &Subject<'_>, zones: &[Zone], findings: &mut Vec<Finding>) {
+/// The floor of a room with some furniture and without it, where the style asks for access.
+fn floors(subject: &Subject<'_>) -> Option<(Floor, Floor)> {
     let asks = subject.style().is_some_and(|style| style.access == Access::Wheelchair);
-    if !asks || subject.bodies.is_empty() {
-        return;
-    }
-    let (Some(floor), Some(empty)) = (floor(subject, true), floor(subject, false)) else { return };
-    judge_turning(subject, (&floor, &empty), findings);
-    judge_ways(subject, (&floor, &empty), zones, findings);
+    let is_judged = asks && !subject.bodies.is_empty();
+    if is_judged { floor(subject, true).zip(floor(subject, false)) } else { None }
 }
 
 fn floor(subject: &Subject<'_>, is_furnished: bool) -> Option<Floor> {
@@ -29,46 +27,43 @@ fn floor(subject: &Subject<'_>, is_furnished: bool) -> Option<Floor> {
     Floor::for_wheelchair((subject.level, subject.room), subject.rules(), solids)
 }
 
-fn judge_turning(subject: &Subject<'_>, (floor, empty): (&Floor, &Floor), findings: &mut Vec<Finding>) {
+/// Whether a wheelchair has nowhere to turn.
+pub(crate) fn no_turning_circle(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let subject = evidence.subject;
+    let Some((floor, empty)) = floors(subject) else { return Vec::new() };
     let rules = subject.rules().access;
     let walk = floor.walk(rules.walkway);
     if walk.wide_places(rules.turning).next().is_some() {
-        return;
+        return Vec::new();
     }
     let steps = (rules.turning / CELL) as u32;
     let mut widths = (1..steps).map(|step| rules.turning - f64::from(step) * CELL);
     let widest = widths.find(|&width| walk.wide_places(width).next().is_some()).unwrap_or(0.0);
-    let finding = Finding::new(Code::NoTurningCircle, Vec::new(), widest, rules.turning);
     let is_possible = empty.walk(rules.walkway).wide_places(rules.turning).next().is_some();
-    findings.push(if is_possible { finding } else { finding.given() });
+    let fault = Fault::new(Quantity::Width, Vec::new(), widest, rules.turning);
+    vec![fault.if_possible(if is_possible { Held::Yes } else { Held::No })]
 }
 
-fn judge_ways(
-    subject: &Subject<'_>,
-    (floor, empty): (&Floor, &Floor),
-    zones: &[Zone],
-    findings: &mut Vec<Finding>,
-) {
+/// Doors and used sides that a wheelchair does not get to: those that furniture closes, and those that the plan does.
+pub(crate) fn narrow_way(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, zones, .. } = *evidence;
+    let Some((floor, empty)) = floors(subject) else { return Vec::new() };
     let width = subject.rules().access.walkway;
     let (walk, empty) = (floor.walk(width), empty.walk(width));
     let home = walk.main_door();
-    let goals = goals(subject, zones, floor);
+    let goals = goals(subject, zones, &floor);
     let missed: Vec<Target<'_>> = goals.into_iter().filter(|goal| !walk.reaches(home, goal.goal())).collect();
     let (possible, impossible): (Vec<_>, Vec<_>) =
         missed.into_iter().partition(|goal| empty.reaches(home, goal.goal()));
-    let finding = |goals: &[Target<'_>]| {
-        let narrowest = widest((floor, home), goals, width).into_iter().fold(width, f64::min);
-        let mut objects: Vec<String> = goals.iter().flat_map(|&goal| names(subject, goal)).collect();
-        objects.sort_unstable();
-        objects.dedup();
-        Finding::new(Code::NarrowWay, objects, narrowest, width)
+    let fault = |(goals, is_possible): (Vec<Target<'_>>, Held)| {
+        let narrowest = widest((&floor, home), &goals, width).into_iter().fold(width, f64::min);
+        let mut subjects: Vec<Named> = goals.iter().map(|&goal| named(subject, goal)).collect();
+        subjects.sort_unstable();
+        subjects.dedup();
+        Fault::new(Quantity::Width, subjects, narrowest, width).if_possible(is_possible)
     };
-    if !possible.is_empty() {
-        findings.push(finding(&possible));
-    }
-    if !impossible.is_empty() {
-        findings.push(finding(&impossible).given());
-    }
+    let groups = [(possible, Held::Yes), (impossible, Held::No)];
+    groups.into_iter().filter(|(goals, _)| !goals.is_empty()).map(fault).collect()
 }
 
 #[cfg(test)]

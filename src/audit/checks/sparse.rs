@@ -1,29 +1,33 @@
 //! `sparse`: much less furniture on the floor than the style and the type of the room ask for.
 
-use super::finding::{Code, Finding};
-use super::possible::{Ask, Held, Question};
 use super::programme::programme;
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::possible::{Ask, Held, Question};
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::Subject;
+use crate::audit::thresholds::ROUNDING;
 use crate::catalog::{ClassIndex, ParentName};
 
 /// Judges the share of the floor that is covered. The low end of the type's range follows the style's
 /// density where that is below one.
-pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, ask, .. } = *evidence;
     let rules = subject.rules();
     let area = subject.room.region.area();
-    let Some(room_type) = subject.catalog.room_types.get(&subject.room.room_type) else { return };
+    let Some(room_type) = subject.catalog.room_types.get(&subject.room.room_type) else { return Vec::new() };
     if !room_type.is_furnished || area < rules.fulfilment.sparse_area {
-        return;
+        return Vec::new();
     }
     let factor = subject.style().map_or(1.0, |style| style.density.min(1.0));
     let least = room_type.density.0 * factor * rules.fulfilment.sparse;
     let standing = subject.bodies.iter().filter(|body| body.is_standing(rules));
     let share = standing.fold(0.0, |sum, body| sum + body.footprint_area()) / area;
-    if share < least - ROUNDING {
-        let finding = Finding::new(Code::Sparse, Vec::new(), share, least);
-        findings.push(finding.if_possible(has_room_for_more(subject, area, ask)));
+    if share >= least - ROUNDING {
+        return Vec::new();
     }
+    let fault = Fault::new(Quantity::Share, Vec::new(), share, least);
+    vec![fault.if_possible(has_room_for_more(subject, area, ask))]
 }
 
 /// Whether the empty room could hold some standing piece of its programme.

@@ -6,10 +6,11 @@ use crate::catalog::DoorRules;
 use crate::geometry::{Point, direction};
 use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
-use super::finding::{Code, Finding};
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
-use super::zone::{NearPair, Purpose, Zone};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::{Fault, FloorRegion};
+use crate::audit::quantity::Quantity;
+use crate::audit::thresholds::ROUNDING;
+use crate::audit::zone::{Purpose, Zone};
 
 /// Corners of the arc of each eighth of a turn; the chords then stay within 1.1 mm of a 0.9 m leaf's arc.
 const ARC_CORNERS: u32 = 8;
@@ -87,7 +88,8 @@ fn middle_of_swing(leaf: &Leaf) -> Point {
 }
 
 /// Judges the pairs of zone and body that the broad phase found; a door and a body make one finding.
-pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, zones, hits, .. } = *evidence;
     let mut deepest: BTreeMap<(usize, usize), f64> = BTreeMap::new();
     for &(zone, body) in hits {
         if let Purpose::Passing(opening) = zone.purpose {
@@ -97,13 +99,18 @@ pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut
         }
     }
     let limit = subject.rules().doors.intrusion;
-    for ((opening, body), depth) in deepest {
-        if depth > limit + ROUNDING {
-            let door = format!("door:{}", subject.level.openings[opening].id);
-            let objects = vec![subject.bodies[body].id.clone(), door];
-            findings.push(Finding::new(Code::DoorBlocked, objects, depth, limit));
-        }
-    }
+    let blocked = deepest.into_iter().filter(|&(_, depth)| depth > limit + ROUNDING);
+    let fault = |((opening, body), depth): ((usize, usize), f64)| {
+        let subjects = vec![subject.object(body), subject.opening(opening)];
+        Fault::new(Quantity::Depth, subjects, depth, limit).about(approaches(zones, opening))
+    };
+    blocked.map(fault).collect()
+}
+
+/// The floor before an opening, of which the swing of its leaf is a part.
+fn approaches(zones: &[Zone], opening: usize) -> Vec<FloorRegion> {
+    let is_approach = |zone: &&Zone| zone.purpose == Purpose::Passing(opening) && zone.base.len() == 4;
+    zones.iter().filter(is_approach).map(|zone| zone.base.clone()).collect()
 }
 
 #[cfg(test)]

@@ -6,10 +6,14 @@
 use crate::geometry::Solid;
 use crate::walk::{CELL, Floor, Goal};
 
-use super::finding::{Code, Finding};
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
-use super::zone::{Purpose, Zone};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::{Fault, FloorRegion, Named};
+use crate::audit::possible::Held;
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::Subject;
+use crate::audit::taking::clearance_regions;
+use crate::audit::thresholds::ROUNDING;
+use crate::audit::zone::{Purpose, Zone};
 
 /// What must be walked to.
 #[derive(Clone, Copy)]
@@ -40,24 +44,22 @@ pub(crate) fn floor(subject: &Subject<'_>) -> Option<Floor> {
     if has_bodies { floor_with(subject, subject.obstacles()) } else { None }
 }
 
+/// The walkable rates of the doors.
+pub(crate) fn rates(subject: &Subject<'_>, floor: &Floor) -> Rates {
+    let robot = floor.walk(subject.rules().walking.robot);
+    robot.doors().map(|(door, group)| (door, robot.rate(group))).collect()
+}
+
 /// Judges the ways from every door to every other and to all furniture.
-pub(crate) fn judge(
-    subject: &Subject<'_>,
-    floor: &Floor,
-    zones: &[Zone],
-    findings: &mut Vec<Finding>,
-) -> Rates {
-    let rules = subject.rules().walking;
-    let walk = floor.walk(rules.person);
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, floor, zones, .. } = *evidence;
+    let Some(floor) = floor else { return Vec::new() };
+    let walk = floor.walk(subject.rules().walking.person);
     // The door from which the others are reached, in whatever room they are compared with.
     let home = walk.main_door();
     let goals = goals(subject, zones, floor);
     let missed: Vec<Target<'_>> = goals.into_iter().filter(|goal| !walk.reaches(home, goal.goal())).collect();
-    if !missed.is_empty() {
-        findings.extend(explain(subject, (floor, home), &missed));
-    }
-    let robot = floor.walk(rules.robot);
-    robot.doors().map(|(door, group)| (door, robot.rate(group))).collect()
+    if missed.is_empty() { Vec::new() } else { explain(subject, (floor, home), &missed) }
 }
 
 /// The room with some of its bodies' solids; `None` where no door leads in.
@@ -77,25 +79,36 @@ pub(crate) fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor)
     floor.doors().map(Target::Door).chain(sides).collect()
 }
 
-/// The findings of goals that are not reached. What the empty room allows is asked of the furnished one: the
+/// The faults of goals that are not reached. What the empty room allows is asked of the furnished one: the
 /// full width, else the narrow one; what it does not allow is the plan's fault.
-fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Target<'_>]) -> Vec<Finding> {
+fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Target<'_>]) -> Vec<Fault> {
     let rules = subject.rules().walking;
     let empty = floor_with(subject, core::iter::empty()).expect("furniture closes no door");
     let (wide, narrow) = (empty.walk(rules.person), empty.walk(rules.narrow_person));
     let widths = widest((floor, home), missed, rules.person);
-    let mut findings = Vec::new();
+    let mut faults: Vec<Fault> = Vec::new();
     for (&goal, width) in missed.iter().zip(widths) {
         let required = if wide.reaches(home, goal.goal()) { rules.person } else { rules.narrow_person };
         if width < required - ROUNDING {
-            let finding = Finding::new(Code::Unreachable, names(subject, goal), width, required);
+            let fault = Fault::new(Quantity::Width, vec![named(subject, goal)], width, required);
             let is_possible = required == rules.person || narrow.reaches(home, goal.goal());
-            findings.push(if is_possible { finding } else { finding.given() });
+            let is_possible = if is_possible { Held::Yes } else { Held::No };
+            faults.push(fault.about(region(subject, goal)).if_possible(is_possible));
         }
     }
-    // An object with several sides makes one finding.
-    findings.dedup_by(|a, b| a.objects == b.objects);
-    findings
+    // An object with several sides makes one fault.
+    faults.dedup_by(|a, b| a.subjects == b.subjects);
+    faults
+}
+
+/// The floor that people need at an object; a door has none of its own.
+fn region(subject: &Subject<'_>, target: Target<'_>) -> Vec<FloorRegion> {
+    match target {
+        Target::Door(_) => Vec::new(),
+        Target::Side(_, owner) => {
+            clearance_regions(&subject.bodies[owner], false, |clearance| clearance.minimum > 0.0)
+        }
+    }
 }
 
 /// For each goal the widest disc that gets there, to a cell and below `missed_by`; zero where none does.
@@ -116,16 +129,17 @@ pub(crate) fn widest((floor, home): (&Floor, usize), goals: &[Target<'_>], misse
     widths
 }
 
-pub(crate) fn names(subject: &Subject<'_>, target: Target<'_>) -> Vec<String> {
+/// What a target is.
+pub(crate) fn named(subject: &Subject<'_>, target: Target<'_>) -> Named {
     match target {
-        Target::Door(door) => vec![format!("door:{}", subject.level.openings[door].id)],
-        Target::Side(_, owner) => vec![subject.bodies[owner].id.clone()],
+        Target::Door(door) => subject.opening(door),
+        Target::Side(_, owner) => subject.object(owner),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::audit::Code;
     use crate::audit::testing::{TestRoom, at};
     use crate::plan::OpeningKind;
 

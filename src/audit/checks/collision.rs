@@ -5,22 +5,22 @@
 
 use crate::geometry::Solid;
 
-use super::convex::penetration;
-use super::finding::{Code, Finding};
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
+use crate::audit::convex::penetration;
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::quantity::Quantity;
+use crate::audit::thresholds::ROUNDING;
 
 /// Judges the pairs of bodies that the broad phase found.
-pub(crate) fn judge(subject: &Subject<'_>, pairs: &[(usize, usize)], findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, collisions, .. } = *evidence;
     let limit = subject.rules().bodies.collision_depth;
-    for &(a, b) in pairs {
-        let (a, b) = (&subject.bodies[a], &subject.bodies[b]);
-        let depth = deepest(&a.solids, &b.solids);
-        if depth > limit + ROUNDING {
-            let objects = vec![a.id.clone(), b.id.clone()];
-            findings.push(Finding::new(Code::Collision, objects, depth, limit));
-        }
-    }
+    let fault = |&(a, b): &(usize, usize)| {
+        let depth = deepest(&subject.bodies[a].solids, &subject.bodies[b].solids);
+        let bodies = || vec![subject.object(a), subject.object(b)];
+        (depth > limit + ROUNDING).then(|| Fault::new(Quantity::Depth, bodies(), depth, limit))
+    };
+    collisions.iter().filter_map(fault).collect()
 }
 
 /// How deep the deepest pair of parts intersects; at most zero where none do.

@@ -7,23 +7,36 @@ use crate::geometry::{Intervals, Point, Solid, edges};
 use crate::layout::Parent;
 use crate::plan::{OpeningKind, Wall, WallKind};
 
-use super::convex::{depth, distance, penetration, segment_distance};
-use super::finding::{Code, Finding};
-use super::subject::{Body, Subject};
-use super::thresholds::ROUNDING;
+use crate::audit::convex::{depth, distance, penetration, segment_distance};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
+use crate::audit::thresholds::ROUNDING;
 
-/// Judges every body against its support.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
-    let rules = subject.rules().bodies;
-    for body in &subject.bodies {
+/// The bodies that do not touch their support.
+pub(crate) fn floating(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let subject = evidence.subject;
+    let limit = subject.rules().bodies.support_gap;
+    let fault = |(index, body): (usize, &Body<'_>)| {
         let gap = gap_to_support(subject, body);
-        if gap > rules.support_gap + ROUNDING {
-            findings.push(Finding::new(Code::Floating, vec![body.id.clone()], gap, rules.support_gap));
-        } else if let Some((support, share)) = overhang(subject, body) {
-            let objects = vec![body.id.clone(), support];
-            findings.push(Finding::new(Code::Unsupported, objects, share, rules.overhang_share));
-        }
-    }
+        let subjects = || vec![subject.object(index)];
+        (gap > limit + ROUNDING).then(|| Fault::new(Quantity::Gap, subjects(), gap, limit))
+    };
+    subject.bodies.iter().enumerate().filter_map(fault).collect()
+}
+
+/// The bodies that touch their support and hang over its edge.
+pub(crate) fn unsupported(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let subject = evidence.subject;
+    let rules = subject.rules().bodies;
+    let fault = |(index, body): (usize, &Body<'_>)| {
+        let (support, share) = overhang(subject, body)?;
+        let subjects = vec![subject.object(index), subject.object(support)];
+        let touches = gap_to_support(subject, body) <= rules.support_gap + ROUNDING;
+        touches.then(|| Fault::new(Quantity::Share, subjects, share, rules.overhang_share))
+    };
+    subject.bodies.iter().enumerate().filter_map(fault).collect()
 }
 
 /// Metres between a body and what carries it; zero or less in contact.
@@ -121,11 +134,11 @@ fn gap_to_segment(body: &Body<'_>, segment: (Point, Point)) -> f64 {
     gaps.fold(f64::INFINITY, f64::min)
 }
 
-/// The share of a footprint that hangs over the edge of its support, with the support's id, where it is
+/// The share of a footprint that hangs over the edge of its support, with the support's index, where it is
 /// too much.
-fn overhang(subject: &Subject<'_>, body: &Body<'_>) -> Option<(String, f64)> {
-    let Parent::Object(parent) = body.placement.parent else { return None };
-    let parent = &subject.bodies[parent];
+fn overhang(subject: &Subject<'_>, body: &Body<'_>) -> Option<(usize, f64)> {
+    let Parent::Object(index) = body.placement.parent else { return None };
+    let parent = &subject.bodies[index];
     let rules = subject.rules().bodies;
     let carries = |part: &&Solid| (part.high - body.low()).abs() <= rules.support_gap + ROUNDING;
     let support: Vec<&Solid> = parent.solids.iter().filter(carries).collect();
@@ -140,7 +153,7 @@ fn overhang(subject: &Subject<'_>, body: &Body<'_>) -> Option<(String, f64)> {
     let carrier = union(support.into_iter());
     let share = carried.difference(&carrier).unsigned_area() / carried.unsigned_area();
     let is_balanced = carried.centroid().is_some_and(|center| carrier.contains(&center));
-    (share > rules.overhang_share + ROUNDING || !is_balanced).then(|| (parent.id.clone(), share))
+    (share > rules.overhang_share + ROUNDING || !is_balanced).then_some((index, share))
 }
 
 fn is_within(outer: &[Point], inner: &[Point]) -> bool {

@@ -4,13 +4,17 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::catalog::{Class, ClassIndex, Count, ParentName, Request};
 
-use super::finding::{Code, Finding};
-use super::possible::{Ask, Held, Question};
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::possible::{Ask, Held, Question};
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::Subject;
+use crate::audit::thresholds::ROUNDING;
 
-/// Judges a room against its programme.
-pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Finding>) {
+/// Required pieces that are missing though the room could hold them.
+pub(crate) fn missing_required(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, ask, .. } = *evidence;
+    let mut faults = Vec::new();
     for class in missing_classes(subject) {
         let alone = ask(&Question::Class(class));
         if alone == Held::No {
@@ -18,27 +22,34 @@ pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Find
         }
         let (rest, asked) =
             (resting(subject, &[class]), resting(subject, &[class]) + removed(subject, class));
-        let objects = vec![subject.catalog.classes[class].id.clone()];
-        let finding = Finding::new(Code::MissingRequired, objects, f64::from(rest), f64::from(asked));
-        findings.push(finding.if_possible(hold_beside_others(subject, class, ask)));
+        let subjects = vec![subject.class(class)];
+        let fault = Fault::new(Quantity::Count, subjects, f64::from(rest), f64::from(asked));
+        faults.push(fault.if_possible(hold_beside_others(subject, class, ask)));
     }
+    faults
+}
+
+/// Whether too small a share of the requested pieces rests.
+pub(crate) fn unfulfilled(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, ask, .. } = *evidence;
     let (requested, limit) = (subject.furnished.requested, subject.rules().fulfilment.resting);
     let share = f64::from(count(subject.bodies.len())) / f64::from(requested.max(1));
-    if requested > 0 && share < limit - ROUNDING {
-        let finding = Finding::new(Code::Unfulfilled, Vec::new(), share, limit);
-        // A file that is read back may ask for less than it misses.
-        let share_without = |impossible: u32| {
-            f64::from(count(subject.bodies.len())) / f64::from(requested.saturating_sub(impossible).max(1))
-        };
-        let Impossible { known, unknown } = impossible_pieces(subject, ask);
-        findings.push(finding.if_possible(if share_without(known) >= limit - ROUNDING {
-            Held::No
-        } else if share_without(known + unknown) >= limit - ROUNDING {
-            Held::Unknown
-        } else {
-            Held::Yes
-        }));
+    if requested == 0 || share >= limit - ROUNDING {
+        return Vec::new();
     }
+    // A file that is read back may ask for less than it misses.
+    let share_without = |impossible: u32| {
+        f64::from(count(subject.bodies.len())) / f64::from(requested.saturating_sub(impossible).max(1))
+    };
+    let Impossible { known, unknown } = impossible_pieces(subject, ask);
+    let is_possible = if share_without(known) >= limit - ROUNDING {
+        Held::No
+    } else if share_without(known + unknown) >= limit - ROUNDING {
+        Held::Unknown
+    } else {
+        Held::Yes
+    };
+    vec![Fault::new(Quantity::Share, Vec::new(), share, limit).if_possible(is_possible)]
 }
 
 /// Missing pieces that the empty room has no place for.

@@ -1,20 +1,24 @@
 //! `tv_position`: a screen that nobody sees from a seat or bed, or one before a window.
 
-use super::bounds::Bounds;
-use super::convex::clip_segment;
-use super::finding::{Code, Finding};
-use super::groups::{BED, SCREEN, SEAT, SLEEPING};
-use super::near::NearPoints;
-use super::subject::{Body, Subject};
 use super::windows::is_before;
-use super::zone::{NearPair, Purpose};
+use crate::audit::bounds::Bounds;
+use crate::audit::convex::clip_segment;
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::groups::{BED, SCREEN, SEAT, SLEEPING};
+use crate::audit::near::NearPoints;
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
+use crate::audit::zone::Purpose;
 use crate::geometry::Point;
 
 /// Metres from the back of a bed to the eyes of somebody who watches from it.
 const EYES_IN_BED: f64 = 0.5;
 
 /// Judges every screen.
-pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, hits, .. } = *evidence;
+    let mut faults = Vec::new();
     let viewers = subject.bodies.iter().enumerate().filter(|(_, body)| is_viewer(body));
     let viewers = NearPoints::new(viewers.map(|(index, body)| (index, body.placement.position)));
     for (index, screen) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(SCREEN)) {
@@ -26,19 +30,21 @@ pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut
             // Without any seat the screen is infinitely far away, for which JSON has no number.
             let nearest = viewers.distance(position, place).map_or(0.0, |distance| distance / diagonal);
             let farthest = subject.rules().screens.farthest;
-            findings.push(Finding::new(Code::TvPosition, vec![screen.id.clone()], nearest, farthest));
+            let subjects = vec![subject.object(index)];
+            faults.push(Fault::new(Quantity::ScreenDistance, subjects, nearest, farthest));
         }
     }
-    for &(zone, body) in hits {
+    for &(zone, index) in hits {
         let Purpose::Light(window) = zone.purpose else { continue };
-        let screen = &subject.bodies[body];
+        let screen = &subject.bodies[index];
         if screen.is_in(SCREEN) && is_before(subject, zone, screen) {
-            let window = format!("window:{}", subject.level.openings[window].id);
-            let depth = zone.free_depth(screen);
-            let rule = subject.rules().windows.depth;
-            findings.push(Finding::new(Code::TvPosition, vec![screen.id.clone(), window], depth, rule));
+            let subjects = vec![subject.object(index), subject.opening(window)];
+            let (depth, rule) = (zone.free_depth(screen), subject.rules().windows.depth);
+            let fault = Fault::new(Quantity::FreeDepth, subjects, depth, rule);
+            faults.push(fault.about(vec![zone.base.clone()]));
         }
     }
+    faults
 }
 
 fn is_viewer(body: &Body<'_>) -> bool {

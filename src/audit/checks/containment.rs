@@ -4,19 +4,22 @@
 use crate::geometry::{Point, Polygon, Solid, edges, nearest_on_segment};
 use crate::plan::Obstacle;
 
-use super::convex::{clip_segment, depth};
-use super::finding::{Code, Finding};
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
+use crate::audit::convex::{clip_segment, depth};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::quantity::Quantity;
+use crate::audit::thresholds::ROUNDING;
 
 /// Halvings of the search for the deepest point of a segment: metres to nanometres.
 const SEARCH_STEPS: u32 = 40;
 
 /// Judges every body against the room.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, .. } = *evidence;
+    let mut faults = Vec::new();
     let limit = subject.rules().bodies.out_of_room;
     let borders: Vec<(Point, Point)> = subject.room.region.borders().collect();
-    for body in &subject.bodies {
+    for (index, body) in subject.bodies.iter().enumerate() {
         let upright = (-body.low()).max(body.high() - subject.room.height);
         let sideways = body.solids.iter().map(|solid| {
             let through_walls =
@@ -26,9 +29,10 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
         });
         let measured = sideways.fold(upright, f64::max);
         if measured > limit + ROUNDING {
-            findings.push(Finding::new(Code::OutOfRoom, vec![body.id.clone()], measured, limit));
+            faults.push(Fault::new(Quantity::Depth, vec![subject.object(index)], measured, limit));
         }
     }
+    faults
 }
 
 /// How deep a prism reaches into a column; zero where it does not, or stands on top of it.

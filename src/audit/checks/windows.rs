@@ -1,10 +1,12 @@
 //! `window_blocked`: a body before a window that takes its light.
 
-use super::finding::{Code, Finding};
-use super::groups::{LIGHT, MOVABLE, PLANT, SCREEN, SMALL, WINDOW_DRESSING};
-use super::subject::{Body, Subject};
-use super::thresholds::ROUNDING;
-use super::zone::{NearPair, Purpose, Zone};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::groups::{LIGHT, MOVABLE, PLANT, SCREEN, SMALL, WINDOW_DRESSING};
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
+use crate::audit::thresholds::ROUNDING;
+use crate::audit::zone::{Purpose, Zone};
 use crate::layout::Parent;
 use crate::plan::OpeningKind;
 
@@ -31,18 +33,21 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
 }
 
 /// Judges the pairs of zone and body that the broad phase found.
-pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
-    for &(zone, body) in hits {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, hits, .. } = *evidence;
+    let mut faults = Vec::new();
+    for &(zone, index) in hits {
         let Purpose::Light(window) = zone.purpose else { continue };
-        let body = &subject.bodies[body];
+        let body = &subject.bodies[index];
         // A screen before a window is judged as a screen.
         if body.is_in(SCREEN) || lets_light_through(subject, body) || !is_before(subject, zone, body) {
             continue;
         }
-        let window = format!("window:{}", subject.level.openings[window].id);
-        let objects = vec![body.id.clone(), window];
-        findings.push(Finding::new(Code::WindowBlocked, objects, body.high(), zone.heights.0));
+        let subjects = vec![subject.object(index), subject.opening(window)];
+        let fault = Fault::new(Quantity::Height, subjects, body.high(), zone.heights.0);
+        faults.push(fault.about(vec![zone.base.clone()]));
     }
+    faults
 }
 
 /// Whether a body stands before a window by more than is tolerated.

@@ -2,33 +2,26 @@
 
 use std::collections::BTreeMap;
 
-use super::clearances::{self, Taking, narrowest};
-use super::finding::{Code, Finding};
-use super::possible::{Ask, Question};
-use super::subject::Subject;
-use super::thresholds::ROUNDING;
-use super::zone::{NearPair, Purpose, Zone};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::possible::Question;
+use crate::audit::quantity::Quantity;
+use crate::audit::taking::{Taking, narrowest};
+use crate::audit::thresholds::ROUNDING;
 use crate::layout::Placement;
 
 /// Metres within which two bodies take as much of a clearance: the 32-bit numbers of a file do not decide which is named.
 const SAME_DEPTH: f64 = 1e-5;
 
-/// What takes the good clearances.
-pub(crate) fn takings(subject: &Subject<'_>, zones: &[Zone], hits: &[NearPair<'_>]) -> Vec<Taking> {
-    clearances::takings(subject, zones, hits, |purpose| match purpose {
-        Purpose::Comfort(owner, number) => Some((owner, number)),
-        _ => None,
-    })
-}
-
 /// Judges what takes the good clearances; an object makes one finding, that of its tightest side. Where the
 /// good depth does not fit into the empty room, the plan asks for no more than the minimum.
-pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], ask: Ask<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, comfort, ask, .. } = *evidence;
     let slack = subject.rules().clearances.intrusion + ROUNDING;
     let clearance = |taking: &Taking| &subject.bodies[taking.owner].class.clearances[taking.number];
     let lacks = |taking: &Taking| clearance(taking).good - taking.free;
     let mut tightest: BTreeMap<usize, &Taking> = BTreeMap::new();
-    for taking in narrowest(takings).into_values() {
+    for taking in narrowest(comfort).into_values() {
         // Below the minimum the side is not tight but blocked.
         if taking.free < clearance(taking).minimum - slack {
             continue;
@@ -38,19 +31,20 @@ pub(crate) fn judge(subject: &Subject<'_>, takings: &[Taking], ask: Ask<'_>, fin
             _ => drop(tightest.insert(taking.owner, taking)),
         }
     }
-    findings.extend(tightest.into_iter().map(|(owner, taking)| {
-        let body = &subject.bodies[owner];
-        let objects = vec![body.id.clone(), taking.blocker.clone()];
-        let finding = Finding::new(Code::TightUse, objects, taking.free, clearance(taking).good);
-        let Placement { class, size, .. } = *body.placement;
-        finding.if_possible(ask(&Question::Comfortably { class, size }))
-    }));
+    let fault = |(owner, taking): (usize, &Taking)| {
+        let subjects = vec![subject.object(owner), taking.blocker.clone()];
+        let fault = Fault::new(Quantity::FreeDepth, subjects, taking.free, clearance(taking).good);
+        let Placement { class, size, .. } = *subject.bodies[owner].placement;
+        let is_possible = ask(&Question::Comfortably { class, size });
+        fault.about(vec![taking.region(subject, true)]).if_possible(is_possible)
+    };
+    tightest.into_iter().map(fault).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use crate::audit::testing::{TestRoom, at};
-    use crate::audit::{Code, Severity};
+    use crate::audit::{Code, Severity, Thing};
 
     #[test]
     fn between_minimum_and_good_a_side_is_tight() {
@@ -84,5 +78,23 @@ mod tests {
             assert_eq!((findings[0].code, findings.len()), (Code::TightUse, 1));
             assert_eq!((findings[0].severity, &findings[0].objects[1][..]), (severity, "wall.0"));
         }
+    }
+
+    #[test]
+    fn the_region_of_a_tight_side_is_the_good_clearance_that_is_taken() {
+        let mut room = TestRoom::rectangle(6.0, 5.0);
+        room.stand("desk", at(3.0, 2.375));
+        room.stand("chest", at(3.0, 0.7));
+        let finding = &room.audit()[0];
+        assert_eq!(
+            finding.things,
+            [Thing::Object(1), Thing::Object(0)],
+            "in the order of {:?}",
+            finding.objects
+        );
+        let [side] = &finding.region[..] else { panic!("one side: {:?}", finding.region) };
+        let depths: Vec<f64> = side.iter().map(|corner| corner.y).collect();
+        let (low, high) = (depths.iter().copied().fold(f64::INFINITY, f64::min), 2.0);
+        assert!((low - (high - 0.9)).abs() < 1e-9 && depths.iter().all(|&y| y <= high + 1e-9), "{side:?}");
     }
 }

@@ -1,11 +1,13 @@
 //! `wet_room`: a tub or shower directly before the toilet bowl, a toilet that faces an open kitchen.
 
-use super::clearances::zone;
-use super::finding::{Code, Finding};
-use super::groups::{BATHING, COOKING, TOILET};
-use super::subject::{Body, Subject};
-use super::thresholds::ROUNDING;
-use super::zone::{NearPair, Purpose, Zone};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::{Fault, Named};
+use crate::audit::groups::{BATHING, COOKING, TOILET};
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
+use crate::audit::taking::zone;
+use crate::audit::thresholds::ROUNDING;
+use crate::audit::zone::{Purpose, Zone};
 use crate::catalog::{Clearance, Side};
 use crate::geometry::Point;
 use crate::plan::{OpeningKind, RoomOpening};
@@ -29,41 +31,48 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
 }
 
 /// Judges the pairs of zone and body that the broad phase found, then what the toilets look at.
-pub(crate) fn judge(subject: &Subject<'_>, hits: &[NearPair<'_>], findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, hits, .. } = *evidence;
+    let mut faults = Vec::new();
     let limit = subject.rules().clearances.intrusion + ROUNDING;
     for &(zone, body) in hits {
         let Purpose::Bowl(toilet) = zone.purpose else { continue };
         let other = &subject.bodies[body];
         if other.is_in(BATHING) && zone.intrusion(subject, other) > limit {
-            let objects = vec![subject.bodies[toilet].id.clone(), other.id.clone()];
+            let subjects = vec![subject.object(toilet), subject.object(body)];
             let depth = subject.rules().wet_rooms.toilet_front;
-            findings.push(Finding::new(Code::WetRoom, objects, zone.free_depth(other), depth));
+            faults.push(Fault::new(Quantity::FreeDepth, subjects, zone.free_depth(other), depth));
         }
     }
-    let cookers: Vec<&Body<'_>> = subject.bodies.iter().filter(|body| body.is_in(COOKING)).collect();
-    for toilet in subject.bodies.iter().filter(|body| body.is_in(TOILET)) {
-        if let Some((what, distance)) = kitchen_before(subject, &cookers, toilet) {
-            findings.push(Finding::new(Code::WetRoom, vec![toilet.id.clone(), what], distance, distance));
+    let bodies = || subject.bodies.iter().enumerate();
+    let cookers: Vec<usize> =
+        bodies().filter(|(_, body)| body.is_in(COOKING)).map(|(index, _)| index).collect();
+    for (index, toilet) in bodies().filter(|(_, body)| body.is_in(TOILET)) {
+        if let Some((kitchen, distance)) = kitchen_before(subject, &cookers, toilet) {
+            let subjects = vec![subject.object(index), kitchen];
+            faults.push(Fault::new(Quantity::Distance, subjects, distance, distance));
         }
     }
+    faults
 }
 
 /// The open kitchen that a toilet faces: a cooker in the same room, or an opening without a door to a room
 /// that one cooks in; with the metres up to it.
-fn kitchen_before(subject: &Subject<'_>, cookers: &[&Body<'_>], toilet: &Body<'_>) -> Option<(String, f64)> {
+fn kitchen_before(subject: &Subject<'_>, cookers: &[usize], toilet: &Body<'_>) -> Option<(Named, f64)> {
     let (from, along) = (toilet.placement.position, toilet.front());
     let ahead = |point: Point| {
         let offset = point - from;
         let aside = offset.perp_dot(along).abs();
         (offset.dot(along) > 0.0 && aside <= offset.dot(along)).then_some(offset.length())
     };
-    let cooker = cookers.iter().find_map(|body| Some((body.id.clone(), ahead(body.placement.position)?)));
+    let position = |cooker: usize| subject.bodies[cooker].placement.position;
+    let cooker = cookers.iter().find_map(|&cooker| Some((subject.object(cooker), ahead(position(cooker))?)));
     let through = || {
         subject.room.openings.iter().find_map(|place| {
             let wall = &subject.room.walls[place.wall];
             let middle = wall.start + wall.direction() * f64::midpoint(place.from, place.to);
             let distance = ahead(middle).filter(|_| leads_to_kitchen(subject, place))?;
-            Some((format!("door:{}", subject.level.openings[place.opening].id), distance))
+            Some((subject.opening(place.opening), distance))
         })
     };
     cooker.or_else(through)

@@ -1,19 +1,23 @@
 //! `crowded_half`: nearly all furniture in one half of a room while the other has room for some.
 
-use super::convex::{area, half};
-use super::finding::{Code, Finding};
-use super::possible::{Ask, Held, Question};
-use super::subject::{Body, Subject};
+use crate::audit::convex::{area, half};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::possible::{Ask, Held, Question};
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
 use crate::geometry::{Point, Polygon, Solid};
 use crate::layout::Placement;
 
 /// Judges the halves of a room along both of its main axes.
-pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, ask, .. } = *evidence;
     let rules = subject.rules();
     if subject.room.region.area() < rules.balance.least_area {
-        return;
+        return Vec::new();
     }
-    let standing: Vec<&Body<'_>> = subject.bodies.iter().filter(|body| body.is_standing(rules)).collect();
+    let bodies = subject.bodies.iter().enumerate();
+    let standing: Vec<Standing<'_>> = bodies.filter(|(_, body)| body.is_standing(rules)).collect();
     let middle = middle_of(subject);
     let along = main_direction(subject);
     let worst = [along, along.perp(), -along, -along.perp()]
@@ -21,33 +25,36 @@ pub(crate) fn judge(subject: &Subject<'_>, ask: Ask<'_>, findings: &mut Vec<Find
         .filter_map(|direction| {
             let line = (middle, direction);
             let (share, largest) = crowd(subject, &standing, line)?;
-            has_room_beside(subject, largest, line, ask).then_some((share, &largest.id))
+            has_room_beside(subject, &subject.bodies[largest], line, ask).then_some((share, largest))
         })
         .reduce(|a, b| if b.0 > a.0 { b } else { a });
-    if let Some((share, largest)) = worst {
-        findings.push(Finding::new(Code::CrowdedHalf, vec![largest.clone()], share, rules.balance.share));
-    }
+    let fault = |(share, largest): (f64, usize)| {
+        Fault::new(Quantity::Share, vec![subject.object(largest)], share, rules.balance.share)
+    };
+    worst.map(fault).into_iter().collect()
 }
 
-/// The share of the footprints to the right of a line if that is too much, with the largest piece there.
+/// A body that stands on the floor, with its index.
+type Standing<'s> = (usize, &'s Body<'s>);
+
+/// The share of the footprints to the right of a line if that is too much, with the index of the largest piece there.
 ///
 /// One piece that outweighs all others cannot be balanced: moving it would crowd the other half.
-fn crowd<'b>(
-    subject: &Subject<'_>,
-    standing: &[&'b Body<'b>],
-    line: (Point, Point),
-) -> Option<(f64, &'b Body<'b>)> {
+fn crowd(subject: &Subject<'_>, standing: &[Standing<'_>], line: (Point, Point)) -> Option<(f64, usize)> {
     let limit = subject.rules().balance.share;
-    let all: f64 = standing.iter().map(|body| box_area(body)).sum();
-    let right: f64 = standing.iter().map(|body| box_area(body) * share_right_of(body, line)).sum();
+    let all: f64 = standing.iter().map(|(_, body)| box_area(body)).sum();
+    let right: f64 = standing.iter().map(|(_, body)| box_area(body) * share_right_of(body, line)).sum();
     let share = right / all;
     if all == 0.0 || share <= limit {
         return None;
     }
-    let on_right = standing.iter().filter(|body| share_right_of(body, line) >= 1.0);
-    let largest = on_right.max_by(|a, b| box_area(a).total_cmp(&box_area(b)).then(b.id.cmp(&a.id)))?;
+    let on_right = standing.iter().filter(|(_, body)| share_right_of(body, line) >= 1.0);
+    let by_area = |(_, a): &&Standing<'_>, (_, b): &&Standing<'_>| {
+        box_area(a).total_cmp(&box_area(b)).then(b.id.cmp(&a.id))
+    };
+    let &(index, largest) = on_right.max_by(by_area)?;
     let is_better = 1.0 - (share - box_area(largest) / all) <= limit;
-    is_better.then_some((share, *largest))
+    is_better.then_some((share, index))
 }
 
 /// Whether a body could stand among the others on the left of a line.

@@ -1,40 +1,44 @@
 //! `facing`: a seat turned away from its table or desk, a desk used from its wrong side, a mirror over nothing.
 
-use super::finding::{Code, Finding};
-use super::groups::{MIRROR, SEAT, SURFACE, WORK_SURFACE};
-use super::subject::{Body, Subject};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::groups::{MIRROR, SEAT, SURFACE, WORK_SURFACE};
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
 use crate::catalog::{ParentName, Side};
 use crate::geometry::Point;
 use crate::layout::Parent;
 
 /// Judges seats at tables, desks with seats, and mirrors.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, .. } = *evidence;
+    let mut faults = Vec::new();
     let limit = subject.rules().facing.angle;
-    for body in &subject.bodies {
+    for (index, body) in subject.bodies.iter().enumerate() {
         if let Some(table) = table_of(subject, body) {
-            let off = off_table(body, table);
+            let off = off_table(body, &subject.bodies[table]);
             if off > limit {
-                let objects = vec![body.id.clone(), table.id.clone()];
-                findings.push(Finding::new(Code::Facing, objects, off.to_degrees(), limit.to_degrees()));
+                let subjects = vec![subject.object(index), subject.object(table)];
+                faults.push(Fault::new(Quantity::Angle, subjects, off.to_degrees(), limit.to_degrees()));
             }
         }
         if hangs_over_nothing(subject, body) {
-            findings.push(Finding::new(Code::Facing, vec![body.id.clone()], 0.0, 1.0));
+            faults.push(Fault::new(Quantity::Count, vec![subject.object(index)], 0.0, 1.0));
         }
     }
     for (index, desk) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(WORK_SURFACE)) {
         if is_used_from_behind(subject, (index, desk)) {
-            findings.push(Finding::new(Code::Facing, vec![desk.id.clone()], 180.0, limit.to_degrees()));
+            faults.push(Fault::new(Quantity::Angle, vec![subject.object(index)], 180.0, limit.to_degrees()));
         }
     }
+    faults
 }
 
-/// What a seat stands at, if that is a table or desk.
-fn table_of<'s, 'a>(subject: &'s Subject<'a>, seat: &Body<'a>) -> Option<&'s Body<'a>> {
+/// What a seat stands at, by index, if that is a table or desk.
+fn table_of(subject: &Subject<'_>, seat: &Body<'_>) -> Option<usize> {
     let Parent::Object(parent) = seat.placement.parent else { return None };
     let is_beside = !matches!(seat.placement.side, Side::Above | Side::Below);
-    let table = &subject.bodies[parent];
-    (is_beside && seat.is_in(SEAT) && table.is_in(SURFACE)).then_some(table)
+    (is_beside && seat.is_in(SEAT) && subject.bodies[parent].is_in(SURFACE)).then_some(parent)
 }
 
 /// Radians between where a seat faces and its table: straight at the side it stands at, or at the middle, as

@@ -1,24 +1,26 @@
 //! `bedside`: a double bed that people get into from one side only.
 
-use super::clearances::zone;
-use super::finding::{Code, Finding};
-use super::groups::BED;
-use super::possible::{Ask, Held, Question};
-use super::subject::{Body, Subject};
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::{Fault, FloorRegion};
+use crate::audit::groups::BED;
+use crate::audit::possible::{Held, Question};
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::{Body, Subject};
+use crate::audit::taking::{clearance_regions, zone};
 
-use super::zone::Purpose;
+use crate::audit::zone::Purpose;
 use crate::catalog::{Clearance, Side};
-use crate::walk::{Floor, Walk};
+use crate::walk::Walk;
 
 /// Judges the double beds of a room with a floor to walk on.
-pub(crate) fn judge(subject: &Subject<'_>, floor: &Floor, ask: Ask<'_>, findings: &mut Vec<Finding>) {
-    let mut beds = subject.bodies.iter().filter(|body| is_double(body)).peekable();
-    if beds.peek().is_none() {
-        return;
-    }
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, floor, ask, .. } = *evidence;
+    let mut faults = Vec::new();
+    let mut beds = subject.bodies.iter().enumerate().filter(|(_, body)| is_double(body)).peekable();
+    let (Some(floor), true) = (floor, beds.peek().is_some()) else { return faults };
     // What is narrower than the disc by a cell still lets somebody in sideways.
     let walk = floor.walk(subject.rules().beds.other_side);
-    for bed in beds {
+    for (index, bed) in beds {
         let reached =
             [Side::Left, Side::Right].into_iter().filter(|&side| is_reached(subject, &walk, bed, side));
         if reached.count() != 1 {
@@ -26,10 +28,17 @@ pub(crate) fn judge(subject: &Subject<'_>, floor: &Floor, ask: Ask<'_>, findings
         }
         let is_possible = ask(&Question::Class(bed.placement.class));
         if is_possible != Held::No {
-            let finding = Finding::new(Code::Bedside, vec![bed.id.clone()], 1.0, 2.0);
-            findings.push(finding.if_possible(is_possible));
+            let fault = Fault::new(Quantity::Count, vec![subject.object(index)], 1.0, 2.0);
+            faults.push(fault.about(sides_of(bed)).if_possible(is_possible));
         }
     }
+    faults
+}
+
+/// What is kept free at the two sides of a bed.
+fn sides_of(bed: &Body<'_>) -> Vec<FloorRegion> {
+    let is_side = |clearance: &Clearance| matches!(clearance.side, Side::Left | Side::Right);
+    clearance_regions(bed, false, is_side)
 }
 
 /// A bed for two is one whose class asks for space at both sides.

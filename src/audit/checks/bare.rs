@@ -1,13 +1,16 @@
 //! `bare`: desks, sideboards and worktops with nothing on them.
 
-use super::finding::{Code, Finding};
-use super::groups::DISPLAY;
-use super::subject::{Body, Subject};
-use super::thresholds::ROUNDING;
+use crate::audit::evidence::Evidence;
+use crate::audit::fault::Fault;
+use crate::audit::groups::DISPLAY;
+use crate::audit::quantity::Quantity;
+use crate::audit::subject::Body;
+use crate::audit::thresholds::ROUNDING;
 use crate::catalog::Side;
 
 /// Judges the surfaces of a room together: one empty worktop among several is in order.
-pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
+pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
+    let Evidence { subject, .. } = *evidence;
     let surfaces = subject.bodies.iter().enumerate().filter(|(_, body)| is_surface(body));
     let is_on_top = |object: usize| subject.bodies[object].placement.side == Side::Above;
     let carries = |surface: usize| subject.children(surface).any(is_on_top);
@@ -15,10 +18,11 @@ pub(crate) fn judge(subject: &Subject<'_>, findings: &mut Vec<Finding>) {
     let all = carrying.len() + empty.len();
     let limit = subject.rules().fulfilment.carrying;
     let share = carrying.len() as f64 / all.max(1) as f64;
-    if all > 0 && share < limit - ROUNDING {
-        let objects = empty.into_iter().map(|(_, body)| body.id.clone()).collect();
-        findings.push(Finding::new(Code::Bare, objects, share, limit));
+    if all == 0 || share >= limit - ROUNDING {
+        return Vec::new();
     }
+    let surfaces = empty.into_iter().map(|(surface, _)| subject.object(surface)).collect();
+    vec![Fault::new(Quantity::Share, surfaces, share, limit)]
 }
 
 /// Whether a body is meant to carry small things.

@@ -1,0 +1,247 @@
+//! The table of findings: a row says the word, how bad it is, what is measured, the section of `configs/audit.yaml` with
+//! its thresholds, what it means, and which check finds it. The words are part of the output.
+//!
+//! A check is a file of this folder. It takes the evidence and gives faults; the table makes findings of them.
+
+mod access;
+mod bare;
+mod bedside;
+mod blocked;
+mod collision;
+mod containment;
+mod crooked;
+mod doors;
+mod facing;
+mod halves;
+mod programme;
+mod reach;
+mod screens;
+mod sparse;
+mod support;
+mod tight;
+mod wet_room;
+mod windows;
+
+pub(crate) use crooked::{angle_off, stands_straight};
+pub(crate) use doors::zones as door_zones;
+pub(crate) use halves::middle_of;
+pub(crate) use programme::missing_pieces;
+pub(crate) use reach::{Rates, floor, rates};
+pub(crate) use wet_room::zones as bowl_zones;
+pub(crate) use windows::{is_before, zones as light_zones};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::evidence::Evidence;
+use super::fault::Fault;
+use super::quantity::Quantity::{self, *};
+use super::severity::Severity::{self, Failed, Minor};
+
+/// Finds the faults of a kind.
+type Check = fn(&Evidence<'_, '_>) -> Vec<Fault>;
+
+/// A row of the table.
+struct Row {
+    word: &'static str,
+    severity: Severity,
+    quantities: &'static [Quantity],
+    thresholds: &'static str,
+    meaning: &'static str,
+    check: Check,
+}
+
+macro_rules! table {
+    ($(#[doc = $meaning:literal] $code:ident: $word:literal, $severity:ident, [$($quantity:ident),+], $section:literal, $check:path;)+) => {
+        /// The kinds of findings.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+        #[serde(rename_all = "snake_case")]
+        pub enum Code {
+            $(#[doc = $meaning] $code,)+
+        }
+
+        impl Code {
+            /// All kinds, in the order of the table.
+            pub const ALL: [Self; TABLE.len()] = [$(Self::$code),+];
+        }
+
+        const TABLE: &[Row] = &[$(Row {
+            word: $word,
+            severity: $severity,
+            quantities: &[$($quantity),+],
+            thresholds: $section,
+            meaning: $meaning,
+            check: $check,
+        }),+];
+    };
+}
+
+table! {
+    /// Two bodies intersect.
+    Collision: "collision", Failed, [Depth], "bodies", collision::check;
+    /// Part of a body lies outside the room.
+    OutOfRoom: "out_of_room", Failed, [Depth], "bodies", containment::check;
+    /// A body does not touch its support.
+    Floating: "floating", Failed, [Gap], "bodies", support::floating;
+    /// A body hangs over the edge of its support.
+    Unsupported: "unsupported", Failed, [Share], "bodies", support::unsupported;
+    /// A body in a door's swing or approach.
+    DoorBlocked: "door_blocked", Failed, [Depth], "doors", doors::check;
+    /// People cannot walk to a door or to a side of an object that is used.
+    Unreachable: "unreachable", Failed, [Width], "walking", reach::check;
+    /// A body, a column or a wall in the space that people need before a side: less than the `minimum` clearance of the class.
+    BlockedUse: "blocked_use", Failed, [FreeDepth], "clearances", blocked::check;
+    /// A clearance between its `minimum` and its `good` depth.
+    TightUse: "tight_use", Minor, [FreeDepth], "clearances", tight::check;
+    /// A body before a window takes its light.
+    WindowBlocked: "window_blocked", Minor, [Height], "windows", windows::check;
+    /// A screen that nobody sees from a seat or bed, or that stands before a window.
+    TvPosition: "tv_position", Failed, [ScreenDistance, FreeDepth], "screens", screens::check;
+    /// A seat turned away from its table, a desk used from behind, a mirror over nothing.
+    Facing: "facing", Minor, [Angle, Count], "facing", facing::check;
+    /// A tub or shower right before the toilet, a toilet that faces a kitchen.
+    WetRoom: "wet_room", Failed, [FreeDepth, Distance], "wet_rooms", wet_room::check;
+    /// A double bed with one side to get in where the room allows two.
+    Bedside: "bedside", Minor, [Count], "beds", bedside::check;
+    /// Nearly all furniture in one half of the room.
+    CrowdedHalf: "crowded_half", Minor, [Share], "balance", halves::check;
+    /// Wall furniture that is not parallel to its wall, in a tidy style.
+    Crooked: "crooked", Minor, [Angle], "alignment", crooked::check;
+    /// A required piece is absent.
+    MissingRequired: "missing_required", Failed, [Count], "", programme::missing_required;
+    /// Too few of the requested pieces have a place.
+    Unfulfilled: "unfulfilled", Minor, [Share], "fulfilment", programme::unfulfilled;
+    /// Much less furniture than style and room type ask for.
+    Sparse: "sparse", Minor, [Share], "fulfilment", sparse::check;
+    /// Surfaces that should carry small things are empty.
+    Bare: "bare", Minor, [Share], "fulfilment", bare::check;
+    /// A way too narrow for a wheelchair, where the style asks for access.
+    NarrowWay: "narrow_way", Minor, [Width], "access", access::narrow_way;
+    /// No room to turn a wheelchair, where the style asks for access.
+    NoTurningCircle: "no_turning_circle", Minor, [Width], "access", access::no_turning_circle;
+}
+
+impl Code {
+    fn row(self) -> &'static Row {
+        &TABLE[self as usize]
+    }
+
+    /// The word in the output.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.row().word
+    }
+
+    /// How bad a finding of this kind is, unless the plan leaves no other choice.
+    #[must_use]
+    pub fn severity(self) -> Severity {
+        self.row().severity
+    }
+
+    /// What it measures, of several the usual one first.
+    #[must_use]
+    pub fn quantities(self) -> &'static [Quantity] {
+        self.row().quantities
+    }
+
+    /// What it means, as a sentence.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        self.row().meaning.trim()
+    }
+
+    /// The section of `configs/audit.yaml` with its thresholds; empty where it has none.
+    #[must_use]
+    pub fn thresholds(self) -> &'static str {
+        self.row().thresholds
+    }
+
+    /// Whether no room may ever have it: the laws of bodies, as against the customs of use.
+    #[must_use]
+    pub fn is_physical(self) -> bool {
+        matches!(self, Self::Collision | Self::OutOfRoom | Self::Floating | Self::Unsupported)
+    }
+}
+
+/// All faults of a room by their code, in the order of the table: checks share the budget for questions about the empty
+/// room, so that the order in which they ask is fixed.
+pub(crate) fn faults<'e>(evidence: &'e Evidence<'_, '_>) -> impl Iterator<Item = (Code, Fault)> + 'e {
+    let of_code = |code: Code| (code.row().check)(evidence).into_iter().map(move |fault| (code, fault));
+    let faults = Code::ALL.into_iter().flat_map(of_code);
+    faults.inspect(|(code, fault)| {
+        debug_assert!(code.quantities().contains(&fault.quantity), "{code:?} measures {:?}", fault.quantity);
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write;
+
+    use super::*;
+
+    #[test]
+    fn the_word_of_a_code_is_the_serialized_one_and_codes_are_in_the_order_of_the_table() {
+        for code in Code::ALL {
+            assert_eq!(serde_json::to_value(code).unwrap(), code.name());
+        }
+        assert!(Code::ALL.is_sorted());
+    }
+
+    /// The table as the page shows it.
+    fn page_table() -> String {
+        let mut table =
+            String::from("| code | severity | finding | measures | thresholds |\n|---|---|---|---|---|\n");
+        for code in Code::ALL {
+            let sentence = code.meaning().trim_end_matches('.');
+            let (first, rest) = sentence.split_at(1);
+            let measures: Vec<String> = code
+                .quantities()
+                .iter()
+                .map(|quantity| match quantity.unit().name() {
+                    Some(unit) => format!("{} ({unit})", quantity.name()),
+                    None => quantity.name().to_owned(),
+                })
+                .collect();
+            let section = match code.thresholds() {
+                "" => String::new(),
+                section => format!("`{section}` "),
+            };
+            let _ = writeln!(
+                table,
+                "| `{}` | {} | {}{rest} | {} | {section}|",
+                code.name(),
+                code.severity().name(),
+                first.to_lowercase(),
+                measures.join(", ")
+            );
+        }
+        table
+    }
+
+    #[test]
+    fn the_page_about_the_audit_lists_the_codes_of_the_table_and_no_others() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/audit.md");
+        let page = std::fs::read_to_string(path).unwrap();
+        let is_row = |line: &&str| line.starts_with("| code |") || line.starts_with("| `");
+        let from = page.find("| code | severity |").expect("the page has the table");
+        let length = page[from..].find("\n\n").expect("the table ends") + 1;
+        let shown = &page[from..from + length];
+        assert!(shown.lines().filter(is_row).count() > 1);
+        if std::env::var_os("UPDATE_GOLDENS").is_some() {
+            return std::fs::write(path, page.replace(shown, &page_table())).unwrap();
+        }
+        assert_eq!(
+            shown,
+            page_table(),
+            "renew it with UPDATE_GOLDENS=1 cargo test --lib the_page_about_the_audit"
+        );
+    }
+
+    #[test]
+    fn every_section_of_thresholds_exists() {
+        let text = include_str!("../../../configs/audit.yaml");
+        for code in Code::ALL.into_iter().filter(|code| !code.thresholds().is_empty()) {
+            assert!(text.contains(&format!("\n  {}:\n", code.thresholds())), "{}", code.thresholds());
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! What a check gives: a fault, of which the table ([`super::checks`]) says which finding it is.
+
+use crate::catalog::ClassIndex;
+use crate::geometry::Point;
+
+use super::possible::Held;
+use super::quantity::Quantity;
+
+/// Something that a finding is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Thing {
+    /// An object, by index into the placements of the room.
+    Object(usize),
+    /// By index into the level's openings.
+    Opening(usize),
+    /// By index into the room's walls.
+    Wall(usize),
+    /// By index into the room's obstacles.
+    Column(usize),
+    /// A class of which a piece is missing.
+    Class(ClassIndex),
+}
+
+/// A thing with its id in the output.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Named {
+    /// The id.
+    pub(crate) id: String,
+    /// What it is.
+    pub(crate) thing: Thing,
+}
+
+/// A region of floor: corners in plan metres, counter-clockwise.
+pub type FloorRegion = Vec<Point>;
+
+/// A fault of a furnished room.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Fault {
+    /// What it is about.
+    pub(crate) subjects: Vec<Named>,
+    /// What was measured.
+    pub(crate) quantity: Quantity,
+    /// The measured value, in the unit of the quantity.
+    pub(crate) measured: f64,
+    /// The threshold that it breaks, in the same unit.
+    pub(crate) threshold: f64,
+    /// The floor that it is about; empty where it is about things only.
+    pub(crate) region: Vec<FloorRegion>,
+    /// Whether the plan leaves another choice.
+    pub(crate) is_possible: Held,
+}
+
+impl Fault {
+    /// A fault that another arrangement of the room need not have.
+    pub(crate) fn new(quantity: Quantity, subjects: Vec<Named>, measured: f64, threshold: f64) -> Self {
+        Self { subjects, quantity, measured, threshold, region: Vec::new(), is_possible: Held::Yes }
+    }
+
+    /// The same with the floor that it is about.
+    pub(crate) fn about(self, region: Vec<FloorRegion>) -> Self {
+        Self { region, ..self }
+    }
+
+    /// The same after a search for whether the plan leaves another choice.
+    pub(crate) fn if_possible(self, is_possible: Held) -> Self {
+        Self { is_possible, ..self }
+    }
+}
