@@ -33,7 +33,7 @@ pub(crate) const LARGEST_RECORDS: u64 = 1 << 30;
 /// The version of the format.
 const MANIFEST_VERSION: u32 = 1;
 
-/// What a manifest holds. It is written and read level by level, for cities do not fit into memory; this type is there for
+/// The content of a manifest. It is written and read level by level, for cities do not fit into memory; this type is there for
 /// the JSON Schema.
 #[cfg(test)]
 #[derive(schemars::JsonSchema)]

@@ -37,7 +37,7 @@ pub struct LevelRecord {
     /// Faulty parts of the plan that the level lacks, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<String>,
-    /// Rooms with something missing or found, in the plan's order.
+    /// Rooms with missing pieces or findings, in the plan's order.
     pub rooms: Vec<RoomRecord>,
 }
 
@@ -116,7 +116,7 @@ pub struct RoomRecord {
     /// The grade of the audit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grade: Option<Grade>,
-    /// The score of the audit; none where nothing was asked for.
+    /// The score of the audit; none if no piece was requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<f64>,
     /// Missing pieces in the order of removal.

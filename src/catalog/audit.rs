@@ -101,7 +101,7 @@ thresholds! {
         /// Share of a footprint that may hang over the edge of its support.
         overhang_share: Share,
     }
-    /// What stays free before doors.
+    /// The space that stays free before doors.
     doors: DoorRules {
         /// Deepest approach before a door.
         approach_depth: Metres,
@@ -110,7 +110,7 @@ thresholds! {
         /// Depth at which a body stands in a door's way.
         intrusion: Metres,
     }
-    /// What stays free before furniture.
+    /// The space that stays free before furniture.
     clearances: ClearanceRules {
         /// Depth at which a clearance is taken.
         intrusion: Metres,
@@ -119,7 +119,7 @@ thresholds! {
         /// Underside of pieces on a wall from which that applies.
         flat_elevation: Metres,
     }
-    /// Who walks through a room.
+    /// The people who walk through a room.
     walking: WalkingRules {
         /// Bodies whose underside is higher are walked under.
         body_height: Metres,
@@ -139,7 +139,7 @@ thresholds! {
         /// Diameter of the disc that has to get everywhere with it.
         walkway: Metres,
     }
-    /// What stands before windows.
+    /// The furniture that may stand before windows.
     windows: WindowRules {
         /// How far a body may rise over the sill.
         over_sill: Metres,
@@ -147,10 +147,10 @@ thresholds! {
         depth: Metres,
         /// Top of pieces that are low wherever the sill is.
         low_piece: Metres,
-        /// Plants and small things narrower than this may stand there.
+        /// Plants and small objects narrower than this may stand there.
         slim_width: Metres,
     }
-    /// Who sees a screen.
+    /// The view of a screen.
     screens: ScreenRules {
         /// Angle off the screen's axis within which it is seen.
         angle: Degrees,
@@ -190,7 +190,7 @@ thresholds! {
         /// Angle off the wall.
         angle: Degrees,
     }
-    /// What should be there.
+    /// The pieces that a room should have.
     fulfilment: FulfilmentRules {
         /// Share of the requested pieces that must rest.
         resting: Share,

@@ -18,7 +18,7 @@ pub struct RoomType {
     pub label: String,
     /// Whether it is furnished at all; shafts and stairs are not.
     pub is_furnished: bool,
-    /// What it holds unless the style says otherwise.
+    /// The pieces of such a room, unless the style has a programme of its own.
     pub programme: Vec<Request>,
     /// Groups of classes that contradict it (`sleeping` in an office), sorted.
     pub excludes: Vec<String>,
@@ -142,7 +142,7 @@ pub struct Style {
 /// What furniture costs, lowest and highest: 1 is cheap, 2 usual, 3 dear.
 pub const WEALTH: (u32, u32) = (1, 3);
 
-/// Who gets about in a room.
+/// How people move in a room.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Access {

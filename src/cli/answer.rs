@@ -27,11 +27,11 @@ pub(crate) struct FaultAnswer {
     pub(crate) column: Option<usize>,
     /// Where in the document, as `levels[0].rooms[3].outline[2]`.
     pub(crate) path: String,
-    /// Whether it keeps something from being used.
+    /// Whether a part of the input is left out because of it.
     pub(crate) severity: FaultWord,
     /// The fact.
     pub(crate) message: String,
-    /// What to do about it.
+    /// Advice for the user.
     pub(crate) hint: Option<String>,
 }
 
@@ -39,9 +39,9 @@ pub(crate) struct FaultAnswer {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum FaultWord {
-    /// Something cannot be used.
+    /// A part of the input is left out.
     Error,
-    /// Everything is used.
+    /// All of the input is used.
     Warning,
 }
 
@@ -102,7 +102,7 @@ pub(crate) struct FailureAnswer {
     pub(crate) room: Option<String>,
     /// The fact.
     pub(crate) message: String,
-    /// What to do about it.
+    /// Advice for the user.
     pub(crate) hint: Option<String>,
     /// The seed of the run.
     pub(crate) seed: u64,
@@ -132,7 +132,7 @@ pub(crate) struct LeftoversAnswer {
     pub(crate) files: Vec<String>,
     /// Files that were removed.
     pub(crate) removed: Vec<String>,
-    /// Files that were to be removed, but that somebody has changed: they stay, and nothing lists them any more.
+    /// Files that were to be removed, but were changed since: they stay, and are listed no longer.
     pub(crate) changed: Vec<String>,
 }
 
@@ -197,7 +197,7 @@ pub(crate) struct CheckAnswer {
     pub(crate) levels: usize,
     /// Their rooms.
     pub(crate) rooms: usize,
-    /// Faults that keep something from being used.
+    /// Faults because of which parts of the input are left out.
     pub(crate) errors: usize,
     /// Other faults.
     pub(crate) warnings: usize,
@@ -212,7 +212,7 @@ pub(crate) struct AuditAnswer<'a> {
     pub(crate) totals: AuditSummary,
     /// The levels, in the order of the arguments.
     pub(crate) levels: &'a [JudgedLevel],
-    /// What keeps files and rooms from being judged.
+    /// Faults that keep files and rooms from being judged.
     pub(crate) faults: Vec<FaultAnswer>,
 }
 
@@ -221,9 +221,9 @@ pub(crate) struct AuditAnswer<'a> {
 pub(crate) struct EditsAnswer<'a> {
     /// The edits file.
     pub(crate) file: String,
-    /// What was added to it.
+    /// The added text.
     pub(crate) edits: &'a [RoomEntry],
-    /// What no edit can say.
+    /// Changes that no edit can express.
     pub(crate) notes: Vec<String>,
 }
 
@@ -265,7 +265,7 @@ pub(crate) struct FormatsAnswer {
 pub(crate) struct UnreadFormatAnswer {
     /// Its name.
     pub(crate) name: String,
-    /// What to do instead.
+    /// Advice for the user.
     pub(crate) advice: String,
 }
 
@@ -274,9 +274,9 @@ pub(crate) struct UnreadFormatAnswer {
 pub(crate) struct ImportAnswer<'a> {
     /// The plans that were written.
     pub(crate) buildings: Vec<ImportedAnswer>,
-    /// What is wrong with the input.
+    /// The faults of the input.
     pub(crate) faults: Vec<FaultAnswer>,
-    /// What the readers made of each input, with `--report`.
+    /// The report on each input, with `--report`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) report: Option<&'a [InputReport]>,
 }
@@ -328,7 +328,7 @@ pub(crate) struct ExplainAnswer<'a> {
     pub(crate) objects: Vec<ExplainedObject<'a>>,
     /// Missing pieces.
     pub(crate) missing: &'a [MissingStory],
-    /// What the audit finds.
+    /// The findings of the audit.
     pub(crate) findings: Vec<FindingExtras>,
     /// Ids of objects that are edited after the arrangement, which is what is explained.
     pub(crate) edited_afterwards: &'a [String],

@@ -34,7 +34,7 @@ pub enum Extras {
     Furniture(FurnitureExtras),
 }
 
-/// What a level's node says.
+/// The extras of a level.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LevelExtras {
     /// Building id.
@@ -66,7 +66,7 @@ pub struct SiteExtras {
     pub turn: f64,
 }
 
-/// What an opening's node says.
+/// The extras of an opening.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct OpeningExtras {
     /// Whether people walk through it.
@@ -163,7 +163,7 @@ pub struct LeafExtras {
     pub open: Corner,
 }
 
-/// What a room's node says.
+/// The extras of a room.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RoomExtras {
     /// Room id.
@@ -193,7 +193,7 @@ pub struct RoomExtras {
     /// The audit's grade: `none`, `minor` or `failed`.
     #[serde(default)]
     pub grade: Word,
-    /// The audit's score from 0 to 1; none where nothing was asked for.
+    /// The audit's score from 0 to 1; none if no piece was requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<f64>,
     /// What the audit found when the floor was baked. Those that cannot be read are none: an audit of today judges anew.
@@ -213,7 +213,7 @@ pub struct RemovedExtras {
     pub required: bool,
 }
 
-/// What the audit found.
+/// The findings of the audit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FindingExtras {
     /// What kind.
@@ -235,10 +235,10 @@ pub struct FindingExtras {
     pub not_searched_further: bool,
 }
 
-/// What the node of a part says.
+/// The extras of a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PartExtras {
-    /// What it is. `walls` shows all other parts of a room but floor and ceiling, where parts are merged.
+    /// The kind of part. `walls` shows all other parts of a room but floor and ceiling, where parts are merged.
     pub part: Part,
     /// Unique in its room or opening; what `parent` of an object names: `floor`, `wall.2`, `leaf.1`.
     pub id: PartId,
@@ -261,7 +261,7 @@ impl PartExtras {
     }
 }
 
-/// What the node of a lamp's light says.
+/// The extras of a lamp's light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LightExtras {
     /// Luminous flux in lumens.
@@ -270,7 +270,7 @@ pub struct LightExtras {
     pub kelvin: f64,
 }
 
-/// What the node of a piece of furniture says.
+/// The extras of a piece of furniture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FurnitureExtras {
     /// Class id.

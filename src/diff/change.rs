@@ -11,7 +11,7 @@ use super::tolerance::{round_degrees, round_metres};
 pub struct Change {
     /// What kind.
     pub kind: Kind,
-    /// What it is about: an object's or opening's id, a class, a code of the audit; empty for the room or level.
+    /// The subject: an object's or opening's id, a class, a code of the audit; empty for the room or level.
     pub id: String,
     /// The id before, where it was another one.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What kind of difference a change is.
+/// The kinds of differences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
@@ -59,7 +59,7 @@ pub enum Kind {
     Renumbered,
     /// The program or the seed of the run.
     Settings,
-    /// Other bytes, and nothing of the above.
+    /// Other bytes, and none of the above.
     Bytes,
 }
 

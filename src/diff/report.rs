@@ -23,7 +23,7 @@ pub struct Report {
     pub old: String,
     /// The folder or file after.
     pub new: String,
-    /// What counts as moved and turned.
+    /// The largest moves and turns that are not reported.
     pub tolerance: Tolerance,
     /// Counts.
     pub summary: Summary,
@@ -33,7 +33,7 @@ pub struct Report {
     pub levels: Vec<LevelDiff>,
     /// Shared textures and geometry that came, went or differ, by path.
     pub shared: BTreeMap<String, Presence>,
-    /// What cannot be read.
+    /// Files, levels and rooms that cannot be read.
     pub troubles: Vec<Trouble>,
 }
 
@@ -63,7 +63,7 @@ pub struct LevelCounts {
     pub unreadable: u64,
 }
 
-/// What became of something that has a name.
+/// Whether a level, room or file was added, removed, changed or the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Presence {
@@ -84,7 +84,7 @@ pub struct LevelDiff {
     pub building: String,
     /// Level id.
     pub level: String,
-    /// What became of it.
+    /// Whether it was added, removed, changed or the same.
     pub state: Presence,
     /// Its file before, relative to the side's folder.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -106,20 +106,20 @@ pub struct RoomDiff {
     /// Its type, the new one.
     #[serde(rename = "type")]
     pub room_type: String,
-    /// What became of it.
+    /// Whether it was added, removed, changed or the same.
     pub state: Presence,
     /// Its changes by kind, then object.
     pub changes: Vec<Change>,
 }
 
-/// Something that cannot be read, so that nothing is said about it.
+/// A file, level or room that cannot be read or compared.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 pub struct Trouble {
     /// The file.
     pub file: String,
     /// The fact.
     pub message: String,
-    /// What to do about it.
+    /// Advice for the user.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
 }

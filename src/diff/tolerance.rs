@@ -3,13 +3,13 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What counts as moved and turned.
+/// The largest moves and turns that are not reported.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Tolerance {
-    /// Metres up to which a thing has not moved, grown or shrunk. Less finds what single precision blurs, more
+    /// Metres up to which an object counts as neither moved nor resized. Less finds what single precision blurs, more
     /// overlooks what people see.
     pub metres: f64,
-    /// Degrees up to which a thing has not turned.
+    /// Degrees up to which an object counts as not turned.
     pub degrees: f64,
 }
 

@@ -10,7 +10,7 @@ use crate::catalog::Side;
 /// The version that this program reads and writes.
 pub(super) const VERSION: u32 = 1;
 
-/// What people changed in the furnished rooms of a plan or project.
+/// Changes by hand to the furnished rooms of a plan or project.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "Roomwright edits")]
@@ -35,16 +35,16 @@ pub struct RoomEntry {
     /// Seed of the furniture in this room, in place of the run's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
-    /// What became of objects, by their ids.
+    /// The edits of objects, by their ids.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub objects: BTreeMap<String, ObjectEntry>,
 }
 
-/// What became of one object. What is not said stays as it is arranged.
+/// The edit of one object. Without a key, that property stays as it is arranged.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ObjectEntry {
-    /// Whether it is a new one; its id tells the class.
+    /// Whether the object is added; its id names the class.
     #[serde(default, skip_serializing_if = "is_false")]
     pub add: bool,
     /// Whether it goes, with all that stands on it.
@@ -59,7 +59,7 @@ pub struct ObjectEntry {
     /// Its variant, counted from 0: size and look.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub variant: Option<u32>,
-    /// What it stands on or belongs to: `floor`, `ceiling`, `wall.2`, `column.0`, `door:ID`, `window:ID`, or an object.
+    /// Its parent: `floor`, `ceiling`, `wall.2`, `column.0`, `door:ID`, `window:ID`, or an object.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub parent: Option<String>,
     /// The side of that which it touches.

@@ -69,6 +69,6 @@ pub(crate) struct SharedFile<'a> {
 pub(crate) struct TooLarge {
     /// Says how large it is and how large it may be.
     pub(crate) message: String,
-    /// What to do about it.
+    /// Advice for the user.
     pub(crate) hint: &'static str,
 }

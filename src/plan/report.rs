@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{Level, LevelDraft, OpeningKind, Problem};
 
-/// What a reader made of one file or folder.
+/// The report on one file or folder.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct InputReport {
     /// The file or folder.
@@ -19,7 +19,7 @@ pub struct InputReport {
     pub buildings: Vec<BuildingReport>,
 }
 
-/// What became of a building.
+/// The report on a building.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct BuildingReport {
     /// Id of the building.
@@ -28,7 +28,7 @@ pub struct BuildingReport {
     pub levels: Vec<LevelReport>,
 }
 
-/// What became of a level.
+/// The report on a level.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct LevelReport {
     /// Id of the level.
@@ -49,7 +49,7 @@ pub struct LevelReport {
     pub open_boundaries: usize,
     /// Columns that the input draws.
     pub columns: usize,
-    /// What was left out or mended, in words.
+    /// Parts that were left out or mended, in words.
     pub notes: Vec<String>,
 }
 

@@ -59,7 +59,7 @@ pub struct FinishedRoom<'a> {
     pub level: &'a Level,
     /// Its furniture; says which room of the level it is.
     pub furnished: Furnished,
-    /// What the audit finds.
+    /// The findings of the audit.
     pub verdict: Verdict,
     /// Edits that were rejected, and edited objects with findings.
     pub misfits: Vec<Misfit>,

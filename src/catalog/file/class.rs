@@ -48,13 +48,13 @@ pub(crate) struct ClassEntry {
     /// Whether each piece has a look and a size of its own, like plants and books; else pieces that are furnished
     /// together look alike. `details`: they are of one shape and size, but filled differently, like bookcases.
     pub(crate) varied: Option<VariedEntry>,
-    /// Whose pieces look alike, whatever rooms and building styles say: `building` for what comes with it, as baths do.
+    /// The rooms in which these pieces look alike, whatever room types and styles say; `building` for fittings, as baths.
     pub(crate) share: Option<ShareWord>,
     /// The solid parts of its box: `box` (default), `disc`, or a list of parts.
     pub(crate) shape: Option<ShapeEntry>,
     /// Where it may stand, best first.
     pub(crate) parents: Option<OneOrMany<ParentEntry>>,
-    /// What its own sides offer to children; sides that are not named take none.
+    /// The places that its own sides offer to children; sides that are not named offer none.
     pub(crate) sides: Option<SidesEntry>,
     /// Regions before its sides that no body may enter.
     pub(crate) clearances: Option<OneOrMany<ClearanceEntry>>,
@@ -65,11 +65,11 @@ pub(crate) struct ClassEntry {
     pub(crate) covers: Option<OneOrMany<String>>,
     /// Regular intervals instead of random positions.
     pub(crate) grid: Option<GridEntry>,
-    /// What is given up first when room is short: lower goes first; default 0.
+    /// Pieces with a lower number are left out first when space is short; default 0.
     pub(crate) priority: Option<i32>,
     /// The eras that it is drawn for in styles that name one; any if absent.
     pub(crate) eras: Option<OneOrMany<Era>>,
-    /// What it costs, 1 (cheap) to 3 (dear), as a number or [lowest, highest]: styles that name another `wealth` do not
+    /// The cost, 1 (cheap) to 3 (expensive), as a number or [lowest, highest]: styles that name another `wealth` do not
     /// draw it; any if absent.
     pub(crate) wealth: Option<Pair>,
     /// How it looks: a recipe, or a model file.
@@ -171,7 +171,7 @@ pub(crate) struct ParentEntry {
     pub(crate) above_head: Option<f64>,
 }
 
-/// What the sides offer to children.
+/// The places that the sides offer to children.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SidesEntry {
@@ -203,7 +203,7 @@ impl SidesEntry {
     }
 }
 
-/// What one side offers to children.
+/// The places that one side offers to children.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SideEntry {
@@ -262,7 +262,7 @@ pub(crate) struct RelationEntry {
     pub(crate) angle: Option<f64>,
     /// Share in the score; default 1.
     pub(crate) weight: Option<f64>,
-    /// Whether the object is left out where this is not met (a television that nobody sees); default false.
+    /// Whether the object is left out where this is not met (a television that no seat faces); default false.
     #[serde(default)]
     pub(crate) needed: bool,
 }

@@ -46,7 +46,7 @@ pub(crate) struct MaterialEntry {
     pub(crate) color: Option<String>,
     /// 0 a mirror, 1 chalk; default 0.7.
     pub(crate) roughness: Option<f64>,
-    /// 0 for everything but bare metal; default 0.
+    /// 0 for all materials except bare metal; default 0.
     pub(crate) metallic: Option<f64>,
     /// Default 1.
     pub(crate) opacity: Option<f64>,
@@ -56,7 +56,7 @@ pub(crate) struct MaterialEntry {
     pub(crate) emissive_strength: Option<f64>,
     /// Share of light that passes, for glass; default 0.
     pub(crate) transmission: Option<f64>,
-    /// The surface that is painted on it: wood, tile, fabric and others; `none`, the default, leaves it even.
+    /// The texture on it: wood, tile, fabric and others; default `none`, a plain colour.
     pub(crate) texture: Option<String>,
     /// Other colours, sRGB `#rrggbb`, that furniture of this palette may have in its stead, each as often.
     pub(crate) tints: Option<Vec<String>>,

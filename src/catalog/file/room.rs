@@ -36,7 +36,7 @@ pub(crate) struct RoomTypeEntry {
     pub(crate) furnish: Option<bool>,
     /// Square metres that such rooms usually have; default [0, 1000000].
     pub(crate) area: Option<Pair>,
-    /// What a room may be without a question; merged key by key.
+    /// The sizes of such rooms that cause no warning; merged key by key.
     pub(crate) plausible: Option<PlausibleEntry>,
     /// Lowest and highest share of the floor that furniture covers; default [0, 1].
     pub(crate) density: Option<Pair>,
@@ -44,9 +44,9 @@ pub(crate) struct RoomTypeEntry {
     pub(crate) excludes: Option<OneOrMany<String>>,
     /// Material slots of the shell, and what is fitted to its walls.
     pub(crate) finish: Option<FinishEntry>,
-    /// Whose furniture looks alike where no building style tells it; default `building`.
+    /// The rooms whose furniture looks alike if no building style says it; default `building`.
     pub(crate) share: Option<ShareWord>,
-    /// What it holds unless the style says otherwise.
+    /// The pieces of such a room, unless the style has a programme of its own.
     pub(crate) programme: Option<Vec<RequestEntry>>,
 }
 

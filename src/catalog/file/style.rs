@@ -49,11 +49,11 @@ pub(crate) struct StyleEntry {
     pub(crate) untidiness: Option<UntidinessEntry>,
     /// Factor on the counts of lines that are not required; default 1.
     pub(crate) density: Option<f64>,
-    /// Who gets about: `walking` (default), or `wheelchair`, for wide ways and room to turn.
+    /// How people move in the rooms: `walking` (default), or `wheelchair`, for wide ways and room to turn.
     pub(crate) access: Option<Access>,
     /// When the furniture is from: classes of other `eras` are not drawn.
     pub(crate) era: Option<Era>,
-    /// What the furniture costs, 1 (cheap) to 3 (dear): classes of other `wealth` are not drawn.
+    /// The cost of the furniture, 1 (cheap) to 3 (expensive): classes of other `wealth` are not used.
     pub(crate) wealth: Option<i64>,
 }
 

@@ -17,7 +17,7 @@ pub(crate) struct WordsFile {
     pub(crate) version: FormatVersion,
     /// Plan format, then word (in any case), then room type. Later folders add to earlier ones.
     pub(crate) formats: BTreeMap<String, BTreeMap<String, String>>,
-    /// What rooms with other words are: the first rule that fits counts. Those of later folders come before earlier ones.
+    /// Rules for rooms with other words: the first rule that fits counts. Those of later folders come before earlier ones.
     #[serde(default)]
     pub(crate) guesses: Vec<GuessRule>,
     /// Kinds of buildings: those of room types to which most known rooms of a building belong.

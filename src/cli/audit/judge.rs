@@ -35,7 +35,7 @@ pub(crate) struct JudgedRoom {
     #[serde(rename = "type")]
     pub(crate) room_type: String,
     pub(crate) grade: Grade,
-    /// The score with its terms; none where nothing was asked for.
+    /// The score with its terms; none if no piece was requested.
     pub(crate) score: Option<Score>,
     #[schemars(with = "Vec<FindingExtras>")]
     pub(crate) findings: Vec<Finding>,

@@ -31,7 +31,7 @@ pub(crate) struct ProjectFile {
     project: Project,
 }
 
-/// What is baked, and how.
+/// The plans that are baked together, and their settings.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Project {

@@ -73,7 +73,7 @@ pub(super) struct OpeningProperties {
     pub(super) door: Option<Door>,
 }
 
-/// What closes an opening.
+/// The kind of closure of an opening.
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(super) struct Door {
     #[serde(rename = "type")]

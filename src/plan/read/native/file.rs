@@ -38,7 +38,7 @@ pub(crate) struct PlanFile {
     /// Thickness of the walls.
     #[serde(default)]
     pub(crate) walls: WallThickness,
-    /// What the outlines of rooms are.
+    /// The meaning of the outlines of rooms.
     #[serde(default)]
     pub(crate) outlines: OutlineWord,
     /// Rooms, or groups of rooms, that levels place many times, by name.
@@ -59,7 +59,7 @@ pub(crate) struct WallThickness {
     pub(crate) interior: Option<f64>,
 }
 
-/// What the outlines of rooms are.
+/// The meaning of the outlines of rooms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum OutlineWord {
@@ -143,12 +143,12 @@ pub(crate) struct RoomFile {
     pub(crate) dwelling: Option<String>,
     /// Number for the room's seed, unique in the level; made from the id where absent.
     pub(crate) number: Option<u32>,
-    /// What is special about its walls.
+    /// Properties of its walls.
     #[serde(default)]
     pub(crate) walls: Vec<WallFile>,
 }
 
-/// What is special about walls: tags, a railing.
+/// Properties of walls: tags, a railing.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct WallFile {
@@ -196,7 +196,7 @@ pub(crate) struct OpeningFile {
     #[serde(default)]
     #[schemars(schema_with = "word")]
     pub(crate) id: Option<String>,
-    /// What closes it.
+    /// The kind of closure.
     pub(crate) kind: OpeningWord,
     /// [x, y] of its middle, on or in the wall; or, with `room` and `edge`, the distance of its middle from the
     /// start of the edge, the middle of the edge where absent.
@@ -236,7 +236,7 @@ pub(crate) struct OpeningFile {
     pub(crate) swing: Option<f64>,
 }
 
-/// What closes an opening.
+/// The kind of closure of an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum OpeningWord {
