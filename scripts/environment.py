@@ -24,7 +24,8 @@ class Environment(NamedTuple):
     command: str
 
 
-TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm"), "source scripts/set_up.sh && set_up_python")
+TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema"),
+                    "source scripts/set_up.sh && set_up_python")
 PICTURES = Environment(".venv-render", ("numpy", "bpy", "PIL"),
                        "python3.11 -m venv .venv-render && "
                        ".venv-render/bin/pip install -r scripts/requirements-render.txt")

@@ -7,7 +7,7 @@ For every .glb and .gltf:
                beside its own; by relative paths, without a link that leads out; no pipe or device
   texture      the images exist
   names        every node has a name of its own
-  extras       the extras of every node have the fields of its kind; parents and counts agree
+  extras       the extras of every node are as configs/schema/extras.schema.json says; names, parents and counts agree
   geometry     each object's mesh fills its `size`, is closed, has no empty faces and no wrong normals
   containment  each object lies inside its room and outside of the room's columns
   collision    no object overlaps another, measured on the triangles
@@ -18,7 +18,9 @@ For every .usd, .usda, .usdc and .usdz:
   path         the file names no absolute path, nothing outside of the FOLDER that it was found in, and no pipe or device
   texture      the images of the materials exist
   usd          the validators of USD report nothing
-For every manifest.json: each listed file exists with its size and hash, and no other level is in the folder.
+For every manifest.json:
+  manifest     it is as configs/schema/manifest.schema.json says, each listed file exists with its size and hash, and no
+               other level is in the folder
 
 Needs scripts/requirements.txt, and for `khronos` also `npm ci` in scripts/.
 Faults go to standard output as FILE: [CODE] NODE: MESSAGE (or as one JSON document with --json), progress to

@@ -2,6 +2,7 @@
 
     report       what a fault is
     contract     paths, names, extras of a glTF file
+    schemas      values against the published JSON Schemas
     geometry     pieces against their boxes, their rooms and each other; with
       pieces       pieces where they stand
       health       closed meshes, faces, normals

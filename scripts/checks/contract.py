@@ -11,18 +11,11 @@ import shapely
 
 from gltf_document import GltfError, ImageError, OutsideError
 from gltf_file import GltfFile, Node
+from resources import shown
 
 from .report import Note
+from .schemas import extras_schemas
 
-FIELDS = {
-    "level": {"building", "level", "elevation", "height", "seed", "generator"},
-    "opening": {"opening", "closure", "id", "rooms", "sides", "width", "height", "sill"},
-    "room": {"room", "type", "style", "seed", "outline", "holes", "height", "requested", "placed", "removed",
-             "grade", "findings"},
-    "part": {"part", "tags"},
-    "furniture": {"class", "id", "parent", "side", "size", "variant"},
-    "light": {"lumens", "kelvin"},
-}
 # The code of faults that keep other readers away from a file.
 PATH = "path"
 SIDES = {"front", "back", "left", "right", "above", "below"}
@@ -55,13 +48,15 @@ def check_names(gltf: GltfFile) -> Iterator[Note]:
 
 
 def check_extras(gltf: GltfFile) -> Iterator[Note]:
+    """Extras against their schema; those that fit, also against the other nodes."""
+    schemas = extras_schemas()
     for node in gltf.nodes:
-        if node.kind not in FIELDS:
-            yield Note("extras", node.name, f"its kind is {node.extras.get('kind')!r}")
+        if not isinstance(node.kind, str) or node.kind not in schemas:
+            yield Note("extras", node.name, f"kind: {shown(node.extras.get('kind'))} is not one of {', '.join(schemas)}")
             continue
-        for field in sorted(FIELDS[node.kind] - node.extras.keys()):
-            yield Note("extras", node.name, f"the field {field!r} is missing")
-        if FIELDS[node.kind] <= node.extras.keys():
+        misfits = schemas[node.kind].misfits(node.extras)
+        yield from (Note("extras", node.name, str(misfit)) for misfit in misfits)
+        if all(misfit.is_surplus for misfit in misfits):
             yield from KIND_CHECKS[node.kind](gltf, node)
 
 
@@ -122,18 +117,18 @@ def named_parents(gltf: GltfFile, node: Node) -> list[Node]:
     """The piece of its room that a piece was arranged by, as its extras name it, the one that this one names, and so on."""
     pieces, room = pieces_by_id(gltf), room_of(node)
     found: list[Node] = []
-    parent = pieces.get((id(room), node.extras.get("parent")))
+    parent = pieces.get((id(room), text_of(node, "parent")))
     while parent is not None and not any(parent is other for other in [node, *found]):
         found.append(parent)
-        parent = pieces.get((id(room), parent.extras.get("parent")))
+        parent = pieces.get((id(room), text_of(parent, "parent")))
     return found
 
 
 @lru_cache(maxsize=1)
 def pieces_by_id(gltf: GltfFile) -> dict[tuple[int, str], Node]:
     """The pieces of a file by their room's node and their id."""
-    pieces = (node for node in gltf.nodes if node.kind == "furniture" and isinstance(node.extras.get("id"), str))
-    return {(id(room_of(node)), node.extras["id"]): node for node in pieces}
+    pieces = [node for node in gltf.nodes if node.kind == "furniture" and text_of(node, "id")]
+    return {(id(room_of(node)), text_of(node, "id")): node for node in pieces}
 
 
 def check_light(_: GltfFile, node: Node) -> Iterator[Note]:
@@ -148,10 +143,16 @@ KIND_CHECKS = {"level": check_level, "opening": check_opening, "room": check_roo
 @lru_cache(maxsize=1)
 def piece_counts(gltf: GltfFile) -> Counter:
     """How many pieces each room of a file holds; rooms without any are there too."""
-    counts = Counter({node.extras.get("room"): 0 for node in gltf.nodes if node.kind == "room"})
+    counts = Counter({text_of(node, "room"): 0 for node in gltf.nodes if node.kind == "room"})
     rooms = (room_of(node) for node in gltf.nodes if node.kind == "furniture")
-    counts.update(room.extras.get("room") for room in rooms if room is not None)
+    counts.update(text_of(room, "room") for room in rooms if room is not None)
     return counts
+
+
+def text_of(node: Node, key: str) -> str:
+    """A text of a node's extras; empty where there is none, which is a fault of that node alone."""
+    value = node.extras.get(key)
+    return value if isinstance(value, str) else ""
 
 
 def room_of(node: Node) -> Node | None:

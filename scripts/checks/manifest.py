@@ -7,12 +7,12 @@ import json
 from pathlib import Path
 from typing import Iterator, NamedTuple
 
-from resources import Reach, ResourceError, locate_path, read_file, shown
+from resources import Reach, ResourceError, locate_path, read_file
 
 from .report import Fault
+from .schemas import file_record_schema, manifest_schema
 
 SCENE_ENDINGS = {".glb", ".gltf"}
-KINDS = {list: "a list", str: "text", int: "a number", dict: "an object"}
 
 
 class Entry(NamedTuple):
@@ -24,10 +24,6 @@ class Entry(NamedTuple):
     digest: str  # SHA-256, hexadecimal
 
 
-class WrongType(Exception):
-    """A value that is not what a manifest has at its place."""
-
-
 def check_manifest(path: Path) -> list[Fault]:
     """The files that a manifest lists against those that are there."""
     return [Fault(str(path), "manifest", "", message) for message in complaints(path)]
@@ -36,19 +32,15 @@ def check_manifest(path: Path) -> list[Fault]:
 def complaints(path: Path) -> Iterator[str]:
     try:
         document = json.loads(read_file(path))
-        files = list(listed_files(document))
-    except (ResourceError, ValueError, RecursionError, WrongType) as error:
+        misfits = manifest_schema().misfits(document)
+    except (ResourceError, ValueError, RecursionError) as error:
         yield f"cannot be read: {error}"
         return
+    yield from (f"{misfit}; hint: the manifest is as `roomwright bake` wrote it" for misfit in misfits)
     folder = path.parent.resolve()
     reach = Reach(folder, (folder,))
     listed = set()
-    for place, value in files:
-        try:
-            entry = entry_of(place, value)
-        except WrongType as error:
-            yield str(error)
-            continue
+    for entry in entries_of(document):
         listed.add(entry.path)
         yield from check_entry(entry, reach)
     beside = {file.relative_to(path.parent).as_posix() for file in scenes_in(path.parent)}
@@ -67,32 +59,19 @@ def check_entry(entry: Entry, reach: Reach) -> Iterator[str]:
         yield f"{entry.place}.path: {error}"
 
 
-def listed_files(document: object) -> Iterator[tuple[str, object]]:
-    """Place and value of every entry with a path, bytes and a hash."""
-    for number, level in enumerate(field(document, "levels", list, "")):
-        place = f"levels[{number}]"
-        for file, value in enumerate(field(level, "files", list, place)):
-            yield f"{place}.files[{file}]", value
-    if "library" in document:
-        for number, value in enumerate(field(document, "library", list, "")):
-            yield f"library[{number}]", value
+def entries_of(document: object) -> Iterator[Entry]:
+    """The files that a manifest lists, without entries that cannot be read."""
+    places = [(f"levels[{number}].files", level) for number, level in enumerate(_list_in(document, "levels"))]
+    places = [(place, "files", level) for place, level in places] + [("library", "library", document)]
+    for place, key, owner in places:
+        for number, value in enumerate(_list_in(owner, key)):
+            if file_record_schema().is_usable(value):
+                yield Entry(f"{place}[{number}]", value["path"], value["bytes"], value["sha256"])
 
 
-def entry_of(place: str, value: object) -> Entry:
-    return Entry(place, field(value, "path", str, place), field(value, "bytes", int, place),
-                 field(value, "sha256", str, place))
-
-
-def field(owner: object, key: str, kind: type, place: str):
-    """A field of an object, of the type that manifests have there."""
-    if type(owner) is not dict:
-        raise WrongType(f"{place or 'the document'}: {shown(owner)} is no object; "
-                        "hint: the manifest is as `roomwright bake` wrote it")
-    if type(owner.get(key)) is not kind:
-        found = f"{shown(owner[key])} is not {KINDS[kind]}" if key in owner else "it is missing"
-        raise WrongType(f"{place}{'.' if place else ''}{key}: {found}; "
-                        "hint: the manifest is as `roomwright bake` wrote it")
-    return owner[key]
+def _list_in(owner: object, key: str) -> list:
+    found = owner.get(key) if isinstance(owner, dict) else None
+    return found if isinstance(found, list) else []
 
 
 def scenes_in(folder: Path) -> list[Path]:

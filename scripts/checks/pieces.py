@@ -10,7 +10,8 @@ import numpy as np
 from gltf_file import GltfFile, Node
 
 from .bodies import Part, parts_of
-from .contract import FIELDS, named_parents, room_of
+from .contract import named_parents, room_of
+from .schemas import extras_schemas
 
 # Metres of height up to which what lies on the floor is floor (`COVERING_HEIGHT` in src/catalog/class.rs), and a millimetre.
 COVERING_HEIGHT = 0.021
@@ -87,6 +88,6 @@ class Piece:
 def pieces_of(gltf: GltfFile) -> list[Piece]:
     """Every piece with a mesh that belongs to a room."""
     meshes = Meshes(gltf)
+    schema = extras_schemas()["furniture"]
     rooms = ((node, room_of(node)) for node in gltf.nodes if node.kind == "furniture" and node.mesh is not None)
-    return [Piece(node, room, meshes) for node, room in rooms
-            if room is not None and FIELDS["furniture"] <= node.extras.keys()]
+    return [Piece(node, room, meshes) for node, room in rooms if room is not None and schema.is_usable(node.extras)]

@@ -49,7 +49,7 @@ fn pythons() -> Vec<PathBuf> {
 /// The modules that a script needs, and whether it needs the Khronos validator.
 fn needs(script: &str) -> (&'static str, bool) {
     match script {
-        "scripts/validate.py" => ("numpy, shapely, trimesh, pxr, tqdm", true),
+        "scripts/validate.py" => ("numpy, shapely, trimesh, pxr, tqdm, jsonschema", true),
         "scripts/blender_import.py" | "scripts/blender_export.py" => ("bpy", false),
         _ => ("numpy, pxr, tqdm", false),
     }

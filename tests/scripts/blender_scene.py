@@ -33,10 +33,10 @@ def storey(level: str, elevation: float, site: dict | None = None) -> Floor:
     node["extras"] |= {"level": level, "elevation": elevation} | ({"site": site} if site else {})
     number = {node["name"]: index for index, node in enumerate(floor.document["nodes"])}
     slab = floor.box_mesh("ceiling@101", 4.0, 3.0, 0.1, parts=2)
-    floor.node("ceiling@101", {"kind": "part", "part": "ceiling", "tags": []}, number["room:101"], slab,
+    floor.node("ceiling@101", {"kind": "part", "part": "ceiling", "id": "ceiling", "tags": []}, number["room:101"], slab,
                at=(2.0, 2.5, -1.5))
     frame = floor.box_mesh("frame@door:d1", 0.9, 0.1, 2.0)
-    floor.node("frame@door:d1", {"kind": "part", "part": "frame", "tags": []}, number["door:d1"], frame)
+    floor.node("frame@door:d1", {"kind": "part", "part": "frame", "id": "frame", "tags": []}, number["door:d1"], frame)
     floor.document["extensionsUsed"] = ["KHR_lights_punctual"]
     floor.document["extensions"] = {"KHR_lights_punctual": {"lights": [
         {"type": "point", "name": "800 lm", "intensity": 63.7, "color": [1.0, 0.5, 0.1]}]}}

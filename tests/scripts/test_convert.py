@@ -56,7 +56,7 @@ def test_extras_are_custom_data(source, tmp_path):
     assert (desk["kind"], desk["class"], desk["variant"]) == ("furniture", "desk", 0)
     assert list(desk["size"]) == [1.6, 0.8, 0.74]
     room = stage.GetPrimAtPath("/house_ground/room_101").GetCustomData()
-    assert room["removed"] == '[{"class": "chair", "reason": "no place"}]'
+    assert room["removed"] == '[{"class": "chair", "reason": "no place", "required": false}]'
     assert (room["seed"], stage.GetDefaultPrim().GetCustomData()["seed"]) == ("7", "18446744073709551615")
 
 

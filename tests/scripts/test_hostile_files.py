@@ -297,10 +297,10 @@ def test_validate_takes_any_manifest(place, capsys):
 
 
 @pytest.mark.parametrize(("change", "expected"), [
-    ({"levels": 7}, "cannot be read: levels: 7 is not a list; hint: "),
-    ({"levels": [None]}, "cannot be read: levels[0]: None is no object; hint: "),
+    ({"levels": 7}, "levels: 7 is not a list; hint: "),
+    ({"levels": [None]}, "levels[0]: None is not an object; hint: "),
     ({"library": [{"path": 1, "bytes": 2, "sha256": "0"}]}, "library[0].path: 1 is not text; hint: "),
-    ({"library": [{"path": "good.glb", "bytes": "2", "sha256": "0"}]}, "library[0].bytes: '2' is not a number; hint: "),
+    ({"library": [{"path": "good.glb", "bytes": "2", "sha256": "0"}]}, "library[0].bytes: '2' is not a whole number; hint: "),
     ({"library": [{"path": "good.glb", "bytes": 2}]}, "library[0].sha256: it is missing; hint: "),
     ({"library": [{"path": "../secret.png", "bytes": 2, "sha256": "0"}]}, "library[0].path: '../secret.png' leads out"),
 ])

@@ -195,7 +195,7 @@ class TestContainment:
     def test_in_a_column(self, floor, tmp_path, height, expected):
         room = floor.document["nodes"].index(floor.find("room:101"))
         corners = [[2.9, 1.4], [3.2, 1.4], [3.2, 1.6], [2.9, 1.6]]
-        floor.node("column.1@101", {"kind": "part", "part": "column", "tags": [], "outline": corners,
+        floor.node("column.1@101", {"kind": "part", "part": "column", "id": "column.1", "tags": [], "outline": corners,
                                     "height": height}, room)
         assert self.faults(floor, tmp_path) == expected
 

@@ -105,7 +105,7 @@ class Identities:
         extras.setdefault("side", "above")
 
     def _is_arranged_by_one_above(self, number: int, above: int | None) -> bool:
-        """Whether a piece names another piece of its room, and hangs below that one, below its carrier, or in the room alone."""
+        """Whether a piece names a piece of its room, and is below that piece, below its carrier, or in the room alone."""
         room = self._above(number, "room")
         if room is None:
             return False
