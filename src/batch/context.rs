@@ -1,4 +1,4 @@
-//! What all levels of a run share.
+//! The data that all levels of a run share.
 
 use super::event::Stopwatch;
 use super::folder::OutputFolder;
@@ -9,13 +9,13 @@ use crate::model::{ModelLibrary, SwatchedModels};
 use crate::output::Output;
 use crate::texture::TextureLibrary;
 
-/// What all levels of a run share.
+/// The data that all levels of a run share.
 pub(crate) struct Context<'a> {
     pub(crate) catalog: &'a Catalog,
     pub(crate) options: &'a BakeOptions,
     pub(crate) folder: &'a OutputFolder,
     pub(crate) models: &'a ModelLibrary,
-    /// What makes fewer primitives of models; none where every slot keeps its material.
+    /// Models whose plain parts share a material; none where every slot keeps its material.
     pub(crate) swatched: Option<SwatchedModels>,
     /// What writes levels.
     pub(crate) output: Box<dyn Output + 'a>,

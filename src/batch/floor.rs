@@ -1,4 +1,4 @@
-//! One level from rooms to files.
+//! Bakes one level: furnishes its rooms, builds the scene, writes the files.
 
 use rayon::prelude::*;
 
@@ -45,7 +45,7 @@ struct BakedRoom {
 /// # Errors
 /// Why the level is not in place.
 pub(crate) fn bake_floor(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
-    // Rooms in parallel, collected in the plan's order: whoever finishes first, the file is the same.
+    // Rooms in parallel, collected in the plan's order: the file does not depend on which room is finished first.
     let rooms: Vec<BakedRoom> =
         (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(context, job, room)).collect();
     let mut results = RoomResults::default();
@@ -179,7 +179,7 @@ fn write(folder: &OutputFolder, files: &LevelFiles, record: &LevelRecord) -> Res
     folder.retire_replaced(record)
 }
 
-/// What became of the rooms of a level, in the plan's order.
+/// The results for the rooms of a level, in the plan's order.
 #[derive(Default)]
 struct RoomResults {
     furnished: Vec<Furnished>,

@@ -26,14 +26,14 @@ use crate::model::ModelLibrary;
 use crate::output::output_format;
 use crate::plan::Plan;
 
-/// What is baked.
+/// The input of a bake.
 #[derive(Clone, Copy, Debug)]
 pub struct BakeInput<'a> {
     /// The buildings.
     pub plan: &'a Plan,
-    /// What people changed in their rooms.
+    /// The edits of their rooms.
     pub edits: &'a EditBook,
-    /// What furnishes them.
+    /// The catalogue.
     pub catalog: &'a Catalog,
     /// The models of that catalogue.
     pub models: &'a ModelLibrary,
@@ -105,7 +105,7 @@ pub fn bake(
     })
 }
 
-/// What the threads have done so far. Sums only: the order in which levels finish leaves no trace.
+/// The work of all threads so far. Sums only: the order in which levels finish leaves no trace.
 #[derive(Default)]
 struct Tally {
     baked: usize,
@@ -143,7 +143,7 @@ fn work(
     let mut tally = tally.into_inner().expect("counting does not panic");
     tally.failures.sort();
     let key = |misfit: &LevelMisfit| (misfit.building.clone(), misfit.level.clone(), misfit.room.clone());
-    // Stable: the misfits of a room stay in their order.
+    // Stable: the rejected edits of a room stay in their order.
     tally.misfits.sort_by_cached_key(key);
     tally
 }

@@ -1,8 +1,8 @@
-//! The formats that levels are written in: a table, as the readers of plans are.
+//! The formats that levels are written in, as a table, like the readers of plans.
 //!
-//! A new format is one folder beside `gltf/` with a type that implements [`Output`], and one line in `table.rs`. What
-//! `batch` relies on: the same scene at the same path gives the same files, whatever other levels were written before it and
-//! by however many threads.
+//! A new format is one folder beside `gltf/` with a type that implements [`Output`], and one line in `table.rs`. `batch`
+//! relies on this: the same scene at the same path gives the same files, whatever other levels were written before, and
+//! by any number of threads.
 
 mod folders;
 mod format;

@@ -1,4 +1,4 @@
-//! What a level's files depend on besides plan, edits, catalogue and program.
+//! The options that the files of a level depend on, besides plan, edits, catalogue and program.
 
 use serde::Serialize;
 

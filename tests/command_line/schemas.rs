@@ -1,4 +1,4 @@
-//! What the command writes for machines obeys the JSON Schemas that are published in `configs/schema/`.
+//! The JSON output of commands obeys the published schemas in `configs/schema/`.
 
 use std::path::Path;
 
