@@ -1,4 +1,4 @@
-//! The `extras` of nodes: what a node is.
+//! The `extras` of nodes: the facts of a level, room, opening, part, object or light.
 
 use std::borrow::Cow;
 

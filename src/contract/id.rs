@@ -1,4 +1,4 @@
-//! What an id names: a piece of furniture, a part of the room that carries furniture, or an opening.
+//! Ids of furniture, of room parts that carry furniture, and of openings.
 
 use std::borrow::Cow;
 use std::fmt;

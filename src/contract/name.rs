@@ -1,4 +1,4 @@
-//! Names of nodes, unique in a level and stable between bakes, and what they tell.
+//! Names of nodes, unique in a level and stable between bakes, and the ids that they hold.
 //!
 //! One rule: `<id>@<owner>` for everything that belongs to a room or an opening, where the owner is the
 //! room's id or the opening's node name; `<kind>:<id>` for rooms and openings themselves.

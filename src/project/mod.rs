@@ -1,7 +1,9 @@
-//! Plans, edits, catalogue and models that belong together: what a bake or a room on demand starts from.
+//! Projects: the plans, edits, catalogue and models of a run, for a bake or for one room on demand.
 //!
-//! What callers may rely on: a [`Project`] that was read holds at least one building; what could not be read is missing from
-//! it and named in [`Project::faults`]. A room that [`Rooms`] furnishes is the one that a bake with the same options writes.
+//! Callers may rely on:
+//! - a [`Project`] that was read holds at least one building;
+//! - inputs that could not be read are missing from it and named in [`Project::faults`];
+//! - a room that [`Rooms`] furnishes is the one that a bake with the same options writes.
 
 mod plausible;
 mod read;

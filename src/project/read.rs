@@ -1,4 +1,4 @@
-//! Files to a project.
+//! Reads files into a project.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! One room on demand: furnished, judged, built and written without the other rooms of its level.
+//! Furnishes, judges, builds and writes one room on demand, without the other rooms of its level.
 
 use std::fmt;
 
