@@ -86,7 +86,7 @@ pub(crate) enum LightsWord {
     Shining,
     /// Each lamp is a light in candelas as well (KHR_lights_punctual), for renderers with an exposure.
     Physical,
-    /// Neither.
+    /// Shades do not emit light, and the file has no lights.
     None,
 }
 

@@ -28,7 +28,7 @@ pub(crate) struct DiffArguments {
     /// Before: a folder that bake wrote, or one .glb or .gltf file.
     #[arg(value_name = "OLD")]
     pub(crate) old: PathBuf,
-    /// After: the same.
+    /// After: a folder or a file, too.
     #[arg(value_name = "NEW")]
     pub(crate) new: PathBuf,
     /// Further folders of configuration, for the findings of edited files and for pictures.

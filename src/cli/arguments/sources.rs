@@ -23,7 +23,7 @@ pub(crate) struct SourceArguments {
 /// Which edits are made.
 #[derive(Clone, Debug, Default, Args)]
 pub(crate) struct EditArguments {
-    /// A further edits file. May be repeated; later ones win. NAME.edits.yaml beside a plan is always read.
+    /// A further edits file. May be repeated; later ones win. NAME.edits.yaml beside a plan is read without it.
     #[arg(long = "edits", value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
     /// Apply no edits.
