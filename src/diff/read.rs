@@ -1,4 +1,4 @@
-//! Reads the two sides: manifests, and the files that differ. The only file of the stage that opens any.
+//! Reads the two sides: manifests, and files that differ. No other file of the stage opens any.
 
 use std::fs;
 use std::io;

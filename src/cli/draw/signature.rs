@@ -1,4 +1,4 @@
-//! The last line of a drawing, by which `draw` knows its own: who drew it, and a hash of all before it.
+//! The last line of a drawing, by which `draw` recognises its own: the program, and a hash of all lines above.
 //!
 //! ```text
 //! <!-- drawn by roomwright; unchanged while the lines above have sha256 3f1a… -->
