@@ -52,6 +52,7 @@ from checks.khronos import check_khronos, is_installed
 from checks.loading import check_trimesh
 from checks.manifest import SCENE_ENDINGS, check_manifest, scenes_in
 from checks.report import Fault, Note
+from checks.schemas import FOLDER as SCHEMA_FOLDER
 from checks.stages import ENDINGS as STAGE_ENDINGS
 from checks.stages import check_stage
 from gltf_document import GltfError
@@ -171,6 +172,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     if not files:
         print("validate: there is no .glb, .gltf or USD file", file=sys.stderr)
+        return 2
+    if not SCHEMA_FOLDER.is_dir():
+        print(f"validate: {SCHEMA_FOLDER} is missing; the script needs the project's folder around it", file=sys.stderr)
         return 2
     with_khronos = not options.no_khronos and any(judged.file.suffix.lower() in SCENE_ENDINGS for judged in files)
     if with_khronos and not is_installed():

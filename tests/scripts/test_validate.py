@@ -188,6 +188,12 @@ class TestManifest:
             "levels[0].files[0].path: 'house/ground.glb' cannot be read: No such file or directory",
             "house/first.glb exists, but is not listed"]
 
+    def test_a_level_that_no_plan_has_any_more_is_listed_too(self, manifest):
+        document = json.loads(manifest.read_text())
+        document |= {"levels": [], "former_levels": document["levels"]}
+        manifest.write_text(json.dumps(document))
+        assert self.messages(manifest) == []
+
     def test_what_is_no_manifest_is_a_fault(self, manifest):
         manifest.write_text("{}")
         assert self.messages(manifest)[0].startswith("manifest: it is missing; hint: ")
