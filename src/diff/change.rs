@@ -16,10 +16,10 @@ pub struct Change {
     /// The id before, where it was another one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub old_id: Option<String>,
-    /// How it was; missing for what came.
+    /// The value before; missing for additions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub old: Option<Worth>,
-    /// How it is; missing for what went.
+    /// The value after; missing for removals.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub new: Option<Worth>,
     /// Metres moved, degrees turned, or how many parts, models or materials differ.

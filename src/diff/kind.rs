@@ -7,9 +7,9 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
-    /// A level that came or went, or stands elsewhere or at another height.
+    /// A level that was added or removed, or stands at another place or height.
     Levels,
-    /// A room that came or went.
+    /// A room that was added or removed.
     Rooms,
     /// A room with another outline, hole, column or height.
     Outline,
@@ -19,11 +19,11 @@ pub enum Kind {
     Style,
     /// A room furnished from another seed.
     Seed,
-    /// A door, window or passage that came, went, moved or is another one.
+    /// A door, window or passage that was added, removed, moved or changed.
     Openings,
-    /// An object that came.
+    /// An object that was added.
     Added,
-    /// An object that went.
+    /// An object that was removed.
     Removed,
     /// An object that stands elsewhere.
     Moved,
@@ -43,9 +43,9 @@ pub enum Kind {
     Missing,
     /// A piece that was missing and is no longer.
     MissingGone,
-    /// A finding of the audit that came.
+    /// A finding of the audit that is new.
     Findings,
-    /// A finding of the audit that went.
+    /// A finding of the audit that is gone.
     FindingsGone,
     /// A room that fails and did not.
     FailedRooms,

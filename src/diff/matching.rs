@@ -123,7 +123,7 @@ mod tests {
         Item { id: id.to_owned(), class, place: DVec3::new(x, 0.0, 0.0), on: "floor", reach: 0.25 }
     }
 
-    /// Pairs as `old=new`, then what went and came.
+    /// Pairs as `old=new`, then removals and additions.
     fn shown(old: &[Item<'_>], new: &[Item<'_>], rules: Rules) -> String {
         let matches = match_up(old, new, 1e-4, rules);
         let mut words: Vec<String> = old

@@ -16,7 +16,7 @@ const LONGEST_REACH: f64 = 0.5;
 
 /// The changes to the objects of a room.
 pub(super) struct ObjectDiff {
-    /// By kind, then in the order of the new side; what went in the order of the old one.
+    /// By kind, then in the order of the new side; removals in the order of the old one.
     pub(super) changes: Vec<Change>,
     /// The new id of each object of the old side that is still there.
     pub(super) new_ids: BTreeMap<String, String>,

@@ -6,7 +6,7 @@ use super::matching::{Item, Rules, match_up};
 use super::tolerance::{Tolerance, round_metres};
 use crate::read_back::OpeningEntry;
 
-/// Openings that came, went, moved or are others now; new ones first, in the order of their file.
+/// Openings that were added, removed, moved or changed; new ones first, in the order of their file.
 pub(super) fn compare_openings(
     old: &[OpeningEntry],
     new: &[OpeningEntry],

@@ -114,7 +114,7 @@ impl Folder {
         found.map_err(|error| {
             let path = self.root.join(&file.path);
             Fault::of_file(&path, format!("is in the manifest, but cannot be read: {error}"))
-                .with_hint("bake the folder again: what is missing is written anew")
+                .with_hint("bake the folder again: missing files are written again")
         })
     }
 
@@ -179,7 +179,7 @@ fn judge(path: &Path, inventory: &mut Inventory, read: &ReadLevel, catalog: &Cat
                     "room \"{}\" cannot be judged as it is now; its recorded findings are compared",
                     room.id
                 );
-                let hint = "`roomwright audit` tells why; --catalog names further classes";
+                let hint = "`roomwright audit` reports why; --catalog names further classes";
                 faults.push(Fault::of_file(path, message).with_hint(hint).as_warning());
             }
         }

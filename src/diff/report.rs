@@ -27,11 +27,11 @@ pub struct Report {
     pub tolerance: Tolerance,
     /// Counts.
     pub summary: Summary,
-    /// Buildings that came or went, by id.
+    /// Buildings that were added or removed, by id.
     pub buildings: BTreeMap<String, Presence>,
     /// Levels that differ or cannot be compared, by building and level.
     pub levels: Vec<LevelDiff>,
-    /// Shared textures and geometry that came, went or differ, by path.
+    /// Shared textures and geometry that were added, removed or changed, by path.
     pub shared: BTreeMap<String, Presence>,
     /// Files, levels and rooms that cannot be read.
     pub troubles: Vec<Trouble>,
@@ -42,7 +42,7 @@ pub struct Report {
 pub struct Summary {
     /// Levels by what became of them.
     pub levels: LevelCounts,
-    /// Rooms that came, went or changed in levels that both sides have.
+    /// Rooms that were added, removed or changed in levels that both sides have.
     pub rooms: u64,
     /// Changes by kind; kinds without a change are left out.
     pub changes: BTreeMap<Kind, u64>,
@@ -134,7 +134,7 @@ impl LevelDiff {
 }
 
 impl Report {
-    /// Whether nothing came, went or changed, and all could be read.
+    /// Whether both sides are equal, and all could be read.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.levels.is_empty() && self.shared.is_empty() && self.troubles.is_empty()

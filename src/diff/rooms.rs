@@ -94,7 +94,7 @@ fn floor_area(room: &RoomContents) -> f64 {
     outline - areas.sum::<f64>()
 }
 
-/// Missing pieces that came or went: class and reason, as often as they differ.
+/// Pieces that are missing now or were missing before: class and reason, as often as they differ.
 fn missing(old: &RoomContents, new: &RoomContents) -> Vec<Change> {
     let mut counts: BTreeMap<&(String, String), i64> = BTreeMap::new();
     old.missing.iter().for_each(|piece| *counts.entry(piece).or_default() -= 1);
@@ -116,7 +116,7 @@ fn missing(old: &RoomContents, new: &RoomContents) -> Vec<Change> {
 /// Code, severity and objects: what makes two findings the same, whatever they measure.
 type FindingKey = (String, String, Vec<String>);
 
-/// Findings that came or went. Objects are known by their new ids.
+/// Findings that are new or gone. Objects are known by their new ids.
 fn findings(old: &RoomContents, new: &RoomContents, new_ids: &BTreeMap<String, String>) -> Vec<Change> {
     let key = |finding: &FindingExtras, rename: &dyn Fn(&String) -> String| -> FindingKey {
         let mut objects: Vec<String> = finding.objects.iter().map(rename).collect();
@@ -124,10 +124,10 @@ fn findings(old: &RoomContents, new: &RoomContents, new_ids: &BTreeMap<String, S
         (finding.code.to_string(), finding.severity.to_string(), objects)
     };
     let is_object = |id: &String| old.objects.iter().any(|object| object.id.to_string() == *id);
-    // An object that went is none of today's, although one of those may have its number.
+    // A removed object is none of the new side, although one of those may have its number.
     let renamed = |id: &String| match new_ids.get(id) {
         Some(found) => found.clone(),
-        None if is_object(id) => format!("{id} (went)"),
+        None if is_object(id) => format!("{id} (removed)"),
         None => id.clone(),
     };
     let mut left: BTreeMap<FindingKey, Vec<&FindingExtras>> = BTreeMap::new();

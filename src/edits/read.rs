@@ -200,10 +200,10 @@ impl Reading<'_> {
             return plain(Some(key), "does not say where it stands", "add `at: [x, y]`");
         }
         if *add && class.is_some() {
-            return plain(Some("class"), "a new object has a second class", "its id tells the class");
+            return plain(Some("class"), "a new object has a second class", "its id names the class");
         }
         if *lock && class.is_some() {
-            let hint = "lock an object of the new class, which its id tells";
+            let hint = "lock an object of the new class, which its id names";
             return plain(Some("class"), "is locked and of another class at once", hint);
         }
         if let Some(at) = at

@@ -90,7 +90,7 @@ fn listed(
     let files: BTreeSet<PathBuf> = listing.files.iter().filter_map(path_of).collect();
     for file in files.difference(found) {
         let fault = Fault::of_file(file, "is in the manifest, but not there");
-        faults.push(fault.with_hint("bake the folder again: what is missing is written anew"));
+        faults.push(fault.with_hint("bake the folder again: missing files are written again"));
     }
     let others: Vec<String> = found.difference(&files).map(|file| file.display().to_string()).collect();
     if !others.is_empty() {

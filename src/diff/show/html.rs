@@ -33,7 +33,7 @@ table { border-collapse: collapse; margin: .8rem 0 } td, th { border: 1px solid 
 td.count { text-align: right } ul { list-style: none; padding-left: .5rem; margin: .3rem 0 }
 .pair { display: flex; gap: 1rem; flex-wrap: wrap } .pair > div { flex: 1 1 420px; min-width: 0; border: 1px solid #ddd }
 .pair svg { width: 100%; height: auto; display: block } .pair p { color: #777; text-align: center; padding: 3rem 0 }
-.came { color: #2b8a3e } .went { color: #c92a2a } .other { color: #b35c00 } .bad { color: #c92a2a; font-weight: bold }
+.added { color: #2b8a3e } .removed { color: #c92a2a } .other { color: #b35c00 } .bad { color: #c92a2a; font-weight: bold }
 .swatch { display: inline-block; width: .8em; height: .8em; margin: 0 .3em 0 1em; border: 2px solid }";
 
 /// The page. `pictures` are by building, level and room.
@@ -116,9 +116,9 @@ fn push_levels(page: &mut String, report: &Report, limits: HtmlLimits) {
 
 fn push_legend(page: &mut String) {
     let kinds = [
-        (MarkKind::Added, "came"),
-        (MarkKind::Removed, "went"),
-        (MarkKind::Changed, "moved or is another one"),
+        (MarkKind::Added, "added"),
+        (MarkKind::Removed, "removed"),
+        (MarkKind::Changed, "moved or changed"),
     ];
     let items = kinds.map(|(kind, word)| {
         format!(
@@ -205,8 +205,8 @@ fn push_lines(page: &mut String, lines: &[Line]) {
 
 fn class_of(sign: &str) -> &'static str {
     match sign {
-        "+" => "came",
-        "−" => "went",
+        "+" => "added",
+        "−" => "removed",
         "!" | "?" => "bad",
         _ => "other",
     }

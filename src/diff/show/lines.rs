@@ -162,8 +162,8 @@ fn words(change: &Change) -> (String, String) {
                 let moved = change.amount.map_or_else(String::new, |metres| format!("moved {metres} m: "));
                 format!("{moved}{}", between())
             }
-            (Some(_), None) => format!("went: {}", shown(old)),
-            _ => format!("came: {}", shown(new)),
+            (Some(_), None) => format!("removed: {}", shown(old)),
+            _ => format!("added: {}", shown(new)),
         },
         Kind::Missing => format!("is missing now ({})", shown(new)),
         Kind::MissingGone => format!("was missing ({})", shown(old)),
