@@ -115,11 +115,8 @@ fn push_levels(page: &mut String, report: &Report, limits: HtmlLimits) {
 }
 
 fn push_legend(page: &mut String) {
-    let kinds = [
-        (MarkKind::Added, "added"),
-        (MarkKind::Removed, "removed"),
-        (MarkKind::Changed, "moved or changed"),
-    ];
+    let kinds =
+        [(MarkKind::Added, "added"), (MarkKind::Removed, "removed"), (MarkKind::Changed, "moved or changed")];
     let items = kinds.map(|(kind, word)| {
         format!(
             "<span class=\"swatch\" style=\"border-color:{0};background:{0}33\"></span>{word}",
