@@ -54,9 +54,9 @@ def check_extras(gltf: GltfFile) -> Iterator[Note]:
         if not isinstance(node.kind, str) or node.kind not in schemas:
             yield Note("extras", node.name, f"kind: {shown(node.extras.get('kind'))} is not one of {', '.join(schemas)}")
             continue
-        misfits = schemas[node.kind].misfits(node.extras)
-        yield from (Note("extras", node.name, str(misfit)) for misfit in misfits)
-        if all(misfit.is_surplus for misfit in misfits):
+        violations = schemas[node.kind].violations(node.extras)
+        yield from (Note("extras", node.name, str(violation)) for violation in violations)
+        if all(violation.is_surplus for violation in violations):
             yield from KIND_CHECKS[node.kind](gltf, node)
 
 

@@ -32,11 +32,11 @@ def check_manifest(path: Path) -> list[Fault]:
 def complaints(path: Path) -> Iterator[str]:
     try:
         document = json.loads(read_file(path))
-        misfits = manifest_schema().misfits(document)
+        violations = manifest_schema().violations(document)
     except (ResourceError, ValueError, RecursionError) as error:
         yield f"cannot be read: {error}"
         return
-    yield from (f"{misfit}; hint: the manifest is as `roomwright bake` wrote it" for misfit in misfits)
+    yield from (f"{violation}; hint: the manifest is as `roomwright bake` wrote it" for violation in violations)
     folder = path.parent.resolve()
     reach = Reach(folder, (folder,))
     listed = set()

@@ -25,12 +25,12 @@ KINDS = {"array": "a list", "string": "text", "integer": "a whole number", "numb
 NAME = re.compile(r"\w{1,60}")
 
 
-class Misfit(NamedTuple):
+class Violation(NamedTuple):
     """A value that its schema does not allow."""
 
     place: str  # such as sides[0].wall; empty for the whole value
     fact: str
-    is_surplus: bool = False  # an unknown key, which hides no other
+    is_surplus: bool = False  # an unknown key: the other keys can be used all the same
 
     def __str__(self) -> str:
         return f"{self.place}: {self.fact}" if self.place else self.fact
@@ -44,26 +44,26 @@ class Schema:
 
     def is_usable(self, value: object) -> bool:
         """Whether a value has every key with a value of the right kind; unknown keys do no harm."""
-        return all(misfit.is_surplus for misfit in self.misfits(value))
+        return all(violation.is_surplus for violation in self.violations(value))
 
-    def misfits(self, value: object) -> list[Misfit]:
+    def violations(self, value: object) -> list[Violation]:
         """Everything in a value that the schema does not allow, each once."""
-        return list(dict.fromkeys(chain.from_iterable(map(_misfits_of, self._validator.iter_errors(value)))))
+        return list(dict.fromkeys(chain.from_iterable(map(_violations_of, self._validator.iter_errors(value)))))
 
 
-def _misfits_of(error: ValidationError) -> Iterator[Misfit]:
+def _violations_of(error: ValidationError) -> Iterator[Violation]:
     path, value = list(error.absolute_path), error.instance
     if error.validator == "required":
         # One error a key, none of which says in a field of its own which key it is.
-        yield from (Misfit(place_of([*path, key]), "it is missing") for key in error.validator_value if key not in value)
+        yield from (Violation(place_of([*path, key]), "it is missing") for key in error.validator_value if key not in value)
     elif error.validator == "additionalProperties":
         for key in sorted(value.keys() - error.schema["properties"].keys()):
-            yield Misfit(place_of(path), f"the key {shown(key)} is unknown", is_surplus=True)
+            yield Violation(place_of(path), f"the key {shown(key)} is unknown", is_surplus=True)
     elif error.validator == "anyOf":
         # A value that may also be null: the faults of the value are of use, and that it is not null is not.
-        yield from chain.from_iterable(_misfits_of(inner) for inner in error.context if inner.validator_value != "null")
+        yield from chain.from_iterable(_violations_of(inner) for inner in error.context if inner.validator_value != "null")
     else:
-        yield Misfit(place_of(path), f"{shown(value)} is not {_wanted(error)}")
+        yield Violation(place_of(path), f"{shown(value)} is not {_wanted(error)}")
 
 
 def _wanted(error: ValidationError) -> str:
