@@ -38,9 +38,9 @@ pub enum FaultCode {
     TooLarge,
     /// The system starts no more threads.
     NoThreads,
-    /// The program stopped while it furnished a room: a fault of ours.
+    /// The program failed while it furnished a room: a fault of the program.
     RoomBroken,
-    /// The program stopped while it built a level: a fault of ours.
+    /// The program failed while it built a level: a fault of the program.
     LevelBroken,
 }
 
@@ -70,7 +70,7 @@ impl FaultCode {
 }
 
 impl OutputFault {
-    /// A fault that the system reported while we did `action` (`create the folder`) to `path`.
+    /// A fault that the system reported during `action` (`create the folder`) on `path`.
     pub(crate) fn of(path: &Path, action: &str, error: &io::Error) -> Self {
         let (code, hint) = match error.kind() {
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
@@ -98,7 +98,7 @@ impl OutputFault {
         Self { code, path: path.to_owned(), message, hint: Some(hint.to_owned()) }
     }
 
-    /// A file that is not ours.
+    /// A file that this program did not write.
     pub(crate) fn foreign(path: &Path) -> Self {
         Self {
             code: FaultCode::ForeignFile,

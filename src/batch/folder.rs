@@ -45,7 +45,7 @@ pub struct OutputFolder {
 pub(crate) struct Known {
     /// The newest record of each level, with the program that wrote it.
     pub(crate) levels: BTreeMap<LevelKey, (String, RecordHead)>,
-    /// Every content of ours by path.
+    /// Every content that this program wrote, by path.
     pub(crate) written: Written,
     /// Shared geometry by path.
     pub(crate) library: BTreeMap<String, FileRecord>,

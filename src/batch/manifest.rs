@@ -92,7 +92,7 @@ pub(crate) struct Listed<'a> {
 /// Reads a manifest's frame.
 ///
 /// # Errors
-/// Says in one sentence why the text is no manifest of ours.
+/// Says in one sentence why the text is no manifest of this program.
 pub(crate) fn parse_manifest(text: &[u8]) -> Result<ManifestText<'_>, String> {
     let found: ManifestText<'_> = serde_json::from_slice(text).map_err(|error| error.to_string())?;
     if found.manifest == MANIFEST_VERSION {

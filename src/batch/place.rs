@@ -15,7 +15,7 @@ use super::state::{RESULT_PREFIX, create_folder, find_runs, lock_state, state_fo
 use crate::disk::file_hash;
 use crate::disk::{new_temporary, open_inside};
 
-/// How often a file may appear or vanish under our hands before it is taken for one of others.
+/// How often a file may appear or vanish while it is placed, before it counts as one of another program.
 const ATTEMPTS: usize = 5;
 
 /// Bytes of one write. Linux caches what is written at once in pages as large, and large pages it has to clear, or a virtual
@@ -129,7 +129,7 @@ impl OutputFolder {
             Ok(Some(found)) => found,
             Err(error) => return Err(OutputFault::of(&target, "write the file", &error)),
         };
-        // Of a length that no content of ours has, a file is not read: it may be of any size.
+        // A file of another length than any content of this program is not read: it may be of any size.
         let hash = LazyCell::new(|| file_hash(opened).unwrap_or_default());
         let is_one = |bytes: u64, sha256: &str| bytes == found.len() && *hash == sha256;
         if is_one(file.bytes, &file.sha256) {

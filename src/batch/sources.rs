@@ -33,7 +33,7 @@ type ManifestBytes = Result<Vec<u8>, String>;
 pub(crate) struct Contents<'a> {
     /// The records of each level, oldest first, each with the program that wrote it; never none.
     pub(crate) levels: BTreeMap<LevelKey, Vec<Found<'a>>>,
-    /// Every content that we wrote or were about to write, by path.
+    /// Every content that this program wrote or was about to write, by path.
     pub(crate) written: Written,
     /// Shared geometry by path.
     pub(crate) library: BTreeMap<String, FileRecord>,

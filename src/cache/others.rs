@@ -25,7 +25,7 @@ pub(super) fn remove_oldest(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(root)? {
         let entry = entry?;
         let path = entry.path();
-        // Only folders with our own tag are ours to delete: other programs tag theirs by the same file.
+        // Only folders with this program's tag are deleted: other programs tag theirs by the same file.
         let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX)
             && entry.file_type()?.is_dir()
             && read_plain(&path.join(super::TAG.0), super::TAG.1.len() as u64)

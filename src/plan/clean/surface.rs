@@ -19,7 +19,7 @@ pub(in crate::plan) fn to_points(line: &LineString<f64>) -> Vec<Point> {
     line.0.iter().map(|coord| Point::new(coord.x, coord.y)).collect()
 }
 
-/// The outer border of a surface, if it is a polygon of ours.
+/// The outer border of a surface, if it is a valid [`Polygon`].
 pub(in crate::plan) fn to_polygon(surface: &geo::Polygon<f64>) -> Option<Polygon> {
     Polygon::new(&to_points(surface.exterior())).ok()
 }
