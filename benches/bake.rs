@@ -3,16 +3,16 @@
 use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::batch::{BakeInput, BakeOptions, OutputFolder, bake};
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::edits::EditBook;
-use roomwright::gltf::write_glb;
-use roomwright::layout::{FurnishOptions, furnish};
-use roomwright::model::ModelLibrary;
-use roomwright::output::FloorOptions;
-use roomwright::plan::{Level, PlacedBuilding, Plan, PlanOptions, read_plans};
-use roomwright::scene::{SceneInput, SceneOptions, build_scene};
-use roomwright::solve::judge_room;
+use roomwright::internals::batch::{BakeInput, BakeOptions, OutputFolder, bake};
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::edits::EditBook;
+use roomwright::internals::gltf::write_glb;
+use roomwright::internals::layout::{FurnishOptions, furnish};
+use roomwright::internals::model::ModelLibrary;
+use roomwright::internals::output::FloorOptions;
+use roomwright::internals::plan::{Level, PlacedBuilding, Plan, PlanOptions, read_plans};
+use roomwright::internals::scene::{SceneInput, SceneOptions, build_scene};
+use roomwright::internals::solve::judge_room;
 
 /// Seed of all rooms.
 const SEED: u64 = 1;

@@ -6,10 +6,10 @@ mod floor;
 use std::sync::Arc;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use roomwright::gltf::{
+use roomwright::internals::gltf::{
     EncodedModels, Painting, SharedLibrary, SharedModel, WriteOptions, write_glb, write_glb_with, write_gltf,
 };
-use roomwright::scene::build_scene;
+use roomwright::internals::scene::build_scene;
 
 fn gltf(criterion: &mut Criterion) {
     let floor = floor::Floor::hotel();

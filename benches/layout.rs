@@ -4,9 +4,9 @@
 use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::layout::{FurnishOptions, furnish};
-use roomwright::plan::{Level, PlanOptions, read_plans};
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::layout::{FurnishOptions, furnish};
+use roomwright::internals::plan::{Level, PlanOptions, read_plans};
 
 /// Seeds that one measurement goes through, so that no lucky room stands for all.
 const SEEDS: u64 = 64;

@@ -1,9 +1,9 @@
 //! Benchmark of building models: all recipes in each geometry set; every class, variant and set of the catalogue.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::catalog::{Catalog, Class, load_catalog};
-use roomwright::model::ModelLibrary;
-use roomwright::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
+use roomwright::internals::catalog::{Catalog, Class, load_catalog};
+use roomwright::internals::model::ModelLibrary;
+use roomwright::internals::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
 use std::hint::black_box;
 
 fn build_all(geometry: GeometrySet) -> usize {

@@ -4,7 +4,7 @@
 mod floor;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::scene::build_scene;
+use roomwright::internals::scene::build_scene;
 
 fn scene(criterion: &mut Criterion) {
     let floor = floor::Floor::hotel();

@@ -8,12 +8,12 @@ use std::error::Error;
 use std::sync::Arc;
 
 use glam::{Quat, Vec3};
-use roomwright::catalog::{Palette, load_catalog};
-use roomwright::gltf::write_glb;
-use roomwright::model::{Model, ModelMaterial};
-use roomwright::recipes::{GeometrySet, Recipe, RecipeInput, Slot, recipes};
-use roomwright::scene::{Node, Scene, SceneMaterial, SceneMesh};
-use roomwright::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
+use roomwright::internals::catalog::{Palette, load_catalog};
+use roomwright::internals::gltf::write_glb;
+use roomwright::internals::model::{Model, ModelMaterial};
+use roomwright::internals::recipes::{GeometrySet, Recipe, RecipeInput, Slot, recipes};
+use roomwright::internals::scene::{Node, Scene, SceneMaterial, SceneMesh};
+use roomwright::internals::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
 
 /// Metres between neighbouring models.
 const GAP: f64 = 0.2;

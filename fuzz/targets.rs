@@ -7,15 +7,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use roomwright::batch::merge;
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::diff::{DiffOptions, Tolerance, compare};
-use roomwright::document::Faults;
-use roomwright::edits::read_edits;
-use roomwright::model::ModelLibrary;
-use roomwright::plan::{Plan, PlanOptions, read_plans};
-use roomwright::read_back::{parse_inventory, parse_level, parse_survey};
-use roomwright::solve::judge_room;
+use roomwright::internals::batch::merge;
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::diff::{DiffOptions, Tolerance, compare};
+use roomwright::internals::document::Faults;
+use roomwright::internals::edits::read_edits;
+use roomwright::internals::model::ModelLibrary;
+use roomwright::internals::plan::{Plan, PlanOptions, read_plans};
+use roomwright::internals::read_back::{parse_inventory, parse_level, parse_survey};
+use roomwright::internals::solve::judge_room;
 use tempfile::TempDir;
 
 /// Reads an input; answers whether anything came of it.
@@ -144,7 +144,10 @@ fn compare_in(folder: &TempDir, names: [&str; 2]) -> bool {
     };
     let compared = compare(&old, &new, &options);
     check_faults(compared.as_ref().map_or_else(|faults| faults, |(_, faults)| faults));
-    let text = compared.as_ref().map(|(report, _)| roomwright::diff::text(report, false)).unwrap_or_default();
+    let text = compared
+        .as_ref()
+        .map(|(report, _)| roomwright::internals::diff::text(report, false))
+        .unwrap_or_default();
     assert!(!text.contains('\u{1b}'), "{text}");
     compared.is_ok()
 }

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::layout::{FurnishOptions, Furnished, furnish};
-use roomwright::model::ModelLibrary;
-use roomwright::plan::{Level, PlanOptions, SitePlacement, read_plans};
-use roomwright::scene::{SceneInput, SceneOptions};
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::layout::{FurnishOptions, Furnished, furnish};
+use roomwright::internals::model::ModelLibrary;
+use roomwright::internals::plan::{Level, PlanOptions, SitePlacement, read_plans};
+use roomwright::internals::scene::{SceneInput, SceneOptions};
 
 /// A level with what its scene needs.
 pub(crate) struct Floor {

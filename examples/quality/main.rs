@@ -16,13 +16,13 @@ use clap::Parser;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 use rayon::prelude::*;
-use roomwright::audit::{Finding, Grade, Severity};
-use roomwright::best::{DEFAULT_EFFORT, furnish_best};
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::draw::{Drawing, draw_level};
-use roomwright::geometry::{Convex, Point, direction};
-use roomwright::layout::{FurnishOptions, Furnished, Placement};
-use roomwright::plan::{Level, PlanOptions, SitePlacement, read_plans};
+use roomwright::internals::audit::{Finding, Grade, Severity};
+use roomwright::internals::best::{DEFAULT_EFFORT, furnish_best};
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::draw::{Drawing, draw_level};
+use roomwright::internals::geometry::{Convex, Point, direction};
+use roomwright::internals::layout::{FurnishOptions, Furnished, Placement};
+use roomwright::internals::plan::{Level, PlanOptions, SitePlacement, read_plans};
 
 use slowest::Slowest;
 

@@ -2,11 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use roomwright::best::{Judged, best_of};
-use roomwright::catalog::Catalog;
-use roomwright::layout::{FurnishOptions, furnish_counted};
-use roomwright::plan::Level;
-use roomwright::solve::RoomSolver;
+use roomwright::internals::best::{Judged, best_of};
+use roomwright::internals::catalog::Catalog;
+use roomwright::internals::layout::{FurnishOptions, furnish_counted};
+use roomwright::internals::plan::Level;
+use roomwright::internals::solve::RoomSolver;
 
 /// What one room took.
 pub struct Timed {

@@ -31,13 +31,12 @@ mod verdict;
 mod zone;
 
 pub use checks::Code;
-pub use fault::{FloorRegion, Thing};
+pub use fault::Thing;
 pub use finding::{Finding, Grade};
 pub use possible::{Ask, Held, Question};
-pub use quantity::{Quantity, Unit};
 pub use score::Score;
 pub use severity::Severity;
-pub use summary::{AuditSummary, GradeCounts, ScoreSum};
+pub use summary::{AuditSummary, GradeCounts};
 pub use verdict::{DoorRate, Verdict};
 
 pub(crate) use checks::door_zones;

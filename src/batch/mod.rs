@@ -27,8 +27,10 @@ mod work;
 
 pub(crate) use bug::catch_bug;
 pub use bug::collect_panics;
-pub use event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage, Timings};
-pub use fault::{FaultCode, OutputFault};
+pub use event::{BakeReport, Event, LevelFailure, LevelMisfit, Stage};
+#[cfg(test)]
+pub(crate) use fault::FaultCode;
+pub use fault::OutputFault;
 pub(crate) use file_name::distinct_names;
 pub use folder::OutputFolder;
 pub use join::{Joined, MergeReport, merge};
@@ -39,6 +41,6 @@ pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
 pub use options::{BakeOptions, Shard, Unplanned};
 pub use plan_paths::{record_plans, recorded_plan};
 pub use program::PROGRAM;
-pub use record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
+pub use record::{FileRecord, Totals};
 pub use unplanned::Leftovers;
 pub use work::{BakeInput, bake};

@@ -34,12 +34,9 @@ use std::path::PathBuf;
 
 #[cfg(test)]
 pub(crate) use audit::AuditFile;
-pub use audit::{
-    AccessRules, AlignmentRules, AuditRules, BalanceRules, BedRules, BodyRules, ClearanceRules, DoorRules,
-    FacingRules, FulfilmentRules, ScoreRules, ScreenRules, WalkingRules, WetRoomRules, WindowRules,
-};
+pub use audit::{AccessRules, AuditRules, DoorRules, WalkingRules};
 pub use building_style::{BuildingStyle, Share, WeightedStyle};
-pub use builtin::{BuiltinFile, builtin_file, builtin_files};
+pub use builtin::{builtin_file, builtin_files};
 pub use class::{
     Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, Grid, ModelSource, Orientation, ParentName,
     ParentRule, Relation, RelationKind, SideOffer, Turn,

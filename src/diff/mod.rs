@@ -32,10 +32,10 @@ use levels::compare_levels;
 use pairs::{Entry, Pair, lone_buildings, pair_up, shared_files};
 use read::{Folder, Side};
 
-pub use change::{Change, FindingWorth, Worth};
+pub use change::{Change, Worth};
 pub use kind::Kind;
 pub use picture::{RoomPictures, draw_rooms};
-pub use report::{LevelCounts, LevelDiff, Presence, REPORT_VERSION, Report, RoomDiff, Summary, Trouble};
+pub use report::{LevelDiff, Presence, REPORT_VERSION, Report, RoomDiff, Summary, Trouble};
 pub use show::{HtmlLimits, html, markdown, shown_rooms, text};
 pub use tolerance::Tolerance;
 

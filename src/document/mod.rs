@@ -22,35 +22,12 @@ mod xml;
 #[cfg(test)]
 mod tests;
 
-use std::path::Path;
-
-use schemars::JsonSchema;
-use serde::de::DeserializeOwned;
-
 pub use fault::{Fault, FaultSeverity, PathStep, show_path};
 pub use faults::{Faults, Warned};
-pub use format::Format;
 pub(crate) use keys::top_keys;
 pub use limits::FILE_SIZE_LIMIT;
-pub use source::{Source, locate};
+pub use source::Source;
 pub use suggest::{did_you_mean, suggest};
 pub(crate) use text::bounded;
 pub use text::{is_unprintable, printable, printable_json, printable_lines};
 pub use xml::xml_text;
-
-/// Reads a YAML or JSON file (by its extension) into a value.
-///
-/// # Errors
-/// All faults of the file at once: unreadable, too large (see [`FILE_SIZE_LIMIT`]), not UTF-8, bad syntax,
-/// unknown, duplicate and missing keys, wrong types and words, numbers that are not finite.
-pub fn read_document<T: DeserializeOwned + JsonSchema>(path: &Path) -> Result<T, Faults> {
-    Source::read(path)?.parse()
-}
-
-/// As [`read_document`], for a text in memory; `file` is the name for messages; its ending decides the format.
-///
-/// # Errors
-/// As [`read_document`].
-pub fn parse_document<T: DeserializeOwned + JsonSchema>(file: &Path, text: &str) -> Result<T, Faults> {
-    Source::new(file, text).parse()
-}

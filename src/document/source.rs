@@ -15,7 +15,7 @@ use super::faults::Faults;
 use super::format::{Format, may_be_infinite};
 use super::keys::top_keys;
 use super::limits::FILE_SIZE_LIMIT;
-use super::tree::{Flaw, Position, Tree};
+use super::tree::{Flaw, Tree};
 use crate::disk::open_regular;
 
 /// The text of a file, kept while its meaning is checked. The places of its values are worked out when
@@ -74,7 +74,7 @@ impl Source {
         &self.text
     }
 
-    /// The text as a value; see [`super::parse_document`].
+    /// The text as a value.
     ///
     /// # Errors
     /// All faults of the text.
@@ -169,15 +169,6 @@ impl Source {
         let fault = self.fault_at(Some(flaw.position), flaw.message.as_str());
         Fault { path: flaw.path.clone(), hint: flaw.hint.map(str::to_owned), ..fault }
     }
-}
-
-/// Where a document path stands in a text, and the text of that line; see [`Source::fault`].
-///
-/// `None` where the text is no document.
-#[must_use]
-pub fn locate(file: &Path, text: &str, path: &[PathStep]) -> (Option<Position>, Option<String>) {
-    let fault = Source::new(file, text).fault(path, "", None, FaultSeverity::Error);
-    (fault.position, fault.line)
 }
 
 fn read_text(path: &Path) -> Result<String, Faults> {
@@ -298,9 +289,12 @@ mod tests {
 
     #[test]
     fn places_are_found_by_document_path() {
-        let (position, line) =
-            locate(Path::new("x.yaml"), "a:\n  - b: 1\n    c: 2\n", &["a".into(), 0.into(), "c".into()]);
+        let place = |text, path: &[PathStep]| {
+            let fault = Source::new(Path::new("x.yaml"), text).fault(path, "", None, FaultSeverity::Error);
+            (fault.position, fault.line)
+        };
+        let (position, line) = place("a:\n  - b: 1\n    c: 2\n", &["a".into(), 0.into(), "c".into()]);
         assert_eq!((position, line.as_deref()), (Some((3, 8)), Some("    c: 2")));
-        assert_eq!(locate(Path::new("x.yaml"), "a: [", &[]), (None, None));
+        assert_eq!(place("a: [", &[]), (None, None));
     }
 }

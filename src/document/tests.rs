@@ -6,6 +6,8 @@ use std::path::Path;
 use proptest::prelude::*;
 use serde::Deserialize;
 
+use schemars::JsonSchema;
+
 use super::*;
 
 /// A sample of everything that formats here use.
@@ -74,7 +76,7 @@ struct Class {
 }
 
 fn faults(file: &str, text: &str) -> Vec<String> {
-    let faults = parse_document::<House>(Path::new(file), text).expect_err("the text has a fault");
+    let faults = Source::new(Path::new(file), text).parse::<House>().expect_err("the text has a fault");
     let line = |fault: &Fault| match &fault.hint {
         Some(hint) => format!("{fault} ({hint})"),
         None => fault.to_string(),
@@ -85,10 +87,10 @@ fn faults(file: &str, text: &str) -> Vec<String> {
 #[test]
 fn a_good_document_is_read() {
     let text = "version: 1\nname: 12\nrooms:\n- {id: 101, kind: bedroom, gap: [1, 2], outline: [[0, 1.5]]}\n";
-    let house: House = parse_document(Path::new("a.yaml"), text).unwrap();
+    let house: House = Source::new(Path::new("a.yaml"), text).parse().unwrap();
     assert_eq!((house.rooms[0].id.as_str(), house.name.as_deref()), ("101", Some("12")));
     let json = r#"{"version": 1, "rooms": [{"id": "101", "kind": "kitchen", "gap": {"low": 1, "high": 2}}]}"#;
-    let house: House = parse_document(Path::new("a.json"), json).unwrap();
+    let house: House = Source::new(Path::new("a.json"), json).parse().unwrap();
     assert!(matches!(house.rooms[0].gap, Some(Range::Named(_))));
 }
 
@@ -209,15 +211,15 @@ fn hostile_documents_are_refused_in_bounds() {
 proptest! {
     #[test]
     fn no_text_panics(text in "[ -~\n\t]{0,200}|\\PC{0,60}") {
-        let _ = parse_document::<House>(Path::new("x.yaml"), &text);
-        let _ = parse_document::<House>(Path::new("x.json"), &text);
+        let _ = Source::new(Path::new("x.yaml"), &text).parse::<House>();
+        let _ = Source::new(Path::new("x.json"), &text).parse::<House>();
     }
 
     #[test]
     fn no_document_of_the_right_words_panics(
         text in "(version: 1\n)?((rooms|classes|name|nme):( |\n)([-{\\[ \n]{0,3}(id|kind|gap|&a|\\*a|<<)(: |,|\\]|\\}|\n| ){1,2}(kitchen|1|.nan|\"x\")?){0,8}){0,3}"
     ) {
-        if let Err(faults) = parse_document::<House>(Path::new("x.yaml"), &text) {
+        if let Err(faults) = Source::new(Path::new("x.yaml"), &text).parse::<House>() {
             prop_assert!(!faults.is_empty());
             prop_assert!(faults.has_errors());
         }

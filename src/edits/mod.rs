@@ -27,9 +27,11 @@ mod tests;
 mod tree;
 mod write;
 
-pub use book::{EditBook, LevelEdits, ObjectEdit, RoomEdits};
+pub use book::{EditBook, LevelEdits, RoomEdits};
 pub use capture::{Captured, capture};
-pub use file::{EditsFile, ObjectEntry, RoomEntry};
+#[cfg(test)]
+pub(crate) use file::EditsFile;
+pub use file::RoomEntry;
 pub use finish::{Finished, finish, furnish_edited};
 pub use locked::lock_objects;
 pub use merge::merge;

@@ -17,7 +17,7 @@ pub(crate) use disjoint_sets::DisjointSets;
 pub use extent::{Side, Size};
 pub use grid::Grid;
 pub use interval::Intervals;
-pub use polygon::{CORNER_TOLERANCE, MINIMUM_AREA, Polygon, PolygonFault, Region};
+pub use polygon::{CORNER_TOLERANCE, Polygon, PolygonFault, Region};
 pub use segment::{distance_to_convex, edges, nearest_on_segment};
 pub use solid::{Solid, bounds_overlap};
 

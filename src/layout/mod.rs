@@ -48,8 +48,7 @@ mod ways;
 pub use body::{clearance_solids, solids};
 pub use choice::room_style;
 pub use explain::{
-    Explanation, MissingStory, ObjectStory, ObstacleStory, ParentStory, Refusal, SearchStory, WallStory,
-    Wish, explain, explain_alternative,
+    Explanation, MissingStory, ObjectStory, Refusal, SearchStory, Wish, explain, explain_alternative,
 };
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 pub(crate) use ids::{object_id, opening_id, parent_id};

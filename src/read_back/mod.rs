@@ -30,7 +30,7 @@ use crate::layout::Furnished;
 use crate::plan::Level;
 
 pub use inventory::{Inventory, ObjectEntry, OpeningEntry, RoomContents};
-pub use looks::{Described, Looks};
+pub use looks::Described;
 pub(crate) use parents::room_part;
 pub use survey::{Survey, SurveyedObject, SurveyedPlace};
 

@@ -18,7 +18,7 @@ mod room;
 mod shell;
 mod tint;
 
-pub use input::{ModelSourceFunction, SceneInput};
+pub use input::SceneInput;
 pub use node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, SceneVariant};
 
 pub use options::{Lights, Parts, SceneOptions};

@@ -15,7 +15,6 @@ mod swatches;
 pub use library::{TextureLibrary, TextureLocation};
 pub use surface::has_relief;
 
-pub use crate::catalog::SURFACES;
 pub(crate) use swatches::swatch_textures;
 
 /// The resolution of textures.

@@ -1,6 +1,6 @@
 //! The guide works: its files are written and its commands run in order, and their answers are those on the page.
 
-use roomwright::catalog::load_catalog;
+use roomwright::internals::catalog::load_catalog;
 use serde_json::Value;
 
 use super::world::World;

@@ -6,9 +6,9 @@ use glam::{DMat4, DVec3, Mat4};
 use gltf::Gltf;
 use serde_json::Value;
 
-use roomwright::audit::{Finding, Severity};
-use roomwright::catalog::Catalog;
-use roomwright::geometry::{Point, Region};
+use roomwright::internals::audit::{Finding, Severity};
+use roomwright::internals::catalog::Catalog;
+use roomwright::internals::geometry::{Point, Region};
 
 use crate::pipeline::BakedLevel;
 

@@ -12,10 +12,10 @@ mod read_back;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use roomwright::audit::AuditSummary;
-use roomwright::document::FaultSeverity;
-use roomwright::layout::{FurnishOptions, Placement, explain, furnish};
-use roomwright::plan::{Building, write_native};
+use roomwright::internals::audit::AuditSummary;
+use roomwright::internals::document::FaultSeverity;
+use roomwright::internals::layout::{FurnishOptions, Placement, explain, furnish};
+use roomwright::internals::plan::{Building, write_native};
 
 use contract::{check_level, grave_findings};
 use pipeline::{BakedLevel, Pipeline, each_level};
@@ -201,7 +201,7 @@ fn a_real_pair_of_houses_has_no_room_that_fails() {
 
 /// What reading a written plan back must give again.
 fn outline(building: &Building) -> Vec<(String, Vec<String>, usize)> {
-    let level = |level: &roomwright::plan::Level| {
+    let level = |level: &roomwright::internals::plan::Level| {
         let rooms = level.rooms.iter().map(|room| format!("{} {} {}", room.id, room.number, room.room_type));
         (level.id.clone(), rooms.collect(), level.openings.len())
     };

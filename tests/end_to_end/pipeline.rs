@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use roomwright::audit::Verdict;
-use roomwright::best::{Judged, furnish_best};
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::gltf::write_glb;
-use roomwright::layout::{FurnishOptions, Furnished};
-use roomwright::model::ModelLibrary;
-use roomwright::plan::{Level, Plan, PlanOptions, PlanReading, SitePlacement, read_plans};
-use roomwright::scene::{SceneInput, SceneOptions, build_scene};
+use roomwright::internals::audit::Verdict;
+use roomwright::internals::best::{Judged, furnish_best};
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::gltf::write_glb;
+use roomwright::internals::layout::{FurnishOptions, Furnished};
+use roomwright::internals::model::ModelLibrary;
+use roomwright::internals::plan::{Level, Plan, PlanOptions, PlanReading, SitePlacement, read_plans};
+use roomwright::internals::scene::{SceneInput, SceneOptions, build_scene};
 
 /// Layouts per room at most: less than a bake's, for tests run without optimisation.
 const EFFORT: u32 = 2;

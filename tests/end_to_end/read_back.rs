@@ -4,11 +4,11 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use roomwright::audit::{Code, Finding, Verdict};
-use roomwright::layout::Parent;
-use roomwright::plan::OpeningKind;
-use roomwright::read_back::{ReadLevel, parse_level};
-use roomwright::solve::judge_room;
+use roomwright::internals::audit::{Code, Finding, Verdict};
+use roomwright::internals::layout::Parent;
+use roomwright::internals::plan::OpeningKind;
+use roomwright::internals::read_back::{ReadLevel, parse_level};
+use roomwright::internals::solve::judge_room;
 
 use crate::pipeline::{BakedLevel, Pipeline, each_level};
 use crate::root;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use roomwright::plan::{Level, PlanReading};
+use roomwright::internals::plan::{Level, PlanReading};
 use serde_json::Value;
 use tempfile::TempDir;
 

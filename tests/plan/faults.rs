@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use roomwright::document::{Fault, Faults};
+use roomwright::internals::document::{Fault, Faults};
 
 use super::support::{check_golden, files, read, repository};
 

@@ -62,7 +62,7 @@ fn the_city_has_a_hundred_thousand_hotel_rooms_in_one_building_in_memory() {
     assert_eq!((buildings.len(), buildings[0].id.as_str()), (100, "tower-001"));
     assert!(buildings.iter().all(|placed| std::sync::Arc::ptr_eq(&placed.building, &buildings[0].building)));
     assert_eq!((buildings[99].site.position.x, buildings[99].site.position.y), (900.0, 360.0));
-    let rooms = |building: &roomwright::plan::Building| {
+    let rooms = |building: &roomwright::internals::plan::Building| {
         let rooms = building.levels.iter().flat_map(|level| &level.rooms);
         rooms.filter(|room| room.room_type == "hotel_room").count()
     };

@@ -5,8 +5,8 @@
 
 use std::path::PathBuf;
 
-use roomwright::catalog::load_catalog;
-use roomwright::plan::{Level, PlanOptions, PlanReading, WallKind, read_plans};
+use roomwright::internals::catalog::load_catalog;
+use roomwright::internals::plan::{Level, PlanOptions, PlanReading, WallKind, read_plans};
 
 use super::support::{check_golden, repository, summary};
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use roomwright::plan::PlanReading;
+use roomwright::internals::plan::PlanReading;
 
 use super::support::{read_ready, read_text, repository};
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use proptest::prelude::*;
-use roomwright::plan::{Level, PlanReading};
+use roomwright::internals::plan::{Level, PlanReading};
 
 use super::support::{files, read_text, repository};
 

@@ -94,7 +94,7 @@ fn equal_buildings_of_a_project_are_one() {
     assert!(Arc::ptr_eq(&buildings[3].building, &buildings[6].building));
     assert!(!Arc::ptr_eq(&buildings[0].building, &buildings[3].building));
     assert_eq!(buildings[6].site.position.to_array(), [10.0, 20.0]);
-    let settings = roomwright::plan::project_settings(&[path]).unwrap();
+    let settings = roomwright::internals::plan::project_settings(&[path]).unwrap();
     assert_eq!((settings.seed, settings.catalog), (Some(7), vec![folder.path().join("more")]));
     assert_eq!(read(&[folder.path().to_owned()]).plan.buildings.len(), 1, "folders give plans, not projects");
 }
@@ -138,7 +138,7 @@ fn a_room_added_leaves_the_numbers_of_others() {
     let before = read_text(ROOM);
     let added = "  rooms:\n  - {id: new, type: office, rectangle: [4.1, 0, 4, 3]}";
     let after = read_text(&ROOM.replace("  rooms:", added));
-    let number = |reading: &roomwright::plan::PlanReading| {
+    let number = |reading: &roomwright::internals::plan::PlanReading| {
         let rooms = &reading.plan.buildings[0].building.levels[0].rooms;
         rooms.iter().find(|room| room.id == "r").unwrap().number
     };
@@ -153,11 +153,13 @@ fn units_do_not_change_a_plan() {
         .replace("[0, 0, 4, 3]", "[0, 0, 400, 300]")
         .replace("[1, 0]", "[100, 0]");
     let centimetres = read_text(&centimetres);
-    let level =
-        |reading: &roomwright::plan::PlanReading| summary(&reading.plan.buildings[0].building.levels[0]);
+    let level = |reading: &roomwright::internals::plan::PlanReading| {
+        summary(&reading.plan.buildings[0].building.levels[0])
+    };
     assert_eq!(level(&metres), level(&centimetres));
-    let digest =
-        |reading: &roomwright::plan::PlanReading| reading.plan.buildings[0].building.levels[0].digest;
+    let digest = |reading: &roomwright::internals::plan::PlanReading| {
+        reading.plan.buildings[0].building.levels[0].digest
+    };
     assert_eq!(digest(&metres), digest(&centimetres));
 }
 

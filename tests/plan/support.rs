@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use roomwright::plan::{Level, PlanOptions, PlanReading, RoomWords, read_plans};
+use roomwright::internals::plan::{Level, PlanOptions, PlanReading, RoomWords, read_plans};
 
 /// Room types that exist in these tests, whatever the catalogue holds.
 const ROOM_TYPES: [&str; 27] = [
@@ -58,7 +58,8 @@ pub(super) fn read(paths: &[PathBuf]) -> PlanReading {
 
 /// Reads plans with the room types of the catalogue.
 pub(super) fn read_ready(paths: &[PathBuf]) -> PlanReading {
-    let catalog = roomwright::catalog::load_catalog(&[]).unwrap_or_else(|faults| panic!("{faults}")).value;
+    let catalog =
+        roomwright::internals::catalog::load_catalog(&[]).unwrap_or_else(|faults| panic!("{faults}")).value;
     assert!(!catalog.room_words.known.is_empty());
     read_plans(paths, &PlanOptions { words: &catalog.room_words })
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use roomwright::plan::{
+use roomwright::internals::plan::{
     Building, Level, PlanOptions, PlanReading, RoomWords, Wall, read_plans, write_native,
 };
 

@@ -12,11 +12,11 @@ use std::sync::LazyLock;
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 
-use roomwright::audit::{AuditSummary, Code, Finding, Verdict};
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::layout::{FurnishOptions, Furnished, Parent, furnish};
-use roomwright::plan::Level;
-use roomwright::solve::judge_room;
+use roomwright::internals::audit::{AuditSummary, Code, Finding, Verdict};
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::layout::{FurnishOptions, Furnished, Parent, furnish};
+use roomwright::internals::plan::Level;
+use roomwright::internals::solve::judge_room;
 
 use rooms::sketches;
 

@@ -3,9 +3,9 @@
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-use roomwright::catalog::{Catalog, RoomType};
-use roomwright::geometry::{Point, Polygon, direction};
-use roomwright::plan::{
+use roomwright::internals::catalog::{Catalog, RoomType};
+use roomwright::internals::geometry::{Point, Polygon, direction};
+use roomwright::internals::plan::{
     LeafDraft, Level, LevelDraft, ObstacleDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft,
     assemble_level,
 };

@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use gltf::mesh::Semantic;
-use roomwright::gltf::{EncodedModels, FlatNormals, WriteOptions, write_glb, write_glb_with};
-use roomwright::model::Primitive;
-use roomwright::scene::Scene;
+use roomwright::internals::gltf::{EncodedModels, FlatNormals, WriteOptions, write_glb, write_glb_with};
+use roomwright::internals::model::Primitive;
+use roomwright::internals::scene::Scene;
 
 use crate::fixture::*;
 

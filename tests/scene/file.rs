@@ -4,17 +4,17 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use gltf::mesh::Semantic;
-use roomwright::catalog::{Material, Size};
-use roomwright::gltf::{
+use roomwright::internals::catalog::{Material, Size};
+use roomwright::internals::gltf::{
     GltfError, Painting, SharedLibrary, SharedModel, WriteOptions, write_glb, write_glb_with, write_gltf,
     write_gltf_with,
 };
-use roomwright::model::{
+use roomwright::internals::model::{
     Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
 };
-use roomwright::plan::SitePlacement;
-use roomwright::recipes::Slot;
-use roomwright::scene::{
+use roomwright::internals::plan::SitePlacement;
+use roomwright::internals::recipes::Slot;
+use roomwright::internals::scene::{
     Lights, ModelKey, Node, Parts, Scene, SceneInput, SceneMaterial, SceneOptions, build_scene,
 };
 

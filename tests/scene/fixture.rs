@@ -3,19 +3,19 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use roomwright::catalog::{
+use roomwright::internals::catalog::{
     Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, Material, Palette, RoomType, Side, Size,
     Style, Untidiness,
 };
-use roomwright::geometry::{Point, Polygon, Region};
-use roomwright::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
-use roomwright::model::{Model, ModelMaterial, Primitive};
-use roomwright::plan::{
+use roomwright::internals::geometry::{Point, Polygon, Region};
+use roomwright::internals::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
+use roomwright::internals::model::{Model, ModelMaterial, Primitive};
+use roomwright::internals::plan::{
     Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, Room, RoomOpening, SitePlacement, Wall,
     WallKind,
 };
-use roomwright::recipes::{GeometrySet, Slot, find};
-use roomwright::scene::{Parts, Scene, SceneInput, SceneOptions, build_scene};
+use roomwright::internals::recipes::{GeometrySet, Slot, find};
+use roomwright::internals::scene::{Parts, Scene, SceneInput, SceneOptions, build_scene};
 
 /// Thickness of a wall to the open air, and of one room's half of a wall between rooms.
 pub(crate) const OUTER: f64 = 0.3;
@@ -199,8 +199,8 @@ pub(crate) fn catalog() -> Catalog {
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),
-        plausible: roomwright::catalog::Plausible::default(),
-        share: roomwright::catalog::Share::default(),
+        plausible: roomwright::internals::catalog::Plausible::default(),
+        share: roomwright::internals::catalog::Share::default(),
         density: (0.2, 0.4),
         finish,
     };

@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use glam::{DVec2, DVec3};
-use roomwright::catalog::{Catalog, load_catalog};
-use roomwright::geometry::Point;
-use roomwright::plan::{Level, OpeningKind, PlanOptions, Room, WallKind, read_plans};
-use roomwright::scene::Scene;
+use roomwright::internals::catalog::{Catalog, load_catalog};
+use roomwright::internals::geometry::Point;
+use roomwright::internals::plan::{Level, OpeningKind, PlanOptions, Room, WallKind, read_plans};
+use roomwright::internals::scene::Scene;
 
 use crate::fixture::scene_of;
 use crate::levels;
@@ -122,7 +122,7 @@ fn distance_outside(room: &Room, point: DVec3) -> f64 {
     if room.region.contains(floor) {
         return vertical;
     }
-    let to_wall = |wall: &roomwright::plan::Wall| {
+    let to_wall = |wall: &roomwright::internals::plan::Wall| {
         let along = (floor - wall.start).dot(wall.direction()).clamp(0.0, wall.length());
         (wall.start + wall.direction() * along).distance(floor)
     };
@@ -140,7 +140,7 @@ fn inside_points(room: &Room) -> Vec<DVec3> {
             let (low, high) = column.outline.bounds();
             point.x > low.x && point.x < high.x && point.y > low.y && point.y < high.y
         });
-        let is_free = |wall: &roomwright::plan::Wall| {
+        let is_free = |wall: &roomwright::internals::plan::Wall| {
             let along = (*point - wall.start).dot(wall.direction()).clamp(0.0, wall.length());
             (wall.start + wall.direction() * along).distance(*point) > 0.05
         };

@@ -1,7 +1,7 @@
 //! Levels with difficult shells: corners, holes, columns, every kind of opening.
 
-use roomwright::geometry::{Polygon, Region};
-use roomwright::plan::{Level, OpeningKind, WallKind};
+use roomwright::internals::geometry::{Polygon, Region};
+use roomwright::internals::plan::{Level, OpeningKind, WallKind};
 
 use crate::fixture::*;
 

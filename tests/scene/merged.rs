@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use glam::Vec3;
-use roomwright::catalog::Size;
-use roomwright::model::{Model, ModelMaterial, SwatchedModels};
-use roomwright::plan::SitePlacement;
-use roomwright::recipes::Slot;
-use roomwright::scene::{Node, Parts, Scene, SceneInput, SceneOptions, build_scene};
+use roomwright::internals::catalog::Size;
+use roomwright::internals::model::{Model, ModelMaterial, SwatchedModels};
+use roomwright::internals::plan::SitePlacement;
+use roomwright::internals::recipes::Slot;
+use roomwright::internals::scene::{Node, Parts, Scene, SceneInput, SceneOptions, build_scene};
 
 use crate::fixture::*;
 use crate::levels;

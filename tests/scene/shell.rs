@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
-use roomwright::catalog::Dado;
-use roomwright::geometry::Point;
-use roomwright::model::{Model, ModelMaterial, Primitive};
-use roomwright::plan::{Level, OpeningKind, Room, RoomOpening, WallKind};
-use roomwright::recipes::Slot;
-use roomwright::scene::Scene;
+use roomwright::internals::catalog::Dado;
+use roomwright::internals::geometry::Point;
+use roomwright::internals::model::{Model, ModelMaterial, Primitive};
+use roomwright::internals::plan::{Level, OpeningKind, Room, RoomOpening, WallKind};
+use roomwright::internals::recipes::Slot;
+use roomwright::internals::scene::Scene;
 
 use crate::fixture::*;
 use crate::levels;

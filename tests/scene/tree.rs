@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use glam::{Quat, Vec3};
-use roomwright::gltf::write_glb;
-use roomwright::layout::Parent;
-use roomwright::scene::Node;
+use roomwright::internals::gltf::write_glb;
+use roomwright::internals::layout::Parent;
+use roomwright::internals::scene::Node;
 
 use crate::fixture::*;
 

@@ -1,8 +1,8 @@
 //! Triangles of a scene in the level's frame.
 
 use glam::{DVec3, Quat, Vec3};
-use roomwright::contract::Extras;
-use roomwright::scene::{Node, Scene};
+use roomwright::internals::contract::Extras;
+use roomwright::internals::scene::{Node, Scene};
 
 /// The triangles that a node shows.
 pub(crate) struct Body {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::document::parse_document;
+use crate::document::Source;
 use crate::plan::{BuildingDraft, RoomWords};
 
 /// A folder of the shared floor plans, or `None` with a printed reason where it is absent.
@@ -31,7 +31,7 @@ pub(super) fn words() -> RoomWords {
     }
     let path = PathBuf::from("configs/room_words.yaml");
     let text = std::fs::read_to_string(&path).unwrap();
-    let table: Table = parse_document(&path, &text).unwrap();
+    let table: Table = Source::new(&path, &text).parse().unwrap();
     let lower = |words: std::collections::BTreeMap<String, String>| {
         words.into_iter().map(|(word, kind)| (word.to_lowercase(), kind)).collect()
     };

@@ -1,0 +1,81 @@
+//! The inside of the package, for its own tests, benches, examples and fuzz targets.
+
+pub mod audit {
+    pub use crate::audit::{AuditSummary, Code, Finding, Grade, Severity, Verdict};
+}
+pub mod batch {
+    pub use crate::batch::{BakeInput, BakeOptions, OutputFolder, bake, merge};
+}
+pub mod best {
+    pub use crate::best::{DEFAULT_EFFORT, Judged, best_of, furnish_best};
+}
+pub mod catalog {
+    pub use crate::catalog::{
+        Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, Material, Palette, Plausible,
+        RoomType, Share, Side, Size, Style, Untidiness, load_catalog,
+    };
+}
+pub mod contract {
+    pub use crate::contract::Extras;
+}
+pub mod diff {
+    pub use crate::diff::{DiffOptions, Tolerance, compare, text};
+}
+pub mod document {
+    pub use crate::document::{Fault, FaultSeverity, Faults};
+}
+pub mod draw {
+    pub use crate::draw::{Drawing, draw_level};
+}
+pub mod edits {
+    pub use crate::edits::{EditBook, read_edits};
+}
+pub mod geometry {
+    pub use crate::geometry::{Convex, Point, Polygon, Region, direction};
+}
+pub mod gltf {
+    pub use crate::gltf::{
+        EncodedModels, FlatNormals, GltfError, Painting, SharedLibrary, SharedModel, WriteOptions, write_glb,
+        write_glb_with, write_gltf, write_gltf_with,
+    };
+}
+pub mod layout {
+    pub use crate::layout::{
+        FurnishOptions, Furnished, Parent, Placement, Removal, RemovalReason, explain, furnish,
+        furnish_counted,
+    };
+}
+pub mod model {
+    pub use crate::model::{
+        Image, Model, ModelLibrary, ModelMaterial, OwnMaterial, Primitive, SwatchedModels, Texture,
+        TextureSampler, TextureUse, Transparency,
+    };
+}
+pub mod output {
+    pub use crate::output::FloorOptions;
+}
+pub mod plan {
+    pub use crate::plan::{
+        Building, DrawnPiece, Leaf, LeafDraft, Level, LevelDraft, Obstacle, ObstacleDraft, Opening,
+        OpeningDraft, OpeningKind, OpeningPlace, OpeningSide, PlacedBuilding, Plan, PlanOptions, PlanReading,
+        Room, RoomDraft, RoomOpening, RoomWords, SitePlacement, Wall, WallKind, assemble_level,
+        drawn_furniture, project_settings, read_plans, write_native,
+    };
+}
+pub mod read_back {
+    pub use crate::read_back::{ReadLevel, parse_inventory, parse_level, parse_survey};
+}
+pub mod recipes {
+    pub use crate::recipes::{GeometrySet, Recipe, RecipeInput, Slot, find, recipes};
+}
+pub mod scene {
+    pub use crate::scene::{
+        Lights, ModelKey, Node, Parts, Scene, SceneInput, SceneMaterial, SceneMesh, SceneOptions, build_scene,
+    };
+}
+pub mod solve {
+    pub use crate::solve::{RoomSolver, judge_room};
+}
+pub mod texture {
+    pub use crate::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
+}
