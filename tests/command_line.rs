@@ -24,6 +24,7 @@ mod command_line {
     mod output_folder;
     mod pinned;
     mod readme;
+    mod recipe;
     mod schemas;
     mod unknown_words;
     mod user_models;

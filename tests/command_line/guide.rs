@@ -16,10 +16,10 @@ enum Block {
     Commands(&'static str),
 }
 
-/// All files and commands, in order.
-fn blocks() -> Vec<Block> {
+/// All files and commands of a page, in order.
+fn blocks(page: &'static str) -> Vec<Block> {
     // Fences open and close in turn: every other piece is inside.
-    let inside = GUIDE.split("```").skip(1).step_by(2);
+    let inside = page.split("```").skip(1).step_by(2);
     inside
         .filter_map(|text| {
             let (kind, text) = text.split_once('\n').unwrap();
@@ -64,10 +64,10 @@ fn run_all(world: &World, commands: &str) {
     }
 }
 
-/// The folder after all that the guide says was done.
-fn world_of_the_guide() -> World {
+/// The folder after all that a page says was done.
+pub(super) fn world_of(page: &'static str) -> World {
     let world = World::new();
-    for block in blocks() {
+    for block in blocks(page) {
         match block {
             Block::File(path, text) => world.write(path, text),
             Block::Commands(commands) => run_all(&world, commands),
@@ -77,7 +77,7 @@ fn world_of_the_guide() -> World {
 }
 
 /// The extras of the nodes of a finished file, of one kind.
-fn extras(world: &World, path: &str, kind: &str) -> Vec<Value> {
+pub(super) fn extras(world: &World, path: &str, kind: &str) -> Vec<Value> {
     let document = gltf::Gltf::from_slice(&world.read(path)).unwrap().document;
     let extras = document.nodes().filter_map(|node| {
         let text = node.extras().as_ref()?.get().to_owned();
@@ -88,7 +88,7 @@ fn extras(world: &World, path: &str, kind: &str) -> Vec<Value> {
 
 #[test]
 fn the_new_piece_stands_in_the_new_room_in_the_new_style() {
-    let world = world_of_the_guide();
+    let world = world_of(GUIDE);
     for (folder, bedroom_styles) in
         [("club", &["default"][..]), ("residence", &["home_modern", "home_traditional"])]
     {
@@ -118,7 +118,7 @@ fn the_new_piece_stands_in_the_new_room_in_the_new_style() {
 
 #[test]
 fn the_guide_has_files_and_commands_for_each_kind_of_definition() {
-    let blocks = blocks();
+    let blocks = blocks(GUIDE);
     let files: Vec<&str> = blocks
         .iter()
         .filter_map(|block| match block {
@@ -135,7 +135,9 @@ fn the_guide_has_files_and_commands_for_each_kind_of_definition() {
 
 #[test]
 fn the_fault_that_the_guide_shows_is_reported_so() {
-    let Some(Block::File(path, text)) = blocks().first().copied() else { panic!("the chair comes first") };
+    let Some(Block::File(path, text)) = blocks(GUIDE).first().copied() else {
+        panic!("the chair comes first")
+    };
     let world = World::new();
     world.write(path, text.replace("{on: bookshelf", "{on: bookself"));
     let ran = world.run(&["check", "--catalog", "my-furniture", "--json"]);

@@ -58,6 +58,7 @@ mod server_rack;
 mod shelving;
 mod signage;
 mod soap;
+mod step_stool;
 mod storage;
 mod tables;
 mod tableware;
@@ -178,6 +179,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &plants::SMALL_PLANT,
     &soap::SOAP,
     &lounge::SOFA,
+    &step_stool::STEP_STOOL,
     &seating::STOOL,
     &tables::TABLE,
     &lamps::TABLE_LAMP,
