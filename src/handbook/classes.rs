@@ -10,9 +10,10 @@ use super::markdown::{code, number, table, title_of_file};
 /// All classes, a table for each file.
 pub(super) fn class_section(catalog: &Catalog) -> String {
     let classes = catalog.classes.iter().map(|class| (class.id.clone(), class));
-    let mut text = "## Classes\n\nSizes are width × depth × height in metres; those in brackets are taken where no larger one \
-                    fits. A class has as many variants as sizes times looks.\n"
-        .to_owned();
+    let mut text =
+        "## Classes\n\nSizes are width × depth × height in metres; those in brackets are used only where no \
+                    larger one fits. The number of variants is that of the sizes times that of the looks.\n"
+            .to_owned();
     for (file, classes) in by_file(catalog, DefinitionKind::Class, classes) {
         let _ = write!(text, "\n### {}\n\n{} in `{file}`.\n\n", title_of_file(&file), classes.len());
         text += &table(["id", "label", "sizes", "variants"], classes.into_iter().map(row));

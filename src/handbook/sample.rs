@@ -16,10 +16,10 @@ use crate::plan::{
 
 /// The description of the pictures.
 pub(super) const DESCRIPTION: &str = "\
-Each picture is a sample: a rectangle whose area is the geometric mean of the type's usual areas, 80 m² at most where
-smaller ones are usual, with a door, and a window where people sit. Rooms that are ways are long and have a door at both
-ends, rooms in the open have railings, rooms for cars a gate. Furnished as `bake` does, in the default style, with
-seed 1.
+Each picture is a sample: a rectangular room of a usual size (the geometric mean of the type's usual areas, and 80 m² at most if
+smaller rooms are usual). It has a door, and a window if people sit there. Corridors are long and have a door at both ends,
+balconies and the like have railings, and garages have a gate. The samples are furnished as `bake` does, in the default style,
+with seed 1.
 ";
 
 /// Seed of all samples.

@@ -16,14 +16,14 @@ pub(super) fn style_section(catalog: &Catalog) -> String {
             .collect();
         [code(id), style.label.clone(), base.unwrap_or_default(), differences.join("; ")]
     };
-    let head = "## Styles\n\nEach with what it has otherwise than the style that it extends.\n\n";
-    head.to_owned() + &table(["id", "label", "extends", "what differs"], catalog.styles.keys().map(row))
+    let head = "## Styles\n\nThe last column lists the differences from the style that it extends.\n\n";
+    head.to_owned() + &table(["id", "label", "extends", "differences"], catalog.styles.keys().map(row))
 }
 
 /// All building styles.
 pub(super) fn building_style_section(catalog: &Catalog) -> String {
-    let head = "## Building styles\n\nThe figures are weights of the draw; without figures each style is as likely.\n\n";
-    let names = ["id", "label", "drawn for each", "styles", "room types apart"];
+    let head = "## Building styles\n\nNumbers are the weights of the draw; styles without numbers are equally likely.\n\n";
+    let names = ["id", "label", "drawn for each", "styles", "other styles for room types"];
     head.to_owned() + &table(names, catalog.building_styles.values().map(building_row))
 }
 
