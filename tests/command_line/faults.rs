@@ -17,7 +17,7 @@ fn refused(file: &str, text: &str, words: &[&str]) {
     assert_eq!(world.run(&["check", file]).code, Some(1));
 }
 
-/// Bakes a plan in which one room or opening is bad; the rest is written and the fault is told.
+/// Bakes a plan in which one room or opening is bad; the rest is written and the fault is reported.
 fn told(text: &str, code: i32, words: &[&str]) {
     let world = World::new();
     world.write("a.yaml", text);
