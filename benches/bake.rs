@@ -1,4 +1,4 @@
-//! Whole bakes: a house from rooms to bytes in memory, to a folder, and again with nothing changed.
+//! Benchmarks of whole bakes: a house in memory, into a folder, and again without changes.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The furnished floor that both benches work on.
+//! The furnished level that two benchmarks use.
 
 use std::path::Path;
 

@@ -1,4 +1,10 @@
-//! Many plans to many files: scheduling, levels that are kept, manifest, progress.
+//! Bakes many plans into many files: schedules the levels, keeps unchanged ones, writes the manifest, reports progress.
+//!
+//! Callers may rely on:
+//! - every file appears whole or not at all;
+//! - a file that this program did not write, or that was changed since, is replaced only if the options say so;
+//! - the files and the manifest are the same for any number of threads, shards and runs;
+//! - a fault of one level, also one of the program itself, does not stop the others.
 
 mod bug;
 mod claim;

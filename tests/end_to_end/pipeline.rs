@@ -1,4 +1,4 @@
-//! The stages one after the other, as the batch runs them, without files.
+//! Runs the stages one after the other, as the batch does, without files.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! Few meshes: what never moves apart is one, and nothing of the tree or of what one sees is lost.
+//! Merged meshes: fixed parts share one mesh, and no node or triangle is lost.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
