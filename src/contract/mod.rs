@@ -1,12 +1,13 @@
 //! The output contract: how nodes are named, what ids mean, and what the `extras` of nodes hold.
 //!
-//! `scene` writes these types and `read_back` reads the same ones, so that neither can drift from the other. What
-//! callers may rely on:
+//! `scene` writes these types and `read_back` reads the same ones, so that both always agree.
+//!
+//! Callers may rely on:
 //! - an id that is shown ([`std::fmt::Display`]) and parsed ([`std::str::FromStr`]) is the same id;
 //! - words that later versions may add to (classes, styles, reasons, codes) are texts, fixed ones are enums;
 //! - numbers are metres and radians, x east and y north, unless a field says otherwise.
 //!
-//! The module knows no stage: it holds plain data. `docs/output.md` says the same in prose, and
+//! The module depends on no stage: it holds plain data. `docs/output.md` says the same in prose, and
 //! `configs/schema/extras.schema.json` as a JSON Schema.
 
 mod extras;
