@@ -135,7 +135,7 @@ class GltfFile:
         """An accessor as an array of rows; normalised integers become numbers up to one."""
         accessor = self.entry("accessors", index)
         if "sparse" in accessor or "bufferView" not in accessor:
-            raise GltfError(f"accessors[{index}] is sparse or empty, which nothing here writes")
+            raise GltfError(f"accessors[{index}] is sparse or empty, which roomwright does not write")
         view = self.entry("bufferViews", accessor["bufferView"])
         kind = np.dtype(COMPONENT_TYPES[accessor["componentType"]])
         width, count = COMPONENT_COUNTS[accessor["type"]], accessor["count"]

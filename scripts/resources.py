@@ -22,7 +22,7 @@ MOST_BYTES = 2**32
 MOST_IMAGE_BYTES = 2**28
 SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
 OUTSIDE = "; hint: keep the file in the folder of the floor, or name the folder that holds both on the command line"
-# A pipe that nobody writes into may not hold up its reader, and a link may not replace what was looked at.
+# A pipe without a writer may not hold up its reader, and a link may not replace a file after it was judged.
 OPEN_FLAGS = sum(getattr(os, name, 0) for name in ("O_RDONLY", "O_NONBLOCK", "O_NOFOLLOW", "O_CLOEXEC", "O_BINARY"))
 
 

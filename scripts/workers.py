@@ -32,5 +32,5 @@ def alone(work: Callable, item) -> object:
 def outcome_of(future: Future) -> object:
     try:
         return future.result()
-    except Exception as error:  # whatever work raises, and what cannot be carried from its process to ours
+    except Exception as error:  # any exception of the work, and results that cannot be sent between processes
         return error

@@ -1,7 +1,7 @@
-"""Solid parts of meshes, each a closed surface that hangs together.
+"""Solid parts of meshes: connected closed surfaces.
 
-Models are built of beams, boards and turned pieces. Most parts are convex, and for those overlap is measured exactly;
-a bowl or a bath is not, and is asked at points inside of it.
+Models are built of beams, boards and turned parts. Most parts are convex, and overlap.py measures their overlap exactly. A
+bowl or a bath is not convex; its overlap is measured at points inside of it.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def weld(primitive: dict) -> tuple[np.ndarray, np.ndarray]:
 
 
 def split(corners: np.ndarray, triangles: np.ndarray) -> list[Part]:
-    """The surfaces that hang together."""
+    """The connected surfaces."""
     if len(triangles) == 0:
         return []
     labels = connected(len(corners), triangles)[triangles[:, 0]]
@@ -69,7 +69,7 @@ def split(corners: np.ndarray, triangles: np.ndarray) -> list[Part]:
 
 
 def connected(count: int, triangles: np.ndarray) -> np.ndarray:
-    """The least corner that each corner hangs together with."""
+    """For each corner, the least corner that it is connected with."""
     labels = np.arange(count)
     while True:
         least = labels[triangles].min(axis=1)

@@ -1,4 +1,4 @@
-"""The contract of the output: paths, names, and what every node says about itself."""
+"""The contract of the output: paths, names, and the extras of every node."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Every piece against its box, its room and its neighbours, measured on the meshes.
+"""Every object against its box, its room and its neighbours, measured on the meshes.
 
-Nothing here asks the program's audit, which judges the boxes and solids that classes declare: these are the triangles
+The program's audit judges the boxes and solids that classes declare. These checks do not use it: they measure the triangles
 that people see.
 """
 

@@ -1,4 +1,4 @@
-"""Whether a mesh is sound: closed, without faces that have no area, with normals that look outwards."""
+"""Sound meshes: closed, without faces that have no area, with normals that look outwards."""
 
 from __future__ import annotations
 

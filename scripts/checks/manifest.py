@@ -1,4 +1,4 @@
-"""A manifest against the files beside it."""
+"""A manifest against its schema and the files beside it."""
 
 from __future__ import annotations
 

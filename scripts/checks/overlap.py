@@ -1,11 +1,11 @@
-"""How deep two solid parts are in each other.
+"""How deep two solid parts overlap.
 
-Two convex parts: the separating axis theorem (S. Gottschalk, "Separating axis theorem", 1996): they are apart if and
-only if they are apart along a normal of a face of one of them or along the cross product of an edge of each; the
-least overlap along all these is how far one must move for the two to part.
+Two convex parts: the separating axis theorem (S. Gottschalk, "Separating axis theorem", 1996). Two parts are apart if and
+only if they are apart along a normal of a face of one of them or along the cross product of an edge of each. The least
+overlap along all these axes is the distance that one must move for the two to part.
 
-A part that is not convex: points a millimetre under the surface of one part that lie inside the other, so that parts
-that touch have none. Through the deepest of them, the overlap is as thick as its distances from both surfaces together.
+A part that is not convex: points a millimetre under the surface of one part that lie inside the other, so that touching
+parts have none. At the deepest of these points, the overlap is as thick as its distances from both surfaces together.
 """
 
 from __future__ import annotations

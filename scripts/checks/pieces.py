@@ -1,4 +1,4 @@
-"""The pieces of a floor and their rooms, for everything that is measured."""
+"""The objects of a level with their rooms and meshes, for everything that is measured."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ COVERING_HEIGHT = 0.021
 
 @dataclass
 class Meshes:
-    """The meshes of a file: their corners, and their parts where somebody asks for them."""
+    """The meshes of a file: their corners, and their parts on request."""
 
     gltf: GltfFile
 

@@ -50,7 +50,7 @@ def opening_cuts(level: Level, cuts: dict[tuple[str, int], float]) -> dict[str, 
 
 
 def hidden_furniture(level: Level, cuts: dict[tuple[str, int], float]) -> set[str]:
-    """Nodes of what hangs from ceilings, or on walls above where they are cut."""
+    """Nodes of objects on ceilings, or on walls above the cut."""
     cut_openings = opening_cuts(level, cuts)
     return {box.name for box in level.boxes if _hangs(level, box, cuts, cut_openings)}
 

@@ -1,8 +1,8 @@
-"""Buildings of floors and a city of buildings, as stages that open without what they hold.
+"""Stages of buildings and of a city, which open without loading their levels.
 
-`<building>/building.usda` has a prim for each floor at its elevation, with the floor as payload; `city.usda` one for
-each building at its place, with the building as payload. Boxes (`extentsHint`) stand with the prims, so that a viewer
-knows where everything is before it loads anything. Elevations and places are those in the extras of the levels.
+`<building>/building.usda` has a prim for each level at its elevation, with the level as payload; `city.usda` has a prim for
+each building at its place, with the building as payload. Boxes (`extentsHint`) at the prims show a viewer where everything
+is before it loads anything. Elevations and places are those in the extras of the levels.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def find_buildings(floors: list[Written]) -> list[Building]:
     folders = [folder for folder, _ in groups]
     buildings = []
     for (folder, name), members in sorted(groups.items()):
-        # A folder of its own is what the program gives each building; floors that somebody moved together share one.
+        # The program gives each building a folder of its own; levels that were moved together by hand share one.
         file = BUILDING_FILE if folders.count(folder) == 1 else f"{valid_name(name)}.{BUILDING_FILE}"
         members.sort(key=lambda floor: (floor.level.elevation, floor.level.name))
         buildings.append(Building(name, folder / file, members))

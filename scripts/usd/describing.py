@@ -1,7 +1,7 @@
 """Names, kinds, extras and labels of nodes.
 
-Extras stand twice with a node: in its customData, which keeps lists as such, and as attributes `userProperties:`, which
-is where Blender and others look for what users say of a prim (and take numbers, texts and up to four numbers together).
+Each node has its extras twice: in its customData, which keeps lists as lists, and as attributes `userProperties:`. Blender
+and other programs read users' properties there, and take numbers, texts and up to four numbers together.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""One floor: a glTF file's tree of nodes as prims of a layer."""
+"""One level: a glTF file's tree of nodes as prims of a layer."""
 
 from __future__ import annotations
 

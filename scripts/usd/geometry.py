@@ -1,12 +1,12 @@
-"""Meshes of nodes: in place, or as models that a floor has as classes and a run as assets.
+"""Meshes of nodes: in place, or as models, which are classes of a level and assets of a run.
 
-Furniture and whatever several nodes share is a model: a class below `Prototypes` that binds the floor's materials to
-the geometry of an asset, or holds the geometry itself if the floor is self-contained. Each node's mesh inherits its
-class, so that all of them have the same materials, which Blender then imports once. Walls and floors, which nothing
-shares, stand where they are.
+Furniture, and every mesh that several nodes share, is a model: a class below `Prototypes` that binds the level's materials
+to the geometry of an asset, or holds the geometry itself if the level is self-contained. Each node's mesh inherits its
+class, so that all of them have the same materials, which Blender then imports once. The meshes of walls and floors are not
+shared, and stay below their nodes.
 
-Importers that join a node and its only child, as Blender's, call the result by the child: a node's mesh has the node's
-name. A node that carries others stays apart from its mesh, which is called `<node>_mesh` then.
+Some importers, as Blender's, join a node with its only child and call the result by the child. Therefore a node's mesh has
+the node's name. If a node also has other children, its mesh is called `<node>_mesh`.
 """
 
 from __future__ import annotations

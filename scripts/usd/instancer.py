@@ -1,9 +1,9 @@
 """Small objects as one PointInstancer a room; on request.
 
 An object that is smaller than the threshold in every direction, has a mesh and nothing below it (no light, no other
-piece) is an entry of the room's `small_objects` instead of a prim: for renderers it costs a matrix. Names, extras and ids
-of the entries are in the instancer's customData, in the order of its arrays. If the object below an entry is moved, the entry
-stays where it is.
+object) is an entry of the room's `small_objects` instead of a prim: for renderers it costs a matrix. Names, extras and ids
+of the entries are in the instancer's customData, in the order of its arrays. If the object below an entry is moved, the
+entry stays where it is.
 """
 
 from __future__ import annotations

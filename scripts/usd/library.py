@@ -1,12 +1,12 @@
-"""Assets that all floors of a run share: each model once, named by its content.
+"""Assets that all levels of a run share: each model once, named by its content.
 
-The name of an asset's file ends in a hash of everything that is in it, so that equal models of different floors are
-one file, and models that differ by a tint are two. Processes that come upon the same model write the same bytes.
+The name of an asset's file ends in a hash of its content. Equal models of different levels are one file, and models that
+differ by a tint are two. Processes that write the same model at the same time write the same bytes.
 
     /<model>                 component with its materials: the model by itself
         Materials
         <model>              the geometry with the materials bound to it
-    /Geometry                the geometry: what floors refer to, who bind their own materials to it
+    /Geometry                the geometry: levels refer to it and bind their own materials
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Library:
         self.variants = variants
         self.folder = settings.root / MODEL_FOLDER
         self.files: set[Path] = set()
-        # The materials of all models, in a layer that nobody writes.
+        # The materials of all models, in a layer that is never written to a file.
         self.pattern = Sdf.Layer.CreateAnonymous(".usda")
         owner = new_prim(self.pattern.pseudoRoot, "Models", "Scope")
         self.materials = Materials(owner, gltf, textures, self.folder)

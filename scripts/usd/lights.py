@@ -1,4 +1,4 @@
-"""Lamps: KHR_lights_punctual to UsdLux, and on request lamps whose light a floor only tells of.
+"""Lamps: KHR_lights_punctual to UsdLux, and on request lights for lamps that have only lumens in their extras.
 
 A point light of I candela in every direction becomes a sphere of radius r with the same luminous flux 4 pi I. UsdLux
 gives the luminance of a light in nits (openusd.org, UsdLux, "Quantities and Units"): L = intensity * 2^exposure *
@@ -8,13 +8,13 @@ L pi r^2 from every side, and the area 4 pi r^2, so that with `normalize`
     I = intensity / (4 pi r^2) * pi r^2 = intensity / 4        intensity = 4 I = lumens / pi
 
 whatever the radius. `colorTemperature` keeps the luminance (UsdLux normalises its colours to luminance 1), which a
-glTF colour does not: lamps that say their lumens and kelvins in their extras have these, all others the glTF's
+glTF colour does not: lamps with lumens and kelvins in their extras get these, all others the glTF's
 intensity and colour. A spot light is such a sphere in a cone: the glTF intensity is that of the cone's axis, as
 here. A directional light of E lux is a DistantLight with `normalize`, whose intensity is in lux.
 
 Intensities are photometric, pictures are not: renderers show a radiance of 1 as white, and a lamp's light on a wall is
-some 30 nits. `exposure` stands between them, as a camera's does: at EXPOSURE a furnished room is neither dark nor white
-in renderers as they are by themselves; whoever has a camera with an exposure of its own sets it to 0.
+some 30 nits. `exposure` converts between them, as a camera's does: at EXPOSURE a furnished room is neither dark nor
+white in renderers at their defaults. For a camera with an exposure of its own, set it to 0.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ TYPE_NAMES = {"point": "SphereLight", "spot": "SphereLight", "directional": "Dis
 
 
 def light_of(gltf: GltfFile, node: Node, lights_lamps: bool = False) -> dict | None:
-    """The light of a node, as the file lists it, or as a lamp's extras say it where somebody wants lamps lit."""
+    """The light of a node: that of the file, or on request one with the lumens of the lamp's extras."""
     used = gltf.entry("nodes", node.index).get("extensions", {}).get(EXTENSION)
     if used is not None:
         return gltf.document["extensions"][EXTENSION]["lights"][used["light"]]

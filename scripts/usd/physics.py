@@ -1,9 +1,9 @@
 """Colliders, bodies, masses and joints, as UsdPhysics describes them; on request.
 
-  - Walls, floors, frames and whatever else belongs to the building collide as the triangles that they are.
-  - Each piece of furniture is a body of its own, at rest until something touches it, unless it is mounted (see
-    physics.json) or hangs on the building: then it collides and stays. USD has no bodies inside bodies, so every piece
-    is a child of its room here, and what stands on a desk no child of the desk. `parent` in the customData names it.
+  - Parts of the building, such as walls, floors and frames, collide as the triangles that they are.
+  - Each piece of furniture is a body of its own, at rest until something touches it. A piece that is mounted (see
+    physics.json) or fixed to the building collides and does not move. USD has no bodies inside bodies: every piece is a child
+    of its room here, also a piece on a desk. `parent` in the customData names the desk.
   - Door leaves turn about their hinges between shut and open.
 Densities are data: physics.json.
 """
@@ -24,7 +24,7 @@ from .specs import Types, apply_schemas, attribute, new_prim, relationship
 
 TABLE = Path(__file__).with_name("physics.json")
 STATIC = "none"  # triangles as they are, for what never moves
-# Metres over the floor from which a piece that belongs to a wall or the ceiling hangs there.
+# Metres over the floor above which a piece whose parent is a wall or the ceiling is fixed to it.
 HANGING = 0.05
 # Metres per second squared.
 GRAVITY = 9.81
@@ -82,7 +82,7 @@ def write_body(prim: Sdf.PrimSpec, kilograms: float) -> None:
 
 
 def furniture_mass(node: Node) -> float:
-    """Kilograms, by the volume of the box; pieces that somebody scaled weigh what their size says."""
+    """Kilograms, by the volume of the box; the mass of a piece that was scaled by hand follows its `size`."""
     return float(properties_of(node.extras["class"])["density"] * np.prod(node.extras["size"]))
 
 

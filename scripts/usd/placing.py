@@ -1,8 +1,8 @@
 """Transforms of nodes, and door leaves that turn on their hinges.
 
-A leaf of a door stands in the file as far open as it was baked. Here it has three operations that give the same
-place: `translate:hinge` and `rotateY:shut` put it into its frame, and `rotateY:swing` opens it: degrees, 0 is shut.
-What it may be turned to stands in its customData as `swing`.
+In the glTF file, a door leaf is as far open as it was baked. Here it has three operations that give the same place:
+`translate:hinge` and `rotateY:shut` put it into its frame, and `rotateY:swing` opens it: degrees, 0 is shut. `swing` in its
+customData holds the lowest and the highest angle.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ HINGE = "xformOp:translate:hinge"
 SHUT = "xformOp:rotateY:shut"
 SWING = "xformOp:rotateY:swing"
 UP = "xformOp:rotateX:up"
-# A leaf that somebody scaled or tipped over has no swing.
+# A leaf that was scaled or tipped over by hand has no swing.
 RIGID = 1e-5
 
 

@@ -1,10 +1,10 @@
-"""The record of the files that convert.py wrote into a folder, by which a later run removes those that it no longer writes.
+"""The record of the files that convert.py wrote into a folder. By it, a later run removes files that it no longer writes.
 
-`converted.json` lists every file with its hash and, where it was made of one source, with that source. A run takes away
-what the record lists below the sources that the run was asked for and what the run did not write: a floor that left the
-bake, a floor in another format, a city of one building. Models and images have many sources; they go when a run was
-asked for everything that the record lists. A file that somebody changed stays, and so does everything that is not in
-the record or is reached through a link.
+`converted.json` lists every file with its hash and, if it was made from one source, with that source. A run removes the
+listed files whose source is among its inputs and which it did not write: a level that left the bake, a level in another
+format, a city of one building. Models and images have many sources; they are removed by a run whose inputs cover everything
+in the record. A file that was changed by hand stays, and so does every file that is not in the record or is reached through
+a link.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def path_from(root: Path, path: Path) -> str:
 
 
 def renew(root: Path, written: Iterable[Entry], asked: Asked) -> Removal:
-    """Takes away what the run no longer writes, and writes the record anew."""
+    """Removes the files that the run no longer writes, and writes the record anew."""
     new = {entry.path: entry for entry in written}
     old = {entry.path: entry for entry in read_record(root) if entry.path not in new}
     stale = stale_of(list(old.values()), asked)
@@ -81,7 +81,7 @@ def renew(root: Path, written: Iterable[Entry], asked: Asked) -> Removal:
 
 
 def stale_of(entries: list[Entry], asked: Asked) -> list[Entry]:
-    """Of the files that a run did not write, those that it would have written if they were still to be there."""
+    """The files that a run would have written if its inputs still had them; `entries` are those that it did not write."""
     floors = [entry for entry in entries if entry.source is not None]
     stale = [entry for entry in floors if asked.covers(entry.source)]
     shared = [entry for entry in entries if entry.source is None]
@@ -89,7 +89,7 @@ def stale_of(entries: list[Entry], asked: Asked) -> list[Entry]:
 
 
 def remove(root: Path, entry: Entry, removal: Removal) -> None:
-    """Takes a file away if it is as it was written, and the folders that are empty then."""
+    """Removes a file, unless it was changed, and folders that are empty then."""
     real_root = root.resolve()
     file = real_root / entry.path
     try:
@@ -103,7 +103,7 @@ def remove(root: Path, entry: Entry, removal: Removal) -> None:
             remove_empty(file.parent, real_root)
             removal.removed.append(entry.path)
     except ResourceError:
-        # Somebody else took it away, or the record is not ours.
+        # It was removed by hand, or the record is not one of convert.py.
         return
 
 
@@ -120,7 +120,7 @@ def remove_empty(folder: Path, root: Path) -> None:
 
 
 def read_record(root: Path) -> list[Entry]:
-    """The entries of a folder's record; none where it has no record, or one that nobody can read."""
+    """The entries of a folder's record; none if the record is missing or cannot be read."""
     try:
         document = json.loads(read_file(root / RECORD_FILE))
         listed = document["files"] if document["converted"] == VERSION else []

@@ -1,4 +1,4 @@
-"""Images of textures: copied once a run into the folder that all floors share."""
+"""Images of textures: copied once a run into the folder that all levels share."""
 
 from __future__ import annotations
 

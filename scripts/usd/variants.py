@@ -1,11 +1,11 @@
 """Variants: other materials (KHR_materials_variants) and coarser meshes (MSFT_lod).
 
-Materials: each model has a set `material` with the variant `default` and those of the file that change it. The
-floor has a set `material` too, whose variants choose among those of its models: one choice recolours a floor. A piece
-may have a choice of its own.
+Materials: each model has a set `material` with the variant `default` and those variants of the file that change it. The
+level has a set `material` too, whose variants select one in all its models: one selection recolours a level. A piece may
+have a selection of its own.
 
-Levels of detail: a node with others has a set `lod`: `lod0` is its own mesh, `lod1` the next coarser one. Nothing
-chooses by distance in USD; a renderer or a user does.
+Levels of detail: a node with coarser meshes has a set `lod`: `lod0` is its own mesh, `lod1` the next coarser one. USD does
+not select by distance; a renderer or a user does.
 """
 
 from __future__ import annotations

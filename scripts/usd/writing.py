@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all, and below a root: written under a temporary name, then renamed."""
+"""Files that are written whole or not at all, below a root: under a temporary name, then renamed."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def write_package(first: Path, target: Path, root: Path) -> None:
 
 @contextmanager
 def unfinished(target: Path, root: Path) -> Iterator[Path]:
-    """A name that no other process uses and that the target takes over; the ending tells USD the format."""
+    """A temporary name that no other process uses, for the target; its ending names the format for USD."""
     # Sources are not always their users' own: a folder beside them may be a link to anywhere.
     folder = Path(os.path.realpath(target.parent))
     if not folder.is_relative_to(os.path.realpath(root)):

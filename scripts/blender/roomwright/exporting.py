@@ -4,7 +4,7 @@ Beyond Blender's own export with custom properties and lights:
 - one level, from its place to the origin; hidden objects too
 - copies get an id and name of their own: desk.1@101.001 becomes desk.4@101
 - furniture without a parent (from the asset browser, or whose parent was deleted) goes to the room that it stands in
-- `parent` names the piece that each piece hangs below now, unless that one only carries what it was arranged by
+- `parent` of a piece names the piece above it, unless that one only carries the piece that it was arranged by
 - the level's seed is a number again, which Blender keeps as text where it is large
 """
 

@@ -100,7 +100,7 @@ class Identities:
         elif above is not None and self._extras(above).get("kind") == "furniture":
             extras["parent"] = self._extras(above)["id"]
         elif str(extras.get("parent", "")).partition(".")[0].partition(":")[0] not in ROOM_PARTS:
-            # It hung below an object, or nowhere.
+            # Its parent was an object, or it had none.
             extras["parent"], extras["side"] = "floor", "above"
         extras.setdefault("side", "above")
 
