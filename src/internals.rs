@@ -31,7 +31,7 @@ pub mod edits {
     pub use crate::edits::{EditBook, read_edits};
 }
 pub mod geometry {
-    pub use crate::geometry::{Convex, Point, Polygon, Region, direction};
+    pub use crate::geometry::{Convex, Point, Polygon, Region, Size, direction};
 }
 pub mod gltf {
     pub use crate::gltf::{
@@ -66,7 +66,7 @@ pub mod read_back {
     pub use crate::read_back::{ReadLevel, parse_inventory, parse_level, parse_survey};
 }
 pub mod recipes {
-    pub use crate::recipes::{GeometrySet, Recipe, RecipeInput, Slot, find, recipes};
+    pub use crate::recipes::{GeometrySet, Mesh, Recipe, RecipeInput, Slot, find, recipes};
 }
 pub mod scene {
     pub use crate::scene::{

@@ -1,16 +1,14 @@
 //! Finds all faults of a document that serde rejected, with the JSON Schema of its type.
 
-use jsonschema::error::ValidationErrorKind;
-use jsonschema::paths::LocationSegment;
-use jsonschema::{JsonType, ValidationError};
 use schemars::JsonSchema;
 use serde_json::Value;
 
-use super::choice::{Choice, condense, types, words};
+use super::choice::{Choice, condense};
 use super::fault::{Fault, FaultSeverity, PathStep};
 use super::faults::Faults;
 use super::format::{Format, Refusal};
 use super::limits::FAULT_LIMIT;
+use super::schema::{JsonType, SchemaFault, SchemaProblem, schema_faults};
 use super::source::Source;
 use super::suggest::did_you_mean;
 use super::tree::{Content, Node};
@@ -36,7 +34,7 @@ pub(super) fn diagnose<T: JsonSchema>(source: &Source, refusal: &Refusal) -> Fau
     };
     let schema = schemars::schema_for!(T).to_value();
     let mut faults = source.flaws();
-    faults.merge(schema_faults(source, &tree.root, &schema));
+    faults.merge(departures(source, &tree.root, &schema));
     if faults.is_empty() {
         faults.push(fault_of_refusal(source, refusal));
     }
@@ -45,13 +43,10 @@ pub(super) fn diagnose<T: JsonSchema>(source: &Source, refusal: &Refusal) -> Fau
     faults
 }
 
-fn schema_faults(source: &Source, root: &Node, schema: &Value) -> Faults {
-    let value = root.to_value();
-    // A schema derived from a type is valid; if it were not, serde's own fault is reported.
-    let Ok(validator) = jsonschema::validator_for(schema) else { return Faults::default() };
+fn departures(source: &Source, root: &Node, schema: &Value) -> Faults {
     let mut diagnosis = Diagnosis { source, root, schema, faults: Faults::default() };
-    for error in validator.iter_errors(&value) {
-        diagnosis.take(&error);
+    for fault in &schema_faults(schema, &root.to_value()) {
+        diagnosis.take(fault);
     }
     diagnosis.faults
 }
@@ -81,67 +76,28 @@ struct Diagnosis<'a> {
 }
 
 impl Diagnosis<'_> {
-    fn take(&mut self, error: &ValidationError<'_>) {
-        let path = steps(error);
-        match error.kind() {
-            ValidationErrorKind::AdditionalProperties { unexpected }
-            | ValidationErrorKind::UnevaluatedProperties { unexpected } => {
-                for key in unexpected {
-                    self.unknown_key(error, &path, key);
-                }
+    fn take(&mut self, fault: &SchemaFault) {
+        let path = &fault.path;
+        match &fault.problem {
+            SchemaProblem::UnknownKey { key, known } => {
+                let hint = did_you_mean(key, known);
+                let path = [path.as_slice(), &[key.as_str().into()]].concat();
+                self.faults.push(self.source.fault_of_key(&path, format!("unknown key \"{key}\""), hint));
             }
-            ValidationErrorKind::Required { property } => {
-                let is_version = property == "version" && path.is_empty();
+            SchemaProblem::MissingKey(key) => {
+                let is_version = key == "version" && path.is_empty();
                 let hint = is_version.then(|| "begin the file with `version: 1`".to_owned());
-                self.add(&path, format!("key {property} is missing"), hint);
+                self.add(path, format!("key \"{key}\" is missing"), hint);
             }
-            ValidationErrorKind::Type { kind } => self.wrong_type(&path, &types(kind)),
-            ValidationErrorKind::Enum { .. } | ValidationErrorKind::Constant { .. } => {
-                let place = error.instance_path().as_str();
-                self.unknown_word(&path, &words(error, place).unwrap_or_default());
-            }
-            ValidationErrorKind::AnyOf { context } | ValidationErrorKind::OneOfNotValid { context } => {
-                match condense(context, error.instance_path().as_str()) {
-                    Choice::Types(kinds) => self.wrong_type(&path, &kinds),
-                    Choice::Words(options) => self.unknown_word(&path, &options),
-                    Choice::Nearest(errors) => errors.into_iter().for_each(|error| self.take(error)),
-                }
-            }
-            // serde takes the first alternative that fits.
-            ValidationErrorKind::OneOfMultipleValid { .. } => {}
-            kind => {
-                if let Some(message) = bound_message(kind, &error.instance().to_string()) {
-                    self.add(&path, message, None);
-                } else {
-                    self.add(&path, error.to_string(), None);
-                }
-            }
+            SchemaProblem::Type(types) => self.wrong_type(path, types),
+            SchemaProblem::Words { options, .. } => self.unknown_word(path, options),
+            SchemaProblem::Bound(message) => self.add(path, message.clone(), None),
+            SchemaProblem::Alternatives(branches) => match condense(branches, path) {
+                Choice::Types(types) => self.wrong_type(path, &types),
+                Choice::Words(options) => self.unknown_word(path, &options),
+                Choice::Nearest(faults) => faults.into_iter().for_each(|fault| self.take(fault)),
+            },
         }
-    }
-
-    fn unknown_key(&mut self, error: &ValidationError<'_>, path: &[PathStep], key: &str) {
-        let known = self.known_keys(error);
-        let hint = did_you_mean(key, &known);
-        let path = [path, &[key.into()]].concat();
-        self.faults.push(self.source.fault_of_key(&path, format!("unknown key \"{key}\""), hint));
-    }
-
-    /// The keys of the schema that forbids others.
-    fn known_keys(&self, error: &ValidationError<'_>) -> Vec<String> {
-        let mut schema = self.schema;
-        let segments: Vec<_> = error.evaluation_path().iter().collect();
-        for segment in &segments[..segments.len().saturating_sub(1)] {
-            let next = match segment {
-                LocationSegment::Property(name) if name.as_ref() == "$ref" => referenced(self.schema, schema),
-                LocationSegment::Property(name) => schema.get(name.as_ref()),
-                LocationSegment::Index(index) => schema.get(index),
-            };
-            let Some(next) = next else { return Vec::new() };
-            schema = next;
-        }
-        let mut keys = Vec::new();
-        collect_keys(self.schema, schema, &mut keys);
-        keys
     }
 
     fn wrong_type(&mut self, path: &[PathStep], expected: &[JsonType]) {
@@ -226,56 +182,6 @@ impl Diagnosis<'_> {
     fn is_yaml(&self) -> bool {
         Format::of(self.source.file()) == Format::Yaml
     }
-}
-
-fn steps(error: &ValidationError<'_>) -> Vec<PathStep> {
-    let step = |segment: LocationSegment<'_>| match segment {
-        LocationSegment::Property(name) => PathStep::Key(name.into_owned()),
-        LocationSegment::Index(index) => PathStep::Index(index),
-    };
-    error.instance_path().iter().map(step).collect()
-}
-
-fn referenced<'a>(root: &'a Value, schema: &'a Value) -> Option<&'a Value> {
-    root.pointer(schema.get("$ref")?.as_str()?.trim_start_matches('#'))
-}
-
-/// The keys that a schema names itself, by reference, or in one of its alternatives.
-fn collect_keys(root: &Value, schema: &Value, keys: &mut Vec<String>) {
-    if let Some(properties) = schema.get("properties").and_then(Value::as_object) {
-        keys.extend(properties.keys().cloned());
-    }
-    for keyword in ["allOf", "anyOf", "oneOf"] {
-        let alternatives = schema.get(keyword).and_then(Value::as_array);
-        for alternative in alternatives.into_iter().flatten() {
-            let target = referenced(root, alternative).unwrap_or(alternative);
-            keys.extend(
-                target
-                    .get("properties")
-                    .and_then(Value::as_object)
-                    .into_iter()
-                    .flat_map(|p| p.keys().cloned()),
-            );
-        }
-    }
-}
-
-fn bound_message(kind: &ValidationErrorKind, found: &str) -> Option<String> {
-    Some(match kind {
-        ValidationErrorKind::Minimum { limit } => format!("{found} is too small, {limit} is the least"),
-        ValidationErrorKind::Maximum { limit } => format!("{found} is too large, {limit} is the most"),
-        ValidationErrorKind::ExclusiveMinimum { limit } => format!("{found} must be above {limit}"),
-        ValidationErrorKind::ExclusiveMaximum { limit } => format!("{found} must be below {limit}"),
-        ValidationErrorKind::MinItems { limit } => {
-            format!("the list is too short, it takes at least {limit} items")
-        }
-        ValidationErrorKind::MaxItems { limit } => {
-            format!("the list is too long, it takes at most {limit} items")
-        }
-        ValidationErrorKind::MinLength { .. } => "the text is too short".to_owned(),
-        ValidationErrorKind::Pattern { pattern } => format!("{found} does not match {pattern}"),
-        _ => return None,
-    })
 }
 
 fn plain_text(value: &Value) -> String {

@@ -13,6 +13,7 @@ mod format;
 mod keys;
 mod limits;
 mod scalar;
+mod schema;
 mod source;
 mod suggest;
 mod text;

@@ -1,7 +1,7 @@
 //! The page about recipes works: the recipe that it shows is the one that is compiled, and its commands run.
 
-use roomwright::geometry::Size;
-use roomwright::recipes::{GeometrySet, Mesh, RecipeInput, find};
+use roomwright::internals::geometry::Size;
+use roomwright::internals::recipes::{GeometrySet, Mesh, RecipeInput, find};
 
 use super::guide::{extras, world_of};
 
