@@ -41,6 +41,11 @@ impl Draft<'_> {
         Sampler::new(self.name, self.input.look)
     }
 
+    /// Which of the four shapes of a form the look has: looks whose numbers are equal modulo four share one.
+    pub(crate) fn form(&self) -> usize {
+        self.input.look as usize % 4
+    }
+
     /// The geometry set that is built.
     pub(crate) fn set(&self) -> GeometrySet {
         self.set

@@ -28,18 +28,10 @@ pub(super) static WASHBASIN: Recipe =
 
 fn washbasin(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look % 4;
     let tap_height = (bay.height() * TAP_SHARE).min(TAP);
     let rim = bay.high.y - tap_height;
     let depth = (rim * 0.5).min(0.16);
-    let (slot, corner) = match draft.set() {
-        GeometrySet::Industrial => {
-            ([Slot::Metal, Slot::Concrete, Slot::Metal, Slot::Stone][look as usize], 0.02)
-        }
-        GeometrySet::Budget => (Slot::Ceramic, [0.75, 0.4, 0.6, 0.2][look as usize]),
-        GeometrySet::Traditional => (Slot::Ceramic, [0.3, 0.6, 0.3, 0.6][look as usize]),
-        GeometrySet::Plain => (Slot::Ceramic, [0.08, 0.9, 0.08, 0.5][look as usize]),
-    };
+    let (slot, corner) = bowl_of(draft);
     let body = bay.with_y([rim - depth, rim]);
     basin(builder, slot, body, (corner, 0.22));
     if draft.is_traditional() {
@@ -51,31 +43,47 @@ fn washbasin(draft: &Draft, builder: &mut Builder) {
     }
     ledge_tap(draft, builder, rim, tap_height);
     let low = rim - depth;
-    if low < CARRIED_FROM {
-        if low > 0.01 {
-            waste(builder, DVec3::new(0.0, low + depth * 0.1, 0.0), bay.low.z, Slot::Chrome);
-        }
-        return;
+    if low >= CARRIED_FROM {
+        carrier(draft, builder, low, depth);
+    } else if low > 0.01 {
+        waste(builder, DVec3::new(0.0, low + depth * 0.1, 0.0), bay.low.z, Slot::Chrome);
     }
-    let under = bay.with_y([0.0, low + depth * 0.3]);
-    match (draft.set(), look) {
+}
+
+/// Material of a bowl, and how round its corners are: 1 for a round bowl.
+fn bowl_of(draft: &Draft) -> (Slot, f64) {
+    let look = draft.form();
+    match draft.set() {
+        GeometrySet::Industrial => ([Slot::Metal, Slot::Concrete, Slot::Metal, Slot::Stone][look], 0.02),
+        GeometrySet::Budget => (Slot::Ceramic, [0.75, 0.4, 0.6, 0.2][look]),
+        GeometrySet::Traditional => (Slot::Ceramic, [0.3, 0.6, 0.3, 0.6][look]),
+        GeometrySet::Plain => (Slot::Ceramic, [0.08, 0.9, 0.08, 0.5][look]),
+    }
+}
+
+/// What carries a bowl whose underside is at a height, or the pipes under one that the wall carries.
+fn carrier(draft: &Draft, builder: &mut Builder, low: f64, depth: f64) {
+    let under = builder.bay().with_y([0.0, low + depth * 0.3]);
+    match (draft.set(), draft.form()) {
         (GeometrySet::Plain, 0 | 1) | (GeometrySet::Budget, 0 | 1) => pedestal(builder, under, depth),
         (GeometrySet::Traditional, 0 | 1) => turned_pedestal(builder, under),
         (GeometrySet::Plain, 2) => console(builder, under, Slot::MetalDark, LegKind::Square),
         (GeometrySet::Traditional, _) => console(builder, under, Slot::Brass, LegKind::Round),
         (GeometrySet::Industrial, _) => frame(builder, under),
-        _ => {
-            let slot = if draft.set() == GeometrySet::Budget { Slot::Plastic } else { Slot::Chrome };
-            let drain = DVec3::new(0.0, low + depth * 0.2, bay.depth() * 0.1);
-            waste(builder, drain, bay.low.z, slot);
-            // The pipes of the tap come up from the floor.
-            for x in [-0.04, 0.04] {
-                let z = bay.low.z + 0.03;
-                let pipe = cylinder(0.008, [0.001, low + depth * 0.5], 6);
-                builder.add(slot, pipe.moved(x, 0.0, z));
-                builder.add(slot, cylinder(0.016, [0.0, 0.012], 6).moved(x, 0.0, z));
-            }
-        }
+        (GeometrySet::Budget, _) => bare_pipes(builder, Slot::Plastic, low, depth),
+        (GeometrySet::Plain, _) => bare_pipes(builder, Slot::Chrome, low, depth),
+    }
+}
+
+/// A trap, and the pipes of the tap, which come up from the floor.
+fn bare_pipes(builder: &mut Builder, slot: Slot, low: f64, depth: f64) {
+    let bay = builder.bay();
+    waste(builder, DVec3::new(0.0, low + depth * 0.2, bay.depth() * 0.1), bay.low.z, slot);
+    for x in [-0.04, 0.04] {
+        let z = bay.low.z + 0.03;
+        let pipe = cylinder(0.008, [0.001, low + depth * 0.5], 6);
+        builder.add(slot, pipe.moved(x, 0.0, z));
+        builder.add(slot, cylinder(0.016, [0.0, 0.012], 6).moved(x, 0.0, z));
     }
 }
 
@@ -222,7 +230,7 @@ fn vanity(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Traditional => [Slot::Painted, Slot::WoodDark, Slot::PaintedAccent, Slot::Wood],
         GeometrySet::Budget => [Slot::Laminate, Slot::Painted, Slot::WoodLight, Slot::Laminate],
         _ => [Slot::Wood, Slot::Painted, Slot::WoodDark, Slot::Laminate],
-    }[draft.input.look as usize % 4];
+    }[draft.form()];
     let fittings = match draft.set() {
         GeometrySet::Plain => {
             Fittings { front: wood, handle: Slot::MetalDark, reach: 0.0, is_traditional: false }
@@ -281,7 +289,7 @@ fn vanity_fronts(draft: &Draft, builder: &mut Builder, fittings: &Fittings, face
 /// A steel frame with a board under the basin, one near the floor, and the waste between.
 fn open_vanity(draft: &Draft, builder: &mut Builder, bay: Bay) {
     let thick = 0.03;
-    let wood = [Slot::Wood, Slot::WoodDark, Slot::WoodLight, Slot::Metal][draft.input.look as usize % 4];
+    let wood = [Slot::Wood, Slot::WoodDark, Slot::WoodLight, Slot::Metal][draft.form()];
     builder.block(wood, bay.slab(Side::Above, 0.04), 0.003);
     let room = bay.without(Side::Above, 0.04 - SINK).inset(0.01, 0.0, 0.01);
     legs_at_corners(builder, Slot::MetalDark, room, thick, LegKind::Square);

@@ -40,55 +40,13 @@ fn bathtub(draft: &Draft, builder: &mut Builder) {
     let form = tub_form(draft);
     let tap_height = (bay.height() * 0.22).min(0.13);
     let rim = bay.high.y - tap_height;
-    let half = bay.extent() / 2.0;
-    let short = half.x.min(half.z);
-    let corner = short * if matches!(form, Tub::Oval | Tub::OnFeet) { 0.9 } else { 0.5 };
-    let border = 0.05_f64.min(half.min_element() * 0.3);
-    let slice = |share: f64, back: f64, radius: f64| {
-        Slice::new(share * rim, half.x - back, half.z - back).softened(radius)
-    };
-    let inside = [
-        slice(1.0, border, corner - border),
-        slice(0.93, border * 1.15, corner - border),
-        slice(0.35, border * 2.0, corner - border * 1.5),
-        slice(0.28, border * 3.0, corner - border * 2.5),
-    ];
-    let outside = match form {
-        Tub::OnFeet => vec![
-            slice(0.2, border * 3.0, corner - border * 2.0),
-            slice(0.26, border * 2.0, corner - border),
-            slice(0.6, border * 0.9, corner),
-            slice(0.91, border * 0.5, corner),
-            slice(0.93, border * 0.08, corner),
-            slice(0.965, 0.0, corner),
-            slice(1.0, border * 0.2, corner),
-        ],
-        Tub::Oval => vec![
-            slice(0.0, border * 1.8, corner - border),
-            slice(0.04, border * 1.5, corner - border),
-            slice(0.97, 0.0, corner),
-            slice(1.0, 0.006, corner),
-        ],
-        Tub::Framed => vec![
-            slice(0.2, 0.03, 0.05),
-            slice(0.95, 0.012, 0.05),
-            slice(0.951, 0.0, 0.05),
-            slice(1.0, 0.0, 0.05),
-        ],
-        Tub::BuiltIn => vec![
-            slice(0.0, 0.03, 0.012),
-            slice(0.93, 0.03, 0.012),
-            slice(0.931, 0.0, 0.02),
-            slice(1.0, 0.0, 0.02),
-        ],
-    };
-    let slices: Vec<Slice> = outside.into_iter().chain(inside).collect();
-    let slot = match (draft.set(), draft.input.look % 4) {
+    let border = 0.05_f64.min((bay.extent() / 2.0).min_element() * 0.3);
+    let slot = match (draft.set(), draft.form()) {
         (GeometrySet::Industrial, 1) => Slot::Stone,
         (GeometrySet::Industrial, _) => Slot::Metal,
         _ => Slot::Ceramic,
     };
-    builder.add(slot, loft(&Outline::Soft(4), &slices));
+    builder.add(slot, loft(&Outline::Soft(4), &tub_slices(&form, bay, rim, border)));
     match form {
         Tub::OnFeet => feet(draft, builder, rim),
         Tub::Framed => frame(builder, rim),
@@ -98,9 +56,48 @@ fn bathtub(draft: &Draft, builder: &mut Builder) {
     end_fittings(draft, builder, rim, tap_height, border);
 }
 
+/// A tub from below upwards outside, and down again inside.
+fn tub_slices(form: &Tub, bay: Bay, rim: f64, border: f64) -> Vec<Slice> {
+    let half = bay.extent() / 2.0;
+    let corner = half.x.min(half.z) * if matches!(form, Tub::Oval | Tub::OnFeet) { 0.9 } else { 0.5 };
+    let inside = [
+        (1.0, border, corner - border),
+        (0.93, border * 1.15, corner - border),
+        (0.35, border * 2.0, corner - border * 1.5),
+        (0.28, border * 3.0, corner - border * 2.5),
+    ];
+    let places = tub_outside(form, border, corner).into_iter().chain(inside);
+    places
+        .map(|(share, back, radius)| Slice::new(share * rim, half.x - back, half.z - back).softened(radius))
+        .collect()
+}
+
+/// Share of the rim's height, metres in from the box, and the radius of the corners.
+fn tub_outside(form: &Tub, border: f64, corner: f64) -> Vec<(f64, f64, f64)> {
+    match form {
+        Tub::OnFeet => vec![
+            (0.2, border * 3.0, corner - border * 2.0),
+            (0.26, border * 2.0, corner - border),
+            (0.6, border * 0.9, corner),
+            (0.91, border * 0.5, corner),
+            (0.93, border * 0.08, corner),
+            (0.965, 0.0, corner),
+            (1.0, border * 0.2, corner),
+        ],
+        Tub::Oval => vec![
+            (0.0, border * 1.8, corner - border),
+            (0.04, border * 1.5, corner - border),
+            (0.97, 0.0, corner),
+            (1.0, 0.006, corner),
+        ],
+        Tub::Framed => vec![(0.2, 0.03, 0.05), (0.95, 0.012, 0.05), (0.951, 0.0, 0.05), (1.0, 0.0, 0.05)],
+        Tub::BuiltIn => vec![(0.0, 0.03, 0.012), (0.93, 0.03, 0.012), (0.931, 0.0, 0.02), (1.0, 0.0, 0.02)],
+    }
+}
+
 fn feet(draft: &Draft, builder: &mut Builder, rim: f64) {
     let half = builder.bay().extent() / 2.0;
-    let slot = [Slot::Brass, Slot::Chrome, Slot::Brass, Slot::MetalDark][draft.input.look as usize % 4];
+    let slot = [Slot::Brass, Slot::Chrome, Slot::Brass, Slot::MetalDark][draft.form()];
     let claw =
         [(0.026, 0.0), (0.036, 0.02), (0.03, 0.045), (0.018, 0.06), (0.022, rim * 0.16), (0.04, rim * 0.23)];
     for x in [-1.0, 1.0] {
@@ -142,12 +139,8 @@ fn panels(draft: &Draft, builder: &mut Builder, rim: f64) {
     let slot = match draft.set() {
         GeometrySet::Traditional => Slot::Painted,
         GeometrySet::Industrial => Slot::TileWall,
-        GeometrySet::Budget => {
-            [Slot::Plastic, Slot::TileWall, Slot::Plastic, Slot::Laminate][draft.input.look as usize % 4]
-        }
-        GeometrySet::Plain => {
-            [Slot::Ceramic, Slot::Wood, Slot::TileWall, Slot::Wood][draft.input.look as usize % 4]
-        }
+        GeometrySet::Budget => [Slot::Plastic, Slot::TileWall, Slot::Plastic, Slot::Laminate][draft.form()],
+        GeometrySet::Plain => [Slot::Ceramic, Slot::Wood, Slot::TileWall, Slot::Wood][draft.form()],
     };
     let face = bay.with_y([rim * 0.04, rim * 0.925]).inset(0.035, 0.0, 0.0);
     let front = face.slab(Side::Front, 0.03 + SINK).without(Side::Front, 0.012);
@@ -229,7 +222,7 @@ fn frameless(draft: &Draft, builder: &mut Builder, bay: Bay) {
     let pane = 0.008;
     builder.cuboid(Slot::Glass, bay.slab(Side::Right, pane));
     let front = bay.slab(Side::Front, pane).without(Side::Right, pane + 0.001).without(Side::Above, 0.002);
-    let door = [0.5, 0.62, 0.0, 0.55][draft.input.look as usize % 4];
+    let door = [0.5, 0.62, 0.0, 0.55][draft.form()];
     let fixed =
         front.slab(Side::Right, front.width() * (1.0 - door) * if door > 0.0 { 1.0 } else { 0.55 } - 0.004);
     builder.cuboid(Slot::Glass, fixed);
@@ -276,7 +269,7 @@ fn framed(draft: &Draft, builder: &mut Builder, bay: Bay) {
         _ => ([Slot::Painted, Slot::Metal][draft.input.look as usize / 2 % 2], 0.035),
     };
     let front = bay.slab(Side::Front, thick).without(Side::Right, thick + SINK);
-    let share = [0.5, 0.6, 0.45, 0.55][draft.input.look as usize % 4];
+    let share = [0.5, 0.6, 0.45, 0.55][draft.form()];
     let leaf = front.slab(Side::Left, front.width() * share);
     pane(
         draft,
@@ -331,8 +324,7 @@ fn curtain(draft: &Draft, builder: &mut Builder, bay: Bay) {
         DVec3::new(x, y, bay.low.z - 0.006),
     ];
     builder.add(Slot::Chrome, sweep(&rail, 0.012, 8));
-    let slot =
-        [Slot::FabricLight, Slot::Linen, Slot::FabricAccent, Slot::Linen][draft.input.look as usize % 4];
+    let slot = [Slot::FabricLight, Slot::Linen, Slot::FabricAccent, Slot::Linen][draft.form()];
     let cloth = Bay::new([bay.low.x + bay.width() * 0.42, x - 0.1], [0.12, y], [z - 0.05, z + 0.02]);
     builder.add(slot, super::windows::folds(cloth, 6));
     let mut side = builder.empty();

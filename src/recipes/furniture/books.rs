@@ -18,7 +18,7 @@ const TURN: f64 = 0.12;
 pub(super) static BOOKS: Recipe = Recipe::accessory("books", [0.2, 0.25, 0.12]).every_set(books);
 
 fn books(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let mut sampler = draft.sampler();
     let bay = builder.bay();
     let set = draft.set();

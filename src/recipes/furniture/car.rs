@@ -19,7 +19,7 @@ fn car(draft: &Draft, builder: &mut Builder) {
     match draft.set() {
         GeometrySet::Plain => saloon(builder, paint),
         GeometrySet::Traditional => {
-            oldtimer(builder, [paint, Slot::Book, Slot::Leaf, Slot::Painted][draft.input.look as usize % 4])
+            oldtimer(builder, [paint, Slot::Book, Slot::Leaf, Slot::Painted][draft.form()])
         }
         GeometrySet::Industrial => pick_up(builder, paint),
         GeometrySet::Budget => hatchback(builder, paint),

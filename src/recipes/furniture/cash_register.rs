@@ -15,10 +15,9 @@ pub(super) static CASH_REGISTER: Recipe =
 fn cash_register(draft: &Draft, builder: &mut Builder) {
     match draft.set() {
         GeometrySet::Plain => wedge(builder),
-        GeometrySet::Traditional => cast(
-            builder,
-            [Slot::Brass, Slot::Metal, Slot::WoodDark, Slot::Brass][draft.input.look as usize % 4],
-        ),
+        GeometrySet::Traditional => {
+            cast(builder, [Slot::Brass, Slot::Metal, Slot::WoodDark, Slot::Brass][draft.form()])
+        }
         GeometrySet::Industrial => screen_on_arm(builder),
         GeometrySet::Budget => portable(builder),
     }

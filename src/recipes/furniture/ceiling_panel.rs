@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::seating::depth_slats;
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Slice, extrude, loft_ring};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Recipe, Slot};
 
 /// Share of the shorter side that a frame around tubes is wide, and of the frame that the tubes keep off it.
 const FRAME: f64 = 0.04;
@@ -15,18 +15,11 @@ const SHEET: f64 = 0.002;
 
 /// A flat light in an office ceiling: a diffuser in a slim frame, tubes over a wooden grid, tubes in a trough over
 /// blades, or bare tubes between their holders under a sheet.
-pub(super) static CEILING_PANEL: Recipe =
-    Recipe::accessory("ceiling_panel", [0.6, 0.6, 0.05]).every_set(ceiling_panel);
-
-fn ceiling_panel(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look % 2;
-    match draft.set() {
-        GeometrySet::Plain => diffuser(builder, look),
-        GeometrySet::Traditional => grid(builder, look),
-        GeometrySet::Industrial => trough(builder, look),
-        GeometrySet::Budget => bare(builder, look),
-    }
-}
+pub(super) static CEILING_PANEL: Recipe = Recipe::accessory("ceiling_panel", [0.6, 0.6, 0.05])
+    .plain(|draft, builder| diffuser(builder, draft.input.look % 2))
+    .traditional(|draft, builder| grid(builder, draft.input.look % 2))
+    .industrial(|draft, builder| trough(builder, draft.input.look % 2))
+    .budget(|draft, builder| bare(builder, draft.input.look % 2));
 
 fn short(bay: Bay) -> f64 {
     bay.width().min(bay.depth())

@@ -41,7 +41,7 @@ fn coat_rack(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let stretch = DVec3::new(1.0, 1.0, bay.depth() / bay.width());
     let stand = Stand { radius: bay.width() / 2.0, high: bay.high.y, stretch };
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => match form {
             0 => leaning_poles(&stand, builder),

@@ -30,7 +30,7 @@ fn cable(builder: &mut Builder, x: f64, (lift, z): (f64, f64)) {
 /// A monitor on a stand: a plate, a disc, a forked foot, or a computer with everything behind its screen.
 fn wide(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let lift = bay.height() * [0.26, 0.3, 0.22, 0.28][look];
     let thick = (bay.depth() * 0.2).min(0.035);
     let z = bay.center().z;

@@ -3,7 +3,7 @@
 use super::parts::{LegKind, across, legs_at_corners, slab_top};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Recipe, Slot};
 
 /// Metres of a counter's top.
 const TOP: f64 = 0.04;
@@ -12,17 +12,11 @@ const BOARD: f64 = 0.016;
 
 /// A solid counter, its front for guests at the back of the box: one whose top runs down its ends, one with panels on a
 /// plinth, planks in a frame of steel, or boards on feet.
-pub(super) static COUNTER: Recipe = Recipe::furniture("counter", [2.4, 0.7, 1.1]).every_set(counter);
-
-fn counter(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => folded(builder, look),
-        GeometrySet::Traditional => panelled(builder, look),
-        GeometrySet::Industrial => framed(builder, look),
-        GeometrySet::Budget => boarded(builder, look),
-    }
-}
+pub(super) static COUNTER: Recipe = Recipe::furniture("counter", [2.4, 0.7, 1.1])
+    .plain(|draft, builder| folded(builder, draft.form()))
+    .traditional(|draft, builder| panelled(builder, draft.form()))
+    .industrial(|draft, builder| framed(builder, draft.form()))
+    .budget(|draft, builder| boarded(builder, draft.form()));
 
 /// Boards side by side over a face of the body.
 fn boards(builder: &mut Builder, slot: Slot, face: Bay, (usual, gap): (f64, f64)) -> Vec<Bay> {

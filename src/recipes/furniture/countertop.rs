@@ -12,7 +12,7 @@ use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 pub(super) static KETTLE: Recipe = Recipe::accessory("kettle", [0.22, 0.16, 0.24]).every_set(kettle);
 
 fn kettle(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     if draft.is_traditional() {
         kettle_with_bail(builder, [Slot::PaintedAccent, Slot::Chrome, Slot::Brass, Slot::Painted][look]);
     } else {
@@ -142,7 +142,7 @@ pub(super) static COFFEE_MACHINE: Recipe =
     Recipe::furniture("coffee_machine", [0.3, 0.4, 0.38]).every_set(coffee_machine);
 
 fn coffee_machine(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let form = match draft.set() {
         GeometrySet::Plain => [0, 2, 0, 1],
         GeometrySet::Traditional => [2, 1, 2, 2],

@@ -43,7 +43,7 @@ impl Walls {
         };
         // Usual cubicles are two metres high.
         let [foot, head] = [foot, head].map(|length| length * (height / 2.0).min(1.0));
-        Self { set, color: colors[draft.input.look as usize % 4], thickness, foot, head }
+        Self { set, color: colors[draft.form()], thickness, foot, head }
     }
 }
 

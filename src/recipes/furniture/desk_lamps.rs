@@ -15,7 +15,7 @@ pub(super) static DESK_LAMP: Recipe = Recipe::accessory("desk_lamp", [0.2, 0.3, 
 
 fn desk_lamp(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     if bay.height() < bay.width() * 0.8 || (draft.is_traditional() && bay.height() < bay.width()) {
         return squat(draft, builder);
     }

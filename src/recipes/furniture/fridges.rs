@@ -7,6 +7,9 @@ use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
 
+/// Metres of height below which there is one door.
+const LOW: f64 = 1.1;
+
 /// A refrigerator: two doors with recessed grips, a round-shouldered one with a lever, one of steel with bars, or a
 /// plain white one; one door where it is low.
 pub(super) static FRIDGE: Recipe =
@@ -14,8 +17,37 @@ pub(super) static FRIDGE: Recipe =
 
 fn fridge(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
-    let (slot, metal) = match draft.set() {
+    let (slot, metal) = slots_of(draft);
+    let reach = if draft.set() == GeometrySet::Plain { 0.002 } else { 0.035 };
+    let foot = 0.04_f64.min(bay.height() * 0.1);
+    let feet = bay.slab(Side::Below, foot + SINK).inset(0.01, 0.0, 0.01).without(Side::Front, 0.06);
+    builder.cuboid(Slot::PlasticDark, feet);
+    let body = bay.without(Side::Below, foot);
+    let round = if draft.is_traditional() { 0.07 } else { 0.008 };
+    let door = 0.05;
+    let case = body.without(Side::Front, reach + door + 0.006 - SINK);
+    let segments = if draft.is_traditional() { 3 } else { 1 };
+    builder.rounded(slot, case, DVec3::new(round, round, 0.006), segments);
+    // The seal between the case and the doors.
+    let seal = body.inset(round * 0.6 + 0.008, round * 0.6 + 0.008, 0.0);
+    builder.cuboid(Slot::Rubber, seal.with_z([case.high.z - SINK, case.high.z + 0.008]));
+    let is_low = bay.height() < LOW;
+    let leaves = if is_low { vec![body] } else { two_doors(body, draft.form()) };
+    for (index, leaf) in leaves.into_iter().enumerate() {
+        let face = leaf.without(Side::Front, reach).slab(Side::Front, door);
+        let radii = DVec3::new(round, round, if draft.is_traditional() { 0.04 } else { 0.008 });
+        builder.rounded(slot, face, radii, segments);
+        if face.height() >= 0.1 {
+            grip(draft, builder, metal, face, (reach, index == 0 && !is_low));
+        }
+    }
+    extras(draft, builder, body, reach);
+}
+
+/// Materials of the body and of what is fitted to it.
+fn slots_of(draft: &Draft) -> (Slot, Slot) {
+    let look = draft.form();
+    match draft.set() {
         GeometrySet::Plain => {
             ([Slot::Metal, Slot::Appliance, Slot::MetalDark, Slot::Painted][look], Slot::MetalDark)
         }
@@ -28,41 +60,15 @@ fn fridge(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Budget => {
             (Slot::Appliance, [Slot::Plastic, Slot::Metal, Slot::PlasticDark, Slot::Plastic][look])
         }
-    };
-    let reach = if draft.set() == GeometrySet::Plain { 0.002 } else { 0.035 };
-    let foot = 0.04_f64.min(bay.height() * 0.1);
-    let feet = bay.slab(Side::Below, foot + SINK).inset(0.01, 0.0, 0.01).without(Side::Front, 0.06);
-    builder.cuboid(Slot::PlasticDark, feet);
-    let body = bay.without(Side::Below, foot);
-    let round = if draft.is_traditional() { 0.07 } else { 0.008 };
-    let door = 0.05;
-    let case = body.without(Side::Front, reach + door + 0.006 - SINK);
-    builder.rounded(slot, case, DVec3::new(round, round, 0.006), if draft.is_traditional() { 3 } else { 1 });
-    // The seal between the case and the doors.
-    builder.cuboid(
-        Slot::Rubber,
-        body.inset(round * 0.6 + 0.008, round * 0.6 + 0.008, 0.0)
-            .with_z([case.high.z - SINK, case.high.z + 0.008]),
-    );
-    let is_low = bay.height() < 1.1;
-    let is_freezer_low = look.is_multiple_of(2);
-    let share = [0.34, 0.28, 0.38, 0.24][look];
-    let cut = body.low.y + body.height() * if is_freezer_low { share } else { 1.0 - share };
-    let doors = if is_low {
-        vec![body]
-    } else {
-        vec![body.with_y([body.low.y, cut - 0.004]), body.with_y([cut + 0.004, body.high.y])]
-    };
-    for (index, leaf) in doors.into_iter().enumerate() {
-        let face = leaf.without(Side::Front, reach).slab(Side::Front, door);
-        let radii = DVec3::new(round, round, if draft.is_traditional() { 0.04 } else { 0.008 });
-        builder.rounded(slot, face, radii, if draft.is_traditional() { 3 } else { 1 });
-        if face.height() < 0.1 {
-            continue;
-        }
-        grip(draft, builder, metal, face, (reach, index == 0 && !is_low));
     }
-    extras(draft, builder, body, reach);
+}
+
+/// The lower and the upper door; the freezer's is the smaller one.
+fn two_doors(body: Bay, look: usize) -> Vec<Bay> {
+    let share = [0.34, 0.28, 0.38, 0.24][look];
+    let is_freezer_low = look.is_multiple_of(2);
+    let cut = body.low.y + body.height() * if is_freezer_low { share } else { 1.0 - share };
+    vec![body.with_y([body.low.y, cut - 0.004]), body.with_y([cut + 0.004, body.high.y])]
 }
 
 /// The handle of one door; `is_lower` says that it is reached for from above.

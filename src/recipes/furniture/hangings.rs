@@ -63,7 +63,7 @@ pub(super) static PICTURE: Recipe = Recipe::accessory("picture", [0.7, 0.03, 0.5
 fn picture(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let mut sampler = draft.sampler();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let set = draft.set();
     let short = bay.width().min(bay.height());
     let is_canvas = set == GeometrySet::Plain && look == 3;
@@ -246,7 +246,7 @@ pub(super) static MIRROR: Recipe = Recipe::accessory("mirror", [0.6, 0.03, 0.8])
 
 fn mirror(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let set = draft.set();
     let outline = match (set, look) {
         (GeometrySet::Plain, 1) => Outline::Round(20),

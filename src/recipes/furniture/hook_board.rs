@@ -18,7 +18,7 @@ pub(super) static HOOK_BOARD: Recipe =
 
 fn hook_board(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let count = (bay.width() / SPACING).round().clamp(2.0, 10.0) as u32;
     let columns = bay.inset(bay.width() * 0.04, 0.0, 0.0).columns(count, 0.0);
     let hooks: Vec<f64> = columns.iter().map(|column| column.center().x).collect();

@@ -32,7 +32,7 @@ struct Kitchen {
 }
 
 fn kitchen(draft: &Draft) -> Kitchen {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let fittings = |front, handle, reach, is_traditional| Fittings { front, handle, reach, is_traditional };
     match draft.set() {
         GeometrySet::Plain => Kitchen {
@@ -232,7 +232,7 @@ fn drawers(draft: &Draft, builder: &mut Builder, fittings: &Fittings, face: Bay)
 /// A frame of square steel with a shelf of slats, boxes or pots on it, and a drawer under the top.
 fn open_unit(draft: &Draft, builder: &mut Builder, kitchen: &Kitchen, bay: Bay) {
     let thick = 0.04_f64.min(bay.width() * 0.1);
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let frame = bay.inset(0.008, 0.0, 0.012);
     legs_at_corners(builder, kitchen.carcass, frame, thick, LegKind::Square);
     let shelves: &[f64] = if look.is_multiple_of(2) { &[0.16] } else { &[0.16, 0.48] };

@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::lights::{SIDES, bulb, cage, globe, pleated, shade};
-use crate::recipes::kit::{Builder, SINK, Solid, cylinder, lathe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
+use crate::recipes::kit::{Bay, Builder, SINK, Solid, cylinder, lathe, sweep};
+use crate::recipes::{Draft, Recipe, Slot, Symbol};
 
 /// Where the shade of a standing lamp begins and what it stands on.
 struct Stand {
@@ -20,54 +20,62 @@ struct Stand {
 
 /// A lamp that stands on the floor: a rod or three legs under a drum, a turned post under pleats, pipe fittings with a
 /// cage, or a thin rod with a plastic dish. Usual ones are 1.5-1.7 m high with a shade of 0.4 m.
-pub(super) static FLOOR_LAMP: Recipe =
-    Recipe::furniture("floor_lamp", [0.4, 0.4, 1.6]).round().symbol(Symbol::Lamp).every_set(floor_lamp);
+pub(super) static FLOOR_LAMP: Recipe = Recipe::furniture("floor_lamp", [0.4, 0.4, 1.6])
+    .round()
+    .symbol(Symbol::Lamp)
+    .plain(on_disc_or_legs)
+    .traditional(on_turned_post)
+    .industrial(on_pipe)
+    .budget(on_thin_rod);
 
-fn floor_lamp(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+/// The measures of a floor lamp.
+fn floor_stand(bay: Bay) -> Stand {
     let radius = bay.width().min(bay.depth()) / 2.0;
     let tall = (radius * 1.4).min(bay.height() * 0.3);
-    let stand = Stand { radius, low: bay.high.y - tall, top: bay.high.y, rod: 0.011 };
-    match draft.set() {
-        GeometrySet::Plain => {
-            let slot = [Slot::MetalDark, Slot::Wood, Slot::Brass, Slot::WoodLight][look];
-            if look.is_multiple_of(2) {
-                disc_foot(builder, slot, &stand)
-            } else {
-                tripod(builder, slot, &stand)
-            }
-            let narrow = [0.95, 0.8, 0.7, 0.95][look];
-            cloth_head(builder, &stand, shade([radius, radius * narrow], [stand.low, stand.top]));
-        }
-        GeometrySet::Traditional => {
-            let slot = [Slot::Brass, Slot::WoodDark, Slot::Wood, Slot::Brass][look];
-            turned_post(builder, slot, &stand);
-            cloth_head(
-                builder,
-                &stand,
-                pleated([radius, radius * [0.5, 0.62, 0.4, 0.55][look]], [stand.low, stand.top], 24),
-            );
-        }
-        GeometrySet::Industrial => {
-            pipe_stand(builder, &stand);
-            if look.is_multiple_of(2) {
-                let mut head = builder.empty();
-                cage(&mut head, Slot::MetalDark, radius, [0.0, tall], 4);
-                place_upside_down(builder, head, stand.top);
-                bulb(builder, DVec3::new(0.0, stand.low + tall * 0.55, 0.0), 0.04, -1.0);
-            } else {
-                reflector(builder, [Slot::Metal, Slot::MetalDark][look / 2], &stand);
-            }
-        }
-        GeometrySet::Budget => {
-            disc_foot(builder, [Slot::MetalDark, Slot::Metal, Slot::Painted, Slot::Plastic][look], &stand);
-            if look.is_multiple_of(2) {
-                uplighter(builder, &stand)
-            } else {
-                cloth_head(builder, &stand, shade([radius, radius * 0.45], [stand.low, stand.top]));
-            }
-        }
+    Stand { radius, low: bay.high.y - tall, top: bay.high.y, rod: 0.011 }
+}
+
+fn on_disc_or_legs(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (floor_stand(builder.bay()), draft.form());
+    let slot = [Slot::MetalDark, Slot::Wood, Slot::Brass, Slot::WoodLight][look];
+    if look.is_multiple_of(2) {
+        disc_foot(builder, slot, &stand);
+    } else {
+        tripod(builder, slot, &stand);
+    }
+    let narrow = [0.95, 0.8, 0.7, 0.95][look];
+    let radii = [stand.radius, stand.radius * narrow];
+    cloth_head(builder, &stand, shade(radii, [stand.low, stand.top]));
+}
+
+fn on_turned_post(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (floor_stand(builder.bay()), draft.form());
+    turned_post(builder, [Slot::Brass, Slot::WoodDark, Slot::Wood, Slot::Brass][look], &stand);
+    let radii = [stand.radius, stand.radius * [0.5, 0.62, 0.4, 0.55][look]];
+    cloth_head(builder, &stand, pleated(radii, [stand.low, stand.top], 24));
+}
+
+fn on_pipe(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (floor_stand(builder.bay()), draft.form());
+    let tall = (stand.radius * 1.4).min(builder.bay().height() * 0.3);
+    pipe_stand(builder, &stand);
+    if look.is_multiple_of(2) {
+        let mut head = builder.empty();
+        cage(&mut head, Slot::MetalDark, stand.radius, [0.0, tall], 4);
+        place_upside_down(builder, head, stand.top);
+        bulb(builder, DVec3::new(0.0, stand.low + tall * 0.55, 0.0), 0.04, -1.0);
+    } else {
+        reflector(builder, [Slot::Metal, Slot::MetalDark][look / 2], &stand);
+    }
+}
+
+fn on_thin_rod(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (floor_stand(builder.bay()), draft.form());
+    disc_foot(builder, [Slot::MetalDark, Slot::Metal, Slot::Painted, Slot::Plastic][look], &stand);
+    if look.is_multiple_of(2) {
+        uplighter(builder, &stand);
+    } else {
+        cloth_head(builder, &stand, shade([stand.radius, stand.radius * 0.45], [stand.low, stand.top]));
     }
 }
 
@@ -181,67 +189,69 @@ fn place_upside_down(builder: &mut Builder, head: Builder, top: f64) {
 }
 
 /// A lamp for a bedside or side table: a body under a shade.
-pub(super) static TABLE_LAMP: Recipe =
-    Recipe::accessory("table_lamp", [0.2, 0.2, 0.4]).round().every_set(table_lamp);
+pub(super) static TABLE_LAMP: Recipe = Recipe::accessory("table_lamp", [0.2, 0.2, 0.4])
+    .round()
+    .plain(vessel_or_globe)
+    .traditional(pleated_on_vessel)
+    .industrial(pipe_on_table)
+    .budget(thin_rod_on_table);
 
-fn table_lamp(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+/// The measures of a table lamp.
+fn table_stand(bay: Bay) -> Stand {
     let (radius, height) = (bay.width().min(bay.depth()) / 2.0, bay.height());
-    let stand = Stand { radius, low: height * 0.52, top: height, rod: radius * 0.07 };
-    match draft.set() {
-        GeometrySet::Plain => match look {
-            1 => {
-                builder.add(
-                    Slot::Wood,
-                    lathe(
-                        &[(radius * 0.6, 0.0), (radius * 0.62, height * 0.1), (radius * 0.4, height * 0.16)],
-                        SIDES,
-                    ),
-                );
-                builder.add(Slot::Lamp, globe(height - radius * 0.98, radius, [-0.92, 1.0], SIDES));
-                builder.add(Slot::Brass, cylinder(radius * 0.3, [height * 0.1, height - radius * 1.85], 8));
-            }
-            _ => {
-                let slot = [Slot::Ceramic, Slot::Wood, Slot::MetalDark, Slot::PaintedAccent][look];
-                vessel(builder, slot, &stand, [[0.55, 0.55], [0.5, 0.5], [0.3, 0.9], [0.75, 0.35]][look]);
-                cloth_head(
-                    builder,
-                    &stand,
-                    shade([radius, radius * [0.92, 0.8, 0.75, 0.92][look]], [stand.low, stand.top]),
-                );
-            }
-        },
-        GeometrySet::Traditional => {
-            let slot = [Slot::Brass, Slot::WoodDark, Slot::Ceramic, Slot::Brass][look];
-            vessel(builder, slot, &stand, [[0.66, 0.16], [0.5, 0.34], [0.5, 0.7], [0.3, 0.6]][look]);
-            let narrow = [0.45, 0.6, 0.5, 0.35][look];
-            cloth_head(builder, &stand, pleated([radius, radius * narrow], [stand.low, stand.top], 14));
-        }
-        GeometrySet::Industrial => {
-            pipe_stand(builder, &Stand { rod: radius * 0.09, ..stand });
-            if look.is_multiple_of(2) {
-                let mut head = builder.empty();
-                cage(&mut head, Slot::MetalDark, radius, [0.0, height * 0.48], 3);
-                place_upside_down(builder, head, height);
-                bulb(builder, DVec3::new(0.0, height * 0.78, 0.0), radius * 0.36, -1.0);
-            } else {
-                reflector(builder, [Slot::Metal, Slot::PaintedAccent][look / 2], &stand);
-            }
-        }
-        GeometrySet::Budget => {
-            let slot = [Slot::Plastic, Slot::Painted, Slot::PlasticDark, Slot::Metal][look];
-            disc_foot(builder, slot, &stand);
-            if look.is_multiple_of(2) {
-                cloth_head(builder, &stand, shade([radius, radius * 0.55], [stand.low, stand.top]));
-            } else {
-                builder.add(Slot::Lamp, globe(height - radius * 0.98, radius, [-0.92, 1.0], SIDES));
-            }
-        }
+    Stand { radius, low: height * 0.52, top: height, rod: radius * 0.07 }
+}
+
+/// A vessel under a shade, or a globe on a puck of wood.
+fn vessel_or_globe(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (table_stand(builder.bay()), draft.form());
+    let (radius, height) = (stand.radius, stand.top);
+    if look == 1 {
+        let puck = [(radius * 0.6, 0.0), (radius * 0.62, height * 0.1), (radius * 0.4, height * 0.16)];
+        builder.add(Slot::Wood, lathe(&puck, SIDES));
+        builder.add(Slot::Lamp, globe(height - radius * 0.98, radius, [-0.92, 1.0], SIDES));
+        builder.add(Slot::Brass, cylinder(radius * 0.3, [height * 0.1, height - radius * 1.85], 8));
+    } else {
+        let slot = [Slot::Ceramic, Slot::Wood, Slot::MetalDark, Slot::PaintedAccent][look];
+        vessel(builder, slot, &stand, [[0.55, 0.55], [0.5, 0.5], [0.3, 0.9], [0.75, 0.35]][look]);
+        let radii = [radius, radius * [0.92, 0.8, 0.75, 0.92][look]];
+        cloth_head(builder, &stand, shade(radii, [stand.low, stand.top]));
     }
-    if matches!(draft.set(), GeometrySet::Plain | GeometrySet::Budget) {
-        flex(builder, radius);
+    flex(builder, radius);
+}
+
+fn pleated_on_vessel(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (table_stand(builder.bay()), draft.form());
+    let slot = [Slot::Brass, Slot::WoodDark, Slot::Ceramic, Slot::Brass][look];
+    vessel(builder, slot, &stand, [[0.66, 0.16], [0.5, 0.34], [0.5, 0.7], [0.3, 0.6]][look]);
+    let radii = [stand.radius, stand.radius * [0.45, 0.6, 0.5, 0.35][look]];
+    cloth_head(builder, &stand, pleated(radii, [stand.low, stand.top], 14));
+}
+
+fn pipe_on_table(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (table_stand(builder.bay()), draft.form());
+    let (radius, height) = (stand.radius, stand.top);
+    pipe_stand(builder, &Stand { rod: radius * 0.09, ..stand });
+    if look.is_multiple_of(2) {
+        let mut head = builder.empty();
+        cage(&mut head, Slot::MetalDark, radius, [0.0, height * 0.48], 3);
+        place_upside_down(builder, head, height);
+        bulb(builder, DVec3::new(0.0, height * 0.78, 0.0), radius * 0.36, -1.0);
+    } else {
+        reflector(builder, [Slot::Metal, Slot::PaintedAccent][look / 2], &stand);
     }
+}
+
+fn thin_rod_on_table(draft: &Draft, builder: &mut Builder) {
+    let (stand, look) = (table_stand(builder.bay()), draft.form());
+    disc_foot(builder, [Slot::Plastic, Slot::Painted, Slot::PlasticDark, Slot::Metal][look], &stand);
+    if look.is_multiple_of(2) {
+        let radii = [stand.radius, stand.radius * 0.55];
+        cloth_head(builder, &stand, shade(radii, [stand.low, stand.top]));
+    } else {
+        builder.add(Slot::Lamp, globe(stand.top - stand.radius * 0.98, stand.radius, [-0.92, 1.0], SIDES));
+    }
+    flex(builder, stand.radius);
 }
 
 /// A body between two widths, below and above, as shares of the radius.

@@ -18,7 +18,7 @@ pub(super) static LAPTOP: Recipe = Recipe::accessory("laptop", [0.34, 0.28, 0.24
     .plain(|_, builder| wedge(builder))
     .traditional(|_, builder| docked(builder))
     .industrial(|_, builder| rugged(builder))
-    .budget(|draft, builder| round(builder, draft.input.look as usize % 4));
+    .budget(|draft, builder| round(builder, draft.form()));
 
 /// An open lid. Pieces of it are given in its own frame: x to the right, y up from its lower edge, z out of its face.
 struct Lid {

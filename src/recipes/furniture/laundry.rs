@@ -12,7 +12,7 @@ const REACH: f64 = 0.025;
 
 /// What a machine of a set is made of: its body, its front and its handles.
 fn slots(draft: &Draft) -> [Slot; 3] {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let choices = match draft.set() {
         GeometrySet::Plain => [
             [Slot::Appliance, Slot::Appliance, Slot::Metal],
@@ -175,7 +175,7 @@ fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
 }
 
 fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dryer: bool) {
-    let size = [0.36, 0.33, 0.35, 0.31][draft.input.look as usize % 4];
+    let size = [0.36, 0.33, 0.35, 0.31][draft.form()];
     let size = size
         * match draft.set() {
             GeometrySet::Plain => 1.08,

@@ -78,68 +78,69 @@ pub(super) fn cage(builder: &mut Builder, slot: Slot, radius: f64, y: [f64; 2], 
 }
 
 /// A lamp flat under the ceiling: a bowl of glass, a drum, a bulkhead with a guard, or a plastic dish.
-pub(super) static CEILING_LAMP: Recipe =
-    Recipe::accessory("ceiling_lamp", [0.4, 0.4, 0.12]).every_set(ceiling_lamp);
+pub(super) static CEILING_LAMP: Recipe = Recipe::accessory("ceiling_lamp", [0.4, 0.4, 0.12])
+    .plain(bowl_on_rim)
+    .traditional(moulded_bowl)
+    .industrial(|draft, builder| bulkhead(builder, draft.form()))
+    .budget(dish_in_clips);
 
-fn ceiling_lamp(draft: &Draft, builder: &mut Builder) {
+/// Slices of a round lamp: shares of the box's height and width.
+fn slices_of<const N: usize>(bay: Bay, shares: [(f64, f64); N]) -> [Slice; N] {
+    let half = bay.extent() / 2.0;
+    shares.map(|(rise, shrink)| Slice::new(rise * bay.height(), half.x * shrink, half.z * shrink))
+}
+
+/// A round body of a lamp.
+fn round_body<const N: usize>(bay: Bay, sides: usize, shares: [(f64, f64); N]) -> Solid {
+    loft(&Outline::Round(sides), &slices_of(bay, shares))
+}
+
+/// A bowl of glass, or a flat pane, in a rim.
+fn bowl_on_rim(draft: &Draft, builder: &mut Builder) {
+    let (bay, look) = (builder.bay(), draft.form());
+    let slot = [Slot::Metal, Slot::Painted, Slot::MetalDark, Slot::WoodLight][look];
+    let low = if look.is_multiple_of(2) { 0.08 } else { 0.0 };
+    builder.add(slot, round_body(bay, 16, [(low, 0.99), (low + 0.04, 1.0), (1.0, 1.0)]));
+    let glass = if low > 0.0 {
+        round_body(bay, 16, [(0.0, 0.86), (0.1, 0.92), (0.3, 0.94)])
+    } else {
+        round_body(bay, 16, [(0.0, 0.72), (0.06, 0.74)]).moved(0.0, -0.0004, 0.0)
+    };
+    builder.add(Slot::Lamp, glass);
+}
+
+/// A bowl under a moulded plate, with a finial.
+fn moulded_bowl(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let (half, height, look) = (bay.extent() / 2.0, bay.height(), draft.input.look % 4);
-    let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
-    let sides = if draft.is_traditional() { 12 } else { 16 };
-    let round = |slices: &[Slice]| loft(&Outline::Round(sides), slices);
-    match draft.set() {
-        GeometrySet::Plain => {
-            let slot = [Slot::Metal, Slot::Painted, Slot::MetalDark, Slot::WoodLight][look as usize];
-            let low = if look % 2 == 0 { 0.08 } else { 0.0 };
-            builder.add(slot, round(&[slice(low, 0.99), slice(low + 0.04, 1.0), slice(1.0, 1.0)]));
-            let bowl = [slice(0.0, 0.86), slice(0.1, 0.92), slice(0.3, 0.94)];
-            let flat = [slice(0.0, 0.72), slice(0.06, 0.74)];
-            builder.add(
-                Slot::Lamp,
-                if low > 0.0 { round(&bowl) } else { round(&flat).moved(0.0, -0.0004, 0.0) },
-            );
-        }
-        GeometrySet::Traditional => {
-            let slot = [Slot::Brass, Slot::Brass, Slot::WoodDark, Slot::MetalDark][look as usize];
-            builder.add(
-                slot,
-                round(&[
-                    slice(0.72, 0.96),
-                    slice(0.76, 1.0),
-                    slice(0.86, 1.0),
-                    slice(0.9, 0.8),
-                    slice(1.0, 0.74),
-                ]),
-            );
-            builder.add(
-                Slot::Lamp,
-                round(&[slice(0.08, 0.3), slice(0.16, 0.62), slice(0.42, 0.88), slice(0.78, 0.93)]),
-            );
-            builder.add(slot, lathe(&[(0.004, 0.0), (0.014, height * 0.05), (0.006, height * 0.12)], 8));
-        }
-        GeometrySet::Industrial => bulkhead(builder, look),
-        GeometrySet::Budget => {
-            builder.add(Slot::Plastic, round(&[slice(0.8, 0.8), slice(1.0, 0.8)]));
-            let swell = [0.72, 0.9, 0.6, 0.85][look as usize];
-            builder.add(
-                Slot::Lamp,
-                round(&[slice(0.0, swell * 0.6), slice(0.14, swell), slice(0.5, 1.0), slice(0.86, 0.97)]),
-            );
-            for turn in 0..3 {
-                let (sine, cosine) = libm::sincos(TAU * f64::from(turn) / 3.0 + 0.4);
-                let at = DVec3::new(cosine * half.x * 0.92, height * 0.72, sine * half.z * 0.92);
-                builder.cuboid(Slot::Metal, Bay::around(at, half.x * 0.1, height * 0.2, half.x * 0.1));
-            }
-        }
+    let slot = [Slot::Brass, Slot::Brass, Slot::WoodDark, Slot::MetalDark][draft.form()];
+    let plate = [(0.72, 0.96), (0.76, 1.0), (0.86, 1.0), (0.9, 0.8), (1.0, 0.74)];
+    builder.add(slot, round_body(bay, 12, plate));
+    builder.add(Slot::Lamp, round_body(bay, 12, [(0.08, 0.3), (0.16, 0.62), (0.42, 0.88), (0.78, 0.93)]));
+    let height = bay.height();
+    builder.add(slot, lathe(&[(0.004, 0.0), (0.014, height * 0.05), (0.006, height * 0.12)], 8));
+}
+
+/// A plastic dish in three clips.
+fn dish_in_clips(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let (half, height) = (bay.extent() / 2.0, bay.height());
+    builder.add(Slot::Plastic, round_body(bay, 16, [(0.8, 0.8), (1.0, 0.8)]));
+    let swell = [0.72, 0.9, 0.6, 0.85][draft.form()];
+    let dish = [(0.0, swell * 0.6), (0.14, swell), (0.5, 1.0), (0.86, 0.97)];
+    builder.add(Slot::Lamp, round_body(bay, 16, dish));
+    for turn in 0..3 {
+        let (sine, cosine) = libm::sincos(TAU * f64::from(turn) / 3.0 + 0.4);
+        let at = DVec3::new(cosine * half.x * 0.92, height * 0.72, sine * half.z * 0.92);
+        builder.cuboid(Slot::Metal, Bay::around(at, half.x * 0.1, height * 0.2, half.x * 0.1));
     }
 }
 
 /// A ring of metal around glass with bars before it.
-fn bulkhead(builder: &mut Builder, look: u32) {
+fn bulkhead(builder: &mut Builder, look: usize) {
     let bay = builder.bay();
     let (half, height) = (bay.extent() / 2.0, bay.height());
     let slice = |share: f64, shrink: f64| Slice::new(share * height, half.x * shrink, half.z * shrink);
-    let slot = [Slot::MetalDark, Slot::Metal, Slot::PaintedAccent, Slot::MetalDark][look as usize];
+    let slot = [Slot::MetalDark, Slot::Metal, Slot::PaintedAccent, Slot::MetalDark][look];
     builder.add(
         slot,
         loft(&Outline::Round(16), &[slice(0.5, 1.0), slice(0.6, 1.0), slice(0.65, 0.94), slice(1.0, 0.94)]),
@@ -147,7 +148,7 @@ fn bulkhead(builder: &mut Builder, look: u32) {
     builder
         .add(Slot::Lamp, loft(&Outline::Round(12), &[slice(0.1, 0.4), slice(0.22, 0.68), slice(0.52, 0.8)]));
     let wire = (height * 0.035).min(0.005);
-    let bars = 2 + look % 2;
+    let bars = if look.is_multiple_of(2) { 2 } else { 3 };
     for bar in 0..bars {
         let turn = std::f64::consts::PI * f64::from(bar) / f64::from(bars);
         let (sine, cosine) = libm::sincos(turn);
@@ -176,7 +177,7 @@ pub(super) static PENDANT: Recipe = Recipe::furniture("pendant", [0.4, 0.4, 0.9]
 
 fn pendant(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let radius = bay.width().min(bay.depth()) / 2.0;
     let (form, slot) = match draft.set() {
         GeometrySet::Plain => [

@@ -7,7 +7,7 @@ use super::parts::{across, slanted_leg};
 use super::seating::depth_slats;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, rounded_path, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Recipe, Slot};
 
 /// Share of the height at which a suitcase lies on a rack with a board behind it.
 const LYING_SHARE: f64 = 0.86;
@@ -15,18 +15,11 @@ const LYING_SHARE: f64 = 0.86;
 const TURNED: [(f64, f64); 6] = [(0.6, 0.0), (0.9, 0.18), (0.6, 0.25), (1.0, 0.5), (0.6, 0.75), (0.8, 1.0)];
 
 /// A rack for a suitcase: a slatted bench; crossed turned legs with straps; planks on pipes; a folding stand of tube.
-pub(super) static LUGGAGE_RACK: Recipe =
-    Recipe::furniture("luggage_rack", [0.7, 0.45, 0.5]).every_set(luggage_rack);
-
-fn luggage_rack(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => bench(builder, look),
-        GeometrySet::Traditional => crossed_legs(builder, look),
-        GeometrySet::Industrial => planks_on_pipes(builder, look),
-        GeometrySet::Budget => tube_stand(builder, look),
-    }
-}
+pub(super) static LUGGAGE_RACK: Recipe = Recipe::furniture("luggage_rack", [0.7, 0.45, 0.5])
+    .plain(|draft, builder| bench(builder, draft.form()))
+    .traditional(|draft, builder| crossed_legs(builder, draft.form()))
+    .industrial(|draft, builder| planks_on_pipes(builder, draft.form()))
+    .budget(|draft, builder| tube_stand(builder, draft.form()));
 
 /// A bench of slats between two frames, with a board behind that keeps suitcases off the wall, and a shelf for shoes.
 fn bench(builder: &mut Builder, look: usize) {

@@ -18,7 +18,7 @@ const DOOR: f64 = 0.004;
 pub(super) static MICROWAVE: Recipe = Recipe::accessory("microwave", [0.5, 0.38, 0.3]).every_set(microwave);
 
 fn microwave(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     match draft.set() {
         GeometrySet::Plain => {
             glass(builder, [Slot::Metal, Slot::Appliance, Slot::PlasticDark, Slot::Metal][look])

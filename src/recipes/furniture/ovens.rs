@@ -96,7 +96,7 @@ fn burner(builder: &mut Builder, at: DVec3, [low, high]: [f64; 2], size: f64) {
 
 /// What an oven or a cooker of a set is made of: its front, and its handle and knobs.
 pub(super) fn oven_slots(draft: &Draft) -> [Slot; 2] {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let choices = match draft.set() {
         GeometrySet::Plain => [
             [Slot::Metal, Slot::Metal],
@@ -171,17 +171,11 @@ pub(super) fn oven_front(draft: &Draft, builder: &mut Builder, face: Bay) {
 }
 
 /// A cooker hood: a skirt under a chimney, a mantel, a canopy with a duct, or a flat box.
-pub(super) static HOOD: Recipe = Recipe::furniture("hood", [0.6, 0.5, 0.7]).every_set(hood);
-
-fn hood(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => skirt(builder, look),
-        GeometrySet::Traditional => mantel(builder, look),
-        GeometrySet::Industrial => canopy(builder, look),
-        GeometrySet::Budget => flat_box(builder, look),
-    }
-}
+pub(super) static HOOD: Recipe = Recipe::furniture("hood", [0.6, 0.5, 0.7])
+    .plain(|draft, builder| skirt(builder, draft.form()))
+    .traditional(|draft, builder| mantel(builder, draft.form()))
+    .industrial(|draft, builder| canopy(builder, draft.form()))
+    .budget(|draft, builder| flat_box(builder, draft.form()));
 
 /// A skirt under a chimney, a pane that leans back over some.
 fn skirt(builder: &mut Builder, look: usize) {

@@ -13,7 +13,7 @@ const PENCIL: f64 = 0.004;
 pub(super) static PAPERS: Recipe = Recipe::accessory("papers", [0.22, 0.3, 0.02]).every_set(papers);
 
 fn papers(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let turn = draft.sampler().between(-0.14, 0.14);
     let bay = builder.bay();
     match draft.set() {

@@ -58,7 +58,7 @@ fn padded(draft: &Draft, builder: &mut Builder) {
 fn folding(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let count = (bay.width() / 0.42).round().clamp(2.0, 5.0) as u32;
-    let slot = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::WoodLight][draft.input.look as usize % 4];
+    let slot = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::WoodLight][draft.form()];
     let cloth = draft.sampler().pick(&[Slot::FabricAccent, Slot::FabricLight, Slot::Fabric]);
     let thick = (bay.depth() * 0.32).min(0.024);
     let pitch = bay.width() / f64::from(count);

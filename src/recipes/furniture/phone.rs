@@ -15,7 +15,7 @@ const LIP: f64 = 0.18;
 pub(super) static PHONE: Recipe = Recipe::accessory("phone", [0.2, 0.22, 0.1]).every_set(phone);
 
 fn phone(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => {
             desk_phone(builder, [Slot::PlasticDark, Slot::PlasticDark, Slot::Plastic, Slot::MetalDark][form])

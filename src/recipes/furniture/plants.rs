@@ -116,7 +116,7 @@ fn trough(draft: &Draft, builder: &mut Builder, bay: Bay) {
     let half = bay.extent() / 2.0;
     let height = bay.height();
     let wall = 0.025_f64.min(half.x.min(half.z) * 0.2);
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let slice = |share: f64, back: f64| Slice::new(height * share, half.x - back, half.z - back);
     let (slot, outside): (Slot, Vec<Slice>) = match draft.set() {
         GeometrySet::Plain => (

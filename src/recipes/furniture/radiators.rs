@@ -12,7 +12,7 @@ pub(super) static RADIATOR: Recipe = Recipe::furniture("radiator", [1.0, 0.1, 0.
 
 fn radiator(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let lift = (bay.height() * 0.14).min(0.1);
     let body = bay.without(Side::Below, lift).without(Side::Right, 0.055);
     match draft.set() {

@@ -19,7 +19,7 @@ pub(super) fn display(builder: &mut Builder, bay: Bay, (slot, border): (Slot, f6
 
 /// Body and border of a screen, in metres (thin modern bezels: 0.008; older ones 0.03).
 pub(super) fn body(draft: &Draft) -> (Slot, f64) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     match draft.set() {
         GeometrySet::Plain => {
             ([Slot::PlasticDark, Slot::MetalDark, Slot::Metal, Slot::PlasticDark][look], 0.007)

@@ -14,7 +14,7 @@ pub(super) static SOAP: Recipe = Recipe::accessory("soap", [0.12, 0.08, 0.04]).e
 
 fn soap(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     if bay.height() > bay.width() * BOTTLE_FROM {
         bottle(draft.set(), builder, form);
     } else {

@@ -6,22 +6,15 @@ use glam::{DVec2, DVec3};
 use super::parts::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, pipe};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Recipe, Slot};
 
 /// A machine that sells tickets: a leaning screen between cheeks; an arched cabinet with rows of buttons; a bolted
 /// cabinet of steel under a roof; a terminal on two legs.
-pub(super) static TICKET_MACHINE: Recipe =
-    Recipe::furniture("ticket_machine", [0.8, 0.6, 1.85]).every_set(ticket_machine);
-
-fn ticket_machine(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => leaning(builder, look),
-        GeometrySet::Traditional => arched(builder, look),
-        GeometrySet::Industrial => bolted(builder, look),
-        GeometrySet::Budget => on_legs(builder, look),
-    }
-}
+pub(super) static TICKET_MACHINE: Recipe = Recipe::furniture("ticket_machine", [0.8, 0.6, 1.85])
+    .plain(|draft, builder| leaning(builder, draft.form()))
+    .traditional(|draft, builder| arched(builder, draft.form()))
+    .industrial(|draft, builder| bolted(builder, draft.form()))
+    .budget(|draft, builder| on_legs(builder, draft.form()));
 
 /// A thin plate on a front at shares of a face: (left, right), (low, high).
 fn plate(face: Bay, x: [f64; 2], y: [f64; 2], out: f64) -> Bay {

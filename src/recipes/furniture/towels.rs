@@ -188,7 +188,7 @@ impl Rail {
 
 /// Materials of a towel and of its border, which differ so that both show on white.
 fn towel_slots(draft: &Draft) -> [Slot; 2] {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => [
             [Slot::FabricAccent, Slot::Linen],

@@ -16,7 +16,7 @@ pub(super) static TOY: Recipe = Recipe::accessory("toy", [0.25, 0.2, 0.25]).ever
 
 fn toy(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => match draft.sampler().count(0, 2) {
             0 => bricks(builder, bay),

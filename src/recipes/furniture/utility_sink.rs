@@ -13,7 +13,7 @@ pub(super) static UTILITY_SINK: Recipe =
 
 fn utility_sink(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let rim = bay.high.y - (bay.height() * 0.16).min(0.16);
     let deep = (rim * 0.4).min(0.3);
     let (slot, under) = match draft.set() {

@@ -12,7 +12,7 @@ pub(super) static WALL_LAMP: Recipe = Recipe::accessory("wall_lamp", [0.2, 0.2, 
 
 fn wall_lamp(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let slot = match draft.set() {
         GeometrySet::Traditional => Slot::Brass,
         GeometrySet::Industrial => [Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::PaintedAccent][look],

@@ -30,7 +30,7 @@ pub(super) static CURTAIN: Recipe = Recipe::furniture("curtain", [1.6, 0.15, 2.3
 fn curtain(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let mut sampler = draft.sampler();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let hanging = match draft.set() {
         GeometrySet::Plain => [Hanging::Rod, Hanging::Rail, Hanging::Rod, Hanging::Rail],
         GeometrySet::Traditional => [Hanging::Pelmet, Hanging::Pelmet, Hanging::Rod, Hanging::Pelmet],
@@ -79,9 +79,7 @@ fn rod(draft: &Draft, builder: &mut Builder) -> f64 {
     let slot = match draft.set() {
         GeometrySet::Traditional => Slot::Brass,
         GeometrySet::Budget => Slot::Painted,
-        GeometrySet::Plain => {
-            [Slot::MetalDark, Slot::Metal, Slot::WoodLight, Slot::Metal][draft.input.look as usize % 4]
-        }
+        GeometrySet::Plain => [Slot::MetalDark, Slot::Metal, Slot::WoodLight, Slot::Metal][draft.form()],
         GeometrySet::Industrial => Slot::MetalDark,
     };
     let radius = (bay.depth() * 0.1).min(if draft.set() == GeometrySet::Industrial { 0.017 } else { 0.013 });
@@ -194,7 +192,7 @@ fn wave(bay: Bay, count: u32) -> (Vec<DVec2>, f64) {
 /// A blind of slats, or of cloth rolled up, with its cords.
 fn blind(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let is_industrial = draft.set() == GeometrySet::Industrial;
     let fall = (bay.height() * 0.14).min(0.11);
     let case = bay.slab(Side::Above, fall * 0.35);

@@ -18,7 +18,7 @@ pub(in super::super) static CHECKOUT: Recipe =
     Recipe::furniture("checkout", [2.2, 1.0, 0.95]).every_set(checkout);
 
 fn checkout(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     match draft.set() {
         GeometrySet::Plain => {
             with_belt(builder, [Slot::Laminate, Slot::PaintedAccent, Slot::Metal, Slot::Wood][look])

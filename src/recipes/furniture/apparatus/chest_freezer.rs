@@ -13,7 +13,7 @@ use crate::recipes::{Recipe, Slot, Symbol};
 pub(in super::super) static CHEST_FREEZER: Recipe = Recipe::furniture("chest_freezer", [1.85, 0.9, 0.88])
     .symbol(Symbol::Fridge)
     .plain(|_, builder| flat_panes(builder))
-    .traditional(|draft, builder| round_lids(builder, draft.input.look as usize % 4))
+    .traditional(|draft, builder| round_lids(builder, draft.form()))
     .industrial(|_, builder| hinged_lids(builder))
     .budget(|draft, builder| bowed_pane(builder, &mut draft.sampler()));
 

@@ -25,7 +25,7 @@ pub(in super::super) static CHILLED_SHELF: Recipe =
 
 fn chilled_shelf(draft: &Draft, builder: &mut Builder) {
     let mut sampler = draft.sampler();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let slot = [Slot::PlasticDark, Slot::Painted, Slot::Metal, Slot::PaintedAccent][look];
     match draft.set() {
         GeometrySet::Plain => canopied(builder, &mut sampler, slot, look),

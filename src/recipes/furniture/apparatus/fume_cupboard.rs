@@ -30,7 +30,7 @@ pub(in super::super) static FUME_CUPBOARD: Recipe =
 
 fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let slot = [Slot::Painted, Slot::Metal, Slot::Laminate, Slot::Painted][look];
     let bench = bay.height() * BENCH;
     let slots = (slot, [Slot::PaintedAccent, Slot::Laminate, Slot::Painted, Slot::Metal][look]);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{Fronts, HandleKind, LegKind, handle, legs_at_corners, slab_top};
 use crate::recipes::kit::{Bay, Builder, SINK, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
+use crate::recipes::{Draft, Recipe, Slot, Symbol};
 
 /// Metres by which handles stand out.
 const REACH: f64 = 0.025;
@@ -13,18 +13,12 @@ const REACH: f64 = 0.025;
 const DOOR: f64 = 0.04;
 
 /// A minibar: flush, in a cabinet of wood, of pressed steel with a lever, or white with a grip in its edge.
-pub(in super::super) static MINIBAR: Recipe =
-    Recipe::furniture("minibar", [0.5, 0.5, 0.75]).symbol(Symbol::Fridge).every_set(minibar);
-
-fn minibar(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => plain(builder, form),
-        GeometrySet::Traditional => traditional(draft, builder, form),
-        GeometrySet::Industrial => industrial(builder, form),
-        GeometrySet::Budget => budget(builder, form),
-    }
-}
+pub(in super::super) static MINIBAR: Recipe = Recipe::furniture("minibar", [0.5, 0.5, 0.75])
+    .symbol(Symbol::Fridge)
+    .plain(|draft, builder| plain(builder, draft.form()))
+    .traditional(|draft, builder| traditional(draft, builder, draft.form()))
+    .industrial(|draft, builder| industrial(builder, draft.form()))
+    .budget(|draft, builder| budget(builder, draft.form()));
 
 /// The body on feet, with the space of its door before it.
 fn body(builder: &mut Builder, slot: Slot, reach: f64) -> Bay {

@@ -5,25 +5,18 @@ use glam::{DVec2, DVec3};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{HandleKind, handle};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cylinder, extrude};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Recipe, Slot};
 
 /// Width of paper in metres: A4.
 const PAPER: f64 = 0.21;
 
 /// A printer: one with a scanner over its tray, a laser printer with rounded shoulders, a matrix printer on a stand
 /// with folded paper, or a small one that takes paper from behind.
-pub(in super::super) static PRINTER: Recipe =
-    Recipe::furniture("printer", [0.5, 0.45, 0.4]).every_set(printer);
-
-fn printer(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => scanner_over_tray(builder, form),
-        GeometrySet::Traditional => laser(builder, form),
-        GeometrySet::Industrial => matrix(builder, form),
-        GeometrySet::Budget => rear_fed(builder, form),
-    }
-}
+pub(in super::super) static PRINTER: Recipe = Recipe::furniture("printer", [0.5, 0.45, 0.4])
+    .plain(|draft, builder| scanner_over_tray(builder, draft.form()))
+    .traditional(|draft, builder| laser(builder, draft.form()))
+    .industrial(|draft, builder| matrix(builder, draft.form()))
+    .budget(|draft, builder| rear_fed(builder, draft.form()));
 
 /// Half of the width of paper in a box.
 fn half_paper(bay: Bay) -> f64 {

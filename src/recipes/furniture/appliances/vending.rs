@@ -16,7 +16,7 @@ pub(in super::super) static VENDING_MACHINE: Recipe = Recipe::furniture("vending
     .every_set(vending_machine);
 
 fn vending_machine(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let mut sampler = draft.sampler();
     let bay = builder.bay();
     let feet = bay.with_y([0.0, FOOT + 3.0 * SINK]).inset(0.03, 0.0, 0.03);

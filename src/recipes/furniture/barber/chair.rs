@@ -7,22 +7,16 @@ use crate::recipes::furniture::parts::{across, ball, turned_sideways};
 use crate::recipes::kit::{
     Axis, Bay, Builder, SINK, Station, crowned, cylinder, extrude, lathe, pipe, sheet, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
+use crate::recipes::{Recipe, Slot, Symbol};
 
 /// A padded seat with arms and foot rest on a column: plain with a head rest; round and tufted on a cast base; ribbed pads in
 /// a frame of pipe; a shell on a star.
-pub(in super::super) static BARBER_CHAIR: Recipe =
-    Recipe::furniture("barber_chair", [0.65, 0.95, 1.05]).symbol(Symbol::Chair).every_set(barber_chair);
-
-fn barber_chair(draft: &Draft, builder: &mut Builder) {
-    let slot = draft.sampler().pick(&[Slot::Leather, Slot::Fabric]);
-    match draft.set() {
-        GeometrySet::Plain => plain(builder, slot),
-        GeometrySet::Traditional => tufted(builder),
-        GeometrySet::Industrial => framed(builder),
-        GeometrySet::Budget => shell(builder),
-    }
-}
+pub(in super::super) static BARBER_CHAIR: Recipe = Recipe::furniture("barber_chair", [0.65, 0.95, 1.05])
+    .symbol(Symbol::Chair)
+    .plain(|draft, builder| plain(builder, draft.sampler().pick(&[Slot::Leather, Slot::Fabric])))
+    .traditional(|_, builder| tufted(builder))
+    .industrial(|_, builder| framed(builder))
+    .budget(|_, builder| shell(builder));
 
 fn plain(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();

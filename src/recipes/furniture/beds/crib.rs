@@ -92,8 +92,7 @@ pub(in super::super) static CRIB: Recipe =
 
 fn crib(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let cot =
-        Cot { bay, post: 0.04, bed: bay.height() * LYING - MATTRESS, form: draft.input.look as usize % 4 };
+    let cot = Cot { bay, post: 0.04, bed: bay.height() * LYING - MATTRESS, form: draft.form() };
     match draft.set() {
         GeometrySet::Plain => plain(&cot, builder),
         GeometrySet::Traditional => traditional(&cot, builder),

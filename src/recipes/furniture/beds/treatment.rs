@@ -75,12 +75,8 @@ pub(in super::super) static TREATMENT_BED: Recipe =
 
 fn treatment_bed(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let couch = Couch {
-        bay,
-        lying: bay.height() * LYING,
-        pad: (bay.height() * 0.11).min(0.09),
-        form: draft.input.look as usize % 4,
-    };
+    let couch =
+        Couch { bay, lying: bay.height() * LYING, pad: (bay.height() * 0.11).min(0.09), form: draft.form() };
     match draft.set() {
         GeometrySet::Plain => plain(&couch, builder),
         GeometrySet::Traditional => traditional(&couch, builder),

@@ -67,7 +67,7 @@ fn framed(draft: &Draft, builder: &mut Builder) {
 /// A broad moulding of wood over a shelf on brackets.
 fn wooden(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let slot = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::Wood][draft.input.look as usize % 4];
+    let slot = [Slot::WoodDark, Slot::Wood, Slot::WoodDark, Slot::Wood][draft.form()];
     let shelf = 0.024;
     let board = bay.without(Side::Below, shelf * 1.6).slab(Side::Back, bay.depth() * 0.55);
     let board = board.without(Side::Above, 0.02).without(Side::Back, 0.001).inset(0.014, 0.0, 0.0);

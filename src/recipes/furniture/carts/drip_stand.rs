@@ -13,7 +13,7 @@ pub(in super::super) static DRIP_STAND: Recipe =
     Recipe::furniture("drip_stand", [0.45, 0.45, 1.9]).every_set(drip_stand);
 
 fn drip_stand(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let high = builder.bay().height();
     match draft.set() {
         GeometrySet::Plain => {

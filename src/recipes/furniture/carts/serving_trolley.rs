@@ -12,7 +12,7 @@ use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{
     Bay, Builder, Outline, SINK, Slice, Solid, cuboid, cylinder, lathe, loft, loft_ring, sweep,
 };
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Recipe, Slot};
 
 /// Radius of a turned post as a share of its thickest, at a share of its height.
 const TURNED: [(f64, f64); 7] =
@@ -20,18 +20,11 @@ const TURNED: [(f64, f64); 7] =
 
 /// A trolley with two or three trays: in two bows of tube; on turned legs and two wheels with spokes; of steel pans in
 /// angles; of plastic tubs on thick columns.
-pub(in super::super) static SERVING_TROLLEY: Recipe =
-    Recipe::furniture("serving_trolley", [0.8, 0.5, 0.85]).every_set(serving_trolley);
-
-fn serving_trolley(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => bar_trolley(builder, look),
-        GeometrySet::Traditional => tea_trolley(builder, look),
-        GeometrySet::Industrial => pan_trolley(builder, look),
-        GeometrySet::Budget => tub_trolley(builder, look),
-    }
-}
+pub(in super::super) static SERVING_TROLLEY: Recipe = Recipe::furniture("serving_trolley", [0.8, 0.5, 0.85])
+    .plain(|draft, builder| bar_trolley(builder, draft.form()))
+    .traditional(|draft, builder| tea_trolley(builder, draft.form()))
+    .industrial(|draft, builder| pan_trolley(builder, draft.form()))
+    .budget(|draft, builder| tub_trolley(builder, draft.form()));
 
 /// Thin boards between two bows of tube, which are the handles.
 fn bar_trolley(builder: &mut Builder, look: usize) {

@@ -5,24 +5,17 @@ use glam::DVec3;
 use super::{castors, tool_carts};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Recipe, Slot};
 
 /// Metres by which the lips of drawers stand out.
 const REACH: f64 = 0.018;
 
 /// A chest of drawers of steel; a machinist's chest of wood; an open cart with three trays; boxes of plastic on wheels.
-pub(in super::super) static TOOL_TROLLEY: Recipe =
-    Recipe::furniture("tool_trolley", [0.7, 0.46, 0.95]).every_set(tool_trolley);
-
-fn tool_trolley(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => steel_chest(builder, look),
-        GeometrySet::Traditional => tool_carts::wooden_chest(builder, look),
-        GeometrySet::Industrial => tool_carts::open_cart(builder, look),
-        GeometrySet::Budget => tool_carts::stacked_boxes(builder, look),
-    }
-}
+pub(in super::super) static TOOL_TROLLEY: Recipe = Recipe::furniture("tool_trolley", [0.7, 0.46, 0.95])
+    .plain(|draft, builder| steel_chest(builder, draft.form()))
+    .traditional(|draft, builder| tool_carts::wooden_chest(builder, draft.form()))
+    .industrial(|draft, builder| tool_carts::open_cart(builder, draft.form()))
+    .budget(|draft, builder| tool_carts::stacked_boxes(builder, draft.form()));
 
 /// A chest of drawers on castors, with a push bar.
 fn steel_chest(builder: &mut Builder, look: usize) {

@@ -31,7 +31,7 @@ fn clock(draft: &Draft, builder: &mut Builder) {
         depth: size.depth * scale,
         height: size.height * scale,
     });
-    draw(&mut drawing, draft.set(), draft.input.look as usize % 4);
+    draw(&mut drawing, draft.set(), draft.form());
     for (slot, solid) in drawing.into_parts() {
         builder.add(slot, solid.stretched(stretch / scale));
     }

@@ -19,7 +19,7 @@ type Slots = (Slot, Slot);
 pub(super) static COPIER: Recipe = Recipe::furniture("copier", [0.62, 0.64, 1.05]).every_set(copier);
 
 fn copier(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let slots = [
         (Slot::Plastic, Slot::PlasticDark),
         (Slot::Appliance, Slot::MetalDark),

@@ -24,7 +24,7 @@ pub(super) static FOOTBALL_TABLE: Recipe =
 
 fn football_table(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let set = draft.set();
     // The rods stick out to the players, along z.
     let grips = (bay.depth() * 0.16).min(0.12);

@@ -31,7 +31,7 @@ pub(in super::super) struct Fronts {
 impl Fronts {
     /// Of the set and look that are asked for; some have no handles but a gap to reach into.
     pub(in super::super) fn new(draft: &Draft, front: Slot, handle: Slot, reach: f64) -> Self {
-        let form = draft.input.look as usize % 4;
+        let form = draft.form();
         let has_no_handles =
             matches!((draft.set(), form), (GeometrySet::Plain, 0) | (GeometrySet::Budget, 2));
         Self { set: draft.set(), form, front, handle, reach: if has_no_handles { 0.0 } else { reach } }

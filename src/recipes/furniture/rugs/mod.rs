@@ -46,7 +46,7 @@ fn rug(draft: &Draft, builder: &mut Builder) {
 
 fn lay(draft: &Draft, builder: &mut Builder) {
     let mut sampler = draft.sampler();
-    let form = Form { look: draft.input.look as usize % 4, scale: sampler.between(0.85, 1.15) };
+    let form = Form { look: draft.form(), scale: sampler.between(0.85, 1.15) };
     match draft.set() {
         GeometrySet::Budget => budget::rug(builder, form),
         GeometrySet::Industrial => industrial::rug(builder, form),

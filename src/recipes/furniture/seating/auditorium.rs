@@ -81,7 +81,7 @@ pub(in super::super) static AUDITORIUM_SEAT: Recipe =
 
 fn auditorium_seat(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let seat = Seat { bay, seat: seat_height(bay.height()), form: draft.input.look as usize % 4 };
+    let seat = Seat { bay, seat: seat_height(bay.height()), form: draft.form() };
     match draft.set() {
         GeometrySet::Plain => plain(&seat, builder),
         GeometrySet::Traditional => traditional(&seat, builder),

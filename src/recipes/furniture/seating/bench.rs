@@ -3,7 +3,7 @@
 use super::{depth_slats, seat_height};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{LegKind, leg};
-use crate::recipes::kit::{Builder, SINK};
+use crate::recipes::kit::{Bay, Builder, SINK};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A bench of boards on two trestles, with a back where the box is high enough.
@@ -21,9 +21,16 @@ fn bench(draft: &Draft, builder: &mut Builder) {
         builder.cuboid(Slot::Wood, slat);
     }
     let inset = (bay.width() * 0.12).min(0.2);
-    let form = draft.input.look as usize % 4;
-    let frame = seat.with_y([0.0, seat.low.y + SINK]).inset(inset, 0.0, 0.02);
-    let (slot, kind) = match draft.set() {
+    trestles(builder, legs_of(draft), seat.with_y([0.0, seat.low.y + SINK]).inset(inset, 0.0, 0.02));
+    if has_back {
+        back(builder, inset, seat.y());
+    }
+}
+
+/// Material and kind of a set's legs.
+fn legs_of(draft: &Draft) -> (Slot, LegKind) {
+    let form = draft.form();
+    match draft.set() {
         GeometrySet::Plain => {
             ([Slot::MetalDark, Slot::Wood, Slot::Painted, Slot::Wood][form], LegKind::Tapered)
         }
@@ -36,28 +43,30 @@ fn bench(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Budget => {
             ([Slot::Metal, Slot::Plastic, Slot::Painted, Slot::WoodLight][form], LegKind::Square)
         }
-    };
+    }
+}
+
+/// Two pairs of legs under bars, at the ends of a frame.
+fn trestles(builder: &mut Builder, (slot, kind): (Slot, LegKind), frame: Bay) {
     for side in [Side::Left, Side::Right] {
         let trestle = frame.slab(side, 0.05);
-        builder.cuboid(
-            slot,
-            trestle.slab(Side::Above, 0.04).without(Side::Above, 0.001).inset(0.0015, 0.0, 0.0015),
-        );
+        let bar = trestle.slab(Side::Above, 0.04).without(Side::Above, 0.001);
+        builder.cuboid(slot, bar.inset(0.0015, 0.0, 0.0015));
         for end in [Side::Front, Side::Back] {
             leg(builder, slot, trestle.slab(end, 0.05), kind);
         }
     }
-    if has_back {
-        for side in [Side::Left, Side::Right] {
-            let post = bay.inset(inset, 0.0, 0.0).slab(side, 0.05).slab(Side::Back, 0.025);
-            builder.cuboid(Slot::MetalDark, post.with_y([seat_top - board - 0.05, bay.high.y - 0.02]));
-        }
-        let back = bay
-            .slab(Side::Back, 0.045)
-            .without(Side::Back, 0.025 - SINK)
-            .with_y([seat_top + 0.1, bay.high.y]);
-        for row in back.rows(2, 0.03) {
-            builder.cuboid(Slot::Wood, row);
-        }
+}
+
+/// Two boards on posts behind a seat between two heights.
+fn back(builder: &mut Builder, inset: f64, [seat_low, seat_top]: [f64; 2]) {
+    let bay = builder.bay();
+    for side in [Side::Left, Side::Right] {
+        let post = bay.inset(inset, 0.0, 0.0).slab(side, 0.05).slab(Side::Back, 0.025);
+        builder.cuboid(Slot::MetalDark, post.with_y([seat_low - 0.05, bay.high.y - 0.02]));
+    }
+    let boards = bay.slab(Side::Back, 0.045).without(Side::Back, 0.025 - SINK);
+    for row in boards.with_y([seat_top + 0.1, bay.high.y]).rows(2, 0.03) {
+        builder.cuboid(Slot::Wood, row);
     }
 }

@@ -20,7 +20,7 @@ fn stool(draft: &Draft, builder: &mut Builder) {
         bar_stool(draft.set(), draft.input.look, builder);
         return;
     }
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let radius = bay.width().min(bay.depth()) / 2.0;
     let thickness = [0.05_f64, 0.035, 0.06, 0.03][form].min(bay.height() * 0.2);
     let profile =

@@ -22,7 +22,7 @@ pub(in super::super) static BOOKSHELF: Recipe = Recipe::furniture("bookshelf", [
 
 fn bookshelf(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let open = match draft.set() {
         GeometrySet::Plain => plain_case(
             builder,

@@ -21,7 +21,7 @@ pub(in super::super) static DISPLAY_CASE: Recipe =
     Recipe::furniture("display_case", [1.0, 0.5, 1.6]).symbol(Symbol::Frame).every_set(display_case);
 
 fn display_case(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let inner = match draft.set() {
         GeometrySet::Plain => plain(builder, form),
         GeometrySet::Traditional => traditional(builder, form),

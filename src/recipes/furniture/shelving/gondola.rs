@@ -14,7 +14,7 @@ pub(in super::super) static GONDOLA: Recipe =
 
 fn gondola(draft: &Draft, builder: &mut Builder) {
     let mut sampler = draft.sampler();
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => on_foot(builder, &mut sampler, form),
         GeometrySet::Traditional => crates(builder, &mut sampler, form),

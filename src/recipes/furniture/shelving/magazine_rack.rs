@@ -30,7 +30,7 @@ pub(in super::super) static MAGAZINE_RACK: Recipe =
     Recipe::furniture("magazine_rack", [0.8, 0.35, 1.4]).symbol(Symbol::Shelf).every_set(magazine_rack);
 
 fn magazine_rack(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let (space, rows) = match draft.set() {
         GeometrySet::Plain => plain(builder, form),
         GeometrySet::Traditional => traditional(builder, form),

@@ -20,9 +20,39 @@ pub(in super::super) static SHELF: Recipe =
 fn shelf(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let mut sampler = draft.sampler();
-    let form = draft.input.look as usize % 4;
+    let (set, form) = (draft.set(), draft.form());
     let post = 0.035_f64.min(bay.width() * 0.1).min(bay.depth() * 0.2);
-    let (slot, kind, board) = match draft.set() {
+    let (slot, kind, board) = posts_and_boards(draft);
+    let frame = frame(set, builder, slot);
+    legs_at_corners(builder, slot, frame, post, kind);
+    let count = (bay.height() / [0.42, 0.36, 0.48, 0.4][form]).round().clamp(2.0, 7.0) as u32;
+    let thick = [0.048, 0.04, 0.025, 0.025][set as usize];
+    let boards = if set == GeometrySet::Budget { bay } else { frame.inset(post * 0.22, 0.0, post * 0.22) };
+    let rows = boards.without(Side::Above, 0.02).without(Side::Below, 0.06).rows(count, 0.0);
+    for (index, row) in rows.into_iter().enumerate() {
+        let plate = row.slab(Side::Below, thick);
+        if set == GeometrySet::Budget {
+            tray(builder, board, plate);
+        } else {
+            builder.block(board, plate, 0.003);
+        }
+        let side = frame.low.x - bay.low.x + post;
+        let space = row.without(Side::Below, thick - SINK).inset(side, 0.0, 0.02);
+        if row.height() < 0.12 {
+            continue;
+        }
+        if (index + form).is_multiple_of(3) && set != GeometrySet::Industrial {
+            fill_with_books(builder, &mut sampler, space.without(Side::Back, 0.02), 0.6, 9);
+        } else {
+            fill_with_boxes(builder, &mut sampler, space.without(Side::Above, 0.03));
+        }
+    }
+}
+
+/// Material and kind of the posts, and material of the boards.
+fn posts_and_boards(draft: &Draft) -> (Slot, LegKind, Slot) {
+    let form = draft.form();
+    match draft.set() {
         GeometrySet::Plain => (
             [Slot::Metal, Slot::Painted, Slot::Wood, Slot::MetalDark][form],
             LegKind::Square,
@@ -43,39 +73,14 @@ fn shelf(draft: &Draft, builder: &mut Builder) {
             [LegKind::Round, LegKind::Round, LegKind::Square, LegKind::Round][form],
             [Slot::Plastic, Slot::Laminate, Slot::WoodLight, Slot::PlasticDark][form],
         ),
-    };
-    let frame = frame(draft.set(), builder, slot);
-    legs_at_corners(builder, slot, frame, post, kind);
-    let count = (bay.height() / [0.42, 0.36, 0.48, 0.4][form]).round().clamp(2.0, 7.0) as u32;
-    let thick = match draft.set() {
-        GeometrySet::Plain | GeometrySet::Traditional => 0.025,
-        GeometrySet::Industrial => 0.04,
-        GeometrySet::Budget => 0.048,
-    };
-    let back = if draft.set() == GeometrySet::Budget { 0.0 } else { post * 0.22 };
-    let boards = if draft.set() == GeometrySet::Budget { bay } else { frame }.inset(back, 0.0, back);
-    for (index, row) in
-        boards.without(Side::Above, 0.02).without(Side::Below, 0.06).rows(count, 0.0).into_iter().enumerate()
-    {
-        let plate = row.slab(Side::Below, thick);
-        if draft.set() == GeometrySet::Budget {
-            let (half, middle) = (plate.extent() / 2.0, plate.center());
-            let slice = |y| Slice::new(y, half.x, half.z).softened(0.03);
-            builder.add(board, loft(&Outline::Soft(1), &plate.y().map(slice)).moved(middle.x, 0.0, middle.z));
-        } else {
-            builder.block(board, plate, 0.003);
-        }
-        let side = frame.low.x - bay.low.x + post;
-        let space = row.without(Side::Below, thick - SINK).inset(side, 0.0, 0.02);
-        if row.height() < 0.12 {
-            continue;
-        }
-        if (index + form).is_multiple_of(3) && draft.set() != GeometrySet::Industrial {
-            fill_with_books(builder, &mut sampler, space.without(Side::Back, 0.02), 0.6, 9);
-        } else {
-            fill_with_boxes(builder, &mut sampler, space.without(Side::Above, 0.03));
-        }
     }
+}
+
+/// A moulded board with round corners.
+fn tray(builder: &mut Builder, slot: Slot, plate: Bay) {
+    let (half, middle) = (plate.extent() / 2.0, plate.center());
+    let slice = |y| Slice::new(y, half.x, half.z).softened(0.03);
+    builder.add(slot, loft(&Outline::Soft(1), &plate.y().map(slice)).moved(middle.x, 0.0, middle.z));
 }
 
 /// What a set adds to posts and boards: a moulded board on top, a cross behind and plates under the feet. Gives where the

@@ -39,11 +39,11 @@ fn chest_on_feet(draft: &Draft, builder: &mut Builder, slot: Slot) -> Bay {
     let top = 0.022_f64.min(bay.height() * 0.1);
     let top_slot = if draft.set() == GeometrySet::Industrial { Slot::Wood } else { slot };
     slab_top(builder, top_slot, bay.slab(Side::Above, top), is_traditional);
-    let foot = (bay.height() * 0.22).min([0.06, 0.12, 0.17, 0.09][draft.input.look as usize % 4]);
+    let foot = (bay.height() * 0.22).min([0.06, 0.12, 0.17, 0.09][draft.form()]);
     let overhang = if is_traditional { 0.016 } else { OVERHANG };
     let body = bay.without(Side::Above, top - SINK).inset(overhang, 0.0, 0.0).without(Side::Back, overhang);
     let body = body.without(Side::Front, overhang);
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let (feet, kind) = match draft.set() {
         GeometrySet::Plain => (
             [Slot::Wood, Slot::MetalDark, Slot::Wood, Slot::WoodLight][form],

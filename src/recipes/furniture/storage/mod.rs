@@ -31,7 +31,7 @@ const DOOR: f64 = 0.5;
 
 /// Material of the body of a piece.
 fn body_slot(draft: &Draft) -> Slot {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => [Slot::Painted, Slot::Wood, Slot::Wood, Slot::WoodLight][form],
         GeometrySet::Traditional => [Slot::Wood, Slot::WoodDark, Slot::Painted, Slot::Wood][form],
@@ -41,7 +41,7 @@ fn body_slot(draft: &Draft) -> Slot {
 }
 
 fn fronts(draft: &Draft) -> Fronts {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let (front, handle) = match draft.set() {
         GeometrySet::Plain => (
             [Slot::Painted, Slot::Wood, Slot::Painted, Slot::WoodLight][form],

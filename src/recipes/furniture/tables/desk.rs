@@ -17,7 +17,7 @@ pub(in super::super) static DESK: Recipe =
 
 fn desk(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let top = 0.03_f64.min(bay.height() * 0.2);
     top_board(draft, builder, bay.slab(Side::Above, top));
     let overhang = if draft.is_traditional() { 0.014 } else { OVERHANG };

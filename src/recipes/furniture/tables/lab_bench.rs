@@ -30,7 +30,7 @@ fn lab_bench(draft: &Draft, builder: &mut Builder) {
     let has_shelf = bay.height() > SHELF_FROM;
     let work = if has_shelf { WORK } else { bay.height() };
     let bench = bay.with_y([0.0, work]);
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => plain(builder, bench, form),
         GeometrySet::Traditional => traditional(builder, bench, form),

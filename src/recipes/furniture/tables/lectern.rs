@@ -56,7 +56,7 @@ fn lectern(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let rise = (bay.height() * 0.16).min(bay.depth() * 0.4);
     let desk = Desk { bay, front: bay.high.y - rise };
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => plain(&desk, builder, form),
         GeometrySet::Traditional => traditional(&desk, builder, form),

@@ -15,18 +15,11 @@ use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 const LEG: f64 = 0.05;
 
 /// A low table.
-pub(in super::super) static COFFEE_TABLE: Recipe =
-    Recipe::furniture("coffee_table", [1.1, 0.6, 0.42]).every_set(coffee_table);
-
-fn coffee_table(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
-    match draft.set() {
-        GeometrySet::Plain => plain(draft, builder, form),
-        GeometrySet::Traditional => traditional(draft, builder, form),
-        GeometrySet::Industrial => industrial(draft, builder, form),
-        GeometrySet::Budget => budget(draft, builder, form),
-    }
-}
+pub(in super::super) static COFFEE_TABLE: Recipe = Recipe::furniture("coffee_table", [1.1, 0.6, 0.42])
+    .plain(|draft, builder| plain(draft, builder, draft.form()))
+    .traditional(|draft, builder| traditional(draft, builder, draft.form()))
+    .industrial(|draft, builder| industrial(draft, builder, draft.form()))
+    .budget(|draft, builder| budget(draft, builder, draft.form()));
 
 /// A top of its own thickness and the space under it.
 fn topped(draft: &Draft, builder: &mut Builder, thickness: f64) -> Bay {
@@ -308,7 +301,7 @@ pub(in super::super) static CONSOLE_TABLE: Recipe =
     Recipe::furniture("console_table", [1.1, 0.35, 0.8]).with(&[("knees", 0.0)]).every_set(console_table);
 
 fn console_table(draft: &Draft, builder: &mut Builder) {
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let set = draft.set();
     let under =
         topped(draft, builder, top_of(builder.bay()) * if set == GeometrySet::Budget { 0.6 } else { 1.0 });

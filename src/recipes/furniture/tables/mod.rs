@@ -67,7 +67,7 @@ pub(super) static TABLE: Recipe = Recipe::furniture("table", [1.4, 0.8, 0.74]).e
 
 fn table(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     let top = match (draft.set(), form) {
         (GeometrySet::Budget, 0 | 2) => 0.022,
         (GeometrySet::Plain, 2) => 0.026,

@@ -15,49 +15,41 @@ pub(in super::super) static ROUND_TABLE: Recipe =
 
 fn round_table(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let (half, height) = (bay.extent() / 2.0, bay.height());
-    let form = draft.input.look as usize % 4;
-    let top = match draft.set() {
-        GeometrySet::Budget => top_of(bay) * 0.7,
-        _ => top_of(bay),
-    };
-    let slice = |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back);
+    let half = bay.extent() / 2.0;
+    let top = if draft.set() == GeometrySet::Budget { top_of(bay) * 0.7 } else { top_of(bay) };
+    round_top(draft, builder, top);
+    let foot = Foot { radius: half.x.min(half.z) * 0.5, end: bay.height() - top * 0.5 };
+    match draft.set() {
+        GeometrySet::Plain => plain(&foot, builder, draft.form()),
+        GeometrySet::Traditional => traditional(&foot, builder, draft.form()),
+        GeometrySet::Industrial => industrial(&foot, builder, draft.form()),
+        GeometrySet::Budget => budget(&foot, builder, draft.form()),
+    }
+}
+
+/// A top of a thickness: chamfered, moulded, bound in steel, or a thin board.
+fn round_top(draft: &Draft, builder: &mut Builder, top: f64) {
+    let (half, height, form) = (builder.bay().extent() / 2.0, builder.bay().height(), draft.form());
+    // From the upper side downwards in thicknesses, and metres in from the edge.
+    let slice = |down: f64, back: f64| Slice::new(height - top * down, half.x - back, half.z - back);
     let (slot, slices) = match draft.set() {
-        GeometrySet::Traditional => (
-            Slot::Wood,
-            vec![
-                slice(height - top, 0.015),
-                slice(height - top * 0.5, 0.0),
-                slice(height - top * 0.2, 0.0),
-                slice(height, 0.006),
-            ],
-        ),
-        GeometrySet::Plain if form == 2 => (
-            Slot::Stone,
-            vec![slice(height - top * 0.6, 0.03), slice(height - top * 0.25, 0.0), slice(height, 0.002)],
-        ),
+        GeometrySet::Traditional => {
+            (Slot::Wood, vec![slice(1.0, 0.015), slice(0.5, 0.0), slice(0.2, 0.0), slice(0.0, 0.006)])
+        }
+        GeometrySet::Plain if form == 2 => {
+            (Slot::Stone, vec![slice(0.6, 0.03), slice(0.25, 0.0), slice(0.0, 0.002)])
+        }
         GeometrySet::Budget => (
             [Slot::Laminate, Slot::Plastic, Slot::Laminate, Slot::WoodLight][form],
-            vec![slice(height - top, 0.002), slice(height - top * 0.75, 0.0), slice(height, 0.0)],
+            vec![slice(1.0, 0.002), slice(0.75, 0.0), slice(0.0, 0.0)],
         ),
-        _ => {
-            (Slot::Wood, vec![slice(height - top, 0.004), slice(height - top * 0.7, 0.0), slice(height, 0.0)])
-        }
+        _ => (Slot::Wood, vec![slice(1.0, 0.004), slice(0.7, 0.0), slice(0.0, 0.0)]),
     };
     builder.add(slot, loft(&Outline::Round(28), &slices));
-    if draft.set() == GeometrySet::Industrial {
-        let band = [slice(height - top * 0.9, -0.0), slice(height - top * 0.25, -0.0)]
-            .map(|slice| Slice { half: slice.half * 1.003, ..slice });
-        if form.is_multiple_of(2) {
-            builder.add(Slot::MetalDark, loft(&Outline::Round(28), &band));
-        }
-    }
-    let foot = Foot { radius: half.x.min(half.z) * 0.5, end: height - top * 0.5 };
-    match draft.set() {
-        GeometrySet::Plain => plain(&foot, builder, form),
-        GeometrySet::Traditional => traditional(&foot, builder, form),
-        GeometrySet::Industrial => industrial(&foot, builder, form),
-        GeometrySet::Budget => budget(&foot, builder, form),
+    if draft.set() == GeometrySet::Industrial && form.is_multiple_of(2) {
+        let band = [slice(0.9, 0.0), slice(0.25, 0.0)];
+        let band = band.map(|slice| Slice { half: slice.half * 1.003, ..slice });
+        builder.add(Slot::MetalDark, loft(&Outline::Round(28), &band));
     }
 }
 

@@ -9,17 +9,25 @@ use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A tray: with a soft rim; an oval one with two bows; a crate of boards with slots to reach through; one of plastic with a
 /// broad lip.
-pub(in super::super) static TRAY: Recipe = Recipe::accessory("tray", [0.4, 0.3, 0.04]).every_set(tray);
-
-fn tray(draft: &Draft, builder: &mut Builder) {
-    let slot = draft.sampler().pick(&[Slot::Wood, Slot::Metal, Slot::PlasticDark]);
-    match draft.set() {
-        GeometrySet::Plain => builder.add(slot, soft_tray(builder.bay())),
-        GeometrySet::Traditional => oval_tray(builder, slot),
-        GeometrySet::Industrial => crate_of_boards(builder, slot),
-        GeometrySet::Budget => builder.add(slot, lipped_tray(builder.bay())),
-    }
-}
+pub(in super::super) static TRAY: Recipe = Recipe::accessory("tray", [0.4, 0.3, 0.04])
+    .plain(|draft, builder| {
+        builder.add(
+            draft.sampler().pick(&[Slot::Wood, Slot::Metal, Slot::PlasticDark]),
+            soft_tray(builder.bay()),
+        )
+    })
+    .traditional(|draft, builder| {
+        oval_tray(builder, draft.sampler().pick(&[Slot::Wood, Slot::Metal, Slot::PlasticDark]))
+    })
+    .industrial(|draft, builder| {
+        crate_of_boards(builder, draft.sampler().pick(&[Slot::Wood, Slot::Metal, Slot::PlasticDark]))
+    })
+    .budget(|draft, builder| {
+        builder.add(
+            draft.sampler().pick(&[Slot::Wood, Slot::Metal, Slot::PlasticDark]),
+            lipped_tray(builder.bay()),
+        )
+    });
 
 /// Metres of the walls of a tray.
 fn wall(bay: Bay) -> f64 {
@@ -97,7 +105,7 @@ pub(in super::super) static BASKET: Recipe = Recipe::accessory("basket", [0.35, 
 
 fn basket(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let grip = bay.height() * 0.18;
     let body = bay.without(Side::Above, grip);
     let slot = match draft.set() {

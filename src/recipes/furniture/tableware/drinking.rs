@@ -12,7 +12,7 @@ pub(in super::super) static GLASS: Recipe = Recipe::accessory("glass", [0.07, 0.
 
 fn glass(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     if bay.height() > bay.width() * 2.2 || (draft.is_traditional() && bay.height() > bay.width() * 1.6) {
         let stem = [
             (0.0, 0.8),
@@ -81,7 +81,7 @@ pub(in super::super) static BOTTLE: Recipe = Recipe::accessory("bottle", [0.08, 
 
 fn bottle(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let body = flask(draft.set(), look);
     // A label stands out a little.
     let body = body.map(|(share, shrink)| (share, shrink * if look == 3 { 1.0 } else { 0.984 }));
@@ -139,7 +139,7 @@ pub(in super::super) static CUP: Recipe = Recipe::accessory("cup", [0.1, 0.08, 0
 
 fn cup(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let handle = (bay.width() * 0.22).min(0.03);
     let body = bay.without(Side::Right, handle);
     let profile = mug(draft.set(), look);

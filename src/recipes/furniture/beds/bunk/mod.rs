@@ -23,7 +23,7 @@ pub(in super::super) static BUNK_BED: Recipe =
 
 fn bunk_bed(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let near = bay.high.z - bay.depth() * 0.06;
     let bunk = Bunk {
         bay,

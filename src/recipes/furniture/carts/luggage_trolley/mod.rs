@@ -17,7 +17,7 @@ pub(in super::super) static LUGGAGE_TROLLEY: Recipe =
     Recipe::furniture("luggage_trolley", [0.6, 1.0, 1.0]).every_set(luggage_trolley);
 
 fn luggage_trolley(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let floor = match draft.set() {
         GeometrySet::Plain => airport::trolley(builder, look),
         GeometrySet::Traditional => birdcage(builder),

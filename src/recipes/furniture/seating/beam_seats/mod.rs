@@ -28,7 +28,7 @@ fn beam_seats(draft: &Draft, builder: &mut Builder) {
         bay,
         count: draft.count_along("seats", (bay.width(), PERSON), 8).min(8),
         seat: seat_height(bay.height()),
-        look: draft.input.look as usize % 4,
+        look: draft.form(),
     };
     match draft.set() {
         GeometrySet::Plain => plain::build(&row, builder),

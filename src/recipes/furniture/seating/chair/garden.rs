@@ -16,7 +16,7 @@ pub(in super::super::super) static GARDEN_CHAIR: Recipe =
 
 fn garden_chair(draft: &Draft, builder: &mut Builder) {
     let chair = Chair::new(builder);
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => sling(&chair, builder, form),
         GeometrySet::Traditional if form.is_multiple_of(2) => wrought_iron(&chair, builder, form),

@@ -127,5 +127,5 @@ fn chair(draft: &Draft, builder: &mut Builder) {
         ],
         GeometrySet::Budget => [budget::plastic_shell, budget::stacking, budget::monobloc, budget::folding],
     };
-    forms[draft.input.look as usize % 4](&chair, builder);
+    forms[draft.form()](&chair, builder);
 }

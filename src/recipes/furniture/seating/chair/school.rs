@@ -20,7 +20,7 @@ pub(in super::super::super) static SCHOOL_CHAIR: Recipe =
 
 fn school_chair(draft: &Draft, builder: &mut Builder) {
     let chair = Chair::new(builder);
-    let form = draft.input.look as usize % 4;
+    let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => skid(&chair, builder, form),
         GeometrySet::Traditional => wooden(&chair, builder, form),

@@ -18,7 +18,7 @@ pub(in super::super) static LOUNGER: Recipe =
     Recipe::furniture("lounger", [1.9, 0.66, 0.4]).symbol(Symbol::Bed).every_set(lounger);
 
 fn lounger(draft: &Draft, builder: &mut Builder) {
-    let look = draft.input.look as usize % 4;
+    let look = draft.form();
     let lounger = Lounger::new(builder.bay());
     match draft.set() {
         GeometrySet::Plain => padded::build(&lounger, builder, look),

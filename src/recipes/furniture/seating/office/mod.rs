@@ -178,7 +178,7 @@ fn office_chair(draft: &Draft, builder: &mut Builder) {
         }
         GeometrySet::Budget => [budget::typist, budget::loop_arms, budget::plastic_shell, budget::two_pads],
     };
-    forms[draft.input.look as usize % 4](&chair, builder);
+    forms[draft.form()](&chair, builder);
 }
 
 /// A flat bar between two points, as wide along x as given.
