@@ -158,26 +158,6 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-impl miette::Diagnostic for Fault {
-    fn severity(&self) -> Option<miette::Severity> {
-        Some(if self.is_error() { miette::Severity::Error } else { miette::Severity::Warning })
-    }
-
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.hint.as_ref().map(|hint| Box::new(hint) as Box<dyn fmt::Display>)
-    }
-
-    fn source_code(&self) -> Option<&dyn miette::SourceCode> {
-        self.line.as_ref().map(|line| line as &dyn miette::SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = miette::LabeledSpan> + '_>> {
-        let (line, (_, column)) = (self.line.as_ref()?, self.position?);
-        let before: usize = line.chars().take(caret_column(line, column) - 1).map(char::len_utf8).sum();
-        Some(Box::new(std::iter::once(miette::LabeledSpan::at_offset(before, "here"))))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -208,11 +188,5 @@ mod tests {
             Fault::of_file(Path::new("a.yaml"), "odd").as_warning().to_string(),
             "a.yaml: warning: odd"
         );
-    }
-
-    #[test]
-    fn diagnostics_label_the_column() {
-        let labels: Vec<_> = miette::Diagnostic::labels(&sample()).unwrap().collect();
-        assert_eq!(labels[0].offset(), 12);
     }
 }

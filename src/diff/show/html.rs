@@ -1,13 +1,13 @@
 //! A report as one HTML page without scripts and without other files.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::lines::{Line, lines};
 use super::{counted, kinds, name, sentence, sign};
 use crate::diff::picture::RoomPictures;
 use crate::diff::report::{LevelDiff, Presence, Report, RoomDiff};
-use crate::document::xml_text;
 use crate::draw::MarkKind;
 
 /// How much a page shows.
@@ -43,107 +43,113 @@ pub fn html(
     pictures: &BTreeMap<(String, String, String), RoomPictures>,
     limits: HtmlLimits,
 ) -> String {
-    let mut page = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<title>Furniture: what changed</title>\n\
-         <style>\n{STYLE}\n</style>\n</head>\n<body>\n<h1>Furniture: what changed</h1>\n\
-         <p><code>{}</code> → <code>{}</code></p>\n<p>{}</p>\n",
-        xml_text(&report.old),
-        xml_text(&report.new),
-        xml_text(&sentence(report))
-    );
-    push_counts(&mut page, report);
-    push_troubles(&mut page, report);
-    push_levels(&mut page, report, limits);
-    push_legend(&mut page);
-    push_rooms(&mut page, report, pictures, limits.rooms);
-    let _ = write!(
-        page,
-        "<hr>\n<p>{}, structure {}; moved from {} m, turned from {}°.</p>\n</body>\n</html>\n",
-        xml_text(&report.program),
-        report.diff,
-        report.tolerance.metres,
-        report.tolerance.degrees
-    );
-    page
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width";
+                title { "Furniture: what changed" }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                h1 { "Furniture: what changed" }
+                p { code { (report.old) } " → " code { (report.new) } }
+                p { (sentence(report)) }
+                (counts(report))
+                (troubles(report))
+                (levels(report, limits))
+                (legend())
+                (rooms(report, pictures, limits.rooms))
+                hr;
+                p {
+                    (report.program) ", structure " (report.diff) "; moved from " (report.tolerance.metres) " m, turned from "
+                    (report.tolerance.degrees) "°."
+                }
+            }
+        }
+    };
+    page.into_string()
 }
 
-fn push_counts(page: &mut String, report: &Report) {
-    if report.summary.changes.is_empty() {
-        return;
+fn counts(report: &Report) -> Markup {
+    html! {
+        @if !report.summary.changes.is_empty() {
+            table {
+                tr { @for (kind, _) in kinds(report) { th { (kind) } } }
+                tr { @for (_, count) in kinds(report) { td.count { (count) } } }
+            }
+        }
     }
-    let heads: String = kinds(report).map(|(kind, _)| format!("<th>{kind}</th>")).collect();
-    let counts: String =
-        kinds(report).map(|(_, count)| format!("<td class=\"count\">{count}</td>")).collect();
-    let _ = writeln!(page, "<table>\n<tr>{heads}</tr>\n<tr>{counts}</tr>\n</table>");
 }
 
-fn push_troubles(page: &mut String, report: &Report) {
-    for trouble in &report.troubles {
-        let hint =
-            trouble.hint.as_ref().map_or_else(String::new, |hint| format!("<br>hint: {}", xml_text(hint)));
-        let (file, message) = (xml_text(&trouble.file), xml_text(&trouble.message));
-        let _ = writeln!(page, "<p class=\"bad\">Cannot be read: <code>{file}</code>: {message}{hint}</p>");
-    }
-    for (path, state) in &report.shared {
-        let _ = writeln!(page, "<p>{} shared file <code>{}</code></p>", sign(*state), xml_text(path));
+fn troubles(report: &Report) -> Markup {
+    html! {
+        @for trouble in &report.troubles {
+            p.bad {
+                "Cannot be read: " code { (trouble.file) } ": " (trouble.message)
+                @if let Some(hint) = &trouble.hint { br; "hint: " (hint) }
+            }
+        }
+        @for (path, state) in &report.shared {
+            p { (sign(*state)) " shared file " code { (path) } }
+        }
     }
 }
 
 /// A table of all levels, with links to their rooms below.
-fn push_levels(page: &mut String, report: &Report, limits: HtmlLimits) {
-    if report.levels.is_empty() {
-        return;
-    }
-    page.push_str("<table>\n<tr><th></th><th>level</th><th>rooms</th><th>changes</th></tr>\n");
+fn levels(report: &Report, limits: HtmlLimits) -> Markup {
     let below = shown_rooms(report, limits.rooms).len();
-    for (index, level) in report.levels.iter().take(limits.levels).enumerate() {
-        let title = xml_text(&name(level));
-        let title = if index < below { format!("<a href=\"#level-{index}\">{title}</a>") } else { title };
-        let changes = level.all_changes().count();
-        let _ = writeln!(
-            page,
-            "<tr><td class=\"{}\">{}</td><td>{title}</td><td class=\"count\">{}</td>\
-             <td class=\"count\">{changes}</td></tr>",
-            class_of(sign(level.state)),
-            sign(level.state),
-            level.rooms.len()
-        );
+    html! {
+        @if !report.levels.is_empty() {
+            table {
+                tr { th {} th { "level" } th { "rooms" } th { "changes" } }
+                @for (index, level) in report.levels.iter().take(limits.levels).enumerate() {
+                    tr {
+                        td class=(class_of(sign(level.state))) { (sign(level.state)) }
+                        td {
+                            @if index < below { a href={ "#level-" (index) } { (name(level)) } } @else { (name(level)) }
+                        }
+                        td.count { (level.rooms.len()) }
+                        td.count { (level.all_changes().count()) }
+                    }
+                }
+            }
+            (left_out(report.levels.len(), limits.levels, "level"))
+        }
     }
-    page.push_str("</table>\n");
-    push_left_out(page, report.levels.len(), limits.levels, "level");
 }
 
-fn push_legend(page: &mut String) {
+fn legend() -> Markup {
     let kinds =
         [(MarkKind::Added, "added"), (MarkKind::Removed, "removed"), (MarkKind::Changed, "moved or changed")];
-    let items = kinds.map(|(kind, word)| {
-        format!(
-            "<span class=\"swatch\" style=\"border-color:{0};background:{0}33\"></span>{word}",
-            kind.color()
-        )
-    });
-    let _ = writeln!(page, "<p>Before on the left, after on the right; {}</p>", items.concat());
+    html! {
+        p {
+            "Before on the left, after on the right; "
+            @for (kind, word) in kinds {
+                span.swatch style={ "border-color:" (kind.color()) ";background:" (kind.color()) "33" } {} (word)
+            }
+        }
+    }
 }
 
-fn push_rooms(
-    page: &mut String,
+fn rooms(
     report: &Report,
     pictures: &BTreeMap<(String, String, String), RoomPictures>,
     most: usize,
-) {
-    for (index, (level, shown)) in report.levels.iter().zip(shown_rooms(report, most)).enumerate() {
-        let _ = writeln!(page, "<h2 id=\"level-{index}\">{}</h2>", xml_text(&name(level)));
-        if level.state == Presence::Unreadable {
-            page.push_str("<p class=\"bad\">Cannot be compared.</p>\n");
+) -> Markup {
+    let picture = |level: &LevelDiff, room: &RoomDiff| {
+        pictures.get(&(level.building.clone(), level.level.clone(), room.room.clone()))
+    };
+    html! {
+        @for (index, (level, shown)) in report.levels.iter().zip(shown_rooms(report, most)).enumerate() {
+            h2 id={ "level-" (index) } { (name(level)) }
+            @if level.state == Presence::Unreadable { p.bad { "Cannot be compared." } }
+            (list(&lines(&level.changes)))
+            @for room in level.rooms.iter().take(shown) { (room_section(room, picture(level, room))) }
         }
-        push_lines(page, &lines(&level.changes));
-        for room in level.rooms.iter().take(shown) {
-            let key = (level.building.clone(), level.level.clone(), room.room.clone());
-            push_room(page, room, pictures.get(&key));
-        }
+        (left_out(rooms_of(report), most, "room"))
     }
-    push_left_out(page, rooms_of(report), most, "room");
 }
 
 /// How many rooms a page shows of each level, for as many levels as it shows. A level without rooms takes the place of
@@ -165,39 +171,40 @@ fn rooms_of(report: &Report) -> usize {
     report.levels.iter().map(|level: &LevelDiff| level.rooms.len().max(1)).sum()
 }
 
-fn push_room(page: &mut String, room: &RoomDiff, pictures: Option<&RoomPictures>) {
-    let (id, room_type) = (xml_text(&room.room), xml_text(&room.room_type));
-    let class = class_of(sign(room.state));
-    let _ = writeln!(
-        page,
-        "<h3><span class=\"{class}\">{}</span> {id} <small>({room_type})</small></h3>",
-        sign(room.state)
-    );
-    push_lines(page, &lines(&room.changes));
-    let Some(RoomPictures { old, new, .. }) = pictures else { return };
-    let side = |svg: &Option<String>| match svg {
-        Some(svg) => format!("<div>{svg}</div>"),
-        None => "<div><p>not there</p></div>".to_owned(),
-    };
-    let _ = writeln!(page, "<div class=\"pair\">{}{}</div>", side(old), side(new));
+fn room_section(room: &RoomDiff, pictures: Option<&RoomPictures>) -> Markup {
+    html! {
+        h3 {
+            span class=(class_of(sign(room.state))) { (sign(room.state)) } " " (room.room) " "
+            small { "(" (room.room_type) ")" }
+        }
+        (list(&lines(&room.changes)))
+        @if let Some(RoomPictures { old, new, .. }) = pictures {
+            div.pair { (side(old.as_deref())) (side(new.as_deref())) }
+        }
+    }
 }
 
-fn push_lines(page: &mut String, lines: &[Line]) {
-    if lines.is_empty() {
-        return;
+/// The drawings are SVG of our own, whose texts are escaped where they are drawn.
+fn side(svg: Option<&str>) -> Markup {
+    html! {
+        div { @if let Some(svg) = svg { (PreEscaped(svg)) } @else { p { "not there" } } }
     }
-    page.push_str("<ul>\n");
-    for Line { sign, subject, text } in lines {
-        let subject =
-            if subject.is_empty() { String::new() } else { format!("<code>{}</code> ", xml_text(subject)) };
-        let _ = writeln!(
-            page,
-            "<li><span class=\"{}\">{sign}</span> {subject}{}</li>",
-            class_of(sign),
-            xml_text(text)
-        );
+}
+
+fn list(lines: &[Line]) -> Markup {
+    html! {
+        @if !lines.is_empty() {
+            ul {
+                @for Line { sign, subject, text } in lines {
+                    li {
+                        span class=(class_of(sign)) { (sign) } " "
+                        @if !subject.is_empty() { code { (subject) } " " }
+                        (text)
+                    }
+                }
+            }
+        }
     }
-    page.push_str("</ul>\n");
 }
 
 fn class_of(sign: &str) -> &'static str {
@@ -209,9 +216,11 @@ fn class_of(sign: &str) -> &'static str {
     }
 }
 
-fn push_left_out(page: &mut String, count: usize, most: usize, what: &str) {
-    if let Some(more) = count.checked_sub(most).filter(|&more| more > 0) {
-        let more = counted(more as u64, &format!("more {what}"));
-        let _ = writeln!(page, "<p>… and {more} left out; the JSON report has them all.</p>");
+fn left_out(count: usize, most: usize, what: &str) -> Markup {
+    let more = count.saturating_sub(most);
+    html! {
+        @if more > 0 {
+            p { "… and " (counted(more as u64, &format!("more {what}"))) " left out; the JSON report has them all." }
+        }
     }
 }
