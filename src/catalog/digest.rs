@@ -10,7 +10,7 @@ use super::report::Report;
 use super::{Class, ModelSource};
 use crate::disk::read_regular;
 use crate::document::Fault;
-use crate::model::{MODEL_BYTES_LIMIT, companion_files};
+use crate::model_file::{MODEL_BYTES_LIMIT, companion_files};
 
 /// Adds the model files of all classes, sorted by class id, with the buffers and images that they refer to.
 /// Only names and bytes count, not where the folders stand.

@@ -47,7 +47,7 @@ pub(crate) use file::{ClassFile, PaletteFile, RoomFile, StyleFile, WordsFile};
 pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub(crate) use load::load_catalog_so_far;
-pub use palette::{Material, Palette, SURFACES};
+pub use palette::{Palette, SURFACES};
 pub(crate) use resolve::{srgb_encoded, srgb_linear};
 pub use shape::{Extent, PrismRule, Shape};
 pub use style::{Access, Count, Dado, Era, Finish, Plausible, Request, RoomType, Style, Untidiness, WEALTH};
@@ -55,6 +55,7 @@ pub(crate) use variety::KINDS;
 pub use variety::{SHAPES, Variety};
 
 pub use crate::geometry::{Side, Size};
+pub use crate::mesh::Material;
 use crate::plan::RoomWords;
 
 /// Everything that configuration says about furniture and rooms.

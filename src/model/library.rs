@@ -2,12 +2,13 @@
 
 use std::sync::{Arc, OnceLock};
 
+use super::reduce::reduced;
 use super::stand_in::stand_in;
-use super::user::{UserModels, reduced};
 use super::{Detail, Model};
 use crate::cache::Cache;
 use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Shape, Size};
 use crate::document::Faults;
+use crate::model_file::UserModels;
 use crate::recipes::{GeometrySet, Mesh, Recipe, RecipeInput};
 
 /// The models of all classes, variants and geometry sets; built when first asked for and then shared.
@@ -283,7 +284,7 @@ mod tests {
     #[test]
     fn users_models_have_levels_of_detail_too() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/stool.glb");
-        let size = crate::model::model_file_size(&path, 0.0).unwrap();
+        let size = crate::model_file::model_file_size(&path, 0.0).unwrap();
         let model = ModelSource::File { path, turn: 0.0 };
         let class = Class { model, ..Class::plain("stool", vec![size], find("stool").unwrap()) };
         let library = ModelLibrary::load(&Catalog { classes: vec![class], ..Catalog::default() }).unwrap();

@@ -8,16 +8,14 @@
 mod agreement;
 mod detail;
 mod library;
-mod mesh;
+mod reduce;
 mod stand_in;
 mod swatches;
-mod user;
 
-pub use detail::Detail;
-pub use library::ModelLibrary;
-pub use mesh::{
+pub use crate::mesh::{
     Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
 };
+pub use detail::Detail;
+pub use library::ModelLibrary;
 pub(crate) use swatches::SWATCHES_PER_SIDE;
 pub use swatches::SwatchedModels;
-pub(crate) use user::{MODEL_BYTES_LIMIT, companion_files, model_file_size, unchecked_document};

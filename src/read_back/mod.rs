@@ -70,7 +70,7 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, Fault> {
 /// As [`read_level`].
 pub fn parse_level(file: &Path, bytes: &[u8], catalog: &Catalog) -> Result<ReadLevel, Fault> {
     // The nodes, each with its place and what it says about itself.
-    let document = crate::model::unchecked_document(file, bytes)?;
+    let document = crate::model_file::unchecked_document(file, bytes)?;
     let (nodes, mut problems) = tree::nodes(&document);
     // The empty level, then what stands in it.
     let read = level::read(&nodes, &mut problems).map_err(|problem| problem.in_file(file))?;
@@ -84,7 +84,7 @@ pub fn parse_level(file: &Path, bytes: &[u8], catalog: &Catalog) -> Result<ReadL
 /// # Errors
 /// If it is no glTF or has no level in it.
 pub fn parse_inventory(file: &Path, bytes: &[u8]) -> Result<(Inventory, Faults), Fault> {
-    let document = crate::model::unchecked_document(file, bytes)?;
+    let document = crate::model_file::unchecked_document(file, bytes)?;
     let (nodes, mut problems) = tree::nodes(&document);
     let read = inventory::read(&document, &nodes, &mut problems).map_err(|problem| problem.in_file(file))?;
     Ok((read, Faults(problems.into_iter().map(|problem| problem.in_file(file)).collect())))
@@ -95,7 +95,7 @@ pub fn parse_inventory(file: &Path, bytes: &[u8]) -> Result<(Inventory, Faults),
 /// # Errors
 /// If it is no glTF, has no level in it, or has lost its nodes to instancing.
 pub fn parse_survey(file: &Path, bytes: &[u8]) -> Result<Survey, Fault> {
-    let document = crate::model::unchecked_document(file, bytes)?;
+    let document = crate::model_file::unchecked_document(file, bytes)?;
     if document.extensions_used.iter().any(|extension| extension == "EXT_mesh_gpu_instancing") {
         let fault = Fault::of_file(file, "holds furniture as GPU instances, which have no names");
         return Err(fault.with_hint("export it without \"GPU Instances\""));

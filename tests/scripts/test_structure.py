@@ -47,6 +47,12 @@ def test_recipes_use_nothing_of_the_program_but_geometry(graph):
     assert {other[:1] for used in of_recipes for other in used} <= {("recipes",), ("geometry",)}
 
 
+@pytest.mark.parametrize("user", ["model", "scene", "draw", "layout"])
+def test_the_catalogue_uses_nothing_of_what_uses_it(graph, user):
+    of_catalog = [(module, used) for module, used in graph.uses.items() if module[:1] == ("catalog",)]
+    assert not [module for module, used in of_catalog for other in used if other[:1] == (user,)]
+
+
 def test_use_trees_name_all_their_paths():
     paths = ["super::a::self", "super::a::b", "super::a::d::e", "super::a::d::f"]
     assert expand("super::a::{self, b as c, d::{e, f}}") == paths

@@ -8,7 +8,7 @@ use crate::catalog::file::{ClassEntry, ModelEntry, ModelFields};
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::{Chain, Found};
-use crate::model::model_file_size;
+use crate::model_file::model_file_size;
 
 /// Sizes are kept to a tenth of a millimetre, whatever the arithmetic of the model's file gives.
 const STEPS_PER_METRE: f64 = 10_000.0;

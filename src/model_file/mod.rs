@@ -12,7 +12,6 @@ mod geometry;
 mod laying;
 mod material;
 mod problem;
-mod reduce;
 mod resource;
 #[cfg(test)]
 mod tests;
@@ -21,16 +20,15 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 pub(crate) use container::{companion_files, unchecked_document};
-pub(super) use reduce::reduced;
 pub(crate) use resource::MODEL_BYTES_LIMIT;
 
-use super::Model;
-use crate::catalog::Size;
 use crate::document::Faults;
+use crate::geometry::Size;
+use crate::mesh::Model;
 
 /// A user's model, read and turned, before it is fitted to a box.
 #[derive(Clone, Debug)]
-pub(super) struct UserModel {
+pub(crate) struct UserModel {
     path: PathBuf,
     model: Model,
 }
@@ -40,7 +38,7 @@ impl UserModel {
     ///
     /// # Errors
     /// A file that cannot be read, is no valid glTF 2.0, uses what is not read here, or is too large.
-    pub(super) fn read(path: &Path, turn: f64) -> Result<Self, Faults> {
+    pub(crate) fn read(path: &Path, turn: f64) -> Result<Self, Faults> {
         let model = read_model(path, turn).map_err(|problem| problem.in_file(path))?;
         Ok(Self { path: path.to_owned(), model })
     }
@@ -49,14 +47,14 @@ impl UserModel {
     ///
     /// # Errors
     /// Proportions that differ by more than a quarter.
-    pub(super) fn fitted(&self, class: &str, size: Size) -> Result<Model, Faults> {
+    pub(crate) fn fitted(&self, class: &str, size: Size) -> Result<Model, Faults> {
         fit::fit(&self.model, class, size).map_err(|problem| problem.in_file(&self.path).into())
     }
 }
 
 /// The models of files, each file read once in each turn, however many classes name it.
 #[derive(Debug, Default)]
-pub(super) struct UserModels {
+pub(crate) struct UserModels {
     /// By path and turn, whose bits are compared.
     read: BTreeMap<(PathBuf, u64), Result<UserModel, Faults>>,
 }
@@ -66,7 +64,7 @@ impl UserModels {
     ///
     /// # Errors
     /// Those of [`UserModel::read`], each time.
-    pub(super) fn read(&mut self, path: &Path, turn: f64) -> Result<&UserModel, Faults> {
+    pub(crate) fn read(&mut self, path: &Path, turn: f64) -> Result<&UserModel, Faults> {
         let read = self.read.entry((path.to_owned(), turn.to_bits()));
         read.or_insert_with(|| UserModel::read(path, turn)).as_ref().map_err(Clone::clone)
     }

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use super::{Draft, read_bytes, size, textured};
-use crate::model::user::UserModel;
+use crate::model_file::UserModel;
 
 #[test]
 fn what_is_not_read_is_named_with_its_remedy() {

@@ -13,8 +13,7 @@ use super::accessor::Numbers;
 use super::container::Container;
 use super::laying::{Laying, Layings};
 use super::problem::Problem;
-use crate::catalog::Material;
-use crate::model::{Image, OwnMaterial, Texture, TextureSampler, TextureUse, Transparency};
+use crate::mesh::{Image, Material, OwnMaterial, Texture, TextureSampler, TextureUse, Transparency};
 
 /// The format's own cutoff where the file names none.
 const DEFAULT_CUTOFF: f32 = 0.5;

@@ -11,7 +11,7 @@ use super::accessor::Numbers;
 use super::laying::Laying;
 use super::material::ReadMaterial;
 use super::problem::Problem;
-use crate::model::{Model, ModelMaterial, Primitive};
+use crate::mesh::{Model, ModelMaterial, Primitive};
 
 /// The most triangles of one model. A piece stands in thousands of rooms; more than this belongs into a renderer's
 /// close-up, not into a city.

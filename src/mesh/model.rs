@@ -5,7 +5,7 @@ use std::sync::Arc;
 use gltf_json::texture::{MagFilter, MinFilter, WrappingMode};
 use serde::{Deserialize, Serialize};
 
-use crate::catalog::Material;
+use super::material::Material;
 use crate::recipes::{Mesh, MeshPart, Slot};
 
 /// The look of one variant of a class.

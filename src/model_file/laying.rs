@@ -4,7 +4,7 @@
 
 use serde::Deserialize;
 
-use crate::model::TextureUse;
+use crate::mesh::TextureUse;
 
 /// The farthest that coordinates may lead from the image, in images; beyond it single precision has no detail left.
 const FARTHEST: f32 = 1e5;

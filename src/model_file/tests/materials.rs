@@ -4,8 +4,8 @@ use gltf::json::texture::{MinFilter, WrappingMode};
 use serde_json::json;
 
 use super::{Draft, PNG, own_material, textured};
-use crate::model::user::UserModel;
-use crate::model::{TextureSampler, TextureUse, Transparency};
+use crate::mesh::{TextureSampler, TextureUse, Transparency};
+use crate::model_file::UserModel;
 
 #[test]
 fn materials_come_along_with_their_images() {

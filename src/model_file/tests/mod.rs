@@ -10,9 +10,9 @@ use glam::Vec3;
 use serde_json::{Value, json};
 
 use super::UserModel;
-use crate::catalog::Size;
 use crate::document::Faults;
-use crate::model::{Model, ModelMaterial, OwnMaterial};
+use crate::geometry::Size;
+use crate::mesh::{Model, ModelMaterial, OwnMaterial};
 use crate::recipes::{GeometrySet, RecipeInput, find};
 
 /// The smallest PNG there is: its signature and nothing after it, for nothing here decodes it.

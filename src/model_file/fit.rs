@@ -3,8 +3,8 @@
 use glam::Vec3;
 
 use super::problem::Problem;
-use crate::catalog::Size;
-use crate::model::Model;
+use crate::geometry::Size;
+use crate::mesh::Model;
 
 /// How much more one axis may be stretched than another: a model whose proportions differ from the box by more would
 /// look wrong, and is more likely turned or named wrongly.
