@@ -20,7 +20,7 @@ use crate::batch::{
     record_plans,
 };
 use crate::cache::Cache;
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, counted};
 use crate::edits::distinct_misfits;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
@@ -260,11 +260,12 @@ fn announcement(run: &Run) -> String {
     let levels: usize = sources.plan.buildings.iter().map(|placed| placed.building.levels.len()).sum();
     let what = if run.is_demo { "the built-in demo: " } else { "" };
     format!(
-        "Baking {what}{levels} levels of {} buildings into {} (seed {}, {} threads).",
-        sources.plan.buildings.len(),
+        "Baking {what}{} of {} into {} (seed {}, {}).",
+        counted(levels, "level"),
+        counted(sources.plan.buildings.len(), "building"),
         out.display(),
         options.floor.seed,
-        options.threads,
+        counted(options.threads, "thread"),
     )
 }
 

@@ -6,7 +6,7 @@ use super::exit::Outcome;
 use super::room_styles::check_room_styles;
 use super::screen::Screen;
 use super::sources::{run_style, survey_sources};
-use crate::document::Faults;
+use crate::document::{Faults, counted};
 use crate::project::Project;
 
 /// Runs the command. The report is the result: it goes to stdout.
@@ -50,7 +50,15 @@ fn conclusion(sources: Option<&Project>, faults: &Faults) -> String {
     let (buildings, levels, rooms) = counts(sources);
     let errors = error_count(faults);
     let warnings = faults.0.len() - errors;
-    format!("{buildings} buildings, {levels} levels, {rooms} rooms: {errors} errors, {warnings} warnings")
+    let [buildings, levels, rooms, errors, warnings] = [
+        (buildings, "building"),
+        (levels, "level"),
+        (rooms, "room"),
+        (errors, "error"),
+        (warnings, "warning"),
+    ]
+    .map(|(count, word)| counted(count, word));
+    format!("{buildings}, {levels}, {rooms}: {errors}, {warnings}")
 }
 
 fn counts(sources: Option<&Project>) -> (usize, usize, usize) {

@@ -10,7 +10,7 @@ use super::import_report;
 use super::screen::Screen;
 use super::sources::read_plans_only;
 use crate::batch::distinct_names;
-use crate::document::{Fault, Faults, printable};
+use crate::document::{Fault, Faults, counted, printable};
 use crate::plan::{InputReport, Level, PlacedBuilding, PlanReading, write_native};
 
 /// Endings of formats that users may expect instead of YAML.
@@ -108,7 +108,12 @@ fn report(written: &[&Target<'_>], faults: &Faults, (reports, screen): (Option<&
     for target in written {
         let (levels, rooms, openings) = counts(target);
         let path = target.path.display();
-        screen.note(&printable(&format!("{path}: {levels} levels, {rooms} rooms, {openings} openings")));
+        screen.note(&printable(&format!(
+            "{path}: {}, {}, {}",
+            counted(levels, "level"),
+            counted(rooms, "room"),
+            counted(openings, "opening")
+        )));
     }
     for report in reports.into_iter().flatten() {
         screen.result(&import_report::text(report));

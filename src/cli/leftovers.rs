@@ -5,6 +5,7 @@ use std::path::Path;
 use super::answer::{LeftoversAnswer, LevelAnswer};
 
 use crate::batch::Leftovers;
+use crate::document::counted;
 
 /// Most names in one line.
 const LISTED_NAMES: usize = 5;
@@ -16,12 +17,12 @@ pub(super) fn leftovers_text(leftovers: &Leftovers, out: &Path) -> Option<String
     if !removed.is_empty() {
         lines.push(format!(
             "Removed {} that no plan has any more: {}.",
-            count(removed.len(), "file"),
+            counted(removed.len(), "file"),
             few(removed)
         ));
     }
     if !changed.is_empty() {
-        let (files, names) = (count(changed.len(), "file"), few(changed));
+        let (files, names) = (counted(changed.len(), "file"), few(changed));
         lines.push(format!(
             "warning: {files} of levels that no plan has any more stay, because they were changed since: {names}"
         ));
@@ -31,13 +32,17 @@ pub(super) fn leftovers_text(leftovers: &Leftovers, out: &Path) -> Option<String
             levels.iter().map(|(building, level)| format!("{building}/{level}")).collect();
         lines.push(format!(
             "warning: {} in {}, in none of these plans: {}. The files stay; audit and diff do not count them.",
-            count(levels.len(), "level"),
+            counted(levels.len(), "level"),
             out.display(),
             few(&names)
         ));
     }
     if !files.is_empty() {
-        lines.push(format!("warning: no level uses {}: {}.", count(files.len(), "shared file"), few(files)));
+        lines.push(format!(
+            "warning: no level uses {}: {}.",
+            counted(files.len(), "shared file"),
+            few(files)
+        ));
     }
     if !levels.is_empty() || !files.is_empty() {
         lines.push("  hint: `bake` with --prune removes them".to_owned());
@@ -50,11 +55,6 @@ pub(super) fn leftovers_answer(leftovers: &Leftovers) -> LeftoversAnswer {
     let Leftovers { levels, files, removed, changed } = leftovers.clone();
     let levels = levels.into_iter().map(|(building, level)| LevelAnswer { building, level }).collect();
     LeftoversAnswer { levels, files, removed, changed }
-}
-
-fn count(number: usize, what: &str) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {what}{plural}")
 }
 
 /// The first names, and how many more there are.

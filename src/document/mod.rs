@@ -29,6 +29,6 @@ pub(crate) use keys::top_keys;
 pub use limits::FILE_SIZE_LIMIT;
 pub use source::Source;
 pub use suggest::{did_you_mean, suggest};
-pub(crate) use text::bounded;
+pub(crate) use text::{bounded, counted};
 pub use text::{is_unprintable, printable, printable_json, printable_lines};
 pub use xml::xml_text;

@@ -107,6 +107,12 @@ fn cut_word(word: &str) -> String {
     start + "…" + &end.into_iter().rev().collect::<String>()
 }
 
+/// A count with its word, in the singular or the plural: `1 level`, `2 levels`.
+pub(crate) fn counted(count: impl TryInto<u64>, one: &str) -> String {
+    let count = count.try_into().unwrap_or(u64::MAX);
+    if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

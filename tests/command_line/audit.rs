@@ -114,7 +114,7 @@ fn bad_files_are_named_and_the_others_judged() {
     std::fs::remove_file(world.path("out/alpha/3.glb")).unwrap();
     let ran = world.run(&["audit"]);
     assert_eq!(ran.code, Some(1));
-    assert!(ran.stdout.contains("2 rooms of 1 levels"), "{ran:?}");
+    assert!(ran.stdout.contains("2 rooms of 1 level"), "{ran:?}");
     assert!(["alpha/2.glb", "alpha/3.glb"].iter().all(|file| ran.stderr.contains(file)), "{ran:?}");
     assert_eq!(world.run(&["audit", "out/alpha/2.glb"]).code, Some(2));
     let ran = world.run(&["audit", "nowhere"]);

@@ -10,7 +10,7 @@ fn check_reports_everything_and_writes_nothing() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 2));
     let ran = world.must(&["check", "a.yaml"]);
-    assert!(ran.stdout.contains("1 buildings, 2 levels, 4 rooms: 0 errors"), "{}", ran.stdout);
+    assert!(ran.stdout.contains("1 building, 2 levels, 4 rooms: 0 errors"), "{}", ran.stdout);
     assert_eq!(world.names("."), ["a.yaml"]);
 }
 
@@ -98,7 +98,7 @@ fn an_imported_plan_bakes_to_the_same_rooms() {
     let world = World::new();
     world.write("a.yaml", plan("alpha", 1));
     let ran = world.must(&["import", "a.yaml", "--out", "native/b.yaml"]);
-    assert!(ran.stderr.contains("1 levels, 2 rooms, 2 openings"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("1 level, 2 rooms, 2 openings"), "{}", ran.stderr);
     assert_eq!(world.run(&["import", "a.yaml", "--out", "native/b.yaml"]).code, Some(2), "it exists");
     world.must(&["bake", "a.yaml", "--out", "one"]);
     world.must(&["bake", "native/b.yaml", "--out", "two"]);

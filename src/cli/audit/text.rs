@@ -2,7 +2,7 @@
 
 use crate::audit::{AuditSummary, Finding};
 use crate::cli::summary::audit_lines;
-use crate::document::printable;
+use crate::document::{counted, printable};
 
 use super::judge::{JudgedLevel, JudgedRoom};
 
@@ -27,9 +27,9 @@ pub(crate) fn report(levels: &[JudgedLevel], totals: &AuditSummary, most: usize)
     }
     let grades = totals.grades;
     lines.push(format!(
-        "{} rooms of {} levels: {} without findings, {} with minor ones, {} failed.",
-        totals.room_count(),
-        levels.len(),
+        "{} of {}: {} without findings, {} with minor ones, {} failed.",
+        counted(totals.room_count(), "room"),
+        counted(levels.len(), "level"),
         grades.none,
         grades.minor,
         grades.failed,
@@ -42,7 +42,7 @@ fn level_line(level: &JudgedLevel) -> String {
     let totals = &level.totals;
     let grades = totals.grades;
     let mut line = format!(
-        "{}: {} none, {} minor, {} failed",
+        "{}: {} without findings, {} with minor ones, {} failed",
         printable(&level.file),
         grades.none,
         grades.minor,

@@ -65,7 +65,7 @@ fn heading(subject: &Subject<'_>) -> String {
 fn object(subject: &Subject<'_>, story: &ObjectStory, placement: &Placement) -> String {
     let label = &subject.sources.catalog.classes[placement.class].label;
     let mut text = printable(&format!("{}  {label}", story.id)) + "\n";
-    let (at, angle) = (placement.position, placement.angle.to_degrees().round().rem_euclid(360.0));
+    let (at, angle) = (placement.position, placement.angle.to_degrees().round().rem_euclid(360.0) + 0.0);
     fact(&mut text, "stands", &stands(subject, placement));
     let up =
         if placement.elevation == 0.0 { String::new() } else { format!(", {:.2} m up", placement.elevation) };

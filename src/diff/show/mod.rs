@@ -9,12 +9,9 @@ pub use html::{HtmlLimits, html, shown_rooms};
 pub use markdown::markdown;
 pub use text::text;
 
-use super::report::{LevelCounts, LevelDiff, Presence, Report};
+use crate::document::counted;
 
-/// A count with its word, in the singular or the plural.
-fn counted(count: u64, one: &str) -> String {
-    if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
-}
+use super::report::{LevelCounts, LevelDiff, Presence, Report};
 
 /// One sentence about all levels.
 fn sentence(report: &Report) -> String {
