@@ -99,7 +99,7 @@ step "Python environment" set_up_python
 step "Khronos validator" set_up_validator
 step "cargo fmt" checked cargo fmt --check
 step "cargo clippy" checked cargo clippy --all-targets --locked -- -D warnings
-step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked
+step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --document-private-items
 step "cargo test (debug)" counted cargo test --locked
 # Optimised: what users run. The library's own tests ran in debug, and to build them once more takes as long as all the others.
 step "cargo test (release)" counted cargo test --release --locked --test "*"

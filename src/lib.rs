@@ -37,6 +37,9 @@
 //! Lengths are metres, angles radians counter-clockwise, x east, y north. `ARCHITECTURE.md` shows how the stages follow each other;
 //! `docs/output.md` says what the files hold.
 
+// The documentation of the inside is for `cargo doc --document-private-items`, where its links lead somewhere.
+#![allow(rustdoc::private_intra_doc_links)]
+
 mod audit;
 mod batch;
 mod best;

@@ -45,7 +45,7 @@ impl OutputFolder {
     /// that content, or if the folder was opened by force.
     ///
     /// # Errors
-    /// [`super::FaultCode::ForeignFile`] for content of other origin; else what the system says. Nothing is
+    /// [`super::fault::FaultCode::ForeignFile`] for content of other origin; else what the system says. Nothing is
     /// left half written.
     pub(crate) fn place(&self, file: &FileRecord, bytes: &[u8]) -> Result<(), OutputFault> {
         let mut waiting = self.write_temporary(file, bytes)?;
@@ -121,7 +121,7 @@ impl OutputFolder {
     /// The state of the place where a file goes; `lock` is the short lock, where this thread holds it.
     ///
     /// # Errors
-    /// [`super::FaultCode::ForeignFile`] for what may not be replaced, [`super::FaultCode::WrongKind`] for links on the way and folders.
+    /// [`super::fault::FaultCode::ForeignFile`] for what may not be replaced, [`super::fault::FaultCode::WrongKind`] for links on the way and folders.
     fn standing(&self, file: &FileRecord, lock: Option<&File>) -> Result<Standing, OutputFault> {
         let target = self.root.join(&file.path);
         let (opened, found) = match open_inside(&self.root, &file.path) {

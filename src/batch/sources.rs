@@ -65,7 +65,7 @@ pub(crate) struct Found<'a> {
     pub(crate) program: String,
     /// Its deciding part.
     pub(crate) head: RecordHead,
-    /// A [`super::LevelRecord`].
+    /// A [`super::record::LevelRecord`].
     pub(crate) text: &'a RawValue,
 }
 

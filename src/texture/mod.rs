@@ -1,7 +1,7 @@
 //! Generates the images of surfaces: wood, cloth, tiles and others, as textures that repeat.
 //!
 //! Later stages may rely on:
-//! - every surface of [`SURFACES`] covers one square metre and repeats without a seam;
+//! - every surface of [`crate::catalog::SURFACES`] covers one square metre and repeats without a seam;
 //! - its colour is a shade of grey up to white, which multiplies the colour of the palette;
 //! - the bytes of its images depend on surface and size alone, on no machine.
 

@@ -1,5 +1,8 @@
 //! The command line as typed, one file for each group of commands.
 
+// These comments are help texts: brackets are what one may leave out, no links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 mod bake;
 mod edits;
 mod exchange;
