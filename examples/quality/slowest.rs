@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use roomwright::internals::best::{Judged, best_of};
 use roomwright::internals::catalog::Catalog;
-use roomwright::internals::layout::{FurnishOptions, furnish_counted};
+use roomwright::internals::layout::{FurnishOptions, RoomLayout};
 use roomwright::internals::plan::Level;
 use roomwright::internals::solve::RoomSolver;
 
@@ -99,12 +99,13 @@ pub fn furnish(
         steps: (0, 0),
     };
     let Timed { alternatives, layout, audit, suggesting, steps, .. } = &mut timed;
+    let furnisher = RoomLayout::new(level, room, catalog, options);
     let solver = RoomSolver::new(level, room, catalog);
     let judged = best_of(
         effort,
         |alternative| {
             *alternatives += 1;
-            let made = measure(layout, || furnish_counted(level, room, catalog, options, alternative));
+            let made = measure(layout, || furnisher.furnish(alternative));
             steps.0 += made.steps;
             made
         },

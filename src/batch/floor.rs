@@ -6,7 +6,7 @@ use crate::audit::{Finding, Verdict};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
-use crate::layout::{FurnishOptions, Furnished, furnish_counted};
+use crate::layout::{FurnishOptions, Furnished, RoomLayout};
 use crate::output::{FloorOptions, LevelToWrite, TooLarge, WrittenLevel};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
@@ -121,13 +121,12 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
     let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
     let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
     let run = edits.map_or(run, |edits| edits.options(run, &locks));
+    let layout = RoomLayout::new(level, room, catalog, &run);
     let solver = RoomSolver::new(level, room, catalog);
     let judge = |furnished: &Furnished| watch.measure(Stage::Audit, || solver.judge(furnished));
     let judged = best_of(
         options.effort,
-        |alternative| {
-            watch.measure(Stage::Layout, || furnish_counted(level, room, catalog, &run, alternative))
-        },
+        |alternative| watch.measure(Stage::Layout, || layout.furnish(alternative)),
         judge,
         |furnished| watch.measure(Stage::Audit, || solver.suggest_places(furnished)),
         || solver.steps(),

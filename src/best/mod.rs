@@ -8,14 +8,14 @@ use core::cmp::Ordering;
 
 use crate::audit::{Code, Finding, Severity, Verdict};
 use crate::catalog::Catalog;
-use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, Suggestion, furnish_counted};
+use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, RoomLayout, Suggestion};
 use crate::plan::Level;
 use crate::solve::RoomSolver;
 
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: `docs/figures.md`, "Effort".
 pub const DEFAULT_EFFORT: u32 = 16;
 
-/// How many alternatives in a row may bring nothing better where only pieces are missing that nobody misses.
+/// How many alternatives in a row may bring nothing better while the best has no finding and lacks optional pieces only.
 const PATIENCE: u32 = 3;
 
 /// Steps of the layout ([`Counted`]) and of the solver after which no further alternative begins. Of 10,454
@@ -55,10 +55,11 @@ pub fn furnish_best(
     options: &FurnishOptions<'_>,
     effort: u32,
 ) -> Judged {
+    let layout = RoomLayout::new(level, room, catalog, options);
     let solver = RoomSolver::new(level, room, catalog);
     best_of(
         effort,
-        |alternative| furnish_counted(level, room, catalog, options, alternative),
+        |alternative| layout.furnish(alternative),
         |furnished| solver.judge(furnished),
         |furnished| solver.suggest_places(furnished),
         || solver.steps(),
@@ -72,32 +73,63 @@ pub fn furnish_best(
 /// solver spent on the room so far, as [`RoomSolver::steps`].
 pub fn best_of(
     effort: u32,
-    mut furnish: impl FnMut(&Alternative) -> Counted,
-    mut judge: impl FnMut(&Furnished) -> Verdict,
-    mut suggest: impl FnMut(&Furnished) -> Vec<Suggestion>,
+    furnish: impl FnMut(&Alternative) -> Counted,
+    judge: impl FnMut(&Furnished) -> Verdict,
+    suggest: impl FnMut(&Furnished) -> Vec<Suggestion>,
     solver_steps: impl Fn() -> u64,
 ) -> Judged {
-    let mut steps = 0;
-    let mut make = |alternative: Alternative, steps: &mut u64| {
-        let Counted { furnished, steps: made } = furnish(&alternative);
-        *steps += made;
-        let verdict = judge(&furnished);
+    let mut maker = Maker { furnish, judge, steps: 0 };
+    let best = best_numbered(effort, &mut maker, solver_steps);
+    with_suggested_places(best, effort, &mut maker, suggest)
+}
+
+/// Makes alternatives, and counts the steps of the layout.
+struct Maker<F, J> {
+    furnish: F,
+    judge: J,
+    steps: u64,
+}
+
+impl<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict> Maker<F, J> {
+    fn make(&mut self, alternative: Alternative) -> Judged {
+        let Counted { furnished, steps } = (self.furnish)(&alternative);
+        self.steps += steps;
+        let verdict = (self.judge)(&furnished);
         Judged { furnished, verdict, alternative }
-    };
-    let mut best = make(Alternative::default(), &mut steps);
+    }
+}
+
+/// The best of the alternatives up to `effort`.
+fn best_numbered<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict>(
+    effort: u32,
+    maker: &mut Maker<F, J>,
+    solver_steps: impl Fn() -> u64,
+) -> Judged {
+    let mut best = maker.make(Alternative::default());
     let mut in_vain = 0;
     for number in 1..effort {
         let is_enough = best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE);
-        if is_enough || steps + solver_steps() / SOLVER_STEPS_A_STEP >= best.most_steps() {
+        if is_enough || maker.steps + solver_steps() / SOLVER_STEPS_A_STEP >= best.most_steps() {
             break;
         }
-        let next = make(Alternative::numbered(number), &mut steps);
+        let next = maker.make(Alternative::numbered(number));
         if next.is_better_than(&best) {
             (best, in_vain) = (next, 0);
         } else {
             in_vain += 1;
         }
     }
+    best
+}
+
+/// The best of a room and of alternatives that try the places which the solver suggests for what it misses, numbered from
+/// `effort` on.
+fn with_suggested_places<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict>(
+    mut best: Judged,
+    effort: u32,
+    maker: &mut Maker<F, J>,
+    mut suggest: impl FnMut(&Furnished) -> Vec<Suggestion>,
+) -> Judged {
     for number in effort..effort.saturating_add(SUGGESTED_ALTERNATIVES) {
         if !best.misses_required() {
             break;
@@ -106,7 +138,7 @@ pub fn best_of(
         if suggestions.is_empty() {
             break;
         }
-        best = best.or_better(make(Alternative { number, suggestions }, &mut steps));
+        best = best.or_better(maker.make(Alternative { number, suggestions }));
     }
     best
 }
@@ -129,7 +161,7 @@ impl Judged {
         if failed > 0 { MOST_STEPS_OF_FAILING } else { MOST_STEPS }
     }
 
-    /// Whether it fails for want of a piece.
+    /// Whether it fails because a required piece is missing.
     fn misses_required(&self) -> bool {
         let is_such =
             |finding: &Finding| finding.code == Code::MissingRequired && finding.severity == Severity::Failed;

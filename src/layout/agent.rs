@@ -33,6 +33,8 @@ pub(crate) struct Agent {
     pub(crate) searches: u32,
     /// Whether it was sent away from the only way to something.
     pub(crate) is_in_the_way: bool,
+    /// The suggestion whose place it took, by index, until it is sent away.
+    pub(crate) suggestion: Option<usize>,
     /// In how many earlier attempts the room missed it, or what stands by it: who is urgent searches first.
     pub(crate) urgency: u32,
 }
@@ -83,6 +85,7 @@ impl Agent {
             roofs: 0..0,
             searches: 0,
             is_in_the_way: false,
+            suggestion: None,
             urgency: 0,
         }
     }

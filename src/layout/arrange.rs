@@ -76,15 +76,17 @@ fn search_in_any_size(
 
 /// Takes the size and the place that were suggested for an agent.
 fn take_suggestion(environment: &mut Environment<'_>, agent: AgentIndex) -> Option<Place> {
-    let suggested = suggestion(environment, agent)?;
+    let index = suggestion(environment, agent)?;
+    let suggested = environment.brief.alternative.suggestions[index];
     let drawn = environment.agents[agent].piece.variant;
     let class = environment.class(agent);
     let has_size = |&variant: &u32| class.size(variant) == suggested.size;
     let variant = sizes_by(environment, agent, area).into_iter().find(has_size)?;
     take_size(environment, agent, variant);
     let place = suggested::place(environment, agent, &suggested);
-    if place.is_none() {
-        take_size(environment, agent, drawn);
+    match place {
+        Some(_) => environment.agents[agent].suggestion = Some(index),
+        None => take_size(environment, agent, drawn),
     }
     place
 }

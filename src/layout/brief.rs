@@ -1,5 +1,7 @@
 //! The brief of a room: everything that is fixed before anybody searches.
 
+use core::cell::OnceCell;
+
 use crate::catalog::{Catalog, Style};
 use crate::plan::{Level, OpeningKind, Room, RoomOpening};
 
@@ -13,27 +15,44 @@ use super::suggestion::Alternative;
 use super::surroundings::{Surroundings, Swings};
 use super::variant::Variants;
 
-/// What is fixed for a room, whatever its agents do: complete when it is made, the same for all attempts.
+/// What is fixed for a room in all of its alternatives.
+pub(crate) struct RoomBrief<'a> {
+    level: &'a Level,
+    room: usize,
+    catalog: &'a Catalog,
+    style: &'a Style,
+    key: RoomKey,
+    /// Drawn once: another attempt must not ask for other pieces.
+    pieces: Vec<Piece>,
+    locks: &'a [Lock],
+    /// With [`Swings::Simple`].
+    surroundings: OnceCell<Surroundings<'a>>,
+    /// With [`Swings::Exact`].
+    exact_surroundings: OnceCell<Surroundings<'a>>,
+}
+
+/// What is fixed for one alternative of a room, whatever its agents do: complete when it is made, the same for all attempts.
+#[derive(Clone, Copy)]
 pub(crate) struct Brief<'a> {
     /// Classes and figures.
     pub(crate) catalog: &'a Catalog,
     /// How the room is furnished.
     pub(crate) style: &'a Style,
     /// The key of its random streams.
-    pub(crate) key: RoomKey,
+    pub(crate) key: &'a RoomKey,
     /// Index into the level's rooms.
     pub(crate) room: usize,
-    /// The pieces that are asked for, with those that are locked. Drawn once: another attempt must not ask for other pieces.
-    pub(crate) pieces: Vec<Piece>,
+    /// The pieces that are asked for, with those that are locked.
+    pub(crate) pieces: &'a [Piece],
     /// What the room gives.
-    pub(crate) surroundings: Surroundings<'a>,
+    pub(crate) surroundings: &'a Surroundings<'a>,
     /// Who stands where somebody put it.
     pub(crate) locks: &'a [Lock],
     /// Which arrangement is wanted, and where somebody says that agents fit.
     pub(crate) alternative: &'a Alternative,
 }
 
-impl<'a> Brief<'a> {
+impl<'a> RoomBrief<'a> {
     /// The brief of a room, by index into the level's rooms.
     ///
     /// # Errors
@@ -42,7 +61,6 @@ impl<'a> Brief<'a> {
         (level, index): (&'a Level, usize),
         catalog: &'a Catalog,
         options: &FurnishOptions<'a>,
-        alternative: &'a Alternative,
     ) -> Result<Self, Furnished> {
         let room = &level.rooms[index];
         let seed = options.pinned.unwrap_or(options.seed);
@@ -56,17 +74,32 @@ impl<'a> Brief<'a> {
         let variants = Variants { seed, series, key: &key };
         let mut pieces = programme::pieces(catalog, (style, room_type), site(level, room), &variants);
         programme::add_locked(&mut pieces, options.locks, catalog);
-        let swings = if alternative.suggestions.is_empty() { Swings::Simple } else { Swings::Exact };
         Ok(Self {
+            level,
+            room: index,
             catalog,
             style,
             key,
-            room: index,
             pieces,
-            surroundings: Surroundings::new(level, room, &catalog.audit, swings),
             locks: options.locks,
-            alternative,
+            surroundings: OnceCell::new(),
+            exact_surroundings: OnceCell::new(),
         })
+    }
+
+    /// The brief of one alternative.
+    pub(crate) fn alternative<'b>(&'b self, alternative: &'b Alternative) -> Brief<'b> {
+        let surroundings = if alternative.suggestions.is_empty() {
+            self.surroundings.get_or_init(|| self.surroundings_with(Swings::Simple))
+        } else {
+            self.exact_surroundings.get_or_init(|| self.surroundings_with(Swings::Exact))
+        };
+        let Self { catalog, style, ref key, room, ref pieces, locks, .. } = *self;
+        Brief { catalog, style, key, room, pieces, surroundings, locks, alternative }
+    }
+
+    fn surroundings_with(&self, swings: Swings) -> Surroundings<'a> {
+        Surroundings::new(self.level, &self.level.rooms[self.room], &self.catalog.audit, swings)
     }
 }
 

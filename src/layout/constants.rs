@@ -1,5 +1,9 @@
 //! The tuning constants of the layout, in one place. What the audit calls a fault is no constant: the layout reads it from
 //! the catalogue as the audit does ([`crate::catalog::AuditRules`]).
+//!
+//! Points: free places of an agent are compared by a sum of points (`rules/relation.rs`), of equal places the earlier one
+//! is taken. A wish that is met gives its `weight` (0.3 to 6 in `configs/classes/`, 1 if none is written), one that is half met
+//! half of it. The penalties and rewards below are in the same points.
 
 /// Metres that bodies may overlap before it counts as a collision: contact must pass, and the audit's limit
 /// is 1 mm. Larger lets bodies sink into each other, smaller makes touching bodies collide by rounding.
@@ -7,7 +11,7 @@ pub(crate) const CONTACT_TOLERANCE: f64 = 5e-4;
 /// Metres by which a clearance may reach into a wall or another body: people do not measure centimetres. A little
 /// less than the audit allows, so that a file's 32-bit numbers do not tip what stands at the limit.
 pub(crate) const CLEARANCE_TOLERANCE: f64 = 0.0098;
-/// Candidates compared where an agent has wishes about other objects; more finds better places, slower.
+/// Free places compared where an agent has wishes about other objects; more meet more wishes, and take as many steps more.
 pub(crate) const CANDIDATES_WITH_RELATIONS: usize = 10;
 /// Candidates compared where only clearances and windows tell places apart.
 pub(crate) const CANDIDATES_WITH_CLEARANCES: usize = 4;
@@ -41,20 +45,23 @@ pub(crate) const COVER_MARGIN: f64 = 0.45;
 pub(crate) const HANGING_GAP: f64 = 0.008;
 /// Metres from the front edge of a surface at which things at the front lie.
 pub(crate) const FRONT_MARGIN: f64 = 0.04;
-/// Share of a score lost by standing before a window.
+/// Points lost by a tall, wide body before a window. Compared with the weights of wishes: at 2, a piece darkens a window
+/// for a wish of weight 3 and not for one of 1. Larger: fewer `window_blocked` findings, and fewer wishes met.
 pub(crate) const WINDOW_PENALTY: f64 = 2.0;
-/// Share of a score lost by taking the place of a seat, or by leaving none for one's own.
+/// Points lost by taking the place of a seat, or by leaving none for one's own. Above [`WINDOW_PENALTY`], for a room does
+/// without light at one place rather than without a seat. Larger: fewer chairs without a place, and fewer wishes met.
 pub(crate) const SEAT_PENALTY: f64 = 3.0;
 /// Metres before a table or desk that a seat takes with somebody on it.
 pub(crate) const SEAT_DEPTH: f64 = 0.55;
 /// Metres above the floor from which a body fills the space under a table: a rug does not.
 pub(crate) const RUG_HEIGHT: f64 = 0.05;
-/// Share of a score lost where a clearance is only at its minimum, one's own or another's.
+/// Points lost for each of two: the own clearances are below their good depth, or those of others are. Below the other
+/// penalties, for the place can be used. Larger: fewer `tight_use` findings, and fewer wishes met.
 pub(crate) const TIGHT_PENALTY: f64 = 1.0;
 /// Rounds in which agents that lost their parent may search again.
 pub(crate) const SEARCH_ROUNDS: usize = 4;
-/// Gained by a long built-in piece that fills its wall from end to end (half of it gains nothing), and by the first
-/// of a run at a wall that holds the others too.
+/// Points gained by a long built-in piece that fills its wall from end to end (half of it gains nothing), and by the first
+/// of a run at a wall of [`RUN_LENGTH`]. As much as one usual wish; larger: it goes there though wishes are not met.
 pub(crate) const BUILT_IN_REWARD: f64 = 1.0;
 /// Metres of wall that hold a whole run.
 pub(crate) const RUN_LENGTH: f64 = 3.0;
@@ -62,9 +69,10 @@ pub(crate) const RUN_LENGTH: f64 = 3.0;
 pub(crate) const LONG_PIECE: f64 = 2.0;
 /// Candidates compared for what is built in and required: bathrooms and kitchens live by it.
 pub(crate) const CANDIDATES_BUILT_IN: usize = 24;
-/// Metres by which agents are pushed to have more room.
+/// Metres by which agents are pushed to have more room, tried in this order: of equally good places the nearest is taken.
 pub(crate) const PUSH_DISTANCES: [f64; 10] = [0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.9, 1.2, 1.6];
-/// How much better a place must be to be pushed to.
+/// Points by which a place must be better to be pushed to: a twentieth of a usual wish, so that nobody is moved for rounding.
+/// Larger: fewer groups move, and more `tight_use` findings remain.
 pub(crate) const PUSH_GAIN: f64 = 0.05;
 /// Rounds of pushing: who moves makes room for others.
 pub(crate) const PUSH_ROUNDS: usize = 3;
@@ -74,7 +82,7 @@ pub(crate) const WAY_ROUNDS: usize = 4;
 /// nearly all, are furnished once.
 pub(crate) const ATTEMPTS: u32 = 4;
 /// Alternatives of a room in which tagged walls come first, and [`ATTEMPTS`] in each: where the room does not come out
-/// well that way, room for everybody is worth more than short pipes.
+/// well that way, pieces that would be missing count for more than short pipes.
 pub(crate) const ALTERNATIVES_WITH_TAGS: u32 = 4;
 /// Times while there is none of what the room cannot do without or a way is closed: a bathroom of 3 m² has few good
 /// arrangements.
@@ -82,7 +90,8 @@ pub(crate) const ATTEMPTS_IN_NEED: u32 = 16;
 /// Steps of one alternative after which no further attempt begins, each about a tenth of a microsecond. Fewer lose rooms
 /// that come out well late, more make rooms slow in which something has no place.
 pub(crate) const MOST_STEPS: u64 = 400_000;
-/// The same while a way is closed, which another attempt nearly always opens: halls of many seats take longest.
+/// The same while a way is closed, which another attempt nearly always opens: halls of many seats take longest. Fewer
+/// leave more `unreachable` findings in them.
 pub(crate) const MOST_STEPS_FOR_WAYS: u64 = 3_000_000;
 /// Steps of testing one place against everything in the room.
 pub(crate) const STEPS_A_TEST: u64 = 3;
@@ -91,5 +100,6 @@ pub(crate) const STEPS_A_PROPOSAL: u64 = 6;
 /// Cells of a floor that are looked at in the time of one step, and cells over which ways are looked for.
 pub(crate) const CELLS_A_STEP: u64 = 16;
 pub(crate) const CELLS_OF_WAYS_A_STEP: u64 = 2;
-/// Share of the requested pieces that may be missing before another attempt.
+/// Share of the requested pieces that may be missing before another attempt: the audit calls a room `unfulfilled` below
+/// nine tenths. Larger: fewer attempts, more `unfulfilled` findings.
 pub(crate) const MISSING_SHARE: f64 = 0.1;

@@ -1,24 +1,22 @@
 //! The environment of the agents: who rests where, and whether a place is free.
 
-use std::cell::{Cell, OnceCell, RefCell};
+use std::cell::{Cell, RefCell};
 
-use crate::catalog::{Class, ClassIndex, Shape, Side, Size};
-use crate::geometry::{Grid, Point, Solid, bounds_overlap};
+use crate::catalog::{Class, ClassIndex, Side, Size};
+use crate::geometry::{Grid, Solid};
 
 mod clearances;
 mod covering;
 mod hanging;
 mod near;
 mod notes;
-mod obstacles;
+mod obstruction;
 
 use super::agent::{Agent, Rest, State};
-use super::body::{append_solids, box_solid, clearance_solid, seat};
+use super::body::{append_solids, clearance_solid, seat};
 use super::brief::Brief;
-use super::constants::{CONTACT_TOLERANCE, STEPS_A_TEST};
-use super::furnished::RemovalReason;
 use super::place::{AgentIndex, ParentPart, Place};
-use super::surroundings::{Border, KeptFree};
+use super::surroundings::KeptFree;
 use super::trace::Trace;
 
 /// Owner of what belongs to the room and not to an agent.
@@ -41,8 +39,6 @@ pub(crate) struct Environment<'a> {
     pub(crate) is_exhausted: Vec<bool>,
     /// Whether walls that carry the right tag come first.
     pub(crate) heeds_tags: bool,
-    borders: Vec<Border>,
-    border_grid: Grid,
     bodies: Vec<Body>,
     body_grid: Grid,
     clearances: Vec<Region>,
@@ -53,7 +49,7 @@ pub(crate) struct Environment<'a> {
     /// Those of the openings, and the ways that were found closed.
     kept_free: Vec<KeptFree>,
     kept_free_grid: Grid,
-    /// Room for the parts of the shape under test: thousands of tests a room share one allocation.
+    /// Memory for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
     /// What was done so far.
     steps: Cell<u64>,
@@ -80,36 +76,6 @@ struct Region {
     seat: Option<Solid>,
 }
 
-/// An agent's body where it would stand.
-struct Probe<'a> {
-    agent: AgentIndex,
-    place: &'a Place,
-    /// Its box.
-    whole: Solid,
-    shape: &'a Shape,
-    size: Size,
-    /// Its true shape, made when the box does not decide.
-    parts: OnceCell<Vec<Solid>>,
-    /// Where to take the room for it from.
-    spare: &'a Cell<Vec<Solid>>,
-}
-
-impl Probe<'_> {
-    fn meets(&self, solid: &Solid, tolerance: f64) -> bool {
-        self.whole.overlaps(solid, tolerance)
-            && (*self.shape == Shape::Box || self.parts().iter().any(|part| part.overlaps(solid, tolerance)))
-    }
-
-    fn parts(&self) -> &[Solid] {
-        self.parts.get_or_init(|| {
-            let mut parts = self.spare.take();
-            parts.clear();
-            append_solids(&mut parts, self.shape, self.size, &self.place.pose);
-            parts
-        })
-    }
-}
-
 /// What differs between the attempts at a room.
 pub(crate) struct Start<'u> {
     /// By agent, in how many earlier attempts the room missed it.
@@ -125,7 +91,6 @@ impl<'a> Environment<'a> {
     pub(crate) fn new(brief: &'a Brief<'a>, start: &Start<'_>) -> Self {
         let Brief { catalog, surroundings, pieces, .. } = brief;
         let (low, high) = surroundings.room.region.outline.bounds();
-        let (borders, kept_free) = (surroundings.borders(), surroundings.kept_free.clone());
         let agents = pieces.iter().zip(start.urgency).map(|(piece, &urgency)| {
             let size = catalog.classes[piece.class].size(piece.variant);
             Agent { urgency, ..Agent::new(*piece, size) }
@@ -137,16 +102,14 @@ impl<'a> Environment<'a> {
             trace: start.is_traced.then(|| RefCell::new(Trace::new(pieces.len()))),
             is_exhausted: vec![false; catalog.classes.len()],
             heeds_tags: start.heeds_tags,
-            border_grid: grid_of((low, high), borders.iter().map(Border::bounds)),
-            borders,
             bodies: Vec::with_capacity(pieces.len() * 2),
             body_grid: Grid::new(low, high),
             clearances: Vec::new(),
             clearance_grid: Grid::new(low, high),
             roofs: Vec::new(),
             roof_grid: Grid::new(low, high),
-            kept_free_grid: grid_of((low, high), kept_free.iter().map(|region| region.solid.bounds)),
-            kept_free,
+            kept_free: surroundings.kept_free.clone(),
+            kept_free_grid: surroundings.kept_free_grid.clone(),
             scratch: Cell::default(),
             steps: Cell::default(),
         };
@@ -188,75 +151,6 @@ impl<'a> Environment<'a> {
     /// What was done so far, in the same steps.
     pub(crate) fn steps(&self) -> u64 {
         self.steps.get()
-    }
-
-    /// Why an agent cannot stand at a place, or `None` if it can. Cheap questions first.
-    pub(crate) fn obstruction(&self, agent: AgentIndex, place: &Place) -> Option<RemovalReason> {
-        self.count_steps(1);
-        if self.is_cut_through(agent, place) {
-            return Some(RemovalReason::Outside);
-        }
-        self.count_steps(STEPS_A_TEST);
-        let whole = box_solid(self.agents[agent].size, &place.pose);
-        let height = self.brief.surroundings.room.height;
-        if whole.low < -CONTACT_TOLERANCE || whole.high > height + CONTACT_TOLERANCE {
-            return Some(RemovalReason::Outside);
-        }
-        if self.hangs_in_the_air(agent, place) {
-            return Some(RemovalReason::Outside);
-        }
-        let probe = self.probe(agent, place, whole);
-        let reason = self.shape_obstruction(&probe);
-        if let Some(parts) = probe.parts.into_inner() {
-            self.scratch.set(parts);
-        }
-        reason
-    }
-
-    fn probe<'p>(&'p self, agent: AgentIndex, place: &'p Place, whole: Solid) -> Probe<'p> {
-        let (shape, size) = (&self.class(agent).shape, self.agents[agent].size);
-        Probe { agent, place, whole, shape, size, parts: OnceCell::new(), spare: &self.scratch }
-    }
-
-    fn shape_obstruction(&self, probe: &Probe<'_>) -> Option<RemovalReason> {
-        if !self.is_inside(&probe.whole) && !probe.parts().iter().all(|part| self.is_inside(part)) {
-            Some(RemovalReason::Outside)
-        } else if self.has_collision(probe) || self.slides_under_a_stranger(probe) {
-            Some(RemovalReason::Collision)
-        } else if self.blocks_a_way(probe) || !self.has_clearances(probe.agent, probe.place, false) {
-            Some(RemovalReason::Clearance)
-        } else {
-            None
-        }
-    }
-
-    /// Whether a solid lies inside the outline and outside the holes.
-    pub(crate) fn is_inside(&self, solid: &Solid) -> bool {
-        self.lies_inside(solid, CONTACT_TOLERANCE)
-    }
-
-    fn lies_inside(&self, solid: &Solid, tolerance: f64) -> bool {
-        !self.is_entered(solid, tolerance, |_| true)
-            && self.brief.surroundings.room.region.contains(solid.base.center())
-    }
-
-    /// Whether a border of some kind runs through a solid.
-    fn is_entered(&self, solid: &Solid, tolerance: f64, counts: impl Fn(&Border) -> bool) -> bool {
-        self.border_grid.any(solid.bounds, |index| {
-            let border = &self.borders[index as usize];
-            counts(border)
-                && bounds_overlap(border.bounds(), solid.bounds, -tolerance)
-                && solid.base.is_entered_by(border.start, border.end, tolerance)
-        })
-    }
-
-    /// The paper leaves the parent out of the test; here its true shape takes part, because a chair that slides
-    /// under a table may touch the top's shadow but not a leg. Contact alone never counts.
-    fn has_collision(&self, probe: &Probe<'_>) -> bool {
-        self.body_grid.any(probe.whole.bounds, |index| {
-            let body = &self.bodies[index as usize];
-            body.owner != probe.agent && probe.meets(&body.solid, CONTACT_TOLERANCE)
-        })
     }
 
     /// The solid parts of all resting agents.
@@ -349,13 +243,6 @@ impl<'a> Environment<'a> {
             && place.pose.elevation >= rules.flat_elevation;
         hangs_flat || place.lies_flat(size)
     }
-}
-
-/// Boxes by number, in a grid between two corners.
-fn grid_of((low, high): (Point, Point), boxes: impl Iterator<Item = (Point, Point)>) -> Grid {
-    let mut grid = Grid::new(low, high);
-    boxes.enumerate().for_each(|(index, bounds)| grid.insert(item(index), bounds));
-    grid
 }
 
 fn item(index: usize) -> u32 {

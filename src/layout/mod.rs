@@ -48,7 +48,7 @@ mod ways;
 pub use body::{clearance_solids, solids};
 pub use choice::room_style;
 pub use explain::{
-    Explanation, MissingStory, ObjectStory, Refusal, SearchStory, Wish, explain, explain_alternative,
+    Explanation, MissingStory, ObjectStory, Refusal, SearchStory, Wish,
 };
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 pub(crate) use ids::{object_id, opening_id, parent_id};
@@ -60,7 +60,7 @@ use crate::catalog::Catalog;
 use crate::plan::Level;
 
 use attempt::{Recording, best_attempt};
-use brief::Brief;
+use brief::RoomBrief;
 
 /// Furnishes one room of a level.
 ///
@@ -68,20 +68,13 @@ use brief::Brief;
 /// furnished come back empty.
 #[must_use]
 pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishOptions<'_>) -> Furnished {
-    furnish_alternative(level, room, catalog, options, &Alternative::default())
+    RoomLayout::new(level, room, catalog, options).furnish(&Alternative::default()).furnished
 }
 
-/// Furnishes one room as [`furnish`] does, with the same pieces in another arrangement for each `alternative`;
-/// the default one is that of [`furnish`].
-#[must_use]
-pub fn furnish_alternative(
-    level: &Level,
-    room: usize,
-    catalog: &Catalog,
-    options: &FurnishOptions<'_>,
-    alternative: &Alternative,
-) -> Furnished {
-    furnish_counted(level, room, catalog, options, alternative).furnished
+/// A room to be furnished in one or several alternatives; what they have in common is worked out once.
+pub struct RoomLayout<'a> {
+    /// The empty room where its type is not furnished.
+    brief: Result<RoomBrief<'a>, Furnished>,
 }
 
 /// A furnished room, and what it took.
@@ -93,20 +86,32 @@ pub struct Counted {
     pub steps: u64,
 }
 
-/// Furnishes one room as [`furnish_alternative`] does, and counts its steps.
-#[must_use]
-pub fn furnish_counted(
-    level: &Level,
-    room: usize,
-    catalog: &Catalog,
-    options: &FurnishOptions<'_>,
-    alternative: &Alternative,
-) -> Counted {
-    match Brief::new((level, room), catalog, options, alternative) {
-        Ok(brief) => {
-            let kept = best_attempt(&brief, Recording::Off, |_, _| ());
-            Counted { furnished: kept.furnished, steps: kept.steps }
+impl<'a> RoomLayout<'a> {
+    /// `room` is an index into `level.rooms`.
+    #[must_use]
+    pub fn new(level: &'a Level, room: usize, catalog: &'a Catalog, options: &FurnishOptions<'a>) -> Self {
+        Self { brief: RoomBrief::new((level, room), catalog, options) }
+    }
+
+    /// Furnishes the room with the same pieces in another arrangement for each `alternative`; the default one is that
+    /// of [`furnish`]. No answer depends on those before it.
+    #[must_use]
+    pub fn furnish(&self, alternative: &Alternative) -> Counted {
+        match &self.brief {
+            Ok(brief) => {
+                let kept = best_attempt(&brief.alternative(alternative), Recording::Off, |_, _| ());
+                Counted { furnished: kept.furnished, steps: kept.steps }
+            }
+            Err(furnished) => Counted { furnished: furnished.clone(), steps: 0 },
         }
-        Err(furnished) => Counted { furnished, steps: 0 },
+    }
+
+    /// Furnishes the room exactly as [`RoomLayout::furnish`] does, and explains what came of it.
+    #[must_use]
+    pub fn explain(&self, alternative: &Alternative) -> (Furnished, Explanation) {
+        match &self.brief {
+            Ok(brief) => explain::explain(&brief.alternative(alternative)),
+            Err(furnished) => (furnished.clone(), Explanation::default()),
+        }
     }
 }

@@ -13,7 +13,7 @@ pub(crate) fn move_agent(environment: &mut Environment<'_>, agent: AgentIndex, p
     let Some(group) = lift(environment, agent) else { return false };
     let old = *group.head();
     let place = Place { pose, ..old.place() };
-    if environment.obstruction(agent, &place).is_some() {
+    if !environment.is_free(agent, &place) {
         group.put_back(environment);
         return false;
     }
@@ -55,7 +55,7 @@ impl Group {
         let from = self.head().pose;
         for (count, &(member, rest)) in self.0.iter().enumerate() {
             let place = Place { pose: carried(&rest.pose, &from, pose), ..rest.place() };
-            if environment.obstruction(member, &place).is_some() {
+            if !environment.is_free(member, &place) {
                 for &(settled, _) in self.0[..count].iter().rev() {
                     environment.unsettle(settled);
                 }
@@ -72,6 +72,7 @@ pub(crate) fn send_away(environment: &mut Environment<'_>, agent: AgentIndex) {
     for (member, _) in family(environment, agent).into_iter().rev() {
         environment.unsettle(member);
         environment.agents[member].searches += 1;
+        environment.agents[member].suggestion = None;
     }
     environment.agents[agent].is_in_the_way = true;
     // There is more room now than when others of its class found none.
@@ -85,7 +86,7 @@ fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, (f
     };
     let pose = carried(&rest.pose, from, to);
     let place = Place { pose, ..rest.place() };
-    if has_parent && environment.obstruction(member, &place).is_none() {
+    if has_parent && environment.is_free(member, &place) {
         environment.settle(member, &place);
     } else {
         environment.agents[member].state = State::Search;

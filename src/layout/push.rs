@@ -39,7 +39,7 @@ fn tight_roots(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
 
 /// Whether an agent takes of the room that is good for others, or has less than is good itself.
 fn is_tight(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    environment.lacks_comfort(agent, place) || environment.takes_comfort(agent, place)
+    environment.lacks_comfort(agent, place) || environment.takes_comfort((agent, place), &mut ())
 }
 
 fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {
@@ -70,7 +70,7 @@ fn push(environment: &mut Environment<'_>, root: AgentIndex) -> bool {
     let mut better: Vec<(f64, Place)> = Vec::new();
     for pose in slides(environment, group.head()) {
         let place = Place { pose, ..old };
-        if environment.obstruction(root, &place).is_none() && meets_needs(environment, root, &place) {
+        if environment.is_free(root, &place) && meets_needs(environment, root, &place) {
             let value = score(environment, root, &place).value;
             if value > least {
                 better.push((value, place));

@@ -116,9 +116,8 @@ impl Choice {
                 return;
             }
             let place = Place { pose, parent: view.parent, side: view.side };
-            if let Some(reason) = refusal(view, &place) {
+            if let Some(reason) = view.environment.refusal(view.agent, &place) {
                 failures.count(reason);
-                view.environment.note_refusal(view.agent, &place, reason);
                 continue;
             }
             let score = if self.is_first_best && !self.is_guest {
@@ -129,7 +128,7 @@ impl Choice {
             };
             if self.is_guest && score.is_poor() {
                 failures.count(RemovalReason::Comfort);
-                view.environment.note_refusal(view.agent, &place, RemovalReason::Comfort);
+                view.environment.note_discomfort(view.agent, &place);
                 continue;
             }
             view.environment.note_free(view.agent);
@@ -150,13 +149,6 @@ fn is_guest(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule)
     let piece = &environment.agents[agent].piece;
     let is_one_of_many = class.grid.is_some() && !environment.resting[piece.class].is_empty();
     (!piece.is_required || is_one_of_many) && (is_free || environment.is_built_in(agent))
-}
-
-/// Why an agent cannot or will not stand at a place.
-fn refusal(view: &View<'_>, place: &Place) -> Option<RemovalReason> {
-    let obstruction = view.environment.obstruction(view.agent, place);
-    let is_pointless = || !rules::meets_needs(view.environment, view.agent, place);
-    obstruction.or_else(|| is_pointless().then_some(RemovalReason::Relation))
 }
 
 /// Why places were refused, to name the reason that was met most.

@@ -7,27 +7,18 @@ use super::environment::Environment;
 use super::place::{AgentIndex, ParentPart, Place};
 use super::suggestion::Suggestion;
 
-/// The suggestion for an agent.
-pub(crate) fn suggestion(environment: &Environment<'_>, agent: AgentIndex) -> Option<Suggestion> {
+/// The suggestion for an agent, by index: for the first of its class to search.
+pub(crate) fn suggestion(environment: &Environment<'_>, agent: AgentIndex) -> Option<usize> {
     let agent = &environment.agents[agent];
     let is_first = agent.searches == 0 && environment.resting[agent.piece.class].is_empty();
-    let suggested = environment
-        .brief
-        .alternative
-        .suggestions
-        .iter()
-        .find(|suggested| suggested.class == agent.piece.class);
-    suggested.copied().filter(|_| is_first)
+    let mut suggestions = environment.brief.alternative.suggestions.iter();
+    suggestions.position(|suggested| suggested.class == agent.piece.class).filter(|_| is_first)
 }
 
 /// Whether an agent rests where it was suggested: others can make way.
 pub(crate) fn follows_suggestion(environment: &Environment<'_>, agent: AgentIndex) -> bool {
     let agent = &environment.agents[agent];
-    let is_here = |suggested: &Suggestion| {
-        suggested.class == agent.piece.class
-            && agent.rest().is_some_and(|rest| rest.pose.position == suggested.position)
-    };
-    environment.brief.alternative.suggestions.iter().any(is_here)
+    agent.suggestion.is_some() && agent.rest().is_some()
 }
 
 /// The suggested place, if the agent may stand there.
@@ -44,6 +35,6 @@ pub(crate) fn place(
             (ParentName::Floor, _) => Some(at(ParentPart::Floor, Side::Above)),
             _ => None,
         });
-    let mut places = places.filter(|place| environment.obstruction(agent, place).is_none());
+    let mut places = places.filter(|place| environment.is_free(agent, place));
     places.find(|place| super::rules::meets_needs(environment, agent, place))
 }

@@ -1,7 +1,7 @@
 //! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
 
 use crate::catalog::AuditRules;
-use crate::geometry::{Convex, DISC_CORNERS, Point, Polygon, Solid};
+use crate::geometry::{Convex, DISC_CORNERS, Grid, Point, Polygon, Solid};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
 use super::constants::{WALL_POINTS, WALL_STEP};
@@ -66,8 +66,14 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) room: &'a Room,
     /// Angle of the longest wall: what "straight" means in this room.
     pub(crate) main_angle: f64,
+    /// The outline and the holes, cut where a wall is open.
+    pub(crate) borders: Vec<Border>,
+    /// The borders by number.
+    pub(crate) border_grid: Grid,
     /// Door swings and approaches: no body may enter.
     pub(crate) kept_free: Vec<KeptFree>,
+    /// They by number.
+    pub(crate) kept_free_grid: Grid,
     /// Convex pieces of the columns.
     pub(crate) columns: Vec<Solid>,
     /// Metres between the points of a scan along walls.
@@ -79,11 +85,15 @@ pub(crate) struct Surroundings<'a> {
 impl<'a> Surroundings<'a> {
     /// Works out the surroundings of a room; what has to stay free is what the audit asks for.
     pub(crate) fn new(level: &'a Level, room: &'a Room, rules: &AuditRules, swings: Swings) -> Self {
+        let (low, high) = room.region.outline.bounds();
         let mut surroundings = Self {
             level,
             room,
             main_angle: main_angle(room),
+            borders: Vec::new(),
+            border_grid: Grid::new(low, high),
             kept_free: Vec::new(),
+            kept_free_grid: Grid::new(low, high),
             columns: room
                 .obstacles
                 .iter()
@@ -103,11 +113,15 @@ impl<'a> Surroundings<'a> {
                 surroundings.window_strips.push(strip);
             }
         }
+        surroundings.borders = surroundings.cut_borders();
+        let Self { borders, border_grid, kept_free, kept_free_grid, .. } = &mut surroundings;
+        fill(border_grid, borders.iter().map(Border::bounds));
+        fill(kept_free_grid, kept_free.iter().map(|region| region.solid.bounds));
         surroundings
     }
 
     /// The outline and the holes, cut where a wall is open.
-    pub(crate) fn borders(&self) -> Vec<Border> {
+    fn cut_borders(&self) -> Vec<Border> {
         let edges = self.room.region.borders().enumerate();
         edges.flat_map(|(wall, edge)| cut(wall, edge, self.open_stretches(wall))).collect()
     }
@@ -146,6 +160,13 @@ impl<'a> Surroundings<'a> {
                 regions
             }
         }
+    }
+}
+
+/// Adds boxes to a grid by number.
+fn fill(grid: &mut Grid, boxes: impl Iterator<Item = (Point, Point)>) {
+    for (number, bounds) in (0..).zip(boxes) {
+        grid.insert(number, bounds);
     }
 }
 

@@ -411,8 +411,9 @@ fn a_piece_that_would_be_tight_stays_out_unless_it_is_required() {
 fn each_alternative_holds_the_same_pieces_elsewhere() {
     let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
     let options = FurnishOptions::new(1, "test");
-    let alternative =
-        |number| furnish_alternative(&level, 0, &catalog, &options, &Alternative::numbered(number));
+    let alternative = |number| {
+        RoomLayout::new(&level, 0, &catalog, &options).furnish(&Alternative::numbered(number)).furnished
+    };
     assert_eq!(alternative(0), run(&level, &catalog, 1));
     let pieces = |room: &Furnished| (room.requested, room.seed);
     assert_eq!(pieces(&alternative(1)), pieces(&alternative(0)));
@@ -431,7 +432,7 @@ fn who_has_a_suggestion_stands_there_and_others_keep_off() {
     let suggestion =
         Suggestion { class: desk.class, size: desk.size, position: desk.position, angle: desk.angle, wall };
     let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
-    let furnished = furnish_alternative(&level, 0, &catalog, &options, &alternative);
+    let furnished = RoomLayout::new(&level, 0, &catalog, &options).furnish(&alternative).furnished;
     let is_there = |placement: &Placement| {
         placement.class == desk.class && placement.position.distance(desk.position) < 1e-9
     };
@@ -447,7 +448,7 @@ fn what_has_no_place_in_a_corridor_of_any_length_takes_a_bounded_number_of_steps
     let steps = |length: f64| {
         let level = level(&[(0.0, 0.0), (length, 0.0), (length, 0.3), (0.0, 0.3)]);
         let options = FurnishOptions::new(1, "test");
-        let counted = furnish_counted(&level, 0, &catalog, &options, &Alternative::default());
+        let counted = RoomLayout::new(&level, 0, &catalog, &options).furnish(&Alternative::default());
         assert_eq!(counted.furnished.placements, []);
         counted.steps
     };

@@ -187,7 +187,7 @@ mod tests {
     use crate::catalog::{Clearance, Count, Untidiness};
     use crate::geometry::Point;
     use crate::layout::tests::{catalog, level};
-    use crate::layout::{Alternative, FurnishOptions, RemovalReason, Suggestion, furnish_alternative};
+    use crate::layout::{Alternative, FurnishOptions, RemovalReason, RoomLayout, Suggestion};
 
     /// What becomes of a shelf that has room only behind a desk, which stands at a suggested place and leaves a gap before
     /// it: how many rest, and why others do not.
@@ -210,7 +210,7 @@ mod tests {
         let level = level(&[(0.0, 0.0), (6.0, 0.0), (6.0, depth), (0.0, depth)]);
         let options = FurnishOptions::new(1, "test");
         let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
-        let furnished = furnish_alternative(&level, 0, &catalog, &options, &alternative);
+        let furnished = RoomLayout::new(&level, 0, &catalog, &options).furnish(&alternative).furnished;
         let is_there =
             |class| furnished.placements.iter().filter(|placement| placement.class == class).count();
         assert_eq!(is_there(desk), 1);

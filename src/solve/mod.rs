@@ -74,7 +74,7 @@ impl<'a> RoomSolver<'a> {
     }
 
     /// Where the pieces could stand that the room misses and cannot do without, beside whatever else it cannot do without:
-    /// places found in the empty room, for [`crate::layout::furnish_alternative`]. Empty where nothing is missing or no
+    /// places found in the empty room, for [`crate::layout::RoomLayout`]. Empty where nothing is missing or no
     /// such places were found.
     ///
     /// # Panics

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use roomwright::internals::audit::AuditSummary;
 use roomwright::internals::document::FaultSeverity;
-use roomwright::internals::layout::{FurnishOptions, Placement, explain, furnish};
+use roomwright::internals::layout::{Alternative, FurnishOptions, Placement, RoomLayout, furnish};
 use roomwright::internals::plan::{Building, write_native};
 
 use contract::{check_level, grave_findings};
@@ -134,7 +134,8 @@ fn an_explained_room_is_the_room_and_accounts_for_every_piece() {
         }
         for room in 0..level.rooms.len() {
             let options = FurnishOptions::new(1, building);
-            let (furnished, told) = explain(level, room, &pipeline.catalog, &options);
+            let (furnished, told) =
+                RoomLayout::new(level, room, &pipeline.catalog, &options).explain(&Alternative::default());
             let name = format!("{building}/{}/{}", level.id, level.rooms[room].id);
             assert_eq!(furnished, furnish(level, room, &pipeline.catalog, &options), "{name}");
             let id = |object: &Placement| {

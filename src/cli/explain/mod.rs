@@ -12,7 +12,7 @@ use super::sources::{read_sources, run_style};
 use crate::audit::Finding;
 use crate::best::furnish_best;
 use crate::edits::RoomEdits;
-use crate::layout::{Explanation, FurnishOptions, Furnished, explain_alternative};
+use crate::layout::{Explanation, FurnishOptions, Furnished, RoomLayout};
 use crate::project::Project;
 
 /// A room in its building, and all that is to be said about it.
@@ -72,7 +72,7 @@ fn subject<'a>(
     let run = FurnishOptions::new(seed, &found.placed.id).with_style(style);
     let options = edits.map_or(run, |edits| edits.options(run, &locks));
     let best = furnish_best(level, room, catalog, &options, arguments.furnish.effort);
-    let (furnished, explanation) = explain_alternative(level, room, catalog, &options, &best.alternative);
+    let (furnished, explanation) = RoomLayout::new(level, room, catalog, &options).explain(&best.alternative);
     Subject {
         sources,
         found,

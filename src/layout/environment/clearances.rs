@@ -6,23 +6,34 @@ use crate::layout::body::{box_solid, clearance_solid, seat};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT};
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::surroundings::{Border, Cause, KeptFree};
+use crate::layout::trace::Obstacle;
 
-use super::{Environment, Probe, ROOM, item};
+use super::obstruction::{Probe, Recorder, any_obstacle, body_of};
+use super::{Environment, ROOM, item};
 
 impl Environment<'_> {
     /// Whether a body would stand in a door's way or in another object's clearance.
-    pub(super) fn blocks_a_way(&self, probe: &Probe<'_>) -> bool {
+    pub(super) fn blocks_a_way<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
         let bounds = probe.whole.bounds;
-        let is_in_a_door = |index: u32| probe.meets(&self.kept_free[index as usize].solid, CONTACT_TOLERANCE);
-        let is_in_a_clearance = |index: u32| {
-            let region = &self.clearances[index as usize];
-            region.owner != probe.agent
+        let is_kept_free = any_obstacle((&self.kept_free_grid, bounds), recorder, |index| {
+            let region = &self.kept_free[index];
+            probe.meets(&region.solid, CONTACT_TOLERANCE).then_some(match region.cause {
+                Cause::Opening(opening) => Obstacle::Opening(opening),
+                Cause::Way => Obstacle::Way,
+            })
+        });
+        let is_decided = is_kept_free && R::FIRST_IS_ENOUGH;
+        if is_decided || self.is_flat(self.agents[probe.agent].size, probe.place) {
+            return is_kept_free;
+        }
+        let is_in_a_clearance = any_obstacle((&self.clearance_grid, bounds), recorder, |index| {
+            let region = &self.clearances[index];
+            let is_taken = region.owner != probe.agent
                 && probe.meets(&region.solid, CLEARANCE_TOLERANCE)
-                && !(region.allows_children && self.descends(probe.place.parent, region.owner))
-        };
-        let is_flat = self.is_flat(self.agents[probe.agent].size, probe.place);
-        self.kept_free_grid.any(bounds, is_in_a_door)
-            || (!is_flat && self.clearance_grid.any(bounds, is_in_a_clearance))
+                && !(region.allows_children && self.descends(probe.place.parent, region.owner));
+            is_taken.then_some(Obstacle::ClearanceOf(region.owner))
+        });
+        is_kept_free || is_in_a_clearance
     }
 
     /// Keeps a way free of all bodies from now on.
@@ -63,28 +74,74 @@ impl Environment<'_> {
 
     /// Whether all clearances of an agent are free at a place: free of walls, and of bodies other than its
     /// relatives and what hangs flat on a wall.
-    pub(crate) fn has_clearances(&self, agent: AgentIndex, place: &Place, is_good: bool) -> bool {
-        let (class, size) = (self.class(agent), self.agents[agent].size);
-        let kept_by_next_room = self.brief.catalog.audit.doors.open_boundary_depth;
-        class.clearances.iter().all(|clearance| {
+    pub(crate) fn has_clearances<R: Recorder>(
+        &self,
+        (agent, place): (AgentIndex, &Place),
+        is_good: bool,
+        recorder: &mut R,
+    ) -> bool {
+        let mut is_free = true;
+        for clearance in &self.class(agent).clearances {
             let depth = if is_good { clearance.good } else { clearance.minimum };
-            let solid = clearance_solid(clearance, size, &place.pose, depth);
-            // Where the wall is open it may reach across the strip that the next room keeps free.
-            let within = || {
-                let depth = (depth - kept_by_next_room).max(CLEARANCE_TOLERANCE);
-                self.lies_inside(&clearance_solid(clearance, size, &place.pose, depth), CLEARANCE_TOLERANCE)
-            };
-            let is_walled = |border: &Border| !border.is_open;
-            (self.lies_inside(&solid, CLEARANCE_TOLERANCE)
-                || (!self.is_entered(&solid, CLEARANCE_TOLERANCE, is_walled) && within()))
-                && !self.body_grid.any(solid.bounds, |index| {
-                    let body = &self.bodies[index as usize];
-                    !body.is_flat
-                        && body.owner != agent
-                        && body.solid.overlaps(&solid, CLEARANCE_TOLERANCE)
-                        && !self.is_relative(agent, place.parent, body.owner)
-                })
-        })
+            is_free &= self.is_clearance_free((agent, place), clearance, depth, recorder);
+            if !is_free && R::FIRST_IS_ENOUGH {
+                return false;
+            }
+        }
+        is_free
+    }
+
+    /// Whether a clearance is free of walls and bodies, as deep as some metres.
+    fn is_clearance_free<R: Recorder>(
+        &self,
+        (agent, place): (AgentIndex, &Place),
+        clearance: &Clearance,
+        depth: f64,
+        recorder: &mut R,
+    ) -> bool {
+        let solid = clearance_solid(clearance, self.agents[agent].size, &place.pose, depth);
+        let is_walled = self.is_walled((agent, place), (clearance, depth), &solid, recorder);
+        if is_walled && R::FIRST_IS_ENOUGH {
+            return false;
+        }
+        let is_taken = any_obstacle((&self.body_grid, solid.bounds), recorder, |index| {
+            let body = &self.bodies[index];
+            let is_in_it = !body.is_flat
+                && body.owner != agent
+                && body.solid.overlaps(&solid, CLEARANCE_TOLERANCE)
+                && !self.is_relative(agent, place.parent, body.owner);
+            is_in_it.then_some(match body.owner {
+                ROOM => Obstacle::ColumnInOwnClearance,
+                owner => Obstacle::InOwnClearance(owner),
+            })
+        });
+        !is_walled && !is_taken
+    }
+
+    /// Whether the walls leave a clearance too little room. Where the wall is open it may reach across the strip that the
+    /// next room keeps free.
+    fn is_walled<R: Recorder>(
+        &self,
+        (agent, place): (AgentIndex, &Place),
+        (clearance, depth): (&Clearance, f64),
+        solid: &Solid,
+        recorder: &mut R,
+    ) -> bool {
+        if self.lies_inside(solid, CLEARANCE_TOLERANCE) {
+            return false;
+        }
+        let wall = |border: &Border| (!border.is_open).then_some(Obstacle::WallInOwnClearance(border.wall));
+        if self.is_entered((solid, CLEARANCE_TOLERANCE), recorder, wall) {
+            return true;
+        }
+        let kept_by_next_room = self.brief.catalog.audit.doors.open_boundary_depth;
+        let depth = (depth - kept_by_next_room).max(CLEARANCE_TOLERANCE);
+        let own = clearance_solid(clearance, self.agents[agent].size, &place.pose, depth);
+        let is_outside = !self.lies_inside(&own, CLEARANCE_TOLERANCE);
+        if is_outside {
+            recorder.record(Obstacle::BeyondWalls);
+        }
+        is_outside
     }
 
     /// Whether an owner is an ancestor or a descendant of an agent that would have this parent.
@@ -118,26 +175,38 @@ impl Environment<'_> {
 
     /// Whether a place takes of the space that others have plenty of beyond what they need, with the piece itself or
     /// with those who will sit at it.
-    pub(crate) fn takes_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
+    pub(crate) fn takes_comfort<R: Recorder>(
+        &self,
+        (agent, place): (AgentIndex, &Place),
+        recorder: &mut R,
+    ) -> bool {
         let (class, size) = (self.class(agent), self.agents[agent].size);
+        if self.is_flat(size, place) {
+            return false;
+        }
         let whole = box_solid(size, &place.pose);
         let seats = class.clearances.iter().filter_map(|clearance| seat(clearance, size, &place.pose));
-        !self.is_flat(size, place)
-            && core::iter::once(whole).chain(seats).any(|solid| {
-                self.clearance_grid.any(solid.bounds, |index| {
-                    let region = &self.clearances[index as usize];
-                    region.owner != agent
-                        && region.comfort.overlaps(&solid, CLEARANCE_TOLERANCE)
-                        && !self.is_relative(agent, place.parent, region.owner)
-                })
-            })
+        let mut is_taken = false;
+        for solid in core::iter::once(whole).chain(seats) {
+            is_taken |= any_obstacle((&self.clearance_grid, solid.bounds), recorder, |index| {
+                let region = &self.clearances[index];
+                let is_in_it = region.owner != agent
+                    && region.comfort.overlaps(&solid, CLEARANCE_TOLERANCE)
+                    && !self.is_relative(agent, place.parent, region.owner);
+                is_in_it.then_some(Obstacle::ClearanceOf(region.owner))
+            });
+            if is_taken && R::FIRST_IS_ENOUGH {
+                break;
+            }
+        }
+        is_taken
     }
 
     /// Whether an agent would have less room at a place than is good.
     pub(crate) fn lacks_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
         let mut clearances = self.class(agent).clearances.iter();
         clearances.any(|clearance| clearance.good > clearance.minimum)
-            && !self.has_clearances(agent, place, true)
+            && !self.has_clearances((agent, place), true, &mut ())
     }
 
     /// Calls `visit` with every region that is good to have free and meets another.
@@ -163,27 +232,30 @@ impl Environment<'_> {
     }
 
     /// Whether something would stand under a table that it does not belong to, or a table over it.
-    pub(super) fn slides_under_a_stranger(&self, probe: &Probe<'_>) -> bool {
-        let place = probe.place;
+    pub(super) fn slides_under_a_stranger<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
         let stands = |solid: &Solid| solid.low < RUG_HEIGHT && solid.high > RUG_HEIGHT;
         if !stands(&probe.whole) {
             return false;
         }
-        let is_under = |index: u32| {
-            let (roof, owner) = &self.roofs[index as usize];
-            *owner != probe.agent
-                && probe.meets(roof, CONTACT_TOLERANCE)
-                && !self.is_relative(probe.agent, place.parent, *owner)
-        };
-        let is_over = |index: u32| {
-            let body = &self.bodies[index as usize];
-            stands(&body.solid)
+        let is_stranger = |owner: AgentIndex| !self.is_relative(probe.agent, probe.place.parent, owner);
+        let is_under = any_obstacle((&self.roof_grid, probe.whole.bounds), recorder, |index| {
+            let (roof, owner) = &self.roofs[index];
+            let is_under =
+                *owner != probe.agent && probe.meets(roof, CONTACT_TOLERANCE) && is_stranger(*owner);
+            is_under.then_some(Obstacle::Body(*owner))
+        });
+        if (is_under && R::FIRST_IS_ENOUGH) || !has_roof(&self.class(probe.agent).shape) {
+            return is_under;
+        }
+        let is_over = any_obstacle((&self.body_grid, probe.whole.bounds), recorder, |index| {
+            let body = &self.bodies[index];
+            let is_over = stands(&body.solid)
                 && body.owner != probe.agent
                 && body.solid.overlaps(&probe.whole, CONTACT_TOLERANCE)
-                && !self.is_relative(probe.agent, place.parent, body.owner)
-        };
-        self.roof_grid.any(probe.whole.bounds, is_under)
-            || (has_roof(&self.class(probe.agent).shape) && self.body_grid.any(probe.whole.bounds, is_over))
+                && is_stranger(body.owner);
+            is_over.then(|| body_of(body.owner))
+        });
+        is_under || is_over
     }
 
     /// Notes the box of an agent that others could slide under.

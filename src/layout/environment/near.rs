@@ -46,8 +46,8 @@ impl Environment<'_> {
         let radius = size.width.min(size.depth) / 2.0 - 2.0 * CONTACT_TOLERANCE;
         let (middle, around) = (place.pose.position, Point::splat(radius));
         radius > 0.0
-            && self.border_grid.any((middle - around, middle + around), |index| {
-                let border = &self.borders[index as usize];
+            && self.brief.surroundings.border_grid.any((middle - around, middle + around), |index| {
+                let border = &self.brief.surroundings.borders[index as usize];
                 let nearest = nearest_on_segment(middle, (border.start, border.end));
                 nearest.distance_squared(middle) < radius * radius
             })
@@ -55,7 +55,10 @@ impl Environment<'_> {
 
     /// Calls `visit` with every border of the room near a region.
     pub(crate) fn each_border(&self, region: &Solid, mut visit: impl FnMut(&Border)) {
-        self.border_grid.each_under(&region.base, |index| visit(&self.borders[index as usize]));
+        self.brief
+            .surroundings
+            .border_grid
+            .each_under(&region.base, |index| visit(&self.brief.surroundings.borders[index as usize]));
     }
 
     /// Calls `visit` with every part of a resting agent near a place, and its owner.

@@ -1,11 +1,14 @@
 //! What agents meet on their search, noted where somebody wants to know.
 
+use std::collections::BTreeSet;
+
 use crate::layout::furnished::RemovalReason;
 use crate::layout::place::{AgentIndex, Place};
-use crate::layout::rules::unmet_need;
+use crate::layout::rules::{Ground, unmet_need, weigh};
 use crate::layout::trace::Obstacle;
 
 use super::Environment;
+use super::obstruction::Recorder;
 
 impl Environment<'_> {
     /// An agent begins to search.
@@ -22,29 +25,64 @@ impl Environment<'_> {
         }
     }
 
-    /// A group was pushed; its head tells.
+    /// A group was pushed; it is noted for its head.
     pub(crate) fn note_push(&self, agent: AgentIndex) {
         if let Some(trace) = &self.trace {
             trace.borrow_mut().record_mut(agent).was_pushed = true;
         }
     }
 
-    /// A place was refused.
-    pub(crate) fn note_refusal(&self, agent: AgentIndex, place: &Place, reason: RemovalReason) {
+    /// Why an agent cannot or will not stand at a place; what is in the way is noted.
+    pub(crate) fn refusal(&self, agent: AgentIndex, place: &Place) -> Option<RemovalReason> {
+        if self.trace.is_none() {
+            return self.refusal_by(agent, place, &mut ());
+        }
+        let mut obstacles = BTreeSet::new();
+        let reason = self.refusal_by(agent, place, &mut obstacles)?;
+        self.note_refused(agent, reason, obstacles);
+        Some(reason)
+    }
+
+    fn refusal_by<R: Recorder>(
+        &self,
+        agent: AgentIndex,
+        place: &Place,
+        recorder: &mut R,
+    ) -> Option<RemovalReason> {
+        self.obstruction(agent, place, recorder).or_else(|| {
+            let unmet = unmet_need(self, agent, place)?;
+            recorder.record(Obstacle::Relation(unmet));
+            Some(RemovalReason::Relation)
+        })
+    }
+
+    /// A free place was refused because it would make the room tight or dark.
+    pub(crate) fn note_discomfort(&self, agent: AgentIndex, place: &Place) {
         if self.trace.is_some() {
-            self.record_refusal(agent, place, reason);
+            self.note_refused(agent, RemovalReason::Comfort, self.discomforts(agent, place));
         }
     }
 
-    #[cold]
-    fn record_refusal(&self, agent: AgentIndex, place: &Place, reason: RemovalReason) {
-        let Some(trace) = &self.trace else { return };
-        let obstacles = match reason {
-            RemovalReason::Relation => {
-                unmet_need(self, agent, place).map(Obstacle::Relation).into_iter().collect()
+    fn discomforts(&self, agent: AgentIndex, place: &Place) -> BTreeSet<Obstacle> {
+        let mut found = BTreeSet::new();
+        weigh(self, agent, place, |ground, _| match ground {
+            Ground::Wish(_) | Ground::SuitsWall => {}
+            Ground::BeforeWindow => found.record(Obstacle::WindowBehind),
+            Ground::TakesSeat => found.record(Obstacle::Seat),
+            Ground::Tight { takes, lacks } => {
+                if lacks {
+                    found.record(Obstacle::OwnComfort);
+                }
+                if takes {
+                    self.takes_comfort((agent, place), &mut found);
+                }
             }
-            _ => self.obstacles(agent, place, reason),
-        };
+        });
+        found
+    }
+
+    fn note_refused(&self, agent: AgentIndex, reason: RemovalReason, obstacles: BTreeSet<Obstacle>) {
+        let Some(trace) = &self.trace else { return };
         let mut trace = trace.borrow_mut();
         let record = trace.record_mut(agent);
         record.places += 1;

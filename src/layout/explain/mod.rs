@@ -9,8 +9,7 @@ mod survey;
 
 use std::cmp::Reverse;
 
-use crate::catalog::{Catalog, ParentName, Relation, RelationKind};
-use crate::plan::Level;
+use crate::catalog::{ParentName, Relation, RelationKind};
 
 pub use story::{
     Explanation, MissingStory, ObjectStory, ObstacleStory, ParentStory, Refusal, SearchStory, WallStory, Wish,
@@ -24,43 +23,13 @@ use super::place::{AgentIndex, Place};
 use super::result::is_missed;
 use super::rules::{Ground, measure, weigh};
 use super::trace::Refused;
-use super::{Alternative, FurnishOptions};
 use names::{decider, id, obstacle_name, relation_word, target_name};
 use survey::survey_walls;
 
-/// Furnishes one room exactly as [`super::furnish`] does, and explains what came of it.
-///
-/// # Panics
-/// As [`super::furnish`], if there is no such room.
-#[must_use]
-pub fn explain(
-    level: &Level,
-    room: usize,
-    catalog: &Catalog,
-    options: &FurnishOptions<'_>,
-) -> (Furnished, Explanation) {
-    explain_alternative(level, room, catalog, options, &Alternative::default())
-}
-
-/// Furnishes one room exactly as [`super::furnish_alternative`] does, and explains what came of it.
-///
-/// # Panics
-/// As [`explain`].
-#[must_use]
-pub fn explain_alternative(
-    level: &Level,
-    room: usize,
-    catalog: &Catalog,
-    options: &FurnishOptions<'_>,
-    alternative: &Alternative,
-) -> (Furnished, Explanation) {
-    match Brief::new((level, room), catalog, options, alternative) {
-        Ok(brief) => {
-            let kept = best_attempt(&brief, Recording::On, explanation);
-            (kept.furnished, Explanation { attempts: kept.attempts, kept: kept.number, ..kept.words })
-        }
-        Err(furnished) => (furnished, Explanation::default()),
-    }
+/// Furnishes a room by its brief, and explains what came of it.
+pub(super) fn explain(brief: &Brief<'_>) -> (Furnished, Explanation) {
+    let kept = best_attempt(brief, Recording::On, explanation);
+    (kept.furnished, Explanation { attempts: kept.attempts, kept: kept.number, ..kept.words })
 }
 
 /// Tells about the objects and the missing pieces of an attempt; its number is filled in by the caller.
@@ -217,6 +186,7 @@ mod tests {
     use super::*;
     use crate::catalog::{Count, Untidiness};
     use crate::layout::tests::{WIDE, catalog, level};
+    use crate::layout::{Alternative, FurnishOptions, RoomLayout};
 
     const DESK: usize = 1;
     const SHELF: usize = 4;
@@ -227,7 +197,7 @@ mod tests {
         let programme = [(DESK, Count::Fixed(desks)), (SHELF, Count::Fixed(shelves))];
         let catalog = catalog(&programme, Untidiness::default());
         let options = FurnishOptions::new(1, "test");
-        explain(&level(&corners), 0, &catalog, &options)
+        RoomLayout::new(&level(&corners), 0, &catalog, &options).explain(&Alternative::default())
     }
 
     #[test]

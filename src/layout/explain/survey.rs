@@ -1,6 +1,8 @@
 //! What stands along the walls, for `explain`: the search knows the free stretches of a wall and does not try the
 //! others, so that a piece for which no stretch is long enough has tried nothing that could be told.
 
+use std::collections::BTreeSet;
+
 use crate::catalog::{ParentName, ParentRule, Side};
 use crate::geometry::Point;
 
@@ -30,8 +32,8 @@ pub(super) fn survey_walls(environment: &Environment<'_>, agent: AgentIndex) -> 
     let places = places(environment, agent, rule);
     for place in &places {
         survey.places += 1;
-        let Some(reason) = environment.obstruction(agent, place) else { continue };
-        let obstacles = environment.obstacles(agent, place, reason);
+        let mut obstacles = BTreeSet::new();
+        let Some(reason) = environment.obstruction(agent, place, &mut obstacles) else { continue };
         survey.refused.add(reason, obstacles);
     }
     (survey.places > 0).then_some(survey)

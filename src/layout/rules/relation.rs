@@ -85,7 +85,8 @@ pub(crate) fn weigh<'a>(
     if takes_a_seat {
         tell(Ground::TakesSeat, -SEAT_PENALTY);
     }
-    let (takes, lacks) = (environment.takes_comfort(agent, place), environment.lacks_comfort(agent, place));
+    let (takes, lacks) =
+        (environment.takes_comfort((agent, place), &mut ()), environment.lacks_comfort(agent, place));
     if takes || lacks {
         tell(Ground::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
     }
