@@ -6,9 +6,9 @@ use crate::geometry::Point;
 use super::possible::Held;
 use super::quantity::Quantity;
 
-/// Something that a finding is about.
+/// An object or a part of a room that a finding is about, or a class of which a piece is missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Thing {
+pub enum Element {
     /// An object, by index into the placements of the room.
     Object(usize),
     /// By index into the level's openings.
@@ -21,13 +21,13 @@ pub enum Thing {
     Class(ClassIndex),
 }
 
-/// A thing with its id in the output.
+/// An element with its id in the output.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Named {
     /// The id.
     pub(crate) id: String,
     /// What it is.
-    pub(crate) thing: Thing,
+    pub(crate) element: Element,
 }
 
 /// A region of floor: corners in plan metres, counter-clockwise.
@@ -44,7 +44,7 @@ pub(crate) struct Fault {
     pub(crate) measured: f64,
     /// The threshold that it breaks, in the same unit.
     pub(crate) threshold: f64,
-    /// The floor that it is about; empty where it is about things only.
+    /// The floor that it is about; empty where it is about elements only.
     pub(crate) region: Vec<FloorRegion>,
     /// Whether the plan leaves another choice.
     pub(crate) is_possible: Held,

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::contract::FindingExtras;
 
 use super::checks::Code;
-use super::fault::{Fault, FloorRegion, Named, Thing};
+use super::fault::{Fault, FloorRegion, Named, Element};
 use super::possible::Held;
 use super::quantity::Quantity;
 use super::severity::Severity;
@@ -27,13 +27,13 @@ pub struct Finding {
     /// Whether it was not searched further if the plan leaves another choice: the finding then counts as if it did.
     #[serde(skip_serializing_if = "is_false")]
     pub not_searched_further: bool,
-    /// What the objects are, in their order.
+    /// What the ids in `objects` stand for, in their order.
     #[serde(skip)]
-    pub things: Vec<Thing>,
+    pub elements: Vec<Element>,
     /// What was measured.
     #[serde(skip)]
     pub quantity: Quantity,
-    /// The floor that it is about; empty where it is about things only.
+    /// The floor that it is about; empty where it is about elements only.
     #[serde(skip)]
     pub region: Vec<FloorRegion>,
 }
@@ -48,10 +48,10 @@ impl Finding {
     pub(crate) fn new(code: Code, fault: Fault) -> Self {
         let Fault { mut subjects, quantity, measured, threshold, region, is_possible } = fault;
         subjects.sort_unstable();
-        let (objects, things) = subjects.into_iter().map(|Named { id, thing }| (id, thing)).unzip();
+        let (objects, elements) = subjects.into_iter().map(|Named { id, element }| (id, element)).unzip();
         let severity = if is_possible == Held::No { Severity::Given } else { code.severity() };
         let not_searched_further = is_possible == Held::Unknown;
-        Self { code, severity, objects, measured, threshold, not_searched_further, things, quantity, region }
+        Self { code, severity, objects, measured, threshold, not_searched_further, elements, quantity, region }
     }
 
     /// The finding as files hold it.

@@ -31,7 +31,7 @@ mod verdict;
 mod zone;
 
 pub use checks::Code;
-pub use fault::Thing;
+pub use fault::Element;
 pub use finding::{Finding, Grade};
 pub use possible::{Ask, Held, Question};
 pub use score::Score;

@@ -31,13 +31,13 @@ pub(crate) fn met(subject: &Subject<'_>, hits: &[NearPair<'_>]) -> Option<f64> {
 
 /// What wishes are about: a point, the way it faces, and half of its smaller side.
 #[derive(Clone, Copy)]
-struct Thing {
+struct Target {
     position: Point,
     front: Point,
     radius: f64,
 }
 
-impl Thing {
+impl Target {
     fn of_body(body: &Body<'_>) -> Self {
         let size = body.placement.size;
         Self {
@@ -64,7 +64,7 @@ impl<'s, 'a> Known<'s, 'a> {
 
     /// How far a wish of a body is met, from 0 to 1; `None` where what it is about is not there.
     fn met(&self, index: usize, relation: &Relation) -> Option<f64> {
-        let own = Thing::of_body(&self.subject.bodies[index]);
+        let own = Target::of_body(&self.subject.bodies[index]);
         let (mut least, mut most) = (None, None);
         self.each_target(index, &relation.target, own.position, |thing| {
             let value = value(relation, own, thing);
@@ -81,15 +81,15 @@ impl<'s, 'a> Known<'s, 'a> {
     }
 
     /// Calls `visit` with all that a name means, but for the body itself.
-    fn each_target(&self, own: usize, name: &ParentName, position: Point, mut visit: impl FnMut(Thing)) {
+    fn each_target(&self, own: usize, name: &ParentName, position: Point, mut visit: impl FnMut(Target)) {
         let Subject { level, room, bodies, .. } = self.subject;
-        let fixed = |position, front| Thing { position, front, radius: 0.0 };
+        let fixed = |position, front| Target { position, front, radius: 0.0 };
         match name {
             ParentName::Classes(classes) => {
                 for &class in classes {
                     let others = self.subject.nearest_of(class, position);
                     let others = others.into_iter().filter(|&index| index != own);
-                    others.for_each(|index| visit(Thing::of_body(&bodies[index])));
+                    others.for_each(|index| visit(Target::of_body(&bodies[index])));
                 }
             }
             ParentName::Window | ParentName::Door => {
@@ -118,7 +118,7 @@ impl<'s, 'a> Known<'s, 'a> {
 }
 
 /// How far a wish about one thing is met.
-fn value(relation: &Relation, own: Thing, other: Thing) -> f64 {
+fn value(relation: &Relation, own: Target, other: Target) -> f64 {
     let between = other.position - own.position;
     let distance = (between.length() - own.radius - other.radius).max(0.0);
     let towards = between.normalize_or(own.front);

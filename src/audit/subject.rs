@@ -13,7 +13,7 @@ use crate::plan::{Level, Room};
 
 use super::bounds::Bounds;
 use super::convex::area;
-use super::fault::{Named, Thing};
+use super::fault::{Named, Element};
 use super::near::{NearBoxes, NearPoints};
 
 /// One furnished room.
@@ -75,27 +75,27 @@ impl<'a> Subject<'a> {
 
     /// An object, by index into the placements.
     pub(crate) fn object(&self, index: usize) -> Named {
-        Named { id: self.bodies[index].id.clone(), thing: Thing::Object(index) }
+        Named { id: self.bodies[index].id.clone(), element: Element::Object(index) }
     }
 
     /// An opening, by index into the level's.
     pub(crate) fn opening(&self, index: usize) -> Named {
-        Named { id: opening_id(&self.level.openings[index]).to_string(), thing: Thing::Opening(index) }
+        Named { id: opening_id(&self.level.openings[index]).to_string(), element: Element::Opening(index) }
     }
 
     /// A class of which a piece is missing.
     pub(crate) fn class(&self, index: ClassIndex) -> Named {
-        Named { id: self.catalog.classes[index].id.clone(), thing: Thing::Class(index) }
+        Named { id: self.catalog.classes[index].id.clone(), element: Element::Class(index) }
     }
 
     /// A wall, by index into the room's.
     pub(crate) fn wall(index: usize) -> Named {
-        Named { id: ElementId::Wall(index).to_string(), thing: Thing::Wall(index) }
+        Named { id: ElementId::Wall(index).to_string(), element: Element::Wall(index) }
     }
 
     /// A column, by index into the room's obstacles.
     pub(crate) fn column(index: usize) -> Named {
-        Named { id: ElementId::Column(index).to_string(), thing: Thing::Column(index) }
+        Named { id: ElementId::Column(index).to_string(), element: Element::Column(index) }
     }
 
     /// The thresholds.
@@ -119,7 +119,7 @@ impl<'a> Subject<'a> {
         self.near_boxes.get_or_init(|| NearBoxes::new(self.bodies.iter().map(|body| body.bounds)))
     }
 
-    /// The bodies of a class that are nearest to a place, by index, so many as [`NearPoints::nearest`] tells.
+    /// The bodies of a class that are nearest to a place, by index, so many as [`NearPoints::nearest`] gives.
     pub(crate) fn nearest_of(&self, class: ClassIndex, place: Point) -> Vec<usize> {
         let by_class = self.by_class.get_or_init(|| {
             let mut places: BTreeMap<ClassIndex, Vec<(usize, Point)>> = BTreeMap::new();

@@ -10,12 +10,12 @@ use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, W
 use crate::recipes::{GeometrySet, Slot, find};
 use crate::solve::judge_room;
 
-use super::fault::{Fault, Named, Thing};
+use super::fault::{Fault, Named, Element};
 use super::{Code, Finding, Severity, Verdict};
 
 /// A finding of a kind that the test has no room for.
 pub(crate) fn found(code: Code, ids: &[&str]) -> Finding {
-    let named = |id: &&str| Named { id: (*id).to_owned(), thing: Thing::Object(0) };
+    let named = |id: &&str| Named { id: (*id).to_owned(), element: Element::Object(0) };
     Finding::new(code, Fault::new(code.quantities()[0], ids.iter().map(named).collect(), 0.5, 0.9))
 }
 

@@ -28,8 +28,8 @@ pub(crate) enum Recording {
 pub(crate) struct Kept<T> {
     /// The room.
     pub(crate) furnished: Furnished,
-    /// What was said about it.
-    pub(crate) words: T,
+    /// Its description.
+    pub(crate) description: T,
     /// Which attempt it is, from 1.
     pub(crate) number: u32,
     /// How many there were.
@@ -38,16 +38,16 @@ pub(crate) struct Kept<T> {
     pub(crate) steps: u64,
 }
 
-/// Furnishes a room as often as it deserves and keeps the attempt that lacks least, of equals the first. `tell` says something
-/// about each.
+/// Furnishes a room as often as it deserves and keeps the attempt that lacks least, of equals the first. `describe` gives a
+/// description of each.
 pub(crate) fn best_attempt<T>(
     brief: &Brief<'_>,
     recording: Recording,
-    tell: impl Fn(&Environment<'_>, &Furnished) -> T,
+    describe: impl Fn(&Environment<'_>, &Furnished) -> T,
 ) -> Kept<T> {
     let mut urgency = vec![0; brief.pieces.len()];
     let mut attempt = |number: u32| {
-        let attempt = Attempt::new(brief, (number, recording), &urgency, &tell);
+        let attempt = Attempt::new(brief, (number, recording), &urgency, &describe);
         attempt.missed.iter().for_each(|&agent| urgency[agent] += 1);
         attempt
     };
@@ -61,8 +61,8 @@ pub(crate) fn best_attempt<T>(
         }
         attempts += 1;
     }
-    let Attempt { furnished, words, number, .. } = best;
-    Kept { furnished, words, number: number + 1, attempts, steps }
+    let Attempt { furnished, description, number, .. } = best;
+    Kept { furnished, description, number: number + 1, attempts, steps }
 }
 
 /// What an attempt lacks, the worst first: attempts are compared in this order.
@@ -100,7 +100,7 @@ struct Attempt<T> {
     lack: Lack,
     /// Whom the next attempt should serve first.
     missed: BTreeSet<AgentIndex>,
-    words: T,
+    description: T,
     steps: u64,
 }
 
@@ -109,7 +109,7 @@ impl<T> Attempt<T> {
         brief: &Brief<'_>,
         (number, recording): (u32, Recording),
         urgency: &[u32],
-        tell: impl Fn(&Environment<'_>, &Furnished) -> T,
+        describe: impl Fn(&Environment<'_>, &Furnished) -> T,
     ) -> Self {
         let alternative = brief.alternative.number;
         let heeds_tags = alternative < ALTERNATIVES_WITH_TAGS && number < ATTEMPTS;
@@ -122,7 +122,7 @@ impl<T> Attempt<T> {
             number,
             lack: Lack::of(&furnished, closed_ways),
             missed: missed(&environment),
-            words: tell(&environment, &furnished),
+            description: describe(&environment, &furnished),
             steps: environment.steps(),
             furnished,
         }

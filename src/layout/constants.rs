@@ -13,7 +13,7 @@ pub(crate) const CONTACT_TOLERANCE: f64 = 5e-4;
 pub(crate) const CLEARANCE_TOLERANCE: f64 = 0.0098;
 /// Free places compared where an agent has wishes about other objects; more meet more wishes, and take as many steps more.
 pub(crate) const CANDIDATES_WITH_RELATIONS: usize = 10;
-/// Candidates compared where only clearances and windows tell places apart.
+/// Candidates compared where places differ in clearances and windows only.
 pub(crate) const CANDIDATES_WITH_CLEARANCES: usize = 4;
 /// Random positions tried on one side or surface before another parent is looked for (section 3.2: "a few
 /// trials").

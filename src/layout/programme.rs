@@ -41,7 +41,7 @@ pub(crate) fn pieces(
     let mut pieces = Vec::new();
     for request in style.programme(room_type) {
         let name = &catalog.classes[request.classes[0]].id;
-        // Lines that begin with the same class share a stream name; their order tells them apart.
+        // Lines that begin with the same class share a stream name; their order keeps them apart.
         let line = counts.drawn[request.classes[0]];
         let mut stream = variants.key.stream(Purpose::Programme, name, line);
         if !applies(request, site, &mut stream) {

@@ -55,6 +55,8 @@ pub(crate) enum Obstacle {
     InOwnClearance(AgentIndex),
     /// A wall that leaves the agent's own clearance no room.
     WallInOwnClearance(usize),
+    /// The agent's own clearance would lie outside the room.
+    OwnClearanceOutside,
     /// A column in the agent's own clearance.
     ColumnInOwnClearance,
     /// A wall through the agent's body.

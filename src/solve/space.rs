@@ -133,7 +133,7 @@ impl<'s, 'a> Space<'s, 'a> {
         columns.any(|(bounds, column)| is_near(bounds) && column.outline.contains(point))
     }
 
-    /// Whether a border runs through a footprint. Nearly all borders are far away, which their boxes tell.
+    /// Whether a border runs through a footprint. Nearly all borders are far away, as their boxes show.
     fn is_crossed(&self, footprint: &Footprint) -> bool {
         let crosses = |border| clip_segment(&footprint.corners, border, ROUNDING / 2.0).is_some();
         let (is_crossed, looked_at) = self.borders.any_near(footprint.bounds, ROUNDING, crosses);

@@ -44,7 +44,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 #[cfg(test)]
 mod tests {
     use crate::audit::testing::{TestRoom, at};
-    use crate::audit::{Code, Severity, Thing};
+    use crate::audit::{Code, Severity, Element};
 
     #[test]
     fn between_minimum_and_good_a_side_is_tight() {
@@ -87,8 +87,8 @@ mod tests {
         room.stand("chest", at(3.0, 0.7));
         let finding = &room.audit()[0];
         assert_eq!(
-            finding.things,
-            [Thing::Object(1), Thing::Object(0)],
+            finding.elements,
+            [Element::Object(1), Element::Object(0)],
             "in the order of {:?}",
             finding.objects
         );

@@ -2,7 +2,7 @@
 
 mod legend;
 mod mark;
-mod thing;
+mod element;
 
 use crate::audit::{Finding, Grade, Severity};
 
@@ -49,9 +49,9 @@ pub(crate) fn draw_regions(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[No
     }
     for noted in by_severity {
         let color = severity_color(noted.finding.severity);
-        for &thing in &noted.finding.things {
-            let outline = thing::outline(thing, drawing, noted.room);
-            thing::draw(thing, &outline, canvas, color);
+        for &element in &noted.finding.elements {
+            let outline = element::outline(element, drawing, noted.room);
+            element::draw(element, &outline, canvas, color);
         }
     }
 }

@@ -139,7 +139,7 @@ impl Environment<'_> {
         let own = clearance_solid(clearance, self.agents[agent].size, &place.pose, depth);
         let is_outside = !self.lies_inside(&own, CLEARANCE_TOLERANCE);
         if is_outside {
-            recorder.record(Obstacle::BeyondWalls);
+            recorder.record(Obstacle::OwnClearanceOutside);
         }
         is_outside
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::layout::furnished::RemovalReason;
 use crate::layout::place::{AgentIndex, Place};
-use crate::layout::rules::{Ground, unmet_need, weigh};
+use crate::layout::rules::{Factor, unmet_need, weigh};
 use crate::layout::trace::Obstacle;
 
 use super::Environment;
@@ -65,11 +65,11 @@ impl Environment<'_> {
 
     fn discomforts(&self, agent: AgentIndex, place: &Place) -> BTreeSet<Obstacle> {
         let mut found = BTreeSet::new();
-        weigh(self, agent, place, |ground, _| match ground {
-            Ground::Wish(_) | Ground::SuitsWall => {}
-            Ground::BeforeWindow => found.record(Obstacle::WindowBehind),
-            Ground::TakesSeat => found.record(Obstacle::Seat),
-            Ground::Tight { takes, lacks } => {
+        weigh(self, agent, place, |factor, _| match factor {
+            Factor::Wish(_) | Factor::SuitsWall => {}
+            Factor::BeforeWindow => found.record(Obstacle::WindowBehind),
+            Factor::TakesSeat => found.record(Obstacle::Seat),
+            Factor::Tight { takes, lacks } => {
                 if lacks {
                     found.record(Obstacle::OwnComfort);
                 }

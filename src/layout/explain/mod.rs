@@ -21,7 +21,7 @@ use super::environment::Environment;
 use super::furnished::{Furnished, RemovalReason};
 use super::place::{AgentIndex, Place};
 use super::result::is_missed;
-use super::rules::{Ground, measure, weigh};
+use super::rules::{Factor, measure, weigh};
 use super::trace::Refused;
 use names::{decider, id, obstacle_name, relation_word, target_name};
 use survey::survey_walls;
@@ -29,10 +29,10 @@ use survey::survey_walls;
 /// Furnishes a room by its brief, and explains what came of it.
 pub(super) fn explain(brief: &Brief<'_>) -> (Furnished, Explanation) {
     let kept = best_attempt(brief, Recording::On, explanation);
-    (kept.furnished, Explanation { attempts: kept.attempts, kept: kept.number, ..kept.words })
+    (kept.furnished, Explanation { attempts: kept.attempts, kept: kept.number, ..kept.description })
 }
 
-/// Tells about the objects and the missing pieces of an attempt; its number is filled in by the caller.
+/// The explanation of the objects and the missing pieces of an attempt; its number is filled in by the caller.
 fn explanation(environment: &Environment<'_>, furnished: &Furnished) -> Explanation {
     let agent_of = |class: usize, number: u32| {
         let is_it = |&agent: &AgentIndex| {
@@ -66,12 +66,12 @@ fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory
     let mut wishes = Vec::new();
     if let Some(rest) = environment.agents[agent].rest() {
         let place = rest.place();
-        weigh(environment, agent, &place, |ground, points| match ground {
-            Ground::Wish(relation) => wishes.push(wish(environment, (agent, &place), relation, points)),
-            Ground::BeforeWindow => wishes.push(fault("before a window", points)),
-            Ground::SuitsWall => wishes.push(Wish { is_met: true, ..fault("its wall suits it", points) }),
-            Ground::TakesSeat => wishes.push(fault("takes the place of a seat", points)),
-            Ground::Tight { takes, lacks } => {
+        weigh(environment, agent, &place, |factor, points| match factor {
+            Factor::Wish(relation) => wishes.push(wish(environment, (agent, &place), relation, points)),
+            Factor::BeforeWindow => wishes.push(fault("before a window", points)),
+            Factor::SuitsWall => wishes.push(Wish { is_met: true, ..fault("its wall suits it", points) }),
+            Factor::TakesSeat => wishes.push(fault("takes the place of a seat", points)),
+            Factor::Tight { takes, lacks } => {
                 let faults = [
                     (takes, "takes of the space that is good for others"),
                     (lacks, "has less space than is good"),
@@ -202,16 +202,16 @@ mod tests {
 
     #[test]
     fn who_finds_no_place_says_what_stood_there_most() {
-        let (furnished, told) = small_room(1, 3);
-        assert_eq!(told.objects.len(), furnished.placements.len());
-        assert_eq!(told.missing.len(), furnished.removals.len());
-        let shelf = told.missing.last().expect("the room is too small for all of them");
+        let (furnished, explanation) = small_room(1, 3);
+        assert_eq!(explanation.objects.len(), furnished.placements.len());
+        assert_eq!(explanation.missing.len(), furnished.removals.len());
+        let shelf = explanation.missing.last().expect("the room is too small for all of them");
         let walls = shelf.walls.as_ref().expect("a shelf goes to a wall");
         let refused: u32 = walls.refused.iter().map(|refusal| refusal.places).sum();
         assert!(shelf.id.starts_with("shelf.") && walls.places > 0 && refused == walls.places, "{walls:?}");
         assert!(walls.refused.is_sorted_by(|a, b| a.places >= b.places));
         let known = |name: &str| {
-            let objects = told.objects.iter().any(|object| name.contains(&object.id));
+            let objects = explanation.objects.iter().any(|object| name.contains(&object.id));
             objects || name.contains("wall.") || name == "door:1"
         };
         let obstacles = walls.refused.iter().flat_map(|refusal| &refusal.obstacles);
@@ -231,6 +231,19 @@ mod tests {
         {
             let refused: u32 = story.refused.iter().map(|refusal| refusal.places).sum();
             assert!(story.searches > 0 && refused + is_placed <= story.places, "{story:?}");
+        }
+    }
+
+    #[test]
+    fn every_refused_place_has_an_obstacle() {
+        for (desks, shelves) in [(1, 3), (2, 2), (3, 1)] {
+            let (_, explanation) = small_room(desks, shelves);
+            let of_objects = explanation.objects.iter().flat_map(|object| &object.search.refused);
+            let of_missing = explanation.missing.iter().flat_map(|piece| &piece.search.refused);
+            for refusal in of_objects.chain(of_missing) {
+                let named: u32 = refusal.obstacles.iter().map(|obstacle| obstacle.places).sum();
+                assert!(named >= refusal.places, "{desks} desks, {shelves} shelves: {refusal:?}");
+            }
         }
     }
 }

@@ -72,6 +72,7 @@ pub(super) fn obstacle_name(environment: &Environment<'_>, agent: AgentIndex, ob
         Obstacle::ClearanceOf(other) => format!("space before {}", object(other)),
         Obstacle::InOwnClearance(other) => format!("{} in its own space", object(other)),
         Obstacle::WallInOwnClearance(wall) => format!("wall.{wall} in its own space"),
+        Obstacle::OwnClearanceOutside => "its own space beyond the walls".to_owned(),
         Obstacle::ColumnInOwnClearance => "a column in its own space".to_owned(),
         Obstacle::Wall(wall) => format!("wall.{wall}"),
         Obstacle::BeyondWalls => "beyond the walls".to_owned(),

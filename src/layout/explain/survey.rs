@@ -1,5 +1,5 @@
 //! What stands along the walls, for `explain`: the search knows the free stretches of a wall and does not try the
-//! others, so that a piece for which no stretch is long enough has tried nothing that could be told.
+//! others, so that a piece for which no stretch is long enough has no refused place to report.
 
 use std::collections::BTreeSet;
 

@@ -9,7 +9,7 @@ mod surface;
 mod turn;
 mod wall;
 
-pub(crate) use relation::{Ground, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
+pub(crate) use relation::{Factor, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
 pub(crate) use turn::angle_of_front;
 
 use crate::catalog::{Class, ParentRule, Side, Size};

@@ -22,14 +22,14 @@ const DISTANCE_FADE: f64 = 1.0;
 pub(crate) struct Score {
     /// More is better, zero is indifferent.
     pub(crate) value: f64,
-    /// Whether it darkens a window or takes the place of a seat: worth looking further.
+    /// Whether it darkens a window or takes the place of a seat: the agent looks further.
     pub(crate) is_spoilt: bool,
     /// Whether somebody has less room than is good because of it.
     pub(crate) is_tight: bool,
 }
 
 impl Score {
-    /// Whether a better place is worth looking for.
+    /// Whether the agent looks for a better place.
     pub(crate) fn is_poor(self) -> bool {
         self.is_spoilt || self.is_tight
     }
@@ -44,7 +44,7 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
 
 /// What counts for or against a place.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Ground<'a> {
+pub(crate) enum Factor<'a> {
     /// A wish of the class.
     Wish(&'a Relation),
     /// It darkens a window.
@@ -57,13 +57,13 @@ pub(crate) enum Ground<'a> {
     Tight { takes: bool, lacks: bool },
 }
 
-/// Tells what counts for or against a place, with its points, and answers whether the place is spoilt and whether
+/// Calls `visit` with what counts for or against a place and its points, and answers whether the place is spoilt and whether
 /// it is tight. The sum of the points is the score.
 pub(crate) fn weigh<'a>(
     environment: &Environment<'a>,
     agent: AgentIndex,
     place: &Place,
-    mut tell: impl FnMut(Ground<'a>, f64),
+    mut visit: impl FnMut(Factor<'a>, f64),
 ) -> (bool, bool) {
     let class = environment.class(agent);
     let is_before_window = stands_before_window(environment, agent, place);
@@ -72,23 +72,23 @@ pub(crate) fn weigh<'a>(
             RelationKind::NotBefore => f64::from(u8::from(!is_before_window)),
             _ => fulfilment(environment, agent, place, relation),
         };
-        tell(Ground::Wish(relation), relation.weight * value);
+        visit(Factor::Wish(relation), relation.weight * value);
     }
     if is_before_window {
-        tell(Ground::BeforeWindow, -WINDOW_PENALTY);
+        visit(Factor::BeforeWindow, -WINDOW_PENALTY);
     }
     let suits = suits_wall(environment, agent, place);
     if suits > 0.0 {
-        tell(Ground::SuitsWall, BUILT_IN_REWARD * suits);
+        visit(Factor::SuitsWall, BUILT_IN_REWARD * suits);
     }
     let takes_a_seat = environment.takes_a_seat(agent, place);
     if takes_a_seat {
-        tell(Ground::TakesSeat, -SEAT_PENALTY);
+        visit(Factor::TakesSeat, -SEAT_PENALTY);
     }
     let (takes, lacks) =
         (environment.takes_comfort((agent, place), &mut ()), environment.lacks_comfort(agent, place));
     if takes || lacks {
-        tell(Ground::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
+        visit(Factor::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
     }
     (is_before_window || takes_a_seat, takes || lacks)
 }
