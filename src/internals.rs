@@ -41,8 +41,8 @@ pub mod gltf {
 }
 pub mod layout {
     pub use crate::layout::{
-        FurnishOptions, Furnished, Parent, Placement, Removal, RemovalReason, explain, furnish,
-        furnish_counted,
+        Alternative, FurnishOptions, Furnished, Parent, Placement, Removal, RemovalReason, RoomLayout,
+        furnish,
     };
 }
 pub mod model {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::contract::FindingExtras;
 
 use super::checks::Code;
-use super::fault::{Fault, FloorRegion, Named, Element};
+use super::fault::{Element, Fault, FloorRegion, Named};
 use super::possible::Held;
 use super::quantity::Quantity;
 use super::severity::Severity;
@@ -51,7 +51,17 @@ impl Finding {
         let (objects, elements) = subjects.into_iter().map(|Named { id, element }| (id, element)).unzip();
         let severity = if is_possible == Held::No { Severity::Given } else { code.severity() };
         let not_searched_further = is_possible == Held::Unknown;
-        Self { code, severity, objects, measured, threshold, not_searched_further, elements, quantity, region }
+        Self {
+            code,
+            severity,
+            objects,
+            measured,
+            threshold,
+            not_searched_further,
+            elements,
+            quantity,
+            region,
+        }
     }
 
     /// The finding as files hold it.

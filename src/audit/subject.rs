@@ -13,7 +13,7 @@ use crate::plan::{Level, Room};
 
 use super::bounds::Bounds;
 use super::convex::area;
-use super::fault::{Named, Element};
+use super::fault::{Element, Named};
 use super::near::{NearBoxes, NearPoints};
 
 /// One furnished room.

@@ -10,7 +10,7 @@ use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, W
 use crate::recipes::{GeometrySet, Slot, find};
 use crate::solve::judge_room;
 
-use super::fault::{Fault, Named, Element};
+use super::fault::{Element, Fault, Named};
 use super::{Code, Finding, Severity, Verdict};
 
 /// A finding of a kind that the test has no room for.

@@ -47,9 +47,7 @@ mod ways;
 
 pub use body::{clearance_solids, solids};
 pub use choice::room_style;
-pub use explain::{
-    Explanation, MissingStory, ObjectStory, Refusal, SearchStory, Wish,
-};
+pub use explain::{Explanation, MissingStory, ObjectStory, Refusal, SearchStory, Wish};
 pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 pub(crate) use ids::{object_id, opening_id, parent_id};
 pub use lock::{Lock, LockSupport};

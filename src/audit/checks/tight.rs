@@ -44,7 +44,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 #[cfg(test)]
 mod tests {
     use crate::audit::testing::{TestRoom, at};
-    use crate::audit::{Code, Severity, Element};
+    use crate::audit::{Code, Element, Severity};
 
     #[test]
     fn between_minimum_and_good_a_side_is_tight() {

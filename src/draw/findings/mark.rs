@@ -5,7 +5,7 @@ use crate::draw::canvas::{Canvas, TextStyle, short};
 use crate::draw::labels::label_place;
 use crate::geometry::{Point, direction, edges, nearest_on_segment};
 
-use super::{Noted, severity_color, element};
+use super::{Noted, element, severity_color};
 
 /// Pixels of a mark's radius.
 pub(super) const RADIUS: f64 = 7.5;
@@ -36,7 +36,8 @@ pub(crate) fn draw_marks(canvas: &mut Canvas, drawing: &Drawing<'_>, all: &[Note
 
 /// The subject of the mark: the region if there is one, else the first object or room part.
 fn outline(drawing: &Drawing<'_>, noted: &Noted<'_>) -> Vec<Point> {
-    let outlines = noted.finding.elements.iter().map(|&element| element::outline(element, drawing, noted.room));
+    let outlines =
+        noted.finding.elements.iter().map(|&element| element::outline(element, drawing, noted.room));
     let mut outlines = noted.finding.region.iter().cloned().chain(outlines);
     outlines.find(|outline| !outline.is_empty()).unwrap_or_default()
 }

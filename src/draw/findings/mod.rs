@@ -1,8 +1,8 @@
 //! Draws the audit's findings over the plan: outlines, hatched regions, numbered marks, and a legend below.
 
+mod element;
 mod legend;
 mod mark;
-mod element;
 
 use crate::audit::{Finding, Grade, Severity};
 
