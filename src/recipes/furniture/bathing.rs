@@ -376,6 +376,12 @@ fn riser(draft: &Draft, builder: &mut Builder, x: f64) {
         };
         builder.add(slot, lathe(&head, 14).moved(x, high - drop, out + reach - 0.012));
     }
+    hand_shower(builder, slot, [x, low, out]);
+}
+
+/// A hand shower on its holder, and the hose down to the mixer at a height.
+fn hand_shower(builder: &mut Builder, slot: Slot, [x, low, out]: [f64; 3]) {
+    let bay = builder.bay();
     let holder = DVec3::new(x, bay.height() * 0.72, out);
     builder.cuboid(slot, Bay::around(holder, 0.03, 0.04, 0.04));
     let hand = cylinder(0.01, [-0.09, 0.07], 8).turned_x(0.35);

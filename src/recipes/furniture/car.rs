@@ -186,25 +186,7 @@ fn pick_up(builder: &mut Builder, paint: Slot) {
     let front = body.with_z([z(0.4), body.high.z]);
     builder.rounded(paint, front, DVec3::new(0.05, 0.06, 0.1), 2);
     let bed = body.with_z([body.low.z, z(0.4) - 0.02]);
-    builder.cuboid(
-        paint,
-        bed.slab(Side::Below, bed.height() * 0.55).inset(0.004, 0.0, 0.004).moved(0.0, 0.006, 0.0),
-    );
-    for side in [Side::Left, Side::Right] {
-        builder.block(paint, bed.slab(side, 0.07), 0.012);
-    }
-    for side in [Side::Front, Side::Back] {
-        builder.block(
-            paint,
-            bed.slab(side, 0.06).inset(0.068, 0.003, 0.002).without(Side::Above, 0.003),
-            0.01,
-        );
-    }
-    builder.cuboid(
-        Slot::Rubber,
-        bed.inset(0.069, 0.0, 0.059)
-            .with_y([bed.low.y + bed.height() * 0.5, bed.low.y + bed.height() * 0.57]),
-    );
+    open_bed(builder, paint, bed);
     let foot = front.with_y([waist - 0.02, high]).inset(0.05, 0.0, 0.0).with_z([z(0.41), z(0.74)]);
     let roof = foot
         .with_y([high * 0.94, high])
@@ -233,6 +215,29 @@ fn pick_up(builder: &mut Builder, paint: Slot) {
     let bow = [(-x, waist - 0.05), (-x * 0.86, high * 0.93), (x * 0.86, high * 0.93), (x, waist - 0.05)];
     let bow = bow.map(|(x, y)| DVec3::new(x, y, bed.high.z - 0.1));
     builder.add(Slot::Chrome, sweep(&bow, 0.03, 8));
+}
+
+/// A bed open to the sky, lined with rubber.
+fn open_bed(builder: &mut Builder, paint: Slot, bed: Bay) {
+    builder.cuboid(
+        paint,
+        bed.slab(Side::Below, bed.height() * 0.55).inset(0.004, 0.0, 0.004).moved(0.0, 0.006, 0.0),
+    );
+    for side in [Side::Left, Side::Right] {
+        builder.block(paint, bed.slab(side, 0.07), 0.012);
+    }
+    for side in [Side::Front, Side::Back] {
+        builder.block(
+            paint,
+            bed.slab(side, 0.06).inset(0.068, 0.003, 0.002).without(Side::Above, 0.003),
+            0.01,
+        );
+    }
+    builder.cuboid(
+        Slot::Rubber,
+        bed.inset(0.069, 0.0, 0.059)
+            .with_y([bed.low.y + bed.height() * 0.5, bed.low.y + bed.height() * 0.57]),
+    );
 }
 
 /// A body in one sweep with a short bonnet and an upright tail, on small wheels; plain bumpers, a rack on the roof.

@@ -115,34 +115,34 @@ fn disc_and_loops(stand: &Stand, builder: &mut Builder) {
     );
 }
 
+/// A turned column, and one with more rings: (share of its radius, share of its height).
+const PLAIN_COLUMN: [(f64, f64); 9] = [
+    (0.9, 0.06),
+    (1.0, 0.3),
+    (1.35, 0.32),
+    (0.9, 0.34),
+    (0.8, 0.93),
+    (1.2, 0.95),
+    (0.6, 0.965),
+    (1.1, 0.982),
+    (0.4, 1.0),
+];
+const RICH_COLUMN: [(f64, f64); 9] = [
+    (1.3, 0.05),
+    (0.8, 0.08),
+    (1.3, 0.2),
+    (0.7, 0.36),
+    (1.1, 0.4),
+    (0.8, 0.45),
+    (0.75, 0.92),
+    (1.3, 0.96),
+    (0.3, 1.0),
+];
+
 /// A turned column on four bent legs, with double hooks in the form of an S and a ring for umbrellas (Thonet).
 fn bentwood(stand: &Stand, builder: &mut Builder, form: usize) {
     let slot = [Slot::Wood, Slot::WoodDark, Slot::WoodDark, Slot::Wood][form];
-    let column: &[(f64, f64)] = if form.is_multiple_of(2) {
-        &[
-            (0.9, 0.06),
-            (1.0, 0.3),
-            (1.35, 0.32),
-            (0.9, 0.34),
-            (0.8, 0.93),
-            (1.2, 0.95),
-            (0.6, 0.965),
-            (1.1, 0.982),
-            (0.4, 1.0),
-        ]
-    } else {
-        &[
-            (1.3, 0.05),
-            (0.8, 0.08),
-            (1.3, 0.2),
-            (0.7, 0.36),
-            (1.1, 0.4),
-            (0.8, 0.45),
-            (0.75, 0.92),
-            (1.3, 0.96),
-            (0.3, 1.0),
-        ]
-    };
+    let column = if form.is_multiple_of(2) { &PLAIN_COLUMN } else { &RICH_COLUMN };
     let column: Vec<(f64, f64)> = column.iter().map(|&(r, rise)| (r * 0.021, rise * stand.high)).collect();
     stand.place(builder, slot, lathe(&column, 8));
     let leg = [stand.at(0.24, 0.06), stand.at(0.14, 0.3), stand.at(0.09, 0.62), stand.at(0.008, 0.95)];

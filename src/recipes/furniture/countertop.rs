@@ -283,22 +283,8 @@ fn espresso(builder: &mut Builder, slot: Slot, base: Bay) {
         Slot::WoodDark,
         Bay::around(DVec3::new(0.0, height * 0.53, bay.high.z - 0.006), 0.016, 0.02, 0.012),
     );
-    for x in [-0.3, 0.3] {
-        let knob = turned_forward(lathe(&[(0.012, -SINK), (0.018, 0.01), (0.014, 0.026)], 8));
-        builder.add(Slot::PlasticDark, knob.moved(x * bay.width(), head.center().y, head.high.z));
-    }
-    let gauge = turned_forward(lathe(
-        &[(head.height() * 0.26, -SINK), (head.height() * 0.26, 0.006), (head.height() * 0.2, 0.007)],
-        14,
-    ));
-    builder.add(Slot::Paper, gauge.moved(0.0, head.center().y, head.high.z));
-    let x = bay.width() * 0.42;
-    let wand = [
-        DVec3::new(x, head.low.y + 0.01, z),
-        DVec3::new(x, height * 0.4, z + 0.02),
-        DVec3::new(x * 0.9, height * 0.26, z + 0.03),
-    ];
-    builder.add(Slot::Chrome, sweep(&wand, 0.006, 6));
+    knobs_and_gauge(builder, head);
+    steam_wand(builder, head, z);
     let size = height * 0.07;
     cup(builder, DVec3::new(0.0, base.high.y + 0.0055, z), size);
     for place in [-0.22, 0.18] {
@@ -313,4 +299,31 @@ fn espresso(builder: &mut Builder, slot: Slot, base: Bay) {
         Bay::around(DVec3::new(0.0, height * 0.94, head.low.z + 0.05), bay.width() * 0.4, 0.0, 0.06)
             .with_y([head.high.y - SINK, height]),
     );
+}
+
+/// A gauge between two knobs.
+fn knobs_and_gauge(builder: &mut Builder, head: Bay) {
+    let bay = builder.bay();
+    for x in [-0.3, 0.3] {
+        let knob = turned_forward(lathe(&[(0.012, -SINK), (0.018, 0.01), (0.014, 0.026)], 8));
+        builder.add(Slot::PlasticDark, knob.moved(x * bay.width(), head.center().y, head.high.z));
+    }
+    let gauge = turned_forward(lathe(
+        &[(head.height() * 0.26, -SINK), (head.height() * 0.26, 0.006), (head.height() * 0.2, 0.007)],
+        14,
+    ));
+    builder.add(Slot::Paper, gauge.moved(0.0, head.center().y, head.high.z));
+}
+
+/// A bent pipe at the right.
+fn steam_wand(builder: &mut Builder, head: Bay, z: f64) {
+    let bay = builder.bay();
+    let height = bay.height();
+    let x = bay.width() * 0.42;
+    let wand = [
+        DVec3::new(x, head.low.y + 0.01, z),
+        DVec3::new(x, height * 0.4, z + 0.02),
+        DVec3::new(x * 0.9, height * 0.26, z + 0.03),
+    ];
+    builder.add(Slot::Chrome, sweep(&wand, 0.006, 6));
 }

@@ -185,14 +185,7 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
         };
     let radius = (face.width() * size).min(face.height() * size);
     let y = face.low.y + face.height() * 0.54;
-    let shares: &[(f64, f64)] = match draft.set() {
-        GeometrySet::Plain => &[(0.0, 1.0), (0.8, 1.0), (1.0, 0.97), (0.8, 0.7), (0.0, 0.68)],
-        GeometrySet::Traditional => {
-            &[(0.0, 1.0), (0.4, 1.0), (0.5, 0.93), (1.0, 0.84), (0.8, 0.7), (0.0, 0.68)]
-        }
-        GeometrySet::Industrial => &[(0.0, 1.0), (0.6, 1.0), (0.6, 0.8), (0.0, 0.7)],
-        GeometrySet::Budget => &[(0.0, 1.0), (0.6, 0.97), (1.0, 0.87), (0.8, 0.7), (0.0, 0.68)],
-    };
+    let shares = rim_profile(draft.set());
     let rings = shares
         .iter()
         .map(|&(out, share)| Slice::round(if out > 0.0 { REACH * out } else { -SINK }, radius * share));
@@ -229,6 +222,18 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
             );
             builder.cuboid(Slot::PlasticDark, bar.with_z([surface + REACH * 0.4, surface + REACH * 0.83]));
         }
+    }
+}
+
+/// The profile of a porthole's rim: shares of how far it stands out, and of its radius.
+fn rim_profile(set: GeometrySet) -> &'static [(f64, f64)] {
+    match set {
+        GeometrySet::Plain => &[(0.0, 1.0), (0.8, 1.0), (1.0, 0.97), (0.8, 0.7), (0.0, 0.68)],
+        GeometrySet::Traditional => {
+            &[(0.0, 1.0), (0.4, 1.0), (0.5, 0.93), (1.0, 0.84), (0.8, 0.7), (0.0, 0.68)]
+        }
+        GeometrySet::Industrial => &[(0.0, 1.0), (0.6, 1.0), (0.6, 0.8), (0.0, 0.7)],
+        GeometrySet::Budget => &[(0.0, 1.0), (0.6, 0.97), (1.0, 0.87), (0.8, 0.7), (0.0, 0.68)],
     }
 }
 

@@ -154,16 +154,22 @@ fn trough(draft: &Draft, builder: &mut Builder, bay: Bay) {
         bay.with_y([height * 0.7 - SINK, height * 0.9]).inset(wall * 1.15, 0.0, wall * 1.15),
     );
     if is_boarded {
-        let boards = bay.with_y([height * 0.12, height * 0.8]).inset(wall * 1.2, 0.0, 0.0);
-        for side in [Side::Front, Side::Back] {
-            let face = boards.slab(side, wall * 1.6).inset(0.0, 0.0, wall * 0.3);
-            face.rows(3, 0.006).into_iter().for_each(|board| builder.block(Slot::Wood, board, 0.003));
-        }
-        for side in [Side::Left, Side::Right] {
-            for end in [Side::Front, Side::Back] {
-                let post = bay.slab(side, wall * 2.2).slab(end, wall * 2.2).with_y([0.001, height * 0.86]);
-                builder.cuboid(Slot::Wood, post.inset(0.001, 0.0, 0.001));
-            }
+        boards_and_posts(builder, bay, wall);
+    }
+}
+
+/// Boards before a trough, between posts at its corners.
+fn boards_and_posts(builder: &mut Builder, bay: Bay, wall: f64) {
+    let height = bay.height();
+    let boards = bay.with_y([height * 0.12, height * 0.8]).inset(wall * 1.2, 0.0, 0.0);
+    for side in [Side::Front, Side::Back] {
+        let face = boards.slab(side, wall * 1.6).inset(0.0, 0.0, wall * 0.3);
+        face.rows(3, 0.006).into_iter().for_each(|board| builder.block(Slot::Wood, board, 0.003));
+    }
+    for side in [Side::Left, Side::Right] {
+        for end in [Side::Front, Side::Back] {
+            let post = bay.slab(side, wall * 2.2).slab(end, wall * 2.2).with_y([0.001, height * 0.86]);
+            builder.cuboid(Slot::Wood, post.inset(0.001, 0.0, 0.001));
         }
     }
 }

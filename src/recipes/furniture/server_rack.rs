@@ -164,7 +164,16 @@ fn open_frame(builder: &mut Builder, sampler: &mut Sampler) {
     let devices_bay = bay.inset(0.058, 0.0, 0.0).with_z([bay.low.z + 0.25, bay.high.z - 0.009]);
     devices(builder, sampler, devices_bay.with_y([0.1, bay.height() * 0.5]), true);
     devices(builder, sampler, devices_bay.with_y([bay.height() * 0.58, bay.height() * 0.9]), true);
-    let panel = devices_bay.with_y([bay.height() * 0.52, bay.height() * 0.52 + UNIT * 1.4]);
+    patch_panel(builder, devices_bay.with_y([bay.height() * 0.52, bay.height() * 0.52 + UNIT * 1.4]));
+    for (x, slot) in [(-0.02, Slot::Rubber), (0.02, Slot::PaintedAccent)] {
+        let at = |y: f64, z: f64| DVec3::new(bay.low.x + 0.07 + x, y * bay.height(), bay.low.z + z);
+        builder.add(slot, pipe(&[at(0.06, 0.12), at(0.96, 0.12), at(0.975, 0.5 + x)], 0.016, 0.08));
+    }
+}
+
+/// A panel of ports, with cables down to the right.
+fn patch_panel(builder: &mut Builder, panel: Bay) {
+    let bay = builder.bay();
     builder.cuboid(Slot::PlasticDark, panel.slab(Side::Front, 0.03));
     let ports = panel.inset(0.02, UNIT * 0.4, 0.0).columns(12, 0.012);
     for (index, port) in ports.into_iter().enumerate() {
@@ -183,10 +192,6 @@ fn open_frame(builder: &mut Builder, sampler: &mut Sampler) {
             ];
             builder.add(slot, sweep(&path, 0.0045, 4));
         }
-    }
-    for (x, slot) in [(-0.02, Slot::Rubber), (0.02, Slot::PaintedAccent)] {
-        let at = |y: f64, z: f64| DVec3::new(bay.low.x + 0.07 + x, y * bay.height(), bay.low.z + z);
-        builder.add(slot, pipe(&[at(0.06, 0.12), at(0.96, 0.12), at(0.975, 0.5 + x)], 0.016, 0.08));
     }
 }
 

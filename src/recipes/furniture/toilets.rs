@@ -152,12 +152,7 @@ pub(super) fn toilet_in(bay: Bay, set: GeometrySet, look: u32, builder: &mut Bui
         GeometrySet::Industrial => (bay.depth() * 0.14).min(0.09),
         _ => (bay.depth() * 0.27).min(0.18),
     };
-    let (outline, foot) = match (set, look % 4) {
-        (GeometrySet::Plain, 0 | 1) => (bowl_outline(0.8, 0.0), Foot::Hung),
-        (GeometrySet::Plain, _) => (bowl_outline(1.0, 0.1), Foot::Skirted),
-        (GeometrySet::Budget, 2 | 3) => (bowl_outline(0.9, 0.0), Foot::Skirted),
-        (_, _) => (bowl_outline(1.0, 0.14), Foot::Pedestal),
-    };
+    let (outline, foot) = bowl_and_foot(set, look);
     let room = bay.without(Side::Back, if set == GeometrySet::Plain { behind - 0.002 } else { behind * 0.8 });
     let bowl = Bowl { bay: room.with_y([bay.low.y, bay.low.y + seat]), outline, seat: bay.low.y + seat };
     let cistern = bay.slab(Side::Back, behind);
@@ -193,6 +188,16 @@ pub(super) fn toilet_in(bay: Bay, set: GeometrySet, look: u32, builder: &mut Bui
                 if look % 4 < 2 { Slot::Ceramic } else { Slot::Plastic },
             );
         }
+    }
+}
+
+/// The outline of the bowl, and what carries it.
+fn bowl_and_foot(set: GeometrySet, look: u32) -> (Outline, Foot) {
+    match (set, look % 4) {
+        (GeometrySet::Plain, 0 | 1) => (bowl_outline(0.8, 0.0), Foot::Hung),
+        (GeometrySet::Plain, _) => (bowl_outline(1.0, 0.1), Foot::Skirted),
+        (GeometrySet::Budget, 2 | 3) => (bowl_outline(0.9, 0.0), Foot::Skirted),
+        (_, _) => (bowl_outline(1.0, 0.14), Foot::Pedestal),
     }
 }
 

@@ -246,6 +246,12 @@ fn boxes(builder: &mut Builder, look: usize) {
         Slot::Metal,
         tray.inset(0.011, 0.0, 0.0).with_y([work - SINK, work + 0.004]).inset(0.0, 0.0, 0.002),
     );
+    screen_and_scanner(builder, work);
+}
+
+/// A screen of acrylic glass, a scanner in the board, and a rack of small goods.
+fn screen_and_scanner(builder: &mut Builder, work: f64) {
+    let bay = builder.bay();
     let pane =
         bay.slab(Side::Back, 0.008).with_y([work - SINK, bay.high.y]).inset(bay.width() * 0.3, 0.0, 0.0);
     builder.cuboid(Slot::Glass, pane.moved(0.0, 0.0, 0.08));

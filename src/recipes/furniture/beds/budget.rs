@@ -10,58 +10,66 @@ use crate::recipes::kit::{Builder, SINK, pipe, sweep};
 
 /// Frame and headboard.
 pub(super) fn frame(bed: &Bed, builder: &mut Builder) {
-    let (body, head) = (bed.body(), bed.head);
+    let head = bed.head;
     match bed.form {
-        0 => {
-            panels(bed, builder, Slot::Laminate);
-            let board = head.without(Side::Back, 0.032).without(Side::Front, 0.01);
-            builder.block(
-                Slot::Laminate,
-                head.slab(Side::Back, 0.018)
-                    .without(Side::Below, 0.002)
-                    .without(Side::Above, 0.02 - SINK)
-                    .inset(0.001, 0.0, 0.0),
-                0.003,
-            );
-            let shelf = head.with_y([head.high.y - 0.02, head.high.y]);
-            builder.block(Slot::Laminate, shelf, 0.003);
-            for side in [Side::Left, Side::Right] {
-                builder.cuboid(
-                    Slot::Laminate,
-                    board
-                        .slab(side, 0.018)
-                        .inset(0.002, 0.0, 0.0)
-                        .without(Side::Above, 0.02 - SINK)
-                        .without(Side::Below, bed.frame),
-                );
-            }
-        }
+        0 => laminated(bed, builder),
         1 => tube(bed, builder),
         2 => {
             panels(bed, builder, Slot::Painted);
             builder.block(Slot::Painted, head.without(Side::Back, 0.03).without(Side::Below, 0.004), 0.004);
             drawers(bed, builder);
         }
-        _ => {
-            legs_at_corners(
-                builder,
-                Slot::WoodLight,
-                body.with_y([0.0, bed.frame - 0.004]).inset(0.0155, 0.0, 0.018),
-                0.045,
-                LegKind::Square,
-            );
-            bed.rails(builder, Slot::WoodLight, 0.1, 0.022);
-            for side in [Side::Left, Side::Right] {
-                builder.block(Slot::WoodLight, head.slab(side, 0.045).inset(0.0, 0.0, 0.006), 0.004);
-            }
-            let boards = head.inset(0.045 - SINK, 0.0, 0.018).with_y([bed.lying * 0.7, head.high.y - 0.02]);
-            for row in boards.rows(3, 0.06) {
-                builder.block(Slot::WoodLight, row, 0.004);
-            }
-        }
+        _ => slatted(bed, builder),
     }
     if bed.form == 0 || bed.form == 2 {
         builder.cuboid(Slot::PlasticDark, head.inset(0.1, 0.0, 0.02).with_y([0.0, 0.03]));
+    }
+}
+
+/// A frame of pine on posts, the head of three boards.
+fn slatted(bed: &Bed, builder: &mut Builder) {
+    let (body, head) = (bed.body(), bed.head);
+    legs_at_corners(
+        builder,
+        Slot::WoodLight,
+        body.with_y([0.0, bed.frame - 0.004]).inset(0.0155, 0.0, 0.018),
+        0.045,
+        LegKind::Square,
+    );
+    bed.rails(builder, Slot::WoodLight, 0.1, 0.022);
+    for side in [Side::Left, Side::Right] {
+        builder.block(Slot::WoodLight, head.slab(side, 0.045).inset(0.0, 0.0, 0.006), 0.004);
+    }
+    let boards = head.inset(0.045 - SINK, 0.0, 0.018).with_y([bed.lying * 0.7, head.high.y - 0.02]);
+    for row in boards.rows(3, 0.06) {
+        builder.block(Slot::WoodLight, row, 0.004);
+    }
+}
+
+/// Laminated panels, the head with a shelf.
+fn laminated(bed: &Bed, builder: &mut Builder) {
+    let head = bed.head;
+    panels(bed, builder, Slot::Laminate);
+    let board = head.without(Side::Back, 0.032).without(Side::Front, 0.01);
+    builder.block(
+        Slot::Laminate,
+        head.slab(Side::Back, 0.018)
+            .without(Side::Below, 0.002)
+            .without(Side::Above, 0.02 - SINK)
+            .inset(0.001, 0.0, 0.0),
+        0.003,
+    );
+    let shelf = head.with_y([head.high.y - 0.02, head.high.y]);
+    builder.block(Slot::Laminate, shelf, 0.003);
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid(
+            Slot::Laminate,
+            board
+                .slab(side, 0.018)
+                .inset(0.002, 0.0, 0.0)
+                .without(Side::Above, 0.02 - SINK)
+                .without(Side::Below, bed.frame),
+        );
     }
 }
 

@@ -131,6 +131,12 @@ pub(super) fn wooden_chest(builder: &mut Builder, look: usize) {
         .without(Side::Front, 0.05)
         .without(Side::Back, 0.03);
     builder.block(slot, upper, 0.006);
+    flat_drawers(builder, upper);
+    open_lid(builder, slot, upper);
+}
+
+/// Many flat drawers with pulls of brass.
+fn flat_drawers(builder: &mut Builder, upper: Bay) {
     let rows = upper.inset(0.018, 0.016, 0.0).rows(5, 0.006);
     for (index, row) in rows.into_iter().enumerate() {
         for drawer in row.columns(if index == 4 { 3 } else { 2 - u32::from(index == 0) }, 0.006) {
@@ -146,7 +152,6 @@ pub(super) fn wooden_chest(builder: &mut Builder, look: usize) {
             }
         }
     }
-    open_lid(builder, slot, upper);
 }
 
 /// A lid that stands open at the back of a chest, hammers and rules in front of it, and grips at the sides.

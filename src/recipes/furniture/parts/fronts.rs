@@ -186,59 +186,65 @@ impl Fronts {
     /// Folded sheet with louvres, planks under straps, a grid of bars, or sheet with rivets.
     fn steel(&self, builder: &mut Builder, panel: Bay, is_door: bool) {
         match self.form {
-            1 => {
-                builder.cuboid(self.front, panel.without(Side::Front, 0.006));
-                let count = (panel.width() / 0.12).round().clamp(2.0, 6.0) as u32;
-                for plank in panel.inset(0.001, 0.001, 0.0).slab(Side::Front, 0.007).columns(count, 0.003) {
-                    builder.cuboid(Slot::Wood, plank.without(Side::Front, 0.001));
-                }
-                if is_door && panel.height() > 0.3 {
-                    for y in [panel.low.y + panel.height() * 0.14, panel.high.y - panel.height() * 0.14] {
-                        let strap = panel.with_y([y - 0.02, y + 0.02]).slab(Side::Front, 0.004);
-                        builder.cuboid(Slot::MetalDark, strap.inset(0.004, 0.0, 0.0));
-                    }
-                }
-            }
-            2 if is_door && panel.height() > 0.3 => {
-                let half = panel.extent() / 2.0;
-                let rim = 0.03_f64.min(half.x * 0.4);
-                let middle = panel.center();
-                let ring = [(0.0, 0.0), (1.0, 0.0), (1.0, rim), (0.0, rim)].map(|(z, back)| {
-                    Slice::new(panel.low.z + z * panel.depth(), half.x - back, half.y - back)
-                });
-                builder.add(
-                    self.front,
-                    turned_forward(loft_ring(&Outline::Square, &ring)).moved(middle.x, middle.y, 0.0),
-                );
-                let inner = panel.inset(rim - SINK, rim - SINK, 0.006).without(Side::Back, 0.001);
-                builder.cuboid(Slot::MetalDark, inner.slab(Side::Back, 0.004));
-                for bar in inner.columns((inner.width() / 0.05).round().clamp(3.0, 9.0) as u32, 0.03) {
-                    builder.cuboid(
-                        Slot::Metal,
-                        Bay::around(bar.center() + DVec3::Z * 0.0015, 0.008, bar.height(), 0.0055),
-                    );
-                }
-            }
-            0 if is_door && panel.height() > 0.3 => {
-                builder.block(self.front, panel, 0.003);
-                let field =
-                    panel.inset(panel.width() * 0.22, 0.0, 0.0).without(Side::Above, panel.height() * 0.06);
-                for slot in field.slab(Side::Above, panel.height() * 0.12).rows(4, panel.height() * 0.014) {
-                    builder.cuboid(Slot::MetalDark, slot.slab(Side::Front, 0.002).moved(0.0, 0.0, 0.0015));
-                }
-            }
-            _ => {
-                builder.block(self.front, panel, 0.003);
-                for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
-                    let at = panel.center()
-                        + DVec3::new(
-                            x * (panel.width() / 2.0 - 0.018),
-                            y * (panel.height() / 2.0 - 0.018),
-                            0.0,
-                        );
-                    let rivet = lathe(&[(0.007, -0.003), (0.005, 0.003)], 6).turned_x(FRAC_PI_2);
-                    builder.add(Slot::MetalDark, rivet.moved(at.x, at.y, panel.high.z));
-                }
+            1 => self.planks(builder, panel, is_door),
+            2 if is_door && panel.height() > 0.3 => self.bars(builder, panel),
+            0 if is_door && panel.height() > 0.3 => self.louvres(builder, panel),
+            _ => self.riveted(builder, panel),
+        }
+    }
+
+    /// Sheet with rivets near its corners.
+    fn riveted(&self, builder: &mut Builder, panel: Bay) {
+        builder.block(self.front, panel, 0.003);
+        for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+            let at = panel.center()
+                + DVec3::new(x * (panel.width() / 2.0 - 0.018), y * (panel.height() / 2.0 - 0.018), 0.0);
+            let rivet = lathe(&[(0.007, -0.003), (0.005, 0.003)], 6).turned_x(FRAC_PI_2);
+            builder.add(Slot::MetalDark, rivet.moved(at.x, at.y, panel.high.z));
+        }
+    }
+
+    /// Folded sheet with louvres near its top.
+    fn louvres(&self, builder: &mut Builder, panel: Bay) {
+        builder.block(self.front, panel, 0.003);
+        let field = panel.inset(panel.width() * 0.22, 0.0, 0.0).without(Side::Above, panel.height() * 0.06);
+        for slot in field.slab(Side::Above, panel.height() * 0.12).rows(4, panel.height() * 0.014) {
+            builder.cuboid(Slot::MetalDark, slot.slab(Side::Front, 0.002).moved(0.0, 0.0, 0.0015));
+        }
+    }
+
+    /// A frame with bars before a dark sheet.
+    fn bars(&self, builder: &mut Builder, panel: Bay) {
+        let half = panel.extent() / 2.0;
+        let rim = 0.03_f64.min(half.x * 0.4);
+        let middle = panel.center();
+        let ring = [(0.0, 0.0), (1.0, 0.0), (1.0, rim), (0.0, rim)]
+            .map(|(z, back)| Slice::new(panel.low.z + z * panel.depth(), half.x - back, half.y - back));
+        builder.add(
+            self.front,
+            turned_forward(loft_ring(&Outline::Square, &ring)).moved(middle.x, middle.y, 0.0),
+        );
+        let inner = panel.inset(rim - SINK, rim - SINK, 0.006).without(Side::Back, 0.001);
+        builder.cuboid(Slot::MetalDark, inner.slab(Side::Back, 0.004));
+        for bar in inner.columns((inner.width() / 0.05).round().clamp(3.0, 9.0) as u32, 0.03) {
+            builder.cuboid(
+                Slot::Metal,
+                Bay::around(bar.center() + DVec3::Z * 0.0015, 0.008, bar.height(), 0.0055),
+            );
+        }
+    }
+
+    /// Planks, on doors under straps.
+    fn planks(&self, builder: &mut Builder, panel: Bay, is_door: bool) {
+        builder.cuboid(self.front, panel.without(Side::Front, 0.006));
+        let count = (panel.width() / 0.12).round().clamp(2.0, 6.0) as u32;
+        for plank in panel.inset(0.001, 0.001, 0.0).slab(Side::Front, 0.007).columns(count, 0.003) {
+            builder.cuboid(Slot::Wood, plank.without(Side::Front, 0.001));
+        }
+        if is_door && panel.height() > 0.3 {
+            for y in [panel.low.y + panel.height() * 0.14, panel.high.y - panel.height() * 0.14] {
+                let strap = panel.with_y([y - 0.02, y + 0.02]).slab(Side::Front, 0.004);
+                builder.cuboid(Slot::MetalDark, strap.inset(0.004, 0.0, 0.0));
             }
         }
     }

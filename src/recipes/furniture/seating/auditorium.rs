@@ -226,6 +226,21 @@ fn budget(seat: &Seat, builder: &mut Builder) {
     }
     let number = DVec3::new(0.0, seat.seat + 0.72 * (seat.bay.high.y - seat.seat), seat.lean(0.72) + 0.006);
     builder.cuboid(Slot::Paper, Bay::around(number, 0.08, 0.05, 0.006));
+    post_or_rail(seat, builder, y);
+    builder.cuboid(
+        Slot::Metal,
+        Bay::around(DVec3::new(0.0, y - 0.034, -0.01), half * 0.9, 0.03, seat.bay.depth() * 0.4),
+    );
+    let brace = [
+        DVec3::new(0.0, y - 0.045, heel - 0.01),
+        DVec3::new(0.0, seat.bay.high.y * 0.7, seat.lean(0.42) - 0.018),
+    ];
+    builder.add(Slot::Metal, sweep(&brace, 0.012, 6));
+}
+
+/// One post on a plate, or a rail on two posts.
+fn post_or_rail(seat: &Seat, builder: &mut Builder, y: f64) {
+    let half = seat.bay.width() / 2.0;
     if seat.form.is_multiple_of(2) {
         let foot = Bay::new([-0.03, 0.03], [0.004, y - 0.02], [-0.08, -0.02]);
         builder.cuboid(Slot::Metal, foot);
@@ -243,13 +258,4 @@ fn budget(seat: &Seat, builder: &mut Builder) {
             Bay::around(DVec3::new(0.0, y - 0.06, -0.04), seat.bay.width() * 0.97, 0.05, 0.05),
         );
     }
-    builder.cuboid(
-        Slot::Metal,
-        Bay::around(DVec3::new(0.0, y - 0.034, -0.01), half * 0.9, 0.03, seat.bay.depth() * 0.4),
-    );
-    let brace = [
-        DVec3::new(0.0, y - 0.045, heel - 0.01),
-        DVec3::new(0.0, seat.bay.high.y * 0.7, seat.lean(0.42) - 0.018),
-    ];
-    builder.add(Slot::Metal, sweep(&brace, 0.012, 6));
 }

@@ -165,35 +165,8 @@ fn side_fields(builder: &mut Builder, slot: Slot, board: Bay, side: Side) {
 fn industrial(builder: &mut Builder, under: Bay, form: usize) {
     let slot = Slot::MetalDark;
     match form {
-        0 => {
-            let x = under.high.x - 0.025;
-            let (z, y) = (under.z(), under.high.y - 0.006);
-            let path = [(0.014, 0), (y - 0.01, 0), (y - 0.01, 1), (0.014, 1)]
-                .map(|(y, end)| DVec3::new(x, y, z[end] + [0.03, -0.03][end]));
-            builder.add_pair(slot, pipe(&path, 0.017, 0.06));
-            for z in [z[0] + 0.03, z[1] - 0.03] {
-                let flange = crate::recipes::kit::cylinder(0.032, [0.0, 0.016], 10);
-                builder.add_pair(Slot::Metal, flange.moved(x, 0.0, z));
-            }
-            for y in [y - 0.12, 0.16] {
-                builder.add_pair(
-                    slot,
-                    sweep(&[DVec3::new(x, y, z[0] + 0.03), DVec3::new(x, y, z[1] - 0.03)], 0.012, 6),
-                );
-            }
-            let back = z[0] + 0.03;
-            let y = under.high.y * 0.66;
-            builder.add(slot, sweep(&[DVec3::new(-x, y, back), DVec3::new(x, y, back)], 0.012, 6));
-        }
-        1 => {
-            loops(builder, slot, under, (0.045, 0.045));
-            let (x, z) = (under.high.x - 0.03, under.low.z + 0.022);
-            let cross = |from: f64, to: f64| {
-                [DVec3::new(from, under.high.y * 0.56, z), DVec3::new(to, under.high.y - 0.03, z)]
-            };
-            builder.add(Slot::Metal, sweep(&cross(-x, x), 0.006, 6));
-            builder.add(Slot::Metal, sweep(&cross(x, -x), 0.0055, 6).moved(0.0, 0.0, 0.009));
-        }
+        0 => pipe_frames(builder, under),
+        1 => crossed_loops(builder, under),
         2 => {
             trestles(builder, slot, under, (0.016, 4));
             builder.cuboid(
@@ -205,23 +178,57 @@ fn industrial(builder: &mut Builder, under: Bay, form: usize) {
                     .without(Side::Above, SINK * 3.0),
             );
         }
-        _ => {
-            for side in [Side::Left, Side::Right] {
-                for end in [Side::Front, Side::Back] {
-                    leg(builder, slot, under.slab(side, 0.05).slab(end, 0.05), LegKind::Angle);
-                }
-                let panel =
-                    under.slab(side, 0.012).inset(0.0, 0.0, 0.03).with_y([0.12, under.high.y - 0.002]);
-                for row in
-                    panel.moved(if side == Side::Left { 0.006 } else { -0.006 }, 0.0, 0.0).rows(4, 0.008)
-                {
-                    builder.block(Slot::Wood, row, 0.003);
-                }
-            }
-            modesty(builder, slot, under, 0.3);
-            pencil_drawers(builder, slot, under, (2, HandleKind::Level));
+        _ => angles_with_planks(builder, under),
+    }
+}
+
+/// Posts of angle with planks between them.
+fn angles_with_planks(builder: &mut Builder, under: Bay) {
+    let slot = Slot::MetalDark;
+    for side in [Side::Left, Side::Right] {
+        for end in [Side::Front, Side::Back] {
+            leg(builder, slot, under.slab(side, 0.05).slab(end, 0.05), LegKind::Angle);
+        }
+        let panel = under.slab(side, 0.012).inset(0.0, 0.0, 0.03).with_y([0.12, under.high.y - 0.002]);
+        for row in panel.moved(if side == Side::Left { 0.006 } else { -0.006 }, 0.0, 0.0).rows(4, 0.008) {
+            builder.block(Slot::Wood, row, 0.003);
         }
     }
+    modesty(builder, slot, under, 0.3);
+    pencil_drawers(builder, slot, under, (2, HandleKind::Level));
+}
+
+/// Loops of steel with a cross of wire behind.
+fn crossed_loops(builder: &mut Builder, under: Bay) {
+    let slot = Slot::MetalDark;
+    loops(builder, slot, under, (0.045, 0.045));
+    let (x, z) = (under.high.x - 0.03, under.low.z + 0.022);
+    let cross = |from: f64, to: f64| {
+        [DVec3::new(from, under.high.y * 0.56, z), DVec3::new(to, under.high.y - 0.03, z)]
+    };
+    builder.add(Slot::Metal, sweep(&cross(-x, x), 0.006, 6));
+    builder.add(Slot::Metal, sweep(&cross(x, -x), 0.0055, 6).moved(0.0, 0.0, 0.009));
+}
+
+/// Bent water pipe on flanges.
+fn pipe_frames(builder: &mut Builder, under: Bay) {
+    let slot = Slot::MetalDark;
+    let x = under.high.x - 0.025;
+    let (z, y) = (under.z(), under.high.y - 0.006);
+    let path = [(0.014, 0), (y - 0.01, 0), (y - 0.01, 1), (0.014, 1)]
+        .map(|(y, end)| DVec3::new(x, y, z[end] + [0.03, -0.03][end]));
+    builder.add_pair(slot, pipe(&path, 0.017, 0.06));
+    for z in [z[0] + 0.03, z[1] - 0.03] {
+        let flange = crate::recipes::kit::cylinder(0.032, [0.0, 0.016], 10);
+        builder.add_pair(Slot::Metal, flange.moved(x, 0.0, z));
+    }
+    for y in [y - 0.12, 0.16] {
+        builder
+            .add_pair(slot, sweep(&[DVec3::new(x, y, z[0] + 0.03), DVec3::new(x, y, z[1] - 0.03)], 0.012, 6));
+    }
+    let back = z[0] + 0.03;
+    let y = under.high.y * 0.66;
+    builder.add(slot, sweep(&[DVec3::new(-x, y, back), DVec3::new(x, y, back)], 0.012, 6));
 }
 
 /// Two leaning bars with a cross bar at either end, as an A seen from the side.

@@ -36,66 +36,72 @@ fn shelf(builder: &mut Builder, slot: Slot, under: Bay, (rise, inset): (f64, f64
 }
 
 fn plain(draft: &Draft, builder: &mut Builder, form: usize) {
-    let bay = builder.bay();
     match form {
-        0 => {
-            let under = topped(draft, builder, TOP * 0.8);
-            legs_at_corners(builder, Slot::Wood, under, LEG * 0.9, LegKind::Tapered);
-            shelf(builder, Slot::Wood, under, (0.35, LEG * 0.3));
-        }
-        1 => {
-            let half = bay.extent() / 2.0;
-            let soft = half.x.min(half.z) * 0.96;
-            let slice = |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back).softened(soft - back);
-            let slices =
-                [slice(bay.high.y - 0.028, 0.012), slice(bay.high.y - 0.012, 0.0), slice(bay.high.y, 0.0)];
-            builder.add(Slot::Wood, loft(&Outline::Soft(6), &slices));
-            for z in [-1.0, 1.0] {
-                let at = |share: f64, y: f64| DVec3::new(half.x * share, y, z * half.z * share);
-                builder.add_pair(
-                    Slot::Wood,
-                    slanted_leg([at(0.72, 0.0), at(0.56, bay.high.y - 0.02)], 0.02, &CONE, 10),
-                );
-            }
-        }
-        2 => {
-            builder.block(Slot::Glass, bay.slab(Side::Above, 0.012), 0.003);
-            let under = bay.without(Side::Above, 0.012 - SINK).inset(bay.width() * 0.12, 0.0, 0.03);
-            for side in [Side::Left, Side::Right] {
-                let frame = under.slab(side, 0.05);
-                for end in [Side::Front, Side::Back] {
-                    builder.block(Slot::Wood, frame.slab(end, 0.05), 0.005);
-                }
-                builder.block(
-                    Slot::Wood,
-                    frame.slab(Side::Above, 0.05).inset(0.002, 0.001, 0.05 - SINK),
-                    0.004,
-                );
-                builder.block(
-                    Slot::Wood,
-                    frame.slab(Side::Below, 0.04).moved(0.0, 0.002, 0.0).inset(0.002, 0.0, 0.05 - SINK),
-                    0.004,
-                );
-            }
-            let rail = under.inset(0.05 - SINK, 0.0, under.depth() / 2.0 - 0.025);
-            builder.block(Slot::Wood, rail.with_y([0.004, 0.04]), 0.004);
-        }
-        _ => {
-            let slab = 0.03_f64.min(bay.height() * 0.1);
-            builder.block(Slot::Painted, bay.slab(Side::Above, slab), 0.004);
-            builder.cuboid(Slot::WoodDark, bay.slab(Side::Below, 0.04).inset(0.05, 0.0, 0.05));
-            let body = bay.with_y([0.04 - SINK, bay.high.y - slab + SINK]).inset(0.003, 0.0, 0.003);
-            builder.block(Slot::Painted, body.slab(Side::Below, slab), 0.004);
-            for side in [Side::Left, Side::Right] {
-                builder.cuboid(Slot::Painted, body.slab(side, 0.025).inset(0.0, slab - 4.0 * SINK, 0.002));
-            }
-            let inner = body.inset(0.025 - SINK, slab - 2.0 * SINK, 0.004);
-            builder
-                .cuboid(Slot::Wood, inner.slab(Side::Left, inner.width() * 0.45).without(Side::Front, 0.006));
-            let gap = inner.without(Side::Left, inner.width() * 0.5).slab(Side::Below, 0.03);
-            builder.block(Slot::Book, gap.inset(0.06, 0.0, gap.depth() * 0.2), 0.003);
-        }
+        0 => on_tapered_legs(draft, builder),
+        1 => pebble(builder),
+        2 => pane_on_frames(builder),
+        _ => open_case(builder),
     }
+}
+
+/// An open case with a drawer in one half.
+fn open_case(builder: &mut Builder) {
+    let bay = builder.bay();
+    let slab = 0.03_f64.min(bay.height() * 0.1);
+    builder.block(Slot::Painted, bay.slab(Side::Above, slab), 0.004);
+    builder.cuboid(Slot::WoodDark, bay.slab(Side::Below, 0.04).inset(0.05, 0.0, 0.05));
+    let body = bay.with_y([0.04 - SINK, bay.high.y - slab + SINK]).inset(0.003, 0.0, 0.003);
+    builder.block(Slot::Painted, body.slab(Side::Below, slab), 0.004);
+    for side in [Side::Left, Side::Right] {
+        builder.cuboid(Slot::Painted, body.slab(side, 0.025).inset(0.0, slab - 4.0 * SINK, 0.002));
+    }
+    let inner = body.inset(0.025 - SINK, slab - 2.0 * SINK, 0.004);
+    builder.cuboid(Slot::Wood, inner.slab(Side::Left, inner.width() * 0.45).without(Side::Front, 0.006));
+    let gap = inner.without(Side::Left, inner.width() * 0.5).slab(Side::Below, 0.03);
+    builder.block(Slot::Book, gap.inset(0.06, 0.0, gap.depth() * 0.2), 0.003);
+}
+
+/// A pane of glass on two frames of wood.
+fn pane_on_frames(builder: &mut Builder) {
+    let bay = builder.bay();
+    builder.block(Slot::Glass, bay.slab(Side::Above, 0.012), 0.003);
+    let under = bay.without(Side::Above, 0.012 - SINK).inset(bay.width() * 0.12, 0.0, 0.03);
+    for side in [Side::Left, Side::Right] {
+        let frame = under.slab(side, 0.05);
+        for end in [Side::Front, Side::Back] {
+            builder.block(Slot::Wood, frame.slab(end, 0.05), 0.005);
+        }
+        builder.block(Slot::Wood, frame.slab(Side::Above, 0.05).inset(0.002, 0.001, 0.05 - SINK), 0.004);
+        builder.block(
+            Slot::Wood,
+            frame.slab(Side::Below, 0.04).moved(0.0, 0.002, 0.0).inset(0.002, 0.0, 0.05 - SINK),
+            0.004,
+        );
+    }
+    let rail = under.inset(0.05 - SINK, 0.0, under.depth() / 2.0 - 0.025);
+    builder.block(Slot::Wood, rail.with_y([0.004, 0.04]), 0.004);
+}
+
+/// A top without corners on slanted legs.
+fn pebble(builder: &mut Builder) {
+    let bay = builder.bay();
+    let half = bay.extent() / 2.0;
+    let soft = half.x.min(half.z) * 0.96;
+    let slice = |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back).softened(soft - back);
+    let slices = [slice(bay.high.y - 0.028, 0.012), slice(bay.high.y - 0.012, 0.0), slice(bay.high.y, 0.0)];
+    builder.add(Slot::Wood, loft(&Outline::Soft(6), &slices));
+    for z in [-1.0, 1.0] {
+        let at = |share: f64, y: f64| DVec3::new(half.x * share, y, z * half.z * share);
+        builder
+            .add_pair(Slot::Wood, slanted_leg([at(0.72, 0.0), at(0.56, bay.high.y - 0.02)], 0.02, &CONE, 10));
+    }
+}
+
+/// Tapered legs and a shelf.
+fn on_tapered_legs(draft: &Draft, builder: &mut Builder) {
+    let under = topped(draft, builder, TOP * 0.8);
+    legs_at_corners(builder, Slot::Wood, under, LEG * 0.9, LegKind::Tapered);
+    shelf(builder, Slot::Wood, under, (0.35, LEG * 0.3));
 }
 
 fn traditional(draft: &Draft, builder: &mut Builder, form: usize) {
@@ -305,7 +311,50 @@ fn console_table(draft: &Draft, builder: &mut Builder) {
     let set = draft.set();
     let under =
         topped(draft, builder, top_of(builder.bay()) * if set == GeometrySet::Budget { 0.6 } else { 1.0 });
-    let (slot, kind) = match set {
+    let (slot, kind) = console_legs(set, form);
+    let thick = if set == GeometrySet::Budget { 0.03 } else { 0.04 };
+    legs_at_corners(builder, slot, under, thick, kind);
+    let has_drawers = !matches!((set, form), (GeometrySet::Industrial, 1 | 3) | (GeometrySet::Budget, 1 | 2));
+    if has_drawers || draft.is_set("knees") {
+        drawers_under(draft, builder, under);
+    } else {
+        apron(builder, slot, under, thick, 0.03);
+    }
+    if form % 2 == 1 && !draft.is_set("knees") {
+        shelf(
+            builder,
+            if set == GeometrySet::Industrial { Slot::Wood } else { slot },
+            under,
+            (0.18, thick * 0.3),
+        );
+    }
+}
+
+/// Drawers side by side under the top.
+fn drawers_under(draft: &Draft, builder: &mut Builder, under: Bay) {
+    let (set, form) = (draft.set(), draft.form());
+    let share = [0.18, 0.15, 0.2, 0.18][form];
+    let chest = under
+        .slab(Side::Above, builder.bay().height() * share)
+        .without(Side::Above, SINK * 2.0)
+        .inset(0.006, 0.0, 0.002);
+    let front = if set == GeometrySet::Industrial { Slot::Metal } else { Slot::Wood };
+    let fittings = Fronts::new(
+        draft,
+        front,
+        if set == GeometrySet::Traditional { Slot::Brass } else { Slot::MetalDark },
+        0.02,
+    );
+    fittings.carcass(builder, front, chest);
+    let count = (chest.width() / [0.45, 0.9, 0.32, 0.6][form]).round().clamp(1.0, 4.0) as u32;
+    for drawer in chest.inset(0.045, 0.008, 0.0).columns(count, 0.012) {
+        fittings.drawer(builder, drawer);
+    }
+}
+
+/// Material and kind of the legs.
+fn console_legs(set: GeometrySet, form: usize) -> (Slot, LegKind) {
+    match set {
         GeometrySet::Plain => {
             (Slot::Wood, [LegKind::Tapered, LegKind::Square, LegKind::Round, LegKind::Tapered][form])
         }
@@ -320,37 +369,5 @@ fn console_table(draft: &Draft, builder: &mut Builder) {
             [Slot::Laminate, Slot::Chrome, Slot::Painted, Slot::WoodLight][form],
             [LegKind::Square, LegKind::Pipe, LegKind::Round, LegKind::Square][form],
         ),
-    };
-    let thick = if set == GeometrySet::Budget { 0.03 } else { 0.04 };
-    legs_at_corners(builder, slot, under, thick, kind);
-    let has_drawers = !matches!((set, form), (GeometrySet::Industrial, 1 | 3) | (GeometrySet::Budget, 1 | 2));
-    if has_drawers || draft.is_set("knees") {
-        let share = [0.18, 0.15, 0.2, 0.18][form];
-        let chest = under
-            .slab(Side::Above, builder.bay().height() * share)
-            .without(Side::Above, SINK * 2.0)
-            .inset(0.006, 0.0, 0.002);
-        let front = if set == GeometrySet::Industrial { Slot::Metal } else { Slot::Wood };
-        let fittings = Fronts::new(
-            draft,
-            front,
-            if set == GeometrySet::Traditional { Slot::Brass } else { Slot::MetalDark },
-            0.02,
-        );
-        fittings.carcass(builder, front, chest);
-        let count = (chest.width() / [0.45, 0.9, 0.32, 0.6][form]).round().clamp(1.0, 4.0) as u32;
-        for drawer in chest.inset(0.045, 0.008, 0.0).columns(count, 0.012) {
-            fittings.drawer(builder, drawer);
-        }
-    } else {
-        apron(builder, slot, under, thick, 0.03);
-    }
-    if form % 2 == 1 && !draft.is_set("knees") {
-        shelf(
-            builder,
-            if set == GeometrySet::Industrial { Slot::Wood } else { slot },
-            under,
-            (0.18, thick * 0.3),
-        );
     }
 }

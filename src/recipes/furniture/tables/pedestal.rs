@@ -140,31 +140,7 @@ fn plain(foot: &Foot, builder: &mut Builder, form: usize) {
 
 fn traditional(foot: &Foot, builder: &mut Builder, form: usize) {
     let slot = if form.is_multiple_of(2) { Slot::Wood } else { Slot::WoodDark };
-    let end = foot.end;
-    let vase: [(f64, f64); 9] = match form {
-        0 | 3 => [
-            (0.26, 0.03),
-            (0.3, 0.09),
-            (0.18, 0.12),
-            (0.2, end * 0.3),
-            (0.34, end * 0.48),
-            (0.2, end * 0.7),
-            (0.16, end * 0.8),
-            (0.3, end * 0.84),
-            (0.42, end),
-        ],
-        _ => [
-            (0.26, 0.03),
-            (0.26, 0.1),
-            (0.36, 0.14),
-            (0.36, end * 0.34),
-            (0.2, end * 0.4),
-            (0.24, end * 0.6),
-            (0.26, end * 0.85),
-            (0.38, end * 0.9),
-            (0.5, end),
-        ],
-    };
+    let vase = vase(foot.end, form);
     builder.add(slot, foot.turned(&vase, 14));
     match form {
         0 => foot.arms(
@@ -188,6 +164,34 @@ fn traditional(foot: &Foot, builder: &mut Builder, form: usize) {
                 builder.add(slot, bun.moved(x * plate * 0.8, 0.0, z * plate * 0.8));
             }
         }
+    }
+}
+
+/// The profile of a turned column that ends at a height: (share of the foot's radius, height).
+fn vase(end: f64, form: usize) -> [(f64, f64); 9] {
+    match form {
+        0 | 3 => [
+            (0.26, 0.03),
+            (0.3, 0.09),
+            (0.18, 0.12),
+            (0.2, end * 0.3),
+            (0.34, end * 0.48),
+            (0.2, end * 0.7),
+            (0.16, end * 0.8),
+            (0.3, end * 0.84),
+            (0.42, end),
+        ],
+        _ => [
+            (0.26, 0.03),
+            (0.26, 0.1),
+            (0.36, 0.14),
+            (0.36, end * 0.34),
+            (0.2, end * 0.4),
+            (0.24, end * 0.6),
+            (0.26, end * 0.85),
+            (0.38, end * 0.9),
+            (0.5, end),
+        ],
     }
 }
 
@@ -219,29 +223,36 @@ fn industrial(foot: &Foot, builder: &mut Builder, form: usize) {
                 builder.add(Slot::Metal, cylinder(foot.radius * 0.18, [y, y + 0.04], 8));
             }
         }
-        2 => {
-            builder.add(Slot::Metal, foot.turned(&[(0.13, 0.1), (0.13, -1.02)], 8));
-            for step in 1..9 {
-                let y = foot.end * (0.25 + 0.075 * f64::from(step));
-                builder.add(Slot::Metal, cylinder(foot.radius * 0.16, [y, y + 0.008], 8));
-            }
-            builder.add(slot, foot.turned(&[(0.22, 0.03), (0.24, 0.1), (0.24, 0.16), (0.16, 0.18)], 10));
-            foot.arms(builder, (slot, 3), &[(0.1, 0.08), (0.5, 0.07), (1.0, 0.02)], (0.024, 6));
-        }
-        _ => {
-            for step in 0..4 {
-                let angle = TAU * (f64::from(step) + 0.5) / 4.0;
-                let at = |out: f64, y: f64| DVec3::new(0.0, y, foot.radius * out);
-                builder.add(
-                    slot,
-                    sweep(&[at(1.0, 0.012), at(0.24, 0.05), at(0.24, foot.end - 0.02)], 0.012, 6)
-                        .turned_y(angle),
-                );
-            }
-            let ring = cylinder(foot.radius * 0.32, [foot.end * 0.5, foot.end * 0.5 + 0.02], 12);
-            builder.add(Slot::Metal, ring);
-        }
+        2 => screw(foot, builder),
+        _ => rods(foot, builder),
     }
+}
+
+/// Four bent rods, held by a ring.
+fn rods(foot: &Foot, builder: &mut Builder) {
+    let slot = Slot::MetalDark;
+    for step in 0..4 {
+        let angle = TAU * (f64::from(step) + 0.5) / 4.0;
+        let at = |out: f64, y: f64| DVec3::new(0.0, y, foot.radius * out);
+        builder.add(
+            slot,
+            sweep(&[at(1.0, 0.012), at(0.24, 0.05), at(0.24, foot.end - 0.02)], 0.012, 6).turned_y(angle),
+        );
+    }
+    let ring = cylinder(foot.radius * 0.32, [foot.end * 0.5, foot.end * 0.5 + 0.02], 12);
+    builder.add(Slot::Metal, ring);
+}
+
+/// A screw on three arms.
+fn screw(foot: &Foot, builder: &mut Builder) {
+    let slot = Slot::MetalDark;
+    builder.add(Slot::Metal, foot.turned(&[(0.13, 0.1), (0.13, -1.02)], 8));
+    for step in 1..9 {
+        let y = foot.end * (0.25 + 0.075 * f64::from(step));
+        builder.add(Slot::Metal, cylinder(foot.radius * 0.16, [y, y + 0.008], 8));
+    }
+    builder.add(slot, foot.turned(&[(0.22, 0.03), (0.24, 0.1), (0.24, 0.16), (0.16, 0.18)], 10));
+    foot.arms(builder, (slot, 3), &[(0.1, 0.08), (0.5, 0.07), (1.0, 0.02)], (0.024, 6));
 }
 
 fn budget(foot: &Foot, builder: &mut Builder, form: usize) {

@@ -42,6 +42,13 @@ pub(super) fn build(row: &Row, builder: &mut Builder) {
         let carrier = Bay::around(DVec3::new(cell.center().x, 0.0, middle), 0.1, 1.0, 0.2);
         builder.cuboid(metal, carrier.with_y([beam.high.y - SINK, pad.low.y + SINK]));
     }
+    frames(row, builder, metal);
+}
+
+/// Arm rests between the seats, and the bars that hold them apart.
+fn frames(row: &Row, builder: &mut Builder, metal: Slot) {
+    let (bay, seat) = (row.bay, row.seat);
+    let middle = bay.center().z;
     let (rest, top) = (seat + 0.2, bay.high.y - 0.06);
     for x in row.joints(GAP) {
         // Up before the seat, back along the arm rest, up behind the back.
