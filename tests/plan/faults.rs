@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use roomwright::internals::document::{Fault, Faults};
 
-use super::support::{check_golden, files, read, repository};
+use super::support::{files, read, repository};
+use crate::golden::check_golden;
 
 #[test]
 fn every_fault_is_reported_where_it_stands() {

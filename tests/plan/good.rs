@@ -1,6 +1,8 @@
 //! Plans without faults.
 
-use super::support::{check_golden, files, read, read_ready, read_text, repository, summary};
+use crate::golden::check_golden;
+
+use super::support::{files, read, read_ready, read_text, repository, summary};
 
 #[test]
 fn every_case_gives_its_golden() {

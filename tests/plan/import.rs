@@ -8,7 +8,8 @@ use std::path::PathBuf;
 use roomwright::internals::catalog::load_catalog;
 use roomwright::internals::plan::{Level, PlanOptions, PlanReading, WallKind, read_plans};
 
-use super::support::{check_golden, repository, summary};
+use super::support::{repository, summary};
+use crate::golden::check_golden;
 
 fn read(path: PathBuf) -> PlanReading {
     let catalog = load_catalog(&[]).unwrap().value;

@@ -106,16 +106,3 @@ pub(super) fn summary(level: &Level) -> String {
     // No negative zeros: they are the same place.
     text.replace("-0.000", "0.000")
 }
-
-/// Compares a text with the golden beside a case.
-pub(super) fn check_golden(golden: &Path, text: &str) {
-    let known = std::fs::read_to_string(golden).ok();
-    if known.as_deref() == Some(text) {
-        return;
-    }
-    if known.is_none() || std::env::var_os("UPDATE_GOLDENS").is_some() {
-        std::fs::write(golden, text).unwrap();
-        panic!("wrote {}: look at it and run again", golden.display());
-    }
-    assert_eq!(text, known.unwrap(), "{} differs; renew with UPDATE_GOLDENS=1", golden.display());
-}

@@ -95,5 +95,5 @@ fn every_plan_survives_being_written() {
 fn a_written_plan_is_readable() {
     let reading = read(&[repository("tests/cases/plan/centre_lines.yaml")]);
     let text = write_native(&reading.plan.buildings[0].building, "flat");
-    super::support::check_golden(&repository("tests/cases/plan/written/flat.yaml"), &text);
+    crate::golden::check_golden(&repository("tests/cases/plan/written/flat.yaml"), &text);
 }

@@ -4,6 +4,8 @@
 mod arrays;
 mod file;
 mod fixture;
+#[path = "../golden/mod.rs"]
+mod golden;
 mod leaks;
 mod levels;
 mod merged;

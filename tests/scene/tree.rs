@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
+use std::path::Path;
 
 use glam::{Quat, Vec3};
 use roomwright::internals::gltf::write_glb;
@@ -9,6 +10,7 @@ use roomwright::internals::layout::Parent;
 use roomwright::internals::scene::Node;
 
 use crate::fixture::*;
+use crate::golden::check_golden;
 
 /// One line per node: name, kind, translation to 0.1 mm, turn about Y in degrees.
 fn summary(node: &Node, depth: usize, text: &mut String) {
@@ -35,12 +37,17 @@ fn find<'n>(node: &'n Node, name: &str) -> Option<&'n Node> {
     if node.name == name { Some(node) } else { node.children.iter().find_map(|child| find(child, name)) }
 }
 
+fn check_snapshot(name: &str, text: &str) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scene/snapshots");
+    check_golden(&folder.join(name).with_extension("txt"), text);
+}
+
 #[test]
 fn a_small_level_has_this_tree() {
     let scene = scene(&two_rooms(), &two_furnished(&catalog()));
     let mut text = String::new();
     summary(&scene.root, 0, &mut text);
-    insta::assert_snapshot!(text);
+    check_snapshot("a_small_level_has_this_tree", &text);
 }
 
 #[test]
@@ -64,7 +71,7 @@ fn a_small_level_has_these_extras() {
             format!("{name} {}", serde_json::to_string(extras).unwrap())
         })
         .collect();
-    insta::assert_snapshot!(lines.join("\n"));
+    check_snapshot("a_small_level_has_these_extras", &(lines.join("\n") + "\n"));
 }
 
 #[test]
