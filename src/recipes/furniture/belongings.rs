@@ -9,38 +9,55 @@ use crate::recipes::kit::{
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// A pillow: one with pointed corners, one with a flat hem, one with buttoned flat faces, or a plain thick one.
-pub(super) static PILLOW: Recipe = Recipe::accessory("pillow", [0.5, 0.4, 0.14]).every_set(pillow);
+pub(super) static PILLOW: Recipe = Recipe::accessory("pillow", [0.5, 0.4, 0.14])
+    .plain(pointed)
+    .traditional(hemmed)
+    .industrial(buttoned)
+    .budget(stuffed);
 
-fn pillow(draft: &Draft, builder: &mut Builder) {
-    let bay = builder.bay();
-    let (extent, middle) = (bay.extent(), bay.center());
-    let slot = draft.sampler().pick(&[Slot::Linen, Slot::FabricLight, Slot::FabricAccent]);
-    let put = |solid: Solid| solid.moved(middle.x, middle.y, middle.z);
-    match draft.set() {
-        GeometrySet::Plain => builder.add(slot, put(soft_pillow(extent.x, extent.y, extent.z))),
-        GeometrySet::Traditional => {
-            let hem = extent.x.min(extent.z) * 0.1;
-            let thin = extent.y * 0.05;
-            let slice = |y: f64, back: f64| Slice::new(y, extent.x / 2.0 - back, extent.z / 2.0 - back);
-            let flat =
-                [slice(-thin, thin), slice(-thin * 0.3, 0.0), slice(thin * 0.3, 0.0), slice(thin, thin)];
-            builder.add(slot, put(loft(&Outline::Square, &flat)));
-            builder.add(slot, put(soft_pillow(extent.x - hem, extent.y, extent.z - hem)));
-        }
-        GeometrySet::Industrial => {
-            let radii = (extent * DVec3::new(0.06, 0.22, 0.06)).min(extent * 0.45);
-            builder.rounded(slot, bay.inset(0.0, extent.y * 0.03, 0.0), radii, 1);
-            let size = extent.x.min(extent.z) * 0.1;
-            for x in [-0.2, 0.2] {
-                let button = Bay::around(middle + DVec3::X * x * extent.x, size, extent.y, size);
-                builder.cuboid(Slot::Leather, button);
-            }
-        }
-        GeometrySet::Budget => {
-            let radii = (extent * DVec3::new(0.3, 0.45, 0.3)).min(extent * 0.45);
-            builder.rounded(slot, bay, radii, 2);
-        }
+/// The cloth of a pillow's look.
+fn cloth(draft: &Draft) -> Slot {
+    draft.sampler().pick(&[Slot::Linen, Slot::FabricLight, Slot::FabricAccent])
+}
+
+/// Two crowned faces that meet in pointed corners.
+fn pointed(draft: &Draft, builder: &mut Builder) {
+    let (extent, middle) = (builder.bay().extent(), builder.bay().center());
+    let solid = soft_pillow(extent.x, extent.y, extent.z);
+    builder.add(cloth(draft), solid.moved(middle.x, middle.y, middle.z));
+}
+
+/// A smaller pillow on a flat hem.
+fn hemmed(draft: &Draft, builder: &mut Builder) {
+    let (extent, middle, slot) = (builder.bay().extent(), builder.bay().center(), cloth(draft));
+    let hem = extent.x.min(extent.z) * 0.1;
+    let thin = extent.y * 0.05;
+    let slice = |y: f64, back: f64| Slice::new(y, extent.x / 2.0 - back, extent.z / 2.0 - back);
+    let flat = [slice(-thin, thin), slice(-thin * 0.3, 0.0), slice(thin * 0.3, 0.0), slice(thin, thin)];
+    let inner = soft_pillow(extent.x - hem, extent.y, extent.z - hem);
+    for solid in [loft(&Outline::Square, &flat), inner] {
+        builder.add(slot, solid.moved(middle.x, middle.y, middle.z));
     }
+}
+
+/// Flat faces with two buttons of leather.
+fn buttoned(draft: &Draft, builder: &mut Builder) {
+    let (bay, slot) = (builder.bay(), cloth(draft));
+    let extent = bay.extent();
+    let radii = (extent * DVec3::new(0.06, 0.22, 0.06)).min(extent * 0.45);
+    builder.rounded(slot, bay.inset(0.0, extent.y * 0.03, 0.0), radii, 1);
+    let size = extent.x.min(extent.z) * 0.1;
+    for x in [-0.2, 0.2] {
+        let button = Bay::around(bay.center() + DVec3::X * x * extent.x, size, extent.y, size);
+        builder.cuboid(Slot::Leather, button);
+    }
+}
+
+/// A plain thick one.
+fn stuffed(draft: &Draft, builder: &mut Builder) {
+    let (bay, slot) = (builder.bay(), cloth(draft));
+    let radii = (bay.extent() * DVec3::new(0.3, 0.45, 0.3)).min(bay.extent() * 0.45);
+    builder.rounded(slot, bay, radii, 2);
 }
 
 /// What holds a photograph.

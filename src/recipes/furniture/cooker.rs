@@ -77,17 +77,7 @@ fn range(builder: &mut Builder, slots: [Slot; 2]) {
     let lift = hob_height(GeometrySet::Traditional);
     let top = bay.without(Side::Above, lift).slab(Side::Above, 0.035);
     builder.block(Slot::MetalDark, top, 0.01);
-    let radius = bay.width().min(bay.depth()) * 0.17;
-    for (x, z) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
-        let size = radius * if x * z > 0.0 { 1.0 } else { 0.8 };
-        let ring =
-            [(top.high.y - SINK, 1.0), (bay.high.y, 0.92), (bay.high.y, 0.68), (top.high.y - SINK, 0.6)];
-        let slices = ring.map(|(y, share)| Slice::round(y, size * share));
-        let at = [x * bay.width() * 0.24, z * bay.depth() * 0.22];
-        builder.add(Slot::MetalDark, loft_ring(&Outline::Round(14), &slices).moved(at[0], 0.0, at[1]));
-        let crown = [(size * 0.45, top.high.y - SINK), (size * 0.3, top.high.y + lift * 0.7)];
-        builder.add(metal, lathe(&crown, 8).moved(at[0], 0.0, at[1]));
-    }
+    cast_rings(builder, metal, top.high.y);
     let foot = (bay.height() * 0.16).min(0.13);
     let body = bay.with_y([0.0, top.low.y + SINK]).inset(0.004, 0.0, 0.004);
     let feet = body.with_y([0.0, foot + SINK]).without(Side::Front, REACH + 0.01).inset(0.006, 0.0, 0.006);
@@ -127,6 +117,22 @@ fn range(builder: &mut Builder, slots: [Slot; 2]) {
         }
         let bar = DVec3::new(door.center().x, door.high.y - margin * 0.5, surface);
         handle(builder, metal, (HandleKind::Level, door.width() * 0.6), bar, REACH);
+    }
+}
+
+/// Four rings with crowns on a top at a height.
+fn cast_rings(builder: &mut Builder, metal: Slot, top: f64) {
+    let bay = builder.bay();
+    let radius = bay.width().min(bay.depth()) * 0.17;
+    for (x, z) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
+        let size = radius * if x * z > 0.0 { 1.0 } else { 0.8 };
+        let ring = [(top - SINK, 1.0), (bay.high.y, 0.92), (bay.high.y, 0.68), (top - SINK, 0.6)];
+        let slices = ring.map(|(y, share)| Slice::round(y, size * share));
+        let at = [x * bay.width() * 0.24, z * bay.depth() * 0.22];
+        builder.add(Slot::MetalDark, loft_ring(&Outline::Round(14), &slices).moved(at[0], 0.0, at[1]));
+        let crown =
+            [(size * 0.45, top - SINK), (size * 0.3, top + hob_height(GeometrySet::Traditional) * 0.7)];
+        builder.add(metal, lathe(&crown, 8).moved(at[0], 0.0, at[1]));
     }
 }
 

@@ -218,44 +218,50 @@ fn towel_slots(draft: &Draft) -> [Slot; 2] {
 }
 
 /// A towel: folded in layers, folded with a small one on it, rolled, or folded loosely.
-pub(super) static TOWEL: Recipe = Recipe::accessory("towel", [0.4, 0.3, 0.08]).every_set(towel);
+pub(super) static TOWEL: Recipe = Recipe::accessory("towel", [0.4, 0.3, 0.08])
+    .plain(layers)
+    .traditional(with_small_one)
+    .industrial(|draft, builder| rolls(builder, builder.bay(), towel_slots(draft)))
+    .budget(loosely_folded);
 
-fn towel(draft: &Draft, builder: &mut Builder) {
+/// Layers, each folded like the others; the second has the colour of the border.
+fn layers(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let [slot, border] = towel_slots(draft);
-    match draft.set() {
-        GeometrySet::Industrial => rolls(builder, bay, [slot, border]),
-        GeometrySet::Plain => {
-            let count = ((bay.height() / 0.03).round() as u32).clamp(1, 3);
-            for (index, layer) in bay.rows(count, -0.001).into_iter().enumerate() {
-                let back = if index % 2 == 0 { 0.0 } else { bay.width() * 0.015 };
-                let (slot, radius) = (if index == 1 { border } else { slot }, layer.height() * 0.4);
-                if index + 1 < count as usize {
-                    builder.block(slot, layer.inset(back, 0.0, back), radius);
-                } else {
-                    builder.cushion(slot, layer.inset(back, 0.0, back), radius);
-                }
-            }
-        }
-        GeometrySet::Traditional => {
-            let small = bay.slab(Side::Above, bay.height() * 0.3);
-            for layer in bay.without(Side::Above, small.height() - 0.001).rows(2, -0.001) {
-                builder.block(slot, layer, layer.height() * 0.4);
-            }
-            let small = small.inset(bay.width() * 0.2, 0.0, bay.depth() * 0.1);
-            builder.block(slot, small, small.height() * 0.4);
-            bordered(builder, border, small);
-        }
-        GeometrySet::Budget => {
-            let [low, high] =
-                [bay.slab(Side::Below, bay.height() * 0.5), bay.slab(Side::Above, bay.height() * 0.5)];
-            builder.block(slot, low, low.height() * 0.4);
-            // The upper half ends short of the lower one.
-            let high = high.without(Side::Below, -0.001).without(Side::Front, bay.depth() * 0.2);
-            builder.block(slot, high.inset(bay.width() * 0.015, 0.0, 0.0), high.height() * 0.4);
-            bordered(builder, border, high.inset(bay.width() * 0.015, 0.0, 0.0));
+    let count = ((bay.height() / 0.03).round() as u32).clamp(1, 3);
+    for (index, layer) in bay.rows(count, -0.001).into_iter().enumerate() {
+        let back = if index % 2 == 0 { 0.0 } else { bay.width() * 0.015 };
+        let (slot, radius) = (if index == 1 { border } else { slot }, layer.height() * 0.4);
+        if index + 1 < count as usize {
+            builder.block(slot, layer.inset(back, 0.0, back), radius);
+        } else {
+            builder.cushion(slot, layer.inset(back, 0.0, back), radius);
         }
     }
+}
+
+/// Two layers with a small towel on them.
+fn with_small_one(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let [slot, border] = towel_slots(draft);
+    let small = bay.slab(Side::Above, bay.height() * 0.3);
+    for layer in bay.without(Side::Above, small.height() - 0.001).rows(2, -0.001) {
+        builder.block(slot, layer, layer.height() * 0.4);
+    }
+    let small = small.inset(bay.width() * 0.2, 0.0, bay.depth() * 0.1);
+    builder.block(slot, small, small.height() * 0.4);
+    bordered(builder, border, small);
+}
+
+/// Folded once, so that the upper half ends short of the lower one.
+fn loosely_folded(draft: &Draft, builder: &mut Builder) {
+    let bay = builder.bay();
+    let [slot, border] = towel_slots(draft);
+    let [low, high] = [Side::Below, Side::Above].map(|side| bay.slab(side, bay.height() * 0.5));
+    builder.block(slot, low, low.height() * 0.4);
+    let high = high.without(Side::Below, -0.001).without(Side::Front, bay.depth() * 0.2);
+    builder.block(slot, high.inset(bay.width() * 0.015, 0.0, 0.0), high.height() * 0.4);
+    bordered(builder, border, high.inset(bay.width() * 0.015, 0.0, 0.0));
 }
 
 /// A strip along the front of a folded towel, around its upper side and both ends.

@@ -266,20 +266,24 @@ fn motor_on_top(builder: &mut Builder, sampler: &mut Sampler) {
             .with_y([top - 0.02, top + SINK])
             .with_z([frame.high.z - 0.14, frame.high.z - 0.11]),
     );
-    let doors = frame.with_y([0.2 - SINK, top]).inset(0.048, 0.0, 0.0);
-    for (side, shift) in [(Side::Left, 0.014), (Side::Right, 0.044)] {
-        let door = doors.slab(side, doors.width() * 0.53).slab(Side::Front, 0.024).moved(0.0, 0.0, -shift);
-        framed_pane(builder, Slot::MetalDark, door, 0.035);
-        let x = if side == Side::Left { door.low.x + 0.05 } else { door.high.x - 0.05 };
-        let at = DVec3::new(x, door.center().y, door.high.z);
-        handle(builder, Slot::Chrome, (HandleKind::Upright, 0.4), at - DVec3::Z * 0.002, 0.014);
-    }
+    sliding_panes(builder, frame.with_y([0.2 - SINK, top]).inset(0.048, 0.0, 0.0));
     let pipe = [0.3, 0.36].map(|share| DVec3::new(share * bay.width(), 0.1, bay.low.z + 0.004));
     for at in pipe {
         builder.add(
             Slot::Brass,
             sweep(&[at, DVec3::new(at.x, top + 0.02, at.z)], 0.006, 6).moved(0.0, 0.0, 0.004),
         );
+    }
+}
+
+/// Two panes that slide past each other.
+fn sliding_panes(builder: &mut Builder, doors: Bay) {
+    for (side, shift) in [(Side::Left, 0.014), (Side::Right, 0.044)] {
+        let door = doors.slab(side, doors.width() * 0.53).slab(Side::Front, 0.024).moved(0.0, 0.0, -shift);
+        framed_pane(builder, Slot::MetalDark, door, 0.035);
+        let x = if side == Side::Left { door.low.x + 0.05 } else { door.high.x - 0.05 };
+        let at = DVec3::new(x, door.center().y, door.high.z);
+        handle(builder, Slot::Chrome, (HandleKind::Upright, 0.4), at - DVec3::Z * 0.002, 0.014);
     }
 }
 

@@ -43,6 +43,18 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
     }
     builder.block(Slot::Stone, bay.with_y([bench - TOP - SINK, bench]), 0.004);
     let upper = bay.with_y([bench - SINK, bay.high.y]).inset(0.001, 0.0, 0.001).without(Side::Front, 0.05);
+    working_space(draft, builder, slot, (upper, bench));
+    valves(builder, bay.width(), bench, upper.high.z);
+    for (x, tall) in [(-0.2, 0.16), (-0.1, 0.22), (0.18, 0.12)] {
+        let glass =
+            [(0.05, bench - SINK), (0.055, bench + 0.02), (0.016, bench + tall * 0.6), (0.016, bench + tall)];
+        builder.add(Slot::Glass, lathe(&glass, 10).moved(x * bay.width(), 0.0, 0.0));
+    }
+}
+
+/// What stands on the bench: a hood over a pane, or a chamber behind panes.
+fn working_space(draft: &Draft, builder: &mut Builder, slot: Slot, (upper, bench): (Bay, f64)) {
+    let look = draft.form();
     // Panes that are lifted stand half open in their frame.
     let open = |low: f64| bench + (low - bench) * (0.25 + 0.12 * look as f64);
     match draft.set() {
@@ -65,12 +77,6 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
                 builder.block(Slot::Metal, upper.slab(Side::Above, HEAD + SINK), 0.006);
             }
         }
-    }
-    valves(builder, bay.width(), bench, upper.high.z);
-    for (x, tall) in [(-0.2, 0.16), (-0.1, 0.22), (0.18, 0.12)] {
-        let glass =
-            [(0.05, bench - SINK), (0.055, bench + 0.02), (0.016, bench + tall * 0.6), (0.016, bench + tall)];
-        builder.add(Slot::Glass, lathe(&glass, 10).moved(x * bay.width(), 0.0, 0.0));
     }
 }
 

@@ -93,6 +93,21 @@ fn laser(builder: &mut Builder, form: usize) {
         Slot::MetalDark,
         Bay::new(tray.x(), [0.18 * high, 0.25 * high], [front - 0.004, front + 0.002]),
     );
+    keys(builder, front, form);
+    vents(
+        builder,
+        bay.slab(Side::Right, 0.002).with_y([0.3 * high, 0.5 * high]).with_z([back + 0.03, back + 0.14]),
+    );
+    builder.cuboid(
+        Slot::Rubber,
+        bay.slab(Side::Below, 0.03 * high).inset(0.02, 0.0, 0.02).without(Side::Front, bay.depth() * 0.2),
+    );
+}
+
+/// A dark panel with four keys at the right of the front.
+fn keys(builder: &mut Builder, front: f64, form: usize) {
+    let bay = builder.bay();
+    let high = bay.height();
     let panel = Bay::new(
         [bay.high.x - 0.12, bay.high.x - 0.03],
         [0.4 * high, 0.54 * high],
@@ -102,14 +117,6 @@ fn laser(builder: &mut Builder, form: usize) {
     for key in panel.inset(0.008, panel.height() * 0.3, 0.0).columns(4, 0.006) {
         builder.cuboid([Slot::Leaf, Slot::PaintedAccent][form % 2], key.with_z([front, front + 0.006]));
     }
-    vents(
-        builder,
-        bay.slab(Side::Right, 0.002).with_y([0.3 * high, 0.5 * high]).with_z([back + 0.03, back + 0.14]),
-    );
-    builder.cuboid(
-        Slot::Rubber,
-        bay.slab(Side::Below, 0.03 * high).inset(0.02, 0.0, 0.02).without(Side::Front, bay.depth() * 0.2),
-    );
 }
 
 /// Slots in the right side, as dark strips on it.
@@ -125,11 +132,7 @@ fn matrix(builder: &mut Builder, form: usize) {
     let shell = [Slot::Metal, Slot::MetalDark, Slot::PaintedAccent, Slot::Metal][form];
     let (high, half) = (bay.height(), half_paper(bay) * 1.1);
     let stand = high * 0.42;
-    for x in [bay.low.x + 0.012, bay.high.x - 0.03] {
-        for z in [bay.low.z + 0.012, bay.high.z - 0.03] {
-            builder.cuboid(Slot::MetalDark, Bay::new([x, x + 0.018], [0.0, stand + SINK], [z, z + 0.018]));
-        }
-    }
+    four_posts(builder, stand);
     let stack =
         Bay::new([-half, half], [0.002, stand * 0.62], [bay.low.z + 0.02, bay.low.z + bay.depth() * 0.6]);
     for (index, fold) in stack.rows(4, -SINK).into_iter().enumerate() {
@@ -171,6 +174,16 @@ fn matrix(builder: &mut Builder, form: usize) {
     builder.cuboid(Slot::PlasticDark, panel.moved(0.0, 0.0, -0.001));
     for key in panel.inset(0.01, panel.height() * 0.3, 0.0).columns(3, 0.01) {
         builder.cuboid(Slot::PaintedAccent, key.with_z([top.z - 0.003, top.z + 0.003]));
+    }
+}
+
+/// Posts at the corners, up to a height.
+fn four_posts(builder: &mut Builder, stand: f64) {
+    let bay = builder.bay();
+    for x in [bay.low.x + 0.012, bay.high.x - 0.03] {
+        for z in [bay.low.z + 0.012, bay.high.z - 0.03] {
+            builder.cuboid(Slot::MetalDark, Bay::new([x, x + 0.018], [0.0, stand + SINK], [z, z + 0.018]));
+        }
     }
 }
 

@@ -139,18 +139,7 @@ fn framed(builder: &mut Builder) {
     }
     builder.add(Slot::MetalDark, cylinder(0.075, [0.03 - SINK, high * 0.2], 12).moved(0.0, 0.0, middle));
     builder.add(Slot::Metal, cylinder(0.05, [high * 0.19, high * 0.37], 12).moved(0.0, 0.0, middle));
-    let seat = Bay::new([-0.24, 0.24], [high * 0.36, high * 0.47], [low + 0.16, middle + 0.28]);
-    builder.cuboid(Slot::MetalDark, seat.slab(Side::Below, 0.03).inset(0.02, 0.0, 0.03));
-    let pitch = seat.depth() / 4.0;
-    for index in 0..4 {
-        let z = seat.low.z + f64::from(index) * pitch;
-        builder.cushion(Slot::Leather, seat.with_z([z, z + pitch * 0.97]).without(Side::Below, 0.028), 0.025);
-    }
-    let back = Bay::new([-0.22, 0.22], [high * 0.48, high], [low, low + 0.08]);
-    for (index, pad) in back.rows(5, 0.006).into_iter().enumerate() {
-        let lean = 0.018 * (4 - index) as f64;
-        builder.cushion(Slot::Leather, pad.moved(0.0, 0.0, lean), 0.025);
-    }
+    ribbed_pads(builder, middle);
     let x = bay.high.x - tube;
     let at = |x: f64, y: f64, z: f64| DVec3::new(x, high * y, z);
     let side = [
@@ -177,6 +166,24 @@ fn framed(builder: &mut Builder) {
     builder.add(Slot::MetalDark, pipe(&bow, tube, 0.06));
     let tread = [at(-0.195, 0.16, bay.high.z - 0.075), at(0.195, 0.16, bay.high.z - 0.075)];
     builder.add(Slot::Metal, sweep(&tread, tube * 0.9, 8));
+}
+
+/// A seat and a back of ribs.
+fn ribbed_pads(builder: &mut Builder, middle: f64) {
+    let bay = builder.bay();
+    let (high, low) = (bay.high.y, bay.low.z);
+    let seat = Bay::new([-0.24, 0.24], [high * 0.36, high * 0.47], [low + 0.16, middle + 0.28]);
+    builder.cuboid(Slot::MetalDark, seat.slab(Side::Below, 0.03).inset(0.02, 0.0, 0.03));
+    let pitch = seat.depth() / 4.0;
+    for index in 0..4 {
+        let z = seat.low.z + f64::from(index) * pitch;
+        builder.cushion(Slot::Leather, seat.with_z([z, z + pitch * 0.97]).without(Side::Below, 0.028), 0.025);
+    }
+    let back = Bay::new([-0.22, 0.22], [high * 0.48, high], [low, low + 0.08]);
+    for (index, pad) in back.rows(5, 0.006).into_iter().enumerate() {
+        let lean = 0.018 * (4 - index) as f64;
+        builder.cushion(Slot::Leather, pad.moved(0.0, 0.0, lean), 0.025);
+    }
 }
 
 /// A shell that runs from the seat into the back, with loops for arms, on a star of five.

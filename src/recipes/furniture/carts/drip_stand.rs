@@ -5,47 +5,50 @@ use glam::DVec3;
 use super::castor;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe, pipe, sweep};
-use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
+use crate::recipes::{Draft, Recipe, Slot};
 
 /// A stand with bags that hang from hooks: on five castors; on a cast foot, with bottles; on a cross, with two pumps; on three
 /// bent feet.
-pub(in super::super) static DRIP_STAND: Recipe =
-    Recipe::furniture("drip_stand", [0.45, 0.45, 1.9]).every_set(drip_stand);
+pub(in super::super) static DRIP_STAND: Recipe = Recipe::furniture("drip_stand", [0.45, 0.45, 1.9])
+    .plain(chromed)
+    .traditional(cast)
+    .industrial(with_two_pumps)
+    .budget(on_bent_feet);
 
-fn drip_stand(draft: &Draft, builder: &mut Builder) {
-    let look = draft.form();
+fn chromed(draft: &Draft, builder: &mut Builder) {
     let high = builder.bay().height();
-    match draft.set() {
-        GeometrySet::Plain => {
-            star(builder, Slot::Chrome);
-            pole(builder, Slot::Chrome);
-            hooks(builder, Slot::Chrome, &[1.0, -1.0], 0.0);
-            bags(builder, high, look);
-            pump(builder, high * 0.54);
-        }
-        GeometrySet::Traditional => {
-            cast_foot(builder);
-            pole(builder, Slot::Painted);
-            hooks(builder, Slot::Brass, &[1.0, -1.0], 0.0);
-            bottles(builder, look);
-        }
-        GeometrySet::Industrial => {
-            cross(builder);
-            pole(builder, Slot::Metal);
-            hooks(builder, Slot::Metal, &[1.0, -1.0], 0.0);
-            hooks(builder, Slot::Metal, &[1.0, -1.0], std::f64::consts::FRAC_PI_2);
-            bags(builder, high, look);
-            pump(builder, high * 0.6);
-            pump(builder, high * 0.47);
-            push_ring(builder);
-        }
-        GeometrySet::Budget => {
-            three_feet(builder);
-            pole(builder, Slot::Metal);
-            hooks(builder, Slot::Plastic, &[1.0, -1.0], 0.0);
-            bags(builder, high, look & 1);
-        }
-    }
+    star(builder, Slot::Chrome);
+    pole(builder, Slot::Chrome);
+    hooks(builder, Slot::Chrome, &[1.0, -1.0], 0.0);
+    bags(builder, high, draft.form());
+    pump(builder, high * 0.54);
+}
+
+fn cast(draft: &Draft, builder: &mut Builder) {
+    cast_foot(builder);
+    pole(builder, Slot::Painted);
+    hooks(builder, Slot::Brass, &[1.0, -1.0], 0.0);
+    bottles(builder, draft.form());
+}
+
+fn with_two_pumps(draft: &Draft, builder: &mut Builder) {
+    let high = builder.bay().height();
+    cross(builder);
+    pole(builder, Slot::Metal);
+    hooks(builder, Slot::Metal, &[1.0, -1.0], 0.0);
+    hooks(builder, Slot::Metal, &[1.0, -1.0], std::f64::consts::FRAC_PI_2);
+    bags(builder, high, draft.form());
+    pump(builder, high * 0.6);
+    pump(builder, high * 0.47);
+    push_ring(builder);
+}
+
+fn on_bent_feet(draft: &Draft, builder: &mut Builder) {
+    let high = builder.bay().height();
+    three_feet(builder);
+    pole(builder, Slot::Metal);
+    hooks(builder, Slot::Plastic, &[1.0, -1.0], 0.0);
+    bags(builder, high, draft.form() & 1);
 }
 
 /// Height of a stand's foot.

@@ -112,6 +112,13 @@ pub(super) fn with_tower(builder: &mut Builder, (shell, dark): Slots) {
         feeder.slab(Side::Left, 0.15).with_y([height * 0.9 - SINK, height * 0.955]).inset(0.0, 0.0, 0.03),
         0.012,
     );
+    screen_on_arm(builder, dark, body);
+    tower(builder, (shell, dark), bay.with_x([body.high.x - 0.004, bay.high.x]));
+}
+
+/// A screen on a bent arm over the left front corner.
+fn screen_on_arm(builder: &mut Builder, dark: Slot, body: Bay) {
+    let height = builder.bay().height();
     let foot = DVec3::new(body.low.x + 0.06, height * 0.83, body.high.z - 0.06);
     let head = DVec3::new(foot.x, height - 0.09, body.high.z - 0.025);
     builder.add(Slot::MetalDark, sweep(&[foot, head], 0.012, 6));
@@ -129,7 +136,6 @@ pub(super) fn with_tower(builder: &mut Builder, (shell, dark): Slots) {
             [head.z - 0.004, head.z + 0.01],
         ),
     );
-    tower(builder, (shell, dark), bay.with_x([body.high.x - 0.004, bay.high.x]));
 }
 
 /// A tower that takes sheets from the left, staples them and lays them on trays at its right.

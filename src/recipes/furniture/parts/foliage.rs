@@ -165,6 +165,14 @@ fn fill(leaves: &mut [Solid], foliage: &Foliage) {
     }
 }
 
+/// Pots with many rings, as (radius, height) shares: a tub with bands, an urn on a foot, a drum with beads.
+const BANDED: [(f64, f64); 8] =
+    [(0.8, 0.0), (0.94, 0.24), (0.9, 0.26), (0.98, 0.5), (0.94, 0.52), (1.0, 0.76), (0.96, 0.78), (1.0, 1.0)];
+const URN: [(f64, f64); 7] =
+    [(0.62, 0.0), (0.62, 0.06), (0.34, 0.14), (0.38, 0.24), (0.86, 0.5), (0.82, 0.9), (1.0, 1.0)];
+const DRUM: [(f64, f64); 8] =
+    [(0.7, 0.0), (0.8, 0.3), (0.84, 0.31), (0.84, 0.34), (0.81, 0.35), (0.95, 0.93), (1.0, 0.95), (1.0, 1.0)];
+
 /// Material and outside of a pot, as (radius, height) shares.
 fn pot_form(set: GeometrySet, look: usize) -> (Slot, Vec<(f64, f64)>) {
     match set {
@@ -180,25 +188,8 @@ fn pot_form(set: GeometrySet, look: usize) -> (Slot, Vec<(f64, f64)>) {
         GeometrySet::Traditional => (
             [Slot::Terracotta, Slot::WoodLight, Slot::Ceramic, Slot::Terracotta][look],
             match look {
-                1 => vec![
-                    (0.8, 0.0),
-                    (0.94, 0.24),
-                    (0.9, 0.26),
-                    (0.98, 0.5),
-                    (0.94, 0.52),
-                    (1.0, 0.76),
-                    (0.96, 0.78),
-                    (1.0, 1.0),
-                ],
-                2 => vec![
-                    (0.62, 0.0),
-                    (0.62, 0.06),
-                    (0.34, 0.14),
-                    (0.38, 0.24),
-                    (0.86, 0.5),
-                    (0.82, 0.9),
-                    (1.0, 1.0),
-                ],
+                1 => BANDED.to_vec(),
+                2 => URN.to_vec(),
                 _ => vec![(0.66, 0.0), (0.88, 0.74), (1.0, 0.76), (1.0, 1.0)],
             },
         ),
@@ -206,16 +197,7 @@ fn pot_form(set: GeometrySet, look: usize) -> (Slot, Vec<(f64, f64)>) {
             [Slot::Metal, Slot::Concrete, Slot::MetalDark, Slot::Metal][look],
             match look {
                 1 => vec![(1.0, 0.0), (1.0, 1.0)],
-                _ => vec![
-                    (0.7, 0.0),
-                    (0.8, 0.3),
-                    (0.84, 0.31),
-                    (0.84, 0.34),
-                    (0.81, 0.35),
-                    (0.95, 0.93),
-                    (1.0, 0.95),
-                    (1.0, 1.0),
-                ],
+                _ => DRUM.to_vec(),
             },
         ),
         GeometrySet::Budget => (
