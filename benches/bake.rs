@@ -9,7 +9,7 @@ use roomwright::internals::edits::EditBook;
 use roomwright::internals::gltf::write_glb;
 use roomwright::internals::layout::{FurnishOptions, furnish};
 use roomwright::internals::model::ModelLibrary;
-use roomwright::internals::output::FloorOptions;
+use roomwright::internals::output::LevelOptions;
 use roomwright::internals::plan::{Level, PlacedBuilding, Plan, PlanOptions, read_plans};
 use roomwright::internals::scene::{SceneInput, SceneOptions, build_scene};
 use roomwright::internals::solve::judge_room;
@@ -65,7 +65,7 @@ fn to_a_folder(criterion: &mut Criterion) {
     let models = ModelLibrary::load(&catalog).expect("the built-in models are valid");
     let plan = house(&catalog);
     let options = BakeOptions {
-        floor: FloorOptions { seed: SEED, ..FloorOptions::default() },
+        level: LevelOptions { seed: SEED, ..LevelOptions::default() },
         ..BakeOptions::default()
     };
     let input = BakeInput {

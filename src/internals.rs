@@ -52,7 +52,7 @@ pub mod model {
     };
 }
 pub mod output {
-    pub use crate::output::FloorOptions;
+    pub use crate::output::LevelOptions;
 }
 pub mod plan {
     pub use crate::plan::{

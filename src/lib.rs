@@ -2,16 +2,17 @@
 //!
 //! The same plan, catalogue, options and version give the same bytes, on any machine and with any number of threads. A
 //! [`Project`] holds what was read: plans of any format that `roomwright formats` lists, the edits beside them, the catalogue of
-//! furniture and its models. It writes whole buildings,
+//! furniture and its models. What could not be read is in [`Project::faults`]. A project writes whole buildings,
 //!
 //! ```
-//! use roomwright::{BakeOptions, FloorOptions, Project};
+//! use roomwright::{BakeOptions, LevelOptions, Project};
 //!
 //! let project = Project::read(&["configs/plans/house.yaml"].into_iter().collect())?;
-//! let options = BakeOptions { floor: FloorOptions { seed: 7, ..Default::default() }, threads: 2, ..Default::default() };
+//! assert!(!project.faults.has_errors(), "{}", project.faults);
+//! let level = LevelOptions { seed: 7, ..project.level_options() };
 //! # let folder = tempfile::tempdir()?;
 //! # let out = folder.path();
-//! let report = project.bake(&options, out)?; // writes house/ground.glb, house/upper.glb, manifest.json
+//! let report = project.bake(&BakeOptions { level, threads: 2, ..Default::default() }, out)?;
 //! assert!(report.failures.is_empty() && out.join("house/ground.glb").exists());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -19,23 +20,24 @@
 //! or furnishes one room when it is asked for, judges it, and writes it without the others:
 //!
 //! ```
-//! use roomwright::{FloorOptions, Project, RoomId};
+//! use roomwright::{Project, RoomId};
 //!
 //! let project = Project::read(&["configs/plans/house.yaml"].into_iter().collect())?;
-//! let options = FloorOptions::default();
+//! let options = project.level_options();
 //! let rooms = project.rooms(&options);
 //! let living = rooms.furnish(&RoomId::new("house", "ground", "living"))?;
 //! for placement in &living.furnished.placements {
 //!     println!("{} at {}", project.catalog.classes[placement.class].id, placement.position);
 //! }
-//! println!("{} findings", living.verdict.findings.len());
+//! living.verdict.findings.iter().for_each(|finding| println!("{finding}"));
 //! let glb: Vec<u8> = rooms.glb(&living)?;
 //! # assert!(glb.starts_with(b"glTF") && !living.furnished.placements.is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Lengths are metres, angles radians counter-clockwise, x east, y north. `ARCHITECTURE.md` shows how the stages follow each other;
-//! `docs/output.md` says what the files hold.
+//! Lengths are metres, angles radians counter-clockwise, x east, y north. The modules here name the types of fields: [`options`],
+//! [`building`], [`furniture`], [`judgement`]. `ARCHITECTURE.md` shows how the stages follow each other; `docs/output.md` says
+//! what the files hold.
 
 // The documentation of the inside is for `cargo doc --document-private-items`, where its links lead somewhere.
 #![allow(rustdoc::private_intra_doc_links)]
@@ -71,13 +73,44 @@ mod solve;
 mod texture;
 mod walk;
 
-pub use audit::{Finding, Verdict};
 pub use batch::{BakeOptions, BakeReport, OutputFault};
 pub use document::{Fault, Faults};
 pub use gltf::GltfError;
-pub use layout::{Furnished, Placement};
-pub use output::{FloorOptions, Format};
+pub use output::LevelOptions;
 pub use project::{EditsChoice, FinishedRoom, Project, ProjectPaths, RoomId, Rooms, UnknownRoom};
+
+/// What [`LevelOptions`] and [`BakeOptions`] are made of.
+pub mod options {
+    pub use crate::batch::{Shard, Unplanned};
+    pub use crate::cache::Cache;
+    pub use crate::gltf::FlatNormals;
+    pub use crate::model::Detail;
+    pub use crate::output::{Format, TextureOptions};
+    pub use crate::scene::{Lights, Parts, SceneOptions};
+    pub use crate::texture::TextureSize;
+}
+
+/// Plans as they were read: what [`Project::plan`] is made of.
+pub mod building {
+    pub use crate::geometry::{Point, Polygon, Region};
+    pub use crate::plan::{
+        Building, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, PlacedBuilding, Plan, Room,
+        RoomOpening, SitePlacement, Wall, WallKind,
+    };
+}
+
+/// Furniture: what exists ([`Project::catalog`]), and what stands in a room ([`FinishedRoom::furnished`]).
+pub mod furniture {
+    pub use crate::catalog::{Catalog, Class, ClassIndex, Side};
+    pub use crate::geometry::Size;
+    pub use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
+}
+
+/// What the audit says of a room ([`FinishedRoom::verdict`]).
+pub mod judgement {
+    pub use crate::audit::{Code, Finding, Grade, Quantity, Score, Severity, Unit, Verdict};
+    pub use crate::edits::Misfit;
+}
 
 #[doc(hidden)]
 pub use cli::run as run_command;

@@ -1,5 +1,7 @@
 //! What an audit says.
 
+use std::fmt;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -93,6 +95,19 @@ pub(crate) fn findings(faults: impl Iterator<Item = (Code, Fault)>) -> Vec<Findi
     });
     bound(&mut findings);
     findings
+}
+
+impl fmt::Display for Finding {
+    /// Code, elements, figure and threshold in their unit.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unit = self.quantity.unit();
+        f.write_str(self.code.name())?;
+        if !self.objects.is_empty() {
+            write!(f, " {}", self.objects.join(", "))?;
+        }
+        write!(f, ": {}, threshold {}", unit.show(self.measured), unit.show(self.threshold))?;
+        if self.not_searched_further { f.write_str(", not searched further") } else { Ok(()) }
+    }
 }
 
 /// Findings of a kind that begin with the same object at most.

@@ -34,6 +34,7 @@ pub use checks::Code;
 pub use fault::Element;
 pub use finding::{Finding, Grade};
 pub use possible::{Ask, Held, Question};
+pub use quantity::{Quantity, Unit};
 pub use score::Score;
 pub use severity::Severity;
 pub use summary::{AuditSummary, GradeCounts};

@@ -4,7 +4,7 @@ use sha2::{Digest, Sha256};
 
 use crate::catalog::Catalog;
 use crate::edits::{EditBook, LevelEdits};
-use crate::output::FloorOptions;
+use crate::output::LevelOptions;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
 
 use super::file_name::distinct_names;
@@ -38,7 +38,7 @@ impl Job<'_> {
 pub(crate) fn list_jobs<'a>(
     (plan, edits): (&'a Plan, &'a EditBook),
     catalog: &Catalog,
-    options: &FloorOptions,
+    options: &LevelOptions,
 ) -> Vec<Job<'a>> {
     let mut buildings: Vec<&PlacedBuilding> = plan.buildings.iter().collect();
     buildings.sort_by(|one, other| one.id.cmp(&other.id));
@@ -65,7 +65,7 @@ fn sorted_levels(building: &Building) -> Vec<(&Level, String)> {
 }
 
 /// Hash of what all levels have in common: the catalogue, and the options as they are written.
-fn common_hash(catalog: &Catalog, options: &FloorOptions) -> [u8; 32] {
+fn common_hash(catalog: &Catalog, options: &LevelOptions) -> [u8; 32] {
     let mut hash = Sha256::new();
     hash.update(catalog.digest);
     hash.update(serde_json::to_vec(options).expect("options are plain data"));
@@ -132,7 +132,7 @@ pub(crate) mod tests {
 
     fn paths(plan: &Plan) -> Vec<String> {
         let no_edits = EditBook::default();
-        let jobs = list_jobs((plan, &no_edits), &Catalog::default(), &FloorOptions::default());
+        let jobs = list_jobs((plan, &no_edits), &Catalog::default(), &LevelOptions::default());
         jobs.into_iter().map(|job| job.path).collect()
     }
 
@@ -158,35 +158,35 @@ pub(crate) mod tests {
     #[test]
     fn every_input_changes_the_hash() {
         let plan = Plan { buildings: vec![tower("a", &["1"])] };
-        let inputs = |plan: &Plan, options: &FloorOptions| {
+        let inputs = |plan: &Plan, options: &LevelOptions| {
             list_jobs((plan, &EditBook::default()), &Catalog::default(), options)[0].inputs.clone()
         };
-        let base = inputs(&plan, &FloorOptions::default());
-        let showing = |scene| FloorOptions { scene, ..FloorOptions::default() };
+        let base = inputs(&plan, &LevelOptions::default());
+        let showing = |scene| LevelOptions { scene, ..LevelOptions::default() };
         let options = [
-            FloorOptions { seed: 2, ..FloorOptions::default() },
-            FloorOptions { effort: 1, ..FloorOptions::default() },
-            FloorOptions { style: Some("hotel".to_owned()), ..FloorOptions::default() },
-            FloorOptions { format: Format::named("gltf").unwrap(), ..FloorOptions::default() },
-            FloorOptions { has_shared_library: true, ..FloorOptions::default() },
+            LevelOptions { seed: 2, ..LevelOptions::default() },
+            LevelOptions { effort: 1, ..LevelOptions::default() },
+            LevelOptions { style: Some("hotel".to_owned()), ..LevelOptions::default() },
+            LevelOptions { format: Format::named("gltf").unwrap(), ..LevelOptions::default() },
+            LevelOptions { has_shared_library: true, ..LevelOptions::default() },
             showing(SceneOptions { lights: Lights::Physical, ..SceneOptions::default() }),
             showing(SceneOptions { lights: Lights::Off, ..SceneOptions::default() }),
             showing(SceneOptions { parts: Parts::Separate, ..SceneOptions::default() }),
             showing(SceneOptions { door_angle: Some(0), ..SceneOptions::default() }),
             showing(SceneOptions { has_variants: true, ..SceneOptions::default() }),
-            FloorOptions { detail: Detail::Boxes, ..FloorOptions::default() },
-            FloorOptions { flat_normals: FlatNormals::Implied, ..FloorOptions::default() },
-            FloorOptions {
+            LevelOptions { detail: Detail::Boxes, ..LevelOptions::default() },
+            LevelOptions { flat_normals: FlatNormals::Implied, ..LevelOptions::default() },
+            LevelOptions {
                 textures: TextureOptions { size: None, are_shared: false },
-                ..FloorOptions::default()
+                ..LevelOptions::default()
             },
-            FloorOptions {
+            LevelOptions {
                 textures: TextureOptions { size: Some(TextureSize::Large), are_shared: false },
-                ..FloorOptions::default()
+                ..LevelOptions::default()
             },
-            FloorOptions {
+            LevelOptions {
                 textures: TextureOptions { size: Some(TextureSize::Small), are_shared: true },
-                ..FloorOptions::default()
+                ..LevelOptions::default()
             },
         ];
         for changed in options {
@@ -194,17 +194,17 @@ pub(crate) mod tests {
         }
         let mut moved = plan.clone();
         moved.buildings[0].site.turn = 1.0;
-        assert_ne!(inputs(&moved, &FloorOptions::default()), base);
+        assert_ne!(inputs(&moved, &LevelOptions::default()), base);
         let mut edits = EditBook::default();
         edits.pin("a", "1", "101", 7);
         let edited = |edits: &EditBook| {
-            list_jobs((&plan, edits), &Catalog::default(), &FloorOptions::default())[0].inputs.clone()
+            list_jobs((&plan, edits), &Catalog::default(), &LevelOptions::default())[0].inputs.clone()
         };
         assert_ne!(edited(&edits), base);
         edits = EditBook::default();
         edits.pin("a", "2", "201", 7);
         assert_eq!(edited(&edits), base, "of another level");
         let renamed = Plan { buildings: vec![tower("b", &["1"])] };
-        assert_ne!(inputs(&renamed, &FloorOptions::default()), base);
+        assert_ne!(inputs(&renamed, &LevelOptions::default()), base);
     }
 }

@@ -1,13 +1,13 @@
 //! The options of a bake.
 
 use crate::cache::Cache;
-use crate::output::FloorOptions;
+use crate::output::LevelOptions;
 
-/// How a bake goes. Beside `floor`, nothing changes a byte of a level.
+/// How a bake goes. Beside `level`, nothing changes a byte of a level.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BakeOptions {
     /// What the files of levels depend on.
-    pub floor: FloorOptions,
+    pub level: LevelOptions,
     /// Threads; more bake faster and hold more levels in memory. Default 1.
     pub threads: usize,
     /// The share of the levels to bake; default all.
@@ -21,7 +21,7 @@ pub struct BakeOptions {
 impl Default for BakeOptions {
     fn default() -> Self {
         Self {
-            floor: FloorOptions::default(),
+            level: LevelOptions::default(),
             threads: 1,
             shard: None,
             unplanned: Unplanned::default(),

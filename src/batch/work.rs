@@ -8,11 +8,11 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use super::context::Context;
 use super::event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage, Stopwatch};
 use super::fault::{FaultCode, OutputFault};
-use super::floor::{BakedLevel, bake_floor};
 use super::folder::OutputFolder;
 use super::in_place::is_in_place;
 use super::job::{Job, list_jobs};
 use super::join::Planned;
+use super::level::{BakedLevel, bake_level};
 use super::options::BakeOptions;
 use super::program::PROGRAM;
 use super::record::{FileRecord, Totals};
@@ -55,7 +55,7 @@ pub fn bake(
 ) -> Result<BakeReport, OutputFault> {
     let &BakeInput { plan, edits, catalog, models, options } = input;
     // The levels of this share; those that are up to date are kept.
-    let jobs = list_jobs((plan, edits), catalog, &options.floor);
+    let jobs = list_jobs((plan, edits), catalog, &options.level);
     let is_ours = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
     let share = jobs.iter().enumerate().filter(|(index, _)| is_ours(*index)).map(|(_, job)| job);
     let (kept, open): (Vec<&Job<'_>>, Vec<&Job<'_>>) = share.partition(|job| folder.is_current(job));
@@ -64,14 +64,14 @@ pub fn bake(
 
     // The others are baked.
     let pool = thread_pool(options, folder.root())?;
-    let output = (output_format(options.floor.format).begin)(catalog, &options.floor);
-    let textures = options.floor.textures.library(options.cache.clone()).filter(|_| !open.is_empty());
+    let output = (output_format(options.level.format).begin)(catalog, &options.level);
+    let textures = options.level.texture_library(options.cache.clone()).filter(|_| !open.is_empty());
     let watch = Stopwatch::default();
     if let Some(textures) = &textures {
         watch.measure(Stage::Scene, || pool.install(|| textures.paint_all()));
     }
     let shared = SharedFiles::default();
-    let swatched = options.floor.swatches(catalog).filter(|_| !open.is_empty());
+    let swatched = options.level.swatches(catalog).filter(|_| !open.is_empty());
     let context = Context { catalog, options, folder, models, swatched, output, textures, shared, watch };
     let tally = work(&pool, &context, &open, observer);
     for file in context.output.finish() {
@@ -132,7 +132,7 @@ fn work(
     pool.broadcast(|_| {
         while !is_stopped.load(Ordering::Relaxed) {
             let Some(job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-            let result = bake_floor(context, job);
+            let result = bake_level(context, job);
             tell(observer, job, &result);
             if result.as_ref().is_err_and(|failure| failure.code.stops_the_run()) {
                 is_stopped.store(true, Ordering::Relaxed);

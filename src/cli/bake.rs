@@ -24,7 +24,7 @@ use crate::document::{Fault, Faults, counted};
 use crate::edits::distinct_misfits;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
-use crate::output::{FloorOptions, TextureOptions};
+use crate::output::{Format, LevelOptions, TextureOptions};
 use crate::project::Project;
 use crate::scene::{Lights, Parts, SceneOptions};
 use crate::texture::TextureSize;
@@ -33,7 +33,7 @@ use crate::texture::TextureSize;
 const LISTED_FAILURES: usize = 20;
 
 /// Endings of files that users may expect `--out` to name.
-const RESULT_ENDINGS: [&str; 7] = ["glb", "gltf", "usd", "usda", "usdc", "usdz", "zip"];
+const OTHER_RESULTS: [&str; 5] = ["usd", "usda", "usdc", "usdz", "zip"];
 
 /// Seed of runs without a seed of their own.
 pub(crate) const DEFAULT_SEED: u64 = 1;
@@ -81,7 +81,8 @@ pub(super) fn bake_once(arguments: BakeArguments, screen: Screen) -> Outcome {
 /// A fault if the output folder has the name of a file that users may expect instead.
 fn file_as_folder(out: &Path) -> Option<Fault> {
     let ending = out.extension()?.to_str()?.to_ascii_lowercase();
-    let is_file_name = RESULT_ENDINGS.contains(&ending.as_str()) && !out.is_dir();
+    let is_result = Format::named(&ending).is_some() || OTHER_RESULTS.contains(&ending.as_str());
+    let is_file_name = is_result && !out.is_dir();
     is_file_name.then(|| {
         let hint = format!("name a folder, for example --out {}", out.with_extension("").display());
         Fault::of_file(out, "is the name of a file; a bake writes a file for each level into a folder")
@@ -115,7 +116,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
     let cache = cache_root.as_deref().map(|root| Cache::new(root, PROGRAM));
     sources.models = sources.models.with_cache(cache.clone());
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let floor = FloorOptions {
+    let level = LevelOptions {
         seed,
         style,
         effort: arguments.furnish.effort,
@@ -131,7 +132,7 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
         scene: scene_options(&arguments),
     };
     let options = BakeOptions {
-        floor,
+        level,
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
         unplanned: unplanned(arguments.prune, &sources.faults, screen),
@@ -264,7 +265,7 @@ fn announcement(run: &Run) -> String {
         counted(levels, "level"),
         counted(sources.plan.buildings.len(), "building"),
         out.display(),
-        options.floor.seed,
+        options.level.seed,
         counted(options.threads, "thread"),
     )
 }

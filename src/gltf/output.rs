@@ -9,7 +9,7 @@ use super::options::WriteOptions;
 use super::shared::GeometryLibrary;
 use super::{GltfError, write_glb_with, write_gltf_with};
 use crate::catalog::Catalog;
-use crate::output::{FloorOptions, LevelToWrite, Output, OutputFormat, SharedFile, TooLarge, WrittenLevel};
+use crate::output::{LevelOptions, LevelToWrite, Output, OutputFormat, SharedFile, TooLarge, WrittenLevel};
 use crate::scene::{Scene, SceneMaterial};
 
 /// One binary file per level.
@@ -17,6 +17,8 @@ pub(crate) const GLB: OutputFormat = OutputFormat {
     name: "glb",
     about: "One binary file per level",
     extensions: &["glb"],
+    shows_textures: true,
+    is_read_back: true,
     begin: |catalog, options| Box::new(GltfOutput::new(catalog, options, Container::Binary)),
 };
 
@@ -25,6 +27,8 @@ pub(crate) const GLTF: OutputFormat = OutputFormat {
     name: "gltf",
     about: "A JSON file and a binary one beside it",
     extensions: &["gltf", "bin"],
+    shows_textures: true,
+    is_read_back: true,
     begin: |catalog, options| Box::new(GltfOutput::new(catalog, options, Container::Json)),
 };
 
@@ -37,7 +41,7 @@ enum Container {
 
 /// glTF in a run.
 struct GltfOutput<'a> {
-    options: &'a FloorOptions,
+    options: &'a LevelOptions,
     container: Container,
     /// What other levels made of catalogue models.
     encoded: EncodedModels,
@@ -46,7 +50,7 @@ struct GltfOutput<'a> {
 }
 
 impl<'a> GltfOutput<'a> {
-    fn new(catalog: &'a Catalog, options: &'a FloorOptions, container: Container) -> Self {
+    fn new(catalog: &'a Catalog, options: &'a LevelOptions, container: Container) -> Self {
         let library = options.has_shared_library.then(|| GeometryLibrary::new(catalog, options));
         Self { options, container, encoded: EncodedModels::default(), library }
     }

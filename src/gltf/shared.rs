@@ -8,7 +8,7 @@ use super::options::FlatNormals;
 use crate::catalog::Catalog;
 use crate::disk::content_hash;
 use crate::model::{Model, ModelMaterial, TextureUse};
-use crate::output::{FloorOptions, SHARED_GEOMETRY};
+use crate::output::{LevelOptions, SHARED_GEOMETRY};
 use crate::scene::{ModelKey, Scene};
 use crate::texture::has_relief;
 
@@ -18,13 +18,13 @@ const NAME_DIGITS: usize = 12;
 /// The models of a run as floors share them, laid out when a level first shows them.
 pub(crate) struct GeometryLibrary<'a> {
     catalog: &'a Catalog,
-    options: &'a FloorOptions,
+    options: &'a LevelOptions,
     known: Mutex<SharedLibrary>,
 }
 
 impl<'a> GeometryLibrary<'a> {
     /// Nothing is laid out yet.
-    pub(crate) fn new(catalog: &'a Catalog, options: &'a FloorOptions) -> Self {
+    pub(crate) fn new(catalog: &'a Catalog, options: &'a LevelOptions) -> Self {
         Self { catalog, options, known: Mutex::default() }
     }
 
@@ -56,7 +56,7 @@ fn file_name(key: &ModelKey, bytes: &[u8]) -> String {
 }
 
 /// What is painted on a material, in any palette.
-fn painting(catalog: &Catalog, material: &ModelMaterial, options: &FloorOptions) -> Painting {
+fn painting(catalog: &Catalog, material: &ModelMaterial, options: &LevelOptions) -> Painting {
     let has_textures = options.textures.size.is_some();
     let lacks_flat_normals = options.flat_normals == FlatNormals::Implied;
     match material {

@@ -1,6 +1,6 @@
 //! The interface of an output format.
 
-use super::options::FloorOptions;
+use super::options::LevelOptions;
 use crate::catalog::Catalog;
 use crate::scene::Scene;
 
@@ -12,8 +12,12 @@ pub(crate) struct OutputFormat {
     pub(crate) about: &'static str,
     /// Extensions of the files of a level, the one to open first. The files of a level are `<level>.<extension>`.
     pub(crate) extensions: &'static [&'static str],
+    /// Whether its files hold images; where they do not, scenes have no textures and each material has its own colour.
+    pub(crate) shows_textures: bool,
+    /// Whether `audit`, `diff` and `edits` read its files again.
+    pub(crate) is_read_back: bool,
     /// Begins a run.
-    pub(crate) begin: for<'a> fn(&'a Catalog, &'a FloorOptions) -> Box<dyn Output + 'a>,
+    pub(crate) begin: for<'a> fn(&'a Catalog, &'a LevelOptions) -> Box<dyn Output + 'a>,
 }
 
 /// A format in a run: it may keep what several levels share. Many threads write levels at once.

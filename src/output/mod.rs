@@ -1,9 +1,16 @@
-//! The formats that levels are written in, as a table, like the readers of plans.
+//! The formats that levels are written in: a table, as the readers of plans are.
 //!
-//! A new format is one folder beside `gltf/` with a type that implements [`Output`], and one line in `table.rs`. `batch`
-//! relies on this: the same scene at the same path gives the same files, whatever other levels were written before, and
-//! by any number of threads.
+//! A new format takes one folder beside `gltf/` with a type that implements [`Output`], and one line in `table.rs`; `--format`,
+//! `--help` and the checks of the manifest follow from that line. What the format is given:
+//! - a [`crate::scene::Scene`]: a tree of nodes in metres, Y up, each placed relative to its parent; node names are unique in the
+//!   level, mesh and material indices are valid, colours are linear ([`crate::catalog::srgb_encoded`] makes them sRGB);
+//! - with [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`); without it
+//!   each material has its own base colour, whatever textures the user asks for.
+//!
+//! What `batch` relies on: the same scene at the same path gives the same files, whatever other levels were written before it and
+//! by however many threads.
 
+mod appearance;
 mod folders;
 mod format;
 mod options;
@@ -11,5 +18,5 @@ mod table;
 
 pub(crate) use folders::SHARED_GEOMETRY;
 pub(crate) use format::{LevelToWrite, Output, OutputFormat, SharedFile, TooLarge, WrittenLevel};
-pub use options::{FloorOptions, Format, TextureOptions};
-pub(crate) use table::{OUTPUTS, output_format};
+pub use options::{Format, LevelOptions, TextureOptions};
+pub(crate) use table::{OUTPUTS, is_read_back, output_format};

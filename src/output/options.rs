@@ -2,19 +2,16 @@
 
 use serde::Serialize;
 
-use super::folders::SHARED_TEXTURES;
 use crate::best::DEFAULT_EFFORT;
-use crate::cache::Cache;
-use crate::catalog::Catalog;
 use crate::gltf::FlatNormals;
-use crate::model::{Detail, SwatchedModels};
-use crate::scene::{Parts, SceneOptions};
-use crate::texture::{TextureLibrary, TextureLocation, TextureSize};
+use crate::model::Detail;
+use crate::scene::SceneOptions;
+use crate::texture::TextureSize;
 
 /// What a level's files depend on besides plan, edits, catalogue and program. Whether a level is up to date is told by a hash
 /// of these fields as JSON, so that none can be forgotten.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct FloorOptions {
+pub struct LevelOptions {
     /// Seed of all rooms; another number gives other rooms. Default 1.
     pub seed: u64,
     /// Style or building style for rooms whose plan names none; default the catalogue's default style.
@@ -36,7 +33,7 @@ pub struct FloorOptions {
     pub scene: SceneOptions,
 }
 
-impl Default for FloorOptions {
+impl Default for LevelOptions {
     fn default() -> Self {
         Self {
             seed: 1,
@@ -71,25 +68,6 @@ pub struct TextureOptions {
     pub size: Option<TextureSize>,
     /// Whether the images lie in one folder beside the levels of a building; else each file holds its own.
     pub are_shared: bool,
-}
-
-impl FloorOptions {
-    /// The models whose plain parts share a material; none where every slot keeps its own, as it must without textures.
-    pub(crate) fn swatches(&self, catalog: &Catalog) -> Option<SwatchedModels> {
-        let is_merged = self.scene.parts == Parts::Merged && self.textures.size.is_some();
-        is_merged.then(|| SwatchedModels::new(catalog))
-    }
-}
-
-impl TextureOptions {
-    /// The textures, generated when a level first shows them; none where materials stay plain.
-    pub(crate) fn library(self, cache: Option<Cache>) -> Option<TextureLibrary> {
-        let location = match self.are_shared {
-            true => TextureLocation::Beside(SHARED_TEXTURES.to_owned()),
-            false => TextureLocation::Embedded,
-        };
-        Some(TextureLibrary::new(self.size?, location).with_cache(cache))
-    }
 }
 
 impl Default for TextureOptions {

@@ -1,5 +1,8 @@
 //! The table of output formats.
 
+use std::ffi::OsStr;
+use std::path::Path;
+
 use super::format::OutputFormat;
 use super::options::Format;
 use crate::gltf;
@@ -11,6 +14,15 @@ pub(crate) const OUTPUTS: &[OutputFormat] = &[gltf::GLB, gltf::GLTF];
 pub(crate) fn output_format(format: Format) -> &'static OutputFormat {
     let line = OUTPUTS.iter().find(|line| line.name == format.name());
     line.expect("a format is made from a line of the table")
+}
+
+/// Whether a path ends as the file to open of a format that is read back.
+pub(crate) fn is_read_back(path: &Path) -> bool {
+    let is_of = |line: &OutputFormat| {
+        let ending = path.extension().and_then(OsStr::to_str);
+        line.is_read_back && ending.is_some_and(|ending| ending.eq_ignore_ascii_case(line.name))
+    };
+    OUTPUTS.iter().any(is_of)
 }
 
 impl Format {

@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use super::plausible::check_plausible;
-use super::rooms::Rooms;
+use super::rooms::{RoomId, Rooms};
 use crate::batch::{BakeInput, BakeOptions, BakeReport, OutputFault, OutputFolder, bake};
 use crate::catalog::{Catalog, load_catalog};
 use crate::document::{Faults, Warned};
 use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;
-use crate::output::FloorOptions;
+use crate::output::LevelOptions;
 use crate::plan::{Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
 
 /// Plans, edits, catalogue and models.
@@ -99,9 +99,28 @@ impl Project {
         bake(&BakeInput { plan, edits, catalog, models, options }, &folder, &|_| ())
     }
 
+    /// The options that apply where nobody says otherwise: seed and style of the project file, if it has them.
+    #[must_use]
+    pub fn level_options(&self) -> LevelOptions {
+        let defaults = LevelOptions::default();
+        let ProjectSettings { seed, style, .. } = &self.settings;
+        LevelOptions { seed: seed.unwrap_or(defaults.seed), style: style.clone(), ..defaults }
+    }
+
+    /// All rooms by their ids, in the order of the plan.
+    pub fn room_ids(&self) -> impl Iterator<Item = RoomId> + '_ {
+        self.plan.buildings.iter().flat_map(|placed| {
+            placed
+                .building
+                .levels
+                .iter()
+                .flat_map(|level| level.rooms.iter().map(|room| RoomId::new(&placed.id, &level.id, &room.id)))
+        })
+    }
+
     /// The rooms one by one, as a bake with these options furnishes them.
     #[must_use]
-    pub fn rooms<'a>(&'a self, options: &'a FloorOptions) -> Rooms<'a> {
+    pub fn rooms<'a>(&'a self, options: &'a LevelOptions) -> Rooms<'a> {
         Rooms::new(self, options)
     }
 }

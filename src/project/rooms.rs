@@ -8,7 +8,7 @@ use crate::edits::{Finished, Misfit, furnish_edited};
 use crate::gltf::{EncodedModels, GltfError, WriteOptions, write_glb_with};
 use crate::layout::{FurnishOptions, Furnished};
 use crate::model::SwatchedModels;
-use crate::output::FloorOptions;
+use crate::output::{LevelOptions, TextureOptions};
 use crate::plan::{Level, PlacedBuilding};
 use crate::scene::{Scene, SceneInput, build_scene};
 use crate::texture::TextureLibrary;
@@ -69,18 +69,21 @@ pub struct FinishedRoom<'a> {
 /// share (textures, models), but no room.
 pub struct Rooms<'a> {
     project: &'a Project,
-    options: &'a FloorOptions,
+    options: &'a LevelOptions,
     textures: Option<TextureLibrary>,
     swatches: Option<SwatchedModels>,
     encoded: EncodedModels,
 }
 
 impl<'a> Rooms<'a> {
-    pub(super) fn new(project: &'a Project, options: &'a FloorOptions) -> Self {
+    pub(super) fn new(project: &'a Project, options: &'a LevelOptions) -> Self {
+        // A room alone is one file: its images are in it.
+        let textures = TextureOptions { are_shared: false, ..options.textures };
+        let alone = LevelOptions { textures, ..options.clone() };
         Self {
             project,
             options,
-            textures: options.textures.library(None),
+            textures: alone.texture_library(None),
             swatches: options.swatches(&project.catalog),
             encoded: EncodedModels::default(),
         }
@@ -104,9 +107,9 @@ impl<'a> Rooms<'a> {
     /// The tree of nodes of a room: its level, its openings, its shell and its furniture, with the names that they have in the
     /// file of the level.
     #[must_use]
-    pub fn scene(&self, room: &FinishedRoom<'_>) -> Scene {
+    pub(crate) fn scene(&self, room: &FinishedRoom<'_>) -> Scene {
         let Project { catalog, models, .. } = self.project;
-        let FloorOptions { detail, scene, seed, ref style, .. } = *self.options;
+        let LevelOptions { detail, scene, seed, ref style, .. } = *self.options;
         build_scene(&SceneInput {
             level: room.level,
             building: &room.building.id,
@@ -123,7 +126,7 @@ impl<'a> Rooms<'a> {
         })
     }
 
-    /// The room alone as one binary glTF file.
+    /// The room alone as one binary glTF file with all that it shows, whatever [`LevelOptions::format`] says.
     ///
     /// # Errors
     /// If the file would have 4 GiB or more.
@@ -151,7 +154,6 @@ mod tests {
 
     use super::super::ProjectPaths;
     use super::*;
-    use crate::output::TextureOptions;
     use crate::scene::Node;
 
     fn house() -> Project {
@@ -159,9 +161,9 @@ mod tests {
         Project::read(&ProjectPaths::from_iter([path])).unwrap()
     }
 
-    fn plain() -> FloorOptions {
+    fn plain() -> LevelOptions {
         let textures = TextureOptions { size: None, are_shared: false };
-        FloorOptions { seed: 5, effort: 2, textures, ..FloorOptions::default() }
+        LevelOptions { seed: 5, effort: 2, textures, ..LevelOptions::default() }
     }
 
     /// The nodes below a root by name: place and extras.

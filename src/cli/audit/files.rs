@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::batch::{Listing, MANIFEST_NAME, list_levels};
 use crate::document::{Fault, Faults};
+use crate::output::is_read_back;
 
 /// Folders in folders down to this depth.
 const DEEPEST: usize = 32;
@@ -114,9 +115,7 @@ fn collect(folder: &Path, depth: usize, below: &mut Below) -> std::io::Result<()
         let path = entry?.path();
         // Hidden names are files on their way to their place.
         let is_hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
-        let is_level = path
-            .extension()
-            .is_some_and(|kind| ["glb", "gltf"].iter().any(|known| kind.eq_ignore_ascii_case(known)));
+        let is_level = is_read_back(&path);
         if is_hidden {
             continue;
         }

@@ -57,19 +57,8 @@ fn level_line(level: &JudgedLevel) -> String {
 }
 
 fn finding_line(level: &JudgedLevel, room: &JudgedRoom, finding: &Finding) -> String {
-    let severity = finding.severity.name();
-    let unit = finding.quantity.unit();
-    let remark = if finding.not_searched_further { ", not searched further" } else { "" };
-    let line = format!(
-        "  {severity} {}/{}/{} ({}): {} {}: {}, threshold {}{remark}",
-        level.building,
-        level.level,
-        room.room,
-        room.room_type,
-        finding.code.name(),
-        finding.objects.join(", "),
-        unit.show(finding.measured),
-        unit.show(finding.threshold),
-    );
+    let (severity, room_type) = (finding.severity.name(), &room.room_type);
+    let line =
+        format!("  {severity} {}/{}/{} ({room_type}): {finding}", level.building, level.level, room.room);
     printable(&line)
 }

@@ -7,7 +7,7 @@ use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
 use crate::layout::{FurnishOptions, Furnished, RoomLayout};
-use crate::output::{FloorOptions, LevelToWrite, TooLarge, WrittenLevel};
+use crate::output::{LevelOptions, LevelToWrite, TooLarge, WrittenLevel};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
 use crate::solve::RoomSolver;
@@ -44,7 +44,7 @@ struct BakedRoom {
 ///
 /// # Errors
 /// Why the level is not in place.
-pub(crate) fn bake_floor(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
+pub(crate) fn bake_level(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
     // Rooms in parallel, collected in the plan's order: the file does not depend on which room is finished first.
     let rooms: Vec<BakedRoom> =
         (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(context, job, room)).collect();
@@ -95,7 +95,7 @@ impl LevelFiles {
 }
 
 fn too_large(context: &Context<'_>, job: &Job<'_>, TooLarge { message, hint }: TooLarge) -> OutputFault {
-    let name = format!("{}.{}", job.path, context.options.floor.format.name());
+    let name = format!("{}.{}", job.path, context.options.level.format.name());
     OutputFault {
         code: FaultCode::TooLarge,
         path: context.folder.root().join(name),
@@ -106,7 +106,7 @@ fn too_large(context: &Context<'_>, job: &Job<'_>, TooLarge { message, hint }: T
 
 fn bake_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
     catch_bug(|| furnish_room(context, job, room)).unwrap_or_else(|bug| BakedRoom {
-        furnished: unfurnished(room, &context.options.floor),
+        furnished: unfurnished(room, &context.options.level),
         verdict: Verdict::default(),
         misfits: Vec::new(),
         failure: Some(bug),
@@ -115,7 +115,7 @@ fn bake_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
 
 fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
     let Context { catalog, watch, .. } = context;
-    let options = &context.options.floor;
+    let options = &context.options.level;
     let level = job.level;
     let edits = job.edits.and_then(|edits| edits.room(&level.rooms[room].id));
     let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
@@ -139,7 +139,7 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
 }
 
 /// The bare room that stands in for one that could not be furnished.
-fn unfurnished(room: usize, options: &FloorOptions) -> Furnished {
+fn unfurnished(room: usize, options: &LevelOptions) -> Furnished {
     Furnished {
         room,
         seed: options.seed,
@@ -160,13 +160,13 @@ fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
         verdicts: &rooms.verdicts,
         catalog,
         models: &|class, variant, geometry| {
-            context.models.model_in_detail(class, variant, geometry, context.options.floor.detail)
+            context.models.model_in_detail(class, variant, geometry, context.options.level.detail)
         },
         swatches: context.swatched.as_ref(),
-        options: context.options.floor.scene,
+        options: context.options.level.scene,
         textures: context.textures.as_ref(),
-        seed: context.options.floor.seed,
-        style: context.options.floor.style.as_deref(),
+        seed: context.options.level.seed,
+        style: context.options.level.style.as_deref(),
     })
 }
 
@@ -203,7 +203,7 @@ fn record(context: &Context<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &Room
         level: job.level.id.clone(),
         program: None,
         inputs: job.inputs.clone(),
-        seed: context.options.floor.seed,
+        seed: context.options.level.seed,
         site: SiteRecord { position: [site.position.x, site.position.y], turn: site.turn },
         files: files.files.iter().map(|(file, _)| file.clone()).collect(),
         library: files.shared.clone(),
@@ -286,7 +286,7 @@ fn bug_failure(context: &Context<'_>, job: &Job<'_>, room: Option<String>, bug: 
         room,
         message: format!("the program failed: {bug}"),
         hint: Some("this is a fault of roomwright; please report it with these ids and the seed".to_owned()),
-        seed: context.options.floor.seed,
+        seed: context.options.level.seed,
     }
 }
 
@@ -298,6 +298,6 @@ fn level_failure(context: &Context<'_>, job: &Job<'_>, fault: OutputFault) -> Le
         code: fault.code,
         message: fault.to_string(),
         hint: fault.hint,
-        seed: context.options.floor.seed,
+        seed: context.options.level.seed,
     }
 }
