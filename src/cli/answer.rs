@@ -255,7 +255,7 @@ pub(crate) struct InitAnswer {
 #[derive(Serialize, JsonSchema)]
 pub(crate) struct FormatsAnswer {
     /// Formats that are read.
-    pub(crate) read: &'static [ReadFormat],
+    pub(crate) read: Vec<ReadFormat>,
     /// Formats that are recognised and not read.
     pub(crate) not_read: Vec<UnreadFormatAnswer>,
 }

@@ -3,7 +3,7 @@
 use super::answer::{FormatsAnswer, UnreadFormatAnswer};
 use super::exit::Outcome;
 use super::screen::Screen;
-use crate::plan::{READ_FORMATS, unread_formats};
+use crate::plan::{read_formats, unread_formats};
 
 /// Runs the command.
 pub(crate) fn run(screen: Screen) -> Outcome {
@@ -11,10 +11,10 @@ pub(crate) fn run(screen: Screen) -> Outcome {
         let unread = unread_formats().into_iter();
         let not_read = unread
             .map(|(name, advice)| UnreadFormatAnswer { name: name.to_owned(), advice: advice.to_owned() });
-        screen.json(&FormatsAnswer { read: READ_FORMATS, not_read: not_read.collect() });
+        screen.json(&FormatsAnswer { read: read_formats(), not_read: not_read.collect() });
         return Outcome::Done;
     }
-    for format in READ_FORMATS {
+    for format in read_formats() {
         screen.result(&format!(
             "{:<10}{}\n{:10}input  {}\n{:10}read   {}",
             format.name, format.title, "", format.input, "", format.content

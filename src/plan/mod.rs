@@ -41,7 +41,7 @@ pub use guess::GuessRule;
 pub(crate) use mirror::mirror_building;
 pub use options::{PlanOptions, PlanReading, ProjectSettings};
 pub use read::{
-    DrawnPiece, READ_FORMATS, ReadFormat, drawn_furniture, project_settings, read_plans, unread_formats,
+    DrawnPiece, ReadFormat, drawn_furniture, project_settings, read_formats, read_plans, unread_formats,
 };
 #[cfg(test)]
 pub(crate) use read::{PlanFile, ProjectFile};

@@ -1,9 +1,14 @@
-//! The list of formats that are read, for people.
+//! What a format is, and the formats that are this program's own.
+
+use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// A format that plans are read in.
+use super::found::ReadResult;
+use crate::plan::RoomWords;
+
+/// A format that plans are read in, for people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ReadFormat {
     /// The word in `room_words.yaml`; `native` and `project` have none there.
@@ -16,8 +21,19 @@ pub struct ReadFormat {
     pub content: &'static str,
 }
 
-/// All formats that are read.
-pub const READ_FORMATS: &[ReadFormat] = &[
+/// A foreign format with its reader; a line of [`super::readers::FOREIGN_FORMATS`].
+#[derive(Debug)]
+pub(crate) struct ForeignFormat {
+    /// How `roomwright formats` describes it.
+    pub(crate) about: ReadFormat,
+    /// Whether a file or folder is of this format, from names and the beginning of files.
+    pub(crate) recognises: fn(&Path) -> bool,
+    /// Reads all buildings of a file or folder; ids come from the data or the name of the file.
+    pub(crate) read: fn(&Path, &RoomWords) -> ReadResult,
+}
+
+/// The formats of this program itself.
+pub(super) const OWN_FORMATS: [ReadFormat; 2] = [
     ReadFormat {
         name: "native",
         title: "native YAML or JSON",
@@ -30,36 +46,4 @@ pub const READ_FORMATS: &[ReadFormat] = &[
         input: "a file with the key `project`",
         content: "plans of any format, placed many times; the schema is configs/schema/project.schema.json",
     },
-    ReadFormat {
-        name: super::archilyse::NAME,
-        title: "react-planner drawings with areas",
-        input: "plan_N.json with areas_plan_N.json beside it or in ../areas; or a folder with \
-                react_planner_projects.json, areas.json and floors.json",
-        content: "areas, walls, railings, columns, doors and how they open, windows, flats; no furniture",
-    },
-    ReadFormat {
-        name: super::imdf::NAME,
-        title: "IMDF",
-        input: "a folder with building.geojson, level.geojson and unit.geojson; opening, anchor and occupant where they are",
-        content: "units and openings of all levels that have a building; the format has no windows and no heights",
-    },
-    ReadFormat {
-        name: super::ifc::NAME,
-        title: "IFC",
-        input: "an .ifc file of IFC2X3, IFC4 or IFC4X3 in the STEP encoding",
-        content: "spaces, doors and how they open, windows, columns; no bodies with curved faces, roof windows or curtain walls",
-    },
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::super::readers::FOREIGN_FORMATS;
-    use super::*;
-
-    #[test]
-    fn every_reader_is_in_the_table() {
-        for format in FOREIGN_FORMATS {
-            assert!(READ_FORMATS.iter().any(|known| known.name == format.name), "{}", format.name);
-        }
-    }
-}

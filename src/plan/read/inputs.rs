@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use super::formats::ForeignFormat;
 use super::nothing;
-use super::readers::{FOREIGN_FORMATS, ForeignFormat};
+use super::readers::FOREIGN_FORMATS;
 use crate::document::{Fault, Faults};
 
 /// Deepest folder that is looked into.

@@ -27,12 +27,13 @@ use self::finish::{Drafted, Finished, Provenance, Variation, finish};
 #[cfg(test)]
 pub(crate) use {native::PlanFile, project::ProjectFile};
 
-pub use self::formats::{READ_FORMATS, ReadFormat};
+pub use self::formats::ReadFormat;
 use self::found::{DraftedBuilding, Found};
 pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
 use self::readers::FOREIGN_FORMATS;
+pub use self::readers::read_formats;
 pub use self::unread::unread_formats;
 use super::{
     BuildingReport, InputReport, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource, ProjectSettings,
@@ -122,7 +123,7 @@ impl From<Faults> for Reading {
 
 fn read_input(input: &Input, words: &RoomWords) -> Reading {
     if let Some(format) = input.format {
-        return finish_all((&input.path, format.name), read_drafts(&input.path, words), words);
+        return finish_all((&input.path, format.about.name), read_drafts(&input.path, words), words);
     }
     match unread::refusal(&input.path) {
         Some(fault) if input.is_named => return Faults::from(fault).into(),

@@ -1,25 +1,43 @@
 //! The readers of foreign formats.
+//!
+//! To add one:
+//! 1. write its file or folder here, with a `const FORMAT: ForeignFormat` (`imdf/` is a short one): it turns its input into
+//!    [`crate::plan::BuildingDraft`]s, whose comments say what a draft leaves open, and reports faults with their places;
+//! 2. add its `mod` line to `mod.rs` and its `FORMAT` to the list below: recognition, `roomwright formats`, `import` and hints follow;
+//! 3. add a section with its words for rooms to `configs/room_words.yaml`, if it has any;
+//! 4. take it out of `unread.rs`, if the program knew it as a format that it does not read: a test compares the two lists;
+//! 5. add a case to `tests/cases/plan_import/`, and the format to `docs/commands.md`.
 
-use std::path::Path;
-
-use super::found::ReadResult;
+use super::formats::{ForeignFormat, OWN_FORMATS, ReadFormat};
 use super::{archilyse, ifc, imdf};
-use crate::plan::RoomWords;
-
-/// A foreign format. To add one, write its file and add a line to [`FOREIGN_FORMATS`] and to [`super::READ_FORMATS`].
-#[derive(Debug)]
-pub(crate) struct ForeignFormat {
-    /// The word in `room_words.yaml`, and in [`super::READ_FORMATS`], which describes the format for people.
-    pub(crate) name: &'static str,
-    /// Whether a file or folder is of this format, from names and the beginning of files.
-    pub(crate) recognises: fn(&Path) -> bool,
-    /// Reads all buildings of a file or folder; ids come from the data or the name of the file.
-    pub(crate) read: fn(&Path, &RoomWords) -> ReadResult,
-}
 
 /// All formats but the native one, in the order in which they are asked.
-pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
-    ForeignFormat { name: archilyse::NAME, recognises: archilyse::recognises, read: archilyse::read },
-    ForeignFormat { name: imdf::NAME, recognises: imdf::recognises, read: imdf::read },
-    ForeignFormat { name: ifc::NAME, recognises: ifc::recognises, read: ifc::read },
-];
+pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[archilyse::FORMAT, imdf::FORMAT, ifc::FORMAT];
+
+/// All formats that are read, for people.
+#[must_use]
+pub fn read_formats() -> Vec<ReadFormat> {
+    OWN_FORMATS.into_iter().chain(FOREIGN_FORMATS.iter().map(|format| format.about)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::super::unread::unread_formats;
+    use super::*;
+
+    #[test]
+    fn a_format_is_read_or_not_read() {
+        let read = read_formats();
+        let words = |text: &str| -> BTreeSet<String> {
+            text.split(|letter: char| !letter.is_alphanumeric()).map(str::to_lowercase).collect()
+        };
+        let names: BTreeSet<&str> = read.iter().map(|format| format.name).collect();
+        assert_eq!(names.len(), read.len());
+        for (unread, _) in unread_formats() {
+            let known = read.iter().find(|format| words(unread).contains(format.name));
+            assert_eq!(known.map(|format| format.name), None, "{unread} is read now");
+        }
+    }
+}

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::foreign::head;
-use super::formats::READ_FORMATS;
+use super::readers::read_formats;
 use crate::document::{FILE_SIZE_LIMIT, Fault, top_keys};
 
 /// Bytes at the start of a file by which it is recognised.
@@ -258,7 +258,7 @@ fn refused(path: &Path, kind: &UnreadKind) -> Fault {
 
 /// The formats that are read, in one line.
 pub(super) fn read_are() -> String {
-    let names: Vec<&str> = READ_FORMATS.iter().map(|format| format.title).collect();
+    let names: Vec<&str> = read_formats().iter().map(|format| format.title).collect();
     format!("read are {} (`roomwright formats`)", names.join(", "))
 }
 

@@ -27,9 +27,23 @@ use std::path::Path;
 use super::foreign::{Parts, head};
 use super::found::ReadResult;
 use crate::plan::RoomWords;
+use crate::plan::read::formats::{ForeignFormat, ReadFormat};
 
 /// The format's word in `room_words.yaml`.
-pub(crate) const NAME: &str = "archilyse";
+const NAME: &str = "archilyse";
+
+/// The line of the table of readers.
+pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
+    about: ReadFormat {
+        name: NAME,
+        title: "react-planner drawings with areas",
+        input: "plan_N.json with areas_plan_N.json beside it or in ../areas; or a folder with \
+                react_planner_projects.json, areas.json and floors.json",
+        content: "areas, walls, railings, columns, doors and how they open, windows, flats; no furniture",
+    },
+    recognises,
+    read,
+};
 /// The file that makes a folder a site.
 const SITE_FILE: &str = "react_planner_projects.json";
 /// The tables without which there is no site, and others of one.
@@ -42,7 +56,7 @@ const HEAD_SIZE: u64 = 4096;
 const EDITOR_KEYS: [&str; 2] = ["\"selectedLayer\"", "\"layer-1\""];
 
 /// Whether a file or folder is of this format.
-pub(crate) fn recognises(path: &Path) -> bool {
+fn recognises(path: &Path) -> bool {
     let is_json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
     if !is_json || path.is_dir() {
         return path.join(SITE_FILE).is_file();
@@ -64,6 +78,6 @@ pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
 }
 
 /// Reads all buildings of a site, or the one of a drawing.
-pub(crate) fn read(path: &Path, words: &RoomWords) -> ReadResult {
+fn read(path: &Path, words: &RoomWords) -> ReadResult {
     if path.is_dir() { site::read(path, words) } else { single::read(path, words) }
 }

@@ -44,11 +44,24 @@ use super::foreign::head;
 use super::found::{Found, ReadResult};
 use crate::document::{Fault, Faults, Source};
 use crate::plan::RoomWords;
+use crate::plan::read::formats::{ForeignFormat, ReadFormat};
 pub use furniture::DrawnPiece;
 use model::Model;
 
 /// The format's word in `room_words.yaml`.
-pub(crate) const NAME: &str = "ifc";
+const NAME: &str = "ifc";
+
+/// The line of the table of readers.
+pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
+    about: ReadFormat {
+        name: NAME,
+        title: "IFC",
+        input: "an .ifc file of IFC2X3, IFC4 or IFC4X3 in the STEP encoding",
+        content: "spaces, doors and how they open, windows, columns; no bodies with curved faces, roof windows or curtain walls",
+    },
+    recognises,
+    read,
+};
 /// The beginning of every exchange file.
 const BEGINNING: &str = "ISO-10303-21";
 /// Bytes at the start of a file by which it is recognised.
@@ -57,7 +70,7 @@ const HEAD_SIZE: u64 = 4096;
 const SCHEMAS: [&str; 2] = ["IFC2X3", "IFC4"];
 
 /// Whether a file is of this format: by its ending, or an exchange file of an IFC schema.
-pub(crate) fn recognises(path: &Path) -> bool {
+fn recognises(path: &Path) -> bool {
     if path.is_dir() {
         return false;
     }
@@ -72,7 +85,7 @@ pub(crate) fn recognises(path: &Path) -> bool {
 }
 
 /// Reads the buildings of a file that have spaces, in the order of their numbers.
-pub(crate) fn read(path: &Path, words: &RoomWords) -> ReadResult {
+fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let (model, name, mut faults) = open(path)?;
     let buildings = building::buildings(&model, words, &name, false);
     faults.merge(model.faults());

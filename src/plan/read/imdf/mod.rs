@@ -23,9 +23,22 @@ use super::foreign::{Parts, both, head};
 use super::found::ReadResult;
 use crate::document::Faults;
 use crate::plan::RoomWords;
+use crate::plan::read::formats::{ForeignFormat, ReadFormat};
 
 /// The format's word in `room_words.yaml`.
-pub(crate) const NAME: &str = "imdf";
+const NAME: &str = "imdf";
+
+/// The line of the table of readers.
+pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
+    about: ReadFormat {
+        name: NAME,
+        title: "IMDF",
+        input: "a folder with building.geojson, level.geojson and unit.geojson; opening, anchor and occupant where they are",
+        content: "units and openings of all levels that have a building; the format has no windows and no heights",
+    },
+    recognises,
+    read,
+};
 /// The files without which there is no plan.
 const NEEDED: [&str; 3] = ["level.geojson", "unit.geojson", "building.geojson"];
 /// The further files of the format, read or not.
@@ -44,7 +57,7 @@ const OTHERS: [&str; 11] = [
 ];
 
 /// Whether a folder is of this format.
-pub(crate) fn recognises(path: &Path) -> bool {
+fn recognises(path: &Path) -> bool {
     NEEDED.iter().all(|name| path.join(name).is_file())
 }
 
@@ -65,7 +78,7 @@ pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
 }
 
 /// Reads the buildings of a folder that have levels, in the order of their file.
-pub(crate) fn read(path: &Path, words: &RoomWords) -> ReadResult {
+fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let archive = Archive::read(path)?;
     translate::buildings(&archive, words)
 }
