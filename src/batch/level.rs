@@ -6,8 +6,8 @@ use crate::audit::{Finding, Verdict};
 use crate::best::{Judged, best_of};
 use crate::catalog::{Catalog, DEFAULT_STYLE};
 use crate::edits::{Finished, Misfit, finish};
-use crate::layout::{FurnishOptions, Furnished, RoomLayout};
-use crate::output::{LevelOptions, LevelToWrite, TooLarge, WrittenLevel};
+use crate::layout::{FurnishOptions, Furnished, RoomLayout, room_style};
+use crate::output::{LevelToWrite, TooLarge, WrittenLevel};
 use crate::plan::Level;
 use crate::scene::{Scene, SceneInput, build_scene};
 use crate::solve::RoomSolver;
@@ -106,7 +106,7 @@ fn too_large(context: &Context<'_>, job: &Job<'_>, TooLarge { message, hint }: T
 
 fn bake_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
     catch_bug(|| furnish_room(context, job, room)).unwrap_or_else(|bug| BakedRoom {
-        furnished: unfurnished(room, &context.options.level),
+        furnished: unfurnished(context, job, room),
         verdict: Verdict::default(),
         misfits: Vec::new(),
         failure: Some(bug),
@@ -139,11 +139,14 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
 }
 
 /// The bare room that stands in for one that could not be furnished.
-fn unfurnished(room: usize, options: &LevelOptions) -> Furnished {
+fn unfurnished(context: &Context<'_>, job: &Job<'_>, room: usize) -> Furnished {
+    let options = &context.options.level;
+    let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
+    let style = room_style(job.level, &job.level.rooms[room], context.catalog, &run);
     Furnished {
         room,
         seed: options.seed,
-        style: options.style.clone().unwrap_or_else(|| DEFAULT_STYLE.to_owned()),
+        style: style.map_or_else(|| DEFAULT_STYLE.to_owned(), |style| style.id.clone()),
         requested: 0,
         placements: Vec::new(),
         removals: Vec::new(),

@@ -9,7 +9,7 @@ use super::node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, S
 use super::options::Lights;
 use super::shell::{MergedKey, Shape};
 use super::tint::Tint;
-use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE, Light, Material};
+use crate::catalog::{Catalog, ClassIndex, Light, Material};
 use crate::contract::model_name;
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
 use crate::recipes::{GeometrySet, Slot};
@@ -25,13 +25,10 @@ pub(crate) struct Look<'a> {
 }
 
 impl<'a> Look<'a> {
-    /// The look of a style; that of the default style where the catalogue does not know the name.
+    /// The look of a style of the catalogue.
     pub(crate) fn of_style(catalog: &'a Catalog, style: &str) -> Self {
-        let style = catalog.styles.get(style).or_else(|| catalog.styles.get(DEFAULT_STYLE));
-        style.map_or(Self { geometry: GeometrySet::default(), palette: "" }, |style| Self {
-            geometry: style.geometry,
-            palette: &style.palette,
-        })
+        let style = &catalog.styles[style];
+        Self { geometry: style.geometry, palette: &style.palette }
     }
 }
 
@@ -68,11 +65,11 @@ const SHINING_GAIN: f32 = 25.0;
 /// Numbers that are looked through for the colours of several slots: palettes with up to four tints a slot repeat after 60.
 const MOST_SWATCHES: u32 = 60;
 
-/// The material of a slot that a palette lacks, which a checked catalogue rules out: middle grey.
-const NEUTRAL: Material = Material {
-    base_color: [0.5, 0.5, 0.5, 1.0],
-    metallic: 0.0,
-    roughness: 0.8,
+/// The factors of materials that images colour alone.
+const WHITE: Material = Material {
+    base_color: [1.0; 4],
+    metallic: 1.0,
+    roughness: 1.0,
     emissive: [0.0; 3],
     emissive_strength: 1.0,
     transmission: 0.0,
@@ -238,21 +235,20 @@ impl<'a> MeshTable<'a> {
     }
 
     fn slot(&mut self, palette: &'a str, slot: Slot, tint: Tint) -> usize {
-        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
-        self.slot_of_number(palette, slot, found.map_or(0, |material| tint.pick(material.tints.len())))
+        self.slot_of_number(palette, slot, tint.pick(self.tint_count(palette, slot)))
     }
 
     fn slot_of_number(&mut self, palette: &'a str, slot: Slot, number: usize) -> usize {
         let (catalog, materials) = (self.catalog, &mut self.materials);
-        let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
-        let number = number.min(found.map_or(0, |material| material.tints.len()));
+        let own = material_of(catalog, palette, slot);
+        let number = number.min(own.tints.len());
         let lights = self.lights_mode;
         *self.slots.entry((palette, slot, number)).or_insert_with(|| {
             let mut name = format!("{palette}.{slot}");
             if number > 0 {
                 name += &format!(".{number}");
             }
-            let material = shown(found, number, lights);
+            let material = shown(own, number, lights);
             materials.push(SceneMaterial::Slot { name, material, textures: Vec::new() });
             materials.len() - 1
         })
@@ -266,16 +262,12 @@ impl<'a> MeshTable<'a> {
             counts.iter().all(|&count| Tint::of_number(*number).pick(count) == tint.pick(count))
         };
         let number = (0..MOST_SWATCHES).find(is_alike).unwrap_or(0);
-        let is_lit = slots.iter().any(|slot| {
-            let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(slot));
-            found.is_some_and(|material| material.emissive != [0.0; 3])
-        });
+        let is_lit = slots.iter().any(|&slot| material_of(self.catalog, palette, slot).emissive != [0.0; 3]);
         self.swatches_of_number(palette, number as usize, is_lit)
     }
 
     fn tint_count(&self, palette: &str, slot: Slot) -> usize {
-        let found = self.catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
-        found.map_or(0, |material| material.tints.len())
+        material_of(self.catalog, palette, slot).tints.len()
     }
 
     /// Those of lamps have an image of their light too.
@@ -288,13 +280,12 @@ impl<'a> MeshTable<'a> {
             }
             let tint = Tint::of_number(u32::try_from(number).unwrap_or(0));
             let of_slot = |slot: Slot| {
-                let found = catalog.palettes.get(palette).and_then(|palette| palette.materials.get(&slot));
-                shown(found, tint.pick(found.map_or(0, |material| material.tints.len())), lights)
+                let own = material_of(catalog, palette, slot);
+                shown(own, tint.pick(own.tints.len()), lights)
             };
-            let white = Material { base_color: [1.0; 4], metallic: 1.0, roughness: 1.0, ..NEUTRAL };
             let (textures, strength) = swatch_textures(&name, is_lit, of_slot);
             let emissive = if is_lit { [1.0; 3] } else { [0.0; 3] };
-            let material = Material { emissive, emissive_strength: strength, ..white };
+            let material = Material { emissive, emissive_strength: strength, ..WHITE };
             materials.push(SceneMaterial::Slot { name, material, textures });
             materials.len() - 1
         })
@@ -313,9 +304,14 @@ impl<'a> MeshTable<'a> {
     }
 }
 
+/// The material of a slot: the catalogue's palettes have every slot.
+fn material_of<'a>(catalog: &'a Catalog, palette: &str, slot: Slot) -> &'a Material {
+    &catalog.palettes[palette].materials[&slot]
+}
+
 /// A slot of a palette in one of its colours, 0 for its own, as bright as lamps are lit.
-fn shown(slot: Option<&Material>, number: usize, lights: Lights) -> Material {
-    let mut material = slot.cloned().unwrap_or(NEUTRAL);
+fn shown(slot: &Material, number: usize, lights: Lights) -> Material {
+    let mut material = slot.clone();
     match lights {
         Lights::Shining if material.emissive_strength > 1.0 => {
             let brightest = material.emissive.into_iter().fold(0.0, f32::max);

@@ -39,7 +39,7 @@ use crate::geometry::Point;
 /// order of the plan, then rooms.
 ///
 /// # Panics
-/// If an index in `furnished` points nowhere.
+/// If an index in `furnished` points nowhere, or a style is none of the catalogue.
 #[must_use]
 pub fn build_scene(input: &SceneInput<'_>) -> Scene {
     let mut meshes = MeshTable::new(input);
