@@ -155,7 +155,7 @@ impl Recipe {
     /// The set whose form it builds for a set: the same one, or the stand-in where it has no form of its own.
     #[must_use]
     pub fn served(&self, set: GeometrySet) -> GeometrySet {
-        if self.forms[set as usize].is_some() { set } else { self.stand_in.unwrap_or(set) }
+        if self.forms[set as usize].is_some() { set } else { self.stand_in.expect("a recipe names a form") }
     }
 
     /// How drawings show it with these parameters, if as more than an outline.
@@ -183,9 +183,8 @@ impl Recipe {
     pub(super) fn parts(&self, input: &RecipeInput) -> Builder {
         let mut builder = Builder::new(self.drawn_size(input.size));
         let draft = self.draft(input);
-        if let Some(form) = self.forms[draft.set() as usize] {
-            form(&draft, &mut builder);
-        }
+        let form = self.forms[draft.set() as usize].expect("sets that are served have a form");
+        form(&draft, &mut builder);
         builder
     }
 

@@ -6,7 +6,7 @@ mod apparatus;
 mod appliances;
 mod barber;
 mod basins;
-mod bathing;
+mod bathtub;
 mod beds;
 mod belongings;
 mod bin;
@@ -56,6 +56,7 @@ mod screens;
 mod seating;
 mod server_rack;
 mod shelving;
+mod shower;
 mod signage;
 mod soap;
 mod step_stool;
@@ -81,7 +82,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &seating::AUDITORIUM_SEAT,
     &barber::BARBER_CHAIR,
     &tableware::BASKET,
-    &bathing::BATHTUB,
+    &bathtub::BATHTUB,
     &seating::BEAM_SEATS,
     &beds::BED,
     &seating::BENCH,
@@ -173,7 +174,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &carts::SERVING_TROLLEY,
     &shelving::SHELF,
     &storage::SHOE_CABINET,
-    &bathing::SHOWER,
+    &shower::SHOWER,
     &storage::SIDEBOARD,
     &signage::SIGNAGE,
     &plants::SMALL_PLANT,

@@ -59,6 +59,7 @@ fn the_table_is_sorted_and_has_no_doubles() {
     for recipe in recipes() {
         assert!(recipe.parameters().windows(2).all(|pair| pair[0].0 < pair[1].0), "{recipe:?}");
         assert_eq!(find(recipe.name()), Some(*recipe));
+        assert!(GeometrySet::ALL.into_iter().any(|set| recipe.served(set) == set), "{recipe:?} has no form");
     }
     assert_eq!(find("spaceship"), None);
 }
