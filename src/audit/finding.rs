@@ -83,6 +83,7 @@ impl Finding {
 /// The findings of faults: sorted by code and objects, each once, and of those that begin with the same object not too many.
 pub(crate) fn findings(faults: impl Iterator<Item = (Code, Fault)>) -> Vec<Finding> {
     let mut findings: Vec<Finding> = faults.map(|(code, fault)| Finding::new(code, fault)).collect();
+    // By code and ids, so that the order does not depend on how the checks went through the room.
     findings.sort_by(|a, b| a.code.cmp(&b.code).then_with(|| a.objects.cmp(&b.objects)));
     // Two pieces in each other's way are one finding, about the floor that either lacks.
     findings.dedup_by(|further, kept| {

@@ -113,6 +113,7 @@ fn near_pairs<'z>(subject: &Subject<'_>, zones: &'z [Zone]) -> (Vec<(usize, usiz
     collisions.retain(|&(a, b)| is_covering(a) == is_covering(b));
     let mut hits: Vec<(usize, usize)> = Vec::new();
     for (number, zone) in zones.iter().enumerate() {
+        // Bounded, so that a heap of copies takes time in proportion to its size.
         let bodies = near.touching(&zone.bounds()).take(MOST_NEAR);
         hits.extend(bodies.filter(|&body| !is_covering(body)).map(|body| (body, number)));
     }

@@ -124,6 +124,7 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
     let towards = between.normalize_or(own.front);
     let (least, most) = relation.distance;
     let fade = |off: f64| (1.0 - off.max(0.0) / FADE).max(0.0);
+    // Linear from met at the ends of the range to unmet FADE beyond them.
     let within = |distance: f64| fade((least - distance).max(distance - most));
     let faces = |front: Point, direction: Point| fade(front.angle_to(direction).abs() - relation.angle);
     match relation.kind {

@@ -57,6 +57,7 @@ pub(crate) fn score(evidence: &Evidence<'_, '_>, rates: &Rates) -> Option<Score>
         fulfilment: Some((subject.bodies.len() as f64 / f64::from(subject.furnished.requested)).min(1.0)),
     };
     let weights = subject.rules().score;
+    // Shares of one, so that only the ratios of the weights matter; a term that does not apply takes no part.
     let weighted = [
         (terms.clearance, weights.clearance),
         (terms.walking, weights.walking),
@@ -87,6 +88,7 @@ fn slacks<'e>(evidence: &'e Evidence<'_, '_>) -> impl Iterator<Item = f64> + 'e 
         let clearance = &subject.bodies[owner].class.clearances[number];
         // What is tolerated is free: a millimetre less does not make the score jump.
         let free = free.get(&(owner, number)).map_or(clearance.good, |free| free + tolerated);
+        // Space beyond the good depth makes no room better.
         let free = free.min(clearance.good);
         Some(((free - clearance.minimum) / (clearance.good - clearance.minimum)).max(0.0))
     })

@@ -108,6 +108,7 @@ fn best_numbered<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verd
     let mut best = maker.make(Alternative::default());
     let mut in_vain = 0;
     for number in 1..effort {
+        // A room without a finding may lack optional pieces for which it has no place: a few more arrangements are enough.
         let is_enough = best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE);
         if is_enough || maker.steps + solver_steps() / SOLVER_STEPS_A_STEP >= best.most_steps() {
             break;
@@ -134,6 +135,7 @@ fn with_suggested_places<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished)
         if !best.misses_required() {
             break;
         }
+        // Asked again each time: the best room may miss another piece by now.
         let suggestions = suggest(&best.furnished);
         if suggestions.is_empty() {
             break;
@@ -175,6 +177,7 @@ impl Judged {
     /// Whether it has fewer flaws, or as few and a higher score.
     fn is_better_than(&self, other: &Self) -> bool {
         let score = |judged: &Self| judged.verdict.score.map_or(0.0, |score| score.value);
+        // Counts before scores: a score is a mean, in which one failing finding is a small part.
         match self.flaws().cmp(&other.flaws()) {
             Ordering::Less => true,
             Ordering::Equal => score(self) > score(other),

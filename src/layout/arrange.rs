@@ -172,12 +172,18 @@ fn service_order(environment: &Environment<'_>) -> Vec<AgentIndex> {
         let Agent { piece, urgency, .. } = &environment.agents[agent];
         let is_suggested = suggestion(environment, agent).is_some();
         (
+            // Parents come before the agents that stand on them or beside them.
             class.depth,
+            // Before others of the same depth, which could take the suggested place.
             !is_suggested,
+            // Attempts that missed it, 0 to 15: the larger count first.
             Reverse(*urgency),
+            // Pieces that only fill take the places that are left.
             piece.is_fill,
             -class.priority,
+            // Large pieces have fewer places. Whole square millimetres, so that equal sizes are equal.
             -square_millimetres,
+            // The order of the programme decides between equals.
             agent,
         )
     };

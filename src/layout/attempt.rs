@@ -48,6 +48,7 @@ pub(crate) fn best_attempt<T>(
     let mut urgency = vec![0; brief.pieces.len()];
     let mut attempt = |number: u32| {
         let attempt = Attempt::new(brief, (number, recording), &urgency, &describe);
+        // Counts attempts, 15 at most. A larger count is served earlier among agents of the same depth.
         attempt.missed.iter().for_each(|&agent| urgency[agent] += 1);
         attempt
     };
@@ -56,6 +57,7 @@ pub(crate) fn best_attempt<T>(
     while attempts < best.deserved_attempts(brief) && steps < best.most_steps() {
         let next = attempt(attempts);
         steps += next.steps;
+        // Less, not as little: of equals the first attempt stays.
         if next.lack < best.lack {
             best = next;
         }
@@ -115,6 +117,7 @@ impl<T> Attempt<T> {
         let heeds_tags = alternative < ALTERNATIVES_WITH_TAGS && number < ATTEMPTS;
         let start = Start { urgency, heeds_tags, is_traced: recording == Recording::On };
         let mut environment = Environment::new(brief, &start);
+        // No two attempts share a number: an alternative has ATTEMPTS_IN_NEED at most.
         let key = brief.key.attempt(alternative * ATTEMPTS_IN_NEED + number);
         let closed_ways = act_all(&mut environment, &key);
         let furnished = result::furnished(&environment);
@@ -158,8 +161,10 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     if untidy::make_untidy(environment, &style.untidiness, key) {
         arrange::arrange(environment, key);
     }
+    // Who is sent away from here on searches among all that rest.
     let lacks_turn = style.access == Access::Wheelchair && turning::lacks_turn(environment, key);
     let closed_ways = ways::clear_ways(environment, key);
+    // Rugs last: they are in nobody's way, so that the rest of the room is the same without them.
     covering::lay(environment);
     closed_ways + usize::from(lacks_turn)
 }

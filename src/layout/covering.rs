@@ -52,6 +52,7 @@ fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, 
     let class = environment.class(agent);
     let sizes = sizes_by(environment, agent, area);
     let anchors = class.covers.iter().flat_map(|&class| &environment.resting[class]);
+    // The first piece with room for a rug, in the order of the class's list, then of coming to rest.
     anchors.into_iter().find_map(|&anchor| {
         let rest = environment.agents[anchor].rest()?;
         let under = Under::new(environment.class(anchor), environment.agents[anchor].size);

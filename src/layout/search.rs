@@ -57,6 +57,7 @@ pub(crate) fn search(
         }
         match choice.best {
             Some((score, place)) if !score.is_poor() => return Ok(Found { place, is_poor: false }),
+            // Kept while the further lines of the description may have a good place.
             Some((score, place)) if fallback.is_none_or(|(best, _)| score.value > best) => {
                 fallback = Some((score.value, place));
             }
@@ -132,7 +133,9 @@ impl Choice {
                 continue;
             }
             view.environment.note_free(view.agent);
+            // Poor places are compared but not counted, so that the search goes on for a good one.
             self.left -= usize::from(!score.is_poor());
+            // More points, not as many: of equals the place that was proposed first is taken.
             if self.best.is_none_or(|(best, _)| score.value > best.value) {
                 self.best = Some((score, place));
             }
@@ -225,6 +228,7 @@ fn parents(
             for (index, wall) in room.walls.iter().enumerate() {
                 // Draws without replacement, weighted by length (Efraimidis, Spirakis 2006).
                 let drawn = -libm::log(stream.unit().max(1e-12)) / wall.length();
+                // Draws are zero or more: a wall that holds what the agent faces comes before all of them.
                 let rank = if holds_what_it_faces(environment, agent, rule, index) { -1.0 } else { drawn };
                 if has_tag(&wall.tags) {
                     options.push(Possibility { parent: ParentPart::Wall(index), side: Side::Front, rank });

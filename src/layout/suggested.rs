@@ -38,3 +38,38 @@ pub(crate) fn place(
     let mut places = places.filter(|place| environment.is_free(agent, place));
     places.find(|place| super::rules::meets_needs(environment, agent, place))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::{Count, Untidiness};
+    use crate::geometry::Point;
+    use crate::layout::arrange::arrange;
+    use crate::layout::brief::RoomBrief;
+    use crate::layout::environment::Start;
+    use crate::layout::movement::send_away;
+    use crate::layout::tests::{WIDE, catalog, level};
+    use crate::layout::{Alternative, FurnishOptions};
+
+    #[test]
+    fn an_agent_follows_its_suggestion_until_it_is_sent_away_wherever_it_stands_then() {
+        const DESK: usize = 1;
+        let (level, catalog) = (level(WIDE), catalog(&[(DESK, Count::Fixed(1))], Untidiness::default()));
+        let size = catalog.classes[DESK].sizes[0];
+        let position = Point::new(3.0, 2.0);
+        let suggestion = Suggestion { class: DESK, size, position, angle: 0.0, wall: Some(2) };
+        let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
+        let options = FurnishOptions::new(1, "test");
+        let room = RoomBrief::new((&level, 0), &catalog, &options).expect("offices are furnished");
+        let brief = room.alternative(&alternative);
+        let start = Start { urgency: &[0], heeds_tags: false, is_traced: false };
+        let mut environment = Environment::new(&brief, &start);
+        arrange(&mut environment, brief.key);
+        let place = environment.agents[0].rest().expect("the desk has a place").place();
+        assert_eq!((place.pose.position, follows_suggestion(&environment, 0)), (position, true));
+        send_away(&mut environment, 0);
+        assert!(!follows_suggestion(&environment, 0));
+        environment.settle(0, &place);
+        assert!(!follows_suggestion(&environment, 0), "it came there by itself");
+    }
+}

@@ -440,6 +440,28 @@ fn who_has_a_suggestion_stands_there_and_others_keep_off() {
 }
 
 #[test]
+fn no_alternative_depends_on_those_that_were_furnished_before_it() {
+    let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
+    let options = FurnishOptions::new(1, "test");
+    let desk = &run(&level, &catalog, 2).placements[0];
+    let suggestion = Suggestion {
+        class: desk.class,
+        size: desk.size,
+        position: desk.position,
+        angle: desk.angle,
+        wall: None,
+    };
+    let shared = RoomLayout::new(&level, 0, &catalog, &options);
+    for suggestions in [Vec::new(), vec![suggestion], Vec::new()] {
+        for number in 0..3 {
+            let alternative = Alternative { number, suggestions: suggestions.clone() };
+            let alone = RoomLayout::new(&level, 0, &catalog, &options).furnish(&alternative);
+            assert_eq!(shared.furnish(&alternative), alone);
+        }
+    }
+}
+
+#[test]
 fn what_has_no_place_in_a_corridor_of_any_length_takes_a_bounded_number_of_steps() {
     let mut catalog = catalog(&[(4, Count::Fixed(1))], Untidiness::default());
     for room_type in catalog.room_types.values_mut() {

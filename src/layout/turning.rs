@@ -32,6 +32,7 @@ pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bo
         return false;
     }
     let who_goes = |&place: &Point| Some((place, dispensable(environment, place)?));
+    // Fewest pieces go; of equals the first place of the grid is kept free.
     let least = places.iter().filter_map(who_goes).min_by_key(|(_, going)| pieces(environment, going));
     let Some((place, going)) = least else { return true };
     keep(environment, place);

@@ -21,6 +21,7 @@ pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidi
     for agent in 0..environment.agents.len() {
         let class = environment.class(agent);
         let piece = environment.agents[agent].piece;
+        // One stream for each piece: a piece more or less changes no draw of another.
         let mut stream = key.stream(Purpose::Untidiness, &class.id, piece.number);
         let is_fixed = environment.is_built_in(agent)
             || is_locked(environment, agent)

@@ -147,9 +147,12 @@ fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex
         let rank = |&(&agent, &distance): &(&AgentIndex, &f64)| {
             let piece = &environment.agents[agent].piece;
             (
+                // Suggested places leave all ways open that the room cannot do without.
                 follows_suggestion(environment, agent),
+                // An agent on the very cell goes before one that only reaches near it.
                 distance > 0.0,
                 piece.is_required,
+                // Pieces that only fill the room go first.
                 !piece.is_fill,
                 Reverse(agent),
             )

@@ -63,6 +63,7 @@ impl Answers {
     fn together(&self, room: &EmptyRoom<'_>, classes: &[ClassIndex]) -> Together {
         let stands_of =
             |class: ClassIndex| self.stands.answer(class, &room.budget, || free_stands(room, class));
+        // The places of a class are remembered by themselves: other sets of classes ask for them too.
         let search = || place_together(room, classes, stands_of);
         let answer = self.together.answer(classes.to_vec(), &room.budget, search);
         answer.unwrap_or(Together::Unknown)

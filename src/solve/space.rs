@@ -112,6 +112,7 @@ impl<'s, 'a> Space<'s, 'a> {
         !self.crosses_line(&[position])
             && self.contains(position)
             && parts.iter().enumerate().all(|(number, part)| {
+                // The body keeps out of the doors' ways; its clearances may share them.
                 let footprint = part.footprint.moved(position);
                 let is_body = number == 0;
                 self.is_clear(&footprint)

@@ -51,6 +51,7 @@ impl Space<'_, '_> {
         if needs_wall(trial.class) {
             return false;
         }
+        // Pieces stand square to some wall: each direction of the walls, by quarter turns.
         let turns = |angle: f64| (0..4).map(move |quarter| angle + FRAC_PI_2 * f64::from(quarter));
         let mut angles = self.directions().into_iter().flat_map(turns);
         angles.any(|angle| self.any_free_inside(trial.step, angle, turned.to(angle), &mut is_it))
@@ -76,6 +77,7 @@ impl Space<'_, '_> {
                     return false;
                 }
                 number += 1;
+                // With this place all others are refused that are as near as the answer says.
                 if let Some(metres) = self.blocked_around(parts, position) {
                     number += (metres / step) as u32;
                     continue;

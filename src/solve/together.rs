@@ -46,6 +46,7 @@ pub(crate) fn place_together(
     let open: Vec<Open<'_>> =
         choices.iter().map(|choice| Open { choice, stands: choice.stands().collect() }).collect();
     let answer = search(empty, &open);
+    // A coarse net may have missed the places with which they fit.
     let knows_all_places = choices.iter().all(|choice| choice.places.are_all);
     match answer {
         Together::TooMuch if !knows_all_places => Together::Unknown,
@@ -98,6 +99,7 @@ fn spread<T>(items: &[T]) -> impl Iterator<Item = &T> {
         (2..=stride).any(|factor| stride.is_multiple_of(factor) && count.is_multiple_of(factor))
     };
     let mut stride = ((count as f64 * STRIDE) as usize).max(1);
+    // A stride without a common factor visits every item once before it comes back.
     while shares_factor(stride) {
         stride -= 1;
     }
@@ -170,6 +172,7 @@ impl<'s, 'a> Search<'s, 'a> {
         }
         let rank = |&index: &usize| {
             let Open { choice, stands } = &open[index];
+            // Whole square millimetres, so that equal sizes are equal.
             let square_millimetres = (choice.size.width * choice.size.depth * 1e6) as i64;
             if self.is_careful { (-square_millimetres, stands.len()) } else { (0, stands.len()) }
         };

@@ -118,6 +118,7 @@ impl Floor {
         let cell = cell_around(high - low);
         let DoorDepth { behind, before } = depth.with_cells(cell);
         let mut raster = Raster::new((low - Point::splat(behind), high + Point::splat(behind)), cell);
+        // Free areas are painted before what blocks: of a cell that is painted twice the last counts.
         raster.paint(&room.region.borders().collect::<Vec<_>>(), true);
         for place in &places {
             raster.paint(&strip(room, place, -behind, cell.min(behind)), true);
@@ -129,6 +130,7 @@ impl Floor {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
         }
         let doors = places.iter().map(|place| Doorway::new(room, place, (-cell, before), &raster)).collect();
+        // Distances are exact as far as the widest disc needs them, which keeps them cheap in halls.
         let reach = raster.reach(widest);
         Some(Self { distances: raster.distances(reach), raster, doors, reach })
     }

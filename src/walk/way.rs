@@ -40,6 +40,7 @@ pub(crate) fn blocked_ways(
         Passage::new((empty.walk(rules.narrow_person), floor.walk(rules.narrow_person)), home)
     });
     let way = |&(index, goal): &(usize, Goal<'_>)| {
+        // The plan may itself be too narrow for a person: then a narrow person must get through.
         let passage = if wide.is_possible(goal) { &wide } else { &*narrow };
         (passage.is_possible(goal) && !passage.is_open(goal)).then(|| passage.way_to(index, goal))
     };
@@ -158,6 +159,7 @@ impl<'f> Passage<'f> {
     fn spread(&self, routes: &mut Routes, most: u32) {
         let Routes { waiting, known, costs, came_from } = routes;
         while let Some((cost, cell)) = waiting.pop_up_to(most) {
+            // A cheaper way to this cell was found after the entry was made.
             if cost > costs[cell] {
                 continue;
             }
@@ -196,6 +198,7 @@ impl<'f> Passage<'f> {
 
     /// What of its distance a cell lacks.
     fn cost(&self, cell: usize) -> u32 {
+        // In squared cells, as distances are: zero where the disc may be, `least` inside a body.
         u32::from(self.least.saturating_sub(self.walk.floor.distances[cell]))
     }
 

@@ -37,6 +37,7 @@ pub(crate) fn no_turning_circle(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         return Vec::new();
     }
     let steps = (rules.turning / CELL) as u32;
+    // From the widest down, a cell at a time: the first that has room is what is measured.
     let mut widths = (1..steps).map(|step| rules.turning - f64::from(step) * CELL);
     let widest = widths.find(|&width| walk.wide_places(width).next().is_some()).unwrap_or(0.0);
     let is_possible = empty.walk(rules.walkway).wide_places(rules.turning).next().is_some();

@@ -109,6 +109,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 
 /// The floor before an opening, of which the swing of its leaf is a part.
 fn approaches(zones: &[Zone], opening: usize) -> Vec<FloorRegion> {
+    // An approach has four corners; the pieces of a swing have those of an arc.
     let is_approach = |zone: &&Zone| zone.purpose == Purpose::Passing(opening) && zone.base.len() == 4;
     zones.iter().filter(is_approach).map(|zone| zone.base.clone()).collect()
 }

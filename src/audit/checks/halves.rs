@@ -27,6 +27,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
             let (share, largest) = crowd(subject, &standing, line)?;
             has_room_beside(subject, &subject.bodies[largest], line, ask).then_some((share, largest))
         })
+        // The greatest share; of equals the first direction.
         .reduce(|a, b| if b.0 > a.0 { b } else { a });
     let fault = |(share, largest): (f64, usize)| {
         Fault::new(Quantity::Share, vec![subject.object(largest)], share, rules.balance.share)

@@ -16,6 +16,7 @@ pub(crate) fn missing_required(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, ask, .. } = *evidence;
     let mut faults = Vec::new();
     for class in missing_classes(subject) {
+        // A piece that the empty room has no place for is no finding at all, whatever else stands there.
         let alone = ask(&Question::Class(class));
         if alone == Held::No {
             continue;
@@ -42,6 +43,7 @@ pub(crate) fn unfulfilled(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         f64::from(count(subject.bodies.len())) / f64::from(requested.saturating_sub(impossible).max(1))
     };
     let Impossible { known, unknown } = impossible_pieces(subject, ask);
+    // If enough of the pieces that have a place at all are there, the plan is at fault and not the furniture.
     let is_possible = if share_without(known) >= limit - ROUNDING {
         Held::No
     } else if share_without(known + unknown) >= limit - ROUNDING {

@@ -88,6 +88,7 @@ fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Targ
     let widths = widest((floor, home), missed, rules.person);
     let mut faults: Vec<Fault> = Vec::new();
     for (&goal, width) in missed.iter().zip(widths) {
+        // A way that the plan itself makes narrow is asked for at the width of a narrow person.
         let required = if wide.reaches(home, goal.goal()) { rules.person } else { rules.narrow_person };
         if width < required - ROUNDING {
             let fault = Fault::new(Quantity::Width, vec![named(subject, goal)], width, required);
@@ -115,6 +116,7 @@ fn region(subject: &Subject<'_>, target: Target<'_>) -> Vec<FloorRegion> {
 pub(crate) fn widest((floor, home): (&Floor, usize), goals: &[Target<'_>], missed_by: f64) -> Vec<f64> {
     let mut widths = vec![0.0; goals.len()];
     let steps = (missed_by / CELL) as u32;
+    // From the widest down, a cell at a time: the first disc that gets there is the widest.
     for diameter in (1..steps).map(|step| missed_by - f64::from(step) * CELL) {
         if !widths.contains(&0.0) {
             break;

@@ -33,6 +33,7 @@ pub(crate) fn unsupported(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let fault = |(index, body): (usize, &Body<'_>)| {
         let (support, share) = overhang(subject, body)?;
         let subjects = vec![subject.object(index), subject.object(support)];
+        // A body that floats is one finding, not two.
         let touches = gap_to_support(subject, body) <= rules.support_gap + ROUNDING;
         touches.then(|| Fault::new(Quantity::Share, subjects, share, rules.overhang_share))
     };
@@ -153,6 +154,7 @@ fn overhang(subject: &Subject<'_>, body: &Body<'_>) -> Option<(usize, f64)> {
     let carrier = union(support.into_iter());
     let share = carried.difference(&carrier).unsigned_area() / carried.unsigned_area();
     let is_balanced = carried.centroid().is_some_and(|center| carrier.contains(&center));
+    // Too much hangs over the edge, or its middle is not carried and it would tip.
     (share > rules.overhang_share + ROUNDING || !is_balanced).then_some((index, share))
 }
 

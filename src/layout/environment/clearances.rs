@@ -135,6 +135,7 @@ impl Environment<'_> {
             return true;
         }
         let kept_by_next_room = self.brief.catalog.audit.doors.open_boundary_depth;
+        // At least as deep as the tolerance: a clearance without depth is no region.
         let depth = (depth - kept_by_next_room).max(CLEARANCE_TOLERANCE);
         let own = clearance_solid(clearance, self.agents[agent].size, &place.pose, depth);
         let is_outside = !self.lies_inside(&own, CLEARANCE_TOLERANCE);

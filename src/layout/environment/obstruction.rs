@@ -123,6 +123,7 @@ impl Environment<'_> {
         }
         let (shape, size) = (&self.class(agent).shape, self.agents[agent].size);
         let probe = Probe { agent, place, whole, shape, size, parts: OnceCell::new(), spare: &self.scratch };
+        // The reasons are asked in a fixed order; the first one that holds is the one that is reported.
         let reason = self.shape_obstruction(&probe, recorder);
         if let Some(parts) = probe.parts.into_inner() {
             self.scratch.set(parts);

@@ -47,6 +47,7 @@ pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, pose
     let size = high - low;
     let (finest, most) =
         if is_thorough { (SCAN_STEP / 2.0, 2.0 * SCAN_POINTS) } else { (SCAN_STEP, SCAN_POINTS) };
+    // A hall gets no more points than a room, but farther apart: the time of a scan is bounded.
     let step = finest.max((size.x * size.y / most).sqrt());
     let (columns, rows) = ((size.x / step) as usize, (size.y / step) as usize);
     for row in 0..=rows {
@@ -72,6 +73,7 @@ fn add_all_turns(view: &View<'_>, poses: &mut Vec<Pose>) {
             let known = crate::geometry::direction(*turn);
             known.dot(along).abs().min(known.perp_dot(along).abs()) < SAME_DIRECTION
         };
+        // Walls within about a degree count as one direction, and quarter turns of each other too.
         if turns.len() < SCAN_DIRECTIONS && !turns.iter().any(is_known) {
             turns.push(angle_of_front(wall.normal()));
         }

@@ -35,6 +35,7 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let frame_room = |margins: &Margins| (high - low - margins.low - margins.high).max(Point::ZERO);
     let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
     let has_places = |margins: &Margins| most_in(frame_room(margins)).iter().product::<usize>() >= wanted;
+    // At the walls the good clearances if the lattice then has places for all, else the smallest, else none.
     let depths: [fn(&Clearance) -> f64; 3] =
         [|clearance| clearance.good, |clearance| clearance.minimum, |_| 0.0];
     let margins = depths.map(|depth| Margins::new(view, grid, depth));
@@ -52,6 +53,7 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     };
     let total = counts[0] * counts[1] * members.len();
     let resting = view.environment.resting[class].len();
+    // Each agent begins behind those that rest, where its own slot is usually free.
     for slot in (0..total).map(|index| (index + resting) % total) {
         let (place, member) = (slot / members.len(), &members[slot % members.len()]);
         let at = Point::new(axes[0].offset(place % counts[0]), axes[1].offset(place / counts[0]));
@@ -206,6 +208,7 @@ fn lattice(wanted: usize, most: [usize; 2], intervals: Point) -> [usize; 2] {
         }
         let empty = (columns * rows - wanted) as f64 / wanted.max(1) as f64;
         let filled = Point::new(columns as f64, rows as f64) / (intervals + Point::ONE);
+        // Both are shares: empty places of those wanted, and how unevenly the two directions are filled. They count the same.
         let cost = empty + (filled.x - filled.y).abs();
         if cost < best.0 {
             best = (cost, [columns, rows]);

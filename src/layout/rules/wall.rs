@@ -20,6 +20,7 @@ use super::turn::{self, Bearing, angle_of_front};
 pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {
     let Some(strip) = Strip::new(view, wall, stream) else { return };
     let free = strip.free_stretches();
+    // Across from what the agent wants to face comes first; the positions of the rule follow.
     for target in facing_targets(view.environment, &view.class.relations) {
         let across = (target - strip.wall.start).dot(strip.wall.direction());
         poses.extend(nearest_free(free.as_slice(), across).map(|at| strip.pose(at)));
@@ -162,6 +163,7 @@ impl<'a> Strip<'a> {
                 free = spacious;
             }
         }
+        // Stretches that take space from others are used only where there are no others.
         let comfortable = self.without_comfort(free.clone(), &region);
         if comfortable.as_slice().is_empty() { free } else { comfortable }
     }
@@ -198,6 +200,7 @@ impl<'a> Strip<'a> {
 
     /// The region over the whole length of the wall, `from` to `from + depth` metres before it.
     fn region(&self, from: f64, depth: f64, high: f64) -> Solid {
+        // Thinner by a tolerance on both sides: bodies that only touch the region do not block it.
         let depth = (depth - 2.0 * CONTACT_TOLERANCE).max(CONTACT_TOLERANCE);
         let distance = from + CONTACT_TOLERANCE + depth / 2.0;
         let center = (self.wall.start + self.wall.end) / 2.0 + self.wall.normal() * distance;
@@ -208,6 +211,7 @@ impl<'a> Strip<'a> {
     fn block(&self, free: &mut Intervals, solid: &Solid) {
         let (low, high) = solid.base.project(self.wall.direction());
         let start = self.wall.start.dot(self.wall.direction());
+        // The stretches hold the middle of the box: half of it is blocked beyond each end.
         free.subtract(low - start - self.half, high - start + self.half);
     }
 
