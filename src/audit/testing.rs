@@ -6,7 +6,7 @@ use crate::catalog::{
 };
 use crate::geometry::{Point, Polygon, Region};
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
-use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
+use crate::plan::{Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening};
 use crate::recipes::{GeometrySet, Slot, find};
 use crate::solve::judge_room;
 
@@ -47,16 +47,7 @@ impl TestRoom {
     pub(crate) fn outline(corners: &[(f64, f64)]) -> Self {
         let corners: Vec<Point> = corners.iter().map(|&(x, y)| at(x, y)).collect();
         let region = Region::simple(Polygon::new(&corners).unwrap());
-        let level = Level {
-            id: "ground".into(),
-            name: "ground".into(),
-            elevation: 0.0,
-            height: 3.0,
-            rooms: vec![room(region)],
-            openings: Vec::new(),
-            left_out: Vec::new(),
-            digest: [0; 32],
-        };
+        let level = Level::bare("ground", 3.0, vec![room(region)]);
         Self { level, catalog: catalog(), placements: Vec::new(), removals: Vec::new(), requested: None }
     }
 
@@ -156,28 +147,7 @@ impl TestRoom {
 }
 
 fn room(region: Region) -> Room {
-    let wall = |(start, end)| Wall {
-        start,
-        end,
-        thickness: 0.1,
-        is_exterior: false,
-        kind: WallKind::Solid,
-        tags: Vec::new(),
-    };
-    let walls = region.borders().map(wall).collect();
-    Room {
-        id: "101".into(),
-        number: 1,
-        name: None,
-        room_type: "office".into(),
-        style: None,
-        dwelling: None,
-        region,
-        height: 2.5,
-        walls,
-        obstacles: Vec::new(),
-        openings: Vec::new(),
-    }
+    Room::bare("101", "office", region, 2.5, 0.1)
 }
 
 /// A required line for one piece of a class.

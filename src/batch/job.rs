@@ -108,16 +108,7 @@ pub(crate) mod tests {
     use crate::texture::TextureSize;
 
     pub(crate) fn empty_level(id: &str, digest: u8) -> Level {
-        Level {
-            id: id.to_owned(),
-            name: id.to_owned(),
-            elevation: 0.0,
-            height: 3.0,
-            rooms: Vec::new(),
-            openings: Vec::new(),
-            left_out: Vec::new(),
-            digest: [digest; 32],
-        }
+        Level { digest: [digest; 32], ..Level::bare(id, 3.0, Vec::new()) }
     }
 
     pub(crate) fn tower(id: &str, levels: &[&str]) -> PlacedBuilding {

@@ -7,7 +7,7 @@ use super::surroundings::{Surroundings, Swings};
 use super::*;
 use crate::catalog::*;
 use crate::geometry::{Point, Polygon, Region, direction};
-use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Wall, WallKind};
+use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, Room, RoomOpening};
 use crate::recipes::{GeometrySet, Slot, find};
 
 pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
@@ -116,15 +116,8 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
 pub(super) fn level(corners: &[(f64, f64)]) -> Level {
     let points: Vec<Point> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
     let region = Region::simple(Polygon::new(&points).unwrap());
-    let wall = |(start, end)| Wall {
-        start,
-        end,
-        thickness: 0.1,
-        is_exterior: true,
-        kind: WallKind::Solid,
-        tags: Vec::new(),
-    };
-    let walls: Vec<Wall> = region.borders().map(wall).collect();
+    let bare = Room::bare("1", "office", region, 2.8, 0.1);
+    let walls = &bare.walls;
     let hinge = walls[0].start + walls[0].direction() * 0.2;
     let leaf = Leaf {
         hinge,
@@ -142,29 +135,8 @@ pub(super) fn level(corners: &[(f64, f64)]) -> Level {
         leaves: vec![leaf],
         sides: vec![OpeningSide { room: 0, wall: 0, from: 0.2, to: 1.1 }],
     };
-    let room = Room {
-        id: "1".into(),
-        number: 1,
-        name: None,
-        room_type: "office".into(),
-        style: None,
-        dwelling: None,
-        region,
-        height: 2.8,
-        walls,
-        obstacles: Vec::new(),
-        openings: vec![RoomOpening { opening: 0, wall: 0, from: 0.2, to: 1.1 }],
-    };
-    Level {
-        id: "0".into(),
-        name: "0".into(),
-        elevation: 0.0,
-        height: 3.0,
-        rooms: vec![room],
-        openings: vec![door],
-        left_out: Vec::new(),
-        digest: [0; 32],
-    }
+    let room = Room { openings: vec![RoomOpening { opening: 0, wall: 0, from: 0.2, to: 1.1 }], ..bare };
+    Level { openings: vec![door], ..Level::bare("0", 3.0, vec![room]) }
 }
 
 pub(super) const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)];

@@ -130,6 +130,54 @@ pub enum WallKind {
     Railing(f64),
 }
 
+impl Level {
+    /// A level of rooms without openings, at the building's zero; rooms are numbered in their order. Metres.
+    #[must_use]
+    pub fn bare(id: &str, height: f64, mut rooms: Vec<Room>) -> Self {
+        for (number, room) in (1..).zip(&mut rooms) {
+            room.number = number;
+        }
+        Self {
+            id: id.to_owned(),
+            name: id.to_owned(),
+            elevation: 0.0,
+            height,
+            rooms,
+            openings: Vec::new(),
+            left_out: Vec::new(),
+            digest: [0; 32],
+        }
+    }
+}
+
+impl Room {
+    /// A room with a solid wall of one thickness on each border, and nothing else. Metres.
+    #[must_use]
+    pub fn bare(id: &str, room_type: &str, region: Region, height: f64, thickness: f64) -> Self {
+        let wall = |(start, end)| Wall {
+            start,
+            end,
+            thickness,
+            is_exterior: false,
+            kind: WallKind::Solid,
+            tags: Vec::new(),
+        };
+        Self {
+            id: id.to_owned(),
+            number: 1,
+            name: None,
+            room_type: room_type.to_owned(),
+            style: None,
+            dwelling: None,
+            walls: region.borders().map(wall).collect(),
+            region,
+            height,
+            obstacles: Vec::new(),
+            openings: Vec::new(),
+        }
+    }
+}
+
 impl Wall {
     /// Metres from start to end.
     #[must_use]

@@ -9,7 +9,7 @@ use super::tree::Node;
 use crate::contract::{Extras, LevelExtras, Part, PartExtras, PartId, RoomExtras};
 use crate::geometry::Region;
 use crate::plan::limits::STOREY_HEIGHT;
-use crate::plan::{Level, Obstacle, Room, Wall, WallKind};
+use crate::plan::{Level, Obstacle, Room};
 
 /// A level and where its rooms are in the file.
 pub(super) struct EmptyLevel {
@@ -36,16 +36,7 @@ pub(super) fn read(nodes: &[Node], problems: &mut Vec<Problem>) -> Result<EmptyL
     let LevelExtras { building, level: id, elevation, height, .. } = level_extras(nodes)?;
     let mut empty = EmptyLevel {
         building,
-        level: Level {
-            name: id.clone(),
-            id,
-            elevation,
-            height,
-            rooms: Vec::new(),
-            openings: Vec::new(),
-            left_out: Vec::new(),
-            digest: [0; 32],
-        },
+        level: Level { elevation, ..Level::bare(&id, height, Vec::new()) },
         room_nodes: Vec::new(),
         is_broken: Vec::new(),
     };
@@ -106,28 +97,10 @@ fn read_room(extras: &RoomExtras, number: usize) -> Result<Room, String> {
     if extras.height > STOREY_HEIGHT.1 {
         return Err(format!("is {} m high, {} m are the most that is read", extras.height, STOREY_HEIGHT.1));
     }
+    let number = u32::try_from(number).map_err(|_| "is one room too many".to_owned())?;
     // The audit needs only the places of walls; the rest is not in the file.
-    let wall = |(start, end)| Wall {
-        start,
-        end,
-        thickness: 0.0,
-        is_exterior: false,
-        kind: WallKind::Solid,
-        tags: Vec::new(),
-    };
-    Ok(Room {
-        id: extras.room.clone(),
-        number: u32::try_from(number).map_err(|_| "is one room too many".to_owned())?,
-        name: None,
-        room_type: extras.room_type.clone(),
-        style: Some(extras.style.clone()),
-        dwelling: None,
-        walls: region.borders().map(wall).collect(),
-        region,
-        height: extras.height,
-        obstacles: Vec::new(),
-        openings: Vec::new(),
-    })
+    let bare = Room::bare(&extras.room, &extras.room_type, region, extras.height, 0.0);
+    Ok(Room { number, style: Some(extras.style.clone()), ..bare })
 }
 
 /// By room and number.

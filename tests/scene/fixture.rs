@@ -11,8 +11,7 @@ use roomwright::internals::geometry::{Point, Polygon, Region};
 use roomwright::internals::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
 use roomwright::internals::model::{Model, ModelMaterial, Primitive};
 use roomwright::internals::plan::{
-    Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, Room, RoomOpening, SitePlacement, Wall,
-    WallKind,
+    Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, Room, RoomOpening, SitePlacement,
 };
 use roomwright::internals::recipes::{GeometrySet, Slot, find};
 use roomwright::internals::scene::{Parts, Scene, SceneInput, SceneOptions, build_scene};
@@ -32,40 +31,13 @@ pub(crate) fn room(id: &str, corners: &[(f64, f64)]) -> Room {
 }
 
 pub(crate) fn room_of_region(id: &str, region: Region) -> Room {
-    let wall = |(start, end)| Wall {
-        start,
-        end,
-        thickness: OUTER,
-        is_exterior: true,
-        kind: WallKind::Solid,
-        tags: Vec::new(),
-    };
-    Room {
-        id: id.to_owned(),
-        number: 1,
-        name: None,
-        room_type: "office".to_owned(),
-        style: None,
-        dwelling: None,
-        walls: region.borders().map(wall).collect(),
-        region,
-        height: 2.6,
-        obstacles: Vec::new(),
-        openings: Vec::new(),
-    }
+    let mut room = Room::bare(id, "office", region, 2.6, OUTER);
+    room.walls.iter_mut().for_each(|wall| wall.is_exterior = true);
+    room
 }
 
 pub(crate) fn level(rooms: Vec<Room>) -> Level {
-    Level {
-        id: "1".to_owned(),
-        name: "First floor".to_owned(),
-        elevation: 3.2,
-        height: 3.2,
-        rooms,
-        openings: Vec::new(),
-        left_out: Vec::new(),
-        digest: [0; 32],
-    }
+    Level { name: "First floor".to_owned(), elevation: 3.2, ..Level::bare("1", 3.2, rooms) }
 }
 
 /// A hole in the walls: kind, id, (room, wall, middle along it) per side, width, bottom, top.
