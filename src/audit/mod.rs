@@ -17,6 +17,7 @@ mod near;
 mod possible;
 mod quantity;
 mod relations;
+mod rounding;
 mod score;
 mod severity;
 mod subject;
@@ -26,7 +27,6 @@ mod taking;
 pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
-mod thresholds;
 mod verdict;
 mod zone;
 
@@ -42,7 +42,7 @@ pub use verdict::{DoorRate, Verdict};
 
 pub(crate) use checks::door_zones;
 pub(crate) use convex::{clip_segment, middle, penetration};
-pub(crate) use thresholds::ROUNDING;
+pub(crate) use rounding::ROUNDING;
 
 use crate::catalog::{Catalog, ClassIndex};
 use crate::layout::{Furnished, opening_id};

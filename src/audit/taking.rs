@@ -9,8 +9,8 @@ use crate::plan::OpeningKind;
 
 use super::convex::clip_segment;
 use super::fault::{FloorRegion, Named};
+use super::rounding::ROUNDING;
 use super::subject::{Body, Subject};
-use super::thresholds::ROUNDING;
 use super::zone::{NearPair, Purpose, Zone};
 
 /// The smallest clearances of all bodies, and the good ones where they are deeper.

@@ -4,8 +4,8 @@ use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::groups::DISPLAY;
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::Body;
-use crate::audit::thresholds::ROUNDING;
 use crate::catalog::Side;
 
 /// Judges the surfaces of a room together: one empty worktop among several is in order.

@@ -9,7 +9,7 @@ use crate::audit::convex::penetration;
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::quantity::Quantity;
-use crate::audit::thresholds::ROUNDING;
+use crate::audit::rounding::ROUNDING;
 
 /// Judges the pairs of bodies that the broad phase found.
 pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {

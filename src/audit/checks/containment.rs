@@ -8,7 +8,7 @@ use crate::audit::convex::{clip_segment, depth};
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::quantity::Quantity;
-use crate::audit::thresholds::ROUNDING;
+use crate::audit::rounding::ROUNDING;
 
 /// Halvings of the search for the deepest point of a segment: metres to nanometres.
 const SEARCH_STEPS: u32 = 40;

@@ -3,8 +3,8 @@
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::{Body, Subject};
-use crate::audit::thresholds::ROUNDING;
 use crate::catalog::{ParentName, Shape, Turn};
 use crate::geometry::{Point, direction};
 use crate::layout::Parent;

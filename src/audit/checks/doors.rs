@@ -9,7 +9,7 @@ use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::{Fault, FloorRegion};
 use crate::audit::quantity::Quantity;
-use crate::audit::thresholds::ROUNDING;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::zone::{Purpose, Zone};
 
 /// Corners of the arc of each eighth of a turn; the chords then stay within 1.1 mm of a 0.9 m leaf's arc.

@@ -8,8 +8,8 @@ use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::possible::{Ask, Held, Question};
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::Subject;
-use crate::audit::thresholds::ROUNDING;
 
 /// Required pieces that are missing though the room could hold them.
 pub(crate) fn missing_required(evidence: &Evidence<'_, '_>) -> Vec<Fault> {

@@ -10,9 +10,9 @@ use crate::audit::evidence::Evidence;
 use crate::audit::fault::{Fault, FloorRegion, Named};
 use crate::audit::possible::Held;
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::Subject;
 use crate::audit::taking::clearance_regions;
-use crate::audit::thresholds::ROUNDING;
 use crate::audit::zone::{Purpose, Zone};
 
 /// What must be walked to.

@@ -5,8 +5,8 @@ use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::possible::{Ask, Held, Question};
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::Subject;
-use crate::audit::thresholds::ROUNDING;
 use crate::catalog::{ClassIndex, ParentName};
 
 /// Judges the share of the floor that is covered. The low end of the type's range follows the style's

@@ -11,8 +11,8 @@ use crate::audit::convex::{depth, distance, penetration, segment_distance};
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::{Body, Subject};
-use crate::audit::thresholds::ROUNDING;
 
 /// The bodies that do not touch their support.
 pub(crate) fn floating(evidence: &Evidence<'_, '_>) -> Vec<Fault> {

@@ -6,8 +6,8 @@ use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
 use crate::audit::possible::Question;
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::taking::{Taking, narrowest};
-use crate::audit::thresholds::ROUNDING;
 use crate::layout::Placement;
 
 /// Metres within which two bodies take as much of a clearance: the 32-bit numbers of a file do not decide which is named.

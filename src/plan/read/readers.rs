@@ -30,14 +30,12 @@ mod tests {
     #[test]
     fn a_format_is_read_or_not_read() {
         let read = read_formats();
-        let words = |text: &str| -> BTreeSet<String> {
-            text.split(|letter: char| !letter.is_alphanumeric()).map(str::to_lowercase).collect()
-        };
         let names: BTreeSet<&str> = read.iter().map(|format| format.name).collect();
         assert_eq!(names.len(), read.len());
         for (unread, _) in unread_formats() {
-            let known = read.iter().find(|format| words(unread).contains(format.name));
-            assert_eq!(known.map(|format| format.name), None, "{unread} is read now");
+            // Its name as such, without what a bracket explains: a packed form may be unread where the plain one is read.
+            let name = unread.split(" (").next().unwrap_or(unread).to_lowercase();
+            assert!(!names.contains(name.as_str()), "{unread} is read now");
         }
     }
 }
