@@ -12,7 +12,7 @@
 //! | what is turned or tapers: legs, vases, basins, shades | [`lathe`], [`cylinder`], [`loft`]; [`loft_ring`] where it is hollow |
 //! | bars, frames, cables along a path, also a leaning leg | [`sweep`], [`pipe`] with bends of [`rounded_path`] |
 //! | bent sheets and free bodies: shells, plywood | [`sheet`], [`skin`] |
-//! | cushions, pillows, curtains, leaves | [`crowned`], [`pillow`], [`hung`], [`blade`] |
+//! | cushions, pillows, curtains, leaves | [`crowned`], [`pillow`], [`hung`], [`blade()`] |
 //! | what differs from look to look | [`Sampler`], the random stream of the look |
 //!
 //! [`Builder::add`] takes a solid and its material slot, [`Builder::add_pair`] also its mirror image.
