@@ -8,9 +8,9 @@
 //! | to make | take |
 //! |---|---|
 //! | boards, carcasses, doors: pieces of the box | [`Bay`] to cut them, [`Builder::cuboid`] to add them, [`rounded_box`] for softer edges |
-//! | a flat shape with thickness: a side panel, a letter | [`extrude`], whose [`Axis`] says in which plane the profile lies |
-//! | what is turned or tapers: legs, vases, basins, shades | [`lathe`], [`cylinder`], [`loft`]; [`loft_ring`] where it is hollow |
-//! | bars, frames, cables along a path, also a leaning leg | [`sweep`], [`pipe`] with bends of [`rounded_path`] |
+//! | a flat shape with thickness: a side panel, a letter | [`extrude()`], whose [`Axis`] says in which plane the profile lies |
+//! | what is turned or tapers: legs, vases, basins, shades | [`lathe`], [`cylinder`], [`loft()`]; [`loft_ring`] where it is hollow |
+//! | bars, frames, cables along a path, also a leaning leg | [`sweep()`], [`pipe`] with bends of [`rounded_path`] |
 //! | bent sheets and free bodies: shells, plywood | [`sheet`], [`skin()`] |
 //! | cushions, pillows, curtains, leaves | [`crowned`], [`pillow`], [`hung`], [`blade()`] |
 //! | what differs from look to look | [`Sampler`], the random stream of the look |
