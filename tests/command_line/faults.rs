@@ -283,7 +283,7 @@ fn implausible_rooms_are_warned_of_and_baked() {
         let ran = world.must(&["check", "odd.yaml"]);
         assert!(ran.stdout.contains(&format!("odd/1/a: warning: {question}")), "{}", ran.stdout);
         assert!(
-            ran.stdout.contains("0 errors, 1 warnings") && ran.stdout.contains("hint: "),
+            ran.stdout.contains("0 errors, 1 warning") && ran.stdout.contains("hint: "),
             "{}",
             ran.stdout
         );
