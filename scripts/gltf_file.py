@@ -1,6 +1,6 @@
 """Reads one .glb or .gltf file: its document, its buffers as arrays, its nodes with their places.
 
-Shared by validate.py and convert.py, which must see nodes as the file has them: most libraries split a mesh
+Shared by validate.py, judge.py and convert.py, which must see nodes as the file has them: most libraries split a mesh
 with several materials into several nodes. Raises GltfError for everything that is wrong with a file, and reads no file
 but those that resources.py lets it name.
 """

@@ -1,0 +1,13 @@
+"""Parts of judge.py: rooms judged by their meshes.
+
+    shapes       walls, angles, rectangles in the plan's axes
+    roles        what pieces are for, by the names of their classes
+    drawn        fixtures in architects' drawings
+    pieces       pieces of furniture where they stand
+    floors       finished files as rooms with pieces
+    measure      what a measure is
+    measures/    one file a subject
+    table        all measures
+    judgement    every measure's answer for every room of a file
+    report       verdicts as tables
+"""

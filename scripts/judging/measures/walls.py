@@ -1,0 +1,106 @@
+"""Bare walls, and halls by their width."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..floors import Room
+from ..measure import Answer, Fault, Measure, answer
+from ..pieces import Piece
+from ..roles import HALLS, HOME_ROOMS
+from ..shapes import Wall, width_of
+
+# Metres of a wall without anything.
+BARE = 3.0
+# Metres before a wall within which a piece is at it.
+AT_WALL = 0.35
+# Metres of wall that are no wall: corners are drawn with such edges.
+LEAST = 0.05
+# Metres of a hall's width from which on it is a room that wants furniture, and below which nothing stands in it.
+WIDE_HALL = 1.6
+NARROW_HALL = 1.2
+
+
+def judge_bare(room: Room) -> Answer | None:
+    return bare_walls(room) if room.kind in HOME_ROOMS else None
+
+
+def judge_bare_hall(room: Room) -> Answer | None:
+    return bare_walls(room) if room.kind in HALLS else None
+
+
+def bare_walls(room: Room) -> Answer:
+    faults, longest = [], 0.0
+    for walls in room.straight_walls:
+        metres = longest_bare(room, walls)
+        longest = max(longest, metres)
+        if metres > BARE:
+            numbers = ", ".join(str(wall.number) for wall in walls)
+            faults.append(Fault(f"{metres:.1f} m of wall {numbers} are bare", (), metres))
+    return answer(faults, longest)
+
+
+def longest_bare(room: Room, walls: list[Wall]) -> float:
+    """The longest stretch of a straight wall with nothing at it."""
+    along = walls[0].along
+    solid = [tuple(sorted((float(wall.start @ along), float(wall.end @ along)))) for wall in walls]
+    taken = gaps_between(solid)
+    for wall in walls:
+        taken += openings_in(room, wall, along) + [span for piece in room.pieces
+                                                   if (span := span_at(piece, wall, along)) is not None]
+    low, high = min(start for start, _ in solid), max(end for _, end in solid)
+    return longest_gap(low, high, taken)
+
+
+def gaps_between(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Where the edges of a straight wall leave out a stretch: a niche or a passage."""
+    spans = sorted(spans)
+    return [(end, start) for (_, end), (start, _) in zip(spans, spans[1:]) if start - end > LEAST]
+
+
+def openings_in(room: Room, wall: Wall, along: np.ndarray) -> list[tuple[float, float]]:
+    sides = [side for doors in (True, False) for _, side in room.openings(doors) if side.wall is wall]
+    ends = [(float(wall.at(side.start) @ along), float(wall.at(side.end) @ along)) for side in sides]
+    return [(min(pair), max(pair)) for pair in ends]
+
+
+def span_at(piece: Piece, wall: Wall, along: np.ndarray) -> tuple[float, float] | None:
+    """The stretch of a wall that a piece is at."""
+    if piece.is_covering or piece.carrier is not None:
+        return None
+    points = np.asarray(piece.footprint.convex_hull.exterior.coords) if piece.footprint.geom_type == "Polygon" else None
+    if points is None or not -0.05 < ((points - wall.start) @ wall.inward).min() < AT_WALL:
+        return None
+    low, high = (points @ along).min(), (points @ along).max()
+    ends = sorted((float(wall.start @ along), float(wall.end @ along)))
+    return (float(low), float(high)) if high > ends[0] and low < ends[1] else None
+
+
+def longest_gap(low: float, high: float, taken: list[tuple[float, float]]) -> float:
+    longest, reached = 0.0, low
+    for start, end in sorted(taken):
+        longest = max(longest, min(start, high) - reached)
+        reached = max(reached, end)
+    return max(longest, high - reached)
+
+
+def judge_hall(room: Room) -> Answer | None:
+    """A wide hall without furniture, or a narrow one with pieces that narrow it."""
+    if room.kind not in HALLS or room.area < 2.0:
+        return None
+    width = width_of(room.region)
+    standing = [piece.id for piece in room.standing if piece.footprint.area > 0.05]
+    if width >= WIDE_HALL and not standing:
+        return answer([Fault(f"nothing stands in a hall {width:.1f} m wide", (), width)], width)
+    if width < NARROW_HALL and standing:
+        return answer([Fault(f"{len(standing)} pieces stand in a hall {width:.1f} m wide", tuple(standing), width)], width)
+    return answer([], width)
+
+
+MEASURES = [
+    Measure("bare_wall", "no stretch of a wall is without furniture, art, door or window", "m", "≤ 3; 0.35 m deep",
+            "project", judge_bare),
+    Measure("bare_hall_wall", "the same in corridors and halls", "m", "≤ 3", "project", judge_bare_hall),
+    Measure("hall_width", "a hall has furniture if it is wide, and none that narrows it", "m", "from 1.6; under 1.2",
+            "UK Part M; HUD", judge_hall),
+]

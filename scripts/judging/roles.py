@@ -1,0 +1,57 @@
+"""What pieces are for, by the names of their classes.
+
+This is the judge's own list. It does not read the catalogue, so that a class that says nonsense about itself is still
+judged as what its name says it is.
+"""
+
+from __future__ import annotations
+
+SINKS = {"sink_unit", "sink"}
+COOKERS = {"cooker", "hob_unit", "hob"}
+FRIDGES = {"fridge", "small_fridge"}
+DISHWASHERS = {"dishwasher"}
+ISLANDS = {"kitchen_island"}
+# What carries a worktop between sink and cooker.
+WORKTOPS = {"worktop", "prep_worktop", "landing_worktop", "corner_unit", "kitchen_unit", "filler_unit"} | DISHWASHERS
+APPLIANCES = COOKERS | FRIDGES | DISHWASHERS
+KITCHEN_UNITS = SINKS | APPLIANCES | ISLANDS | WORKTOPS | {"oven_tower", "tall_unit", "larder", "end_panel"}
+
+TABLES = {"kitchen_table", "dining_table", "large_dining_table", "small_table", "folding_table", "bistro_table", "round_table",
+          "restaurant_table", "table_for_two", "garden_table", "terrace_table", "reading_table", "bar_table",
+          "kitchen_island", "meeting_table", "small_meeting_table", "large_meeting_table"}
+CHAIRS = {"chair", "dining_chair", "restaurant_chair", "meeting_chair"}
+
+SCREENS = {"tv", "small_tv", "wall_tv", "hotel_tv", "large_hotel_tv"}
+PROJECTION = {"projector", "projection_screen"}
+TV_STANDS = {"tv_stand", "wide_tv_stand", "lowboard"}
+SOFAS = {"sofa", "lounge_sofa", "loveseat", "sofa_bed", "settee"}
+EASY_CHAIRS = {"armchair", "club_chair", "wing_chair", "shell_chair"}
+READING_LAMPS = {"floor_lamp", "table_lamp"}
+BOOKCASES = {"bookshelf", "low_bookshelf", "plank_shelf"}
+
+DOUBLE_BEDS = {"double_bed", "king_bed"}
+SINGLE_BEDS = {"single_bed"}
+BEDS = DOUBLE_BEDS | SINGLE_BEDS | {"bunk_bed"}
+WARDROBES = {"wardrobe", "large_wardrobe", "tall_clothes_press"}
+DESKS = {"desk", "small_desk", "executive_desk", "teacher_desk", "lecture_desk"}
+OFFICE_CHAIRS = {"office_chair"}
+
+TOILETS = {"toilet"}
+BASINS = {"washbasin", "hand_basin", "vanity", "row_basin"}
+TUBS = {"bathtub", "shower", "small_shower"}
+
+ART = {"picture", "poster", "mirror", "vanity_mirror", "wall_clock"}
+MIRRORS = {"mirror", "vanity_mirror"}
+CURTAINS = {"curtain"}
+PLANTS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter"}
+ROW_SEATS = {"auditorium_seat"}
+
+LIVING_ROOMS = {"living_room", "living_dining", "living_kitchen"}
+BEDROOMS = {"bedroom", "room"}
+KITCHENS = {"kitchen", "kitchen_dining", "living_kitchen"}
+BATHROOMS = {"bathroom", "toilet"}
+HALLS = {"corridor", "walkway", "foyer"}
+HOME_ROOMS = LIVING_ROOMS | BEDROOMS | KITCHENS | {"childrens_room", "dining_room", "study"}
+OUTDOOR = {"balcony", "loggia", "terrace"}
+# Rooms that join dwellings, and are in none.
+SHARED_WAYS = {"stairs", "elevator", "staircase", "walkway", "foyer", "shaft", "void"} | OUTDOOR

@@ -1,0 +1,149 @@
+"""Measures of the judge for homes: each has a room that passes and one that fails."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from judged_floor import Judged, house
+from judging.drawn import Drawn, fixture_of
+from judging.table import MEASURES
+
+UNIT = (0.6, 0.6, 0.9)
+TALL = (0.6, 0.6, 1.85)
+
+
+def kitchen(*units: tuple[str, float, float], width: float = 4.0, depth: float = 3.0) -> Judged:
+    """A kitchen with units at its south wall, their middles at the given metres along it; or elsewhere, facing north."""
+    made = house("kitchen", width, depth)
+    for kind, x, y in units:
+        made.piece(kind, x, y, "north", TALL if kind == "fridge" else UNIT)
+    return made
+
+
+RUN = [("fridge", 0.3, 0.3), ("worktop", 0.9, 0.3), ("sink_unit", 1.5, 0.3), ("dishwasher", 2.1, 0.3), ("cooker", 2.7, 0.3)]
+
+
+def bedroom(width: float, depth: float, bed: str = "double_bed", size=(1.6, 2.0, 0.6)) -> Judged:
+    return house("bedroom", width, depth).piece(bed, width / 2, size[1] / 2, "north", size)
+
+
+def flat(bed: str, other: str) -> Judged:
+    """A bedroom of 16 m² and a smaller one of 12 m², joined by a door."""
+    made = house("bedroom", 4.0, 4.0).room("102", "bedroom", 3.0, 4.0, west=4.2)
+    made.opening("d", "door", "passage", [("101", 1, 1.0, 1.9), ("102", 3, 1.0, 1.9)])
+    return made.piece(bed, 1.0, 1.0, "north", (1.0, 2.0, 0.6)).piece(other, 6.0, 1.0, "north", (1.6, 2.0, 0.6), room="102")
+
+
+def swinging(bed_y: float) -> Judged:
+    """A leaf of 0.9 m that swings in from the south wall; a bed north of it."""
+    made = house("bedroom", 4.0, 5.0).piece("double_bed", 1.5, bed_y, "south", (1.6, 2.0, 0.6))
+    return made.opening("d", "door", "door", [("101", 0, 1.0, 1.9)], leaf=((1.0, 0.0), (1.9, 0.0), (1.0, 0.9)))
+
+
+def living(*pieces: tuple) -> Judged:
+    made = house("living_room", 5.0, 5.0).piece("sofa", 2.5, 0.5, "north", (2.0, 0.9, 0.8))
+    for piece in pieces:
+        made.piece(*piece)
+    return made
+
+
+def stand(*pieces: tuple) -> Judged:
+    made = house("living_room", 5.0, 5.0).piece("tv_stand", 2.5, 4.7, "south", (1.6, 0.45, 0.5))
+    for piece in pieces:
+        made.piece(*piece)
+    return made
+
+
+TV = (1.1, 0.2, 0.7)
+CORNER = [("armchair", 1.0, 4.0, "south", (0.8, 0.8, 0.8)), ("floor_lamp", 1.8, 4.5, "south", (0.3, 0.3, 1.6)),
+          ("bookshelf", 4.0, 4.8, "south", (0.8, 0.3, 1.8))]
+
+
+def table(chair_y: float, facing: str) -> Judged:
+    made = house("dining_room").piece("dining_table", 2.0, 2.0, "south", (1.6, 0.9, 0.75))
+    return made.piece("dining_chair", 2.0, chair_y, facing, (0.45, 0.5, 0.9))
+
+
+def rows(gap: float) -> Judged:
+    seat = (0.5, 0.6, 0.9)
+    return house("auditorium").piece("auditorium_seat", 1.0, 2.0, "north", seat).piece("auditorium_seat", 1.5 + gap, 2.0, "north",
+                                                                                      seat)
+
+
+# By code: a room that passes, and one that fails.
+CASES = {
+    "kitchen_runs": (kitchen(*RUN), kitchen(("fridge", 0.3, 0.3), ("sink_unit", 2.0, 0.3), ("cooker", 3.7, 0.3))),
+    "kitchen_loose_units": (kitchen(*RUN, ("worktop", 3.7, 2.5)),
+                            kitchen(("worktop", 0.3, 0.3), ("sink_unit", 2.0, 0.3), ("cooker", 3.7, 0.3))),
+    "kitchen_appliance_alone": (kitchen(*RUN), kitchen(*RUN[1:], ("fridge", 0.3, 2.6))),
+    "kitchen_dishwasher": (kitchen(*RUN), kitchen(("sink_unit", 0.3, 0.3), ("worktop", 0.9, 0.3), ("dishwasher", 1.5, 0.3))),
+    "kitchen_worktop": (kitchen(*RUN), kitchen(("sink_unit", 0.3, 0.3), ("cooker", 0.9, 0.3))),
+    "kitchen_fridge_at_cooker": (kitchen(*RUN), kitchen(("fridge", 0.3, 0.3), ("cooker", 0.9, 0.3))),
+    "living_without_screen_or_corner": (living(*CORNER), living()),
+    "living_without_screen": (living(("tv", 2.5, 4.5, "south", TV)), living(*CORNER)),
+    "empty_tv_stand": (stand(("tv", 2.5, 4.7, "south", TV, 0.5, "101", "tv_stand.1")), stand()),
+    "sofa_past_screen": (living(("wall_tv", 2.5, 4.9, "south", TV, 1.0)), living(("wall_tv", 0.1, 0.5, "east", TV, 1.0))),
+    "single_in_larger_bedroom": (flat("double_bed", "single_bed"), flat("single_bed", "double_bed")),
+    "bedroom_without_wardrobe": (bedroom(3.0, 4.0).piece("wardrobe", 0.6, 3.7, "south", (1.2, 0.6, 2.0)), bedroom(3.0, 4.0)),
+    "bedroom_without_bed": (bedroom(3.0, 4.0), house("bedroom", 3.0, 4.0)),
+    "bed_at_swing": (swinging(3.0), swinging(2.2)),
+    "bed_before_door": (swinging(2.0), swinging(1.5)),
+    "bare_wall": (house("bedroom", 2.9, 2.9), house("bedroom", 3.5, 2.0)),
+    "bare_hall_wall": (house("corridor", 6.0, 1.5).piece("picture", 3.1, 0.02, "north", (0.5, 0.03, 0.5), 1.4)
+                       .piece("hall_mirror", 3.0, 1.48, "south", (0.5, 0.03, 1.5)), house("corridor", 6.0, 1.5)),
+    "hall_width": (house("corridor", 4.0, 1.4), house("corridor", 4.0, 1.8)),
+    "chair_away": (table(1.2, "north"), table(1.2, "south")),
+    "row_seat_alone": (rows(0.02), rows(0.5)),
+}
+
+
+@pytest.mark.parametrize("code", CASES)
+def test_a_measure_tells_the_room_that_passes_from_the_one_that_fails(code, tmp_path):
+    passing, failing = (made.read(tmp_path) for made in CASES[code])
+    judge = MEASURES[code].judge
+    assert judge(passing).faults == ()
+    assert judge(failing).faults != ()
+
+
+@pytest.mark.parametrize("code", ["kitchen_runs", "living_without_screen", "bedroom_without_bed", "chair_away"])
+def test_a_measure_leaves_out_rooms_that_it_is_not_for(code, tmp_path):
+    assert MEASURES[code].judge(house("storeroom").read(tmp_path)) is None
+
+
+def test_worktop_between_sink_and_cooker_is_measured_around_a_corner(tmp_path):
+    made = kitchen(("sink_unit", 0.9, 0.3), ("corner_unit", 0.3, 0.3)).piece("worktop", 0.3, 0.9, "east", UNIT)
+    room = made.piece("cooker", 0.3, 1.5, "east", UNIT).read(tmp_path)
+    assert MEASURES["kitchen_worktop"].judge(room).value == pytest.approx(1.2)
+
+
+def test_a_narrow_hall_fails_for_what_stands_in_it(tmp_path):
+    room = house("corridor", 4.0, 1.0).piece("shoe_cabinet", 2.0, 0.2, "north", (0.8, 0.35, 1.0)).read(tmp_path)
+    assert MEASURES["hall_width"].judge(room).faults[0].pieces == ("shoe_cabinet.1",)
+
+
+def test_units_by_area(tmp_path):
+    assert MEASURES["kitchen_length"].judge(kitchen(*RUN).read(tmp_path)).value == pytest.approx(3.0 / 12.0)
+
+
+# --- architects' drawings ---
+
+
+def drawn_toilet(x: float, y: float, rotation: float) -> Drawn:
+    size = {"width": {"value": 70.0}, "length": {"value": 40.0}}
+    return fixture_of({"type": "toilet", "x": x * 100, "y": y * 100, "rotation": rotation, "properties": size}, 0.01)
+
+
+@pytest.mark.parametrize("drawn, agrees", [(drawn_toilet(0.35, 1.0, 0.0), True), (drawn_toilet(1.0, 0.35, 90.0), False)])
+def test_the_wall_of_a_fixture_is_compared_with_the_architects(drawn, agrees, tmp_path):
+    room = house("bathroom", 2.0, 3.0).piece("toilet", 0.35, 2.0, "east", (0.4, 0.7, 0.8)).read(tmp_path)
+    room.drawn.append(drawn)
+    answer = MEASURES["toilet_wall"].judge(room)
+    assert (not answer.faults) == agrees
+    # A wall of 2 or 3 m of 10 m.
+    assert answer.value == pytest.approx(0.3 if agrees else 0.2)
+
+
+def test_drawings_are_in_metres(tmp_path):
+    assert np.allclose(drawn_toilet(0.35, 1.0, 90.0).center, (0.35, 1.0))
+    assert drawn_toilet(0.35, 1.0, 90.0).shape.bounds == pytest.approx((0.15, 0.65, 0.55, 1.35))
