@@ -5,7 +5,6 @@
 //! (`checks/mod.rs`), each check in a file beside it, the figures and where they come from in `configs/audit.yaml`. Whether the plan leaves
 //! another choice the audit asks ([`Question`]): searching for places is the stage after it ([`crate::solve`]).
 
-mod bounds;
 mod checks;
 mod convex;
 mod evidence;
@@ -27,6 +26,7 @@ mod taking;
 pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
+mod upright_box;
 mod verdict;
 mod zone;
 

@@ -6,7 +6,7 @@
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, PointDistance, RTree};
 
-use super::bounds::Bounds;
+use super::upright_box::UprightBox;
 use crate::geometry::Point;
 
 /// Others that a thing is compared with at most. A table that is laid for twelve touches some sixty; with more, a room
@@ -19,7 +19,7 @@ pub(crate) struct NearBoxes {
 }
 
 impl NearBoxes {
-    pub(crate) fn new(boxes: impl Iterator<Item = Bounds>) -> Self {
+    pub(crate) fn new(boxes: impl Iterator<Item = UprightBox>) -> Self {
         let filled = boxes.enumerate().filter(|(_, bounds)| !bounds.is_empty());
         let entries = filled.map(|(index, bounds)| {
             let corners = (bounds.low.to_array(), bounds.high.to_array());
@@ -29,7 +29,7 @@ impl NearBoxes {
     }
 
     /// The boxes that share a point with another, in no order that means anything; none touches an empty one.
-    pub(crate) fn touching(&self, bounds: &Bounds) -> impl Iterator<Item = usize> + use<'_> {
+    pub(crate) fn touching(&self, bounds: &UprightBox) -> impl Iterator<Item = usize> + use<'_> {
         // Of an empty box the corners are swapped, which the tree would take for the box between them.
         let around =
             (!bounds.is_empty()).then(|| AABB::from_corners(bounds.low.to_array(), bounds.high.to_array()));
@@ -39,7 +39,7 @@ impl NearBoxes {
 
     /// All pairs of boxes that touch, as `(lower index, higher index)`, sorted; of a box that touches more than
     /// [`MOST_NEAR`] others, so many.
-    pub(crate) fn touching_pairs(&self, boxes: impl Iterator<Item = Bounds>) -> Vec<(usize, usize)> {
+    pub(crate) fn touching_pairs(&self, boxes: impl Iterator<Item = UprightBox>) -> Vec<(usize, usize)> {
         let mut pairs = Vec::new();
         for (index, bounds) in boxes.enumerate() {
             let others = self.touching(&bounds).filter(|&other| other != index).take(MOST_NEAR);
@@ -91,15 +91,15 @@ mod tests {
 
     use super::*;
 
-    fn unit_box(x: f64, y: f64, z: f64) -> Bounds {
-        Bounds { low: DVec3::new(x, y, z), high: DVec3::new(x + 1.0, y + 1.0, z + 1.0) }
+    fn unit_box(x: f64, y: f64, z: f64) -> UprightBox {
+        UprightBox { low: DVec3::new(x, y, z), high: DVec3::new(x + 1.0, y + 1.0, z + 1.0) }
     }
 
-    fn share_a_point(one: Bounds, other: Bounds) -> bool {
+    fn share_a_point(one: UprightBox, other: UprightBox) -> bool {
         one.low.cmple(other.high).all() && other.low.cmple(one.high).all()
     }
 
-    fn pairs(boxes: &[Bounds]) -> Vec<(usize, usize)> {
+    fn pairs(boxes: &[UprightBox]) -> Vec<(usize, usize)> {
         NearBoxes::new(boxes.iter().copied()).touching_pairs(boxes.iter().copied())
     }
 
@@ -110,7 +110,7 @@ mod tests {
             unit_box(5.0, 0.0, 0.0),
             unit_box(0.9, 0.9, 0.9),
             unit_box(0.0, 0.0, 2.0),
-            Bounds::EMPTY,
+            UprightBox::EMPTY,
         ];
         assert_eq!(pairs(&boxes), [(0, 2)]);
         assert!(pairs(&[]).is_empty());
@@ -120,7 +120,7 @@ mod tests {
     fn the_pairs_are_those_of_asking_every_pair() {
         let scatter = |i: u32, step: u32| f64::from((i * step) % 101) / 10.0;
         for tall in [0.5, 3.0] {
-            let boxes: Vec<Bounds> = (0..120)
+            let boxes: Vec<UprightBox> = (0..120)
                 .map(|i| unit_box(scatter(i, 37), scatter(i, 53) * tall, scatter(i, 71) / 5.0))
                 .collect();
             let every: Vec<(usize, usize)> = (0..boxes.len())

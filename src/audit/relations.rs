@@ -109,8 +109,8 @@ impl<'s, 'a> Known<'s, 'a> {
                 });
             }
             ParentName::Column => {
-                let bounds = room.obstacles.iter().map(|column| column.outline.bounds());
-                bounds.for_each(|(low, high)| visit(fixed((low + high) / 2.0, Point::NEG_Y)));
+                let middles = room.obstacles.iter().map(|column| column.outline.bounds().center());
+                middles.for_each(|middle| visit(fixed(middle, Point::NEG_Y)));
             }
             ParentName::Floor | ParentName::Ceiling => {}
         }

@@ -11,10 +11,10 @@ use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, object_id, opening_id, solids};
 use crate::plan::{Level, Room};
 
-use super::bounds::Bounds;
 use super::convex::area;
 use super::fault::{Element, Named};
 use super::near::{NearBoxes, NearPoints};
+use super::upright_box::UprightBox;
 
 /// One furnished room.
 pub(crate) struct Subject<'a> {
@@ -47,7 +47,7 @@ pub(crate) struct Body<'a> {
     /// Its solid parts in the level's frame.
     pub(crate) solids: Vec<Solid>,
     /// The box around them.
-    pub(crate) bounds: Bounds,
+    pub(crate) bounds: UprightBox,
 }
 
 impl<'a> Subject<'a> {
@@ -159,7 +159,7 @@ impl<'a> Body<'a> {
     fn new(placement: &'a Placement, catalog: &'a Catalog) -> Self {
         let class = &catalog.classes[placement.class];
         let solids = solids(class, placement);
-        let bounds = solids.iter().map(solid_bounds).fold(Bounds::EMPTY, Bounds::union);
+        let bounds = solids.iter().map(solid_bounds).fold(UprightBox::EMPTY, UprightBox::union);
         Self { id: object_id(catalog, placement).to_string(), placement, class, solids, bounds }
     }
 
@@ -210,10 +210,10 @@ impl<'a> Body<'a> {
 }
 
 /// The box around a prism.
-pub(crate) fn solid_bounds(solid: &Solid) -> Bounds {
-    let flat = edges(solid.footprint()).fold(Bounds::EMPTY, |bounds, (corner, _)| {
+pub(crate) fn solid_bounds(solid: &Solid) -> UprightBox {
+    let flat = edges(solid.footprint()).fold(UprightBox::EMPTY, |bounds, (corner, _)| {
         let corner = DVec3::new(corner.x, corner.y, solid.low);
-        bounds.union(Bounds { low: corner, high: corner })
+        bounds.union(UprightBox { low: corner, high: corner })
     });
-    Bounds { low: flat.low, high: flat.high.with_z(solid.high) }
+    UprightBox { low: flat.low, high: flat.high.with_z(solid.high) }
 }

@@ -2,9 +2,9 @@
 
 use crate::geometry::{Point, Solid, nearest_on_segment};
 
-use super::bounds::Bounds;
 use super::convex::{intersection, middle, penetration};
 use super::subject::{Body, Subject};
+use super::upright_box::UprightBox;
 
 /// An upright convex prism that people need.
 pub(crate) struct Zone {
@@ -38,12 +38,12 @@ pub(crate) enum Purpose {
 
 impl Zone {
     /// The box around it.
-    pub(crate) fn bounds(&self) -> Bounds {
-        let corners = self
-            .base
-            .iter()
-            .map(|corner| Bounds { low: corner.extend(self.heights.0), high: corner.extend(self.heights.1) });
-        corners.fold(Bounds::EMPTY, Bounds::union)
+    pub(crate) fn bounds(&self) -> UprightBox {
+        let corners = self.base.iter().map(|corner| UprightBox {
+            low: corner.extend(self.heights.0),
+            high: corner.extend(self.heights.1),
+        });
+        corners.fold(UprightBox::EMPTY, UprightBox::union)
     }
 
     /// How far a body reaches into the zone; zero where it does not, or where a wall stands between

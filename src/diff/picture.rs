@@ -12,7 +12,7 @@ use super::report::{LevelDiff, Presence, RoomDiff};
 use crate::catalog::{Catalog, Side, Size};
 use crate::contract::ElementId;
 use crate::draw::{MarkKind, RoomDrawing, RoomMark, draw_room, room_frame};
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::layout::{Furnished, Parent, Placement};
 use crate::read_back::ObjectEntry;
 
@@ -60,8 +60,7 @@ fn draw_pair(
     let old = old.filter(|_| room.state != Presence::Added).and_then(|reading| view(reading, &room.room));
     let new = new.filter(|_| room.state != Presence::Removed).and_then(|reading| view(reading, &room.room));
     let frames = [&old, &new].into_iter().flatten().filter_map(View::frame);
-    let frame = frames.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-    let Some(frame) = frame else {
+    let Some(frame) = frames.reduce(Bounds::union) else {
         return RoomPictures { room: room.room.clone(), ..RoomPictures::default() };
     };
     let draw = |view: &Option<View<'_>>, title: &str, marks: Vec<RoomMark>| {
@@ -82,17 +81,11 @@ fn view<'a>(reading: &'a Reading, id: &str) -> Option<View<'a>> {
 }
 
 impl View<'_> {
-    fn frame(&self) -> Option<(Point, Point)> {
+    fn frame(&self) -> Option<Bounds> {
         Some(room_frame(&self.reading.level.as_ref()?.level.rooms[self.index]))
     }
 
-    fn draw(
-        &self,
-        marks: &[RoomMark],
-        title: &str,
-        frame: (Point, Point),
-        catalog: &Catalog,
-    ) -> Option<String> {
+    fn draw(&self, marks: &[RoomMark], title: &str, frame: Bounds, catalog: &Catalog) -> Option<String> {
         let level = &self.reading.level.as_ref()?.level;
         let is_known = |object: &&ObjectEntry| catalog.class_index(&object.class).is_some();
         let (known, unknown): (Vec<&ObjectEntry>, Vec<&ObjectEntry>) =

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::document::xml_text;
-use crate::geometry::{Point, bounds_overlap};
+use crate::geometry::{Bounds, Point};
 
 /// Pixels per metre of a house; large levels are drawn smaller.
 const SCALE: f64 = 60.0;
@@ -26,15 +26,15 @@ pub(crate) const LETTER_WIDTH: f64 = 0.58;
 /// A sheet: a title, the plan, notes.
 pub(crate) struct Canvas {
     body: String,
-    low: Point,
-    high: Point,
+    /// The part of the plan that the sheet shows.
+    shown: Bounds,
     scale: f64,
     /// Pixels from the top to the next note.
     pen: f64,
     /// Patterns that the elements refer to.
     definitions: String,
-    /// Pixels that words and marks take: upper left and lower right corners.
-    taken: Vec<(Point, Point)>,
+    /// Pixels that words and marks take.
+    taken: Vec<Bounds>,
 }
 
 /// How text is set.
@@ -56,11 +56,11 @@ pub(crate) struct TextStyle {
 
 impl Canvas {
     /// A sheet for a part of the plan.
-    pub(crate) fn new((low, high): (Point, Point)) -> Self {
-        let size = high - low;
+    pub(crate) fn new(shown: Bounds) -> Self {
+        let size = shown.size();
         let scale = SCALE.min(LONGEST_SIDE / size.max_element());
         let pen = HEAD + size.y * scale;
-        Self { body: String::new(), low, high, scale, pen, definitions: String::new(), taken: Vec::new() }
+        Self { body: String::new(), shown, scale, pen, definitions: String::new(), taken: Vec::new() }
     }
 
     /// Pixels per metre.
@@ -70,18 +70,18 @@ impl Canvas {
 
     /// Pixels from the left and the top.
     pub(crate) fn pixel(&self, point: Point) -> Point {
-        let offset = (point - self.low) * self.scale;
-        Point::new(offset.x, HEAD + (self.high.y - self.low.y) * self.scale - offset.y)
+        let offset = (point - self.shown.low) * self.scale;
+        Point::new(offset.x, self.plan_bottom() - offset.y)
     }
 
     /// Pixels of the sheet's width.
     pub(crate) fn width(&self) -> f64 {
-        ((self.high.x - self.low.x) * self.scale).max(NARROWEST)
+        (self.shown.size().x * self.scale).max(NARROWEST)
     }
 
     /// Pixels from the top to the end of the plan.
     pub(crate) fn plan_bottom(&self) -> f64 {
-        HEAD + (self.high.y - self.low.y) * self.scale
+        HEAD + self.shown.size().y * self.scale
     }
 
     /// Pixels from the top to the next note.
@@ -95,14 +95,15 @@ impl Canvas {
     }
 
     /// Whether a rectangle of pixels lies beside the plan or on it, where no words and no marks are.
-    pub(crate) fn is_clear(&self, (low, high): (Point, Point)) -> bool {
+    pub(crate) fn is_clear(&self, rectangle: Bounds) -> bool {
+        let Bounds { low, high } = rectangle;
         let is_on_plan =
             low.x >= 0.0 && high.x <= self.width() && low.y >= HEAD && high.y <= self.plan_bottom();
-        is_on_plan && !self.taken.iter().any(|&taken| bounds_overlap((low, high), taken, 0.0))
+        is_on_plan && !self.taken.iter().any(|&taken| rectangle.overlaps(taken, 0.0))
     }
 
     /// Keeps words and marks that ask off a rectangle of pixels.
-    pub(crate) fn reserve(&mut self, rectangle: (Point, Point)) {
+    pub(crate) fn reserve(&mut self, rectangle: Bounds) {
         self.taken.push(rectangle);
     }
 
@@ -239,7 +240,7 @@ pub(crate) fn short(value: f64) -> String {
 }
 
 /// The pixels that a text takes.
-fn extent(at: Point, text: &str, style: TextStyle) -> (Point, Point) {
+fn extent(at: Point, text: &str, style: TextStyle) -> Bounds {
     let length = text.chars().count() as f64 * style.size * LETTER_WIDTH;
     let before = match style.anchor {
         "middle" => length / 2.0,
@@ -248,8 +249,8 @@ fn extent(at: Point, text: &str, style: TextStyle) -> (Point, Point) {
     };
     let half = style.size / 2.0;
     if style.is_upright {
-        (at + Point::new(-half, before - length), at + Point::new(half, before))
+        Bounds::new(at + Point::new(-half, before - length), at + Point::new(half, before))
     } else {
-        (at - Point::new(before, half), at + Point::new(length - before, half))
+        Bounds::new(at - Point::new(before, half), at + Point::new(length - before, half))
     }
 }

@@ -1,7 +1,7 @@
 //! Places the names of rooms, each at the emptiest spot of its room.
 
 use crate::audit::Grade;
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::layout::{Furnished, Parent};
 use crate::plan::Room;
 
@@ -74,7 +74,7 @@ fn cut(text: &str, letters: usize) -> String {
 
 /// The lowest and highest x around a place between which a line of text of some height stays in the room.
 fn free_stretch(room: &Room, at: Point, height: f64) -> (f64, f64) {
-    let (low, high) = room.region.outline.bounds();
+    let Bounds { low, high } = room.region.outline.bounds();
     let crossings = |y: f64| {
         let crossed = room.region.borders().filter(move |(a, b)| (a.y > y) != (b.y > y));
         crossed.map(move |(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
@@ -102,15 +102,16 @@ fn name_color(drawing: &Drawing<'_>, room: usize) -> &'static str {
 
 /// The place of a raster over the room that is farthest from walls and furniture.
 fn emptiest_place(room: &Room, furnished: &Furnished) -> Point {
-    let (low, high) = room.region.outline.bounds();
-    let step = (high - low) / RASTER as f64;
-    let at =
-        |index: usize| low + step * Point::new((index % RASTER) as f64 + 0.5, (index / RASTER) as f64 + 0.5);
+    let bounds = room.region.outline.bounds();
+    let step = bounds.size() / RASTER as f64;
+    let at = |index: usize| {
+        bounds.low + step * Point::new((index % RASTER) as f64 + 0.5, (index / RASTER) as f64 + 0.5)
+    };
     let inside = (0..RASTER * RASTER).map(at).filter(|&point| room.region.contains(point));
     let best = inside.map(|point| (point, freedom(point, room, furnished)));
     // The first of equals: `max_by` would take the last.
     let best = best.reduce(|best, next| if next.1 > best.1 { next } else { best });
-    best.map_or((low + high) / 2.0, |(point, _)| point)
+    best.map_or(bounds.center(), |(point, _)| point)
 }
 
 /// Metres to the nearest wall or object; names are wide, so that metres to the side count less.

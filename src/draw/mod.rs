@@ -15,7 +15,7 @@ mod symbols;
 
 use crate::audit::Finding;
 use crate::catalog::Catalog;
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::layout::Furnished;
 use crate::plan::{Level, SitePlacement};
 
@@ -106,21 +106,18 @@ fn paint(drawing: &Drawing<'_>) -> Canvas {
     canvas
 }
 
-/// Lowest and highest point of the sheet in plan metres.
-fn bounds(level: &Level) -> (Point, Point) {
-    let nothing = (Point::INFINITY, Point::NEG_INFINITY);
+/// The sheet in plan metres.
+fn bounds(level: &Level) -> Bounds {
     let corners = level.rooms.iter().flat_map(|room| room.region.outline.corners());
     // Doors may open outward, over the margin.
     let leaves = level.openings.iter().flat_map(|opening| &opening.leaves);
-    let points = corners.chain(leaves.map(|leaf| &leaf.open_tip));
-    let (low, high) = points.fold(nothing, |(low, high), &corner| (low.min(corner), high.max(corner)));
-    if !low.is_finite() {
-        return (Point::ZERO, Point::ONE);
+    let bounds = Bounds::around(corners.chain(leaves.map(|leaf| &leaf.open_tip)).copied());
+    if !bounds.low.is_finite() {
+        return Bounds::new(Point::ZERO, Point::ONE);
     }
     let walls = level.rooms.iter().flat_map(|room| &room.walls);
     let thickness = walls.fold(0.0, |most: f64, wall| most.max(wall.thickness));
-    let margin = Point::splat(MARGIN + thickness);
-    (low - margin, high + margin)
+    bounds.inflated(MARGIN + thickness)
 }
 
 #[cfg(test)]

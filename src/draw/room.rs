@@ -1,7 +1,7 @@
 //! Draws one room by itself, with marks on its differences from another state of it.
 
 use crate::catalog::Catalog;
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::layout::{Furnished, Parent};
 use crate::plan::{Level, OpeningSide, Room, SitePlacement};
 
@@ -25,8 +25,8 @@ pub struct RoomDrawing<'a> {
     pub catalog: &'a Catalog,
     /// The line above the plan.
     pub title: &'a str,
-    /// Lowest and highest corner of what is shown: equal for pictures that are compared.
-    pub frame: (Point, Point),
+    /// The part of the plan that is shown: equal for pictures that are compared.
+    pub frame: Bounds,
 }
 
 /// A mark on an object.
@@ -71,9 +71,8 @@ const USUAL_THICKNESS: f64 = 0.1;
 
 /// Metres around a room that its picture shows.
 #[must_use]
-pub fn room_frame(room: &Room) -> (Point, Point) {
-    let (low, high) = room.region.outline.bounds();
-    (low - Point::splat(MARGIN), high + Point::splat(MARGIN))
+pub fn room_frame(room: &Room) -> Bounds {
+    room.region.outline.bounds().inflated(MARGIN)
 }
 
 /// Draws a room.
@@ -119,11 +118,11 @@ pub fn draw_room(picture: &RoomDrawing<'_>) -> String {
 }
 
 /// A frame as wide as the narrowest sheet, so that a small room stands in its middle.
-fn centered((low, high): (Point, Point)) -> (Point, Point) {
-    let canvas = Canvas::new((low, high));
-    let spare = canvas.width() / canvas.scale() - (high.x - low.x);
+fn centered(frame: Bounds) -> Bounds {
+    let canvas = Canvas::new(frame);
+    let spare = canvas.width() / canvas.scale() - frame.size().x;
     let aside = Point::new(spare.max(0.0) / 2.0, 0.0);
-    (low - aside, high + aside)
+    Bounds::new(frame.low - aside, frame.high + aside)
 }
 
 /// The room with walls as thick as its openings are deep: files have the middle of an opening, which is

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::catalog::{Class, ModelSource, Size};
-use crate::geometry::{Point, direction};
+use crate::geometry::{Bounds, Point, direction};
 use crate::recipes::Symbol;
 
 /// A line of a symbol in metres in its object's frame: x to the right, y to the front, from its middle.
@@ -167,8 +167,7 @@ fn line(from: Point, to: Point) -> Stroke {
 }
 
 fn rectangle(low: Point, high: Point) -> Stroke {
-    let corners = vec![low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
-    Stroke { points: corners, is_closed: true }
+    Stroke { points: Bounds::new(low, high).corners().into(), is_closed: true }
 }
 
 /// An ellipse as a polygon that is round on paper.

@@ -1,4 +1,4 @@
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::layout::{Parent, Placement, Removal, RemovalReason};
 use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, WallKind, assemble_level};
 
@@ -258,7 +258,7 @@ fn clearances_come_on_request() {
 
 #[test]
 fn up_in_the_plan_is_up_on_the_sheet() {
-    let canvas = Canvas::new((Point::ZERO, Point::splat(10.0)));
+    let canvas = Canvas::new(Bounds::new(Point::ZERO, Point::splat(10.0)));
     assert!(canvas.pixel(Point::new(0.0, 9.0)).y < canvas.pixel(Point::new(0.0, 1.0)).y);
 }
 

@@ -4,7 +4,7 @@
 //! Detection", SIGGRAPH 1996, section 5 (the test that the paper cites), here in the plane: two convex
 //! polygons are apart if and only if the normal of one of their edges separates their projections.
 
-use super::Point;
+use super::{Bounds, Point};
 
 /// Corners of a [`Convex`] that stands for a disc; its flats touch the disc, so its extent along the
 /// class's axes is the disc's own.
@@ -85,11 +85,12 @@ impl Convex {
         self.corners().iter().sum::<Point>() / self.count as f64
     }
 
-    /// Lowest and highest corner of the axis-parallel bounding box.
+    /// The axis-parallel box around it.
     #[must_use]
-    pub fn bounds(&self) -> (Point, Point) {
+    pub fn bounds(&self) -> Bounds {
         let first = self.corners[0];
-        self.corners()[1..].iter().fold((first, first), |(low, high), &c| (low.min(c), high.max(c)))
+        let first = Bounds::new(first, first);
+        self.corners()[1..].iter().fold(first, |bounds, &corner| bounds.union(Bounds::new(corner, corner)))
     }
 
     /// Lowest and highest projection on a direction.
@@ -255,7 +256,7 @@ mod tests {
     #[test]
     fn a_disc_is_as_wide_as_its_radius_and_lets_corners_pass() {
         let disc = Convex::disc(Point::ZERO, Point::splat(1.0), Point::X);
-        let (low, high) = disc.bounds();
+        let Bounds { low, high } = disc.bounds();
         assert!((low + Point::ONE).length() < 1e-12 && (high - Point::ONE).length() < 1e-12);
         let near_corner = Convex::rectangle(Point::splat(1.3), Point::splat(0.5), Point::X);
         assert!(!disc.overlaps(&near_corner, 1e-4));

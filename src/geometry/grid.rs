@@ -1,6 +1,6 @@
 //! A uniform grid over a room: the broad phase of collision and containment.
 
-use super::{Convex, Point, edges};
+use super::{Bounds, Convex, Point, edges};
 
 /// Metres of a cell; about the size of one piece of furniture, so that most bodies lie in one to four cells.
 const CELL: f64 = 1.0;
@@ -26,18 +26,25 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// A grid over the box from `low` to `high`; what lies outside is kept in the border cells.
+    /// A grid over a box; what lies outside is kept in the border cells.
     #[must_use]
-    pub fn new(low: Point, high: Point) -> Self {
-        let size = (high - low).max(Point::splat(CELL));
+    pub fn new(bounds: Bounds) -> Self {
+        let size = bounds.size().max(Point::splat(CELL));
         let cells = |length: f64| ((length / CELL).ceil() as usize).clamp(1, MAXIMUM_CELLS);
         let (columns, rows) = (cells(size.x), cells(size.y));
         let scale = Point::new(columns as f64 / size.x, rows as f64 / size.y);
-        Self { origin: low, scale, columns, rows, heads: vec![NONE; columns * rows], entries: Vec::new() }
+        Self {
+            origin: bounds.low,
+            scale,
+            columns,
+            rows,
+            heads: vec![NONE; columns * rows],
+            entries: Vec::new(),
+        }
     }
 
-    fn cells(&self, (low, high): (Point, Point)) -> (usize, usize, usize, usize) {
-        let (low, high) = ((low - self.origin) * self.scale, (high - self.origin) * self.scale);
+    fn cells(&self, bounds: Bounds) -> (usize, usize, usize, usize) {
+        let [low, high] = [bounds.low, bounds.high].map(|corner| (corner - self.origin) * self.scale);
         (
             index_of(low.x, self.columns),
             index_of(high.x, self.columns),
@@ -47,7 +54,7 @@ impl Grid {
     }
 
     /// Adds an item with its bounding box.
-    pub fn insert(&mut self, item: u32, bounds: (Point, Point)) {
+    pub fn insert(&mut self, item: u32, bounds: Bounds) {
         let (left, right, bottom, top) = self.cells(bounds);
         for row in bottom..=top {
             for column in left..=right {
@@ -61,7 +68,7 @@ impl Grid {
     }
 
     /// Takes an item out again; `bounds` as it was added.
-    pub fn remove(&mut self, item: u32, bounds: (Point, Point)) {
+    pub fn remove(&mut self, item: u32, bounds: Bounds) {
         let (left, right, bottom, top) = self.cells(bounds);
         for row in bottom..=top {
             for column in left..=right {
@@ -88,7 +95,7 @@ impl Grid {
     }
 
     /// Whether any item whose cells meet the box answers yes; stops at the first.
-    pub fn any(&self, bounds: (Point, Point), mut question: impl FnMut(u32) -> bool) -> bool {
+    pub fn any(&self, bounds: Bounds, mut question: impl FnMut(u32) -> bool) -> bool {
         let (left, right, bottom, top) = self.cells(bounds);
         (bottom..=top).any(|row| {
             (left..=right).any(|column| self.items(row * self.columns + column).any(&mut question))
@@ -105,7 +112,7 @@ impl Grid {
     }
 
     /// Calls `visit` for every item whose cells meet the box.
-    pub fn each(&self, bounds: (Point, Point), mut visit: impl FnMut(u32)) {
+    pub fn each(&self, bounds: Bounds, mut visit: impl FnMut(u32)) {
         self.any(bounds, |item| {
             visit(item);
             false
@@ -167,33 +174,33 @@ mod tests {
 
     #[test]
     fn the_grid_finds_near_items_and_forgets_removed_ones() {
-        let mut grid = Grid::new(Point::ZERO, Point::splat(10.0));
-        grid.insert(7, (Point::splat(1.2), Point::splat(3.4)));
-        grid.insert(8, (Point::splat(8.0), Point::splat(8.5)));
+        let mut grid = Grid::new(Bounds::new(Point::ZERO, Point::splat(10.0)));
+        grid.insert(7, Bounds::new(Point::splat(1.2), Point::splat(3.4)));
+        grid.insert(8, Bounds::new(Point::splat(8.0), Point::splat(8.5)));
         let found = |grid: &Grid, x: f64| {
             let mut items = Vec::new();
-            grid.each((Point::splat(x), Point::splat(x + 0.1)), |item| items.push(item));
+            grid.each(Bounds::new(Point::splat(x), Point::splat(x + 0.1)), |item| items.push(item));
             items
         };
         assert_eq!(found(&grid, 2.5), [7]);
         assert_eq!(found(&grid, 8.2), [8]);
-        grid.remove(7, (Point::splat(1.2), Point::splat(3.4)));
+        grid.remove(7, Bounds::new(Point::splat(1.2), Point::splat(3.4)));
         assert!(found(&grid, 2.5).is_empty());
     }
 
     #[test]
     fn items_outside_the_grid_are_found_at_its_border() {
-        let mut grid = Grid::new(Point::ZERO, Point::splat(4.0));
-        grid.insert(1, (Point::splat(-3.0), Point::splat(-2.0)));
-        assert!(grid.any((Point::splat(-5.0), Point::splat(-1.0)), |item| item == 1));
+        let mut grid = Grid::new(Bounds::new(Point::ZERO, Point::splat(4.0)));
+        grid.insert(1, Bounds::new(Point::splat(-3.0), Point::splat(-2.0)));
+        assert!(grid.any(Bounds::new(Point::splat(-5.0), Point::splat(-1.0)), |item| item == 1));
     }
 
     #[test]
     fn a_slanted_strip_finds_all_items_that_it_meets_and_few_others() {
-        let mut grid = Grid::new(Point::ZERO, Point::splat(20.0));
+        let mut grid = Grid::new(Bounds::new(Point::ZERO, Point::splat(20.0)));
         let box_of = |item: u32| {
             let low = Point::new(f64::from(item % 23), f64::from(item / 23)) - 1.5;
-            (low, low + 0.6)
+            Bounds::new(low, low + 0.6)
         };
         (0..23 * 23).for_each(|item| grid.insert(item, box_of(item)));
         for turn in 0..12 {
@@ -204,8 +211,8 @@ mod tests {
                 found.insert(item);
             });
             let is_met = |&item: &u32| {
-                let (low, high) = box_of(item);
-                Convex::rectangle((low + high) / 2.0, (high - low) / 2.0, Point::X).overlaps(&strip, 0.0)
+                let bounds = box_of(item);
+                Convex::rectangle(bounds.center(), bounds.size() / 2.0, Point::X).overlaps(&strip, 0.0)
             };
             let met: Vec<u32> = (0..23 * 23).filter(is_met).collect();
             assert!(met.len() > 10 && met.iter().all(|item| found.contains(item)), "turn {turn}");

@@ -3,6 +3,7 @@
 //! Everything here is pure, works in plan metres (x east, y north, z up) and knows neither files nor rooms. Angles are
 //! radians, counter-clockwise seen from above.
 
+mod bounds;
 mod convex;
 mod disjoint_sets;
 mod extent;
@@ -12,6 +13,7 @@ mod polygon;
 mod segment;
 mod solid;
 
+pub use bounds::Bounds;
 pub use convex::{Convex, DISC_CORNERS};
 pub(crate) use disjoint_sets::DisjointSets;
 pub use extent::{Side, Size};
@@ -19,7 +21,7 @@ pub use grid::Grid;
 pub use interval::Intervals;
 pub use polygon::{CORNER_TOLERANCE, Polygon, PolygonFault, Region};
 pub use segment::{distance_to_convex, edges, nearest_on_segment};
-pub use solid::{Solid, bounds_overlap};
+pub use solid::Solid;
 
 /// A point or direction in the plan frame: metres, x east, y north. Scene points are [`glam::Vec3`]
 /// and cross over in `scene/` only.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Point;
+use super::{Bounds, Point};
 
 /// Corners closer than this are one corner (real plans carry corners 2 cm apart; this is below any of them).
 pub const CORNER_TOLERANCE: f64 = 1e-4;
@@ -79,8 +79,7 @@ impl Polygon {
     #[must_use]
     pub fn rectangle(origin: Point, size: Point) -> Self {
         assert!(size.x > 0.0 && size.y > 0.0, "a rectangle has a positive size");
-        let (low, high) = (origin, origin + size);
-        Self { corners: vec![low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)] }
+        Self { corners: Bounds::new(origin, origin + size).corners().into() }
     }
 
     /// The corners, counter-clockwise.
@@ -116,11 +115,10 @@ impl Polygon {
         inside
     }
 
-    /// Lowest and highest corner of the axis-parallel bounding box.
+    /// The axis-parallel box around it.
     #[must_use]
-    pub fn bounds(&self) -> (Point, Point) {
-        let first = self.corners[0];
-        self.corners.iter().fold((first, first), |(low, high), &corner| (low.min(corner), high.max(corner)))
+    pub fn bounds(&self) -> Bounds {
+        Bounds::around(self.corners.iter().copied())
     }
 }
 

@@ -1,6 +1,6 @@
 //! Upright prisms: the solid parts of furniture, and regions that must stay free.
 
-use super::{Convex, Point};
+use super::{Bounds, Convex, Point};
 
 /// An upright convex prism: a footprint between two heights.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,8 +11,8 @@ pub struct Solid {
     pub low: f64,
     /// Metres of the top above the room's floor.
     pub high: f64,
-    /// Bounding box of the footprint: lowest and highest corner.
-    pub bounds: (Point, Point),
+    /// The box around the footprint.
+    pub bounds: Bounds,
 }
 
 impl Solid {
@@ -32,13 +32,7 @@ impl Solid {
     #[must_use]
     pub fn overlaps(&self, other: &Self, tolerance: f64) -> bool {
         self.high.min(other.high) - self.low.max(other.low) > tolerance
-            && bounds_overlap(self.bounds, other.bounds, tolerance)
+            && self.bounds.overlaps(other.bounds, tolerance)
             && self.base.overlaps(&other.base, tolerance)
     }
-}
-
-/// Whether two axis-parallel boxes overlap by more than `tolerance` metres.
-#[must_use]
-pub fn bounds_overlap(a: (Point, Point), b: (Point, Point), tolerance: f64) -> bool {
-    (a.1.min(b.1) - a.0.max(b.0)).cmpgt(Point::splat(tolerance)).all()
 }

@@ -90,7 +90,7 @@ impl<'a> Environment<'a> {
     /// An environment without resting agents.
     pub(crate) fn new(brief: &'a Brief<'a>, start: &Start<'_>) -> Self {
         let Brief { catalog, surroundings, pieces, .. } = brief;
-        let (low, high) = surroundings.room.region.outline.bounds();
+        let bounds = surroundings.room.region.outline.bounds();
         let agents = pieces.iter().zip(start.urgency).map(|(piece, &urgency)| {
             let size = catalog.classes[piece.class].size(piece.variant);
             Agent { urgency, ..Agent::new(*piece, size) }
@@ -103,11 +103,11 @@ impl<'a> Environment<'a> {
             is_exhausted: vec![false; catalog.classes.len()],
             heeds_tags: start.heeds_tags,
             bodies: Vec::with_capacity(pieces.len() * 2),
-            body_grid: Grid::new(low, high),
+            body_grid: Grid::new(bounds),
             clearances: Vec::new(),
-            clearance_grid: Grid::new(low, high),
+            clearance_grid: Grid::new(bounds),
             roofs: Vec::new(),
-            roof_grid: Grid::new(low, high),
+            roof_grid: Grid::new(bounds),
             kept_free: surroundings.kept_free.clone(),
             kept_free_grid: surroundings.kept_free_grid.clone(),
             scratch: Cell::default(),

@@ -3,6 +3,7 @@
 //! The paper (section 4.1) computes a room's seed "based on its position and number"; here the global seed,
 //! the building and the level join in, so that no two rooms of a city share one.
 
+use crate::geometry::Bounds;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
@@ -20,7 +21,7 @@ impl RoomKey {
     /// SHA-256 over global seed, building, level, room number and position, each with its length or in a
     /// fixed width, so that no two inputs spell the same bytes.
     pub(crate) fn new(seed: u64, building: &str, level: &Level, room: &Room) -> Self {
-        let (low, _) = room.region.outline.bounds();
+        let Bounds { low, .. } = room.region.outline.bounds();
         let mut hash = Sha256::new();
         hash.update(seed.to_le_bytes());
         for text in [building, level.id.as_str()] {

@@ -1,7 +1,7 @@
 //! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
 
 use crate::catalog::AuditRules;
-use crate::geometry::{Convex, DISC_CORNERS, Grid, Point, Polygon, Solid};
+use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Solid};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
 use super::constants::{WALL_POINTS, WALL_STEP};
@@ -34,8 +34,8 @@ pub(crate) struct Border {
 
 impl Border {
     /// The box around it.
-    pub(crate) fn bounds(&self) -> (Point, Point) {
-        (self.start.min(self.end), self.start.max(self.end))
+    pub(crate) fn bounds(&self) -> Bounds {
+        Bounds::around([self.start, self.end])
     }
 }
 
@@ -85,15 +85,15 @@ pub(crate) struct Surroundings<'a> {
 impl<'a> Surroundings<'a> {
     /// Works out the surroundings of a room; what has to stay free is what the audit asks for.
     pub(crate) fn new(level: &'a Level, room: &'a Room, rules: &AuditRules, swings: Swings) -> Self {
-        let (low, high) = room.region.outline.bounds();
+        let bounds = room.region.outline.bounds();
         let mut surroundings = Self {
             level,
             room,
             main_angle: main_angle(room),
             borders: Vec::new(),
-            border_grid: Grid::new(low, high),
+            border_grid: Grid::new(bounds),
             kept_free: Vec::new(),
-            kept_free_grid: Grid::new(low, high),
+            kept_free_grid: Grid::new(bounds),
             columns: room
                 .obstacles
                 .iter()
@@ -164,7 +164,7 @@ impl<'a> Surroundings<'a> {
 }
 
 /// Adds boxes to a grid by number.
-fn fill(grid: &mut Grid, boxes: impl Iterator<Item = (Point, Point)>) {
+fn fill(grid: &mut Grid, boxes: impl Iterator<Item = Bounds>) {
     for (number, bounds) in (0..).zip(boxes) {
         grid.insert(number, bounds);
     }

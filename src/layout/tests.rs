@@ -181,7 +181,7 @@ fn nearest_to_the_open_side(catalog: &Catalog) -> f64 {
         let on_floor = furnished.placements.into_iter().filter(|one| one.elevation < 2.0);
         on_floor.flat_map(|one| solids(&catalog.classes[one.class], &one)).collect::<Vec<_>>()
     });
-    let low = bodies.map(|solid| solid.bounds.0.y);
+    let low = bodies.map(|solid| solid.bounds.low.y);
     low.fold(f64::INFINITY, f64::min)
 }
 

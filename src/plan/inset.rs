@@ -10,7 +10,7 @@ use geo::{BooleanOps, unary_union};
 
 use super::assemble::BoxIndex;
 use super::clean::{Ring, clean_ring, largest_part, mean_width, meeting_point, to_points, to_surface};
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Bounds, Point, Polygon};
 
 /// Edges this close in metres to each other are the two sides of one centre line.
 const SHARED_DISTANCE: f64 = 0.03;
@@ -44,7 +44,7 @@ pub(super) fn inset_rooms(rooms: Vec<CenterRoom>, depth: f64) -> Vec<CenterRoom>
     let borders: Vec<Vec<Edge>> = rooms.iter().map(edges_of).collect();
     let index = BoxIndex::of(borders.iter().enumerate().flat_map(|(room, edges)| {
         let edges = edges.iter().enumerate();
-        edges.map(move |(edge, (start, end))| (start.min(*end), start.max(*end), (room, edge)))
+        edges.map(move |(edge, &(start, end))| (Bounds::around([start, end]), (room, edge)))
     }));
     let shared: Vec<Vec<bool>> = (0..rooms.len()).map(|room| shared_edges(room, &borders, &index)).collect();
     rooms.into_iter().zip(shared).map(|(room, shared)| inset_room(room, &shared, depth)).collect()
@@ -61,8 +61,8 @@ fn edges_of(room: &CenterRoom) -> Vec<Edge> {
 fn shared_edges(room: usize, borders: &[Vec<Edge>], index: &BoxIndex<(usize, usize)>) -> Vec<bool> {
     let own = &borders[room];
     let is_shared_by_any = |&(start, end): &Edge| {
-        let (low, high) = (start.min(end) - SHARED_DISTANCE, start.max(end) + SHARED_DISTANCE);
-        let mut others = index.meeting(low, high).filter(|(other, _)| *other != room);
+        let near = Bounds::around([start, end]).inflated(SHARED_DISTANCE);
+        let mut others = index.meeting(near).filter(|(other, _)| *other != room);
         others.any(|(other, edge)| is_shared((start, end), borders[other][edge]))
     };
     let mut shared: Vec<bool> = own.iter().map(is_shared_by_any).collect();

@@ -55,8 +55,7 @@ pub(crate) struct Excess {
 
 /// Why an outline is larger than a room may be; `None` if it is not.
 pub(crate) fn room_excess(outline: &Polygon) -> Option<Excess> {
-    let (low, high) = outline.bounds();
-    side_excess(high - low).or_else(|| {
+    side_excess(outline.bounds().size()).or_else(|| {
         let area = outline.area();
         let fact = format!("has {area:.0} m²");
         let allowed = format!("a room has at most {ROOM_AREA} m²");

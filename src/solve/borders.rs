@@ -1,6 +1,6 @@
 //! The borders of a room and of its columns, with a broad phase where they are many.
 
-use crate::geometry::{Grid, Point, bounds_overlap, nearest_on_segment};
+use crate::geometry::{Bounds, Grid, Point, nearest_on_segment};
 
 use super::empty_room::EmptyRoom;
 
@@ -19,11 +19,10 @@ impl Borders {
     pub(super) fn new(empty: &EmptyRoom<'_>) -> Self {
         let columns = empty.room.obstacles.iter().flat_map(|column| column.outline.edges());
         let edges: Vec<(Point, Point)> = empty.room.region.borders().chain(columns).collect();
-        let (low, high) = empty.room.region.outline.bounds();
         let grid = (edges.len() > MANY).then(|| {
-            let mut grid = Grid::new(low, high);
+            let mut grid = Grid::new(empty.room.region.outline.bounds());
             for (number, &(start, end)) in (0..).zip(&edges) {
-                grid.insert(number, (start.min(end), start.max(end)));
+                grid.insert(number, Bounds::around([start, end]));
             }
             grid
         });
@@ -44,7 +43,7 @@ impl Borders {
             return (nearest.sqrt(), self.edges.len() as u64);
         };
         let (mut nearest, mut looked_at) = (REACH * REACH, 0);
-        grid.each((point - Point::splat(REACH), point + Point::splat(REACH)), |number| {
+        grid.each(Bounds::around_point(point, REACH), |number| {
             looked_at += 1;
             nearest = nearest.min(to_edge(&self.edges[number as usize]));
         });
@@ -55,19 +54,17 @@ impl Borders {
     /// looked at.
     pub(super) fn any_near(
         &self,
-        bounds: (Point, Point),
+        bounds: Bounds,
         margin: f64,
         question: impl Fn((Point, Point)) -> bool,
     ) -> (bool, u64) {
-        let is_it = |(a, b): (Point, Point)| {
-            bounds_overlap((a.min(b), a.max(b)), bounds, -margin) && question((a, b))
-        };
+        let is_it =
+            |(a, b): (Point, Point)| Bounds::around([a, b]).overlaps(bounds, -margin) && question((a, b));
         let Some(grid) = &self.grid else {
             return (self.edges.iter().any(|&edge| is_it(edge)), self.edges.len() as u64);
         };
         let mut looked_at = 0;
-        let around = (bounds.0 - Point::splat(margin), bounds.1 + Point::splat(margin));
-        let found = grid.any(around, |number| {
+        let found = grid.any(bounds.inflated(margin), |number| {
             looked_at += 1;
             is_it(self.edges[number as usize])
         });

@@ -1,7 +1,7 @@
 //! What a piece and its clearances take of the floor.
 
 use crate::catalog::{Class, Clearance, ParentName, Side, Size};
-use crate::geometry::{Point, direction, edges};
+use crate::geometry::{Bounds, Point, direction, edges};
 
 /// A rectangle on the floor.
 #[derive(Clone, Copy, Debug)]
@@ -9,19 +9,13 @@ pub(crate) struct Footprint {
     /// Counter-clockwise.
     pub(crate) corners: [Point; 4],
     /// The box around them.
-    pub(crate) bounds: (Point, Point),
+    pub(crate) bounds: Bounds,
 }
 
 impl Footprint {
     pub(super) fn moved(&self, by: Point) -> Self {
-        let (low, high) = self.bounds;
-        Self { corners: self.corners.map(|corner| corner + by), bounds: (low + by, high + by) }
+        Self { corners: self.corners.map(|corner| corner + by), bounds: self.bounds.moved(by) }
     }
-}
-
-/// The box around corners.
-pub(super) fn bounds_of<'p>(corners: impl Iterator<Item = &'p Point>) -> (Point, Point) {
-    corners.fold((Point::INFINITY, Point::NEG_INFINITY), |(low, high), &at| (low.min(at), high.max(at)))
 }
 
 /// Metres above the floor of the underside of a piece hung as low as its class allows.
@@ -31,13 +25,10 @@ pub(super) fn lowest_underside(class: &Class) -> f64 {
     if lowest.is_finite() { lowest } else { 0.0 }
 }
 
-/// A box of a piece or its clearance in the class's frame: lowest and highest corner.
-pub(super) type LocalBox = (Point, Point);
-
-/// The piece itself and its clearances.
-pub(super) fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> Vec<LocalBox> {
+/// The boxes of the piece itself and of its clearances, in the class's frame.
+pub(super) fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> Vec<Bounds> {
     let half = Point::new(size.width, size.depth) / 2.0;
-    let mut boxes = vec![(-half, half)];
+    let mut boxes = vec![Bounds::new(-half, half)];
     for clearance in &class.clearances {
         let (mut low, mut high, depth) = (-half, half, depth_of(clearance));
         match clearance.side {
@@ -53,9 +44,9 @@ pub(super) fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearan
             }
             _ => (low.y, high.y) = (low.y - clearance.margin, high.y + clearance.margin),
         }
-        boxes.push((low, high));
+        boxes.push(Bounds::new(low, high));
     }
-    boxes.retain(|(low, high)| low.cmplt(*high).all());
+    boxes.retain(|one| one.low.cmplt(one.high).all());
     boxes
 }
 
@@ -69,24 +60,23 @@ pub(super) struct Part {
 }
 
 impl Part {
-    fn new((low, high): LocalBox, turn: Point) -> Self {
-        let corners = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)]
-            .map(|corner| turn.rotate(corner));
+    fn new(local: Bounds, turn: Point) -> Self {
+        let corners = local.corners().map(|corner| turn.rotate(corner));
         debug_assert!(edges(&corners).count() == 4, "empty boxes were dropped");
-        let footprint = Footprint { corners, bounds: bounds_of(corners.iter()) };
-        Self { footprint, middle: turn.rotate((low + high) / 2.0), radius: (high - low).min_element() / 2.0 }
+        let footprint = Footprint { corners, bounds: Bounds::around(corners) };
+        Self { footprint, middle: turn.rotate(local.center()), radius: local.size().min_element() / 2.0 }
     }
 }
 
 /// The boxes of a piece turned to an angle. Places come in long runs of one angle.
 pub(super) struct Turned<'b> {
-    boxes: &'b [LocalBox],
+    boxes: &'b [Bounds],
     angle: f64,
     parts: Vec<Part>,
 }
 
 impl<'b> Turned<'b> {
-    pub(super) fn new(boxes: &'b [LocalBox]) -> Self {
+    pub(super) fn new(boxes: &'b [Bounds]) -> Self {
         Self { boxes, angle: f64::NAN, parts: Vec::new() }
     }
 

@@ -5,11 +5,11 @@
 use std::rc::Rc;
 
 use crate::catalog::{Class, ClassIndex, Clearance, Size};
-use crate::geometry::{Point, Solid};
+use crate::geometry::{Bounds, Point, Solid};
 
 use super::constants::{FIT_STEP, MOST_STEPS};
 use super::empty_room::EmptyRoom;
-use super::footprint::{Footprint, bounds_of, lowest_underside, needed_boxes};
+use super::footprint::{Footprint, lowest_underside, needed_boxes};
 use super::space::Space;
 use super::spots::{Spot, Trial};
 
@@ -26,7 +26,7 @@ pub(crate) struct Stand {
     /// Its footprint, then those of its clearances.
     pub(crate) parts: Vec<Footprint>,
     /// The box around them.
-    pub(crate) bounds: (Point, Point),
+    pub(crate) bounds: Bounds,
 }
 
 /// The free places of a piece.
@@ -103,7 +103,7 @@ impl Space<'_, '_> {
         self.any_free(trial, |spot, parts| {
             let parts: Vec<Footprint> =
                 parts.iter().map(|part| part.footprint.moved(spot.position)).collect();
-            let bounds = bounds_of(parts.iter().flat_map(|part| &part.corners));
+            let bounds = Bounds::around(parts.iter().flat_map(|part| part.corners));
             stands.push(Stand { spot, bounds, parts });
             false
         });

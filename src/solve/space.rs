@@ -1,12 +1,12 @@
 //! Where a piece may stand on the floor of a room.
 
 use crate::audit::{ROUNDING, clip_segment, door_zones, middle, penetration};
-use crate::geometry::{Grid, Point, Solid, bounds_overlap};
+use crate::geometry::{Bounds, Grid, Point, Solid};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, RoomOpening};
 
 use super::borders::Borders;
 use super::empty_room::EmptyRoom;
-use super::footprint::{Footprint, Part, bounds_of};
+use super::footprint::{Footprint, Part};
 
 /// Metres that boxes must be apart for their contents to be: more than rounding makes of contact.
 const APART: f64 = 1e-9;
@@ -18,9 +18,9 @@ pub(crate) struct Space<'s, 'a> {
     pub(super) empty: &'s EmptyRoom<'a>,
     borders: Borders,
     /// Corners of what no piece may stand in: the ways through the doors, and their frames, each with the box around it.
-    door_zones: Vec<(Vec<Point>, (Point, Point))>,
+    door_zones: Vec<(Vec<Point>, Bounds)>,
     /// The boxes around the columns.
-    columns: Vec<(Point, Point)>,
+    columns: Vec<Bounds>,
     /// Bodies whose footprints the piece and its clearances keep clear of.
     bodies: Vec<&'s Solid>,
     /// Where they are.
@@ -41,6 +41,11 @@ fn frames(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
     })
 }
 
+fn with_bounds(zone: Vec<Point>) -> (Vec<Point>, Bounds) {
+    let bounds = Bounds::around(zone.iter().copied());
+    (zone, bounds)
+}
+
 impl<'s, 'a> Space<'s, 'a> {
     /// The room without furniture.
     pub(crate) fn empty(empty: &'s EmptyRoom<'a>) -> Self {
@@ -50,7 +55,7 @@ impl<'s, 'a> Space<'s, 'a> {
         Self {
             empty,
             borders: Borders::new(empty),
-            door_zones: zones.map(|zone| (bounds_of(zone.iter()), zone)).map(|(a, b)| (b, a)).collect(),
+            door_zones: zones.map(with_bounds).collect(),
             columns: empty.room.obstacles.iter().map(|column| column.outline.bounds()).collect(),
             bodies: Vec::new(),
             body_grid: None,
@@ -60,8 +65,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     /// The same on one side of a line, among some bodies.
     pub(super) fn beside(self, bodies: Vec<&'s Solid>, line: (Point, Point)) -> Self {
-        let (low, high) = self.empty.room.region.outline.bounds();
-        let mut grid = Grid::new(low, high);
+        let mut grid = Grid::new(self.empty.room.region.outline.bounds());
         for (number, body) in (0..).zip(&bodies) {
             grid.insert(number, body.bounds);
         }
@@ -129,9 +133,8 @@ impl<'s, 'a> Space<'s, 'a> {
 
     fn is_in_column(&self, point: Point) -> bool {
         self.spend(self.columns.len() as u64 / EDGES_A_STEP);
-        let is_near = |(low, high): &(Point, Point)| low.cmple(point).all() && point.cmple(*high).all();
         let mut columns = self.columns.iter().zip(&self.empty.room.obstacles);
-        columns.any(|(bounds, column)| is_near(bounds) && column.outline.contains(point))
+        columns.any(|(bounds, column)| bounds.contains(point) && column.outline.contains(point))
     }
 
     /// Whether a border runs through a footprint. Nearly all borders are far away, as their boxes show.
@@ -148,7 +151,7 @@ impl<'s, 'a> Space<'s, 'a> {
         let is_met = grid.any(footprint.bounds, |number| {
             let body = self.bodies[number as usize];
             looked_at += 1;
-            bounds_overlap(body.bounds, footprint.bounds, 0.0)
+            body.bounds.overlaps(footprint.bounds, 0.0)
                 && penetration(body.footprint(), &footprint.corners) > 0.0
         });
         self.spend(looked_at);
@@ -166,8 +169,8 @@ impl<'s, 'a> Space<'s, 'a> {
 
     fn blocks_a_door(&self, footprint: &Footprint) -> bool {
         self.spend(self.door_zones.len() as u64);
-        let meets = |(zone, bounds): &(Vec<Point>, (Point, Point))| {
-            bounds_overlap(*bounds, footprint.bounds, -APART) && penetration(zone, &footprint.corners) > 0.0
+        let meets = |(zone, bounds): &(Vec<Point>, Bounds)| {
+            bounds.overlaps(footprint.bounds, -APART) && penetration(zone, &footprint.corners) > 0.0
         };
         self.door_zones.iter().any(meets)
     }

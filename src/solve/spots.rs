@@ -4,11 +4,11 @@ use core::f64::consts::FRAC_PI_2;
 
 use crate::audit::ROUNDING;
 use crate::catalog::{Class, ParentName, Size};
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::plan::{FRAME_WIDTH, Wall};
 
 use super::constants::{FIT_STEP, SAME_DIRECTION};
-use super::footprint::{LocalBox, Part, Turned};
+use super::footprint::{Part, Turned};
 use super::space::Space;
 
 /// Where a piece may be tried.
@@ -27,7 +27,7 @@ pub(super) struct Trial<'t> {
     pub(super) class: &'t Class,
     pub(super) size: Size,
     /// Its body, then its clearances.
-    pub(super) boxes: &'t [LocalBox],
+    pub(super) boxes: &'t [Bounds],
     /// Metres between places.
     pub(super) step: f64,
 }
@@ -65,7 +65,7 @@ impl Space<'_, '_> {
         parts: &[Part],
         mut is_it: impl FnMut(Spot, &[Part]) -> bool,
     ) -> bool {
-        let (low, high) = self.empty.room.region.outline.bounds();
+        let Bounds { low, high } = self.empty.room.region.outline.bounds();
         for x in steps(low.x, high.x, step) {
             let mut number = 0_u32;
             loop {
@@ -93,8 +93,8 @@ impl Space<'_, '_> {
 
     /// How many places [`Space::any_free`] asks for at most, at [`FIT_STEP`].
     pub(super) fn spot_count(&self, class: &Class) -> f64 {
-        let (low, high) = self.empty.room.region.outline.bounds();
-        let inside = ((high - low) / FIT_STEP).element_product() * 4.0 * self.directions().len() as f64;
+        let size = self.empty.room.region.outline.bounds().size();
+        let inside = (size / FIT_STEP).element_product() * 4.0 * self.directions().len() as f64;
         let along_walls: f64 = self.empty.room.walls.iter().map(|wall| wall.length() / FIT_STEP).sum();
         if needs_wall(class) { along_walls } else { inside + along_walls }
     }

@@ -2,7 +2,7 @@
 
 use crate::audit::{ROUNDING, penetration};
 use crate::catalog::{Class, ClassIndex, Size};
-use crate::geometry::{Convex, Solid, bounds_overlap};
+use crate::geometry::{Convex, Solid};
 use crate::layout::Suggestion;
 use crate::walk::{EmptyWalks, Floor, Goal};
 
@@ -246,9 +246,9 @@ fn body(choice: &Choice<'_>, stand: &Stand) -> Solid {
 /// Whether neither piece takes floor that the other needs.
 fn agree(one: &Stand, other: &Stand) -> bool {
     let meets = |a: &Footprint, b: &Footprint| {
-        bounds_overlap(a.bounds, b.bounds, 0.0) && penetration(&a.corners, &b.corners) > ROUNDING
+        a.bounds.overlaps(b.bounds, 0.0) && penetration(&a.corners, &b.corners) > ROUNDING
     };
-    !bounds_overlap(one.bounds, other.bounds, 0.0)
+    !one.bounds.overlaps(other.bounds, 0.0)
         || (!other.parts.iter().any(|part| meets(&one.parts[0], part))
             && !one.parts.iter().skip(1).any(|part| meets(&other.parts[0], part)))
 }

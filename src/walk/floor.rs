@@ -4,7 +4,7 @@ use core::cmp::Reverse;
 use core::ops::Range;
 
 use crate::catalog::{AccessRules, AuditRules, WalkingRules};
-use crate::geometry::{DisjointSets, Point, Solid, distance_to_convex, edges};
+use crate::geometry::{Bounds, DisjointSets, Point, Solid, distance_to_convex, edges};
 use crate::plan::{Level, Room, RoomOpening};
 
 use super::raster::{Raster, cell_around};
@@ -114,10 +114,10 @@ impl Floor {
         if places.is_empty() {
             return None;
         }
-        let (low, high) = room.region.outline.bounds();
-        let cell = cell_around(high - low);
+        let bounds = room.region.outline.bounds();
+        let cell = cell_around(bounds.size());
         let DoorDepth { behind, before } = depth.with_cells(cell);
-        let mut raster = Raster::new((low - Point::splat(behind), high + Point::splat(behind)), cell);
+        let mut raster = Raster::new(bounds.inflated(behind), cell);
         // Free areas are painted before what blocks: of a cell that is painted twice the last counts.
         raster.paint(&room.region.borders().collect::<Vec<_>>(), true);
         for place in &places {
@@ -315,11 +315,7 @@ impl Walk<'_> {
         mut is_it: impl FnMut(usize) -> bool,
     ) -> bool {
         let radius = self.diameter / 2.0;
-        let nothing = (Point::INFINITY, Point::NEG_INFINITY);
-        let (low, high) =
-            area.iter().fold(nothing, |(low, high), &corner| (low.min(corner), high.max(corner)));
-        let (low, high) = (low - Point::splat(radius), high + Point::splat(radius));
-        let around = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
+        let around = Bounds::around(area.iter().copied()).inflated(radius).corners();
         let is_near = |cell: usize| distance_to_convex(area, self.floor.raster.middle(cell)) <= radius;
         let mut found = false;
         self.floor.raster.spans(&edges(&around).collect::<Vec<_>>(), |span| {

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 
 /// Metres from cell to cell, but in the largest rooms.
 pub(crate) const CELL: f64 = 0.05;
@@ -36,9 +36,9 @@ pub(crate) struct Raster {
 
 impl Raster {
     /// A grid of cells of a width around a box, all of it blocked.
-    pub(crate) fn new((low, high): (Point, Point), cell: f64) -> Self {
-        let low = low - Point::splat(2.0 * cell + OFF_GRID);
-        let size = (high - low) / cell + Point::splat(3.0);
+    pub(crate) fn new(bounds: Bounds, cell: f64) -> Self {
+        let low = bounds.low - Point::splat(2.0 * cell + OFF_GRID);
+        let size = (bounds.high - low) / cell + Point::splat(3.0);
         let (columns, rows) = (size.x as usize, size.y as usize);
         Self { low, cell, columns, is_free: vec![false; columns * rows] }
     }
@@ -185,7 +185,7 @@ mod tests {
     }
 
     fn room(size: (f64, f64)) -> Raster {
-        let mut raster = Raster::new((Point::ZERO, size.into()), CELL);
+        let mut raster = Raster::new(Bounds::new(Point::ZERO, size.into()), CELL);
         raster.paint(&edges((0.0, 0.0), size), true);
         raster
     }
@@ -232,7 +232,7 @@ mod tests {
         for shift in 0..10 {
             let shift = f64::from(shift) / 10.0 * CELL;
             let widest = |width: f64| {
-                let mut raster = Raster::new((Point::ZERO, Point::new(2.0, 3.0)), CELL);
+                let mut raster = Raster::new(Bounds::new(Point::ZERO, Point::new(2.0, 3.0)), CELL);
                 raster.paint(&edges((0.1, 0.5 + shift), (1.5, width)), true);
                 (raster.distances(raster.reach(0.45)).into_iter().max().unwrap(), raster.least_distance(0.45))
             };
@@ -262,7 +262,8 @@ mod tests {
         let cell = |width: f64, depth: f64| (cell_around(Point::new(width, depth)) * 100.0).round();
         assert_eq!([cell(1.0, 1.0), cell(30.0, 20.0), cell(160.0, 170.0)], [5.0; 3]);
         assert_eq!([cell(300.0, 300.0), cell(500.0, 500.0), cell(1000.0, 250.0)], [10.0, 15.0, 15.0]);
-        let raster = Raster::new((Point::ZERO, Point::splat(500.0)), cell_around(Point::splat(500.0)));
+        let raster =
+            Raster::new(Bounds::new(Point::ZERO, Point::splat(500.0)), cell_around(Point::splat(500.0)));
         assert!((raster.len() as f64) < 1.01 * MOST_CELLS, "{}", raster.len());
     }
 

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 
 use roomwright::internals::catalog::{Catalog, RoomType};
-use roomwright::internals::geometry::{Point, Polygon, direction};
+use roomwright::internals::geometry::{Bounds, Point, Polygon, direction};
 use roomwright::internals::plan::{
     LeafDraft, Level, LevelDraft, ObstacleDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft,
     assemble_level,
@@ -182,7 +182,7 @@ impl Sketch {
 }
 
 fn square(outline: &Polygon, &(x, y, side): &Block) -> Vec<Point> {
-    let (low, high) = outline.bounds();
+    let Bounds { low, high } = outline.bounds();
     let origin = low + (high - low) * Point::new(x, y);
     Polygon::rectangle(origin, Point::splat(side)).corners().to_vec()
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec2, DVec3};
 use roomwright::internals::catalog::{Catalog, load_catalog};
-use roomwright::internals::geometry::Point;
+use roomwright::internals::geometry::{Bounds, Point};
 use roomwright::internals::plan::{Level, OpeningKind, PlanOptions, Room, WallKind, read_plans};
 use roomwright::internals::scene::Scene;
 
@@ -131,13 +131,13 @@ fn distance_outside(room: &Room, point: DVec3) -> f64 {
 
 /// Points well inside the room.
 fn inside_points(room: &Room) -> Vec<DVec3> {
-    let (low, high) = room.region.outline.bounds();
+    let Bounds { low, high } = room.region.outline.bounds();
     let shares = [0.13, 0.37, 0.63, 0.87];
     let at = |x: f64, y: f64| Point::new(low.x + (high.x - low.x) * x, low.y + (high.y - low.y) * y);
     let is_clear = |point: &Point| {
         let is_inside = room.region.contains(*point);
         let is_in_column = room.obstacles.iter().any(|column| {
-            let (low, high) = column.outline.bounds();
+            let Bounds { low, high } = column.outline.bounds();
             point.x > low.x && point.x < high.x && point.y > low.y && point.y < high.y
         });
         let is_free = |wall: &roomwright::internals::plan::Wall| {
@@ -166,7 +166,7 @@ fn targets(room: &Room) -> Vec<DVec3> {
 /// The triangles of floors, ceilings, walls and thresholds in or close to a room.
 fn shell_near(bodies: &[Body], room: &Room) -> Vec<[DVec3; 3]> {
     const NEAR: f64 = 0.1;
-    let (low, high) = room.region.outline.bounds();
+    let Bounds { low, high } = room.region.outline.bounds();
     let is_near = |triangle: &&[DVec3; 3]| {
         let points = triangle.map(plan_point);
         let (least, most) =

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
 use roomwright::internals::catalog::Dado;
-use roomwright::internals::geometry::Point;
+use roomwright::internals::geometry::{Bounds, Point};
 use roomwright::internals::model::{Model, ModelMaterial, Primitive};
 use roomwright::internals::plan::{Level, OpeningKind, Room, RoomOpening, WallKind};
 use roomwright::internals::recipes::Slot;
@@ -165,7 +165,7 @@ fn check_rays(name: &str, level: &Level, scene: &Scene) {
 
 /// Points of a grid well inside the room, at eye height.
 fn inside_points(room: &Room) -> Vec<DVec3> {
-    let (low, high) = room.region.outline.bounds();
+    let Bounds { low, high } = room.region.outline.bounds();
     let step = |share: f64| low + (high - low) * share;
     let shares = [0.13, 0.37, 0.63, 0.87];
     let grid = shares.iter().flat_map(|&x| shares.map(|y| Point::new(step(x).x, step(y).y)));

@@ -1,7 +1,7 @@
 //! `out_of_room`: part of a body outside the outline, in a hole or a column, below the floor or above the
 //! ceiling.
 
-use crate::geometry::{Point, Polygon, Solid, edges, nearest_on_segment};
+use crate::geometry::{Bounds, Point, Solid, edges, nearest_on_segment};
 use crate::plan::Obstacle;
 
 use crate::audit::convex::{clip_segment, depth};
@@ -38,16 +38,11 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 /// How deep a prism reaches into a column; zero where it does not, or stands on top of it.
 fn into_column((solid, limit): (&Solid, f64), column: &Obstacle) -> f64 {
     let upright = column.height - solid.low;
-    if upright <= limit || !bounds_touch(solid, &column.outline) {
+    if upright <= limit || !solid.bounds.touches(column.outline.bounds()) {
         return 0.0;
     }
     let borders: Vec<(Point, Point)> = column.outline.edges().collect();
     upright.min(protrusion((solid, limit), &borders, |point| !column.outline.contains(point)))
-}
-
-fn bounds_touch(solid: &Solid, outline: &Polygon) -> bool {
-    let (low, high) = outline.bounds();
-    solid.bounds.0.cmple(high).all() && low.cmple(solid.bounds.1).all()
 }
 
 /// How far a prism sticks out of an allowed area, from the area's borders and a test for points; zero for
@@ -61,10 +56,7 @@ fn protrusion(
     is_allowed: impl Fn(Point) -> bool,
 ) -> f64 {
     let footprint = solid.footprint();
-    let (low, high) = solid.bounds;
-    let passes = |&&(start, end): &&(Point, Point)| {
-        start.min(end).cmple(high).all() && start.max(end).cmpge(low).all()
-    };
+    let passes = |&&(start, end): &&(Point, Point)| Bounds::around([start, end]).touches(solid.bounds);
     // Without a border near it, the whole footprint is on one side.
     if is_allowed(footprint[0]) && !borders.iter().any(|border| passes(&border)) {
         return 0.0;

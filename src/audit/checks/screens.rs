@@ -1,7 +1,6 @@
 //! `tv_position`: a screen that nobody sees from a seat or bed, or one before a window.
 
 use super::windows::is_before;
-use crate::audit::bounds::Bounds;
 use crate::audit::convex::clip_segment;
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
@@ -9,6 +8,7 @@ use crate::audit::groups::{BED, SCREEN, SEAT, SLEEPING};
 use crate::audit::near::NearPoints;
 use crate::audit::quantity::Quantity;
 use crate::audit::subject::{Body, Subject};
+use crate::audit::upright_box::UprightBox;
 use crate::audit::zone::Purpose;
 use crate::geometry::Point;
 
@@ -98,10 +98,10 @@ fn is_hidden(
             .iter()
             .any(|&end| subject.descends_from(body, end) || subject.descends_from(end, body))
     };
-    let ends = |height: f64| Bounds { low: sight.0.extend(height), high: sight.0.extend(height) };
+    let ends = |height: f64| UprightBox { low: sight.0.extend(height), high: sight.0.extend(height) };
     let ends = ends(rules.sight_low).union(ends(rules.sight_high));
     let far = sight.1.extend(rules.sight_low);
-    let around = ends.union(Bounds { low: far, high: far });
+    let around = ends.union(UprightBox { low: far, high: far });
     let third = subject.near_boxes().touching(&around).filter(|&body| !is_part(body));
     let mut solids = third.flat_map(|body| &subject.bodies[body].solids);
     solids.any(|solid| {

@@ -2,7 +2,7 @@
 
 use super::lines::rounded;
 use crate::catalog::{Class, Shape, Side};
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 
 /// Letters of the widest plan, and lines of the highest.
 const COLUMNS: f64 = 48.0;
@@ -19,23 +19,18 @@ const BODY: char = '#';
 const MINIMUM: char = ':';
 const GOOD: char = '.';
 
-/// A rectangle in the frame of the class.
-type Area = (Point, Point);
-
 /// The lines of the plan, the front below, with a scale; the first size of the class.
 pub(super) fn plan(class: &Class) -> Vec<String> {
     let half = Point::new(class.sizes[0].width, class.sizes[0].depth) / 2.0;
-    let body = (-half, half);
-    let areas = |is_good: bool| -> Vec<Area> {
+    let body = Bounds::new(-half, half);
+    let areas = |is_good: bool| -> Vec<Bounds> {
         let depth =
             |one: &crate::catalog::Clearance| if is_good { one.good.max(one.minimum) } else { one.minimum };
-        class.clearances.iter().map(|one| before(one.side, half, (depth(one), one.margin))).collect()
+        class.clearances.iter().map(|one| before(one.side, half, depth(one), one.margin)).collect()
     };
     let (needed, good) = (areas(false), areas(true));
-    let all = || needed.iter().chain(&good);
-    let low = all().fold(body.0, |low, area| low.min(area.0));
-    let high = all().fold(body.1, |high, area| high.max(area.1));
-    let size = high - low;
+    let whole = needed.iter().chain(&good).fold(body, |whole, &area| whole.union(area));
+    let (low, size) = (whole.low, whole.size());
     let cell = (size.x / COLUMNS).max(size.y / ASPECT / ROWS).max(SMALLEST_CELL);
     let count = |metres: f64| (metres / cell).round().max(1.0) as usize;
     let (columns, rows) = (count(size.x), count(size.y / ASPECT));
@@ -43,8 +38,7 @@ pub(super) fn plan(class: &Class) -> Vec<String> {
         let share =
             Point::new((column as f64 + 0.5) / columns as f64, 1.0 - (row as f64 + 0.5) / rows as f64);
         let at = low + size * share;
-        let is_in =
-            |areas: &[Area]| areas.iter().any(|&(low, high)| at.cmpge(low).all() && at.cmple(high).all());
+        let is_in = |areas: &[Bounds]| areas.iter().any(|area| area.contains(at));
         match () {
             () if is_body(class, at, half) => BODY,
             () if is_in(&needed) => MINIMUM,
@@ -69,17 +63,18 @@ fn is_body(class: &Class, at: Point, half: Point) -> bool {
     }
 }
 
-/// The rectangle before a side, so deep and so much wider than the side.
-fn before(side: Side, half: Point, (depth, margin): (f64, f64)) -> Area {
+/// The rectangle before a side in the frame of the class, so deep and so much wider than the side.
+fn before(side: Side, half: Point, depth: f64, margin: f64) -> Bounds {
     let wide = Point::new(half.x + margin, half.y);
     let high = Point::new(half.x, half.y + margin);
-    match side {
+    let (low, high) = match side {
         Side::Front => (Point::new(-wide.x, -half.y - depth), Point::new(wide.x, -half.y)),
         Side::Back => (Point::new(-wide.x, half.y), Point::new(wide.x, half.y + depth)),
         Side::Left => (Point::new(-half.x - depth, -high.y), Point::new(-half.x, high.y)),
         Side::Right => (Point::new(half.x, -high.y), Point::new(half.x + depth, high.y)),
         Side::Above | Side::Below => (-half, half),
-    }
+    };
+    Bounds::new(low, high)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::draw::Drawing;
 use crate::draw::canvas::{Canvas, TextStyle, short};
 use crate::draw::labels::label_place;
-use crate::geometry::{Point, direction, edges, nearest_on_segment};
+use crate::geometry::{Bounds, Point, direction, edges, nearest_on_segment};
 
 use super::{Noted, element, severity_color};
 
@@ -54,8 +54,7 @@ fn free_place(canvas: &Canvas, anchor: Point) -> Point {
         anchor + direction(angle) * (RING * (1 + index / DIRECTIONS) as f64)
     };
     let mut places = std::iter::once(anchor).chain((0..RINGS * DIRECTIONS).map(on_ring));
-    let reach = Point::splat(RADIUS + 1.0);
-    places.find(|&place| canvas.is_clear((place - reach, place + reach))).unwrap_or(anchor)
+    places.find(|&place| canvas.is_clear(Bounds::around_point(place, RADIUS + 1.0))).unwrap_or(anchor)
 }
 
 /// A line from a mark that stands off to what it belongs to.
@@ -83,7 +82,7 @@ fn draw_mark(canvas: &mut Canvas, at: Point, noted: &Noted<'_>) {
     canvas.raw(&format!(
         "<circle cx=\"{x}\" cy=\"{y}\" r=\"{RADIUS}\" fill=\"{color}\" stroke=\"#fff\" stroke-width=\"1\"/>"
     ));
-    canvas.reserve((at - Point::splat(RADIUS), at + Point::splat(RADIUS)));
+    canvas.reserve(Bounds::around_point(at, RADIUS));
     draw_number(canvas, at, noted.number);
 }
 

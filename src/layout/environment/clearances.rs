@@ -15,7 +15,7 @@ impl Environment<'_> {
     /// Whether a body would stand in a door's way or in another object's clearance.
     pub(super) fn blocks_a_way<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
         let bounds = probe.whole.bounds;
-        let is_kept_free = any_obstacle((&self.kept_free_grid, bounds), recorder, |index| {
+        let is_kept_free = any_obstacle(&self.kept_free_grid, bounds, recorder, |index| {
             let region = &self.kept_free[index];
             probe.meets(&region.solid, CONTACT_TOLERANCE).then_some(match region.cause {
                 Cause::Opening(opening) => Obstacle::Opening(opening),
@@ -26,7 +26,7 @@ impl Environment<'_> {
         if is_decided || self.is_flat(self.agents[probe.agent].size, probe.place) {
             return is_kept_free;
         }
-        let is_in_a_clearance = any_obstacle((&self.clearance_grid, bounds), recorder, |index| {
+        let is_in_a_clearance = any_obstacle(&self.clearance_grid, bounds, recorder, |index| {
             let region = &self.clearances[index];
             let is_taken = region.owner != probe.agent
                 && probe.meets(&region.solid, CLEARANCE_TOLERANCE)
@@ -104,7 +104,7 @@ impl Environment<'_> {
         if is_walled && R::FIRST_IS_ENOUGH {
             return false;
         }
-        let is_taken = any_obstacle((&self.body_grid, solid.bounds), recorder, |index| {
+        let is_taken = any_obstacle(&self.body_grid, solid.bounds, recorder, |index| {
             let body = &self.bodies[index];
             let is_in_it = !body.is_flat
                 && body.owner != agent
@@ -189,7 +189,7 @@ impl Environment<'_> {
         let seats = class.clearances.iter().filter_map(|clearance| seat(clearance, size, &place.pose));
         let mut is_taken = false;
         for solid in core::iter::once(whole).chain(seats) {
-            is_taken |= any_obstacle((&self.clearance_grid, solid.bounds), recorder, |index| {
+            is_taken |= any_obstacle(&self.clearance_grid, solid.bounds, recorder, |index| {
                 let region = &self.clearances[index];
                 let is_in_it = region.owner != agent
                     && region.comfort.overlaps(&solid, CLEARANCE_TOLERANCE)
@@ -239,7 +239,7 @@ impl Environment<'_> {
             return false;
         }
         let is_stranger = |owner: AgentIndex| !self.is_relative(probe.agent, probe.place.parent, owner);
-        let is_under = any_obstacle((&self.roof_grid, probe.whole.bounds), recorder, |index| {
+        let is_under = any_obstacle(&self.roof_grid, probe.whole.bounds, recorder, |index| {
             let (roof, owner) = &self.roofs[index];
             let is_under =
                 *owner != probe.agent && probe.meets(roof, CONTACT_TOLERANCE) && is_stranger(*owner);
@@ -248,7 +248,7 @@ impl Environment<'_> {
         if (is_under && R::FIRST_IS_ENOUGH) || !has_roof(&self.class(probe.agent).shape) {
             return is_under;
         }
-        let is_over = any_obstacle((&self.body_grid, probe.whole.bounds), recorder, |index| {
+        let is_over = any_obstacle(&self.body_grid, probe.whole.bounds, recorder, |index| {
             let body = &self.bodies[index];
             let is_over = stands(&body.solid)
                 && body.owner != probe.agent

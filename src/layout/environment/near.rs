@@ -1,6 +1,6 @@
 //! What is near a region: bodies, borders and what is kept free, for those who weigh a place.
 
-use crate::geometry::{Point, Solid, nearest_on_segment};
+use crate::geometry::{Bounds, Point, Solid, nearest_on_segment};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
 use crate::layout::place::{AgentIndex, Place};
 use crate::layout::surroundings::Border;
@@ -44,9 +44,10 @@ impl Environment<'_> {
         }
         // By twice the tolerance, so that the exact test, which rounds otherwise, agrees.
         let radius = size.width.min(size.depth) / 2.0 - 2.0 * CONTACT_TOLERANCE;
-        let (middle, around) = (place.pose.position, Point::splat(radius));
+        let middle = place.pose.position;
+        let around = Bounds::around_point(middle, radius);
         radius > 0.0
-            && self.brief.surroundings.border_grid.any((middle - around, middle + around), |index| {
+            && self.brief.surroundings.border_grid.any(around, |index| {
                 let border = &self.brief.surroundings.borders[index as usize];
                 let nearest = nearest_on_segment(middle, (border.start, border.end));
                 nearest.distance_squared(middle) < radius * radius
@@ -63,8 +64,7 @@ impl Environment<'_> {
 
     /// Calls `visit` with every part of a resting agent near a place, and its owner.
     pub(crate) fn each_part_near(&self, place: Point, reach: f64, mut visit: impl FnMut(AgentIndex, &Solid)) {
-        let around = (place - Point::splat(reach), place + Point::splat(reach));
-        self.body_grid.each(around, |index| {
+        self.body_grid.each(Bounds::around_point(place, reach), |index| {
             let body = &self.bodies[index as usize];
             if body.owner != ROOM {
                 visit(body.owner, &body.solid);

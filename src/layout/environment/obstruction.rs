@@ -6,7 +6,7 @@ use std::cell::{Cell, OnceCell};
 use std::collections::BTreeSet;
 
 use crate::catalog::{Shape, Size};
-use crate::geometry::{Grid, Point, Solid, bounds_overlap};
+use crate::geometry::{Bounds, Grid, Solid};
 use crate::layout::body::{append_solids, box_solid};
 use crate::layout::constants::{CONTACT_TOLERANCE, STEPS_A_TEST};
 use crate::layout::furnished::RemovalReason;
@@ -43,7 +43,8 @@ impl Recorder for BTreeSet<Obstacle> {
 
 /// Whether an item near a box is an obstacle. Records it, and the others too if the first is not enough.
 pub(super) fn any_obstacle<R: Recorder>(
-    (grid, bounds): (&Grid, (Point, Point)),
+    grid: &Grid,
+    bounds: Bounds,
     recorder: &mut R,
     mut obstacle: impl FnMut(usize) -> Option<Obstacle>,
 ) -> bool {
@@ -178,9 +179,9 @@ impl Environment<'_> {
         recorder: &mut R,
         obstacle: impl Fn(&Border) -> Option<Obstacle>,
     ) -> bool {
-        any_obstacle((&self.brief.surroundings.border_grid, solid.bounds), recorder, |index| {
+        any_obstacle(&self.brief.surroundings.border_grid, solid.bounds, recorder, |index| {
             let border = &self.brief.surroundings.borders[index];
-            let is_entered = bounds_overlap(border.bounds(), solid.bounds, -tolerance)
+            let is_entered = border.bounds().overlaps(solid.bounds, -tolerance)
                 && solid.base.is_entered_by(border.start, border.end, tolerance);
             if is_entered { obstacle(border) } else { None }
         })
@@ -189,7 +190,7 @@ impl Environment<'_> {
     /// The paper leaves the parent out of the test; here its true shape takes part, because a chair that slides
     /// under a table may touch the top's shadow but not a leg. Contact alone never counts.
     fn has_collision<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
-        any_obstacle((&self.body_grid, probe.whole.bounds), recorder, |index| {
+        any_obstacle(&self.body_grid, probe.whole.bounds, recorder, |index| {
             let body = &self.bodies[index];
             let meets = body.owner != probe.agent && probe.meets(&body.solid, CONTACT_TOLERANCE);
             meets.then(|| body_of(body.owner))

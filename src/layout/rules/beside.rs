@@ -60,8 +60,8 @@ pub(super) fn propose_at_agent(
 
 /// Poses at a side of the box around a column.
 pub(super) fn propose_at_column(view: &View<'_>, column: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {
-    let (low, high) = view.environment.brief.surroundings.room.obstacles[column].outline.bounds();
-    let (center, half) = ((low + high) / 2.0, (high - low) / 2.0);
+    let bounds = view.environment.brief.surroundings.room.obstacles[column].outline.bounds();
+    let (center, half) = (bounds.center(), bounds.size() / 2.0);
     let out = outward(view.side);
     let face = Face {
         center: center + out * half,

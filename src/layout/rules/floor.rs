@@ -22,15 +22,15 @@ pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose
         }
     }
     let region = &view.environment.brief.surroundings.room.region;
-    let (low, high) = region.outline.bounds();
-    let middle = (low + high) / 2.0;
+    let bounds = region.outline.bounds();
+    let middle = bounds.center();
     for trial in 0..TRIALS_PER_FLOOR {
         // Around the middle the circle of trials grows; elsewhere every point is as likely.
         let spread = match view.rule.along {
             Along::Center => trial as f64 / TRIALS_PER_FLOOR as f64,
             _ => 1.0,
         };
-        let offset = Point::new(stream.signed(), stream.signed()) * (high - low) / 2.0 * spread;
+        let offset = Point::new(stream.signed(), stream.signed()) * bounds.size() / 2.0 * spread;
         if region.contains(middle + offset) {
             poses.push(pose_at(view, middle + offset, stream));
         }
@@ -43,8 +43,8 @@ pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, pose
         return;
     }
     let region = &view.environment.brief.surroundings.room.region;
-    let (low, high) = region.outline.bounds();
-    let size = high - low;
+    let bounds = region.outline.bounds();
+    let size = bounds.size();
     let (finest, most) =
         if is_thorough { (SCAN_STEP / 2.0, 2.0 * SCAN_POINTS) } else { (SCAN_STEP, SCAN_POINTS) };
     // A hall gets no more points than a room, but farther apart: the time of a scan is bounded.
@@ -52,7 +52,7 @@ pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, pose
     let (columns, rows) = ((size.x / step) as usize, (size.y / step) as usize);
     for row in 0..=rows {
         for column in 0..=columns {
-            let point = low + Point::new(column as f64 + 0.5, row as f64 + 0.5) * step;
+            let point = bounds.low + Point::new(column as f64 + 0.5, row as f64 + 0.5) * step;
             if region.contains(point) {
                 poses.push(pose_at(view, point, stream));
             }
@@ -124,8 +124,8 @@ fn pose_at(view: &View<'_>, position: Point, stream: &mut Stream) -> Pose {
     let bearing = Bearing { parent_angle: surroundings.main_angle, outward: Point::ZERO };
     let angle = match view.rule.orientation.turn {
         Turn::TowardsCenter => {
-            let (low, high) = surroundings.room.region.outline.bounds();
-            turn::towards(&view.rule.orientation, position, (low + high) / 2.0, stream)
+            let middle = surroundings.room.region.outline.bounds().center();
+            turn::towards(&view.rule.orientation, position, middle, stream)
         }
         _ => turn::angle(&view.rule.orientation, &bearing, stream),
     };

@@ -7,7 +7,7 @@
 use core::f64::consts::PI;
 
 use crate::catalog::{Clearance, Grid, Side, Turn};
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::layout::body::Pose;
 use crate::layout::seed::{Purpose, RoomKey, Stream};
 
@@ -26,13 +26,13 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let angle = angle(view, &mut stream);
     // Rows and aisles go by the side of the pieces, not by the walls: pupils sit beside each other.
     let frame = Pose::new(Point::ZERO, 0.0, angle);
-    let (low, high) = within_margins(view, grid, extent(view, &frame));
+    let bounds = within_margins(view, grid, extent(view, &frame));
     let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
     let agents = &view.environment.agents;
     let class = agents[view.agent].piece.class;
     let members = members(view, grid);
     let wanted = agents.iter().filter(|agent| agent.piece.class == class).count().div_ceil(members.len());
-    let frame_room = |margins: &Margins| (high - low - margins.low - margins.high).max(Point::ZERO);
+    let frame_room = |margins: &Margins| (bounds.size() - margins.low - margins.high).max(Point::ZERO);
     let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
     let has_places = |margins: &Margins| most_in(frame_room(margins)).iter().product::<usize>() >= wanted;
     // At the walls the good clearances if the lattice then has places for all, else the smallest, else none.
@@ -46,7 +46,7 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let span = Point::new(axes[0].offset(counts[0] - 1), axes[1].offset(counts[1] - 1));
     let slack = (room - span).max(Point::ZERO);
     let share = if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
-    let first = low + margins.low + slack * share;
+    let first = bounds.low + margins.low + slack * share;
     let mut add = |point: Point, member: &Member| {
         let position = frame.turn(point + member.offset);
         poses.push(Pose::new(position, elevation(view), angle + member.turn));
@@ -60,7 +60,8 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
         add(first + at, member);
     }
     let half = half_of_place(view, grid);
-    add_outside((first, counts), (low + half, high - half), &axes, |point| {
+    let middles = Bounds::new(bounds.low + half, bounds.high - half);
+    add_outside(Block { first, counts }, middles, &axes, |point| {
         members.iter().for_each(|member| add(point, member));
     });
 }
@@ -121,8 +122,7 @@ fn angle(view: &View<'_>, stream: &mut Stream) -> f64 {
     if view.rule.orientation.turn != Turn::Quarter {
         return drawn;
     }
-    let (low, high) = surroundings.room.region.outline.bounds();
-    let middle = (low + high) / 2.0;
+    let middle = surroundings.room.region.outline.bounds().center();
     best_quarter(view.environment, &view.class.relations, middle, surroundings.main_angle).unwrap_or(drawn)
 }
 
@@ -157,20 +157,24 @@ impl Axis {
 }
 
 /// What the margins of a grid leave of the room. Along an axis where no piece would fit they are given up.
-fn within_margins(view: &View<'_>, grid: &Grid, (low, high): (Point, Point)) -> (Point, Point) {
+fn within_margins(view: &View<'_>, grid: &Grid, room: Bounds) -> Bounds {
     let [left, front, right, back] = grid.margin;
-    let (inner_low, inner_high) = (low + Point::new(left, front), high - Point::new(right, back));
-    let fits = (inner_high - inner_low).cmpge(2.0 * half_of_place(view, grid));
-    (Point::select(fits, inner_low, low), Point::select(fits, inner_high, high))
+    let inner = Bounds::new(room.low + Point::new(left, front), room.high - Point::new(right, back));
+    let fits = inner.size().cmpge(2.0 * half_of_place(view, grid));
+    Bounds::new(Point::select(fits, inner.low, room.low), Point::select(fits, inner.high, room.high))
 }
 
-/// Lattice points outside the chosen block, for agents whose slot is taken by a column or a door.
-fn add_outside(
-    (first, counts): (Point, [usize; 2]),
-    (low, high): (Point, Point),
-    axes: &[Axis; 2],
-    mut add: impl FnMut(Point),
-) {
+/// The places of a lattice that its agents take.
+struct Block {
+    /// The first place, in the frame of the lattice.
+    first: Point,
+    /// Columns and rows.
+    counts: [usize; 2],
+}
+
+/// Lattice points of an area outside the chosen block, for agents whose slot is taken by a column or a door.
+fn add_outside(block: Block, area: Bounds, axes: &[Axis; 2], mut add: impl FnMut(Point)) {
+    let (Block { first, counts }, Bounds { low, high }) = (block, area);
     let steps = |length: f64, axis: usize| (length / axes[axis].interval + ROUNDING).max(0.0) as i64;
     let before = [steps(first.x - low.x, 0), steps(first.y - low.y, 1)];
     let after = [axes[0].count(high.x - first.x) as i64, axes[1].count(high.y - first.y) as i64];
@@ -190,11 +194,10 @@ fn add_outside(
 }
 
 /// Bounding box of the room in the frame of its longest wall.
-fn extent(view: &View<'_>, frame: &Pose) -> (Point, Point) {
+fn extent(view: &View<'_>, frame: &Pose) -> Bounds {
     let corners = view.environment.brief.surroundings.room.region.outline.corners();
     let local = |corner: &Point| Point::new(corner.dot(frame.right), corner.dot(frame.right.perp()));
-    let first = local(&corners[0]);
-    corners.iter().map(local).fold((first, first), |(low, high), point| (low.min(point), high.max(point)))
+    Bounds::around(corners.iter().map(local))
 }
 
 /// Columns and rows for `wanted` places: enough, few empty, and filling both directions alike. `most` bounds

@@ -1,7 +1,7 @@
 //! On top of (or under) an object: a position on its surface (section 3.2).
 
 use crate::catalog::{Along, Side, Turn};
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
 use crate::layout::constants::{FRONT_MARGIN, SURFACE_STEP, TRIALS_PER_SIDE};
@@ -14,8 +14,7 @@ use super::turn::{self, Bearing};
 /// The carrying rectangle in the parent's frame, and who is on it already.
 #[derive(Clone, Copy, Debug)]
 struct Surface {
-    low: Point,
-    high: Point,
+    bounds: Bounds,
     /// Metres above the parent's underside at which a child's underside comes to be.
     elevation: f64,
     places: usize,
@@ -31,8 +30,7 @@ impl Surface {
         let [left, front, right, back] = offer.margin;
         let half = Point::new(agent.size.width, agent.size.depth) / 2.0;
         Self {
-            low: Point::new(left, front) - half,
-            high: half - Point::new(right, back),
+            bounds: Bounds::new(Point::new(left, front) - half, half - Point::new(right, back)),
             elevation: match view.side {
                 Side::Below => -view.size.height,
                 _ => offer.surface.unwrap_or(agent.size.height),
@@ -79,7 +77,7 @@ pub(super) fn scan(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, pos
     let bearing = Bearing { parent_angle: rest.pose.angle, outward: Point::ZERO };
     let angle = turn::angle(&view.rule.orientation, &bearing, stream);
     let extent = half_extents(view, angle, &rest.pose);
-    let (least, most) = (surface.low + extent, surface.high - extent);
+    let (least, most) = (surface.bounds.low + extent, surface.bounds.high - extent);
     if least.cmpgt(most).any() {
         return;
     }
@@ -118,7 +116,7 @@ fn position(
     trial: usize,
     stream: &mut Stream,
 ) -> Option<Point> {
-    let (least, most) = (surface.low + extent, surface.high - extent);
+    let (least, most) = (surface.bounds.low + extent, surface.bounds.high - extent);
     if least.cmpgt(most + Point::splat(1e-9)).any() {
         return None;
     }
@@ -128,7 +126,7 @@ fn position(
         Along::Even => {
             let index = (surface.taken + trial) % surface.places;
             let share = (index as f64 + 0.5) / surface.places as f64;
-            let x = surface.low.x + (surface.high.x - surface.low.x) * share;
+            let x = surface.bounds.low.x + surface.bounds.size().x * share;
             Point::new(x.min(most.x).max(least.x), middle.y)
         }
         Along::Back => Point::new(stream.between(least.x, most.x), most.y),

@@ -1,7 +1,7 @@
 //! Leaves out rooms that are larger than any room, or farther away than any building reaches.
 
 use super::Assembly;
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Bounds, Point, Polygon};
 use crate::plan::inset::CenterRoom;
 use crate::plan::limits::{LEVEL_REACH, LEVEL_ROOMS, STOREY_HEIGHT, median, mistaken_unit, room_excess};
 use crate::plan::{LevelDraft, Problem, RoomDraft, Subject};
@@ -9,8 +9,7 @@ use crate::plan::{LevelDraft, Problem, RoomDraft, Subject};
 /// Reports a room that is too large or too high. Whether it is.
 pub(super) fn refuse_excess(assembly: &mut Assembly<'_>, number: usize, outline: &Polygon) -> bool {
     let room = &assembly.draft.rooms[number];
-    let (low, high) = outline.bounds();
-    let side = (high - low).max_element();
+    let side = outline.bounds().size().max_element();
     let (fact, allowed) = match (room_excess(outline), room.height) {
         (Some(excess), _) => (excess.fact, excess.allowed),
         (None, Some(height)) if height > STOREY_HEIGHT.1 => {
@@ -79,12 +78,9 @@ pub(super) fn is_hopeless(assembly: &mut Assembly<'_>) -> bool {
 }
 
 fn side(room: &RoomDraft) -> f64 {
-    let low = room.outline.iter().fold(Point::INFINITY, |low, corner| low.min(*corner));
-    let high = room.outline.iter().fold(Point::NEG_INFINITY, |high, corner| high.max(*corner));
-    (high - low).max_element()
+    Bounds::around(room.outline.iter().copied()).size().max_element()
 }
 
 fn middle(outline: &Polygon) -> Point {
-    let (low, high) = outline.bounds();
-    low.midpoint(high)
+    outline.bounds().center()
 }

@@ -3,7 +3,7 @@
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Bounds, Point, Polygon};
 use crate::plan::Room;
 
 type Boxed<T> = GeomWithData<Rectangle<[f64; 2]>, T>;
@@ -13,29 +13,29 @@ type Boxed<T> = GeomWithData<Rectangle<[f64; 2]>, T>;
 pub(in crate::plan) struct BoxIndex<T>(RTree<Boxed<T>>);
 
 impl<T: Copy + Ord> BoxIndex<T> {
-    /// Indexes items by the low and the high corner of their boxes; items without a place are left out.
-    pub(in crate::plan) fn of(boxes: impl Iterator<Item = (Point, Point, T)>) -> Self {
-        let boxes = boxes.filter(|(low, high, _)| low.is_finite() && high.is_finite());
-        Self(RTree::bulk_load(boxes.map(|(low, high, thing)| boxed(low, high, thing)).collect()))
+    /// Indexes items by their boxes; items without a place are left out.
+    pub(in crate::plan) fn of(boxes: impl Iterator<Item = (Bounds, T)>) -> Self {
+        let boxes = boxes.filter(|(bounds, _)| bounds.low.is_finite() && bounds.high.is_finite());
+        Self(RTree::bulk_load(boxes.map(|(bounds, thing)| boxed(bounds, thing)).collect()))
     }
 
-    /// The items whose box meets the box from `low` to `high`, sorted.
-    pub(in crate::plan) fn near(&self, low: Point, high: Point) -> Vec<T> {
-        let mut things: Vec<T> = self.meeting(low, high).collect();
+    /// The items whose box meets a box, sorted.
+    pub(in crate::plan) fn near(&self, bounds: Bounds) -> Vec<T> {
+        let mut things: Vec<T> = self.meeting(bounds).collect();
         // The tree's own order depends on how it was built; later ties must not.
         things.sort_unstable();
         things
     }
 
     /// As [`BoxIndex::near`] in the tree's own order, which is the same for the same boxes; not looked further than asked.
-    pub(in crate::plan) fn meeting(&self, low: Point, high: Point) -> impl Iterator<Item = T> {
-        let envelope = AABB::from_corners(low.to_array(), high.to_array());
+    pub(in crate::plan) fn meeting(&self, bounds: Bounds) -> impl Iterator<Item = T> {
+        let envelope = AABB::from_corners(bounds.low.to_array(), bounds.high.to_array());
         self.0.locate_in_envelope_intersecting(&envelope).map(|item| item.data)
     }
 
     /// Adds an item.
-    pub(in crate::plan) fn add(&mut self, low: Point, high: Point, thing: T) {
-        self.0.insert(boxed(low, high, thing));
+    pub(in crate::plan) fn add(&mut self, bounds: Bounds, thing: T) {
+        self.0.insert(boxed(bounds, thing));
     }
 }
 
@@ -56,7 +56,7 @@ impl WallIndex {
     pub(in crate::plan) fn of(rooms: &[Room]) -> Self {
         let boxes = rooms.iter().enumerate().flat_map(|(room, value)| {
             value.walls.iter().enumerate().map(move |(wall, piece)| {
-                (piece.start.min(piece.end), piece.start.max(piece.end), WallPlace { room, wall })
+                (Bounds::around([piece.start, piece.end]), WallPlace { room, wall })
             })
         });
         Self(BoxIndex::of(boxes))
@@ -70,7 +70,7 @@ impl WallIndex {
         reach: f64,
         most: usize,
     ) -> Vec<WallPlace> {
-        let all = self.0.meeting(start.min(end) - reach, start.max(end) + reach);
+        let all = self.0.meeting(Bounds::around([start, end]).inflated(reach));
         let mut places: Vec<WallPlace> = all.take(most).collect();
         places.sort_unstable();
         places
@@ -78,7 +78,7 @@ impl WallIndex {
 
     /// The walls whose bounding box comes within `reach` metres of that of a segment, sorted.
     pub(in crate::plan) fn near_segment(&self, start: Point, end: Point, reach: f64) -> Vec<WallPlace> {
-        self.0.near(start.min(end) - reach, start.max(end) + reach)
+        self.0.near(Bounds::around([start, end]).inflated(reach))
     }
 }
 
@@ -91,16 +91,14 @@ pub(in crate::plan) struct OutlineIndex {
 impl OutlineIndex {
     /// Indexes outlines.
     pub(in crate::plan) fn of(outlines: Vec<Polygon>) -> Self {
-        let index = BoxIndex::of(outlines.iter().enumerate().map(|(index, outline)| {
-            let (low, high) = outline.bounds();
-            (low, high, index)
-        }));
+        let boxes = outlines.iter().map(Polygon::bounds).zip(0..);
+        let index = BoxIndex::of(boxes);
         Self { outlines, index }
     }
 
-    /// The outlines whose bounding box meets the box from `low` to `high`, in their order.
-    pub(in crate::plan) fn near(&self, low: Point, high: Point) -> Vec<&Polygon> {
-        self.index.near(low, high).into_iter().map(|index| &self.outlines[index]).collect()
+    /// The outlines whose bounding box meets a box, in their order.
+    pub(in crate::plan) fn near(&self, bounds: Bounds) -> Vec<&Polygon> {
+        self.index.near(bounds).into_iter().map(|index| &self.outlines[index]).collect()
     }
 
     /// Whether there is none.
@@ -109,6 +107,6 @@ impl OutlineIndex {
     }
 }
 
-fn boxed<T>(low: Point, high: Point, thing: T) -> Boxed<T> {
-    GeomWithData::new(Rectangle::from_corners(low.to_array(), high.to_array()), thing)
+fn boxed<T>(bounds: Bounds, thing: T) -> Boxed<T> {
+    GeomWithData::new(Rectangle::from_corners(bounds.low.to_array(), bounds.high.to_array()), thing)
 }

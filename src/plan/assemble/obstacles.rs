@@ -13,10 +13,7 @@ const SMALLEST_PIECE: f64 = 1e-4;
 /// Gives each room the pieces of columns inside its region.
 pub(super) fn place_obstacles(assembly: &mut Assembly<'_>) {
     let draft = assembly.draft;
-    let index = BoxIndex::of(assembly.rooms.iter().enumerate().map(|(number, room)| {
-        let (low, high) = room.region.outline.bounds();
-        (low, high, number)
-    }));
+    let index = BoxIndex::of(assembly.rooms.iter().map(|room| room.region.outline.bounds()).zip(0..));
     for (number, obstacle) in draft.obstacles.iter().enumerate() {
         let subject = Subject::Obstacle(number);
         let outline = match clean_ring(&obstacle.outline, &[]).map(|ring| ring.polygon) {
@@ -38,8 +35,7 @@ pub(super) fn place_obstacles(assembly: &mut Assembly<'_>) {
             continue;
         }
         let mut is_inside = false;
-        let (low, high) = outline.bounds();
-        for room in index.near(low, high) {
+        for room in index.near(outline.bounds()) {
             let room = &mut assembly.rooms[room];
             for piece in pieces(&outline, room) {
                 is_inside = true;

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use geo::{Area, BooleanOps};
 
 use super::{Assembly, BoxIndex};
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Bounds, Polygon};
 use crate::plan::clean::{separate_holes, to_surface};
 use crate::plan::inset::CenterRoom;
 use crate::plan::{Problem, Subject};
@@ -78,13 +78,13 @@ fn overlaps(borders: &[CenterRoom]) -> Vec<Overlap> {
     let mut larger = BoxIndex::of(std::iter::empty());
     let mut found = Vec::new();
     for small in order {
-        let (low, high) = floors[small].bounds;
+        let bounds = floors[small].bounds;
         let overlap = |large: usize| {
             let area = floors[large.min(small)].shared_with(&floors[large.max(small)]);
             (area > LARGEST_SLIP).then_some(Overlap { large, small, area })
         };
-        found.extend(larger.meeting(low, high).take(COMPARED).filter_map(overlap).take(REPORTED));
-        larger.add(low, high, small);
+        found.extend(larger.meeting(bounds).take(COMPARED).filter_map(overlap).take(REPORTED));
+        larger.add(bounds, small);
     }
     found.sort_by_key(|pair| (pair.large.min(pair.small), pair.large.max(pair.small)));
     found
@@ -95,7 +95,7 @@ struct Floor<'a> {
     room: &'a CenterRoom,
     /// Square metres of its outline.
     area: f64,
-    bounds: (Point, Point),
+    bounds: Bounds,
     /// Its holes by place: a floor that is drawn around all rooms has one for each.
     holes: BoxIndex<usize>,
 }
@@ -103,16 +103,13 @@ struct Floor<'a> {
 impl<'a> Floor<'a> {
     fn of(room: &'a CenterRoom) -> Self {
         let outline = &room.ring.polygon;
-        let holes = BoxIndex::of(room.holes.iter().enumerate().map(|(number, hole)| {
-            let (low, high) = hole.bounds();
-            (low, high, number)
-        }));
+        let holes = BoxIndex::of(room.holes.iter().map(Polygon::bounds).zip(0..));
         Self { room, area: outline.area(), bounds: outline.bounds(), holes }
     }
 
     /// Square metres on which both lie.
     fn shared_with(&self, other: &Self) -> f64 {
-        let size = self.bounds.1.min(other.bounds.1) - self.bounds.0.max(other.bounds.0);
+        let size = self.bounds.high.min(other.bounds.high) - self.bounds.low.max(other.bounds.low);
         if size.min_element() <= 0.0 || size.x * size.y <= LARGEST_SLIP {
             return 0.0;
         }
@@ -120,8 +117,8 @@ impl<'a> Floor<'a> {
     }
 
     /// Its surface; holes that do not reach into a box are ignored.
-    fn surface_within(&self, (low, high): (Point, Point)) -> geo::Polygon<f64> {
-        let holes = self.holes.near(low, high).into_iter().map(|hole| self.room.holes[hole].clone());
+    fn surface_within(&self, bounds: Bounds) -> geo::Polygon<f64> {
+        let holes = self.holes.near(bounds).into_iter().map(|hole| self.room.holes[hole].clone());
         to_surface(&self.room.ring.polygon, &holes.collect::<Vec<Polygon>>())
     }
 }

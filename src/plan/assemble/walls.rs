@@ -1,7 +1,7 @@
 //! Finds what is behind each wall: thickness, open air, railings.
 
 use super::index::{OutlineIndex, WallIndex, WallPlace};
-use crate::geometry::{Point, Region};
+use crate::geometry::{Bounds, Point, Region};
 use crate::plan::{LevelDraft, Room, Wall, WallKind};
 
 /// A neighbouring room is looked for this many metres behind a wall; thicker inner walls count as outer ones.
@@ -132,8 +132,8 @@ fn drawn_thickness(wall: &Wall, solids: &OutlineIndex) -> Option<f64> {
     let outwards = -wall.normal();
     let far = middle + outwards * THICKEST_INNER_WALL;
     let start = middle + outwards * THINNEST_OUTER_WALL;
-    let solid =
-        solids.near(middle.min(far), middle.max(far)).into_iter().find(|solid| solid.contains(start))?;
+    let near = solids.near(Bounds::around([middle, far]));
+    let solid = near.into_iter().find(|solid| solid.contains(start))?;
     let exit = solid.edges().filter_map(|(a, b)| ray_hit(start, outwards, a, b)).min_by(f64::total_cmp)?;
     (exit <= THICKEST_INNER_WALL).then_some(exit + THINNEST_OUTER_WALL)
 }
@@ -143,8 +143,7 @@ fn is_railed(wall: &Wall, railings: &OutlineIndex) -> bool {
     let origins = ray_origins(wall);
     let outwards = -wall.normal();
     let railed = origins.iter().filter(|&&origin| {
-        let (low, high) = (origin - RAILING_REACH, origin + RAILING_REACH);
-        railings.near(low, high).into_iter().any(|railing| {
+        railings.near(Bounds::around_point(origin, RAILING_REACH)).into_iter().any(|railing| {
             let start = origin - outwards * RAY_BACKSTEP;
             let hits = railing.edges().filter_map(|(a, b)| ray_hit(start, outwards, a, b));
             railing.contains(start) || hits.min_by(f64::total_cmp).is_some_and(|hit| hit < RAILING_REACH)

@@ -1,7 +1,7 @@
 //! Finds open boundaries, which a drawing shows by leaving out the wall.
 
 use super::Request;
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::plan::assemble::{OutlineIndex, WallIndex, WallPlace, ray_hit};
 use crate::plan::{OpeningKind, Room, Wall, WallKind};
 
@@ -84,7 +84,7 @@ fn free_stretches(wall: &Wall, (low, high): (f64, f64), solids: &OutlineIndex) -
 
 fn is_walled(point: Point, wall: &Wall, solids: &OutlineIndex) -> bool {
     let (inside, outside) = (point + wall.normal() * WALL_REACH, point - wall.normal() * WALL_REACH);
-    let near = solids.near(point - WALL_REACH, point + WALL_REACH);
+    let near = solids.near(Bounds::around_point(point, WALL_REACH));
     near.into_iter().any(|solid| {
         solid.contains(point)
             || solid

@@ -78,13 +78,9 @@ pub(in crate::plan) fn separate_holes(outline: Ring, holes: Vec<Polygon>) -> Cle
 fn are_apart(outline: &Polygon, holes: &[Polygon]) -> bool {
     let surfaces: Vec<_> = holes.iter().map(|hole| to_surface(hole, &[])).collect();
     let border = to_surface(outline, &[]).exterior().clone();
-    let places = BoxIndex::of(holes.iter().enumerate().map(|(index, hole)| {
-        let (low, high) = hole.bounds();
-        (low, high, index)
-    }));
+    let places = BoxIndex::of(holes.iter().map(Polygon::bounds).zip(0..));
     let near = |index: usize| {
-        let (low, high) = holes[index].bounds();
-        let others = places.meeting(low - TOUCHING, high + TOUCHING);
+        let others = places.meeting(holes[index].bounds().inflated(TOUCHING));
         others.filter(move |other| *other < index)
     };
     surfaces.iter().enumerate().all(|(index, surface)| {

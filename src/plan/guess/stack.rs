@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::{BuildingDraft, LevelDraft};
 
@@ -17,12 +17,9 @@ pub(super) struct Stack(Vec<KnownRooms>);
 
 /// Those of a level.
 struct KnownRooms {
-    rooms: Vec<(Boxed, String)>,
+    rooms: Vec<(Bounds, String)>,
     places: BoxIndex<usize>,
 }
-
-/// Low and high corner.
-type Boxed = (Point, Point);
 
 impl Stack {
     pub(super) fn of(draft: &BuildingDraft) -> Self {
@@ -40,28 +37,27 @@ impl Stack {
 impl KnownRooms {
     fn of(level: &LevelDraft) -> Self {
         let known = level.rooms.iter().filter(|room| room.unknown_word.is_none());
-        let rooms: Vec<(Boxed, String)> =
+        let rooms: Vec<(Bounds, String)> =
             known.filter_map(|room| Some((box_of(&room.outline)?, room.room_type.clone()))).collect();
-        let boxes = rooms.iter().enumerate().map(|(number, ((low, high), _))| (*low, *high, number));
-        let places = BoxIndex::of(boxes);
+        let places = BoxIndex::of(rooms.iter().map(|(bounds, _)| *bounds).zip(0..));
         Self { rooms, places }
     }
 
-    fn types_at(&self, place: Boxed) -> impl Iterator<Item = &str> {
+    fn types_at(&self, place: Bounds) -> impl Iterator<Item = &str> {
         // A box that covers more than half of another holds its middle.
-        let middle = place.0.midpoint(place.1);
-        let met = self.places.meeting(middle, middle).take(MOST_MET).map(|number| &self.rooms[number]);
+        let middle = place.center();
+        let met =
+            self.places.meeting(Bounds::around([middle])).take(MOST_MET).map(|number| &self.rooms[number]);
         met.filter(move |(other, _)| is_same_place(*other, place)).map(|(_, kind)| kind.as_str())
     }
 }
 
-fn box_of(outline: &[Point]) -> Option<Boxed> {
-    let low = outline.iter().copied().reduce(Point::min)?;
-    Some((low, outline.iter().copied().reduce(Point::max)?))
+fn box_of(outline: &[Point]) -> Option<Bounds> {
+    (!outline.is_empty()).then(|| Bounds::around(outline.iter().copied()))
 }
 
-fn is_same_place(a: Boxed, b: Boxed) -> bool {
-    let area = |low: Point, high: Point| (high - low).max(Point::ZERO).element_product();
-    let both = area(a.0.max(b.0), a.1.min(b.1));
-    both > SAME_PLACE * (area(a.0, a.1) + area(b.0, b.1) - both)
+fn is_same_place(a: Bounds, b: Bounds) -> bool {
+    let area = |bounds: Bounds| bounds.size().max(Point::ZERO).element_product();
+    let both = area(Bounds::new(a.low.max(b.low), a.high.min(b.high)));
+    both > SAME_PLACE * (area(a) + area(b) - both)
 }

@@ -172,8 +172,7 @@ impl RoomParts<'_, '_, '_> {
         let sunk = Ticks(SLAB.0 / 2);
         let ceiling = Ticks::of(self.room.height);
         for (index, obstacle) in self.room.obstacles.iter().enumerate() {
-            let (low, high) = obstacle.outline.bounds();
-            let anchor = (low + high) / 2.0;
+            let anchor = obstacle.outline.bounds().center();
             let height = Ticks::of(obstacle.height);
             let top = if height >= ceiling { ceiling + sunk } else { height };
             let region = Region::simple(obstacle.outline.clone());

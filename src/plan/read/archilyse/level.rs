@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::areas::{Area, Outline};
 use super::drawing::{Drawing, Hole, Sweep, metres, outer_ring};
-use crate::geometry::{Point, Polygon, Region};
+use crate::geometry::{Bounds, Point, Polygon, Region};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::read::foreign::TypeOfWord;
 use crate::plan::units::CENTIMETRE;
@@ -101,14 +101,11 @@ fn columns(outlines: Vec<Vec<Point>>, floor: &Floor<'_>) -> Vec<ObstacleDraft> {
         .flat_map(|(_, outlines)| outlines)
         .filter_map(|outline| Some((Polygon::new(&outline.outer).ok()?, outline)))
         .collect();
-    let places = BoxIndex::of(areas.iter().enumerate().map(|(number, (outer, _))| {
-        let (low, high) = outer.bounds();
-        (low, high, number)
-    }));
+    let places = BoxIndex::of(areas.iter().map(|(outer, _)| outer.bounds()).zip(0..));
     let stands_free = |column: &Vec<Point>| {
         let middle = column.iter().sum::<Point>() / column.len().max(1) as f64;
         let encloses = |ring: &Vec<Point>| Polygon::new(ring).is_ok_and(|ring| ring.contains(middle));
-        places.meeting(middle, middle).any(|number| {
+        places.meeting(Bounds::around([middle])).any(|number| {
             let (outer, area) = &areas[number];
             outer.contains(middle) && !area.holes.iter().any(encloses)
         })
@@ -157,8 +154,7 @@ impl Fixtures {
         let fixtures = floor.drawing.fixtures(floor.pixel).into_iter();
         let kinds: Vec<(Point, String)> =
             fixtures.map(|fixture| (fixture.center, fixture.kind.to_lowercase())).collect();
-        let points = kinds.iter().enumerate().map(|(number, (center, _))| (*center, *center, number));
-        let places = BoxIndex::of(points);
+        let places = BoxIndex::of(kinds.iter().map(|(center, _)| Bounds::around([*center])).zip(0..));
         Self { kinds, places }
     }
 
@@ -166,9 +162,9 @@ impl Fixtures {
     fn kinds_in(&self, outline: &Outline) -> BTreeSet<String> {
         let Ok(outer) = Polygon::new(&outline.outer) else { return BTreeSet::new() };
         let holes: Vec<Polygon> = outline.holes.iter().filter_map(|hole| Polygon::new(hole).ok()).collect();
-        let (low, high) = outer.bounds();
+        let bounds = outer.bounds();
         let room = Region { outline: outer, holes };
-        let near = self.places.meeting(low, high).map(|number| &self.kinds[number]);
+        let near = self.places.meeting(bounds).map(|number| &self.kinds[number]);
         near.filter(|(center, _)| room.contains(*center)).map(|(_, kind)| kind.clone()).collect()
     }
 }

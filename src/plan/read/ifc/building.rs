@@ -13,7 +13,7 @@ use super::openings;
 use super::placement::Geometry;
 use super::relations::Relations;
 use super::room_types::RoomTypes;
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::plan::read::found::DraftedBuilding;
 use crate::plan::{BuildingDraft, RoomWords};
 
@@ -125,7 +125,7 @@ fn frame(geometry: &Geometry<'_>, building: u64) -> DAffine3 {
 
 /// By how many whole metres a building is moved to its origin: none where it stands near.
 fn recentring<'a>(corners: impl Iterator<Item = &'a Point>) -> Point {
-    let low = corners.fold(Point::INFINITY, |low, corner| low.min(*corner));
+    let Bounds { low, .. } = Bounds::around(corners.copied());
     let is_far = low.is_finite() && low.abs().max_element() > FARTHEST;
     if is_far { -low.floor() } else { Point::ZERO }
 }

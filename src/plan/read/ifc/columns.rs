@@ -9,7 +9,7 @@ use super::level::Storey;
 use super::model::{Entity, Read};
 use super::placement::Geometry;
 use super::relations::Relations;
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Bounds, Point, Polygon};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::clean::to_simple;
 use crate::plan::{ObstacleDraft, RoomDraft};
@@ -106,10 +106,7 @@ impl Products<'_> {
 
 impl Storey {
     fn rooms_by_place(&self) -> BoxIndex<usize> {
-        BoxIndex::of(self.draft.rooms.iter().enumerate().map(|(number, room)| {
-            let (low, high) = bounds(&room.outline);
-            (low, high, number)
-        }))
+        BoxIndex::of(self.draft.rooms.iter().map(|room| bounds(&room.outline)).zip(0..))
     }
 
     /// Whether something stands where people walk on this storey.
@@ -123,10 +120,10 @@ impl Storey {
 /// Enters a column into the storeys on which it stands in a room; most are part of a wall.
 fn columns(storeys: &mut [Storey], places: &[BoxIndex<usize>], column: &Footprint) {
     let here = storeys.iter_mut().zip(places).filter(|(storey, _)| storey.is_in_the_way(column));
-    let (low, high) = bounds(&column.outer);
+    let bounds = bounds(&column.outer);
     for (storey, places) in here {
         storey.draft.wall_outlines.extend(Some(column.outer.clone()).filter(|_| !storey.has_unread_walls));
-        let mut rooms = places.near(low, high).into_iter().map(|room| &storey.draft.rooms[room]);
+        let mut rooms = places.near(bounds).into_iter().map(|room| &storey.draft.rooms[room]);
         let Some(room) = rooms.find(|room| reaches_into(room, &column.outer)) else {
             continue;
         };
@@ -136,9 +133,8 @@ fn columns(storeys: &mut [Storey], places: &[BoxIndex<usize>], column: &Footprin
     }
 }
 
-fn bounds(ring: &[Point]) -> (Point, Point) {
-    let low = ring.iter().fold(Point::INFINITY, |low, corner| low.min(*corner));
-    (low, ring.iter().fold(Point::NEG_INFINITY, |high, corner| high.max(*corner)))
+fn bounds(ring: &[Point]) -> Bounds {
+    Bounds::around(ring.iter().copied())
 }
 
 fn reaches_into(room: &RoomDraft, column: &[Point]) -> bool {

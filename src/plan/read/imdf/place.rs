@@ -1,7 +1,7 @@
 //! Converts degrees to metres in the plane of a building.
 
 use super::features::{Geometry, Position};
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::plan::limits::median;
 use crate::plan::units::LocalPlane;
 
@@ -44,12 +44,11 @@ fn point(position: &[f64], plane: &LocalPlane) -> Point {
 /// far off. `None` if there are none, or no degrees.
 pub(super) fn plane_of<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<LocalPlane> {
     let corners: Vec<Point> = geometries.flat_map(corners).collect();
-    let low = corners.iter().copied().fold(Point::INFINITY, Point::min);
-    let high = corners.iter().copied().fold(Point::NEG_INFINITY, Point::max);
-    let middle = if (high - low).max_element() > WIDEST_BUILDING {
+    let bounds = Bounds::around(corners.iter().copied());
+    let middle = if bounds.size().max_element() > WIDEST_BUILDING {
         Point::new(median(corners.iter().map(|at| at.x)), median(corners.iter().map(|at| at.y)))
     } else {
-        (low + high) / 2.0
+        bounds.center()
     };
     LocalPlane::at(middle.x, middle.y)
 }

@@ -4,15 +4,15 @@ use glam::DVec3;
 
 /// An axis-parallel box: plan metres, elevation above the room's floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Bounds {
+pub(crate) struct UprightBox {
     /// Lowest corner.
     pub(crate) low: DVec3,
     /// Highest corner.
     pub(crate) high: DVec3,
 }
 
-impl Bounds {
-    /// Contains nothing; the neutral value of [`Bounds::union`].
+impl UprightBox {
+    /// Contains nothing; the neutral value of [`UprightBox::union`].
     pub(crate) const EMPTY: Self =
         Self { low: DVec3::splat(f64::INFINITY), high: DVec3::splat(f64::NEG_INFINITY) };
 
