@@ -31,7 +31,7 @@ pub mod edits {
     pub use crate::edits::{EditBook, read_edits};
 }
 pub mod geometry {
-    pub use crate::geometry::{Bounds, Convex, Point, Polygon, Region, Size, direction};
+    pub use crate::geometry::{Bounds, Convex, Point, Polygon, Region, Segment, Size, direction};
 }
 pub mod gltf {
     pub use crate::gltf::{

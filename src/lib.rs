@@ -92,7 +92,7 @@ pub mod options {
 
 /// Plans as they were read: what [`Project::plan`] is made of.
 pub mod building {
-    pub use crate::geometry::{Bounds, Point, Polygon, Region};
+    pub use crate::geometry::{Bounds, Point, Polygon, Region, Segment};
     pub use crate::plan::{
         Building, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, PlacedBuilding, Plan, Room,
         RoomOpening, SitePlacement, Wall, WallKind,

@@ -3,7 +3,7 @@
 //!
 //! Polygons are slices of corners, counter-clockwise, in plan metres.
 
-use crate::geometry::{Point, edges, nearest_on_segment};
+use crate::geometry::{Point, Segment, edges};
 
 /// How far one polygon must move for the two to part: above zero where they overlap, else at most zero.
 ///
@@ -17,9 +17,9 @@ pub(crate) fn penetration(a: &[Point], b: &[Point]) -> f64 {
 /// The widest gap that an edge of `a` leaves to all of `b`; below zero where none does.
 fn separation(a: &[Point], b: &[Point]) -> f64 {
     let mut widest = f64::NEG_INFINITY;
-    for (start, end) in edges(a) {
-        let outward = -(end - start).perp().normalize();
-        let gap = b.iter().map(|&corner| outward.dot(corner - start)).fold(f64::INFINITY, f64::min);
+    for edge in edges(a) {
+        let outward = -edge.normal();
+        let gap = b.iter().map(|&corner| outward.dot(corner - edge.start)).fold(f64::INFINITY, f64::min);
         widest = widest.max(gap);
     }
     widest
@@ -27,22 +27,16 @@ fn separation(a: &[Point], b: &[Point]) -> f64 {
 
 /// How deep a point lies inside: its distance to the nearest edge's line, below zero outside.
 pub(crate) fn depth(polygon: &[Point], point: Point) -> f64 {
-    edges(polygon)
-        .map(|(start, end)| (end - start).perp().normalize().dot(point - start))
-        .fold(f64::INFINITY, f64::min)
+    edges(polygon).map(|edge| edge.normal().dot(point - edge.start)).fold(f64::INFINITY, f64::min)
 }
 
 /// The part of a segment that lies at least `margin` inside a polygon.
-pub(crate) fn clip_segment(
-    polygon: &[Point],
-    (start, end): (Point, Point),
-    margin: f64,
-) -> Option<(Point, Point)> {
+pub(crate) fn clip_segment(polygon: &[Point], segment: Segment, margin: f64) -> Option<Segment> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for (corner, next) in edges(polygon) {
-        let inward = (next - corner).perp().normalize();
-        let at_start = inward.dot(start - corner) - margin;
-        let slope = inward.dot(end - start);
+    for edge in edges(polygon) {
+        let inward = edge.normal();
+        let at_start = inward.dot(segment.start - edge.start) - margin;
+        let slope = inward.dot(segment.vector());
         if slope == 0.0 {
             if at_start < 0.0 {
                 return None;
@@ -56,18 +50,18 @@ pub(crate) fn clip_segment(
             to = to.min(crossing);
         }
     }
-    (from <= to).then(|| (start.lerp(end, from), start.lerp(end, to)))
+    (from <= to).then(|| Segment::new(segment.at(from), segment.at(to)))
 }
 
 /// The common part of two polygons (Sutherland and Hodgman 1974); empty where there is none.
 pub(crate) fn intersection(a: &[Point], b: &[Point]) -> Vec<Point> {
-    edges(b).fold(a.to_vec(), |kept, (start, end)| half(&kept, |point| (end - start).perp_dot(point - start)))
+    edges(b).fold(a.to_vec(), |kept, edge| half(&kept, |point| edge.side(point)))
 }
 
 /// The part of a polygon on the side of a line where `side`, a multiple of the distance to it, is not below zero.
 pub(crate) fn half(polygon: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
-    for (from, to) in edges(polygon) {
+    for Segment { start: from, end: to } in edges(polygon) {
         let (from_side, to_side) = (side(from), side(to));
         if from_side >= 0.0 {
             kept.push(from);
@@ -81,7 +75,7 @@ pub(crate) fn half(polygon: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point>
 
 /// Square metres of a polygon.
 pub(crate) fn area(polygon: &[Point]) -> f64 {
-    edges(polygon).map(|(start, end)| (start - polygon[0]).perp_dot(end - polygon[0])).sum::<f64>() / 2.0
+    edges(polygon).map(|edge| (edge.start - polygon[0]).perp_dot(edge.end - polygon[0])).sum::<f64>() / 2.0
 }
 
 /// The mean of the corners; inside, for every convex polygon.
@@ -91,13 +85,13 @@ pub(crate) fn middle(polygon: &[Point]) -> Point {
 }
 
 /// Metres between a polygon and a segment; zero where they touch.
-pub(crate) fn segment_distance(polygon: &[Point], segment: (Point, Point)) -> f64 {
+pub(crate) fn segment_distance(polygon: &[Point], segment: Segment) -> f64 {
     if clip_segment(polygon, segment, 0.0).is_some() {
         return 0.0;
     }
-    let from_corners = polygon.iter().map(|&corner| corner.distance(nearest_on_segment(corner, segment)));
-    let from_ends = edges(polygon)
-        .flat_map(|edge| [segment.0, segment.1].map(|p| p.distance(nearest_on_segment(p, edge))));
+    let from_corners = polygon.iter().map(|&corner| segment.distance(corner));
+    let from_ends =
+        edges(polygon).flat_map(|edge| [segment.start, segment.end].map(|end| edge.distance(end)));
     from_corners.chain(from_ends).fold(f64::INFINITY, f64::min)
 }
 
@@ -148,9 +142,9 @@ mod tests {
 
     #[test]
     fn a_segment_is_clipped_to_the_shrunk_polygon() {
-        let through = (Point::new(-1.0, 0.5), Point::new(3.0, 0.5));
-        let (from, to) = clip_segment(&square(0.0, 0.0, 2.0), through, 0.1).unwrap();
-        assert!((from.x - 0.1).abs() < 1e-12 && (to.x - 1.9).abs() < 1e-12);
+        let through = Segment::new(Point::new(-1.0, 0.5), Point::new(3.0, 0.5));
+        let inside = clip_segment(&square(0.0, 0.0, 2.0), through, 0.1).unwrap();
+        assert!((inside.start.x - 0.1).abs() < 1e-12 && (inside.end.x - 1.9).abs() < 1e-12);
         assert!(clip_segment(&square(0.0, 0.0, 2.0), through, 0.6).is_none());
     }
 
@@ -158,7 +152,7 @@ mod tests {
     fn distances_between_polygons_and_segments() {
         assert!((distance(&square(0.0, 0.0, 1.0), &square(4.0, 5.0, 1.0)) - 5.0).abs() < 1e-12);
         assert!(distance(&square(0.0, 0.0, 1.0), &square(0.5, 0.5, 1.0)).abs() < 1e-12);
-        let wall = (Point::new(-5.0, 1.2), Point::new(5.0, 1.2));
+        let wall = Segment::new(Point::new(-5.0, 1.2), Point::new(5.0, 1.2));
         assert!((segment_distance(&square(0.0, 0.0, 1.0), wall) - 0.2).abs() < 1e-12);
     }
 

@@ -4,7 +4,7 @@
 //! no judgement: the answers come from outside ([`Ask`]).
 
 use crate::catalog::{ClassIndex, Size};
-use crate::geometry::{Point, Solid};
+use crate::geometry::{Line, Solid};
 
 /// Whether a room has a place for something.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +29,8 @@ pub enum Question<'q> {
         size: Size,
         /// What stands on the floor.
         among: &'q [&'q Solid],
-        /// A point and a direction of unit length: the piece stays to the left.
-        line: (Point, Point),
+        /// The piece stays to the left of it.
+        line: Line,
     },
 }
 

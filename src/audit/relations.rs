@@ -10,7 +10,7 @@ use super::mean::weighted_mean;
 use super::subject::{Body, Subject};
 use super::zone::{NearPair, Purpose};
 use crate::catalog::{ParentName, Relation, RelationKind};
-use crate::geometry::{Point, nearest_on_segment};
+use crate::geometry::Point;
 use crate::plan::OpeningKind;
 
 /// Metres outside the good distances, or radians off the good angle, over which a wish fades to unmet.
@@ -105,7 +105,7 @@ impl<'s, 'a> Known<'s, 'a> {
             ParentName::Wall => {
                 let faces = room.walls.iter();
                 faces.for_each(|wall| {
-                    visit(fixed(nearest_on_segment(position, (wall.start, wall.end)), wall.normal()));
+                    visit(fixed(wall.segment().nearest(position), wall.normal()));
                 });
             }
             ParentName::Column => {

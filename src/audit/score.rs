@@ -16,7 +16,7 @@ use super::mean::weighted_mean;
 use super::relations;
 use super::subject::{Body, Subject};
 use super::zone::Purpose;
-use crate::geometry::{Point, nearest_on_segment};
+use crate::geometry::{Point, Segment};
 use crate::layout::Parent;
 
 /// Parts of one that a score keeps: enough to rank by, and the same in every sum.
@@ -129,10 +129,10 @@ fn alignments<'s>(subject: &'s Subject<'_>) -> impl Iterator<Item = f64> + 's {
 
 /// Unit vector along the wall that is nearest to a point.
 fn nearest_wall(subject: &Subject<'_>, point: Point) -> Point {
-    let apart = |edge: (Point, Point)| point.distance_squared(nearest_on_segment(point, edge));
+    let apart = |edge: Segment| edge.distance_squared(point);
     let edges = subject.room.region.borders();
     let nearest = edges.map(|edge| (apart(edge), edge)).reduce(|a, b| if b.0 < a.0 { b } else { a });
-    nearest.map_or(Point::X, |(_, (start, end))| (end - start).normalize())
+    nearest.map_or(Point::X, |(_, edge)| edge.direction())
 }
 
 #[cfg(test)]

@@ -3,8 +3,6 @@
 use core::cell::OnceCell;
 use std::collections::BTreeMap;
 
-use glam::DVec3;
-
 use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, DEFAULT_STYLE, Style};
 use crate::contract::ElementId;
 use crate::geometry::{Point, Solid, direction, edges};
@@ -211,8 +209,8 @@ impl<'a> Body<'a> {
 
 /// The box around a prism.
 pub(crate) fn solid_bounds(solid: &Solid) -> UprightBox {
-    let flat = edges(solid.footprint()).fold(UprightBox::EMPTY, |bounds, (corner, _)| {
-        let corner = DVec3::new(corner.x, corner.y, solid.low);
+    let flat = edges(solid.footprint()).fold(UprightBox::EMPTY, |bounds, edge| {
+        let corner = edge.start.extend(solid.low);
         bounds.union(UprightBox { low: corner, high: corner })
     });
     UprightBox { low: flat.low, high: flat.high.with_z(solid.high) }

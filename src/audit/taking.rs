@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::catalog::{Clearance, Side};
-use crate::geometry::{Point, direction};
+use crate::geometry::{Point, Segment, direction};
 use crate::layout::{Parent, clearance_solids};
 use crate::plan::OpeningKind;
 
@@ -50,7 +50,7 @@ pub(crate) fn zone(body: &Body<'_>, clearance: &Clearance, depth: f64, purpose: 
         purpose,
         base: vec![place(0.0, -half), place(depth, -half), place(depth, half), place(0.0, half)],
         heights: (placement.elevation, placement.elevation + clearance.height),
-        face: (place(0.0, -half), place(0.0, half)),
+        face: Segment::new(place(0.0, -half), place(0.0, half)),
     }
 }
 
@@ -172,10 +172,10 @@ fn is_flat(subject: &Subject<'_>, body: &Body<'_>) -> bool {
 
 /// The edges of walls and columns inside a zone, with the parts that they belong to. Where the wall is open, a
 /// zone may reach into the next room.
-fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, (Point, Point))> {
+fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, Segment)> {
     let room = subject.room;
     let margin = subject.rules().clearances.intrusion + ROUNDING;
-    let inside = |edge: (Point, Point)| clip_segment(&zone.base, edge, margin);
+    let inside = |edge: Segment| clip_segment(&zone.base, edge, margin);
     let walls = room.region.borders().enumerate().filter_map(|(number, border)| {
         let segment = inside(border)?;
         (!is_open(subject, number, segment)).then(|| (Subject::wall(number), segment))
@@ -188,10 +188,11 @@ fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, (Point, Point)
 }
 
 /// Whether a stretch of a wall lies in an opening that nothing closes.
-fn is_open(subject: &Subject<'_>, wall: usize, (start, end): (Point, Point)) -> bool {
+fn is_open(subject: &Subject<'_>, wall: usize, stretch: Segment) -> bool {
     let face = &subject.room.walls[wall];
     let along = |point: Point| (point - face.start).dot(face.direction());
-    let (from, to) = (along(start).min(along(end)), along(start).max(along(end)));
+    let (start, end) = (along(stretch.start), along(stretch.end));
+    let (from, to) = (start.min(end), start.max(end));
     subject.room.openings.iter().filter(|place| place.wall == wall).any(|place| {
         let kind = subject.level.openings[place.opening].kind;
         let is_free = matches!(kind, OpeningKind::OpenBoundary | OpeningKind::Passage);

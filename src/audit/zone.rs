@@ -1,6 +1,6 @@
 //! Regions of a room that must stay free, and how far a body reaches into one.
 
-use crate::geometry::{Point, Solid, nearest_on_segment};
+use crate::geometry::{Point, Segment, Solid};
 
 use super::convex::{intersection, middle, penetration};
 use super::subject::{Body, Subject};
@@ -15,7 +15,7 @@ pub(crate) struct Zone {
     /// Metres of its underside and top above the floor.
     pub(crate) heights: (f64, f64),
     /// Where it is entered from: the opening, or the side of the object.
-    pub(crate) face: (Point, Point),
+    pub(crate) face: Segment,
 }
 
 /// A zone and the index of a body whose box touches it.
@@ -58,15 +58,14 @@ impl Zone {
     pub(crate) fn free_depth(&self, body: &Body<'_>) -> f64 {
         let parts = body.solids.iter().filter(|solid| self.reach(solid) > 0.0);
         let corners = parts.flat_map(|solid| intersection(&self.base, solid.footprint()));
-        let depths = corners.map(|corner| corner.distance(nearest_on_segment(corner, self.face)));
+        let depths = corners.map(|corner| self.face.distance(corner));
         depths.fold(f64::INFINITY, f64::min)
     }
 
     /// Metres between the zone's face and a segment inside the zone.
-    pub(crate) fn free_depth_to(&self, (start, end): (Point, Point)) -> f64 {
-        let apart = |point: Point, segment| point.distance(nearest_on_segment(point, segment));
-        let from_ends = apart(start, self.face).min(apart(end, self.face));
-        from_ends.min(apart(self.face.0, (start, end))).min(apart(self.face.1, (start, end)))
+    pub(crate) fn free_depth_to(&self, segment: Segment) -> f64 {
+        let from_ends = |one: Segment, other: Segment| other.distance(one.start).min(other.distance(one.end));
+        from_ends(segment, self.face).min(from_ends(self.face, segment))
     }
 
     fn reach(&self, solid: &Solid) -> f64 {
@@ -76,16 +75,15 @@ impl Zone {
 
     fn is_in_sight(&self, subject: &Subject<'_>, solid: &Solid) -> bool {
         let witness = middle(&intersection(&self.base, solid.footprint()));
-        let face = nearest_on_segment(witness, self.face);
-        !subject.room.region.borders().any(|border| cross((witness, face), border))
+        let sight = Segment::new(witness, self.face.nearest(witness));
+        !subject.room.region.borders().any(|border| cross(sight, border))
     }
 }
 
 /// Whether two segments cross in a point inside both.
-fn cross((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+fn cross(one: Segment, other: Segment) -> bool {
     /// Square metres: a segment that ends on a border does not cross it.
     const TOUCHING: f64 = 1e-9;
-    let side = |p: Point, q: Point, r: Point| (q - p).perp_dot(r - p);
     let opposed = |one: f64, other: f64| one.min(other) < -TOUCHING && one.max(other) > TOUCHING;
-    opposed(side(a, b, c), side(a, b, d)) && opposed(side(c, d, a), side(c, d, b))
+    opposed(one.side(other.start), one.side(other.end)) && opposed(other.side(one.start), other.side(one.end))
 }

@@ -1,7 +1,7 @@
 //! Places the names of rooms, each at the emptiest spot of its room.
 
 use crate::audit::Grade;
-use crate::geometry::{Bounds, Point};
+use crate::geometry::{Bounds, Point, Segment};
 use crate::layout::{Furnished, Parent};
 use crate::plan::Room;
 
@@ -76,8 +76,8 @@ fn cut(text: &str, letters: usize) -> String {
 fn free_stretch(room: &Room, at: Point, height: f64) -> (f64, f64) {
     let Bounds { low, high } = room.region.outline.bounds();
     let crossings = |y: f64| {
-        let crossed = room.region.borders().filter(move |(a, b)| (a.y > y) != (b.y > y));
-        crossed.map(move |(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
+        let crossed = room.region.borders().filter(move |edge| (edge.start.y > y) != (edge.end.y > y));
+        crossed.map(move |Segment { start: a, end: b }| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y))
     };
     [at.y - height / 2.0, at.y + height / 2.0].into_iter().flat_map(crossings).fold(
         (low.x, high.x),
@@ -117,11 +117,7 @@ fn emptiest_place(room: &Room, furnished: &Furnished) -> Point {
 /// Metres to the nearest wall or object; names are wide, so that metres to the side count less.
 fn freedom(point: Point, room: &Room, furnished: &Furnished) -> f64 {
     const SIDEWAYS: Point = Point::new(0.5, 1.0);
-    let to_wall = room.region.borders().map(|(start, end)| {
-        let along = end - start;
-        let share = ((point - start).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        ((start + along * share - point) * SIDEWAYS).length()
-    });
+    let to_wall = room.region.borders().map(|border| ((border.nearest(point) - point) * SIDEWAYS).length());
     let standing = furnished.placements.iter().filter(|object| object.parent != Parent::Ceiling);
     let to_object = standing.map(|object| {
         let radius = (object.size.width + object.size.depth) / 4.0;

@@ -1,7 +1,7 @@
 //! Draws one room by itself, with marks on its differences from another state of it.
 
 use crate::catalog::Catalog;
-use crate::geometry::{Bounds, Point};
+use crate::geometry::{Bounds, Point, Segment};
 use crate::layout::{Furnished, Parent};
 use crate::plan::{Level, OpeningSide, Room, SitePlacement};
 
@@ -175,17 +175,20 @@ fn draw_mark(canvas: &mut Canvas, mark: &RoomMark) {
     let Some(from) = mark.from else { return };
     let to =
         mark.outline.iter().fold(Point::ZERO, |sum, &corner| sum + corner) / mark.outline.len().max(1) as f64;
-    draw_arrow(canvas, (from, to), color);
+    draw_arrow(canvas, Segment::new(from, to), color);
 }
 
 /// A line with a head; nothing where it would be shorter than the head.
-fn draw_arrow(canvas: &mut Canvas, (from, to): (Point, Point), color: &str) {
+fn draw_arrow(canvas: &mut Canvas, way: Segment, color: &str) {
     /// Pixels of the head's length, and of half its width.
     const HEAD: (f64, f64) = (9.0, 3.5);
     let (length, half) = (HEAD.0 / canvas.scale(), HEAD.1 / canvas.scale());
-    let Some(along) = (to - from).try_normalize().filter(|_| to.distance(from) > length) else { return };
+    if way.length() <= length {
+        return;
+    }
+    let (to, along) = (way.end, way.direction());
     let neck = to - along * length;
-    canvas.line(from, neck, &format!("stroke=\"{color}\" stroke-width=\"1.6\""));
+    canvas.line(way.start, neck, &format!("stroke=\"{color}\" stroke-width=\"1.6\""));
     let across = along.perp() * half;
     canvas.polygon(&[to, neck + across, neck - across], &format!("fill=\"{color}\""));
 }

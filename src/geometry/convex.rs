@@ -4,7 +4,7 @@
 //! Detection", SIGGRAPH 1996, section 5 (the test that the paper cites), here in the plane: two convex
 //! polygons are apart if and only if the normal of one of their edges separates their projections.
 
-use super::{Bounds, Point};
+use super::{Bounds, Point, Segment};
 
 /// Corners of a [`Convex`] that stands for a disc; its flats touch the disc, so its extent along the
 /// class's axes is the disc's own.
@@ -168,7 +168,8 @@ impl Convex {
 
     /// Whether a segment enters the polygon by more than `tolerance` metres.
     #[must_use]
-    pub fn is_entered_by(&self, start: Point, end: Point, tolerance: f64) -> bool {
+    pub fn is_entered_by(&self, segment: Segment, tolerance: f64) -> bool {
+        let Segment { start, end } = segment;
         if self.normals().any(|normal| {
             let (low, high) = self.project(normal);
             let (a, b) = (start.dot(normal), end.dot(normal));
@@ -177,7 +178,7 @@ impl Convex {
         }) {
             return false;
         }
-        let across = (end - start).perp().normalize_or_zero();
+        let across = segment.normal();
         if across == Point::ZERO {
             return true;
         }
@@ -233,9 +234,9 @@ mod tests {
                 assert!(at(0.0).overlaps(&at(2.0 * half - 0.0011), 0.001), "{half} {turn}");
                 assert!(at(0.0).overlaps(&at(2.0 * half + 0.0009), -0.001), "{half} {turn}");
                 assert!(!at(0.0).overlaps(&at(2.0 * half + 0.0011), -0.001), "{half} {turn}");
-                let (start, end) = (axis * (half - 0.0009), axis * (half + 5.0));
-                assert!(!at(0.0).is_entered_by(start, end, 0.001), "{half} {turn}");
-                assert!(at(0.0).is_entered_by(axis * (half - 0.0011), end, 0.001), "{half} {turn}");
+                let from = |along: f64| Segment::new(axis * along, axis * (half + 5.0));
+                assert!(!at(0.0).is_entered_by(from(half - 0.0009), 0.001), "{half} {turn}");
+                assert!(at(0.0).is_entered_by(from(half - 0.0011), 0.001), "{half} {turn}");
             }
         }
     }
@@ -265,9 +266,10 @@ mod tests {
     #[test]
     fn a_wall_along_the_back_does_not_enter() {
         let body = square(0.0, 0.0, 0.0);
-        assert!(!body.is_entered_by(Point::new(-2.0, 0.5), Point::new(2.0, 0.5), 1e-3));
-        assert!(body.is_entered_by(Point::new(-2.0, 0.4), Point::new(2.0, 0.4), 1e-3));
-        assert!(!body.is_entered_by(Point::new(0.6, 0.0), Point::new(2.0, 0.0), 1e-3));
+        let line = |west: f64, y: f64| Segment::new(Point::new(west, y), Point::new(2.0, y));
+        assert!(!body.is_entered_by(line(-2.0, 0.5), 1e-3));
+        assert!(body.is_entered_by(line(-2.0, 0.4), 1e-3));
+        assert!(!body.is_entered_by(line(0.6, 0.0), 1e-3));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! A uniform grid over a room: the broad phase of collision and containment.
 
-use super::{Bounds, Convex, Point, edges};
+use super::{Bounds, Convex, Point, Segment, edges};
 
 /// Metres of a cell; about the size of one piece of furniture, so that most bodies lie in one to four cells.
 const CELL: f64 = 1.0;
@@ -154,7 +154,7 @@ fn index_of(place: f64, count: usize) -> usize {
 /// Lowest and highest x of what a polygon has between two heights of the plan; `None` where it has nothing there.
 fn extent_between(base: &Convex, (low, high): (f64, f64)) -> Option<(f64, f64)> {
     let mut extent = None;
-    for (a, b) in edges(base.corners()) {
+    for Segment { start: a, end: b } in edges(base.corners()) {
         let (lower, upper) = if a.y <= b.y { (a, b) } else { (b, a) };
         if upper.y < low || lower.y > high {
             continue;

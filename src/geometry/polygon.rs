@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Bounds, Point};
+use super::{Bounds, Point, Segment};
 
 /// Corners closer than this are one corner (real plans carry corners 2 cm apart; this is below any of them).
 pub const CORNER_TOLERANCE: f64 = 1e-4;
@@ -88,10 +88,10 @@ impl Polygon {
         &self.corners
     }
 
-    /// The edges as (start, end), edge `i` from corner `i` to corner `i + 1`; the inside is on the left.
-    pub fn edges(&self) -> impl ExactSizeIterator<Item = (Point, Point)> + '_ {
+    /// The edges, edge `i` from corner `i` to corner `i + 1`; the inside is on the left.
+    pub fn edges(&self) -> impl ExactSizeIterator<Item = Segment> + '_ {
         let count = self.corners.len();
-        (0..count).map(move |i| (self.corners[i], self.corners[(i + 1) % count]))
+        (0..count).map(move |i| Segment::new(self.corners[i], self.corners[(i + 1) % count]))
     }
 
     /// Area in square metres, above zero.
@@ -104,7 +104,7 @@ impl Polygon {
     #[must_use]
     pub fn contains(&self, point: Point) -> bool {
         let mut inside = false;
-        for (a, b) in self.edges() {
+        for Segment { start: a, end: b } in self.edges() {
             if (a.y > point.y) != (b.y > point.y) {
                 let x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
                 if point.x < x {
@@ -153,8 +153,9 @@ impl Region {
 
     /// All borders with the free side on the left: the outline's edges in order, then each hole's edges
     /// reversed. This order numbers the walls of a room.
-    pub fn borders(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
-        self.outline.edges().chain(self.holes.iter().flat_map(|hole| hole.edges().map(|(a, b)| (b, a))))
+    pub fn borders(&self) -> impl Iterator<Item = Segment> + '_ {
+        let holes = self.holes.iter().flat_map(Polygon::edges);
+        self.outline.edges().chain(holes.map(Segment::reversed))
     }
 }
 
@@ -168,17 +169,16 @@ fn signed_area(corners: &[Point]) -> f64 {
 /// The first pair of edges that share a point other than the corner between neighbours.
 fn first_crossing(corners: &[Point]) -> Option<(usize, usize)> {
     let count = corners.len();
-    let edge = |i: usize| (corners[i], corners[(i + 1) % count]);
+    let edge = |i: usize| Segment::new(corners[i], corners[(i + 1) % count]);
     for i in 0..count {
-        let (a, b) = edge(i);
-        let (_, after) = edge((i + 1) % count);
-        let folds_back = (b - a).perp_dot(after - b).abs() <= 1e-12 && (b - a).dot(after - b) < 0.0;
+        let (this, next) = (edge(i).vector(), edge((i + 1) % count).vector());
+        let folds_back = this.perp_dot(next).abs() <= 1e-12 && this.dot(next) < 0.0;
         if folds_back {
             return Some((i, (i + 1) % count));
         }
         for j in i + 2..count {
             let neighbours = i == 0 && j == count - 1;
-            if !neighbours && segments_touch((a, b), edge(j)) {
+            if !neighbours && segments_touch(edge(i), edge(j)) {
                 return Some((i, j));
             }
         }
@@ -186,18 +186,18 @@ fn first_crossing(corners: &[Point]) -> Option<(usize, usize)> {
     None
 }
 
-fn segments_touch((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
-    let side = |p: Point, q: Point, r: Point| (q - p).perp_dot(r - p);
-    let within = |p: Point, q: Point, r: Point| r.cmpge(p.min(q)).all() && r.cmple(p.max(q)).all();
-    let (c_side, d_side) = (side(a, b, c), side(a, b, d));
-    let (a_side, b_side) = (side(c, d, a), side(c, d, b));
-    if c_side * d_side < 0.0 && a_side * b_side < 0.0 {
+fn segments_touch(one: Segment, other: Segment) -> bool {
+    let sides = |of: Segment, other: Segment| (of.side(other.start), of.side(other.end));
+    let (start_side, end_side) = sides(one, other);
+    let (other_start_side, other_end_side) = sides(other, one);
+    if start_side * end_side < 0.0 && other_start_side * other_end_side < 0.0 {
         return true;
     }
-    (c_side == 0.0 && within(a, b, c))
-        || (d_side == 0.0 && within(a, b, d))
-        || (a_side == 0.0 && within(c, d, a))
-        || (b_side == 0.0 && within(c, d, b))
+    let is_on = |segment: Segment, side: f64, point: Point| side == 0.0 && segment.bounds().contains(point);
+    is_on(one, start_side, other.start)
+        || is_on(one, end_side, other.end)
+        || is_on(other, other_start_side, one.start)
+        || is_on(other, other_end_side, one.end)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
 
 use crate::catalog::AuditRules;
-use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Solid};
+use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Segment, Solid};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
 use super::constants::{WALL_POINTS, WALL_STEP};
@@ -24,19 +24,10 @@ pub(crate) enum Swings {
 pub(crate) struct Border {
     /// Index of its wall.
     pub(crate) wall: usize,
-    /// Where it begins.
-    pub(crate) start: Point,
-    /// Where it ends.
-    pub(crate) end: Point,
+    /// Where it runs.
+    pub(crate) segment: Segment,
     /// Whether nothing stands there: bodies stay inside all the same, people walk across.
     pub(crate) is_open: bool,
-}
-
-impl Border {
-    /// The box around it.
-    pub(crate) fn bounds(&self) -> Bounds {
-        Bounds::around([self.start, self.end])
-    }
 }
 
 /// A region that no body may enter.
@@ -115,7 +106,7 @@ impl<'a> Surroundings<'a> {
         }
         surroundings.borders = surroundings.cut_borders();
         let Self { borders, border_grid, kept_free, kept_free_grid, .. } = &mut surroundings;
-        fill(border_grid, borders.iter().map(Border::bounds));
+        fill(border_grid, borders.iter().map(|border| border.segment.bounds()));
         fill(kept_free_grid, kept_free.iter().map(|region| region.solid.bounds));
         surroundings
     }
@@ -171,10 +162,10 @@ fn fill(grid: &mut Grid, boxes: impl Iterator<Item = Bounds>) {
 }
 
 /// An edge as borders, closed between its open stretches.
-fn cut(wall: usize, (start, end): (Point, Point), open: Vec<(f64, f64)>) -> Vec<Border> {
-    let (length, along) = (start.distance(end), (end - start).normalize_or_zero());
+fn cut(wall: usize, edge: Segment, open: Vec<(f64, f64)>) -> Vec<Border> {
+    let (length, along) = (edge.length(), edge.direction());
     // Exact at the corners, so that neighbours meet.
-    let at = |metres: f64| if metres < length { start + along * metres } else { end };
+    let at = |metres: f64| if metres < length { edge.start + along * metres } else { edge.end };
     let mut pieces = Vec::with_capacity(2 * open.len() + 1);
     let mut done = 0.0_f64;
     for (from, to) in open {
@@ -183,8 +174,11 @@ fn cut(wall: usize, (start, end): (Point, Point), open: Vec<(f64, f64)>) -> Vec<
         done = done.max(to);
     }
     pieces.push((done, length, false));
-    let border =
-        |(from, to, is_open): (f64, f64, bool)| Border { wall, start: at(from), end: at(to), is_open };
+    let border = |(from, to, is_open): (f64, f64, bool)| Border {
+        wall,
+        segment: Segment::new(at(from), at(to)),
+        is_open,
+    };
     pieces.into_iter().filter(|(from, to, _)| to > from).map(border).collect()
 }
 

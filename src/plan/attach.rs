@@ -11,6 +11,7 @@
 use super::assemble::{WallIndex, WallPlace};
 use super::limits::ROOM_OPENINGS;
 use super::{Opening, OpeningKind, OpeningSide, Room, RoomOpening};
+use crate::geometry::Segment;
 
 mod boundaries;
 mod leaves;
@@ -142,8 +143,8 @@ pub(super) fn enlist(opening: &Opening, number: usize, rooms: &mut [Room]) {
 
 fn faces_near(request: &Request, rooms: &[Room], index: &WallIndex) -> Vec<Face> {
     let half = request.along * request.width.min(REACH * 2.0) / 2.0;
-    let ends = (request.center - half, request.center + half);
-    let near = index.some_near(ends, REACH, MOST_FACES);
+    let axis = Segment::new(request.center - half, request.center + half);
+    let near = index.some_near(axis, REACH, MOST_FACES);
     let left = request.along.perp();
     near.into_iter()
         .filter(|place| rooms[place.room].room_type != HOLLOW_ROOM_TYPE)

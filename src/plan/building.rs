@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::geometry::{Point, Polygon, Region};
+use crate::geometry::{Point, Polygon, Region, Segment};
 
 /// All buildings of one run, in the order in which they were named.
 #[derive(Clone, Debug, Default)]
@@ -154,7 +154,7 @@ impl Room {
     /// A room with a solid wall of one thickness on each border, and nothing else. Metres.
     #[must_use]
     pub fn bare(id: &str, room_type: &str, region: Region, height: f64, thickness: f64) -> Self {
-        let wall = |(start, end)| Wall {
+        let wall = |Segment { start, end }| Wall {
             start,
             end,
             thickness,
@@ -179,6 +179,12 @@ impl Room {
 }
 
 impl Wall {
+    /// Its inner face, seen from above.
+    #[must_use]
+    pub fn segment(&self) -> Segment {
+        Segment::new(self.start, self.end)
+    }
+
     /// Metres from start to end.
     #[must_use]
     pub fn length(&self) -> f64 {

@@ -1,7 +1,7 @@
 //! Turns rings of a plan into simple polygons; each edge still knows its edge in the plan.
 
 use super::limits::{COORDINATE, OUTLINE_CORNERS};
-use crate::geometry::{CORNER_TOLERANCE, Point, Polygon, PolygonFault};
+use crate::geometry::{CORNER_TOLERANCE, Point, Polygon, PolygonFault, Segment};
 
 mod holes;
 mod surface;
@@ -78,7 +78,7 @@ pub(super) fn refuse_sliver(ring: Ring, least_area: f64) -> Result<Ring, RingFau
 
 /// Area over half the perimeter: the width of a long thin rectangle.
 pub(super) fn mean_width(polygon: &Polygon) -> f64 {
-    let perimeter: f64 = polygon.edges().map(|(a, b)| a.distance(b)).sum();
+    let perimeter: f64 = polygon.edges().map(Segment::length).sum();
     2.0 * polygon.area() / perimeter
 }
 
@@ -171,7 +171,7 @@ fn join_near_corners(corners: &mut Vec<Corner>) {
         }
         let before = corners[(index + count - 1) % count].point;
         let after = corners[(next + 1) % count].point;
-        let meeting = meeting_point(before, a, after, b)
+        let meeting = meeting_point(Segment::new(before, a), Segment::new(after, b))
             .filter(|meet| meet.distance(a) < NEAR_CORNERS && meet.distance(b) < NEAR_CORNERS);
         corners[index].point = meeting.unwrap_or_else(|| a.midpoint(b));
         corners[index].edge = corners[next].edge;
@@ -182,15 +182,15 @@ fn join_near_corners(corners: &mut Vec<Corner>) {
 }
 
 /// Where the line through `a` and `b` meets the line through `c` and `d`.
-pub(super) fn meeting_point(a: Point, b: Point, c: Point, d: Point) -> Option<Point> {
-    let (first, second) = (b - a, d - c);
+pub(super) fn meeting_point(one: Segment, other: Segment) -> Option<Point> {
+    let (first, second) = (one.vector(), other.vector());
     let cross = first.perp_dot(second);
     // Below this sine the meeting point jumps about with the last digits.
     const SMALLEST_SINE: f64 = 0.02;
     if cross.abs() < SMALLEST_SINE * first.length() * second.length() || cross == 0.0 {
         return None;
     }
-    Some(a + first * ((c - a).perp_dot(second) / cross))
+    Some(one.start + first * ((other.start - one.start).perp_dot(second) / cross))
 }
 
 /// Drops corners that do not bend the outline, so that a door or a sofa sees one wall, not two.

@@ -10,7 +10,7 @@ use geo::{BooleanOps, unary_union};
 
 use super::assemble::BoxIndex;
 use super::clean::{Ring, clean_ring, largest_part, mean_width, meeting_point, to_points, to_surface};
-use crate::geometry::{Bounds, Point, Polygon};
+use crate::geometry::{Point, Polygon, Segment};
 
 /// Edges this close in metres to each other are the two sides of one centre line.
 const SHARED_DISTANCE: f64 = 0.03;
@@ -41,29 +41,27 @@ pub(super) fn inset_rooms(rooms: Vec<CenterRoom>, depth: f64) -> Vec<CenterRoom>
     if depth <= 0.0 {
         return rooms;
     }
-    let borders: Vec<Vec<Edge>> = rooms.iter().map(edges_of).collect();
+    let borders: Vec<Vec<Segment>> = rooms.iter().map(edges_of).collect();
     let index = BoxIndex::of(borders.iter().enumerate().flat_map(|(room, edges)| {
         let edges = edges.iter().enumerate();
-        edges.map(move |(edge, &(start, end))| (Bounds::around([start, end]), (room, edge)))
+        edges.map(move |(edge, segment)| (segment.bounds(), (room, edge)))
     }));
     let shared: Vec<Vec<bool>> = (0..rooms.len()).map(|room| shared_edges(room, &borders, &index)).collect();
     rooms.into_iter().zip(shared).map(|(room, shared)| inset_room(room, &shared, depth)).collect()
 }
 
-type Edge = (Point, Point);
-
 /// The borders of a room in the order of [`crate::geometry::Region::borders`].
-fn edges_of(room: &CenterRoom) -> Vec<Edge> {
-    let holes = room.holes.iter().flat_map(|hole| hole.edges().map(|(a, b)| (b, a)));
-    room.ring.polygon.edges().chain(holes).collect()
+fn edges_of(room: &CenterRoom) -> Vec<Segment> {
+    let holes = room.holes.iter().flat_map(Polygon::edges);
+    room.ring.polygon.edges().chain(holes.map(Segment::reversed)).collect()
 }
 
-fn shared_edges(room: usize, borders: &[Vec<Edge>], index: &BoxIndex<(usize, usize)>) -> Vec<bool> {
+fn shared_edges(room: usize, borders: &[Vec<Segment>], index: &BoxIndex<(usize, usize)>) -> Vec<bool> {
     let own = &borders[room];
-    let is_shared_by_any = |&(start, end): &Edge| {
-        let near = Bounds::around([start, end]).inflated(SHARED_DISTANCE);
+    let is_shared_by_any = |&border: &Segment| {
+        let near = border.bounds().inflated(SHARED_DISTANCE);
         let mut others = index.meeting(near).filter(|(other, _)| *other != room);
-        others.any(|(other, edge)| is_shared((start, end), borders[other][edge]))
+        others.any(|(other, edge)| is_shared(border, borders[other][edge]))
     };
     let mut shared: Vec<bool> = own.iter().map(is_shared_by_any).collect();
     // One straight wall has one face, also where it is part outer, part inner wall.
@@ -83,31 +81,30 @@ fn shared_edges(room: usize, borders: &[Vec<Edge>], index: &BoxIndex<(usize, usi
 }
 
 /// How many of the first edges form the closed outline.
-fn room_loop(edges: &[Edge]) -> usize {
-    edges.iter().position(|&(_, end)| end == edges[0].0).map_or(edges.len(), |last| last + 1)
+fn room_loop(edges: &[Segment]) -> usize {
+    edges.iter().position(|edge| edge.end == edges[0].start).map_or(edges.len(), |last| last + 1)
 }
 
-fn is_straight_on((a, b): Edge, (c, d): Edge) -> bool {
-    let (first, second) = ((b - a).normalize_or_zero(), (d - c).normalize_or_zero());
+fn is_straight_on(first: Segment, second: Segment) -> bool {
+    let (first, second) = (first.direction(), second.direction());
     first.dot(second) > 0.0 && first.perp_dot(second).abs() < SHARED_SINE
 }
 
 /// Whether the edges run in opposite directions on one line for a while.
-fn is_shared((a, b): Edge, (c, d): Edge) -> bool {
-    let along = (b - a).normalize_or_zero();
-    let far = (d - c).normalize_or_zero();
-    if along.dot(far) > 0.0 || along.perp_dot(far).abs() > SHARED_SINE {
+fn is_shared(edge: Segment, far: Segment) -> bool {
+    let along = edge.direction();
+    if along.dot(far.direction()) > 0.0 || along.perp_dot(far.direction()).abs() > SHARED_SINE {
         return false;
     }
-    let (from, to) = ((d - a).dot(along), (c - a).dot(along));
-    let (low, high) = (from.max(0.0), to.min(a.distance(b)));
-    if high - low < SHARED_LENGTH.min(a.distance(b) / 2.0) {
+    let (from, to) = ((far.end - edge.start).dot(along), (far.start - edge.start).dot(along));
+    let (low, high) = (from.max(0.0), to.min(edge.length()));
+    if high - low < SHARED_LENGTH.min(edge.length() / 2.0) {
         return false;
     }
     // Distance of the far edge's line in the middle of the shared piece.
     let share = ((low + high) / 2.0 - from) / (to - from);
-    let there = d + (c - d) * share;
-    (there - a).perp_dot(along).abs() < SHARED_DISTANCE
+    let there = far.end + (far.start - far.end) * share;
+    (there - edge.start).perp_dot(along).abs() < SHARED_DISTANCE
 }
 
 fn inset_room(room: CenterRoom, shared: &[bool], depth: f64) -> CenterRoom {
@@ -149,15 +146,13 @@ fn is_wide_enough(inset: &CenterRoom, room: &CenterRoom) -> bool {
 fn move_loop(corners: &[Point], depths: &[f64]) -> Option<Vec<Point>> {
     let count = corners.len();
     let line = |index: usize| {
-        let (a, b) = (corners[index], corners[(index + 1) % count]);
-        let shift = (b - a).normalize_or_zero().perp() * depths[index];
-        (a + shift, b + shift)
+        let edge = Segment::new(corners[index], corners[(index + 1) % count]);
+        edge.moved(edge.normal() * depths[index])
     };
     let moved: Vec<Point> = (0..count)
         .map(|index| {
-            let (a, b) = line((index + count - 1) % count);
-            let (c, d) = line(index);
-            meeting_point(a, b, c, d).unwrap_or_else(|| b.midpoint(c))
+            let (before, after) = (line((index + count - 1) % count), line(index));
+            meeting_point(before, after).unwrap_or_else(|| before.end.midpoint(after.start))
         })
         .collect();
     let keeps_direction = (0..count).all(|index| {
@@ -187,11 +182,11 @@ fn cut_strips(room: &CenterRoom, depths: &[f64]) -> Option<CenterRoom> {
 }
 
 /// The piece of wall on the inside of an edge, longer than the edge so that corners are filled.
-fn strip((a, b): Edge, depth: f64) -> Option<geo::Polygon<f64>> {
-    let along = (b - a).normalize_or_zero();
+fn strip(edge: Segment, depth: f64) -> Option<geo::Polygon<f64>> {
+    let along = edge.direction();
     let inwards = along.perp() * depth;
     // Not quite the full depth: the strip must not reach past the neighbour's own strip.
-    let (start, end) = (a - along * depth * 0.999, b + along * depth * 0.999);
+    let (start, end) = (edge.start - along * depth * 0.999, edge.end + along * depth * 0.999);
     let outwards = along.perp() * -SAME_LINE;
     let corners = [start + outwards, end + outwards, end + inwards, start + inwards];
     Some(to_surface(&Polygon::new(&corners).ok()?, &[]))
@@ -199,15 +194,15 @@ fn strip((a, b): Edge, depth: f64) -> Option<geo::Polygon<f64>> {
 
 /// Finds for each edge of the cut room the edge of the centre line from which it comes.
 fn trace(polygon: &Polygon, origin: &Ring, depths: &[f64]) -> Vec<Option<usize>> {
-    let comes_from = |(a, b): Edge, (start, end): Edge, depth: f64| {
-        let along = (end - start).normalize_or_zero();
-        let middle = a.midpoint(b) - start;
+    let comes_from = |edge: Segment, source: Segment, depth: f64| {
+        let along = source.direction();
+        let middle = edge.middle() - source.start;
         let offset = along.perp_dot(middle);
-        along.dot(b - a) > 0.0
-            && along.perp_dot(b - a).abs() < SAME_LINE
+        along.dot(edge.vector()) > 0.0
+            && along.perp_dot(edge.vector()).abs() < SAME_LINE
             && (offset - depth).abs() < SAME_LINE
             && middle.dot(along) > 0.0
-            && middle.dot(along) < start.distance(end)
+            && middle.dot(along) < source.length()
     };
     polygon
         .edges()

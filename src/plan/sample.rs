@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::{LeafDraft, Level, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OpeningSide, RoomDraft};
+use super::{
+    LeafDraft, Level, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OpeningSide, RoomDraft, Wall,
+};
 use crate::geometry::{Point, Polygon};
 
 pub(super) fn points(list: &[(f64, f64)]) -> Vec<Point> {
@@ -64,7 +66,7 @@ pub(super) fn check_guarantees(level: &Level) {
             assert!(room.region.outline.contains(hole.corners()[0]));
         }
         let borders: Vec<_> = room.region.borders().collect();
-        assert_eq!(borders, room.walls.iter().map(|wall| (wall.start, wall.end)).collect::<Vec<_>>());
+        assert_eq!(borders, room.walls.iter().map(Wall::segment).collect::<Vec<_>>());
         assert!(room.height.is_finite() && room.height > 0.0);
         for wall in &room.walls {
             assert!(wall.thickness.is_finite() && wall.thickness >= 0.0);

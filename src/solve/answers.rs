@@ -42,7 +42,7 @@ impl Answers {
             },
             // Asked of what stands there now: no other arrangement asks the same.
             Question::Beside { class, size, among, line } => {
-                let is_held = has_room_beside(room, (class, size), among, line);
+                let is_held = has_room_beside(room, class, size, among, line);
                 Held::of((is_held || !room.budget.is_overdrawn()).then_some(is_held))
             }
         }

@@ -1,6 +1,6 @@
 //! The borders of a room and of its columns, with a broad phase where they are many.
 
-use crate::geometry::{Bounds, Grid, Point, nearest_on_segment};
+use crate::geometry::{Bounds, Grid, Point, Segment};
 
 use super::empty_room::EmptyRoom;
 
@@ -11,18 +11,18 @@ const REACH: f64 = 1.0;
 
 /// The edges of a room's outline, holes and columns.
 pub(super) struct Borders {
-    edges: Vec<(Point, Point)>,
+    edges: Vec<Segment>,
     grid: Option<Grid>,
 }
 
 impl Borders {
     pub(super) fn new(empty: &EmptyRoom<'_>) -> Self {
         let columns = empty.room.obstacles.iter().flat_map(|column| column.outline.edges());
-        let edges: Vec<(Point, Point)> = empty.room.region.borders().chain(columns).collect();
+        let edges: Vec<Segment> = empty.room.region.borders().chain(columns).collect();
         let grid = (edges.len() > MANY).then(|| {
             let mut grid = Grid::new(empty.room.region.outline.bounds());
-            for (number, &(start, end)) in (0..).zip(&edges) {
-                grid.insert(number, Bounds::around([start, end]));
+            for (number, edge) in (0..).zip(&edges) {
+                grid.insert(number, edge.bounds());
             }
             grid
         });
@@ -37,7 +37,7 @@ impl Borders {
     /// Metres from a point to the nearest border, or less where that is farther than [`REACH`]; and how many borders
     /// were looked at.
     pub(super) fn distance(&self, point: Point) -> (f64, u64) {
-        let to_edge = |&edge: &(Point, Point)| point.distance_squared(nearest_on_segment(point, edge));
+        let to_edge = |edge: &Segment| edge.distance_squared(point);
         let Some(grid) = &self.grid else {
             let nearest = self.edges.iter().map(to_edge).fold(f64::INFINITY, f64::min);
             return (nearest.sqrt(), self.edges.len() as u64);
@@ -56,10 +56,9 @@ impl Borders {
         &self,
         bounds: Bounds,
         margin: f64,
-        question: impl Fn((Point, Point)) -> bool,
+        question: impl Fn(Segment) -> bool,
     ) -> (bool, u64) {
-        let is_it =
-            |(a, b): (Point, Point)| Bounds::around([a, b]).overlaps(bounds, -margin) && question((a, b));
+        let is_it = |edge: Segment| edge.bounds().overlaps(bounds, -margin) && question(edge);
         let Some(grid) = &self.grid else {
             return (self.edges.iter().any(|&edge| is_it(edge)), self.edges.len() as u64);
         };

@@ -5,7 +5,7 @@
 use std::rc::Rc;
 
 use crate::catalog::{Class, ClassIndex, Clearance, Size};
-use crate::geometry::{Bounds, Point, Solid};
+use crate::geometry::{Bounds, Line, Solid};
 
 use super::constants::{FIT_STEP, MOST_STEPS};
 use super::empty_room::EmptyRoom;
@@ -52,13 +52,13 @@ pub(crate) fn can_hold_comfortably(empty: &EmptyRoom<'_>, class: ClassIndex, siz
     Space::empty(empty).holds(&empty.catalog.classes[class], size, |clearance| clearance.good)
 }
 
-/// Whether a size of a class could stand, with its smallest clearances, among some bodies on one side of a line: to the
-/// left of a direction from a point.
+/// Whether a size of a class could stand, with its smallest clearances, among some bodies to the left of a line.
 pub(crate) fn has_room_beside(
     empty: &EmptyRoom<'_>,
-    (class, size): (ClassIndex, Size),
+    class: ClassIndex,
+    size: Size,
     among: &[&Solid],
-    line: (Point, Point),
+    line: Line,
 ) -> bool {
     let space = Space::empty(empty).beside(among.to_vec(), line);
     space.holds(&empty.catalog.classes[class], size, |clearance| clearance.minimum)
@@ -116,7 +116,7 @@ mod tests {
     use super::*;
     use crate::audit::testing::{TestRoom, at};
     use crate::catalog::Side;
-    use crate::geometry::{Polygon, direction};
+    use crate::geometry::{Point, Polygon, direction};
     use crate::plan::{FRAME_WIDTH, Obstacle, OpeningKind};
 
     fn holds(room: &TestRoom, class: &str) -> bool {

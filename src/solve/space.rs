@@ -1,7 +1,7 @@
 //! Where a piece may stand on the floor of a room.
 
 use crate::audit::{ROUNDING, clip_segment, door_zones, middle, penetration};
-use crate::geometry::{Bounds, Grid, Point, Solid};
+use crate::geometry::{Bounds, Grid, Line, Point, Solid};
 use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, RoomOpening};
 
 use super::borders::Borders;
@@ -25,8 +25,8 @@ pub(crate) struct Space<'s, 'a> {
     bodies: Vec<&'s Solid>,
     /// Where they are.
     body_grid: Option<Grid>,
-    /// The piece stays to the left of this line: a point and a direction of unit length.
-    line: Option<(Point, Point)>,
+    /// The piece stays to the left of this line.
+    line: Option<Line>,
 }
 
 /// What the frames of doors and passages take of the floor.
@@ -64,7 +64,7 @@ impl<'s, 'a> Space<'s, 'a> {
     }
 
     /// The same on one side of a line, among some bodies.
-    pub(super) fn beside(self, bodies: Vec<&'s Solid>, line: (Point, Point)) -> Self {
+    pub(super) fn beside(self, bodies: Vec<&'s Solid>, line: Line) -> Self {
         let mut grid = Grid::new(self.empty.room.region.outline.bounds());
         for (number, body) in (0..).zip(&bodies) {
             grid.insert(number, body.bounds);
@@ -160,7 +160,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     /// Metres that a point lies to the right of the line.
     fn depth_behind_line(&self, point: Point) -> Option<f64> {
-        self.line.map(|(from, along)| -along.perp_dot(point - from))
+        self.line.map(|line| line.right_of(point))
     }
 
     fn crosses_line(&self, corners: &[Point]) -> bool {

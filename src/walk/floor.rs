@@ -4,7 +4,7 @@ use core::cmp::Reverse;
 use core::ops::Range;
 
 use crate::catalog::{AccessRules, AuditRules, WalkingRules};
-use crate::geometry::{Bounds, DisjointSets, Point, Solid, distance_to_convex, edges};
+use crate::geometry::{Bounds, DisjointSets, Point, Segment, Solid, distance_to_convex, edges};
 use crate::plan::{Level, Room, RoomOpening};
 
 use super::raster::{Raster, cell_around};
@@ -217,7 +217,7 @@ pub(crate) fn is_in_the_way(rules: &WalkingRules, solid: &Solid) -> bool {
 }
 
 /// The strip along an opening between two distances from the wall's inner face, above zero inside the room.
-fn strip(room: &Room, place: &RoomOpening, from: f64, to: f64) -> Vec<(Point, Point)> {
+fn strip(room: &Room, place: &RoomOpening, from: f64, to: f64) -> Vec<Segment> {
     let wall = &room.walls[place.wall];
     let at = |along: f64, inward: f64| wall.start + wall.direction() * along + wall.normal() * inward;
     let corners = [at(place.from, from), at(place.to, from), at(place.to, to), at(place.from, to)];

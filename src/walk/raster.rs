@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use crate::geometry::{Bounds, Point};
+use crate::geometry::{Bounds, Point, Segment};
 
 /// Metres from cell to cell, but in the largest rooms.
 pub(crate) const CELL: f64 = 0.05;
@@ -61,7 +61,7 @@ impl Raster {
 
     /// Marks the cells whose middles lie inside some rings; where rings overlap, every second one counts. Returns them,
     /// row by row.
-    pub(crate) fn paint(&mut self, edges: &[(Point, Point)], is_free: bool) -> Vec<Range<usize>> {
+    pub(crate) fn paint(&mut self, edges: &[Segment], is_free: bool) -> Vec<Range<usize>> {
         let mut spans = Vec::new();
         self.spans(edges, |span| spans.push(span));
         spans.iter().for_each(|span| self.is_free[span.clone()].fill(is_free));
@@ -69,20 +69,18 @@ impl Raster {
     }
 
     /// Calls `visit` with the cells whose middles lie inside some rings, row by row; never with none.
-    pub(crate) fn spans(&self, edges: &[(Point, Point)], mut visit: impl FnMut(Range<usize>)) {
-        let (low, high) =
-            edges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (start, end)| {
-                (low.min(start.y.min(end.y)), high.max(start.y.max(end.y)))
-            });
+    pub(crate) fn spans(&self, edges: &[Segment], mut visit: impl FnMut(Range<usize>)) {
+        let Bounds { low, high } =
+            edges.iter().fold(Bounds::EMPTY, |bounds, edge| bounds.union(edge.bounds()));
         let rows = self.len() / self.columns;
         let mut crossings: Vec<f64> = Vec::new();
-        for row in self.index_after(low - self.low.y, rows)..self.index_after(high - self.low.y, rows) {
+        for row in self.index_after(low.y - self.low.y, rows)..self.index_after(high.y - self.low.y, rows) {
             let y = self.low.y + row as f64 * self.cell;
-            let crossed = edges.iter().filter(|(start, end)| (start.y > y) != (end.y > y));
+            let crossed = edges.iter().filter(|edge| (edge.start.y > y) != (edge.end.y > y));
             crossings.clear();
-            crossings.extend(
-                crossed.map(|(start, end)| start.x + (y - start.y) / (end.y - start.y) * (end.x - start.x)),
-            );
+            crossings.extend(crossed.map(|Segment { start, end }| {
+                start.x + (y - start.y) / (end.y - start.y) * (end.x - start.x)
+            }));
             crossings.sort_unstable_by(f64::total_cmp);
             for pair in crossings.chunks_exact(2) {
                 let column = |x: f64| row * self.columns + self.index_after(x - self.low.x, self.columns);
@@ -180,7 +178,7 @@ mod tests {
     use super::*;
     use crate::geometry::Polygon;
 
-    fn edges(low: (f64, f64), size: (f64, f64)) -> Vec<(Point, Point)> {
+    fn edges(low: (f64, f64), size: (f64, f64)) -> Vec<Segment> {
         Polygon::rectangle(low.into(), size.into()).edges().collect()
     }
 

@@ -65,8 +65,8 @@ fn numbers() -> impl Strategy<Value = String> {
 fn assert_promises(level: &Level) {
     for room in &level.rooms {
         assert_eq!(room.walls.len(), room.region.borders().count(), "one wall per border");
-        for (wall, (start, end)) in room.walls.iter().zip(room.region.borders()) {
-            assert_eq!((wall.start, wall.end), (start, end));
+        for (wall, border) in room.walls.iter().zip(room.region.borders()) {
+            assert_eq!(wall.segment(), border);
             assert!(wall.thickness >= 0.0 && wall.thickness.is_finite());
         }
         for entry in &room.openings {

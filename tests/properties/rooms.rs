@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 
 use roomwright::internals::catalog::{Catalog, RoomType};
-use roomwright::internals::geometry::{Bounds, Point, Polygon, direction};
+use roomwright::internals::geometry::{Bounds, Point, Polygon, Segment, direction};
 use roomwright::internals::plan::{
     LeafDraft, Level, LevelDraft, ObstacleDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft,
     assemble_level,
@@ -189,9 +189,9 @@ fn square(outline: &Polygon, &(x, y, side): &Block) -> Vec<Point> {
 
 impl OpeningSketch {
     fn draft(&self, number: usize, outline: &Polygon) -> OpeningDraft {
-        let edges: Vec<(Point, Point)> = outline.edges().collect();
+        let edges: Vec<Segment> = outline.edges().collect();
         let edge = self.edge.index(edges.len());
-        let length = edges[edge].0.distance(edges[edge].1);
+        let length = edges[edge].length();
         let (bottom, top) = match self.kind {
             OpeningKind::Window => (0.9, 2.1),
             OpeningKind::OpenBoundary => (0.0, 2.2),

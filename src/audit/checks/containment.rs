@@ -1,7 +1,7 @@
 //! `out_of_room`: part of a body outside the outline, in a hole or a column, below the floor or above the
 //! ceiling.
 
-use crate::geometry::{Bounds, Point, Solid, edges, nearest_on_segment};
+use crate::geometry::{Point, Segment, Solid, edges};
 use crate::plan::Obstacle;
 
 use crate::audit::convex::{clip_segment, depth};
@@ -18,7 +18,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, .. } = *evidence;
     let mut faults = Vec::new();
     let limit = subject.rules().bodies.out_of_room;
-    let borders: Vec<(Point, Point)> = subject.room.region.borders().collect();
+    let borders: Vec<Segment> = subject.room.region.borders().collect();
     for (index, body) in subject.bodies.iter().enumerate() {
         let upright = (-body.low()).max(body.high() - subject.room.height);
         let sideways = body.solids.iter().map(|solid| {
@@ -41,7 +41,7 @@ fn into_column((solid, limit): (&Solid, f64), column: &Obstacle) -> f64 {
     if upright <= limit || !solid.bounds.touches(column.outline.bounds()) {
         return 0.0;
     }
-    let borders: Vec<(Point, Point)> = column.outline.edges().collect();
+    let borders: Vec<Segment> = column.outline.edges().collect();
     upright.min(protrusion((solid, limit), &borders, |point| !column.outline.contains(point)))
 }
 
@@ -50,13 +50,9 @@ fn into_column((solid, limit): (&Solid, f64), column: &Obstacle) -> f64 {
 ///
 /// A convex footprint leaves the area in one of two ways: a corner of it lies outside, or a border
 /// runs through it (past a concave corner of the room, or around a hole inside it).
-fn protrusion(
-    (solid, limit): (&Solid, f64),
-    borders: &[(Point, Point)],
-    is_allowed: impl Fn(Point) -> bool,
-) -> f64 {
+fn protrusion((solid, limit): (&Solid, f64), borders: &[Segment], is_allowed: impl Fn(Point) -> bool) -> f64 {
     let footprint = solid.footprint();
-    let passes = |&&(start, end): &&(Point, Point)| Bounds::around([start, end]).touches(solid.bounds);
+    let passes = |border: &&Segment| border.bounds().touches(solid.bounds);
     // Without a border near it, the whole footprint is on one side.
     if is_allowed(footprint[0]) && !borders.iter().any(|border| passes(&border)) {
         return 0.0;
@@ -68,15 +64,16 @@ fn protrusion(
     inside.map(|segment| deepest_on(footprint, segment)).fold(by_corner, f64::max)
 }
 
-fn distance_to(borders: &[(Point, Point)], point: Point) -> f64 {
-    let distances = borders.iter().map(|&border| point.distance(nearest_on_segment(point, border)));
+fn distance_to(borders: &[Segment], point: Point) -> f64 {
+    let distances = borders.iter().map(|border| border.distance(point));
     distances.fold(f64::INFINITY, f64::min)
 }
 
 /// The greatest depth of a segment's points inside a convex polygon. Depth is concave along the segment,
 /// so thirds close in on it.
-fn deepest_on(polygon: &[Point], (mut start, mut end): (Point, Point)) -> f64 {
+fn deepest_on(polygon: &[Point], segment: Segment) -> f64 {
     const THIRD: f64 = 1.0 / 3.0;
+    let Segment { mut start, mut end } = segment;
     for _ in 0..SEARCH_STEPS {
         let (near, far) = (start.lerp(end, THIRD), start.lerp(end, 1.0 - THIRD));
         if depth(polygon, near) < depth(polygon, far) {

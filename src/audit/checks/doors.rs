@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::catalog::DoorRules;
-use crate::geometry::{Point, direction};
+use crate::geometry::{Point, Segment, direction};
 use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
 
 use crate::audit::evidence::Evidence;
@@ -43,7 +43,7 @@ fn approach(wall: &Wall, place: &RoomOpening, opening: &Opening, rules: DoorRule
         purpose: Purpose::Passing(place.opening),
         base: vec![start, end, end + inward, start + inward],
         heights: (opening.bottom, opening.top),
-        face: (start, end),
+        face: Segment::new(start, end),
     }
 }
 
@@ -68,7 +68,7 @@ fn swing(index: usize, opening: &Opening, leaf: &Leaf) -> Vec<Zone> {
             purpose: Purpose::Passing(index),
             base,
             heights: (opening.bottom, opening.top),
-            face: (opening.center - half_width, opening.center + half_width),
+            face: Segment::new(opening.center - half_width, opening.center + half_width),
         }
     };
     (0..piece_count as u32).map(|number| piece(f64::from(number))).collect()

@@ -6,7 +6,7 @@ use crate::audit::fault::Fault;
 use crate::audit::possible::{Ask, Held, Question};
 use crate::audit::quantity::Quantity;
 use crate::audit::subject::{Body, Subject};
-use crate::geometry::{Point, Polygon, Solid};
+use crate::geometry::{Line, Point, Polygon, Segment, Solid};
 use crate::layout::Placement;
 
 /// Judges the halves of a room along both of its main axes.
@@ -23,7 +23,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let worst = [along, along.perp(), -along, -along.perp()]
         .into_iter()
         .filter_map(|direction| {
-            let line = (middle, direction);
+            let line = Line { point: middle, direction };
             let (share, largest) = crowd(subject, &standing, line)?;
             has_room_beside(subject, &subject.bodies[largest], line, ask).then_some((share, largest))
         })
@@ -41,7 +41,7 @@ type Standing<'s> = (usize, &'s Body<'s>);
 /// The share of the footprints to the right of a line if that is too much, with the index of the largest piece there.
 ///
 /// One piece that outweighs all others cannot be balanced: moving it would crowd the other half.
-fn crowd(subject: &Subject<'_>, standing: &[Standing<'_>], line: (Point, Point)) -> Option<(f64, usize)> {
+fn crowd(subject: &Subject<'_>, standing: &[Standing<'_>], line: Line) -> Option<(f64, usize)> {
     let limit = subject.rules().balance.share;
     let all: f64 = standing.iter().map(|(_, body)| box_area(body)).sum();
     let right: f64 = standing.iter().map(|(_, body)| box_area(body) * share_right_of(body, line)).sum();
@@ -59,7 +59,7 @@ fn crowd(subject: &Subject<'_>, standing: &[Standing<'_>], line: (Point, Point))
 }
 
 /// Whether a body could stand among the others on the left of a line.
-fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: (Point, Point), ask: Ask<'_>) -> bool {
+fn has_room_beside(subject: &Subject<'_>, body: &Body<'_>, line: Line, ask: Ask<'_>) -> bool {
     let is_around = |other: &&Body<'_>| other.low() < body.high() && !other.placement.is_covering();
     let around = subject.bodies.iter().filter(is_around);
     let among: Vec<&Solid> = around.flat_map(|other| &other.solids).collect();
@@ -72,9 +72,9 @@ fn box_area(body: &Body<'_>) -> f64 {
 }
 
 /// The share of a body's box to the right of a line.
-fn share_right_of(body: &Body<'_>, (from, along): (Point, Point)) -> f64 {
+fn share_right_of(body: &Body<'_>, line: Line) -> f64 {
     let corners = body.corners();
-    let kept = half(&corners, |corner| -along.perp_dot(corner - from));
+    let kept = half(&corners, |corner| line.right_of(corner));
     if kept.len() < 3 { 0.0 } else { area(&kept) / area(&corners) }
 }
 
@@ -84,8 +84,8 @@ pub(crate) fn middle_of(subject: &Subject<'_>) -> Point {
     let moment = |polygon: &Polygon| {
         // Relative to a corner: far from the origin the plain sum loses digits.
         let base = polygon.corners()[0];
-        let parts = polygon.edges().map(|(start, end)| {
-            let (start, end) = (start - base, end - base);
+        let parts = polygon.edges().map(|edge| {
+            let Segment { start, end } = edge.moved(-base);
             (start + end) * start.perp_dot(end) / 6.0
         });
         parts.sum::<Point>() + base * polygon.area()
@@ -97,7 +97,7 @@ pub(crate) fn middle_of(subject: &Subject<'_>) -> Point {
 /// The direction of the longest wall.
 fn main_direction(subject: &Subject<'_>) -> Point {
     let walls = subject.room.region.outline.edges();
-    let longest = walls.map(|(start, end)| end - start).reduce(|longest, wall| {
+    let longest = walls.map(Segment::vector).reduce(|longest, wall| {
         if wall.length_squared() > longest.length_squared() { wall } else { longest }
     });
     longest.map_or(Point::X, Point::normalize)

@@ -10,7 +10,7 @@ use crate::audit::quantity::Quantity;
 use crate::audit::subject::{Body, Subject};
 use crate::audit::upright_box::UprightBox;
 use crate::audit::zone::Purpose;
-use crate::geometry::Point;
+use crate::geometry::{Point, Segment};
 
 /// Metres from the back of a bed to the eyes of somebody who watches from it.
 const EYES_IN_BED: f64 = 0.5;
@@ -92,15 +92,15 @@ fn is_hidden(
     (screen, target): (usize, &Body<'_>),
 ) -> bool {
     let rules = subject.rules().screens;
-    let sight = (eye, target.placement.position);
+    let sight = Segment::new(eye, target.placement.position);
     let is_part = |body: usize| {
         [viewer, screen]
             .iter()
             .any(|&end| subject.descends_from(body, end) || subject.descends_from(end, body))
     };
-    let ends = |height: f64| UprightBox { low: sight.0.extend(height), high: sight.0.extend(height) };
+    let ends = |height: f64| UprightBox { low: eye.extend(height), high: eye.extend(height) };
     let ends = ends(rules.sight_low).union(ends(rules.sight_high));
-    let far = sight.1.extend(rules.sight_low);
+    let far = sight.end.extend(rules.sight_low);
     let around = ends.union(UprightBox { low: far, high: far });
     let third = subject.near_boxes().touching(&around).filter(|&body| !is_part(body));
     let mut solids = third.flat_map(|body| &subject.bodies[body].solids);

@@ -3,7 +3,7 @@
 use geo::{Area, BooleanOps, Centroid, Contains, Coord, LineString, MultiPolygon};
 
 use crate::catalog::Side;
-use crate::geometry::{Intervals, Point, Solid, edges};
+use crate::geometry::{Intervals, Point, Segment, Solid, edges};
 use crate::layout::Parent;
 use crate::plan::{OpeningKind, Wall, WallKind};
 
@@ -109,7 +109,7 @@ fn gap_to_wall(subject: &Subject<'_>, wall: usize, hung_on: Option<usize>, body:
     let face = &subject.room.walls[wall];
     let stretches = solid_stretches(subject, wall, hung_on, body);
     let at = |along: f64| face.start + face.direction() * along;
-    let segments = stretches.as_slice().iter().map(|&(from, to)| (at(from), at(to)));
+    let segments = stretches.as_slice().iter().map(|&(from, to)| Segment::new(at(from), at(to)));
     segments.map(|segment| gap_to_segment(body, segment)).fold(f64::INFINITY, f64::min)
 }
 
@@ -130,7 +130,7 @@ fn solid_stretches(subject: &Subject<'_>, wall: usize, hung_on: Option<usize>, b
     stretches
 }
 
-fn gap_to_segment(body: &Body<'_>, segment: (Point, Point)) -> f64 {
+fn gap_to_segment(body: &Body<'_>, segment: Segment) -> f64 {
     let gaps = body.solids.iter().map(|solid| segment_distance(solid.footprint(), segment));
     gaps.fold(f64::INFINITY, f64::min)
 }
@@ -165,7 +165,8 @@ fn is_within(outer: &[Point], inner: &[Point]) -> bool {
 fn union<'a>(solids: impl Iterator<Item = &'a Solid>) -> MultiPolygon {
     let mut all = MultiPolygon::new(Vec::new());
     for solid in solids {
-        let ring = edges(solid.footprint()).map(|(corner, _)| Coord { x: corner.x, y: corner.y });
+        let ring =
+            edges(solid.footprint()).map(|edge| edge.start).map(|corner| Coord { x: corner.x, y: corner.y });
         all = all.union(&geo::Polygon::new(LineString::from_iter(ring), Vec::new()));
     }
     all

@@ -7,6 +7,7 @@ use crate::audit::quantity::Quantity;
 use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::{Body, Subject};
 use crate::audit::zone::{Purpose, Zone};
+use crate::geometry::Segment;
 use crate::layout::Parent;
 use crate::plan::OpeningKind;
 
@@ -21,10 +22,10 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
         }
         let wall = &subject.room.walls[place.wall];
         let at = |along: f64, inward: f64| wall.start + wall.direction() * along + wall.normal() * inward;
-        let face = (at(place.from, 0.0), at(place.to, 0.0));
+        let face = Segment::new(at(place.from, 0.0), at(place.to, 0.0));
         Some(Zone {
             purpose: Purpose::Light(place.opening),
-            base: vec![face.0, face.1, at(place.to, rules.depth), at(place.from, rules.depth)],
+            base: vec![face.start, face.end, at(place.to, rules.depth), at(place.from, rules.depth)],
             heights: (from, opening.top),
             face,
         })

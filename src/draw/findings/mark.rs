@@ -3,7 +3,7 @@
 use crate::draw::Drawing;
 use crate::draw::canvas::{Canvas, TextStyle, short};
 use crate::draw::labels::label_place;
-use crate::geometry::{Bounds, Point, direction, edges, nearest_on_segment};
+use crate::geometry::{Bounds, Point, direction, edges};
 
 use super::{Noted, element, severity_color};
 
@@ -60,7 +60,7 @@ fn free_place(canvas: &Canvas, anchor: Point) -> Point {
 /// A line from a mark that stands off to what it belongs to.
 fn draw_leader(canvas: &mut Canvas, at: Point, outline: &[Point], color: &str) {
     let corners: Vec<Point> = outline.iter().map(|&corner| canvas.pixel(corner)).collect();
-    let near = edges(&corners).map(|edge| nearest_on_segment(at, edge));
+    let near = edges(&corners).map(|edge| edge.nearest(at));
     let near = near.min_by(|a, b| a.distance(at).total_cmp(&b.distance(at)));
     let is_off = |end: &Point| end.distance(at) > RADIUS && !encloses(&corners, at);
     if let Some(end) = near.filter(is_off) {
@@ -71,7 +71,7 @@ fn draw_leader(canvas: &mut Canvas, at: Point, outline: &[Point], color: &str) {
 
 /// Whether a convex outline has a point inside, whichever way round it runs.
 fn encloses(corners: &[Point], point: Point) -> bool {
-    let sides = || edges(corners).map(|(from, to)| (to - from).perp_dot(point - from));
+    let sides = || edges(corners).map(|edge| edge.side(point));
     corners.len() > 2 && (sides().all(|side| side >= 0.0) || sides().all(|side| side <= 0.0))
 }
 

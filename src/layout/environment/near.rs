@@ -1,6 +1,6 @@
 //! What is near a region: bodies, borders and what is kept free, for those who weigh a place.
 
-use crate::geometry::{Bounds, Point, Solid, nearest_on_segment};
+use crate::geometry::{Bounds, Point, Solid};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
 use crate::layout::place::{AgentIndex, Place};
 use crate::layout::surroundings::Border;
@@ -49,8 +49,7 @@ impl Environment<'_> {
         radius > 0.0
             && self.brief.surroundings.border_grid.any(around, |index| {
                 let border = &self.brief.surroundings.borders[index as usize];
-                let nearest = nearest_on_segment(middle, (border.start, border.end));
-                nearest.distance_squared(middle) < radius * radius
+                border.segment.distance_squared(middle) < radius * radius
             })
     }
 

@@ -181,8 +181,8 @@ impl Environment<'_> {
     ) -> bool {
         any_obstacle(&self.brief.surroundings.border_grid, solid.bounds, recorder, |index| {
             let border = &self.brief.surroundings.borders[index];
-            let is_entered = border.bounds().overlaps(solid.bounds, -tolerance)
-                && solid.base.is_entered_by(border.start, border.end, tolerance);
+            let is_entered = border.segment.bounds().overlaps(solid.bounds, -tolerance)
+                && solid.base.is_entered_by(border.segment, tolerance);
             if is_entered { obstacle(border) } else { None }
         })
     }

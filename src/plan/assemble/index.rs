@@ -3,7 +3,7 @@
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
-use crate::geometry::{Bounds, Point, Polygon};
+use crate::geometry::{Bounds, Polygon, Segment};
 use crate::plan::Room;
 
 type Boxed<T> = GeomWithData<Rectangle<[f64; 2]>, T>;
@@ -55,30 +55,27 @@ impl WallIndex {
     /// Indexes the walls of all rooms.
     pub(in crate::plan) fn of(rooms: &[Room]) -> Self {
         let boxes = rooms.iter().enumerate().flat_map(|(room, value)| {
-            value.walls.iter().enumerate().map(move |(wall, piece)| {
-                (Bounds::around([piece.start, piece.end]), WallPlace { room, wall })
-            })
+            value
+                .walls
+                .iter()
+                .enumerate()
+                .map(move |(wall, piece)| (piece.segment().bounds(), WallPlace { room, wall }))
         });
         Self(BoxIndex::of(boxes))
     }
 
     /// As [`WallIndex::near_segment`]; of more than `most` walls those that the tree names first, which are the same for the
     /// same walls. So many lie at one place only where rooms are drawn upon each other.
-    pub(in crate::plan) fn some_near(
-        &self,
-        (start, end): (Point, Point),
-        reach: f64,
-        most: usize,
-    ) -> Vec<WallPlace> {
-        let all = self.0.meeting(Bounds::around([start, end]).inflated(reach));
+    pub(in crate::plan) fn some_near(&self, segment: Segment, reach: f64, most: usize) -> Vec<WallPlace> {
+        let all = self.0.meeting(segment.bounds().inflated(reach));
         let mut places: Vec<WallPlace> = all.take(most).collect();
         places.sort_unstable();
         places
     }
 
     /// The walls whose bounding box comes within `reach` metres of that of a segment, sorted.
-    pub(in crate::plan) fn near_segment(&self, start: Point, end: Point, reach: f64) -> Vec<WallPlace> {
-        self.0.near(Bounds::around([start, end]).inflated(reach))
+    pub(in crate::plan) fn near_segment(&self, segment: Segment, reach: f64) -> Vec<WallPlace> {
+        self.0.near(segment.bounds().inflated(reach))
     }
 }
 

@@ -34,7 +34,7 @@ fn tag_pipes(rooms: &mut [Room]) {
     let places = WallIndex::of(rooms);
     let walls_of = |index: usize, counts: &dyn Fn(&Room) -> bool| -> Vec<usize> {
         let is_shared = |wall: &Wall| {
-            let near = places.some_near((wall.start, wall.end), BEHIND, MOST_BEHIND);
+            let near = places.some_near(wall.segment(), BEHIND, MOST_BEHIND);
             let mut others = near.into_iter().filter(|far| far.room != index && counts(&rooms[far.room]));
             others.any(|far| stand_back_to_back(wall, &rooms[far.room].walls[far.wall]))
         };
@@ -106,7 +106,7 @@ fn opposite_wall(room: &Room, wall: usize, at: f64) -> Option<usize> {
     let entry = &room.walls[wall];
     let start = entry.start + entry.direction() * at + entry.normal() * RAY_START;
     let hits = room.walls.iter().enumerate().filter(|(index, _)| *index != wall);
-    hits.filter_map(|(index, far)| Some((index, ray_hit(start, entry.normal(), far.start, far.end)?)))
+    hits.filter_map(|(index, far)| Some((index, ray_hit(start, entry.normal(), far.segment())?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(index, _)| index)
 }

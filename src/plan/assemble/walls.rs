@@ -1,7 +1,7 @@
 //! Finds what is behind each wall: thickness, open air, railings.
 
 use super::index::{OutlineIndex, WallIndex, WallPlace};
-use crate::geometry::{Bounds, Point, Region};
+use crate::geometry::{Bounds, Point, Region, Segment};
 use crate::plan::{LevelDraft, Room, Wall, WallKind};
 
 /// A neighbouring room is looked for this many metres behind a wall; thicker inner walls count as outer ones.
@@ -26,7 +26,7 @@ const THINNEST_OUTER_WALL: f64 = 0.02;
 pub(super) fn bare_walls(region: &Region) -> Vec<Wall> {
     region
         .borders()
-        .map(|(start, end)| Wall {
+        .map(|Segment { start, end }| Wall {
             start,
             end,
             thickness: 0.0,
@@ -86,7 +86,7 @@ fn backing_of(rooms: &[Room], index: &WallIndex, place: WallPlace) -> Backing {
     let outwards = -wall.normal();
     let origins = ray_origins(wall);
     let most = MOST_BEHIND + MOST_BEHIND_RAY * origins.len();
-    let near = index.some_near((wall.start, wall.end), THICKEST_INNER_WALL, most);
+    let near = index.some_near(wall.segment(), THICKEST_INNER_WALL, most);
     let gaps: Vec<f64> = origins
         .iter()
         .filter_map(|&origin| {
@@ -111,18 +111,18 @@ fn ray_origins(wall: &Wall) -> Vec<Point> {
 
 /// Metres along the ray to a wall that it enters a room through.
 fn gap_to(origin: Point, direction: Point, wall: &Wall) -> Option<f64> {
-    (wall.normal().dot(direction) > FACING).then(|| ray_hit(origin, direction, wall.start, wall.end))?
+    (wall.normal().dot(direction) > FACING).then(|| ray_hit(origin, direction, wall.segment()))?
 }
 
 /// Metres along a ray to a segment.
-pub(in crate::plan) fn ray_hit(origin: Point, direction: Point, a: Point, b: Point) -> Option<f64> {
-    let edge = b - a;
+pub(in crate::plan) fn ray_hit(origin: Point, direction: Point, segment: Segment) -> Option<f64> {
+    let (edge, to_start) = (segment.vector(), segment.start - origin);
     let cross = direction.perp_dot(edge);
     if cross == 0.0 {
         return None;
     }
-    let distance = (a - origin).perp_dot(edge) / cross;
-    let share = (a - origin).perp_dot(direction) / cross;
+    let distance = to_start.perp_dot(edge) / cross;
+    let share = to_start.perp_dot(direction) / cross;
     ((0.0..=1.0).contains(&share) && distance >= 0.0).then_some(distance)
 }
 
@@ -132,9 +132,9 @@ fn drawn_thickness(wall: &Wall, solids: &OutlineIndex) -> Option<f64> {
     let outwards = -wall.normal();
     let far = middle + outwards * THICKEST_INNER_WALL;
     let start = middle + outwards * THINNEST_OUTER_WALL;
-    let near = solids.near(Bounds::around([middle, far]));
+    let near = solids.near(Segment::new(middle, far).bounds());
     let solid = near.into_iter().find(|solid| solid.contains(start))?;
-    let exit = solid.edges().filter_map(|(a, b)| ray_hit(start, outwards, a, b)).min_by(f64::total_cmp)?;
+    let exit = solid.edges().filter_map(|edge| ray_hit(start, outwards, edge)).min_by(f64::total_cmp)?;
     (exit <= THICKEST_INNER_WALL).then_some(exit + THINNEST_OUTER_WALL)
 }
 
@@ -145,7 +145,7 @@ fn is_railed(wall: &Wall, railings: &OutlineIndex) -> bool {
     let railed = origins.iter().filter(|&&origin| {
         railings.near(Bounds::around_point(origin, RAILING_REACH)).into_iter().any(|railing| {
             let start = origin - outwards * RAY_BACKSTEP;
-            let hits = railing.edges().filter_map(|(a, b)| ray_hit(start, outwards, a, b));
+            let hits = railing.edges().filter_map(|edge| ray_hit(start, outwards, edge));
             railing.contains(start) || hits.min_by(f64::total_cmp).is_some_and(|hit| hit < RAILING_REACH)
         })
     });

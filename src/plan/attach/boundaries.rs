@@ -34,7 +34,7 @@ pub(in crate::plan) fn open_boundaries(
     for (room, value) in rooms.iter().enumerate().filter(|(_, room)| has_floor(room)) {
         for (wall, piece) in value.walls.iter().enumerate() {
             let place = WallPlace { room, wall };
-            let near = index.near_segment(piece.start, piece.end, STEP);
+            let near = index.near_segment(piece.segment(), STEP);
             let partners = near.into_iter().filter(|far| far.room > room && has_floor(&rooms[far.room]));
             for far in partners {
                 let shared = shared_stretch(piece, &rooms[far.room].walls[far.wall]);
@@ -89,7 +89,7 @@ fn is_walled(point: Point, wall: &Wall, solids: &OutlineIndex) -> bool {
         solid.contains(point)
             || solid
                 .edges()
-                .any(|(a, b)| ray_hit(inside, outside - inside, a, b).is_some_and(|share| share <= 1.0))
+                .any(|edge| ray_hit(inside, outside - inside, edge).is_some_and(|share| share <= 1.0))
     })
 }
 

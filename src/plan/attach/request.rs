@@ -1,7 +1,7 @@
 //! A requested opening, checked and in the frame of the level.
 
 use super::{Face, LEAST_PARTNER_SHARE, LEAST_SHARE, LEAST_WINDOW_PARTNER, NARROWEST_OPENING};
-use crate::geometry::Point;
+use crate::geometry::{Point, Segment};
 use crate::plan::assemble::{Assembly, WallIndex};
 use crate::plan::limits::{COORDINATE, OPENING_WIDTH, ROOM_SIDE};
 use crate::plan::{OpeningDraft, OpeningKind, OpeningPlace};
@@ -202,7 +202,7 @@ fn nearest_direction(
     assembly: &Assembly<'_>,
     index: &WallIndex,
 ) -> Option<Point> {
-    let near = index.near_segment(center, center, NEAREST_WALL);
+    let near = index.near_segment(Segment::new(center, center), NEAREST_WALL);
     let walls = near
         .into_iter()
         .filter(|place| rooms.is_empty() || rooms.contains(&place.room))

@@ -117,16 +117,14 @@ fn grow(holes: &[Polygon]) -> geo::MultiPolygon<f64> {
 pub(in crate::plan) fn trace(polygon: Polygon, origin: &Ring) -> Ring {
     let edges = polygon
         .edges()
-        .map(|(a, b)| {
-            let middle = a.midpoint(b);
-            let direction = (b - a).normalize_or_zero();
-            origin.polygon.edges().zip(&origin.edges).find_map(|((start, end), &edge)| {
-                let along = (end - start).normalize_or_zero();
-                let place = (middle - start).dot(along);
-                let is_on = (middle - start).perp_dot(along).abs() < SAME_EDGE
+        .map(|changed| {
+            origin.polygon.edges().zip(&origin.edges).find_map(|(found, &edge)| {
+                let (along, offset) = (found.direction(), changed.middle() - found.start);
+                let place = offset.dot(along);
+                let is_on = offset.perp_dot(along).abs() < SAME_EDGE
                     && place > 0.0
-                    && place < start.distance(end)
-                    && direction.perp_dot(along).abs() * a.distance(b) < SAME_EDGE * 2.0;
+                    && place < found.length()
+                    && changed.direction().perp_dot(along).abs() * changed.length() < SAME_EDGE * 2.0;
                 is_on.then_some(edge).flatten()
             })
         })

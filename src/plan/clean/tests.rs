@@ -2,7 +2,7 @@
 
 use super::holes::{HoleFault, clean_region};
 use super::{Ring, RingFault, clean_ring, refuse_sliver};
-use crate::geometry::{Point, PolygonFault};
+use crate::geometry::{Point, PolygonFault, Segment};
 use crate::plan::sample::points;
 
 fn cleaned(list: &[(f64, f64)]) -> Ring {
@@ -19,7 +19,7 @@ const SQUARE: [(f64, f64); 4] = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]
 #[test]
 fn edges_of_a_clockwise_ring_keep_their_numbers() {
     let ring = cleaned(&[(0.0, 0.0), (0.0, 4.0), (4.0, 4.0), (4.0, 0.0)]);
-    for ((start, end), edge) in ring.polygon.edges().zip(&ring.edges) {
+    for (Segment { start, end }, edge) in ring.polygon.edges().zip(&ring.edges) {
         let expected = match edge.unwrap() {
             0 => start.x == 0.0 && end.x == 0.0,
             1 => start.y == 4.0 && end.y == 4.0,

@@ -157,11 +157,12 @@ fn reach_round_corner(before: Point, after: Point, [thickness, other]: [f64; 2])
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Segment;
 
     fn walls(corners: &[(f64, f64)], thickness: &[f64]) -> Vec<Footprint> {
         let points: Vec<Point> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
         let region = Region::simple(Polygon::new(&points).unwrap());
-        let walls = region.borders().enumerate().map(|(index, (start, end))| Wall {
+        let walls = region.borders().enumerate().map(|(index, Segment { start, end })| Wall {
             start,
             end,
             thickness: thickness[index % thickness.len()],
