@@ -5,9 +5,11 @@
     drawn        fixtures in architects' drawings
     pieces       pieces of furniture where they stand
     floors       finished files as rooms with pieces
+    clear        free space before sides, and where one can walk
     measure      what a measure is
     measures/    one file a subject
     table        all measures
     judgement    every measure's answer for every room of a file
     report       verdicts as tables
+    sketch       rooms from above, as SVG
 """

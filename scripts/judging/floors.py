@@ -60,7 +60,9 @@ class Room:
     height: float
     extras: dict
     pieces: list[Piece] = field(default_factory=list)
+    columns: list[tuple[shapely.Polygon, float]] = field(default_factory=list)  # shape from above, height
     drawn: list[Drawn] = field(default_factory=list)
+    walkable: dict[tuple[float, bool], list[shapely.Polygon]] = field(default_factory=dict)  # clear.py keeps it
 
     @property
     def area(self) -> float:
@@ -156,6 +158,8 @@ def read_floor(path: Path) -> Floor:
             piece = Piece(node.extras["id"], node.extras["class"], node.extras["parent"], node, mesh, carrier)
             pieces[node.index] = piece
             rooms[room_index(node)].pieces.append(piece)
+        elif node.kind == "part" and {"outline", "height"} <= node.extras.keys():
+            rooms[room_index(node)].columns.append((shapely.Polygon(node.extras["outline"]), node.extras["height"]))
     floor.rooms = list(rooms.values())
     return floor
 

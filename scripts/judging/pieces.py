@@ -8,13 +8,17 @@ from functools import cached_property
 import numpy as np
 import shapely
 
-from checks.bodies import Part, parts_of
+from checks.bodies import Part, connected, parts_of, weld
 from gltf_file import Node
 
 from .shapes import hull, rectangle
 
 # Metres of height up to which what lies on the floor is floor: rugs.
 COVERING = 0.021
+# Metres above its lowest point up to which a piece touches what it stands on.
+FOOT = 0.02
+# Cosine of 25°: a face less steep carries things.
+LEVEL = 0.9
 # Metres above the floor from which on a piece hangs and does not stand.
 STANDING = 0.03
 
@@ -34,6 +38,22 @@ class Mesh:
         return parts_of(self.primitives)
 
     @cached_property
+    def tops(self) -> tuple[np.ndarray, np.ndarray]:
+        """Faces that something can stand on: their heights, and their shapes in x and z."""
+        rings = np.concatenate([primitive["positions"][primitive["triangles"]] for primitive in self.primitives]).astype(float)
+        normals = np.cross(rings[:, 1] - rings[:, 0], rings[:, 2] - rings[:, 0])
+        up = normals[:, 1] > LEVEL * np.maximum(np.linalg.norm(normals, axis=1), 1e-12)
+        shapes = shapely.polygons(rings[up][:, [0, 1, 2, 0]][:, :, [0, 2]])
+        sound = shapely.area(shapes) > 1e-8
+        return rings[up][:, :, 1].mean(axis=1)[sound], shapes[sound]
+
+    @cached_property
+    def foot(self) -> np.ndarray:
+        """The corners of the hull of its lowest 2 cm from above, in x and z."""
+        own = self.corners
+        return shapely.get_coordinates(hull(own[own[:, 1] < own[:, 1].min() + FOOT][:, [0, 2]]))
+
+    @cached_property
     def rim(self) -> np.ndarray:
         """The corners of its hull from above: x, z."""
         flat = hull(self.corners[:, [0, 2]])
@@ -42,13 +62,21 @@ class Mesh:
     @cached_property
     def layers(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Of each part the lowest and highest height and its hull from above, in x and z."""
-        parts = self.parts
-        points = np.concatenate([part.corners[:, [0, 2]] for part in parts])
-        owners = np.repeat(np.arange(len(parts)), [len(part.corners) for part in parts])
-        hulls = shapely.convex_hull(shapely.multipoints(points, indices=owners))
+        points, owners = [], []
+        for primitive in self.primitives:
+            corners, triangles = weld(primitive)
+            if len(triangles):
+                used = np.unique(triangles)
+                owners.append(connected(len(corners), triangles)[used] + sum(map(len, points)))
+                points.append(corners[used])
+        corners, (_, labels) = np.concatenate(points), np.unique(np.concatenate(owners), return_inverse=True)
+        order = np.argsort(labels, kind="stable")
+        corners, labels = corners[order], labels[order]
+        starts = np.flatnonzero(np.diff(labels, prepend=-1))
+        hulls = shapely.convex_hull(shapely.multipoints(corners[:, [0, 2]], indices=labels))
         solid = shapely.get_type_id(hulls) == shapely.GeometryType.POLYGON
-        lows, highs = (np.array([getattr(part, end)[1] for part in parts]) for end in ("low", "high"))
-        return lows[solid], highs[solid], hulls[solid]
+        heights = corners[:, 1]
+        return np.minimum.reduceat(heights, starts)[solid], np.maximum.reduceat(heights, starts)[solid], hulls[solid]
 
 
 @dataclass(eq=False)
@@ -107,6 +135,28 @@ class Piece:
     def size(self) -> np.ndarray:
         """Width and depth of the mesh."""
         return np.ptp(self.mesh.corners[:, [0, 2]], axis=0)
+
+    @cached_property
+    def parts(self) -> list[Part]:
+        """Its solid parts in the file's frame."""
+        return [part.placed(self.node.world) for part in self.mesh.parts]
+
+    @cached_property
+    def part_boxes(self) -> np.ndarray:
+        """Least and greatest x, y and z of each part."""
+        return np.array([(*part.low, *part.high) for part in self.parts]).reshape(-1, 6)
+
+    @cached_property
+    def tops(self) -> tuple[np.ndarray, np.ndarray, shapely.STRtree]:
+        """Faces that something can stand on: heights above the floor, shapes, and a tree of them."""
+        heights, shapes = self.mesh.tops
+        placed = shapely.transform(shapes, self.flat)
+        return heights * self.node.world[1, 1] + self.node.world[1, 3], placed, shapely.STRtree(placed)
+
+    @cached_property
+    def foot(self) -> shapely.Geometry:
+        """Its shape from above where it touches what it stands on."""
+        return hull(self.flat(self.mesh.foot))
 
     def side(self, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Both ends of a side of its box, and the unit vector out of it."""

@@ -40,11 +40,16 @@ TOILETS = {"toilet"}
 BASINS = {"washbasin", "hand_basin", "vanity", "row_basin"}
 TUBS = {"bathtub", "shower", "small_shower"}
 
-ART = {"picture", "poster", "mirror", "vanity_mirror", "wall_clock"}
+ART = {"picture", "poster", "mirror", "vanity_mirror"}
 MIRRORS = {"mirror", "vanity_mirror"}
 CURTAINS = {"curtain"}
-PLANTS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter"}
 ROW_SEATS = {"auditorium_seat"}
+
+STORAGE = WARDROBES | {"dresser", "bookshelf", "low_bookshelf", "plank_shelf", "cabinet", "tall_cabinet", "filing_cabinet",
+                       "china_cabinet"}
+COFFEE_TABLES = {"coffee_table"}
+VIEWERS = SOFAS | EASY_CHAIRS | BEDS
+DRESSING = {"dressing_table", "dresser", "console_table", "sideboard", "shoe_cabinet", "desk", "small_desk", "lowboard"}
 
 LIVING_ROOMS = {"living_room", "living_dining", "living_kitchen"}
 BEDROOMS = {"bedroom", "room"}

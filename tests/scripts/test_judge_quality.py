@@ -1,0 +1,159 @@
+"""The judge's measures of QUALITY's codes: each has a room that passes and one that fails."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from judged_floor import TURNS, Judged, house
+from judging.table import MEASURES
+
+DESK, CHAIR, BED = (1.4, 0.7, 0.74), (0.6, 0.6, 1.0), (1.6, 2.0, 0.6)
+DOOR = ("d", "door", "door", [("101", 0, 1.0, 1.9)])
+
+
+def boxes(*places: tuple[float, float, float]) -> Judged:
+    made = house("storeroom")
+    for x, y, lift in places:
+        made.piece("cabinet", x, y, "south", (1.0, 0.4, 0.8), lift)
+    return made
+
+
+def on_table(x: float) -> Judged:
+    """A lamp of 0.2 m on a table of 1 m from 1.5 to 2.5."""
+    made = house("living_room").piece("coffee_table", 2.0, 2.0, "south", (1.0, 0.6, 0.4))
+    return made.piece("table_lamp", x, 2.0, "south", (0.2, 0.2, 0.4), 0.4, on="coffee_table.1")
+
+
+def at_door(y: float) -> Judged:
+    return house("bedroom").opening(*DOOR).piece("dresser", 1.5, y, "north", (1.0, 0.4, 0.8))
+
+
+def passage(gap: float) -> Judged:
+    """Shelves from both walls leave a gap between door and bed."""
+    shelf = ((4.0 - gap) / 2, 0.4, 2.0)
+    made = house("bedroom", 4.0, 6.0).opening("d", "door", "passage", [("101", 0, 1.5, 2.4)])
+    made.piece("shelf", shelf[0] / 2, 2.0, "north", shelf).piece("shelf", 4.0 - shelf[0] / 2, 2.0, "north", shelf)
+    return made.piece("double_bed", 2.0, 5.0, "south", BED)
+
+
+def wardrobe(distance: float) -> Judged:
+    """A wardrobe at the north wall and a box at a distance before its front."""
+    made = house("bedroom").piece("wardrobe", 2.0, 3.7, "south", (1.2, 0.6, 2.0))
+    return made.piece("dresser", 2.0, 3.4 - distance - 0.2, "south", (1.0, 0.4, 0.8))
+
+
+def talk(gap: float) -> Judged:
+    made = house("living_room").piece("sofa", 2.0, 0.5, "north", (2.0, 0.9, 0.8))
+    return made.piece("coffee_table", 2.0, 0.95 + gap + 0.3, "north", (1.0, 0.6, 0.4))
+
+
+def picture(lift: float) -> Judged:
+    return house("living_room").piece("picture", 2.0, 3.98, "south", (0.8, 0.04, 0.6), lift)
+
+
+def watched(distance: float) -> Judged:
+    made = house("living_room", 4.0, 8.0).piece("wall_tv", 2.0, 7.95, "south", (1.1, 0.1, 0.65), 1.0)
+    return made.piece("sofa", 2.0, 7.9 - distance, "north", (2.0, 0.9, 0.8))
+
+
+def window(height: float) -> Judged:
+    made = house("bedroom").opening("w", "window", "window", [("101", 2, 1.0, 3.0)], sill=0.9, height=1.2)
+    return made.piece("wardrobe", 2.0, 3.7, "south", (1.2, 0.6, height))
+
+
+def desk(facing: str) -> Judged:
+    made = house("study").piece("desk", 2.0, 3.0, "south", DESK)
+    made.piece("office_chair", 2.0, 2.3, facing, CHAIR)
+    made.floor.find("office_chair.1@101")["extras"]["parent"] = "desk.1"
+    return made
+
+
+def bath(x: float) -> Judged:
+    made = house("bathroom", 3.0, 3.0).piece("toilet", 0.5, 2.66, "south", (0.38, 0.66, 0.8))
+    return made.piece("shower", x, 1.7, "east", (0.9, 0.9, 2.0))
+
+
+def crowd(*middles: tuple[float, float]) -> Judged:
+    made = house("living_room", 8.0, 4.0)
+    for x, y in middles:
+        made.piece("bookshelf", x, y, "north", (0.8, 0.3, 1.8))
+    return made
+
+
+def turned(degrees: float) -> Judged:
+    TURNS["aslant"] = np.pi + np.radians(degrees)
+    return house("bedroom").piece("wardrobe", 2.0, 0.36, "aslant", (1.2, 0.6, 2.0))
+
+
+def filled(width: float) -> Judged:
+    return house("living_room").piece("sofa", 2.0, 0.6, "north", (width, 1.0, 0.8))
+
+
+# By code: a room that passes, and one that fails.
+CASES = {
+    "collision": (boxes((1.0, 1.0, 0), (2.0, 1.0, 0)), boxes((1.0, 1.0, 0), (1.5, 1.0, 0))),
+    "out_of_room": (boxes((0.5, 1.0, 0)), boxes((0.4, 1.0, 0))),
+    "floating": (boxes((1.0, 1.0, 0), (1.0, 1.0, 0.8)), boxes((1.0, 1.0, 0), (1.0, 1.0, 0.9))),
+    "unsupported": (on_table(2.0), on_table(2.45)),
+    "door_blocked": (at_door(2.0), at_door(0.8)),
+    "unreachable": (passage(0.42), passage(0.25)),
+    "way_narrow": (passage(0.5), passage(0.42)),
+    "blocked_use": (wardrobe(0.7), wardrobe(0.5)),
+    "tight_use": (wardrobe(1.0), wardrobe(0.7)),
+    "sofa_to_table": (talk(0.45), talk(0.7)),
+    "art_height": (picture(1.2), picture(1.6)),
+    "tv_position": (watched(3.0), watched(6.0)),
+    "window_blocked": (window(0.9), window(2.0)),
+    "facing": (desk("north"), desk("south")),
+    "wet_room": (bath(2.5), bath(0.5)),
+    "bedside": (house("bedroom").piece("double_bed", 2.0, 1.0, "north", BED), house("bedroom").piece("double_bed", 0.8, 1.0, "north", BED)),
+    "crowded_half": (crowd((1.0, 0.2), (7.0, 3.8)), crowd((1.0, 0.2), (2.0, 3.8))),
+    "crooked": (turned(0.0), turned(8.0)),
+    "missing_required": (house("toilet", 1.0, 2.0).piece("toilet", 0.5, 1.66, "south", (0.38, 0.66, 0.8)),
+                         house("toilet", 1.0, 2.0).piece("mirror", 0.5, 1.97, "south", (0.5, 0.04, 0.5), 1.3)),
+    "unfulfilled": (house("storeroom", requested=1).piece("shelf", 1.0, 0.2, "north", (0.8, 0.4, 1.8)), house("storeroom", requested=4)),
+    "sparse": (filled(3.0), filled(1.0)),
+    "empty_surfaces": (house("study").piece("desk", 2.0, 2.0, "south", DESK).piece("laptop", 2.0, 2.0, "south", (0.3, 0.2, 0.2), 0.74,
+                                                                                  on="desk.1"),
+                       house("study").piece("desk", 2.0, 2.0, "south", DESK)),
+}
+
+
+@pytest.mark.parametrize("code", CASES)
+def test_a_measure_tells_the_room_that_passes_from_the_one_that_fails(code, tmp_path):
+    passing, failing = (made.read(tmp_path) for made in CASES[code])
+    judge = MEASURES[code].judge
+    assert judge(passing).faults == ()
+    assert judge(failing).faults != ()
+
+
+def test_every_measure_of_the_table_has_cases():
+    import test_judge_homes
+
+    walls = {code for code in MEASURES if code.endswith("_wall") and code not in ("bare_wall", "bare_hall_wall")}
+    assert MEASURES.keys() == CASES.keys() | test_judge_homes.CASES.keys() | walls | {"kitchen_length"}
+
+
+def test_a_chair_under_its_table_collides_with_nothing_of_it(tmp_path):
+    made = house("dining_room").piece("dining_table", 2.0, 2.0, "south", (1.6, 0.9, 0.75))
+    made.piece("dining_chair", 2.0, 1.7, "north", (0.45, 0.5, 0.9))
+    # Two solid boxes do collide: that the measure looks at triangles is what makes the real chair pass.
+    assert MEASURES["collision"].judge(made.read(tmp_path)).faults
+
+
+def test_an_open_boundary_that_ends_at_another_is_walked_around(tmp_path):
+    """Furniture near the corner of two open boundaries closes no way: people come around it through the next room."""
+    made = house("living_dining").piece("sofa", 2.0, 0.5, "north", (2.0, 0.9, 0.8))
+    for name, wall in (("s", 1), ("t", 2)):
+        made.opening(name, "door", "open", [("101", wall, 0.01, 3.99)])
+    made.piece("bookshelf", 3.5, 3.5, "west", (0.8, 0.8, 1.8))
+    assert MEASURES["way_narrow"].judge(made.read(tmp_path)).faults == ()
+
+
+def test_what_hangs_flat_on_a_wall_is_in_nobodys_way(tmp_path):
+    made = wardrobe(1.5).piece("towel_rail", 2.0, 3.0, "south", (0.6, 0.1, 0.4), 0.9)
+    assert MEASURES["blocked_use"].judge(made.read(tmp_path)).faults != ()
+    hung = house("bedroom", 4.0, 1.25).piece("wardrobe", 2.0, 0.95, "south", (1.2, 0.6, 2.0))
+    hung.piece("towel_rail", 2.0, 0.05, "north", (0.6, 0.1, 0.4), 0.9)
+    assert MEASURES["blocked_use"].judge(hung.read(tmp_path)).faults == ()
