@@ -26,8 +26,9 @@ fn house(catalog: &Catalog) -> Plan {
 fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models: &ModelLibrary) -> usize {
     let options = FurnishOptions::new(SEED, &placed.id);
     let furnished: Vec<_> =
-        (0..level.rooms.len()).map(|room| furnish(level, room, catalog, &options)).collect();
-    let verdicts: Vec<_> = furnished.iter().map(|room| judge_room(level, room.room, room, catalog)).collect();
+        (0..level.rooms.len()).map(|room| furnish(level.room(room), catalog, &options)).collect();
+    let verdicts: Vec<_> =
+        furnished.iter().map(|room| judge_room(level.room(room.room), room, catalog)).collect();
     let scene = build_scene(&SceneInput {
         style: None,
         level,

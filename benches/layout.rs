@@ -18,7 +18,7 @@ fn level(name: &str, catalog: &Catalog) -> Level {
 }
 
 fn placed(level: &Level, catalog: &Catalog, seed: u64) -> usize {
-    furnish(level, 0, catalog, &FurnishOptions::new(seed, "bench")).placements.len()
+    furnish(level.room(0), catalog, &FurnishOptions::new(seed, "bench")).placements.len()
 }
 
 fn layout(criterion: &mut Criterion) {

@@ -118,7 +118,7 @@ fn judge_floor(data: &[u8]) -> bool {
         check_faults(&read.faults);
         for (room, furnished) in read.furnished.iter().enumerate() {
             let Some(furnished) = furnished else { continue };
-            let verdict = judge_room(&read.level, room, furnished, &CATALOG);
+            let verdict = judge_room(read.level.room(room), furnished, &CATALOG);
             assert!(verdict.findings.iter().all(|finding| !finding.measured.is_nan()), "{verdict:?}");
         }
     }

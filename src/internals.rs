@@ -58,7 +58,7 @@ pub mod plan {
     pub use crate::plan::{
         Building, DrawnPiece, Leaf, LeafDraft, Level, LevelDraft, Obstacle, ObstacleDraft, Opening,
         OpeningDraft, OpeningKind, OpeningPlace, OpeningSide, PlacedBuilding, Plan, PlanOptions, PlanReading,
-        Room, RoomDraft, RoomOpening, RoomWords, SitePlacement, Wall, WallKind, assemble_level,
+        Room, RoomDraft, RoomOpening, RoomRef, RoomWords, SitePlacement, Wall, WallKind, assemble_level,
         drawn_furniture, project_settings, read_plans, write_native,
     };
 }

@@ -29,7 +29,8 @@ impl Floor {
         let level = reading.plan.buildings[0].building.levels[1].clone();
         let options = FurnishOptions::new(SEED, "hotel");
         let rooms = 0..level.rooms.len();
-        let furnished: Vec<Furnished> = rooms.map(|room| furnish(&level, room, &catalog, &options)).collect();
+        let furnished: Vec<Furnished> =
+            rooms.map(|room| furnish(level.room(room), &catalog, &options)).collect();
         let objects: usize = furnished.iter().map(|room| room.placements.len()).sum();
         eprintln!("{} rooms, {objects} objects", furnished.len());
         Self { level, furnished, catalog, library }

@@ -102,7 +102,7 @@ impl Tally {
         options: &FurnishOptions<'_>,
         arguments: &Arguments,
     ) -> Self {
-        let (judged, timed) = slowest::furnish((level, room), catalog, options, arguments.effort);
+        let (judged, timed) = slowest::furnish(level.room(room), catalog, options, arguments.effort);
         let furnished = judged.furnished;
         let mut tally = Self { slowest: Slowest::of(timed, arguments.slowest), ..Self::default() };
         if furnished.requested == 0 {
@@ -250,7 +250,7 @@ fn draw_random(
     catalog: &Catalog,
     (options, effort): (&FurnishOptions<'_>, u32),
 ) {
-    let judged = furnish_best(level, 0, catalog, options, effort);
+    let judged = furnish_best(level.room(0), catalog, options, effort);
     let (furnished, findings) = ([judged.furnished], [judged.verdict.findings]);
     let grade = Grade::of(&findings[0]);
     if grade == Grade::None {

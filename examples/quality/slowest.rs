@@ -77,12 +77,12 @@ impl Slowest {
 
 /// Furnishes a room as `bake` does, and says what it took.
 pub fn furnish(
-    (level, room): (&Level, usize),
+    at: RoomRef<'_>,
     catalog: &Catalog,
     options: &FurnishOptions<'_>,
     effort: u32,
 ) -> (Judged, Timed) {
-    let plan = &level.rooms[room];
+    let RoomRef { level, room: plan, .. } = at;
     let mut timed = Timed {
         words: format!(
             "level {} room {} ({}), seed {}, {:.1} m²",
@@ -99,8 +99,8 @@ pub fn furnish(
         steps: (0, 0),
     };
     let Timed { alternatives, layout, audit, suggesting, steps, .. } = &mut timed;
-    let furnisher = RoomLayout::new(level, room, catalog, options);
-    let solver = RoomSolver::new(level, room, catalog);
+    let furnisher = RoomLayout::new(at, catalog, options);
+    let solver = RoomSolver::new(at, catalog);
     let judged = best_of(
         effort,
         |alternative| {

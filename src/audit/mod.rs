@@ -46,7 +46,7 @@ pub(crate) use rounding::ROUNDING;
 
 use crate::catalog::{Catalog, ClassIndex};
 use crate::layout::{Furnished, opening_id};
-use crate::plan::Level;
+use crate::plan::{Level, RoomRef};
 
 use checks::Rates;
 use evidence::Evidence;
@@ -57,12 +57,12 @@ use zone::{NearPair, Zone};
 
 /// Judges one furnished room. `ask` answers what the empty room could hold; [`crate::solve::judge_room`] brings its own.
 ///
-/// `room` is an index into `level.rooms`, `furnished` what the layout made of it.
+/// `furnished` is what the layout made of the room.
 ///
 /// # Panics
 /// If `furnished` names a class, parent, wall or opening that does not exist.
-pub fn judge(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog, ask: Ask<'_>) -> Verdict {
-    let subject = &Subject::new(level, room, furnished, catalog);
+pub fn judge(at: RoomRef<'_>, furnished: &Furnished, catalog: &Catalog, ask: Ask<'_>) -> Verdict {
+    let subject = &Subject::new(at, furnished, catalog);
     // What people need free, and what is near it.
     let zones = all_zones(subject);
     let (collisions, hits) = near_pairs(subject, &zones);
@@ -74,7 +74,7 @@ pub fn judge(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalo
     let findings = finding::findings(checks::faults(&evidence));
     let rates = floor.map_or_else(Vec::new, |floor| checks::rates(subject, floor));
     let score = score::score(&evidence, &rates);
-    Verdict { findings, score, walkable: door_rates(level, rates) }
+    Verdict { findings, score, walkable: door_rates(at.level, rates) }
 }
 
 fn door_rates(level: &Level, rates: Rates) -> Vec<DoorRate> {
@@ -86,17 +86,16 @@ fn door_rates(level: &Level, rates: Rates) -> Vec<DoorRate> {
 /// Each required class that is missing and stands on the floor by itself, first in its list, with whatever else the room
 /// cannot do without.
 pub(crate) fn missing_pieces(
-    level: &Level,
-    room: usize,
+    at: RoomRef<'_>,
     furnished: &Furnished,
     catalog: &Catalog,
 ) -> Vec<Vec<ClassIndex>> {
-    checks::missing_pieces(&Subject::new(level, room, furnished, catalog))
+    checks::missing_pieces(&Subject::new(at, furnished, catalog))
 }
 
 /// Whatever people need to be free.
 fn all_zones(subject: &Subject<'_>) -> Vec<Zone> {
-    let mut zones = checks::door_zones((subject.level, subject.room), subject.rules().doors);
+    let mut zones = checks::door_zones(subject.at, subject.rules().doors);
     zones.extend(taking::zones(subject));
     zones.extend(checks::light_zones(subject));
     zones.extend(checks::bowl_zones(subject));

@@ -11,7 +11,7 @@ use super::subject::{Body, Subject};
 use super::zone::{NearPair, Purpose};
 use crate::catalog::{ParentName, Relation, RelationKind};
 use crate::geometry::Point;
-use crate::plan::OpeningKind;
+use crate::plan::{OpeningKind, RoomRef};
 
 /// Metres outside the good distances, or radians off the good angle, over which a wish fades to unmet.
 const FADE: f64 = 1.0;
@@ -82,7 +82,7 @@ impl<'s, 'a> Known<'s, 'a> {
 
     /// Calls `visit` with all that a name means, but for the body itself.
     fn each_target(&self, own: usize, name: &ParentName, position: Point, mut visit: impl FnMut(Target)) {
-        let Subject { level, room, bodies, .. } = self.subject;
+        let Subject { at: RoomRef { level, room, .. }, bodies, .. } = self.subject;
         let fixed = |position, front| Target { position, front, radius: 0.0 };
         match name {
             ParentName::Classes(classes) => {

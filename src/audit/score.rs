@@ -106,7 +106,7 @@ fn balance(subject: &Subject<'_>) -> Option<f64> {
     if all == 0.0 {
         return None;
     }
-    let extent = subject.room.region.area().sqrt() / 2.0;
+    let extent = subject.at.room.region.area().sqrt() / 2.0;
     Some((1.0 - (moment / all).distance(middle_of(subject)) / extent).max(0.0))
 }
 
@@ -120,7 +120,7 @@ fn alignments<'s>(subject: &'s Subject<'_>) -> impl Iterator<Item = f64> + 's {
     };
     subject.bodies.iter().filter(is_asked).map(|body| {
         let wall = match body.placement.parent {
-            Parent::Wall(wall) => subject.room.walls[wall].direction(),
+            Parent::Wall(wall) => subject.at.room.walls[wall].direction(),
             _ => nearest_wall(subject, body.placement.position),
         };
         1.0 - angle_off(body, wall) / core::f64::consts::FRAC_PI_4
@@ -130,7 +130,7 @@ fn alignments<'s>(subject: &'s Subject<'_>) -> impl Iterator<Item = f64> + 's {
 /// Unit vector along the wall that is nearest to a point.
 fn nearest_wall(subject: &Subject<'_>, point: Point) -> Point {
     let apart = |edge: Segment| edge.distance_squared(point);
-    let edges = subject.room.region.borders();
+    let edges = subject.at.room.region.borders();
     let nearest = edges.map(|edge| (apart(edge), edge)).reduce(|a, b| if b.0 < a.0 { b } else { a });
     nearest.map_or(Point::X, |(_, edge)| edge.direction())
 }

@@ -7,7 +7,7 @@ use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, DEFAULT_STYLE, Styl
 use crate::contract::ElementId;
 use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, object_id, opening_id, solids};
-use crate::plan::{Level, Room};
+use crate::plan::RoomRef;
 
 use super::convex::area;
 use super::fault::{Element, Named};
@@ -16,10 +16,8 @@ use super::upright_box::UprightBox;
 
 /// One furnished room.
 pub(crate) struct Subject<'a> {
-    /// The level around the room.
-    pub(crate) level: &'a Level,
     /// The room.
-    pub(crate) room: &'a Room,
+    pub(crate) at: RoomRef<'a>,
     /// What the layout says about it.
     pub(crate) furnished: &'a Furnished,
     /// The classes and programmes.
@@ -50,7 +48,7 @@ pub(crate) struct Body<'a> {
 
 impl<'a> Subject<'a> {
     /// Builds the bodies of a furnished room.
-    pub(crate) fn new(level: &'a Level, room: usize, furnished: &'a Furnished, catalog: &'a Catalog) -> Self {
+    pub(crate) fn new(at: RoomRef<'a>, furnished: &'a Furnished, catalog: &'a Catalog) -> Self {
         let bodies = furnished.placements.iter().map(|placement| Body::new(placement, catalog)).collect();
         let parents = furnished.placements.iter().enumerate();
         let child = |(index, placement): (usize, &Placement)| match placement.parent {
@@ -60,8 +58,7 @@ impl<'a> Subject<'a> {
         let mut children: Vec<(usize, usize)> = parents.filter_map(child).collect();
         children.sort_unstable();
         Self {
-            level,
-            room: &level.rooms[room],
+            at,
             furnished,
             catalog,
             bodies,
@@ -78,7 +75,7 @@ impl<'a> Subject<'a> {
 
     /// An opening, by index into the level's.
     pub(crate) fn opening(&self, index: usize) -> Named {
-        Named { id: opening_id(&self.level.openings[index]).to_string(), element: Element::Opening(index) }
+        Named { id: opening_id(&self.at.level.openings[index]).to_string(), element: Element::Opening(index) }
     }
 
     /// A class of which a piece is missing.

@@ -173,7 +173,7 @@ fn is_flat(subject: &Subject<'_>, body: &Body<'_>) -> bool {
 /// The edges of walls and columns inside a zone, with the parts that they belong to. Where the wall is open, a
 /// zone may reach into the next room.
 fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, Segment)> {
-    let room = subject.room;
+    let room = subject.at.room;
     let margin = subject.rules().clearances.intrusion + ROUNDING;
     let inside = |edge: Segment| clip_segment(&zone.base, edge, margin);
     let walls = room.region.borders().enumerate().filter_map(|(number, border)| {
@@ -189,12 +189,12 @@ fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, Segment)> {
 
 /// Whether a stretch of a wall lies in an opening that nothing closes.
 fn is_open(subject: &Subject<'_>, wall: usize, stretch: Segment) -> bool {
-    let face = &subject.room.walls[wall];
+    let face = &subject.at.room.walls[wall];
     let along = |point: Point| (point - face.start).dot(face.direction());
     let (start, end) = (along(stretch.start), along(stretch.end));
     let (from, to) = (start.min(end), start.max(end));
-    subject.room.openings.iter().filter(|place| place.wall == wall).any(|place| {
-        let kind = subject.level.openings[place.opening].kind;
+    subject.at.room.openings.iter().filter(|place| place.wall == wall).any(|place| {
+        let kind = subject.at.level.openings[place.opening].kind;
         let is_free = matches!(kind, OpeningKind::OpenBoundary | OpeningKind::Passage);
         is_free && place.from - ROUNDING <= from && to <= place.to + ROUNDING
     })

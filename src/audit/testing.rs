@@ -138,7 +138,7 @@ impl TestRoom {
     }
 
     pub(crate) fn judge(&self) -> Verdict {
-        judge_room(&self.level, 0, &self.furnished(), &self.catalog)
+        judge_room(self.level.room(0), &self.furnished(), &self.catalog)
     }
 
     pub(crate) fn count(&self, code: Code) -> usize {

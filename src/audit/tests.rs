@@ -38,7 +38,7 @@ fn the_time_of_a_verdict_grows_as_the_pieces_do() {
             (room.furnished(), room)
         };
         let judge = |(furnished, room): (Furnished, TestRoom)| {
-            drop(crate::solve::judge_room(&room.level, 0, &furnished, &room.catalog));
+            drop(crate::solve::judge_room(room.level.room(0), &furnished, &room.catalog));
         };
         // From where a heap has as many neighbours as are looked at.
         let power = growth((480, 4), 1.3, furnish, judge);

@@ -76,7 +76,7 @@ impl Zone {
     fn is_in_sight(&self, subject: &Subject<'_>, solid: &Solid) -> bool {
         let witness = middle(&intersection(&self.base, solid.footprint()));
         let sight = Segment::new(witness, self.face.nearest(witness));
-        !subject.room.region.borders().any(|border| cross(sight, border))
+        !subject.at.room.region.borders().any(|border| cross(sight, border))
     }
 }
 

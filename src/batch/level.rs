@@ -116,13 +116,13 @@ fn bake_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
 fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom {
     let Context { catalog, watch, .. } = context;
     let options = &context.options.level;
-    let level = job.level;
-    let edits = job.edits.and_then(|edits| edits.room(&level.rooms[room].id));
-    let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
+    let at = job.level.room(room);
+    let edits = job.edits.and_then(|edits| edits.room(&at.room.id));
+    let locks = edits.map(|edits| edits.locks(at, catalog)).unwrap_or_default();
     let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
     let run = edits.map_or(run, |edits| edits.options(run, &locks));
-    let layout = RoomLayout::new(level, room, catalog, &run);
-    let solver = RoomSolver::new(level, room, catalog);
+    let layout = RoomLayout::new(at, catalog, &run);
+    let solver = RoomSolver::new(at, catalog);
     let judge = |furnished: &Furnished| watch.measure(Stage::Audit, || solver.judge(furnished));
     let judged = best_of(
         options.effort,
@@ -132,7 +132,7 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
         || solver.steps(),
     );
     let Finished { judged: Judged { furnished, verdict, .. }, misfits } = match edits {
-        Some(edits) => finish(level, judged, edits, catalog, judge),
+        Some(edits) => finish(at.level, judged, edits, catalog, judge),
         None => Finished { judged, misfits: Vec::new() },
     };
     BakedRoom { furnished, verdict, misfits, failure: None }
@@ -142,7 +142,7 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
 fn unfurnished(context: &Context<'_>, job: &Job<'_>, room: usize) -> Furnished {
     let options = &context.options.level;
     let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
-    let style = room_style(job.level, &job.level.rooms[room], context.catalog, &run);
+    let style = room_style(job.level.room(room), context.catalog, &run);
     Furnished {
         room,
         seed: options.seed,

@@ -9,7 +9,7 @@ use core::cmp::Ordering;
 use crate::audit::{Code, Finding, Severity, Verdict};
 use crate::catalog::Catalog;
 use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, RoomLayout, Suggestion};
-use crate::plan::Level;
+use crate::plan::RoomRef;
 use crate::solve::RoomSolver;
 
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: `docs/figures.md`, "Effort".
@@ -44,19 +44,13 @@ pub struct Judged {
 
 /// Furnishes one room up to `effort` times (at least once) and keeps the best.
 ///
-/// `room` is an index into `level.rooms`. The answer depends on the arguments only. A greater effort never gives a
+/// The answer depends on the arguments only. A greater effort never gives a
 /// worse room, and with an effort of 1 the room is that of [`crate::layout::furnish`], but for rooms in which the solver
 /// has to suggest places: these are furnished a few times more, from seeds that follow the effort.
 #[must_use]
-pub fn furnish_best(
-    level: &Level,
-    room: usize,
-    catalog: &Catalog,
-    options: &FurnishOptions<'_>,
-    effort: u32,
-) -> Judged {
-    let layout = RoomLayout::new(level, room, catalog, options);
-    let solver = RoomSolver::new(level, room, catalog);
+pub fn furnish_best(at: RoomRef<'_>, catalog: &Catalog, options: &FurnishOptions<'_>, effort: u32) -> Judged {
+    let layout = RoomLayout::new(at, catalog, options);
+    let solver = RoomSolver::new(at, catalog);
     best_of(
         effort,
         |alternative| layout.furnish(alternative),

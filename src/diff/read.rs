@@ -164,7 +164,7 @@ fn judge(path: &Path, inventory: &mut Inventory, read: &ReadLevel, catalog: &Cat
         let Some(contents) = inventory.rooms.get_mut(&room.id) else { continue };
         let verdict = furnished
             .as_ref()
-            .map(|furnished| catch_bug(|| judge_room(&read.level, index, furnished, catalog)));
+            .map(|furnished| catch_bug(|| judge_room(read.level.room(index), furnished, catalog)));
         match verdict {
             Some(Ok(verdict)) => {
                 contents.findings = verdict.findings.iter().map(Finding::extras).collect();

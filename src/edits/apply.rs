@@ -177,7 +177,7 @@ impl Editor<'_> {
     /// The parent that an edit names.
     fn parent(&self, object: usize, on: &str) -> Result<Parent, String> {
         let element = on.parse::<ElementId>().ok();
-        if let Some(part) = element.and_then(|element| room_part(&element, self.level, self.room)) {
+        if let Some(part) = element.and_then(|element| room_part(&element, self.level.room(self.room))) {
             return Ok(part);
         }
         let room = &self.room().id;

@@ -7,7 +7,7 @@ use crate::audit::{Finding, Severity, Verdict};
 use crate::best::{Judged, furnish_best};
 use crate::catalog::Catalog;
 use crate::layout::{FurnishOptions, Furnished, Lock};
-use crate::plan::Level;
+use crate::plan::{Level, RoomRef};
 use crate::solve::judge_room;
 
 /// A room after its edits.
@@ -22,8 +22,8 @@ pub struct Finished {
 impl RoomEdits {
     /// The locked objects, which are placed first.
     #[must_use]
-    pub fn locks(&self, level: &Level, room: usize, catalog: &Catalog) -> Vec<Lock> {
-        super::locks::locks(level, room, self, catalog)
+    pub fn locks(&self, at: RoomRef<'_>, catalog: &Catalog) -> Vec<Lock> {
+        super::locks::locks(at, self, catalog)
     }
 
     /// The options of a run for this room.
@@ -36,19 +36,19 @@ impl RoomEdits {
 /// Furnishes one room as [`furnish_best`] does, with what people changed in it.
 #[must_use]
 pub fn furnish_edited(
-    (level, room): (&Level, usize),
+    at: RoomRef<'_>,
     catalog: &Catalog,
     run: &FurnishOptions<'_>,
     effort: u32,
     edits: Option<&LevelEdits>,
 ) -> Finished {
-    let Some(edits) = edits.and_then(|edits| edits.room(&level.rooms[room].id)) else {
-        let judged = furnish_best(level, room, catalog, run, effort);
+    let Some(edits) = edits.and_then(|edits| edits.room(&at.room.id)) else {
+        let judged = furnish_best(at, catalog, run, effort);
         return Finished { judged, misfits: Vec::new() };
     };
-    let locks = edits.locks(level, room, catalog);
-    let judged = furnish_best(level, room, catalog, &edits.options(*run, &locks), effort);
-    finish(level, judged, edits, catalog, |furnished| judge_room(level, room, furnished, catalog))
+    let locks = edits.locks(at, catalog);
+    let judged = furnish_best(at, catalog, &edits.options(*run, &locks), effort);
+    finish(at.level, judged, edits, catalog, |furnished| judge_room(at, furnished, catalog))
 }
 
 /// Makes the edits of a room that was furnished with [`RoomEdits::options`].

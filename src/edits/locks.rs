@@ -5,26 +5,26 @@ use super::tree::{Place, usual_place, usual_side};
 use crate::catalog::Catalog;
 use crate::contract::{ElementId, ObjectId};
 use crate::layout::{Lock, LockSupport, Parent};
-use crate::plan::Level;
+use crate::plan::RoomRef;
 use crate::read_back::room_part;
 
 /// The objects of a room that are there before the others. Those that name a wall or object that is not there are
 /// left out; they are reported when the edits are applied.
 #[must_use]
-pub(super) fn locks(level: &Level, room: usize, edits: &RoomEdits, catalog: &Catalog) -> Vec<Lock> {
+pub(super) fn locks(at: RoomRef<'_>, edits: &RoomEdits, catalog: &Catalog) -> Vec<Lock> {
     let locked = edits.objects.iter().filter(|(_, edit)| edit.entry.lock);
     let lock = |id: &str, entry: &super::file::ObjectEntry| {
         let id: ObjectId = id.parse().ok()?;
         let class = catalog.class_index(&id.class)?;
         let size = catalog.classes[class].size(entry.variant.unwrap_or(0));
         let on = entry.parent.as_ref().map_or(Ok(ElementId::Floor), |on| on.parse()).ok()?;
-        let part = room_part(&on, level, room);
+        let part = room_part(&on, at);
         let support = match (part, on) {
             (Some(part), _) => LockSupport::Part(part),
             (None, ElementId::Object(on)) => LockSupport::Object(catalog.class_index(&on.class)?, on.number),
             _ => return None,
         };
-        let usual = usual_place(part.unwrap_or(Parent::Floor), size, &level.rooms[room]);
+        let usual = usual_place(part.unwrap_or(Parent::Floor), size, at.room);
         let Place { position, elevation, angle } = usual.edited(entry);
         let says_height = part.is_some() || entry.at.as_ref().is_some_and(|at| at.len() == 3);
         Some(Lock {

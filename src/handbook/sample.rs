@@ -72,7 +72,7 @@ pub(super) fn draw_samples(catalog: &Catalog) -> Vec<(String, String)> {
 
 fn draw_sample(catalog: &Catalog, level: &Level) -> String {
     let options = FurnishOptions::new(SEED, BUILDING);
-    let judged = furnish_best(level, 0, catalog, &options, DEFAULT_EFFORT);
+    let judged = furnish_best(level.room(0), catalog, &options, DEFAULT_EFFORT);
     draw_level(&Drawing {
         building: BUILDING,
         site: SitePlacement::default(),

@@ -3,7 +3,7 @@
 use core::cell::OnceCell;
 
 use crate::catalog::{Catalog, Style};
-use crate::plan::{Level, OpeningKind, Room, RoomOpening};
+use crate::plan::{OpeningKind, RoomOpening, RoomRef};
 
 use super::choice::{Series, room_style};
 use super::furnished::Furnished;
@@ -17,8 +17,7 @@ use super::variant::Variants;
 
 /// What is fixed for a room in all of its alternatives.
 pub(crate) struct RoomBrief<'a> {
-    level: &'a Level,
-    room: usize,
+    at: RoomRef<'a>,
     catalog: &'a Catalog,
     style: &'a Style,
     key: RoomKey,
@@ -40,8 +39,8 @@ pub(crate) struct Brief<'a> {
     pub(crate) style: &'a Style,
     /// The key of its random streams.
     pub(crate) key: &'a RoomKey,
-    /// Index into the level's rooms.
-    pub(crate) room: usize,
+    /// The room.
+    pub(crate) at: RoomRef<'a>,
     /// The pieces that are asked for, with those that are locked.
     pub(crate) pieces: &'a [Piece],
     /// What the room gives.
@@ -53,30 +52,28 @@ pub(crate) struct Brief<'a> {
 }
 
 impl<'a> RoomBrief<'a> {
-    /// The brief of a room, by index into the level's rooms.
+    /// The brief of a room.
     ///
     /// # Errors
     /// The empty room where its type is not furnished.
     pub(crate) fn new(
-        (level, index): (&'a Level, usize),
+        at: RoomRef<'a>,
         catalog: &'a Catalog,
         options: &FurnishOptions<'a>,
     ) -> Result<Self, Furnished> {
-        let room = &level.rooms[index];
         let seed = options.pinned.unwrap_or(options.seed);
-        let key = RoomKey::new(seed, options.building, level, room);
-        let style = room_style(level, room, catalog, options);
-        let room_type = catalog.room_types.get(&room.room_type).filter(|room_type| room_type.is_furnished);
+        let key = RoomKey::new(seed, options.building, at);
+        let style = room_style(at, catalog, options);
+        let room_type = catalog.room_types.get(&at.room.room_type).filter(|room_type| room_type.is_furnished);
         let (Some(style), Some(room_type)) = (style, room_type) else {
-            return Err(Furnished::empty(index, key.seed(), style));
+            return Err(Furnished::empty(at.index, key.seed(), style));
         };
-        let series = Series::new(level, room, catalog, options);
+        let series = Series::new(at, catalog, options);
         let variants = Variants { seed, series, key: &key };
-        let mut pieces = programme::pieces(catalog, (style, room_type), site(level, room), &variants);
+        let mut pieces = programme::pieces(catalog, (style, room_type), site(at), &variants);
         programme::add_locked(&mut pieces, options.locks, catalog);
         Ok(Self {
-            level,
-            room: index,
+            at,
             catalog,
             style,
             key,
@@ -94,16 +91,17 @@ impl<'a> RoomBrief<'a> {
         } else {
             self.exact_surroundings.get_or_init(|| self.surroundings_with(Swings::Exact))
         };
-        let Self { catalog, style, ref key, room, ref pieces, locks, .. } = *self;
-        Brief { catalog, style, key, room, pieces, surroundings, locks, alternative }
+        let Self { catalog, style, ref key, at, ref pieces, locks, .. } = *self;
+        Brief { catalog, style, key, at, pieces, surroundings, locks, alternative }
     }
 
     fn surroundings_with(&self, swings: Swings) -> Surroundings<'a> {
-        Surroundings::new(self.level, &self.level.rooms[self.room], &self.catalog.audit, swings)
+        Surroundings::new(self.at, &self.catalog.audit, swings)
     }
 }
 
-fn site(level: &Level, room: &Room) -> Site {
+fn site(at: RoomRef<'_>) -> Site {
+    let RoomRef { level, room, .. } = at;
     let is_window = |side: &&RoomOpening| level.openings[side.opening].kind == OpeningKind::Window;
     let windows = room.openings.iter().filter(is_window).count();
     let window_count = u32::try_from(windows).expect("a room has fewer than 2^32 windows");

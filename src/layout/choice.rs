@@ -3,24 +3,24 @@
 use super::options::FurnishOptions;
 use super::seed::shared_draw;
 use crate::catalog::{BuildingStyle, Catalog, Class, DEFAULT_STYLE, Share, Style};
-use crate::plan::{Level, Room};
+use crate::plan::RoomRef;
 
 /// The style of a room: its own, else the run's if that is made for such rooms, else the default. A building style
 /// draws one; where that is not made for such rooms, the default takes its place.
 #[must_use]
 pub fn room_style<'a>(
-    level: &Level,
-    room: &Room,
+    at: RoomRef<'_>,
     catalog: &'a Catalog,
     options: &FurnishOptions<'_>,
 ) -> Option<&'a Style> {
+    let room = at.room;
     let suits = |style: &&Style| style.suits(&room.room_type);
     let of_building = |id: &str| {
         let building_style = catalog.building_styles.get(id)?;
-        let drawn = draw(building_style, level, room, options);
+        let drawn = draw(building_style, at, options);
         let id = building_style.style(&room.room_type, drawn);
         let exception = id.and_then(|id| {
-            let drawn = single_draw(level, room, options);
+            let drawn = single_draw(at, options);
             catalog.styles.get(building_style.style_instead(id, drawn)?)
         });
         let style = exception.filter(suits).or_else(|| id.and_then(|id| catalog.styles.get(id)));
@@ -33,44 +33,38 @@ pub fn room_style<'a>(
 }
 
 /// The number that a building style draws with: equal for rooms that share it, whatever other rooms there are.
-fn draw(style: &BuildingStyle, level: &Level, room: &Room, options: &FurnishOptions<'_>) -> f64 {
-    shared_draw(options.seed, sharing(style.share, level, room, options))
+fn draw(style: &BuildingStyle, at: RoomRef<'_>, options: &FurnishOptions<'_>) -> f64 {
+    shared_draw(options.seed, sharing(style.share, at, options))
 }
 
 /// The names that a room has in common with those that it shares with, and with no others.
-fn sharing(share: Share, level: &Level, room: &Room, options: &FurnishOptions<'_>) -> Vec<String> {
+fn sharing(share: Share, at: RoomRef<'_>, options: &FurnishOptions<'_>) -> Vec<String> {
     let building = options.building.to_owned();
-    let level = level.id.clone();
-    match (share, &room.dwelling) {
+    let level = at.level.id.clone();
+    match (share, &at.room.dwelling) {
         (Share::Building, _) => vec![building],
         (Share::Level, _) | (Share::Dwelling, None) => vec![building, level],
         (Share::Dwelling, Some(dwelling)) => vec![building, level, dwelling.clone()],
-        (Share::Room, _) => vec![building, level, String::new(), room.number.to_string()],
+        (Share::Room, _) => vec![building, level, String::new(), at.room.number.to_string()],
     }
 }
 
 /// Which rooms have furniture that looks like a room's own.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series<'a> {
-    pub(crate) level: &'a Level,
-    pub(crate) room: &'a Room,
+    pub(crate) at: RoomRef<'a>,
     pub(crate) options: &'a FurnishOptions<'a>,
     /// Those that its building style draws for together, else those that its type says.
     pub(crate) share: Share,
 }
 
 impl<'a> Series<'a> {
-    pub(crate) fn new(
-        level: &'a Level,
-        room: &'a Room,
-        catalog: &Catalog,
-        options: &'a FurnishOptions<'a>,
-    ) -> Self {
-        let ids = [room.style.as_deref(), options.style];
+    pub(crate) fn new(at: RoomRef<'a>, catalog: &Catalog, options: &'a FurnishOptions<'a>) -> Self {
+        let ids = [at.room.style.as_deref(), options.style];
         let style = ids.into_iter().flatten().find_map(|id| catalog.building_styles.get(id));
-        let of_type = || catalog.room_types.get(&room.room_type).map(|room_type| room_type.share);
+        let of_type = || catalog.room_types.get(&at.room.room_type).map(|room_type| room_type.share);
         let share = style.map(|style| style.share).or_else(of_type).unwrap_or_default();
-        Self { level, room, options, share }
+        Self { at, options, share }
     }
 
     /// A number from 0 up to 1 that pieces of a class have in common in all rooms where they look alike.
@@ -80,41 +74,44 @@ impl<'a> Series<'a> {
 
     /// The names that the room has in common with those where pieces of a class look alike.
     fn names(&self, class: &Class) -> Vec<String> {
-        sharing(class.share.unwrap_or(self.share), self.level, self.room, self.options)
+        sharing(class.share.unwrap_or(self.share), self.at, self.options)
     }
 
     /// A number from 0 up to 1 for each of the kinds of a class that a level has.
     pub(crate) fn kind(&self, class: &Class, kind: u32, seed: u64) -> f64 {
         let kind = kind.to_string();
-        shared_draw(seed, [self.options.building, &self.level.id, "kind of", &class.id, &kind])
+        shared_draw(seed, [self.options.building, &self.at.level.id, "kind of", &class.id, &kind])
     }
 }
 
 /// The number that decides whether a single dwelling, or a room that is part of none, is an exception.
-fn single_draw(level: &Level, room: &Room, options: &FurnishOptions<'_>) -> f64 {
-    let number = room.number.to_string();
-    let unit = room.dwelling.as_deref().map_or(["room", &number], |dwelling| ["dwelling", dwelling]);
-    shared_draw(options.seed, [options.building, &level.id, "instead", unit[0], unit[1]])
+fn single_draw(at: RoomRef<'_>, options: &FurnishOptions<'_>) -> f64 {
+    let number = at.room.number.to_string();
+    let unit = at.room.dwelling.as_deref().map_or(["room", &number], |dwelling| ["dwelling", dwelling]);
+    shared_draw(options.seed, [options.building, &at.level.id, "instead", unit[0], unit[1]])
 }
 
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
 
+    use crate::plan::{Level, Room};
+
     use super::*;
     use crate::catalog::load_catalog;
     use crate::layout::tests::level;
     use crate::recipes::find;
 
-    /// A room of a type in a dwelling, numbered by its place.
-    fn room(level: &Level, number: u32, room_type: &str, dwelling: Option<&str>) -> Room {
+    /// A level of one room of a type in a dwelling, numbered by its place.
+    fn room(level: &Level, number: u32, room_type: &str, dwelling: Option<&str>) -> Level {
         let dwelling = dwelling.map(str::to_owned);
-        Room { number, room_type: room_type.to_owned(), dwelling, ..level.rooms[0].clone() }
+        let room = Room { number, room_type: room_type.to_owned(), dwelling, ..level.rooms[0].clone() };
+        Level { rooms: vec![room], ..level.clone() }
     }
 
-    fn style_of<'a>(level: &Level, room: &Room, catalog: &'a Catalog, seed: u64, style: &str) -> &'a str {
+    fn style_of<'a>(level: &Level, catalog: &'a Catalog, seed: u64, style: &str) -> &'a str {
         let options = FurnishOptions::new(seed, "block").with_style(Some(style));
-        &room_style(level, room, catalog, &options).unwrap().id
+        &room_style(level.room(0), catalog, &options).unwrap().id
     }
 
     #[test]
@@ -126,7 +123,7 @@ mod tests {
             let dwelling = format!("flat {flat}");
             let of = |number, room_type| {
                 let room = room(&level, number, room_type, Some(&dwelling));
-                style_of(&level, &room, &catalog, 1, "apartment_block")
+                style_of(&room, &catalog, 1, "apartment_block")
             };
             let first = of(flat * 3, "living_room");
             assert_eq!(first, of(flat * 3 + 1, "bedroom"), "{dwelling}");
@@ -142,7 +139,7 @@ mod tests {
         let catalog = load_catalog(&[]).unwrap().value;
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let of = |number, seed| {
-            style_of(&level, &room(&level, number, "bedroom", None), &catalog, seed, "apartment_block")
+            style_of(&room(&level, number, "bedroom", None), &catalog, seed, "apartment_block")
         };
         assert!((0..12).all(|seed| of(1, seed) == of(2, seed)));
         assert!((0..12).map(|seed| of(1, seed)).collect::<BTreeSet<_>>().len() > 2);
@@ -155,7 +152,7 @@ mod tests {
         let chair = Class::plain("chair", Vec::new(), find("chair").unwrap());
         let of = |room_type, dwelling, style| {
             let options = FurnishOptions::new(1, "block").with_style(style);
-            Series::new(&level, &room(&level, 1, room_type, dwelling), &catalog, &options).names(&chair).len()
+            Series::new(room(&level, 1, room_type, dwelling).room(0), &catalog, &options).names(&chair).len()
         };
         let (building, level_of_building, dwelling) = (1, 2, 3);
         assert_eq!(of("living_room", Some("flat 1"), None), dwelling);
@@ -171,11 +168,12 @@ mod tests {
     fn a_room_keeps_its_own_style_and_a_building_style_of_its_own_wins_over_that_of_the_run() {
         let catalog = load_catalog(&[]).unwrap().value;
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
-        let own = |style: &str, room_type| Room {
-            style: Some(style.to_owned()),
-            ..room(&level, 1, room_type, None)
+        let own = |style: &str, room_type| {
+            let mut level = room(&level, 1, room_type, None);
+            level.rooms[0].style = Some(style.to_owned());
+            level
         };
-        let of = |room: &Room| style_of(&level, room, &catalog, 1, "apartment_block").to_owned();
+        let of = |room: &Level| style_of(room, &catalog, 1, "apartment_block").to_owned();
         assert_eq!(of(&own("home_loft", "bedroom")), "home_loft");
         assert!(of(&own("student_residence", "lobby")).starts_with("hotel"), "inherited by room type");
         assert!(of(&own("school_campus", "library")).starts_with("library"));
@@ -189,7 +187,7 @@ mod tests {
         let is_accessible = |number: u32, room_type: &str, dwelling: &str| {
             let room = room(&level, number, room_type, Some(dwelling));
             // Of this seed the hotel is no cheap one, which has none.
-            style_of(&level, &room, &catalog, 1, "hotel_building") == "hotel_accessible"
+            style_of(&room, &catalog, 1, "hotel_building") == "hotel_accessible"
         };
         let mut accessible = 0;
         for number in 0..400 {

@@ -55,18 +55,18 @@ pub use options::FurnishOptions;
 pub use suggestion::{Alternative, Suggestion};
 
 use crate::catalog::Catalog;
-use crate::plan::Level;
+use crate::plan::RoomRef;
 
 use attempt::{Recording, best_attempt};
 use brief::RoomBrief;
 
 /// Furnishes one room of a level.
 ///
-/// `room` is an index into `level.rooms`. The answer depends on the arguments only. Rooms whose type is not
+/// The answer depends on the arguments only. Rooms whose type is not
 /// furnished come back empty.
 #[must_use]
-pub fn furnish(level: &Level, room: usize, catalog: &Catalog, options: &FurnishOptions<'_>) -> Furnished {
-    RoomLayout::new(level, room, catalog, options).furnish(&Alternative::default()).furnished
+pub fn furnish(at: RoomRef<'_>, catalog: &Catalog, options: &FurnishOptions<'_>) -> Furnished {
+    RoomLayout::new(at, catalog, options).furnish(&Alternative::default()).furnished
 }
 
 /// A room to be furnished in one or several alternatives; what they have in common is worked out once.
@@ -85,10 +85,10 @@ pub struct Counted {
 }
 
 impl<'a> RoomLayout<'a> {
-    /// `room` is an index into `level.rooms`.
+    /// What the alternatives of a room have in common.
     #[must_use]
-    pub fn new(level: &'a Level, room: usize, catalog: &'a Catalog, options: &FurnishOptions<'a>) -> Self {
-        Self { brief: RoomBrief::new((level, room), catalog, options) }
+    pub fn new(at: RoomRef<'a>, catalog: &'a Catalog, options: &FurnishOptions<'a>) -> Self {
+        Self { brief: RoomBrief::new(at, catalog, options) }
     }
 
     /// Furnishes the room with the same pieces in another arrangement for each `alternative`; the default one is that

@@ -159,11 +159,10 @@ mod tests {
         programme.push(Request { classes: vec![2], count: Count::PerPiece(0, 1.0), ..programme[0].clone() });
         catalog.styles.get_mut(DEFAULT_STYLE).unwrap().era = style;
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
-        let key = RoomKey::new(1, "b", &level, &level.rooms[0]);
+        let key = RoomKey::new(1, "b", level.room(0));
         let room = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
         let options = FurnishOptions::new(1, "b");
-        let series =
-            Series { level: &level, room: &level.rooms[0], options: &options, share: Share::Building };
+        let series = Series { at: level.room(0), options: &options, share: Share::Building };
         let variants = Variants { seed: 1, series, key: &key };
         let pieces = pieces(&catalog, room, Site { area: 16.0, window_count: 0 }, &variants);
         pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()

@@ -8,7 +8,7 @@ use super::place::{AgentIndex, ParentPart};
 /// What the agents came to. Pieces that only fill what room is left are not missed where they found none.
 pub(crate) fn furnished(environment: &Environment<'_>) -> Furnished {
     let (agents, brief) = (&environment.agents, environment.brief);
-    let mut result = Furnished::empty(brief.room, brief.key.seed(), Some(brief.style));
+    let mut result = Furnished::empty(brief.at.index, brief.key.seed(), Some(brief.style));
     let mut indices = vec![None; agents.len()];
     for agent in 0..agents.len() {
         place(environment, agent, &mut indices, &mut result.placements);

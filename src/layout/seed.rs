@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
 
-use crate::plan::{Level, Room};
+use crate::plan::RoomRef;
 
 /// Steps per metre to which a room's position is rounded before hashing: a millimetre.
 const POSITION_STEPS: f64 = 1000.0;
@@ -20,7 +20,8 @@ pub(crate) struct RoomKey([u8; 32]);
 impl RoomKey {
     /// SHA-256 over global seed, building, level, room number and position, each with its length or in a
     /// fixed width, so that no two inputs spell the same bytes.
-    pub(crate) fn new(seed: u64, building: &str, level: &Level, room: &Room) -> Self {
+    pub(crate) fn new(seed: u64, building: &str, at: RoomRef<'_>) -> Self {
+        let RoomRef { level, room, .. } = at;
         let Bounds { low, .. } = room.region.outline.bounds();
         let mut hash = Sha256::new();
         hash.update(seed.to_le_bytes());

@@ -60,7 +60,7 @@ mod tests {
         let suggestion = Suggestion { class: DESK, size, position, angle: 0.0, wall: Some(2) };
         let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
         let options = FurnishOptions::new(1, "test");
-        let room = RoomBrief::new((&level, 0), &catalog, &options).expect("offices are furnished");
+        let room = RoomBrief::new(level.room(0), &catalog, &options).expect("offices are furnished");
         let brief = room.alternative(&alternative);
         let start = Start { urgency: &[0], heeds_tags: false, is_traced: false };
         let mut environment = Environment::new(&brief, &start);

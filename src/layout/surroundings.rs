@@ -2,7 +2,9 @@
 
 use crate::catalog::AuditRules;
 use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Segment, Solid};
-use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
+use crate::plan::{
+    FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, RoomRef, Wall,
+};
 
 use super::constants::{WALL_POINTS, WALL_STEP};
 
@@ -75,7 +77,8 @@ pub(crate) struct Surroundings<'a> {
 
 impl<'a> Surroundings<'a> {
     /// Works out the surroundings of a room; what has to stay free is what the audit asks for.
-    pub(crate) fn new(level: &'a Level, room: &'a Room, rules: &AuditRules, swings: Swings) -> Self {
+    pub(crate) fn new(at: RoomRef<'a>, rules: &AuditRules, swings: Swings) -> Self {
+        let RoomRef { level, room, .. } = at;
         let bounds = room.region.outline.bounds();
         let mut surroundings = Self {
             level,

@@ -7,7 +7,7 @@ use super::surroundings::{Surroundings, Swings};
 use super::*;
 use crate::catalog::*;
 use crate::geometry::{Point, Polygon, Region, direction};
-use crate::plan::{Leaf, Opening, OpeningKind, OpeningSide, Room, RoomOpening};
+use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening};
 use crate::recipes::{GeometrySet, Slot, find};
 
 pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
@@ -143,7 +143,7 @@ pub(super) const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.
 const CONCAVE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 2.5), (3.0, 2.5), (3.0, 5.0), (0.0, 5.0)];
 
 pub(super) fn run(level: &Level, catalog: &Catalog, seed: u64) -> Furnished {
-    furnish(level, 0, catalog, &FurnishOptions::new(seed, "test"))
+    furnish(level.room(0), catalog, &FurnishOptions::new(seed, "test"))
 }
 
 const OFFICE: &[(usize, Count)] = &[
@@ -165,7 +165,7 @@ fn assert_free(level: &Level, catalog: &Catalog, furnished: &Furnished) {
         };
         assert!(a.footprint().iter().all(|corner| inside(&corner)), "outside in seed {}", furnished.seed);
     }
-    let swing = Surroundings::new(level, &level.rooms[0], &catalog.audit, Swings::Simple).kept_free;
+    let swing = Surroundings::new(level.room(0), &catalog.audit, Swings::Simple).kept_free;
     assert!(all.iter().all(|a| swing.iter().all(|region| !a.overlaps(&region.solid, 1e-3))), "door blocked");
 }
 
@@ -345,7 +345,7 @@ fn strip_rooms() -> (Level, Catalog, Vec<Furnished>) {
 fn who_stands_in_the_only_way_is_sent_away() {
     let (level, catalog, rooms) = strip_rooms();
     let is_closed = |room: &Furnished| {
-        let findings = crate::solve::judge_room(&level, 0, room, &catalog).findings;
+        let findings = crate::solve::judge_room(level.room(0), room, &catalog).findings;
         findings.iter().any(|finding| finding.code == crate::audit::Code::Unreachable)
     };
     assert!(!rooms.iter().any(is_closed));
@@ -384,7 +384,7 @@ fn each_alternative_holds_the_same_pieces_elsewhere() {
     let (level, catalog) = (level(WIDE), catalog(OFFICE, Untidiness::default()));
     let options = FurnishOptions::new(1, "test");
     let alternative = |number| {
-        RoomLayout::new(&level, 0, &catalog, &options).furnish(&Alternative::numbered(number)).furnished
+        RoomLayout::new(level.room(0), &catalog, &options).furnish(&Alternative::numbered(number)).furnished
     };
     assert_eq!(alternative(0), run(&level, &catalog, 1));
     let pieces = |room: &Furnished| (room.requested, room.seed);
@@ -404,7 +404,7 @@ fn who_has_a_suggestion_stands_there_and_others_keep_off() {
     let suggestion =
         Suggestion { class: desk.class, size: desk.size, position: desk.position, angle: desk.angle, wall };
     let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
-    let furnished = RoomLayout::new(&level, 0, &catalog, &options).furnish(&alternative).furnished;
+    let furnished = RoomLayout::new(level.room(0), &catalog, &options).furnish(&alternative).furnished;
     let is_there = |placement: &Placement| {
         placement.class == desk.class && placement.position.distance(desk.position) < 1e-9
     };
@@ -423,11 +423,11 @@ fn no_alternative_depends_on_those_that_were_furnished_before_it() {
         angle: desk.angle,
         wall: None,
     };
-    let shared = RoomLayout::new(&level, 0, &catalog, &options);
+    let shared = RoomLayout::new(level.room(0), &catalog, &options);
     for suggestions in [Vec::new(), vec![suggestion], Vec::new()] {
         for number in 0..3 {
             let alternative = Alternative { number, suggestions: suggestions.clone() };
-            let alone = RoomLayout::new(&level, 0, &catalog, &options).furnish(&alternative);
+            let alone = RoomLayout::new(level.room(0), &catalog, &options).furnish(&alternative);
             assert_eq!(shared.furnish(&alternative), alone);
         }
     }
@@ -442,7 +442,7 @@ fn what_has_no_place_in_a_corridor_of_any_length_takes_a_bounded_number_of_steps
     let steps = |length: f64| {
         let level = level(&[(0.0, 0.0), (length, 0.0), (length, 0.3), (0.0, 0.3)]);
         let options = FurnishOptions::new(1, "test");
-        let counted = RoomLayout::new(&level, 0, &catalog, &options).furnish(&Alternative::default());
+        let counted = RoomLayout::new(level.room(0), &catalog, &options).furnish(&Alternative::default());
         assert_eq!(counted.furnished.placements, []);
         counted.steps
     };

@@ -45,9 +45,8 @@ pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bo
 
 /// The floor for a wheelchair, with what stands on it or empty.
 fn floor(environment: &Environment<'_>, is_furnished: bool) -> Option<Floor> {
-    let place = (environment.brief.surroundings.level, environment.brief.surroundings.room);
     Floor::for_wheelchair(
-        place,
+        environment.brief.at,
         &environment.brief.catalog.audit,
         environment.solids().filter(|_| is_furnished),
     )
@@ -95,7 +94,7 @@ mod tests {
             let mut catalog = catalog(&[], Untidiness::default());
             catalog.styles.get_mut(DEFAULT_STYLE).unwrap().access = access;
             let level = level(&[(0.0, 0.0), (3.4, 0.0), (3.4, 1.7), (0.0, 1.7)]);
-            let findings = judge_room(&level, 0, furnished, &catalog).findings;
+            let findings = judge_room(level.room(0), furnished, &catalog).findings;
             !findings.iter().any(|finding| finding.code == Code::NoTurningCircle)
         };
         let (usual, wide) = (office_with_access(Access::Walking), office_with_access(Access::Wheelchair));

@@ -74,11 +74,10 @@ mod tests {
     fn variants(class: &Class, seed: u64, flat: &str, room: u32) -> Vec<u32> {
         let mut level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         level.rooms[0].number = room;
-        let key = RoomKey::new(seed, "block", &level, &level.rooms[0]);
+        let key = RoomKey::new(seed, "block", level.room(0));
         level.rooms[0].dwelling = Some(flat.to_owned());
         let options = FurnishOptions::new(seed, "block");
-        let series =
-            Series { level: &level, room: &level.rooms[0], options: &options, share: Share::Dwelling };
+        let series = Series { at: level.room(0), options: &options, share: Share::Dwelling };
         (1..=12).map(|number| Variants { seed, series, key: &key }.draw(class, number)).collect()
     }
 

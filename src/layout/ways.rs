@@ -87,9 +87,9 @@ struct ClosedWay {
 /// The closed ways of people who walk, and of wheelchairs where the style asks for these.
 fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
     let rules = &environment.brief.catalog.audit;
-    let place = (environment.brief.surroundings.level, environment.brief.surroundings.room);
-    let floor = Floor::new(place, &rules.walking, environment.solids());
-    let empty = || Floor::new(place, &rules.walking, core::iter::empty());
+    let at = environment.brief.at;
+    let floor = Floor::new(at, &rules.walking, environment.solids());
+    let empty = || Floor::new(at, &rules.walking, core::iter::empty());
     let mut ways = closed_ways(environment, &rules.walking, floor, empty);
     if environment.brief.style.access == Access::Wheelchair {
         let wheelchair = WalkingRules {
@@ -97,8 +97,8 @@ fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
             narrow_person: rules.walking.person,
             ..rules.walking
         };
-        let floor = Floor::for_wheelchair(place, rules, environment.solids());
-        let empty = || Floor::for_wheelchair(place, rules, core::iter::empty());
+        let floor = Floor::for_wheelchair(at, rules, environment.solids());
+        let empty = || Floor::for_wheelchair(at, rules, core::iter::empty());
         ways.extend(closed_ways(environment, &wheelchair, floor, empty));
     }
     ways
@@ -213,7 +213,7 @@ mod tests {
         let level = level(&[(0.0, 0.0), (6.0, 0.0), (6.0, depth), (0.0, depth)]);
         let options = FurnishOptions::new(1, "test");
         let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
-        let furnished = RoomLayout::new(&level, 0, &catalog, &options).furnish(&alternative).furnished;
+        let furnished = RoomLayout::new(level.room(0), &catalog, &options).furnish(&alternative).furnished;
         let is_there =
             |class| furnished.placements.iter().filter(|placement| placement.class == class).count();
         assert_eq!(is_there(desk), 1);

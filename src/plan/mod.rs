@@ -22,6 +22,7 @@ mod mirror;
 mod options;
 pub(crate) mod read;
 mod report;
+mod room_ref;
 #[cfg(test)]
 mod sample;
 mod units;
@@ -46,5 +47,6 @@ pub use read::{
 #[cfg(test)]
 pub(crate) use read::{PlanFile, ProjectFile};
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
+pub use room_ref::RoomRef;
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};
 pub use write_native::write_native;

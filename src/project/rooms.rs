@@ -100,7 +100,7 @@ impl<'a> Rooms<'a> {
         let run = run.with_style(self.options.style.as_deref());
         let edits = edits.level(&building.id, &level.id);
         let Finished { judged, misfits } =
-            furnish_edited((level, room), catalog, &run, self.options.effort, edits);
+            furnish_edited(level.room(room), catalog, &run, self.options.effort, edits);
         Ok(FinishedRoom { building, level, furnished: judged.furnished, verdict: judged.verdict, misfits })
     }
 

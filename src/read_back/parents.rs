@@ -9,7 +9,7 @@ use super::problem::Problem;
 use super::tree::Node;
 use crate::contract::{ElementId, ObjectId};
 use crate::layout::{Parent, Placement};
-use crate::plan::Level;
+use crate::plan::RoomRef;
 
 /// The placements with their parents, each after its parent.
 pub(super) fn parents_first(
@@ -44,7 +44,7 @@ pub(super) fn parents_first(
     let placed = pieces.into_iter().map(|piece| {
         let parent = match by_node[&piece.node] {
             Some(above) => Parent::Object(order[&above]),
-            None => room_part(&piece.extras.parent, &empty.level, room).ok_or_else(|| {
+            None => room_part(&piece.extras.parent, empty.level.room(room)).ok_or_else(|| {
                 let message = format!("stands on \"{}\", which is not there", piece.extras.parent);
                 Problem::new(&nodes[piece.node].name, message)
             })?,
@@ -55,8 +55,8 @@ pub(super) fn parents_first(
 }
 
 /// The part of a room, or the opening, that an id means: the other way of [`crate::layout::parent_id`].
-pub(crate) fn room_part(id: &ElementId, level: &Level, room: usize) -> Option<Parent> {
-    let room = &level.rooms[room];
+pub(crate) fn room_part(id: &ElementId, at: RoomRef<'_>) -> Option<Parent> {
+    let RoomRef { level, room, .. } = at;
     match id {
         ElementId::Floor => Some(Parent::Floor),
         ElementId::Ceiling => Some(Parent::Ceiling),

@@ -54,7 +54,7 @@ impl<'a> SceneInput<'a> {
     pub(crate) fn style_of(&self, room: usize) -> &'a str {
         let undrawn = || {
             let options = FurnishOptions::new(self.seed, self.building).with_style(self.style);
-            let style = room_style(self.level, &self.level.rooms[room], self.catalog, &options);
+            let style = room_style(self.level.room(room), self.catalog, &options);
             style.map_or(DEFAULT_STYLE, |style| style.id.as_str())
         };
         self.furnished_room(room).map_or_else(undrawn, |furnished| furnished.style.as_str())

@@ -17,10 +17,10 @@ pub(super) struct Borders {
 
 impl Borders {
     pub(super) fn new(empty: &EmptyRoom<'_>) -> Self {
-        let columns = empty.room.obstacles.iter().flat_map(|column| column.outline.edges());
-        let edges: Vec<Segment> = empty.room.region.borders().chain(columns).collect();
+        let columns = empty.at.room.obstacles.iter().flat_map(|column| column.outline.edges());
+        let edges: Vec<Segment> = empty.at.room.region.borders().chain(columns).collect();
         let grid = (edges.len() > MANY).then(|| {
-            let mut grid = Grid::new(empty.room.region.outline.bounds());
+            let mut grid = Grid::new(empty.at.room.region.outline.bounds());
             for (number, edge) in (0..).zip(&edges) {
                 grid.insert(number, edge.bounds());
             }

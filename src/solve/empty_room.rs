@@ -1,16 +1,14 @@
 //! The room that is searched, without its furniture, and the steps that are left for it.
 
 use crate::catalog::{AuditRules, Catalog};
-use crate::plan::{Level, Room};
+use crate::plan::RoomRef;
 
 use super::budget::Budget;
 
 /// An empty room, for the questions of one judgement.
 pub(crate) struct EmptyRoom<'a> {
-    /// The level around it.
-    pub(crate) level: &'a Level,
     /// The room.
-    pub(crate) room: &'a Room,
+    pub(crate) at: RoomRef<'a>,
     /// Classes and thresholds.
     pub(crate) catalog: &'a Catalog,
     /// What the judgement may still spend.
@@ -18,9 +16,9 @@ pub(crate) struct EmptyRoom<'a> {
 }
 
 impl<'a> EmptyRoom<'a> {
-    /// A room of a level, by index into its rooms, with so many steps to spend.
-    pub(crate) fn new(level: &'a Level, room: usize, catalog: &'a Catalog, steps: u64) -> Self {
-        Self { level, room: &level.rooms[room], catalog, budget: Budget::new(steps) }
+    /// A room with so many steps to spend.
+    pub(crate) fn new(at: RoomRef<'a>, catalog: &'a Catalog, steps: u64) -> Self {
+        Self { at, catalog, budget: Budget::new(steps) }
     }
 
     /// The thresholds.

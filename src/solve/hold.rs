@@ -80,7 +80,7 @@ pub(crate) fn smallest_size(class: &Class) -> Size {
 impl Space<'_, '_> {
     fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
         let boxes = needed_boxes(class, size, depth_of);
-        lowest_underside(class) + size.height <= self.empty.room.height
+        lowest_underside(class) + size.height <= self.empty.at.room.height
             && self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP }, |_, _| true)
     }
 
@@ -120,7 +120,7 @@ mod tests {
     use crate::plan::{FRAME_WIDTH, Obstacle, OpeningKind};
 
     fn holds(room: &TestRoom, class: &str) -> bool {
-        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, MOST_STEPS);
+        let empty = EmptyRoom::new(room.level.room(0), &room.catalog, MOST_STEPS);
         can_hold(&empty, room.catalog.class_index(class).unwrap())
     }
 

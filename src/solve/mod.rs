@@ -25,7 +25,7 @@ use core::cell::Cell;
 use crate::audit::{self, Verdict};
 use crate::catalog::Catalog;
 use crate::layout::{Furnished, Suggestion};
-use crate::plan::Level;
+use crate::plan::RoomRef;
 
 use answers::Answers;
 use constants::MOST_STEPS;
@@ -33,21 +33,20 @@ use empty_room::EmptyRoom;
 
 /// Judges one furnished room.
 ///
-/// `room` is an index into `level.rooms`, `furnished` what the layout made of it.
+/// `furnished` is what the layout made of the room.
 ///
 /// # Panics
 /// If `furnished` names a class, parent, wall or opening that does not exist.
 #[must_use]
-pub fn judge_room(level: &Level, room: usize, furnished: &Furnished, catalog: &Catalog) -> Verdict {
-    RoomSolver::new(level, room, catalog).judge(furnished)
+pub fn judge_room(at: RoomRef<'_>, furnished: &Furnished, catalog: &Catalog) -> Verdict {
+    RoomSolver::new(at, catalog).judge(furnished)
 }
 
 /// Judges several arrangements of one room; what it finds out about the empty room for one of them it knows for the others.
 /// No answer depends on what was asked before.
 #[derive(Debug)]
 pub struct RoomSolver<'a> {
-    level: &'a Level,
-    room: usize,
+    at: RoomRef<'a>,
     catalog: &'a Catalog,
     answers: Answers,
     /// Steps made so far.
@@ -55,10 +54,10 @@ pub struct RoomSolver<'a> {
 }
 
 impl<'a> RoomSolver<'a> {
-    /// `room` is an index into `level.rooms`.
+    /// Knows nothing of the room yet.
     #[must_use]
-    pub fn new(level: &'a Level, room: usize, catalog: &'a Catalog) -> Self {
-        Self { level, room, catalog, answers: Answers::default(), steps: Cell::new(0) }
+    pub fn new(at: RoomRef<'a>, catalog: &'a Catalog) -> Self {
+        Self { at, catalog, answers: Answers::default(), steps: Cell::new(0) }
     }
 
     /// Judges one arrangement.
@@ -69,7 +68,7 @@ impl<'a> RoomSolver<'a> {
     pub fn judge(&self, furnished: &Furnished) -> Verdict {
         self.search(|room| {
             let ask = |question: &audit::Question<'_>| self.answers.answer(room, question);
-            audit::judge(self.level, self.room, furnished, self.catalog, &ask)
+            audit::judge(self.at, furnished, self.catalog, &ask)
         })
     }
 
@@ -81,7 +80,7 @@ impl<'a> RoomSolver<'a> {
     /// As [`judge_room`].
     #[must_use]
     pub fn suggest_places(&self, furnished: &Furnished) -> Vec<Suggestion> {
-        let missing = audit::missing_pieces(self.level, self.room, furnished, self.catalog);
+        let missing = audit::missing_pieces(self.at, furnished, self.catalog);
         self.search(|room| {
             let mut places = missing.iter().map(|classes| self.answers.places_together(room, classes));
             places.find_map(|places| places).unwrap_or_default()
@@ -96,7 +95,7 @@ impl<'a> RoomSolver<'a> {
 
     /// Searches with a new budget, and counts what it took.
     fn search<T>(&self, work: impl FnOnce(&EmptyRoom<'a>) -> T) -> T {
-        let room = EmptyRoom::new(self.level, self.room, self.catalog, MOST_STEPS);
+        let room = EmptyRoom::new(self.at, self.catalog, MOST_STEPS);
         let found = work(&room);
         self.steps.set(self.steps.get() + room.budget.made());
         found

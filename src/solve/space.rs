@@ -31,9 +31,9 @@ pub(crate) struct Space<'s, 'a> {
 
 /// What the frames of doors and passages take of the floor.
 fn frames(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
-    let kind = |place: &RoomOpening| empty.level.openings[place.opening].kind;
-    empty.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
-        let wall = &empty.room.walls[place.wall];
+    let kind = |place: &RoomOpening| empty.at.level.openings[place.opening].kind;
+    empty.at.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
+        let wall = &empty.at.room.walls[place.wall];
         let at = |along: f64| wall.start + wall.direction() * along;
         let (start, end) = (at(place.from - FRAME_WIDTH), at(place.to + FRAME_WIDTH));
         let outward = wall.normal() * FRAME_DEPTH;
@@ -49,14 +49,13 @@ fn with_bounds(zone: Vec<Point>) -> (Vec<Point>, Bounds) {
 impl<'s, 'a> Space<'s, 'a> {
     /// The room without furniture.
     pub(crate) fn empty(empty: &'s EmptyRoom<'a>) -> Self {
-        let passages =
-            door_zones((empty.level, empty.room), empty.rules().doors).into_iter().map(|zone| zone.base);
+        let passages = door_zones(empty.at, empty.rules().doors).into_iter().map(|zone| zone.base);
         let zones = passages.chain(frames(empty));
         Self {
             empty,
             borders: Borders::new(empty),
             door_zones: zones.map(with_bounds).collect(),
-            columns: empty.room.obstacles.iter().map(|column| column.outline.bounds()).collect(),
+            columns: empty.at.room.obstacles.iter().map(|column| column.outline.bounds()).collect(),
             bodies: Vec::new(),
             body_grid: None,
             line: None,
@@ -65,7 +64,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     /// The same on one side of a line, among some bodies.
     pub(super) fn beside(self, bodies: Vec<&'s Solid>, line: Line) -> Self {
-        let mut grid = Grid::new(self.empty.room.region.outline.bounds());
+        let mut grid = Grid::new(self.empty.at.room.region.outline.bounds());
         for (number, body) in (0..).zip(&bodies) {
             grid.insert(number, body.bounds);
         }
@@ -107,7 +106,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     fn contains(&self, point: Point) -> bool {
         self.spend(1 + self.borders.len() as u64 / EDGES_A_STEP);
-        self.empty.room.region.contains(point)
+        self.empty.at.room.region.contains(point)
     }
 
     /// Whether a piece of these parts, the first its body, may stand at a place.
@@ -133,7 +132,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     fn is_in_column(&self, point: Point) -> bool {
         self.spend(self.columns.len() as u64 / EDGES_A_STEP);
-        let mut columns = self.columns.iter().zip(&self.empty.room.obstacles);
+        let mut columns = self.columns.iter().zip(&self.empty.at.room.obstacles);
         columns.any(|(bounds, column)| bounds.contains(point) && column.outline.contains(point))
     }
 

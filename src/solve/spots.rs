@@ -36,7 +36,7 @@ impl Space<'_, '_> {
     /// Calls `is_it` with the free places, those along the walls first, until it answers yes or the budget is spent.
     pub(super) fn any_free(&self, trial: &Trial<'_>, mut is_it: impl FnMut(Spot, &[Part]) -> bool) -> bool {
         let mut turned = Turned::new(trial.boxes);
-        let walls = self.empty.room.walls.iter().enumerate();
+        let walls = self.empty.at.room.walls.iter().enumerate();
         for wall in walls.filter(|(_, wall)| wall.length() > ROUNDING) {
             for spot in self.spots_at_wall(trial, wall) {
                 if self.empty.budget.is_overdrawn() {
@@ -65,7 +65,7 @@ impl Space<'_, '_> {
         parts: &[Part],
         mut is_it: impl FnMut(Spot, &[Part]) -> bool,
     ) -> bool {
-        let Bounds { low, high } = self.empty.room.region.outline.bounds();
+        let Bounds { low, high } = self.empty.at.room.region.outline.bounds();
         for x in steps(low.x, high.x, step) {
             let mut number = 0_u32;
             loop {
@@ -93,16 +93,16 @@ impl Space<'_, '_> {
 
     /// How many places [`Space::any_free`] asks for at most, at [`FIT_STEP`].
     pub(super) fn spot_count(&self, class: &Class) -> f64 {
-        let size = self.empty.room.region.outline.bounds().size();
+        let size = self.empty.at.room.region.outline.bounds().size();
         let inside = (size / FIT_STEP).element_product() * 4.0 * self.directions().len() as f64;
-        let along_walls: f64 = self.empty.room.walls.iter().map(|wall| wall.length() / FIT_STEP).sum();
+        let along_walls: f64 = self.empty.at.room.walls.iter().map(|wall| wall.length() / FIT_STEP).sum();
         if needs_wall(class) { along_walls } else { inside + along_walls }
     }
 
     /// The directions of the walls that are no quarter turns of each other, nearly parallel ones once.
     fn directions(&self) -> Vec<f64> {
         let mut directions: Vec<Point> = Vec::new();
-        for wall in self.empty.room.walls.iter().filter(|wall| wall.length() > ROUNDING) {
+        for wall in self.empty.at.room.walls.iter().filter(|wall| wall.length() > ROUNDING) {
             let along = wall.direction();
             let is_known =
                 |known: &Point| known.perp_dot(along).abs().min(known.dot(along).abs()) < SAME_DIRECTION;
@@ -120,10 +120,10 @@ impl Space<'_, '_> {
         let off_wall = wall.normal() * (size.depth / 2.0 + ROUNDING);
         let (start, along) = (wall.start, wall.direction());
         let is_solid = move |&along: &f64| {
-            let mut here = empty.room.openings.iter().filter(|place| place.wall == number);
+            let mut here = empty.at.room.openings.iter().filter(|place| place.wall == number);
             let (from, to) = (along - size.width / 2.0, along + size.width / 2.0);
             !here.any(|place| {
-                let is_framed = empty.level.openings[place.opening].kind.has_frame();
+                let is_framed = empty.at.level.openings[place.opening].kind.has_frame();
                 let frame = if is_framed { FRAME_WIDTH } else { 0.0 };
                 place.from - frame < to && from < place.to + frame
             })

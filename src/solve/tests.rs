@@ -37,9 +37,9 @@ fn a_search_that_is_given_up_leaves_the_finding_and_says_so() {
     let room = lacking_a_chest(comb(3, 4.0));
     let furnished = room.furnished();
     let findings = |steps: u64| {
-        let (empty, answers) = (EmptyRoom::new(&room.level, 0, &room.catalog, steps), Answers::default());
+        let (empty, answers) = (EmptyRoom::new(room.level.room(0), &room.catalog, steps), Answers::default());
         let ask = |question: &Question<'_>| answers.answer(&empty, question);
-        let findings = judge(&room.level, 0, &furnished, &room.catalog, &ask).findings;
+        let findings = judge(room.level.room(0), &furnished, &room.catalog, &ask).findings;
         findings.into_iter().filter(|one| one.code == Code::MissingRequired).collect::<Vec<_>>()
     };
     assert_eq!(findings(MOST_STEPS), [], "no chest fits in");
@@ -52,7 +52,7 @@ fn a_search_that_is_given_up_leaves_the_finding_and_says_so() {
 #[test]
 fn a_question_about_a_hall_of_any_size_and_shape_costs_no_more_than_the_budget() {
     for room in [comb(300, 300.0), atrium(170.0), TestRoom::rectangle(0.99, 1000.0)] {
-        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, 100_000);
+        let empty = EmptyRoom::new(room.level.room(0), &room.catalog, 100_000);
         let chest = Question::Class(room.catalog.class_index("chest").unwrap());
         let held = Answers::default().answer(&empty, &chest);
         assert!(empty.budget.made() < 110_000, "{}", empty.budget.made());
@@ -63,7 +63,7 @@ fn a_question_about_a_hall_of_any_size_and_shape_costs_no_more_than_the_budget()
 #[test]
 fn two_pieces_find_their_places_in_a_hall() {
     for room in [TestRoom::rectangle(100.0, 60.0), atrium(40.0)] {
-        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, MOST_STEPS);
+        let empty = EmptyRoom::new(room.level.room(0), &room.catalog, MOST_STEPS);
         let classes = ["chest", "desk"].map(|class| room.catalog.class_index(class).unwrap());
         let places = Answers::default().places_together(&empty, &classes);
         assert!(places.is_some(), "{} steps", empty.budget.made());
@@ -75,9 +75,9 @@ fn no_verdict_depends_on_those_before_it() {
     let room = lacking_a_chest(comb(3, 4.0));
     let mut other = lacking_a_chest(comb(3, 4.0));
     other.remove("desk", true);
-    let solver = RoomSolver::new(&room.level, 0, &room.catalog);
+    let solver = RoomSolver::new(room.level.room(0), &room.catalog);
     for one in [&room, &other, &room, &other] {
-        let fresh = RoomSolver::new(&room.level, 0, &room.catalog);
+        let fresh = RoomSolver::new(room.level.room(0), &room.catalog);
         assert_eq!(solver.judge(&one.furnished()), fresh.judge(&one.furnished()));
         assert_eq!(solver.suggest_places(&one.furnished()), fresh.suggest_places(&one.furnished()));
     }

@@ -57,12 +57,12 @@ pub(crate) fn place_together(
 /// Looks at the ways of whole arrangements; if none of those it tries is open, again with care.
 fn search(empty: &EmptyRoom<'_>, open: &[Open<'_>]) -> Together {
     let rules = &empty.rules().walking;
-    let floor = Floor::new((empty.level, empty.room), rules, core::iter::empty());
+    let floor = Floor::new(empty.at, rules, core::iter::empty());
     let walks = floor.as_ref().map(|floor| EmptyWalks::new(floor, rules));
     let quick = Search::new(empty, walks.as_ref(), MOST_ARRANGEMENTS);
     match (quick.answer(open), &walks) {
         (Together::Unknown, Some(walks)) if walks.join_all_doors() => {
-            let most = (MOST_FLOOR / empty.room.region.area()) as u32;
+            let most = (MOST_FLOOR / empty.at.room.region.area()) as u32;
             Search { is_careful: true, ..Search::new(empty, Some(walks), most) }.answer(open)
         }
         (answer, _) => answer,
@@ -262,7 +262,7 @@ mod tests {
     use crate::solve::hold::free_stands;
 
     fn place(room: &TestRoom, classes: &[&str]) -> Together {
-        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, MOST_STEPS);
+        let empty = EmptyRoom::new(room.level.room(0), &room.catalog, MOST_STEPS);
         let classes: Vec<ClassIndex> =
             classes.iter().map(|class| room.catalog.class_index(class).unwrap()).collect();
         place_together(&empty, &classes, |class| Some(free_stands(&empty, class)))
@@ -319,12 +319,12 @@ mod tests {
     #[test]
     fn whole_arrangements_alone_do_not_tell_that_a_corridor_is_too_narrow() {
         let room = corridor(0.2);
-        let empty = EmptyRoom::new(&room.level, 0, &room.catalog, MOST_STEPS);
+        let empty = EmptyRoom::new(room.level.room(0), &room.catalog, MOST_STEPS);
         let chest = room.catalog.class_index("chest").unwrap();
         let choice = Choice::new(&empty, chest, free_stands(&empty, chest));
         let open = [Open { choice: &choice, stands: choice.stands().collect() }];
         let rules = &empty.rules().walking;
-        let floor = Floor::new((empty.level, empty.room), rules, core::iter::empty()).unwrap();
+        let floor = Floor::new(empty.at, rules, core::iter::empty()).unwrap();
         let walks = EmptyWalks::new(&floor, rules);
         let quick = Search::new(&empty, Some(&walks), MOST_ARRANGEMENTS);
         assert!(matches!(quick.answer(&open), Together::Unknown));

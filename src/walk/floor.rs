@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use crate::catalog::{AccessRules, AuditRules, WalkingRules};
 use crate::geometry::{Bounds, DisjointSets, Point, Segment, Solid, distance_to_convex, edges};
-use crate::plan::{Level, Room, RoomOpening};
+use crate::plan::{Room, RoomOpening, RoomRef};
 
 use super::raster::{Raster, cell_around};
 
@@ -80,35 +80,36 @@ pub(crate) struct Walk<'f> {
 impl Floor {
     /// The floor of a room with some solids; `None` where no door leads in.
     pub(crate) fn new<'s>(
-        place: (&Level, &Room),
+        at: RoomRef<'_>,
         rules: &WalkingRules,
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
         let widest = rules.person.max(rules.narrow_person).max(rules.robot);
         // Somebody on a threshold stands half behind it.
         let doors = DoorDepth { behind: rules.person / 2.0, before: 0.0 };
-        Self::for_disc(place, rules, (widest, doors), solids)
+        Self::for_disc(at, rules, (widest, doors), solids)
     }
 
     /// The same for a wheelchair. Its way is wider than most doors: whoever has that width right before a door goes
     /// straight through.
     pub(crate) fn for_wheelchair<'s>(
-        place: (&Level, &Room),
+        at: RoomRef<'_>,
         rules: &AuditRules,
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
         let AccessRules { turning, walkway } = rules.access;
         let doors = DoorDepth { behind: 0.0, before: walkway / 2.0 };
-        Self::for_disc(place, &rules.walking, (turning.max(walkway), doors), solids)
+        Self::for_disc(at, &rules.walking, (turning.max(walkway), doors), solids)
     }
 
     /// The floor for discs up to a width.
     fn for_disc<'s>(
-        (level, room): (&Level, &Room),
+        at: RoomRef<'_>,
         rules: &WalkingRules,
         (widest, depth): (f64, DoorDepth),
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
+        let RoomRef { level, room, .. } = at;
         let is_door = |place: &&RoomOpening| level.openings[place.opening].kind.is_walkable();
         let places: Vec<&RoomOpening> = room.openings.iter().filter(is_door).collect();
         if places.is_empty() {

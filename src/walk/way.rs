@@ -266,9 +266,9 @@ mod tests {
 
     fn ways(level: &Level, solids: &[Solid], goals: &[Goal<'_>]) -> Vec<Way> {
         let rules = AuditRules::default().walking;
-        let place = (level, &level.rooms[0]);
-        let floor = Floor::new(place, &rules, solids.iter()).unwrap();
-        let empty = || Floor::new(place, &rules, core::iter::empty()).unwrap();
+        let at = level.room(0);
+        let floor = Floor::new(at, &rules, solids.iter()).unwrap();
+        let empty = || Floor::new(at, &rules, core::iter::empty()).unwrap();
         let ways = blocked_ways(&floor, empty, &rules, goals);
         let (empty, is_blocked) = (empty(), !ways.is_empty());
         assert_eq!(EmptyWalks::new(&empty, &rules).are_blocked(&floor, &rules, goals), is_blocked);
@@ -322,7 +322,7 @@ mod tests {
     fn doors_are_joined_where_people_walk_upright() {
         let are_joined = |neck: f64| {
             let (level, rules) = (level(neck), AuditRules::default().walking);
-            let floor = Floor::new((&level, &level.rooms[0]), &rules, core::iter::empty()).unwrap();
+            let floor = Floor::new(level.room(0), &rules, core::iter::empty()).unwrap();
             EmptyWalks::new(&floor, &rules).join_all_doors()
         };
         assert!(are_joined(0.6));

@@ -134,10 +134,10 @@ fn an_explained_room_is_the_room_and_accounts_for_every_piece() {
         }
         for room in 0..level.rooms.len() {
             let options = FurnishOptions::new(1, building);
-            let (furnished, told) =
-                RoomLayout::new(level, room, &pipeline.catalog, &options).explain(&Alternative::default());
+            let (furnished, told) = RoomLayout::new(level.room(room), &pipeline.catalog, &options)
+                .explain(&Alternative::default());
             let name = format!("{building}/{}/{}", level.id, level.rooms[room].id);
-            assert_eq!(furnished, furnish(level, room, &pipeline.catalog, &options), "{name}");
+            assert_eq!(furnished, furnish(level.room(room), &pipeline.catalog, &options), "{name}");
             let id = |object: &Placement| {
                 format!("{}.{}", pipeline.catalog.classes[object.class].id, object.number)
             };

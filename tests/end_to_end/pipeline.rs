@@ -55,7 +55,7 @@ impl Pipeline {
     pub fn bake<'a>(&self, building: &'a str, level: &'a Level) -> BakedLevel<'a> {
         let options = FurnishOptions::new(self.seed, building);
         let rooms = 0..level.rooms.len();
-        let best = |room| furnish_best(level, room, &self.catalog, &options, EFFORT);
+        let best = |room| furnish_best(level.room(room), &self.catalog, &options, EFFORT);
         let judged = |judged: Judged| (judged.furnished, judged.verdict);
         let (furnished, verdicts): (Vec<_>, Vec<_>) = rooms.map(best).map(judged).unzip();
         let scene = build_scene(&SceneInput {

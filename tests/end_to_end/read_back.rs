@@ -25,7 +25,7 @@ fn read(pipeline: &Pipeline, glb: &[u8], place: &str) -> ReadLevel {
 
 fn verdict(pipeline: &Pipeline, read: &ReadLevel, room: &str) -> Verdict {
     let index = read.level.rooms.iter().position(|other| other.id == room).unwrap();
-    judge_room(&read.level, index, read.furnished[index].as_ref().unwrap(), &pipeline.catalog)
+    judge_room(read.level.room(index), read.furnished[index].as_ref().unwrap(), &pipeline.catalog)
 }
 
 /// What differs between what the bake said of a level and what its file says, a line each.

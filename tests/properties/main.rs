@@ -43,8 +43,8 @@ fn for_every_room(property: impl Fn(&Level, &Furnished, &Verdict) -> Result<(), 
     let answer = runner.run(&sketches(), |sketch| {
         let Some(level) = sketch.level(catalog) else { return Ok(()) };
         let options = FurnishOptions::new(sketch.seed, "random");
-        let furnished = furnish(&level, 0, catalog, &options);
-        let verdict = judge_room(&level, 0, &furnished, catalog);
+        let furnished = furnish(level.room(0), catalog, &options);
+        let verdict = judge_room(level.room(0), &furnished, catalog);
         property(&level, &furnished, &verdict)
     });
     if let Err(error) = answer {
@@ -72,8 +72,11 @@ fn doors_can_be_opened_and_walked_through() {
 fn the_same_room_is_furnished_and_judged_the_same_again() {
     for_every_room(|level, furnished, verdict| {
         let options = FurnishOptions::new(0, "random");
-        prop_assert_eq!(furnish(level, 0, &CATALOG, &options), furnish(level, 0, &CATALOG, &options));
-        prop_assert_eq!(&judge_room(level, 0, furnished, &CATALOG), verdict);
+        prop_assert_eq!(
+            furnish(level.room(0), &CATALOG, &options),
+            furnish(level.room(0), &CATALOG, &options)
+        );
+        prop_assert_eq!(&judge_room(level.room(0), furnished, &CATALOG), verdict);
         Ok(())
     });
 }

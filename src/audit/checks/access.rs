@@ -24,7 +24,7 @@ fn floors(subject: &Subject<'_>) -> Option<(Floor, Floor)> {
 
 fn floor(subject: &Subject<'_>, is_furnished: bool) -> Option<Floor> {
     let solids = subject.obstacles().filter(|_| is_furnished);
-    Floor::for_wheelchair((subject.level, subject.room), subject.rules(), solids)
+    Floor::for_wheelchair(subject.at, subject.rules(), solids)
 }
 
 /// Whether a wheelchair has nowhere to turn.

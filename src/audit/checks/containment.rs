@@ -18,13 +18,13 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, .. } = *evidence;
     let mut faults = Vec::new();
     let limit = subject.rules().bodies.out_of_room;
-    let borders: Vec<Segment> = subject.room.region.borders().collect();
+    let borders: Vec<Segment> = subject.at.room.region.borders().collect();
     for (index, body) in subject.bodies.iter().enumerate() {
-        let upright = (-body.low()).max(body.high() - subject.room.height);
+        let upright = (-body.low()).max(body.high() - subject.at.room.height);
         let sideways = body.solids.iter().map(|solid| {
             let through_walls =
-                protrusion((solid, limit), &borders, |point| subject.room.region.contains(point));
-            let columns = subject.room.obstacles.iter();
+                protrusion((solid, limit), &borders, |point| subject.at.room.region.contains(point));
+            let columns = subject.at.room.obstacles.iter();
             columns.map(|column| into_column((solid, limit), column)).fold(through_walls, f64::max)
         });
         let measured = sideways.fold(upright, f64::max);

@@ -20,7 +20,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let straight = |(_, body): &(usize, &Body<'_>)| stands_straight(body, limit);
     for (index, body) in subject.bodies.iter().enumerate().filter(straight) {
         let Parent::Wall(wall) = body.placement.parent else { continue };
-        let off = angle_off(body, subject.room.walls[wall].direction());
+        let off = angle_off(body, subject.at.room.walls[wall].direction());
         if off > limit + ROUNDING {
             let subjects = vec![subject.object(index), Subject::wall(wall)];
             faults.push(Fault::new(Quantity::Angle, subjects, off.to_degrees(), limit.to_degrees()));

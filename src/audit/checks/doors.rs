@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::catalog::DoorRules;
 use crate::geometry::{Point, Segment, direction};
-use crate::plan::{Leaf, Level, Opening, OpeningKind, Room, RoomOpening, Wall};
+use crate::plan::{Leaf, Opening, OpeningKind, RoomOpening, RoomRef, Wall};
 
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::{Fault, FloorRegion};
@@ -16,7 +16,8 @@ use crate::audit::zone::{Purpose, Zone};
 const ARC_CORNERS: u32 = 8;
 
 /// The zones of all openings that people walk through, on the room's side.
-pub(crate) fn zones((level, room): (&Level, &Room), rules: DoorRules) -> Vec<Zone> {
+pub(crate) fn zones(at: RoomRef<'_>, rules: DoorRules) -> Vec<Zone> {
+    let RoomRef { level, room, .. } = at;
     let mut zones = Vec::new();
     for place in &room.openings {
         let opening = &level.openings[place.opening];

@@ -13,7 +13,7 @@ use crate::layout::Placement;
 pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, ask, .. } = *evidence;
     let rules = subject.rules();
-    if subject.room.region.area() < rules.balance.least_area {
+    if subject.at.room.region.area() < rules.balance.least_area {
         return Vec::new();
     }
     let bodies = subject.bodies.iter().enumerate();
@@ -80,7 +80,7 @@ fn share_right_of(body: &Body<'_>, line: Line) -> f64 {
 
 /// The centre of the floor's area.
 pub(crate) fn middle_of(subject: &Subject<'_>) -> Point {
-    let region = &subject.room.region;
+    let region = &subject.at.room.region;
     let moment = |polygon: &Polygon| {
         // Relative to a corner: far from the origin the plain sum loses digits.
         let base = polygon.corners()[0];
@@ -96,7 +96,7 @@ pub(crate) fn middle_of(subject: &Subject<'_>) -> Point {
 
 /// The direction of the longest wall.
 fn main_direction(subject: &Subject<'_>) -> Point {
-    let walls = subject.room.region.outline.edges();
+    let walls = subject.at.room.region.outline.edges();
     let longest = walls.map(Segment::vector).reduce(|longest, wall| {
         if wall.length_squared() > longest.length_squared() { wall } else { longest }
     });

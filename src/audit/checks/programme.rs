@@ -96,7 +96,7 @@ pub(crate) fn missing_pieces(subject: &Subject<'_>) -> Vec<Vec<ClassIndex>> {
 
 /// A missing class and those of the other required lines.
 fn needed_beside(subject: &Subject<'_>, missing: ClassIndex) -> Vec<ClassIndex> {
-    let area = subject.room.region.area();
+    let area = subject.at.room.region.area();
     let applies = |line: &&&Request| {
         line.is_required
             && !matches!(line.count, Count::PerPiece(..))
@@ -145,7 +145,7 @@ fn is_met(subject: &Subject<'_>, class: ClassIndex) -> bool {
 
 /// The lines that ask for what the room holds.
 pub(crate) fn programme<'a>(subject: &Subject<'a>) -> Vec<&'a Request> {
-    let room_type = subject.catalog.room_types.get(&subject.room.room_type);
+    let room_type = subject.catalog.room_types.get(&subject.at.room.room_type);
     match (subject.style(), room_type) {
         (Some(style), Some(room_type)) => style.programme(room_type).collect(),
         _ => Vec::new(),

@@ -64,7 +64,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 
 /// The room with some of its bodies' solids; `None` where no door leads in.
 fn floor_with<'s>(subject: &Subject<'_>, solids: impl Iterator<Item = &'s Solid>) -> Option<Floor> {
-    Floor::new((subject.level, subject.room), &subject.rules().walking, solids)
+    Floor::new(subject.at, &subject.rules().walking, solids)
 }
 
 /// Every door and every side with room for somebody. Narrower strips (beside a toilet) are elbow room.

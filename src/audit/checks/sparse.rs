@@ -14,8 +14,10 @@ use crate::catalog::{ClassIndex, ParentName};
 pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, ask, .. } = *evidence;
     let rules = subject.rules();
-    let area = subject.room.region.area();
-    let Some(room_type) = subject.catalog.room_types.get(&subject.room.room_type) else { return Vec::new() };
+    let area = subject.at.room.region.area();
+    let Some(room_type) = subject.catalog.room_types.get(&subject.at.room.room_type) else {
+        return Vec::new();
+    };
     if !room_type.is_furnished || area < rules.fulfilment.sparse_area {
         return Vec::new();
     }

@@ -47,7 +47,7 @@ fn gap_to_support(subject: &Subject<'_>, body: &Body<'_>) -> f64 {
     let placement = body.placement;
     match placement.parent {
         Parent::Floor => body.low(),
-        Parent::Ceiling => subject.room.height - body.high(),
+        Parent::Ceiling => subject.at.room.height - body.high(),
         Parent::Object(parent) if placement.side == Side::Above => {
             let under = gap_above(&subject.bodies[parent], body, contact);
             // A hood belongs to its cooker but hangs on the wall.
@@ -85,18 +85,18 @@ fn gap_beside(parent: &Body<'_>, body: &Body<'_>) -> f64 {
 
 /// Metres to the nearest wall or to the ceiling, whichever is closer.
 fn gap_behind(subject: &Subject<'_>, body: &Body<'_>) -> f64 {
-    let walls = 0..subject.room.walls.len();
+    let walls = 0..subject.at.room.walls.len();
     let to_walls = walls.map(|wall| gap_to_wall(subject, wall, None, body));
-    to_walls.fold(subject.room.height - body.high(), f64::min)
+    to_walls.fold(subject.at.room.height - body.high(), f64::min)
 }
 
 fn gap_to_opening(subject: &Subject<'_>, opening: usize, body: &Body<'_>) -> f64 {
-    let here = subject.room.openings.iter().filter(|place| place.opening == opening);
+    let here = subject.at.room.openings.iter().filter(|place| place.opening == opening);
     here.map(|place| gap_to_wall(subject, place.wall, Some(opening), body)).fold(f64::INFINITY, f64::min)
 }
 
 fn gap_to_column(subject: &Subject<'_>, column: usize, body: &Body<'_>) -> f64 {
-    let column = &subject.room.obstacles[column];
+    let column = &subject.at.room.obstacles[column];
     if body.placement.side == Side::Above {
         return body.low() - column.height;
     }
@@ -106,7 +106,7 @@ fn gap_to_column(subject: &Subject<'_>, column: usize, body: &Body<'_>) -> f64 {
 /// Metres to the solid stretches of a wall at the body's height. Door holes, glass and the air over a
 /// railing carry nothing; the frame of the opening `hung_on` does.
 fn gap_to_wall(subject: &Subject<'_>, wall: usize, hung_on: Option<usize>, body: &Body<'_>) -> f64 {
-    let face = &subject.room.walls[wall];
+    let face = &subject.at.room.walls[wall];
     let stretches = solid_stretches(subject, wall, hung_on, body);
     let at = |along: f64| face.start + face.direction() * along;
     let segments = stretches.as_slice().iter().map(|&(from, to)| Segment::new(at(from), at(to)));
@@ -114,13 +114,13 @@ fn gap_to_wall(subject: &Subject<'_>, wall: usize, hung_on: Option<usize>, body:
 }
 
 fn solid_stretches(subject: &Subject<'_>, wall: usize, hung_on: Option<usize>, body: &Body<'_>) -> Intervals {
-    let face: &Wall = &subject.room.walls[wall];
+    let face: &Wall = &subject.at.room.walls[wall];
     if matches!(face.kind, WallKind::Railing(top) if body.low() >= top) {
         return Intervals::default();
     }
     let mut stretches = Intervals::new(0.0, face.length());
-    for place in subject.room.openings.iter().filter(|place| place.wall == wall) {
-        let opening = &subject.level.openings[place.opening];
+    for place in subject.at.room.openings.iter().filter(|place| place.wall == wall) {
+        let opening = &subject.at.level.openings[place.opening];
         let has_frame = opening.kind != OpeningKind::OpenBoundary && hung_on == Some(place.opening);
         let covers = opening.bottom <= body.low() + ROUNDING && opening.top + ROUNDING >= body.high();
         if covers && !has_frame {

@@ -68,8 +68,8 @@ fn kitchen_before(subject: &Subject<'_>, cookers: &[usize], toilet: &Body<'_>) -
     let position = |cooker: usize| subject.bodies[cooker].placement.position;
     let cooker = cookers.iter().find_map(|&cooker| Some((subject.object(cooker), ahead(position(cooker))?)));
     let through = || {
-        subject.room.openings.iter().find_map(|place| {
-            let wall = &subject.room.walls[place.wall];
+        subject.at.room.openings.iter().find_map(|place| {
+            let wall = &subject.at.room.walls[place.wall];
             let middle = wall.start + wall.direction() * f64::midpoint(place.from, place.to);
             let distance = ahead(middle).filter(|_| leads_to_kitchen(subject, place))?;
             Some((subject.opening(place.opening), distance))
@@ -79,15 +79,15 @@ fn kitchen_before(subject: &Subject<'_>, cookers: &[usize], toilet: &Body<'_>) -
 }
 
 fn leads_to_kitchen(subject: &Subject<'_>, place: &RoomOpening) -> bool {
-    let opening = &subject.level.openings[place.opening];
+    let opening = &subject.at.level.openings[place.opening];
     let is_open = matches!(opening.kind, OpeningKind::Passage | OpeningKind::OpenBoundary);
     let cooks = |room: usize| {
-        let room_type = subject.catalog.room_types.get(&subject.level.rooms[room].room_type);
+        let room_type = subject.catalog.room_types.get(&subject.at.level.rooms[room].room_type);
         let lines = room_type.into_iter().flat_map(|room_type| &room_type.programme);
         let mut classes = lines.flat_map(|line| &line.classes);
         classes.any(|&class| subject.catalog.classes[class].groups.iter().any(|group| group == COOKING))
     };
-    let is_here = |room: usize| core::ptr::eq(&raw const subject.level.rooms[room], subject.room);
+    let is_here = |room: usize| core::ptr::eq(&raw const subject.at.level.rooms[room], subject.at.room);
     is_open && opening.sides.iter().any(|side| !is_here(side.room) && cooks(side.room))
 }
 

@@ -14,13 +14,13 @@ use crate::plan::OpeningKind;
 /// The strip before every window, from where a body counts as high up to the head.
 pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
     let rules = subject.rules().windows;
-    let zones = subject.room.openings.iter().filter_map(|place| {
-        let opening = &subject.level.openings[place.opening];
+    let zones = subject.at.room.openings.iter().filter_map(|place| {
+        let opening = &subject.at.level.openings[place.opening];
         let from = (opening.bottom + rules.over_sill).max(rules.low_piece);
         if opening.kind != OpeningKind::Window || from >= opening.top {
             return None;
         }
-        let wall = &subject.room.walls[place.wall];
+        let wall = &subject.at.room.walls[place.wall];
         let at = |along: f64, inward: f64| wall.start + wall.direction() * along + wall.normal() * inward;
         let face = Segment::new(at(place.from, 0.0), at(place.to, 0.0));
         Some(Zone {

@@ -56,7 +56,7 @@ pub(crate) fn judge_file(file: &Path, catalog: &Catalog) -> Result<JudgedLevel, 
     let known: Vec<(usize, &Furnished)> = known.collect();
     for (index, furnished) in known {
         let room = &level.rooms[index];
-        match catch_bug(|| judge_room(&level, index, furnished, catalog)) {
+        match catch_bug(|| judge_room(level.room(index), furnished, catalog)) {
             Ok(verdict) => {
                 judged.totals.add_room(&verdict);
                 judged.rooms.push(JudgedRoom {

@@ -71,7 +71,7 @@ fn furnish_level(
     let run = FurnishOptions::new(seed, &placed.id).with_style(style);
     let edits = sources.edits.level(&placed.id, &level.id);
     let furnish =
-        |room| furnish_edited((level, room), &sources.catalog, &run, arguments.furnish.effort, edits);
+        |room| furnish_edited(level.room(room), &sources.catalog, &run, arguments.furnish.effort, edits);
     let finished: Vec<Finished> = rooms.map(furnish).collect();
     let mut judgement = Judgement { furnished: Vec::new(), findings: Vec::new(), misfits: Vec::new() };
     for Finished { judged, misfits } in finished {

@@ -65,14 +65,14 @@ fn subject<'a>(
     style: Option<&str>,
 ) -> Subject<'a> {
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
-    let (level, room, catalog) = (found.level, found.room, &sources.catalog);
-    let edits = sources.edits.level(&found.placed.id, &level.id);
-    let edits = edits.and_then(|edits| edits.room(&level.rooms[room].id));
-    let locks = edits.map(|edits| edits.locks(level, room, catalog)).unwrap_or_default();
+    let (at, catalog) = (found.level.room(found.room), &sources.catalog);
+    let edits = sources.edits.level(&found.placed.id, &at.level.id);
+    let edits = edits.and_then(|edits| edits.room(&at.room.id));
+    let locks = edits.map(|edits| edits.locks(at, catalog)).unwrap_or_default();
     let run = FurnishOptions::new(seed, &found.placed.id).with_style(style);
     let options = edits.map_or(run, |edits| edits.options(run, &locks));
-    let best = furnish_best(level, room, catalog, &options, arguments.furnish.effort);
-    let (furnished, explanation) = RoomLayout::new(level, room, catalog, &options).explain(&best.alternative);
+    let best = furnish_best(at, catalog, &options, arguments.furnish.effort);
+    let (furnished, explanation) = RoomLayout::new(at, catalog, &options).explain(&best.alternative);
     Subject {
         sources,
         found,

@@ -20,7 +20,8 @@ fn room() -> TestRoom {
 fn edited(room: &TestRoom, lines: &[&str]) -> Finished {
     let judged =
         Judged { furnished: room.furnished(), verdict: room.judge(), alternative: Alternative::default() };
-    let judge = |furnished: &Furnished| crate::solve::judge_room(&room.level, 0, furnished, &room.catalog);
+    let judge =
+        |furnished: &Furnished| crate::solve::judge_room(room.level.room(0), furnished, &room.catalog);
     finish(&room.level, judged, &edits(lines), &room.catalog, judge)
 }
 

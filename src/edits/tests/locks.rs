@@ -21,10 +21,10 @@ fn level(catalog: &Catalog) -> Level {
 }
 
 fn furnish(level: &Level, catalog: &Catalog, seed: u64, edits: &RoomEdits) -> (Furnished, usize) {
-    let locks = edits.locks(level, 0, catalog);
+    let locks = edits.locks(level.room(0), catalog);
     let run = edits.options(FurnishOptions::new(seed, "house"), &locks);
-    let judged = furnish_best(level, 0, catalog, &run, 4);
-    let judge = |furnished: &Furnished| crate::solve::judge_room(level, 0, furnished, catalog);
+    let judged = furnish_best(level.room(0), catalog, &run, 4);
+    let judge = |furnished: &Furnished| crate::solve::judge_room(level.room(0), furnished, catalog);
     let finished = finish(level, judged, edits, catalog, judge);
     (finished.judged.furnished, finished.misfits.len())
 }

@@ -197,7 +197,7 @@ mod tests {
         let programme = [(DESK, Count::Fixed(desks)), (SHELF, Count::Fixed(shelves))];
         let catalog = catalog(&programme, Untidiness::default());
         let options = FurnishOptions::new(1, "test");
-        RoomLayout::new(&level(&corners), 0, &catalog, &options).explain(&Alternative::default())
+        RoomLayout::new(level(&corners).room(0), &catalog, &options).explain(&Alternative::default())
     }
 
     #[test]
