@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use roomwright::internals::best::{Judged, best_of};
 use roomwright::internals::catalog::Catalog;
 use roomwright::internals::layout::{FurnishOptions, RoomLayout};
-use roomwright::internals::plan::Level;
+use roomwright::internals::plan::RoomRef;
 use roomwright::internals::solve::RoomSolver;
 
 /// What one room took.
