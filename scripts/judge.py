@@ -28,9 +28,13 @@ from tqdm import tqdm
 
 from checks.manifest import scenes_in
 from judging.judgement import Task, Verdict, judge_file
-from judging.report import agreement_of, markdown, measures_table, rows_of, worst_rooms
+from judging.report import agreement_of, given_lines, markdown, measures_table, rows_of, variety_of, worst_rooms
 from judging.table import MEASURES
 from workers import outcomes
+
+
+# Arrangements that a room should have.
+LEAST_VARIETY = 3
 
 
 def judge_files(tasks: list[Task], jobs: int, is_quiet: bool) -> tuple[list[Verdict], list[str]]:
@@ -62,6 +66,7 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--list", action="store_true", help="print the table of measures, and judge nothing")
     parser.add_argument("--drawn", type=Path, metavar="FOLDER", help="folder with archilyse's drawings of the same plans")
     parser.add_argument("--compare", action="store_true", help="also the agreement with the audit's findings")
+    parser.add_argument("--variety", action="store_true", help="also how many arrangements the seeds of a room have")
     parser.add_argument("--worst", type=int, default=0, metavar="N", help="also N rooms that fail, for each measure")
     parser.add_argument("--measure", action="append", metavar="CODE", choices=sorted(MEASURES),
                         help="list the worst rooms of this measure only; may be repeated")
@@ -99,6 +104,9 @@ def as_text(verdicts: list[Verdict], options: argparse.Namespace) -> str:
     blocks = [f"{rooms:,} furnished rooms, {seeds} seed{'' if seeds == 1 else 's'}", markdown(verdicts)]
     if options.compare:
         blocks.append(comparison(verdicts))
+        blocks.append(given(verdicts, options.worst))
+    if options.variety:
+        blocks.append(variety(verdicts))
     codes = options.measure or (MEASURES if options.worst else [])
     for code in codes:
         lines = worst_rooms(verdicts, code, options.worst or 10)
@@ -115,6 +123,22 @@ def comparison(verdicts: list[Verdict]) -> str:
             lines.append(f"| `{found.code}` | `{measure.audit}` | {found.both} | {found.only_judge} | {found.only_audit} "
                          f"| {found.given} |")
     return "\n".join(lines)
+
+
+def given(verdicts: list[Verdict], most: int) -> str:
+    lines = given_lines(verdicts)
+    rooms = len({verdict.place[:3] for verdict in verdicts})
+    head = (f"Given by the plan, as the audit has it: a required piece is missing without a finding in {len(lines)} of {rooms} rooms"
+            f" ({len(lines) / rooms:.1%})").replace("%", " %")
+    return "\n".join([head, *(f"- {line}" for line in lines[:most])])
+
+
+def variety(verdicts: list[Verdict]) -> str:
+    counts = list(variety_of(verdicts).values())
+    seeds = len({verdict.place.seed for verdict in verdicts})
+    least = sum(count >= LEAST_VARIETY for count in counts)
+    return (f"Variety: {least} of {len(counts)} rooms ({least / max(len(counts), 1):.0%}) have {LEAST_VARIETY} or more arrangements in "
+            f"{seeds} seeds, mirrored ones counted once; a room has {sum(counts) / max(len(counts), 1):.1f} on average").replace("%", " %")
 
 
 def as_json(verdicts: list[Verdict]) -> str:

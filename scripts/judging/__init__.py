@@ -9,6 +9,7 @@
     measure      what a measure is
     measures/    one file a subject
     table        all measures
+    variety      how many arrangements the seeds of a room have
     judgement    every measure's answer for every room of a file
     report       verdicts as tables
     sketch       rooms from above, as SVG

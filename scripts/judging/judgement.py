@@ -13,6 +13,7 @@ from .drawn import read_drawn
 from .floors import Floor, Room, read_floor
 from .measure import Answer
 from .table import MEASURES
+from .variety import Arrangement, arrangement_of
 
 
 class Place(NamedTuple):
@@ -33,6 +34,8 @@ class Verdict(NamedTuple):
     answers: dict[str, Answer]
     audit: dict[str, tuple[str, ...]]
     given: dict[str, tuple[str, ...]]
+    not_required: tuple[str, ...]  # required classes that are missing without a finding: the audit says that the plan has no place
+    arrangement: Arrangement
 
 
 class Task(NamedTuple):
@@ -66,7 +69,13 @@ def judge_room(room: Room) -> Verdict:
     findings = room.extras.get("findings", [])
     given = [finding for finding in findings if finding["severity"] == "given"]
     counted = [finding for finding in findings if finding["severity"] != "given"]
-    return Verdict(place, room.area, answers, by_code(counted), by_code(given))
+    return Verdict(place, room.area, answers, by_code(counted), by_code(given), given_classes(room, counted), arrangement_of(room))
+
+
+def given_classes(room: Room, counted: list[dict]) -> tuple[str, ...]:
+    """Required pieces that are missing, in a room to which the audit does not count it."""
+    missing = tuple(sorted(piece["class"] for piece in room.extras.get("removed", []) if piece.get("required")))
+    return () if any(finding["code"] == "missing_required" for finding in counted) else missing
 
 
 def by_code(findings: list[dict]) -> dict[str, tuple[str, ...]]:

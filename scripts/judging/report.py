@@ -9,6 +9,7 @@ import numpy as np
 from .judgement import Verdict, rooms_failing
 from .measure import Measure
 from .table import SUBJECTS
+from .variety import distinct
 
 PERCENTILES = (5, 50, 95)
 
@@ -102,6 +103,28 @@ def share(row: Row) -> str:
     return f"{row.failing / row.judged:.1%}".replace("%", " %") if row.judged else ""
 
 
+def given_lines(verdicts: list[Verdict]) -> list[str]:
+    """Rooms whose plan, the audit says, has no place for a required piece, one line each over all seeds."""
+    rooms: dict[tuple[str, str, str], list[Verdict]] = {}
+    for verdict in verdicts:
+        if verdict.not_required:
+            rooms.setdefault(verdict.place[:3], []).append(verdict)
+    lines = []
+    for place, group in sorted(rooms.items(), key=lambda entry: (-len(entry[1]), entry[0])):
+        first = group[0]
+        lines.append(f"{'/'.join(place)} {first.place.kind} {first.area:.1f} m², {seeds_of(group)}: no {', '.join(first.not_required)}")
+    return lines
+
+
+def variety_of(verdicts: list[Verdict]) -> dict[tuple[str, str, str], int]:
+    """The number of arrangements of each room over its seeds."""
+    rooms: dict[tuple[str, str, str], list[Verdict]] = {}
+    for verdict in verdicts:
+        if verdict.arrangement.stands:
+            rooms.setdefault(verdict.place[:3], []).append(verdict)
+    return {place: distinct(verdict.arrangement for verdict in group) for place, group in rooms.items()}
+
+
 def worst_rooms(verdicts: list[Verdict], code: str, most: int) -> list[str]:
     """The rooms that fail a measure with most seeds, and then with most faults, one line each."""
     rooms: dict[tuple[str, str, str], list[Verdict]] = {}
@@ -120,7 +143,11 @@ def line_of(group: list[Verdict], code: str) -> str:
     first = group[0]
     place, fault = first.place, first.answers[code].faults[0]
     pieces = f" ({', '.join(fault.pieces[:5])})" if fault.pieces else ""
-    seeds = f"seed {place.seed}" if len(group) == 1 else f"{len(group)} seeds, {place.seed} first"
+    seeds = f"seed {place.seed}" if len(group) == 1 else f"{seeds_of(group)}, {place.seed} first"
     more = len(first.answers[code].faults) - 1
     return (f"{place.building}/{place.level}/{place.room} {place.kind} {first.area:.1f} m², {seeds}: {fault.note}{pieces}"
             + (f", and {more} more" if more else ""))
+
+
+def seeds_of(group: list[Verdict]) -> str:
+    return "1 seed" if len(group) == 1 else f"{len(group)} seeds"
