@@ -28,7 +28,7 @@ from tqdm import tqdm
 
 from checks.manifest import scenes_in
 from judging.judgement import Task, Verdict, judge_file
-from judging.report import agreement_of, given_lines, markdown, measures_table, rows_of, variety_of, worst_rooms
+from judging.report import agreement_of, disagreements, given_lines, markdown, measures_table, rows_of, variety_of, worst_rooms
 from judging.table import MEASURES
 from workers import outcomes
 
@@ -103,7 +103,7 @@ def as_text(verdicts: list[Verdict], options: argparse.Namespace) -> str:
     rooms, seeds = len(verdicts), len({verdict.place.seed for verdict in verdicts})
     blocks = [f"{rooms:,} furnished rooms, {seeds} seed{'' if seeds == 1 else 's'}", markdown(verdicts)]
     if options.compare:
-        blocks.append(comparison(verdicts))
+        blocks.append(comparison(verdicts, options.worst))
         blocks.append(given(verdicts, options.worst))
     if options.variety:
         blocks.append(variety(verdicts))
@@ -115,13 +115,16 @@ def as_text(verdicts: list[Verdict], options: argparse.Namespace) -> str:
     return "\n\n".join(blocks)
 
 
-def comparison(verdicts: list[Verdict]) -> str:
+def comparison(verdicts: list[Verdict], most: int) -> str:
     lines = ["| measure | audit's code | both | only judge | only audit | of these given |", "|---|---|---|---|---|---|"]
     for measure in MEASURES.values():
         if measure.audit:
             found = agreement_of(verdicts, measure)
             lines.append(f"| `{found.code}` | `{measure.audit}` | {found.both} | {found.only_judge} | {found.only_audit} "
                          f"| {found.given} |")
+    for measure in MEASURES.values():
+        found = disagreements(verdicts, measure, most) if measure.audit else []
+        lines += ["", f"{measure.code}, where the two differ:", *(f"- {line}" for line in found)] if found else []
     return "\n".join(lines)
 
 

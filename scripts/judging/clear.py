@@ -27,7 +27,7 @@ def free_depth(room: Room, piece: Piece, zone: shapely.Polygon, outward: np.ndar
     """Metres from a side of a piece to the first thing in a zone before it, and what that is; infinite if there is none."""
     edge = float(max(shapely.get_coordinates(piece.footprint) @ outward))
     start = min(edge, float(min(shapely.get_coordinates(zone) @ outward)) + 1e-6)
-    found = [(reach(zone.difference(room.region), outward) - start, "a wall")]
+    found = [(reach(zone.difference(opened(room)), outward) - start, "a wall")]
     found += [(reach(zone.intersection(shape), outward) - start, "a column") for shape, _ in room.columns]
     for other in room.pieces:
         if other is piece or other.id in ignored or other.carrier is not None or not other.footprint.intersects(zone):
@@ -61,10 +61,14 @@ def free_areas(room: Room, width: float, furnished: bool) -> list[shapely.Polygo
     taken = [shape for shape, _ in room.columns]
     if furnished:
         taken += [piece.below(HEAD, COVERING) for piece in room.pieces if piece.carrier is None and piece.low < HEAD]
-    # Open boundaries lead on: people walk over them, not along them.
-    beyond = [side.wall.strip(side.start, side.end, -BEYOND).buffer(JOINT, join_style="mitre")
-              for opening, side in room.openings(doors=True) if opening.closure == "open"]
-    free = shapely.union_all([room.region, *beyond]).difference(shapely.union_all(taken))
+    free = opened(room).difference(shapely.union_all(taken))
     areas = pieces_of_area(free.buffer(-width / 2, quad_segs=4))
     shapely.prepare(areas)
     return areas
+
+
+def opened(room: Room) -> shapely.Geometry:
+    """A room with a step over its open boundaries: people walk over them, not along them."""
+    beyond = [side.wall.strip(side.start, side.end, -BEYOND).buffer(JOINT, join_style="mitre")
+              for opening, side in room.openings(doors=True) if opening.closure == "open"]
+    return shapely.union_all([room.region, *beyond])

@@ -15,7 +15,7 @@ import shapely
 from gltf_file import GltfFile, Node
 
 from .drawn import Drawn
-from .pieces import Mesh, Piece
+from .pieces import Mesh, MeshShelf, Piece
 from .roles import KITCHENS, SHARED_WAYS
 from .shapes import Wall, straight_walls, walls_of
 
@@ -139,9 +139,12 @@ def joined(members: set[str], links: list[tuple[str, ...]]) -> list[set[str]]:
 # --- reading ---
 
 
-def read_floor(path: Path) -> Floor:
-    """A finished file. Raises GltfError for what is no glTF file, KeyError or ValueError for extras that lack something."""
-    gltf = GltfFile(path)
+def read_floor(path: Path, shelf: MeshShelf | None = None) -> Floor:
+    """A finished file, with the meshes of a shelf.
+
+    Raises GltfError for what is no glTF file, KeyError or ValueError for extras that lack something.
+    """
+    gltf, shelf = GltfFile(path), shelf or MeshShelf()
     level = next(node for node in gltf.nodes if node.kind == "level").extras
     floor = Floor(level["building"], level["level"], int(level["seed"]))
     rooms: dict[int, Room] = {}
@@ -153,7 +156,7 @@ def read_floor(path: Path) -> Floor:
         elif node.kind == "room":
             rooms[node.index] = read_room(floor, node.extras)
         elif node.kind == "furniture" and node.mesh is not None:
-            mesh = meshes.setdefault(node.mesh, Mesh(gltf.primitives(node.mesh)))
+            mesh = meshes.get(node.mesh) or meshes.setdefault(node.mesh, shelf.mesh(gltf.primitives(node.mesh)))
             carrier = pieces.get(node.parent.index)
             piece = Piece(node.extras["id"], node.extras["class"], node.extras["parent"], node, mesh, carrier)
             pieces[node.index] = piece

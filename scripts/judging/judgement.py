@@ -12,6 +12,7 @@ import shapely
 from .drawn import read_drawn
 from .floors import Floor, Room, read_floor
 from .measure import Answer
+from .pieces import MeshShelf
 from .table import MEASURES
 from .variety import Arrangement, arrangement_of
 
@@ -45,7 +46,7 @@ class Task(NamedTuple):
 
 def judge_file(task: Task) -> list[Verdict]:
     """Every furnished room of a file."""
-    floor = read_floor(task.file)
+    floor = read_floor(task.file, shelf())
     if task.drawn is not None:
         attach(floor, task.drawn)
     return [judge_room(room) for room in floor.rooms if room.pieces]
@@ -56,6 +57,12 @@ def attach(floor: Floor, folder: Path) -> None:
     fixtures = drawings(folder).get((floor.building, floor.level), [])
     for room in floor.rooms:
         room.drawn = [fixture for fixture in fixtures if room.region.covers(shapely.Point(fixture.center))]
+
+
+@lru_cache(maxsize=1)
+def shelf() -> MeshShelf:
+    """The meshes that this process has measured."""
+    return MeshShelf()
 
 
 @lru_cache(maxsize=1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import itertools
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -19,6 +21,10 @@ COVERING = 0.021
 FOOT = 0.02
 # Cosine of 25°: a face less steep carries things.
 LEVEL = 0.9
+# Which end of x, y and z each corner of a box takes.
+CORNERS = [list(ends) for ends in itertools.product((0, 1), repeat=3)]
+# Meshes that one process remembers, of some 100 kB.
+MOST_MESHES = 3000
 # Metres above the floor from which on a piece hangs and does not stand.
 STANDING = 0.03
 
@@ -36,6 +42,12 @@ class Mesh:
     @cached_property
     def parts(self) -> list[Part]:
         return parts_of(self.primitives)
+
+    @cached_property
+    def part_corners(self) -> np.ndarray:
+        """The eight corners of the box of each part."""
+        ends = np.array([(part.low, part.high) for part in self.parts]).reshape(-1, 2, 3)
+        return np.stack([ends[:, choice, [0, 1, 2]] for choice in CORNERS], axis=1)
 
     @cached_property
     def tops(self) -> tuple[np.ndarray, np.ndarray]:
@@ -79,6 +91,21 @@ class Mesh:
         return np.minimum.reduceat(heights, starts)[solid], np.maximum.reduceat(heights, starts)[solid], hulls[solid]
 
 
+class MeshShelf:
+    """Meshes by their content: the files of a bake show the same few thousand models again and again."""
+
+    def __init__(self):
+        self.known: dict[bytes, Mesh] = {}
+
+    def mesh(self, primitives: list[dict]) -> Mesh:
+        digest = hashlib.blake2b(digest_size=16)
+        for primitive in primitives:
+            digest.update(primitive["positions"].tobytes() + b"/" + primitive["triangles"].tobytes() + b"/")
+        if len(self.known) > MOST_MESHES:
+            self.known.clear()
+        return self.known.setdefault(digest.digest(), Mesh(primitives))
+
+
 @dataclass(eq=False)
 class Piece:
     """A piece of furniture where it stands."""
@@ -90,6 +117,7 @@ class Piece:
     mesh: Mesh
     carrier: Piece | None  # what it stands or hangs on, unless that is its room
     _slices: dict[tuple[float, float], shapely.Geometry] = field(default_factory=dict)
+    _parts: dict[int, Part] = field(default_factory=dict)
 
     def flat(self, points: np.ndarray) -> np.ndarray:
         """Points x, z of the mesh in the plan's axes; pieces stand upright."""
@@ -136,15 +164,17 @@ class Piece:
         """Width and depth of the mesh."""
         return np.ptp(self.mesh.corners[:, [0, 2]], axis=0)
 
-    @cached_property
-    def parts(self) -> list[Part]:
-        """Its solid parts in the file's frame."""
-        return [part.placed(self.node.world) for part in self.mesh.parts]
+    def part(self, number: int) -> Part:
+        """One of its solid parts in the file's frame."""
+        if number not in self._parts:
+            self._parts[number] = self.mesh.parts[number].placed(self.node.world)
+        return self._parts[number]
 
     @cached_property
     def part_boxes(self) -> np.ndarray:
-        """Least and greatest x, y and z of each part."""
-        return np.array([(*part.low, *part.high) for part in self.parts]).reshape(-1, 6)
+        """Boxes around its parts: least and greatest x, y and z in the file's frame."""
+        corners = self.mesh.part_corners @ self.node.world[:3, :3].T + self.node.world[:3, 3]
+        return np.concatenate([corners.min(axis=1), corners.max(axis=1)], axis=1)
 
     @cached_property
     def tops(self) -> tuple[np.ndarray, np.ndarray, shapely.STRtree]:

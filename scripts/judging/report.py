@@ -70,6 +70,20 @@ def agreement_of(verdicts: list[Verdict], measure: Measure) -> Agreement:
     return Agreement(measure.code, both, only_judge, only_audit, given)
 
 
+def disagreements(verdicts: list[Verdict], measure: Measure, most: int) -> list[str]:
+    """Rooms that only one of judge and audit complains about, those of the audit first."""
+    only_judge, only_audit = [], []
+    for verdict in verdicts:
+        found = verdict.answers.get(measure.code)
+        audit = verdict.audit | verdict.given
+        if found is not None and bool(found.faults) != (measure.audit in audit):
+            what = found.faults[0].note if found.faults else ", ".join(audit[measure.audit])
+            pieces = f" ({', '.join(found.faults[0].pieces)})" if found.faults and found.faults[0].pieces else ""
+            line = f"{'/'.join(verdict.place[:3])} {verdict.place.kind} {verdict.area:.1f} m², seed {verdict.place.seed}: {what}{pieces}"
+            (only_judge if found.faults else only_audit).append(line)
+    return [*(f"only the audit: {line}" for line in only_audit[:most]), *(f"only the judge: {line}" for line in only_judge[:most])]
+
+
 def markdown(verdicts: list[Verdict]) -> str:
     lines = ["| measure | limit | rooms | failing | share | wanted | mean (5 %, median, 95 %) |", "|---|---|---|---|---|---|---|"]
     for subject, rows in rows_of(verdicts).items():

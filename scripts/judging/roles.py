@@ -43,6 +43,7 @@ TUBS = {"bathtub", "shower", "small_shower"}
 ART = {"picture", "poster", "mirror", "vanity_mirror"}
 MIRRORS = {"mirror", "vanity_mirror"}
 CURTAINS = {"curtain"}
+SLIM_KINDS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter", "floor_lamp"}
 ROW_SEATS = {"auditorium_seat"}
 
 STORAGE = WARDROBES | {"dresser", "bookshelf", "low_bookshelf", "plank_shelf", "cabinet", "tall_cabinet", "filing_cabinet",

@@ -63,7 +63,7 @@ def carries(carrier: Piece, piece: Piece | None) -> bool:
 def depth_of(one: Piece, other: Piece, allowed: float) -> float:
     if not one.footprint.intersects(other.footprint):
         return 0.0
-    return max((overlap(one.parts[first], other.parts[second], allowed) for first, second in meeting(one, other, allowed)),
+    return max((overlap(one.part(first), other.part(second), allowed) for first, second in meeting(one, other, allowed)),
                default=0.0)
 
 

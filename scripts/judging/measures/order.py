@@ -20,6 +20,8 @@ BED_SIDE = 0.3
 # Square metres from which a room has halves, and the share of the footprint in one of them.
 HALVES_AREA = 10.0
 HALF = 0.85
+# Metres of a main walkway: HUD.
+WALKWAY = 0.75
 CROOKED = 5.0
 # The share of requested pieces that rest.
 RESTING = 0.9
@@ -118,12 +120,18 @@ def half_share(standing: list[Piece], half: shapely.Geometry, whole: float) -> f
 
 
 def has_room(room: Room, standing: list[Piece], largest: Piece, halves: tuple, whole: float) -> bool:
-    """Whether the emptier half could take the largest piece: a free square as wide as the piece's shorter side, twice."""
+    """Whether the emptier half could take the largest piece, and leave a walkway before it."""
     half = min(halves, key=lambda one: half_share(standing, one, whole))
-    doors = [side.before(0.8) for _, side in room.openings(doors=True)]
+    doors = [side.before(WALKWAY) for _, side in room.openings(doors=True)]
     free = half.difference(shapely.union_all([*(piece.footprint for piece in standing), *doors]))
-    width = float(min(largest.size))
-    return any(part.area > 2 * largest.footprint.area for part in pieces_of_area(free.buffer(-width / 2).buffer(width / 2)))
+    short, long = sorted(float(length) for length in largest.size)
+    wide = (short + WALKWAY) / 2
+    return any(longest_side(part) >= long for part in pieces_of_area(free.buffer(-wide).buffer(wide)))
+
+
+def longest_side(part: shapely.Polygon) -> float:
+    corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(part))
+    return float(np.hypot(*np.diff(corners, axis=0).T).max())
 
 
 def judge_crooked(room: Room) -> Answer | None:
@@ -176,7 +184,7 @@ def judge_sparse(room: Room) -> Answer | None:
     return answer([Fault(f"{filled:.1%} of the floor are furnished", (), filled)] if filled < least else [], filled)
 
 
-SURFACES = {"desk", "small_desk", "sideboard", "worktop", "prep_worktop", "low_bookshelf", "dresser", "console_table"}
+SURFACES = {"desk", "small_desk", "executive_desk", "sideboard", "worktop", "prep_worktop", "landing_worktop"}
 
 
 def judge_empty(room: Room) -> Answer | None:

@@ -8,7 +8,7 @@ import shapely
 from ..floors import Room, Side
 from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
-from ..roles import CURTAINS, SCREENS, VIEWERS
+from ..roles import CHAIRS, CURTAINS, OFFICE_CHAIRS, SCREENS, SLIM_KINDS, VIEWERS
 from ..shapes import angle_between
 
 # Degrees off a screen's axis, and diagonals of the screen between it and who looks.
@@ -78,8 +78,10 @@ def judge_windows(room: Room) -> Answer | None:
 
 
 def takes_light(piece: Piece) -> bool:
-    """Curtains do not, nor do plants, lamps and small things that are slim."""
-    return piece.kind not in CURTAINS and max(piece.size) >= SLIM
+    """Curtains do not, nor do chairs, which are moved, nor plants, lamps and small things on others that are slim."""
+    if piece.kind in CURTAINS | CHAIRS | OFFICE_CHAIRS:
+        return False
+    return max(piece.size) >= SLIM or not (piece.kind in SLIM_KINDS or piece.carrier is not None)
 
 
 MEASURES = [

@@ -57,6 +57,6 @@ def is_in_row(seat: Piece, other: Piece) -> bool:
 
 MEASURES = [
     Measure("chair_away", "every dining chair is at a table, and looks to it", "chairs", "0; ≤ 0.3 m, ≤ 45°", "project",
-            judge_chairs, audit="facing"),
+            judge_chairs),
     Measure("row_seat_alone", "every seat of a row has another beside it", "seats", "0", "project", judge_row_seats),
 ]
