@@ -2,7 +2,7 @@
 # Bakes known floors with many seeds and judges them: bash scripts/judge_known_floors.sh [SEEDS [PLANS...]]
 #
 # Prints the tables of judge.py over all seeds: measures, agreement with the audit, variety, worst rooms. SEEDS is 20 and
-# PLANS is ../shared/data/floorplans unless they are named. The drawings of archilyse below PLANS are compared with, too.
+# PLANS is ../shared/data/floorplans unless they are named. Drawings of the first of PLANS are compared with, too.
 # ROOMWRIGHT_PROGRAM names the program (target/release/roomwright), ROOMWRIGHT_PYTHON the Python (.venv/bin/python), WORST
 # the number of rooms listed for each measure (10). Bakes take 60 MB a seed, in a folder that goes when the script ends.
 set -euo pipefail
@@ -23,9 +23,7 @@ for seed in $(seq 1 "$seeds"); do
   # Faulty plans are reported, and the others baked.
   "$program" bake "${plans[@]}" --out "$work/$seed" --seed "$seed" --textures none --quiet >"$work/log" 2>&1 || true
 done
-drawn=()
-[ ! -d "${plans[0]}/archilyse" ] || drawn=(--drawn "${plans[0]}/archilyse")
 files=$(find "$work" -name '*.glb' | wc -l)
 [ "$files" -gt 0 ] || { echo "nothing was baked:"; cat "$work/log"; exit 2; }
 echo "$files files of $seeds seeds: ${plans[*]}"
-"$python" scripts/judge.py "$work" "${drawn[@]}" --compare --variety --worst "${WORST:-10}"
+"$python" scripts/judge.py "$work" --drawn "${plans[0]}" --compare --variety --worst "${WORST:-10}"

@@ -4,6 +4,7 @@
     roles        what pieces are for, by the names of their classes
     drawn        fixtures in architects' drawings
     pieces       pieces of furniture where they stand
+    ifc          furniture in IFC files
     floors       finished files as rooms with pieces
     clear        free space before sides, and where one can walk
     measure      what a measure is

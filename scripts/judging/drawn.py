@@ -28,7 +28,8 @@ class Drawn:
 
     @property
     def use(self) -> str:
-        return USES[self.name]
+        """What it is for; empty for furniture that is no fixture."""
+        return USES.get(self.name, "")
 
     @property
     def shape(self) -> shapely.Polygon:

@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 import shapely
 
-from .drawn import read_drawn
+from .drawn import Drawn, read_drawn
 from .floors import Floor, Room, read_floor
+from .ifc import read_ifc
 from .measure import Answer
 from .pieces import MeshShelf
 from .table import MEASURES
@@ -35,7 +36,8 @@ class Verdict(NamedTuple):
     answers: dict[str, Answer]
     audit: dict[str, tuple[str, ...]]
     given: dict[str, tuple[str, ...]]
-    not_required: tuple[str, ...]  # required classes that are missing without a finding: the audit says that the plan has no place
+    # Required classes that are missing without a finding: the audit says that the plan has no place for them.
+    not_required: tuple[str, ...]
     arrangement: Arrangement
 
 
@@ -66,8 +68,12 @@ def shelf() -> MeshShelf:
 
 
 @lru_cache(maxsize=1)
-def drawings(folder: Path) -> dict:
-    return read_drawn(folder)
+def drawings(folder: Path) -> dict[tuple[str, str], list[Drawn]]:
+    """What architects drew, by building and level: archilyse's drawings and IFC files below a folder."""
+    found = read_drawn(folder)
+    for path in sorted(folder.rglob("*.ifc")):
+        found |= read_ifc(path)
+    return found
 
 
 def judge_room(room: Room) -> Verdict:
@@ -76,7 +82,8 @@ def judge_room(room: Room) -> Verdict:
     findings = room.extras.get("findings", [])
     given = [finding for finding in findings if finding["severity"] == "given"]
     counted = [finding for finding in findings if finding["severity"] != "given"]
-    return Verdict(place, room.area, answers, by_code(counted), by_code(given), given_classes(room, counted), arrangement_of(room))
+    return Verdict(place, room.area, answers, by_code(counted), by_code(given), given_classes(room, counted),
+                   arrangement_of(room))
 
 
 def given_classes(room: Room, counted: list[dict]) -> tuple[str, ...]:

@@ -79,9 +79,10 @@ def disagreements(verdicts: list[Verdict], measure: Measure, most: int) -> list[
         if found is not None and bool(found.faults) != (measure.audit in audit):
             what = found.faults[0].note if found.faults else ", ".join(audit[measure.audit])
             pieces = f" ({', '.join(found.faults[0].pieces)})" if found.faults and found.faults[0].pieces else ""
-            line = f"{'/'.join(verdict.place[:3])} {verdict.place.kind} {verdict.area:.1f} m², seed {verdict.place.seed}: {what}{pieces}"
+            line = f"{named(verdict)}, seed {verdict.place.seed}: {what}{pieces}"
             (only_judge if found.faults else only_audit).append(line)
-    return [*(f"only the audit: {line}" for line in only_audit[:most]), *(f"only the judge: {line}" for line in only_judge[:most])]
+    return [*(f"only the audit: {line}" for line in only_audit[:most]),
+            *(f"only the judge: {line}" for line in only_judge[:most])]
 
 
 def markdown(verdicts: list[Verdict]) -> str:
@@ -124,9 +125,9 @@ def given_lines(verdicts: list[Verdict]) -> list[str]:
         if verdict.not_required:
             rooms.setdefault(verdict.place[:3], []).append(verdict)
     lines = []
-    for place, group in sorted(rooms.items(), key=lambda entry: (-len(entry[1]), entry[0])):
+    for _, group in sorted(rooms.items(), key=lambda entry: (-len(entry[1]), entry[0])):
         first = group[0]
-        lines.append(f"{'/'.join(place)} {first.place.kind} {first.area:.1f} m², {seeds_of(group)}: no {', '.join(first.not_required)}")
+        lines.append(f"{named(first)}, {seeds_of(group)}: no {', '.join(first.not_required)}")
     return lines
 
 
@@ -159,8 +160,12 @@ def line_of(group: list[Verdict], code: str) -> str:
     pieces = f" ({', '.join(fault.pieces[:5])})" if fault.pieces else ""
     seeds = f"seed {place.seed}" if len(group) == 1 else f"{seeds_of(group)}, {place.seed} first"
     more = len(first.answers[code].faults) - 1
-    return (f"{place.building}/{place.level}/{place.room} {place.kind} {first.area:.1f} m², {seeds}: {fault.note}{pieces}"
-            + (f", and {more} more" if more else ""))
+    return f"{named(first)}, {seeds}: {fault.note}{pieces}" + (f", and {more} more" if more else "")
+
+
+def named(verdict: Verdict) -> str:
+    place = verdict.place
+    return f"{place.building}/{place.level}/{place.room} {place.kind} {verdict.area:.1f} m²"
 
 
 def seeds_of(group: list[Verdict]) -> str:

@@ -10,6 +10,7 @@ import shapely
 from .drawn import Drawn
 from .floors import Room
 from .pieces import Piece
+from .roles import BASINS, BEDS, COFFEE_TABLES, KITCHEN_UNITS, SOFAS, TABLES, TOILETS, WARDROBES
 from .shapes import pieces_of_area, rectangle
 
 # Pixels a metre, and metres of margin.
@@ -18,6 +19,12 @@ MARGIN = 0.4
 INK, FLOOR, PIECE, TOP, GLASS, DOOR, THEIRS = "#333", "#fbfaf7", "#d9e2ec", "#eef2f6", "#7fb2e5", "#c98", "#f0d9b5"
 # Metres: what is smaller is not drawn.
 SMALL = 0.12
+# Metres between units that are one block.
+JOINT = 0.01
+# What architects draw, by their words; furniture where a room's drawing has some.
+FIXTURES = {"kitchen": KITCHEN_UNITS, "toilet": TOILETS, "sink": BASINS, "bathtub": {"bathtub"},
+            "shower": {"shower", "small_shower"}}
+FURNITURE = {"sofa": SOFAS, "bed": BEDS, "table": TABLES | COFFEE_TABLES, "wardrobe": WARDROBES}
 
 
 class Shape(NamedTuple):
@@ -55,6 +62,18 @@ def own_shapes(room: Room) -> list[Shape]:
 def front_mark(piece: Piece) -> Shape:
     start, end, outward = piece.side("front")
     return Shape(rectangle(start, end, -outward * 0.04), INK, "none")
+
+
+def fixture_shapes(room: Room) -> list[Shape]:
+    """The pieces that architects draw, too, in their style: boxes, and units that touch as one block."""
+    shapes = []
+    is_furnished = any(drawn.name in FURNITURE for drawn in room.drawn)
+    for word, kinds in (FIXTURES | FURNITURE if is_furnished else FIXTURES).items():
+        pieces = [piece for piece in room.of(kinds) if piece.carrier is None and piece.low < 1.0]
+        boxes = [piece.zone("back", -float(piece.size[1])) for piece in pieces]
+        whole = shapely.union_all(boxes).buffer(JOINT, join_style="mitre").buffer(-JOINT, join_style="mitre")
+        shapes += [Shape(block, THEIRS, word=word) for block in pieces_of_area(whole)]
+    return shapes
 
 
 def drawn_shapes(drawn: list[Drawn]) -> list[Shape]:

@@ -42,7 +42,8 @@ class Arrangement(NamedTuple):
 
 
 def arrangement_of(room: Room) -> Arrangement:
-    pieces = [piece for piece in room.standing if piece.footprint.area >= LEAST_PIECE and piece.kind not in CHAIRS | OFFICE_CHAIRS]
+    pieces = [piece for piece in room.standing
+              if piece.footprint.area >= LEAST_PIECE and piece.kind not in CHAIRS | OFFICE_CHAIRS]
     stands = tuple(Stand(piece.kind, tuple(piece.center), tuple(piece.front), piece.footprint.area) for piece in pieces)
     return Arrangement(shapely.to_wkb(room.region), stands)
 

@@ -7,6 +7,7 @@ import pytest
 
 from judged_floor import Judged, house
 from judging.drawn import Drawn, fixture_of
+from judging.ifc import read_ifc
 from judging.table import MEASURES
 
 UNIT = (0.6, 0.6, 0.9)
@@ -147,3 +148,35 @@ def test_the_wall_of_a_fixture_is_compared_with_the_architects(drawn, agrees, tm
 def test_drawings_are_in_metres(tmp_path):
     assert np.allclose(drawn_toilet(0.35, 1.0, 90.0).center, (0.35, 1.0))
     assert drawn_toilet(0.35, 1.0, 90.0).shape.bounds == pytest.approx((0.15, 0.65, 0.55, 1.35))
+
+
+def test_the_furniture_of_an_ifc_file_has_its_place_and_box(tmp_path):
+    """A cabinet of 1 x 0.6 m, turned by a right angle, on a storey; and one that hangs."""
+    def product(first: int, name: str, lift: float) -> str:
+        return f"""#{first}= IFCFURNISHINGELEMENT('x',#1,'{name}',$,'',#{first + 1},#{first + 4},'');
+#{first + 1}= IFCLOCALPLACEMENT(#10,#{first + 2});
+#{first + 2}= IFCAXIS2PLACEMENT3D(#{first + 3},#21,#22);
+#{first + 3}= IFCCARTESIANPOINT((2.,3.,{lift}));
+#{first + 4}= IFCPRODUCTDEFINITIONSHAPE($,$,(#30));
+"""
+    (tmp_path / "house.ifc").write_text("""#5= IFCBUILDINGSTOREY('x',#1,'Level 1',$,$,#10,$,$,.ELEMENT.,0.);
+#10= IFCLOCALPLACEMENT($,#11);
+#11= IFCAXIS2PLACEMENT3D(#12,$,$);
+#12= IFCCARTESIANPOINT((10.,0.,0.));
+#21= IFCDIRECTION((0.,0.,1.));
+#22= IFCDIRECTION((0.,1.,0.));
+#30= IFCSHAPEREPRESENTATION(#31,'Body','MappedRepresentation',(#32));
+#31= IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#11,$);
+#32= IFCMAPPEDITEM(#33,#36);
+#33= IFCREPRESENTATIONMAP(#11,#34);
+#34= IFCSHAPEREPRESENTATION(#31,'Body','Brep',(#35));
+#35= IFCPOLYLOOP((#38,#39));
+#36= IFCCARTESIANTRANSFORMATIONOPERATOR3D($,$,#37,1.,$);
+#37= IFCCARTESIANPOINT((0.,0.,0.));
+#38= IFCCARTESIANPOINT((-0.5,-0.3,0.));
+#39= IFCCARTESIANPOINT((0.5,0.3,0.9));
+""" + product(50, "M_Base Cabinet", 0.0) + product(60, "M_Upper Cabinet", 1.4) + product(70, "M_Base Cabinet on a wall", 1.4))
+    [(place, pieces)] = read_ifc(tmp_path / "house.ifc").items()
+    assert place == ("house", "level_1") and [piece.name for piece in pieces] == ["kitchen"]
+    assert pieces[0].center == pytest.approx((12.0, 3.0)) and pieces[0].size == pytest.approx((1.0, 0.6))
+    assert pieces[0].shape.bounds == pytest.approx((11.7, 2.5, 12.3, 3.5))
