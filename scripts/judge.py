@@ -28,7 +28,8 @@ from tqdm import tqdm
 
 from checks.manifest import scenes_in
 from judging.judgement import Task, Verdict, judge_file
-from judging.report import agreement_of, disagreements, given_lines, markdown, measures_table, rows_of, variety_of, worst_rooms
+from judging.report import (agreement_of, disagreements, given_lines, markdown, measures_table, rows_of, variety_of,
+                            worst_rooms)
 from judging.table import MEASURES
 from workers import outcomes
 
@@ -131,8 +132,8 @@ def comparison(verdicts: list[Verdict], most: int) -> str:
 def given(verdicts: list[Verdict], most: int) -> str:
     lines = given_lines(verdicts)
     rooms = len({verdict.place[:3] for verdict in verdicts})
-    head = (f"Given by the plan, as the audit has it: a required piece is missing without a finding in {len(lines)} of {rooms} rooms"
-            f" ({len(lines) / rooms:.1%})").replace("%", " %")
+    head = (f"Given by the plan, as the audit has it: a required piece is missing without a finding in {len(lines)} of {rooms} "
+            f"rooms ({len(lines) / max(rooms, 1):.1%})").replace("%", " %")
     return "\n".join([head, *(f"- {line}" for line in lines[:most])])
 
 
@@ -140,8 +141,9 @@ def variety(verdicts: list[Verdict]) -> str:
     counts = list(variety_of(verdicts).values())
     seeds = len({verdict.place.seed for verdict in verdicts})
     least = sum(count >= LEAST_VARIETY for count in counts)
-    return (f"Variety: {least} of {len(counts)} rooms ({least / max(len(counts), 1):.0%}) have {LEAST_VARIETY} or more arrangements in "
-            f"{seeds} seeds, mirrored ones counted once; a room has {sum(counts) / max(len(counts), 1):.1f} on average").replace("%", " %")
+    rooms = max(len(counts), 1)
+    return (f"Variety: {least} of {len(counts)} rooms ({least / rooms:.0%}) have {LEAST_VARIETY} or more arrangements in {seeds} "
+            f"seeds, mirrored ones counted once; a room has {sum(counts) / rooms:.1f} on average").replace("%", " %")
 
 
 def as_json(verdicts: list[Verdict]) -> str:

@@ -86,7 +86,8 @@ def disagreements(verdicts: list[Verdict], measure: Measure, most: int) -> list[
 
 
 def markdown(verdicts: list[Verdict]) -> str:
-    lines = ["| measure | limit | rooms | failing | share | wanted | mean (5 %, median, 95 %) |", "|---|---|---|---|---|---|---|"]
+    lines = ["| measure | limit | rooms | failing | share | wanted | mean (5 %, median, 95 %) |",
+             "|---|---|---|---|---|---|---|"]
     for subject, rows in rows_of(verdicts).items():
         for row, measure in zip(rows, SUBJECTS[subject].MEASURES):
             lines.append(f"| `{row.code}` | {measure.limit} | {row.judged:,} | {row.failing:,} | {share(row)} "
@@ -105,7 +106,8 @@ def wanted(row: Row) -> str:
 
 def measures_table() -> str:
     """All measures with their limits, for docs/judge.md."""
-    lines = ["| measure | a room passes if | limit | unit | may fail | source | audit's code |", "|---|---|---|---|---|---|---|"]
+    lines = ["| measure | a room passes if | limit | unit | may fail | source | audit's code |",
+             "|---|---|---|---|---|---|---|"]
     for module in SUBJECTS.values():
         for measure in module.MEASURES:
             audit = f"`{measure.audit}`" if measure.audit else ""

@@ -44,6 +44,7 @@ ART = {"picture", "poster", "mirror", "vanity_mirror"}
 MIRRORS = {"mirror", "vanity_mirror"}
 CURTAINS = {"curtain"}
 SLIM_KINDS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter", "floor_lamp"}
+LIBRARY_SHELVES = {"library_shelf", "library_stack", "archive_shelf"}
 ROW_SEATS = {"auditorium_seat"}
 
 STORAGE = WARDROBES | {"dresser", "bookshelf", "low_bookshelf", "plank_shelf", "cabinet", "tall_cabinet", "filing_cabinet",

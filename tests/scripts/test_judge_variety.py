@@ -59,6 +59,7 @@ def test_the_command_reports_variety_and_what_plans_have_no_place_for(tmp_path, 
 def test_a_required_piece_with_a_finding_is_not_given(tmp_path, capsys):
     missing = [{"class": "double_bed", "reason": "clearance", "required": True}]
     finding = [{"code": "missing_required", "severity": "failed", "objects": ["double_bed"]}]
-    write(tmp_path / "a", house("bedroom", 5.0, 4.0, removed=missing, findings=finding).piece("wardrobe", 1.0, 3.7, "south", WARDROBE))
+    made = house("bedroom", 5.0, 4.0, removed=missing, findings=finding)
+    write(tmp_path / "a", made.piece("wardrobe", 1.0, 3.7, "south", WARDROBE))
     assert main([str(tmp_path), "--quiet", "--compare", "--worst", "3"]) == 0
     assert "in 0 of 1 rooms" in capsys.readouterr().out

@@ -8,8 +8,8 @@ import shapely
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
-from ..roles import (BASINS, BEDS, COOKERS, DESKS, DOUBLE_BEDS, DRESSING, FRIDGES, HALLS, HOME_ROOMS, KITCHENS, LIVING_ROOMS, MIRRORS,
-                     OFFICE_CHAIRS, SINKS, SOFAS, STORAGE, TOILETS, TUBS, TV_STANDS)
+from ..roles import (BASINS, BEDS, COOKERS, DESKS, DOUBLE_BEDS, DRESSING, FRIDGES, HALLS, HOME_ROOMS, KITCHENS, LIVING_ROOMS,
+                     MIRRORS, OFFICE_CHAIRS, SINKS, SOFAS, STORAGE, TOILETS, TUBS, TV_STANDS)
 from ..shapes import angle_between, pieces_of_area
 
 FACING = 30.0
@@ -25,6 +25,8 @@ WALKWAY = 0.75
 CROOKED = 5.0
 # The share of requested pieces that rest.
 RESTING = 0.9
+# The share of the surfaces that carry something.
+CARRYING = 0.5
 # Half of the least density by default: 25 % of the floor in living spaces, 10 % in circulation; from this area on.
 SPARSE = {True: 0.05, False: 0.125}
 SPARSE_AREA = 4.0
@@ -194,17 +196,18 @@ def judge_empty(room: Room) -> Answer | None:
     carrying = {piece.carrier.id for piece in room.pieces if piece.carrier is not None}
     empty = [piece.id for piece in surfaces if piece.id not in carrying]
     share = 1 - len(empty) / len(surfaces)
-    return answer([Fault(f"{len(empty)} of {len(surfaces)} surfaces are empty", tuple(empty), share)] if share < 0.5 else [], share)
+    faults = [Fault(f"{len(empty)} of {len(surfaces)} surfaces are empty", tuple(empty), share)]
+    return answer(faults if share < CARRYING else [], share)
 
 
 MEASURES = [
-    Measure("facing", "a desk's chair looks at it, a mirror hangs over something", "°", "≤ 30", "Merrell et al. 2011", judge_desks,
-            audit="facing"),
+    Measure("facing", "a desk's chair looks at it, a mirror hangs over something", "°", "≤ 30", "Merrell et al. 2011",
+            judge_desks, audit="facing"),
     Measure("wet_room", "no tub or shower is right before the toilet", "m", "0.53", "NKBA", judge_wet, audit="wet_room"),
     Measure("bedside", "both sides of a double bed are free in rooms over 10 m²", "m", "0.30", "HUD 1973", judge_bedside,
             audit="bedside"),
-    Measure("crowded_half", "no half of a room over 10 m² has nearly all furniture while the other has room", "share", "≤ 85 %",
-            "QUALITY §2", judge_halves, audit="crowded_half"),
+    Measure("crowded_half", "no half of a room over 10 m² has nearly all furniture while the other has room", "share",
+            "≤ 85 %", "QUALITY §2", judge_halves, audit="crowded_half"),
     Measure("crooked", "wall furniture is parallel to its wall", "°", "≤ 5", "QUALITY §2", judge_crooked, audit="crooked"),
     Measure("missing_required", "a room has what its kind requires, and a desk its chair", "", "by kind, from 1.4–8 m² on",
             "QUALITY §4", judge_required, audit="missing_required"),

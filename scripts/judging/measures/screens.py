@@ -73,7 +73,8 @@ def judge_windows(room: Room) -> Answer | None:
         zone, sill = side.before(BEFORE).buffer(-0.01), max(opening.sill + OVER_SILL, LOW)
         for piece in room.pieces:
             if piece.high > sill and takes_light(piece) and piece.below(opening.sill + opening.height, sill).intersects(zone):
-                faults.append(Fault(f"{piece.high:.2f} m high before window {opening.id}", (piece.id,), piece.high - opening.sill))
+                note = f"{piece.high:.2f} m high before window {opening.id}"
+                faults.append(Fault(note, (piece.id,), piece.high - opening.sill))
     return answer(faults)
 
 
@@ -85,8 +86,8 @@ def takes_light(piece: Piece) -> bool:
 
 
 MEASURES = [
-    Measure("tv_position", "a screen is seen from a seat or bed, and is before no window", "", "30°, 1.2–3.5 diagonals, line of sight",
-            "SMPTE, THX", judge_screens, audit="tv_position"),
+    Measure("tv_position", "a screen is seen from a seat or bed, and is before no window", "",
+            "30°, 1.2–3.5 diagonals, line of sight", "SMPTE, THX", judge_screens, audit="tv_position"),
     Measure("window_blocked", "no body before a window takes its light", "m", "0.1 over the sill, 0.5 before it", "QUALITY §2",
             judge_windows, audit="window_blocked"),
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ..floors import Room
@@ -19,6 +21,10 @@ LEAST = 0.05
 # Metres of a hall's width from which on it is a room that wants furniture, and below which nothing stands in it.
 WIDE_HALL = 1.6
 NARROW_HALL = 1.2
+ROOM_HALL = 2.4
+# Square metres of the smallest hall, and of the smallest piece: not an umbrella stand.
+LEAST_HALL = 2.0
+LEAST_PIECE = 0.1
 
 
 def judge_bare(room: Room) -> Answer | None:
@@ -84,23 +90,32 @@ def longest_gap(low: float, high: float, taken: list[tuple[float, float]]) -> fl
     return max(longest, high - reached)
 
 
-def judge_hall(room: Room) -> Answer | None:
-    """A wide hall without furniture, or a narrow one with pieces that narrow it."""
-    if room.kind not in HALLS or room.area < 2.0:
-        return None
-    width = width_of(room.region)
-    standing = [piece.id for piece in room.standing if piece.footprint.area > 0.05]
-    if width >= WIDE_HALL and not standing:
-        return answer([Fault(f"nothing stands in a hall {width:.1f} m wide", (), width)], width)
-    if width < NARROW_HALL and standing:
-        return answer([Fault(f"{len(standing)} pieces stand in a hall {width:.1f} m wide", tuple(standing), width)], width)
-    return answer([], width)
+def judge_halls(least: float, most: float, limit: Callable[[int], bool]) -> Callable[[Room], Answer | None]:
+    """Halls of some widths, by the number of pieces that stand in them; the value is the share of the floor that they take."""
+    def judge(room: Room) -> Answer | None:
+        width = width_of(room.region)
+        if room.kind not in HALLS or room.area < LEAST_HALL or not least <= width < most:
+            return None
+        standing = [piece for piece in room.standing if piece.footprint.area > LEAST_PIECE]
+        filled = sum(piece.footprint.area for piece in standing) / room.area
+        if limit(len(standing)):
+            return answer([], filled)
+        ids = tuple(piece.id for piece in standing)
+        return answer([Fault(f"{len(standing) or 'no'} pieces stand in a hall {width:.2f} m wide", ids, width)], filled)
+
+    return judge
 
 
 MEASURES = [
     Measure("bare_wall", "no stretch of a wall is without furniture, art, door or window", "m", "≤ 3; 0.35 m deep",
             "project", judge_bare),
     Measure("bare_hall_wall", "the same in corridors and halls", "m", "≤ 3", "project", judge_bare_hall),
-    Measure("hall_width", "a hall has furniture if it is wide, and none that narrows it", "m", "from 1.6; under 1.2",
-            "UK Part M; HUD", judge_hall),
+    Measure("hall_narrow", "nothing stands in a hall so narrow", "of the floor", "under 1.2 m wide", "UK Part M; HUD",
+            judge_halls(0.0, NARROW_HALL, lambda count: count == 0)),
+    Measure("hall_middling", "a hall with room at one side (a distribution, no limit)", "of the floor", "1.2–1.6 m", "UK Part M; HUD",
+            judge_halls(NARROW_HALL, WIDE_HALL, lambda count: True)),
+    Measure("hall_wide", "something stands in a hall so wide", "of the floor", "1.6–2.4 m", "project",
+            judge_halls(WIDE_HALL, ROOM_HALL, lambda count: count > 0)),
+    Measure("hall_room", "a hall as wide as a room has several pieces", "of the floor", "from 2.4 m", "project",
+            judge_halls(ROOM_HALL, float("inf"), lambda count: count > 1)),
 ]
