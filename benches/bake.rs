@@ -37,7 +37,7 @@ fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models
         furnished: &furnished,
         verdicts: &verdicts,
         catalog,
-        models: &|class, variant, geometry| models.model(class, variant, geometry),
+        models: &|of, geometry| models.model(of, geometry),
         textures: None,
         swatches: None,
         options: SceneOptions::default(),

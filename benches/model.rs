@@ -1,7 +1,7 @@
 //! Benchmark of building models: all recipes in each geometry set; every class, variant and set of the catalogue.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use roomwright::internals::catalog::{Catalog, Class, load_catalog};
+use roomwright::internals::catalog::{Catalog, Class, VariantRef, load_catalog};
 use roomwright::internals::model::ModelLibrary;
 use roomwright::internals::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
 use std::hint::black_box;
@@ -16,11 +16,11 @@ fn build_all(geometry: GeometrySet) -> usize {
 fn build_library(catalog: &Catalog) -> usize {
     let library = ModelLibrary::load(catalog).expect("the built-in models are sound");
     let variants = |(class, entry): (usize, &Class)| {
-        (0..entry.variant_count()).map(move |variant| (class, variant)).collect::<Vec<_>>()
+        (0..entry.variant_count()).map(move |variant| VariantRef::new(class, variant)).collect::<Vec<_>>()
     };
     let all = catalog.classes.iter().enumerate().flat_map(variants);
-    let build = |(class, variant)| GeometrySet::ALL.map(|set| (class, variant, set));
-    all.flat_map(build).map(|(class, variant, set)| library.model(class, variant, set).primitives.len()).sum()
+    let build = |of| GeometrySet::ALL.map(|set| (of, set));
+    all.flat_map(build).map(|(of, set)| library.model(of, set).primitives.len()).sum()
 }
 
 fn models(criterion: &mut Criterion) {

@@ -12,7 +12,7 @@ pub mod best {
 pub mod catalog {
     pub use crate::catalog::{
         Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, Material, Palette, Plausible,
-        RoomType, Share, Side, Size, Style, Untidiness, load_catalog,
+        RoomType, Share, Side, Size, Style, Untidiness, VariantRef, load_catalog,
     };
 }
 pub mod contract {

@@ -38,7 +38,7 @@ impl Floor {
 
     /// Runs `use_it` with the scene's input.
     pub(crate) fn with_input<T>(&self, use_it: impl FnOnce(&SceneInput<'_>) -> T) -> T {
-        let models = |class, variant, geometry| self.library.model(class, variant, geometry);
+        let models = |of, geometry| self.library.model(of, geometry);
         use_it(&SceneInput {
             style: None,
             level: &self.level,

@@ -162,9 +162,7 @@ fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
         furnished: &rooms.furnished,
         verdicts: &rooms.verdicts,
         catalog,
-        models: &|class, variant, geometry| {
-            context.models.model_in_detail(class, variant, geometry, context.options.level.detail)
-        },
+        models: &|of, geometry| context.models.model_in_detail(of, geometry, context.options.level.detail),
         swatches: context.swatched.as_ref(),
         options: context.options.level.scene,
         textures: context.textures.as_ref(),

@@ -14,6 +14,23 @@ use crate::recipes::Recipe;
 /// Index of a class in [`crate::catalog::Catalog::classes`].
 pub type ClassIndex = usize;
 
+/// A variant of a class of the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct VariantRef {
+    /// The class.
+    pub class: ClassIndex,
+    /// The variant, below [`Class::variant_count`].
+    pub variant: u32,
+}
+
+impl VariantRef {
+    /// A variant of a class.
+    #[must_use]
+    pub fn new(class: ClassIndex, variant: u32) -> Self {
+        Self { class, variant }
+    }
+}
+
 /// Metres of height up to which what lies on the floor is stood on and walked over like the floor itself: the highest
 /// threshold without a barrier (DIN 18040-2, 4.3.3.1).
 pub const COVERING_HEIGHT: f64 = 0.02;

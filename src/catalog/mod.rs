@@ -39,7 +39,7 @@ pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{builtin_file, builtin_files};
 pub use class::{
     Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, Grid, ModelSource, Orientation, ParentName,
-    ParentRule, Relation, RelationKind, SideOffer, Turn,
+    ParentRule, Relation, RelationKind, SideOffer, Turn, VariantRef,
 };
 pub use describe::{Description, describe, style_differences};
 #[cfg(test)]

@@ -16,6 +16,21 @@ pub struct ObjectId {
     pub number: u32,
 }
 
+/// A variant of a class: `desk.3`.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct VariantId {
+    /// Id of the class.
+    pub class: String,
+    /// Counts the variants of the class, from 0.
+    pub number: u32,
+}
+
+impl fmt::Display for VariantId {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}.{}", self.class, self.number)
+    }
+}
+
 /// An element of a room as `parent`, findings, answers and edits name it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ElementId {

@@ -13,6 +13,7 @@
 //!       '- lamp.1@201
 //! ```
 
+use crate::contract::VariantId;
 use std::fmt::{Display, Write};
 
 use super::id::ObjectId;
@@ -65,19 +66,19 @@ pub fn owner_in_name<'n>(name: &'n str, id: &ObjectId) -> Option<&'n str> {
 
 /// Name of the mesh of a variant of a class: `desk.3@modern/oak`, from the second look on `desk.3@modern/oak#2`.
 #[must_use]
-pub fn model_name(class: &str, variant: u32, (geometry, palette): (&str, &str), look: usize) -> String {
-    let mut name = format!("{class}.{variant}{OF}{geometry}/{palette}");
+pub fn model_name(variant: &VariantId, geometry: &str, palette: &str, look: usize) -> String {
+    let mut name = format!("{variant}{OF}{geometry}/{palette}");
     if look > 1 {
         let _ = write!(name, "#{look}");
     }
     name
 }
 
-/// The class and variant in the name of a mesh: the other way of [`model_name`].
+/// The variant in the name of a mesh: the other way of [`model_name`].
 #[must_use]
-pub fn model_in_name(name: &str) -> Option<(&str, u32)> {
-    let (class, variant) = name.split_once(OF)?.0.rsplit_once('.')?;
-    Some((class, variant.parse().ok()?))
+pub fn model_in_name(name: &str) -> Option<VariantId> {
+    let (class, number) = name.split_once(OF)?.0.rsplit_once('.')?;
+    Some(VariantId { class: class.to_owned(), number: number.parse().ok()? })
 }
 
 #[cfg(test)]
@@ -92,8 +93,10 @@ mod tests {
         assert_eq!(owner("desk.1@101.002").as_deref(), Some("101"));
         assert_eq!(owner("favourite desk"), None);
         assert_eq!(room_in_name(&room_name("1.001")), Some("1.001"));
-        assert_eq!(model_in_name(&model_name("arm_chair", 3, ("plain", "oak"), 1)), Some(("arm_chair", 3)));
-        assert_eq!(model_in_name(&model_name("arm_chair", 3, ("plain", "oak"), 2)), Some(("arm_chair", 3)));
+        let chair = VariantId { class: "arm_chair".to_owned(), number: 3 };
+        for look in [1, 2] {
+            assert_eq!(model_in_name(&model_name(&chair, "plain", "oak", look)), Some(chair.clone()));
+        }
         assert_eq!(model_in_name("Cube.001"), None);
     }
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use super::file::{ObjectEntry, RoomEntry};
 use super::standing::{Floor, Key, moved, own_keys, round, turned};
 use crate::catalog::{Catalog, Side, Size};
-use crate::contract::ObjectId;
+use crate::contract::{ObjectId, VariantId};
 use crate::document::{Fault, Faults};
 use crate::read_back::{Survey, SurveyedObject, SurveyedPlace};
 
@@ -85,7 +85,7 @@ struct Capturing<'a> {
     /// The new objects by the ids that they say they have.
     by_id: BTreeMap<&'a ObjectId, Vec<usize>>,
     /// The looks of the old models.
-    models: &'a BTreeMap<(String, u32), String>,
+    models: &'a BTreeMap<VariantId, String>,
     /// Names of new nodes whose extras cannot be read.
     broken: &'a [String],
     entries: BTreeMap<String, BTreeMap<String, ObjectEntry>>,
@@ -173,11 +173,12 @@ impl Capturing<'_> {
         let (before, after) = (&self.old.objects[old], &self.new.objects[new]);
         let mut entry = ObjectEntry::default();
         let model = self.look(before, after);
-        if model.0 != before.class {
-            entry.class = Some(model.0.clone());
+        let is_new = model != said_variant(before);
+        if model.class != before.class {
+            entry.class = Some(model.class);
         }
-        if model != (before.class.clone(), before.variant) {
-            entry.variant = Some(model.1);
+        if is_new {
+            entry.variant = Some(model.number);
         }
         let Some(is) = self.new.standing(new) else {
             self.note(
@@ -187,7 +188,7 @@ impl Capturing<'_> {
             );
             return (entry != ObjectEntry::default()).then_some(entry);
         };
-        if model == (before.class.clone(), before.variant) && has_other_mesh(before, after) {
+        if !is_new && has_other_mesh(before, after) {
             self.note(
                 &after.node,
                 "has another mesh than it had: where it stands is not captured",
@@ -209,9 +210,9 @@ impl Capturing<'_> {
 
     /// Class and variant of an object after the edit: what its extras say, else, where only its mesh is another one, what
     /// that tells. Of meshes that are alike an editor may keep one for all.
-    fn look(&self, before: &SurveyedObject, after: &SurveyedObject) -> (String, u32) {
-        let said = (after.class.clone(), after.variant);
-        let is_said_anew = said != (before.class.clone(), before.variant);
+    fn look(&self, before: &SurveyedObject, after: &SurveyedObject) -> VariantId {
+        let said = said_variant(after);
+        let is_said_anew = said != said_variant(before);
         let (Some(was), Some(is), false) = (&before.model, &after.model, is_said_anew) else { return said };
         let is_alike = was == is || self.models.get(was) == self.models.get(is);
         if is_alike { said } else { is.clone() }
@@ -264,7 +265,7 @@ impl Capturing<'_> {
         };
         let entry = ObjectEntry {
             add: true,
-            variant: Some(object.model.as_ref().map_or(object.variant, |(_, variant)| *variant)),
+            variant: Some(object.model.as_ref().map_or(object.variant, |model| model.number)),
             side: Side::ALL.into_iter().find(|side| side.name() == object.side),
             at: moved(None, &is.place),
             turn: turned(None, &is.place),
@@ -283,6 +284,11 @@ impl Capturing<'_> {
 const UPRIGHT_HINT: &str = "furniture is moved, and turned about the vertical";
 
 const MESH_HINT: &str = "move objects, not their vertices, and do not apply transforms (Ctrl+A)";
+
+/// What the extras of an object say that it is.
+fn said_variant(object: &SurveyedObject) -> VariantId {
+    VariantId { class: object.class.clone(), number: object.variant }
+}
 
 /// Whether vertices were moved: the box around them is another one.
 fn has_other_mesh(before: &SurveyedObject, after: &SurveyedObject) -> bool {

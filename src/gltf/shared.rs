@@ -51,8 +51,7 @@ impl<'a> GeometryLibrary<'a> {
 /// The name tells class, variant and content, which sets of geometry may share.
 fn file_name(key: &ModelKey, bytes: &[u8]) -> String {
     let hash = content_hash(bytes);
-    let ModelKey { class, variant, .. } = key;
-    format!("{SHARED_GEOMETRY}/{class}.{variant}.{}.bin", &hash[..NAME_DIGITS])
+    format!("{SHARED_GEOMETRY}/{}.{}.bin", key.variant, &hash[..NAME_DIGITS])
 }
 
 /// What is painted on a material, in any palette.

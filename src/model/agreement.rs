@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::stand_in::{distance_outside, rules};
 use super::{Model, ModelLibrary, ModelMaterial, Primitive};
-use crate::catalog::{Catalog, Class, ModelSource, Side, Size, load_catalog};
+use crate::catalog::{Catalog, Class, ModelSource, Side, Size, VariantRef, load_catalog};
 use crate::recipes::{GeometrySet, Slot};
 
 /// Metres by which a part may stand out of the declared shape: room enough for cushions, seams and taps.
@@ -35,7 +35,7 @@ fn faults_of(is_wanted: impl Fn(&Class) -> bool, check: impl Fn(&Class, &Model, 
         for (variant, set) in
             (0..class.variant_count()).flat_map(|variant| GeometrySet::ALL.map(|set| (variant, set)))
         {
-            let model = library.model(index, variant, set);
+            let model = library.model(VariantRef::new(index, variant), set);
             if let Some(fault) = check(class, &model, class.size(variant)) {
                 writeln!(report, "{} {variant} {set}: {fault}", class.id).unwrap();
             }

@@ -24,7 +24,7 @@ impl Detail {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::load_catalog;
+    use crate::catalog::{VariantRef, load_catalog};
     use crate::model::{Model, ModelLibrary};
     use crate::recipes::GeometrySet;
 
@@ -59,7 +59,8 @@ mod tests {
             // The sets take turns: all of them for each class would take a minute without optimization.
             for set in GeometrySet::ALL.into_iter().skip(index % 4).step_by(4) {
                 let name = format!("{} ({set})", class.id);
-                let models = Detail::ALL.map(|detail| library.model_in_detail(index, 0, set, detail));
+                let models =
+                    Detail::ALL.map(|detail| library.model_in_detail(VariantRef::new(index, 0), set, detail));
                 let counts = models.each_ref().map(|model| triangle_count(model));
                 assert!(counts[1] <= counts[0] && counts[1] > 0 && counts[2] > 0, "{name}: {counts:?}");
                 sums = [0, 1, 2].map(|detail| sums[detail] + counts[detail]);

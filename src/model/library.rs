@@ -6,7 +6,7 @@ use super::reduce::reduced;
 use super::stand_in::stand_in;
 use super::{Detail, Model};
 use crate::cache::Cache;
-use crate::catalog::{Catalog, Class, ClassIndex, ModelSource, Shape, Size};
+use crate::catalog::{Catalog, Class, ModelSource, Shape, Size, VariantRef};
 use crate::document::Faults;
 use crate::model_file::UserModels;
 use crate::recipes::{GeometrySet, Mesh, Recipe, RecipeInput};
@@ -80,8 +80,8 @@ impl ModelLibrary {
     /// # Panics
     /// If the class or the variant is none of the catalogue that was loaded.
     #[must_use]
-    pub fn model(&self, class: ClassIndex, variant: u32, set: GeometrySet) -> Arc<Model> {
-        self.model_in_detail(class, variant, set, Detail::Full)
+    pub fn model(&self, of: VariantRef, set: GeometrySet) -> Arc<Model> {
+        self.model_in_detail(of, set, Detail::Full)
     }
 
     /// [`ModelLibrary::model`] in a level of detail.
@@ -89,13 +89,8 @@ impl ModelLibrary {
     /// # Panics
     /// As above.
     #[must_use]
-    pub fn model_in_detail(
-        &self,
-        class: ClassIndex,
-        variant: u32,
-        set: GeometrySet,
-        detail: Detail,
-    ) -> Arc<Model> {
+    pub fn model_in_detail(&self, of: VariantRef, set: GeometrySet, detail: Detail) -> Arc<Model> {
+        let VariantRef { class, variant } = of;
         let entry = &self.classes[class];
         match &entry.source {
             Source::File(files) => entry.file(&files[(variant / entry.looks) as usize], variant, detail),
@@ -201,12 +196,12 @@ mod tests {
     fn equal_requests_share_one_model() {
         let library = library("chair");
         assert!(Arc::ptr_eq(
-            &library.model(0, 1, GeometrySet::Plain),
-            &library.model(0, 1, GeometrySet::Plain)
+            &library.model(VariantRef::new(0, 1), GeometrySet::Plain),
+            &library.model(VariantRef::new(0, 1), GeometrySet::Plain)
         ));
         assert!(!Arc::ptr_eq(
-            &library.model(0, 1, GeometrySet::Plain),
-            &library.model(0, 3, GeometrySet::Plain)
+            &library.model(VariantRef::new(0, 1), GeometrySet::Plain),
+            &library.model(VariantRef::new(0, 3), GeometrySet::Plain)
         ));
     }
 
@@ -214,7 +209,7 @@ mod tests {
     fn variants_are_sizes_times_looks() {
         let library = library("chair");
         let width = |variant| {
-            let model = library.model(0, variant, GeometrySet::Plain);
+            let model = library.model(VariantRef::new(0, variant), GeometrySet::Plain);
             model.primitives.iter().flat_map(|part| &part.positions).map(|p| p[0]).fold(0.0, f32::max) * 2.0
         };
         assert!((width(1) - 0.5).abs() < 0.001 && (width(2) - 0.6).abs() < 0.001);
@@ -226,17 +221,17 @@ mod tests {
         let machine = Class { looks: 4, ..class("thing", "coffee_machine") };
         let partly = ModelLibrary::load(&Catalog { classes: vec![machine], ..Catalog::default() }).unwrap();
         assert!(Arc::ptr_eq(
-            &partly.model(0, 2, GeometrySet::Industrial),
-            &partly.model(0, 2, GeometrySet::Plain)
+            &partly.model(VariantRef::new(0, 2), GeometrySet::Industrial),
+            &partly.model(VariantRef::new(0, 2), GeometrySet::Plain)
         ));
         assert!(!Arc::ptr_eq(
-            &partly.model(0, 2, GeometrySet::Traditional),
-            &partly.model(0, 2, GeometrySet::Plain)
+            &partly.model(VariantRef::new(0, 2), GeometrySet::Traditional),
+            &partly.model(VariantRef::new(0, 2), GeometrySet::Plain)
         ));
         let both = library("chair");
         assert!(!Arc::ptr_eq(
-            &both.model(0, 0, GeometrySet::Traditional),
-            &both.model(0, 0, GeometrySet::Plain)
+            &both.model(VariantRef::new(0, 0), GeometrySet::Traditional),
+            &both.model(VariantRef::new(0, 0), GeometrySet::Plain)
         ));
     }
 
@@ -244,7 +239,7 @@ mod tests {
     fn levels_of_detail_are_coarser_and_coarser_in_the_same_box() {
         let library = library("bookshelf");
         let measure = |detail| {
-            let model = library.model_in_detail(0, 1, GeometrySet::Traditional, detail);
+            let model = library.model_in_detail(VariantRef::new(0, 1), GeometrySet::Traditional, detail);
             let triangles: usize = model.primitives.iter().map(|part| part.indices.len() / 3).sum();
             let points = model.primitives.iter().flat_map(|part| &part.positions);
             let farthest = points.map(|p| f64::from(p[0].abs())).fold(0.0, f64::max);
@@ -260,8 +255,9 @@ mod tests {
     fn threads_share_one_model() {
         let library = library("bookshelf");
         let models: Vec<Arc<Model>> = std::thread::scope(|scope| {
-            let runs: Vec<_> =
-                (0..4).map(|_| scope.spawn(|| library.model(0, 0, GeometrySet::Traditional))).collect();
+            let runs: Vec<_> = (0..4)
+                .map(|_| scope.spawn(|| library.model(VariantRef::new(0, 0), GeometrySet::Traditional)))
+                .collect();
             runs.into_iter().map(|run| run.join().unwrap()).collect()
         });
         assert!(models.iter().all(|model| Arc::ptr_eq(model, &models[0])));
@@ -272,8 +268,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let cache = || Some(Cache::new(folder.path(), "1.0.0+test"));
         for detail in [Detail::Full, Detail::Reduced] {
-            let model =
-                |library: ModelLibrary| library.model_in_detail(0, 3, GeometrySet::Traditional, detail);
+            let model = |library: ModelLibrary| {
+                library.model_in_detail(VariantRef::new(0, 3), GeometrySet::Traditional, detail)
+            };
             let built = model(library("bookshelf"));
             assert_eq!(model(library("bookshelf").with_cache(cache())), built);
             assert_eq!(model(library("bookshelf").with_cache(cache())), built, "read");
@@ -289,7 +286,7 @@ mod tests {
         let class = Class { model, ..Class::plain("stool", vec![size], find("stool").unwrap()) };
         let library = ModelLibrary::load(&Catalog { classes: vec![class], ..Catalog::default() }).unwrap();
         let count = |detail| -> usize {
-            let model = library.model_in_detail(0, 0, GeometrySet::Plain, detail);
+            let model = library.model_in_detail(VariantRef::new(0, 0), GeometrySet::Plain, detail);
             model.primitives.iter().map(|part| part.indices.len() / 3).sum()
         };
         let [full, reduced, boxes] = Detail::ALL.map(count);

@@ -13,7 +13,9 @@ use super::furniture::{pose, spots};
 use super::looks::{mesh_bounds, mesh_name, shape};
 use super::problem::Problem;
 use super::tree::Node;
-use crate::contract::{ElementId, Extras, FurnitureExtras, ObjectId, model_in_name, owner_in_name};
+use crate::contract::{
+    ElementId, Extras, FurnitureExtras, ObjectId, VariantId, model_in_name, owner_in_name,
+};
 
 /// The furniture of a level.
 #[derive(Clone, Debug, Default)]
@@ -24,8 +26,8 @@ pub struct Survey {
     pub level: String,
     /// The furniture, in the order of the file.
     pub objects: Vec<SurveyedObject>,
-    /// The looks of the models, by class and variant: equal texts, equal models.
-    pub models: BTreeMap<(String, u32), String>,
+    /// The looks of the models, by variant: equal texts, equal models.
+    pub models: BTreeMap<VariantId, String>,
     /// Names of nodes with a mesh that say nothing of themselves and hang in a room, or nowhere.
     pub strangers: Vec<String>,
     /// Names of nodes whose extras cannot be read.
@@ -47,8 +49,8 @@ pub struct SurveyedObject {
     pub side: String,
     /// Width, depth, height before it is scaled.
     pub size: [f64; 3],
-    /// The class and variant in the name of its mesh, if it has them.
-    pub model: Option<(String, u32)>,
+    /// The variant in the name of its mesh, if it has one.
+    pub model: Option<VariantId>,
     /// The box around its mesh, in its own frame: the least and the greatest of each axis, in metres.
     pub bounds: Option<[[f64; 3]; 2]>,
     /// The room that it hangs below, else the one in its name.
@@ -122,9 +124,7 @@ fn object(
         variant: extras.variant,
         side: extras.side.to_string(),
         size: extras.size,
-        model: mesh_name(document, node.mesh)
-            .and_then(model_in_name)
-            .map(|(class, variant)| (class.to_owned(), variant)),
+        model: mesh_name(document, node.mesh).and_then(model_in_name),
         bounds: node.mesh.and_then(|mesh| mesh_bounds(document, mesh)),
         room: room.or_else(|| named_room.clone()),
         named_room,

@@ -4,15 +4,15 @@ use std::sync::Arc;
 
 use super::options::SceneOptions;
 use crate::audit::Verdict;
-use crate::catalog::{Catalog, ClassIndex, DEFAULT_STYLE};
+use crate::catalog::{Catalog, DEFAULT_STYLE, VariantRef};
 use crate::layout::{FurnishOptions, Furnished, room_style};
 use crate::model::{Model, SwatchedModels};
 use crate::plan::{Level, Opening, SitePlacement};
 use crate::recipes::GeometrySet;
 use crate::texture::TextureLibrary;
 
-/// Builds and looks up models: class, variant, geometry set.
-pub type ModelSourceFunction<'a> = dyn Fn(ClassIndex, u32, GeometrySet) -> Arc<Model> + Sync + 'a;
+/// Builds and looks up models.
+pub type ModelSourceFunction<'a> = dyn Fn(VariantRef, GeometrySet) -> Arc<Model> + Sync + 'a;
 
 /// The input of a scene.
 #[derive(Clone, Copy)]
@@ -29,7 +29,7 @@ pub struct SceneInput<'a> {
     pub verdicts: &'a [Verdict],
     /// Classes, room types, styles and palettes.
     pub catalog: &'a Catalog,
-    /// The model of a class, variant and geometry set; the same one for the same arguments.
+    /// The model of a variant in a geometry set; the same one for the same arguments.
     pub models: &'a ModelSourceFunction<'a>,
     /// The textures of the materials; none for plain colours.
     pub textures: Option<&'a TextureLibrary>,

@@ -9,8 +9,8 @@ use super::node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, S
 use super::options::Lights;
 use super::shell::{MergedKey, Shape};
 use super::tint::Tint;
-use crate::catalog::{Catalog, ClassIndex, Light, Material};
-use crate::contract::model_name;
+use crate::catalog::{Catalog, Light, Material, VariantRef};
+use crate::contract::{VariantId, model_name};
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
 use crate::recipes::{GeometrySet, Slot};
 use crate::texture::{SurfaceUse, TextureLibrary, swatch_textures};
@@ -40,13 +40,13 @@ pub(crate) struct MeshTable<'a> {
     materials: Vec<SceneMaterial>,
     lights: Vec<SceneLight>,
     /// Kept here too, so that one model is one allocation in a scene whatever the source does.
-    built: BTreeMap<(ClassIndex, u32, GeometrySet), Arc<Model>>,
+    built: BTreeMap<(VariantRef, GeometrySet), Arc<Model>>,
     textures: Option<&'a TextureLibrary>,
     /// Models whose plain parts share a material; none where every slot keeps its material.
     swatches_of: Option<&'a SwatchedModels>,
     lights_mode: Lights,
     has_variants: bool,
-    furniture: BTreeMap<(ClassIndex, u32, Look<'a>), Vec<usize>>,
+    furniture: BTreeMap<(VariantRef, Look<'a>), Vec<usize>>,
     shapes: BTreeMap<Shape, (usize, Arc<Model>)>,
     shells: BTreeMap<(usize, &'a str), usize>,
     merged: BTreeMap<(MergedKey, &'a str), usize>,
@@ -154,25 +154,26 @@ impl<'a> MeshTable<'a> {
     }
 
     /// The mesh of a variant of a class in a tint; tints that come to the same colours share one.
-    pub(crate) fn furniture(&mut self, class: ClassIndex, variant: u32, look: Look<'a>, tint: Tint) -> usize {
+    pub(crate) fn furniture(&mut self, of: VariantRef, look: Look<'a>, tint: Tint) -> usize {
         let models = self.models;
-        let built = self.built.entry((class, variant, look.geometry));
+        let built = self.built.entry((of, look.geometry));
         let swatches = self.swatches_of;
         let model = Arc::clone(built.or_insert_with(|| {
-            let model = models(class, variant, look.geometry);
+            let model = models(of, look.geometry);
             swatches.map_or_else(|| Arc::clone(&model), |swatched| swatched.of(&model))
         }));
         let materials = self.materials_of(&model, look.palette, tint);
-        let known = self.furniture.get(&(class, variant, look)).map_or(&[][..], Vec::as_slice);
+        let known = self.furniture.get(&(of, look)).map_or(&[][..], Vec::as_slice);
         if let Some(&mesh) = known.iter().find(|&&mesh| self.meshes[mesh].materials == materials) {
             return mesh;
         }
-        let id = &self.catalog.classes[class].id;
-        let name = model_name(id, variant, (look.geometry.name(), look.palette), known.len() + 1);
-        let key = ModelKey { class: id.clone(), variant, geometry: look.geometry };
+        let class = self.catalog.classes[of.class].id.clone();
+        let variant = VariantId { class, number: of.variant };
+        let name = model_name(&variant, look.geometry.name(), look.palette, known.len() + 1);
+        let key = ModelKey { variant, geometry: look.geometry };
         self.meshes.push(SceneMesh { name, model, materials, key: Some(key) });
         let mesh = self.meshes.len() - 1;
-        self.furniture.entry((class, variant, look)).or_default().push(mesh);
+        self.furniture.entry((of, look)).or_default().push(mesh);
         mesh
     }
 

@@ -7,7 +7,7 @@ use glam::{Quat, Vec3};
 
 use super::axes::Pose;
 use crate::catalog::Material;
-use crate::contract::Extras;
+use crate::contract::{Extras, VariantId};
 use crate::model::{Model, OwnMaterial, Texture, TextureUse};
 use crate::recipes::GeometrySet;
 
@@ -52,10 +52,8 @@ pub struct SceneMesh {
 /// A model of the catalogue by name: equal keys have equal triangles in every level of a run.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ModelKey {
-    /// Class id.
-    pub class: String,
-    /// Variant of the class.
-    pub variant: u32,
+    /// Variant of a class.
+    pub variant: VariantId,
     /// Geometry set of the style.
     pub geometry: GeometrySet,
 }

@@ -10,6 +10,7 @@ use super::node::Node;
 use super::options::{Lights, Parts};
 use super::shell::{RoomFinish, room_parts};
 use super::tint::Tint;
+use crate::catalog::VariantRef;
 use crate::contract::{Extras, FurnitureExtras, ObjectId, owned_name, room_name};
 use crate::layout::{Furnished, Parent, Placement};
 
@@ -53,7 +54,7 @@ fn furniture<'a>(
         let name = owned_name(&extras.id, room);
         let tint = tint_of(furnished, placement, &extras, &tints);
         tints.push(tint);
-        let mesh = meshes.furniture(placement.class, placement.variant, look, tint);
+        let mesh = meshes.furniture(VariantRef::new(placement.class, placement.variant), look, tint);
         let light = light_of(input, placement, (&extras.id, room), meshes);
         let place = pose(placement).relative_to(&frame);
         let mut node = Node::at(name, &place, Some(mesh), Extras::Furniture(extras));

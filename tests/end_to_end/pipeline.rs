@@ -66,7 +66,7 @@ impl Pipeline {
             furnished: &furnished,
             verdicts: &verdicts,
             catalog: &self.catalog,
-            models: &|class, variant, geometry| self.models.model(class, variant, geometry),
+            models: &|of, geometry| self.models.model(of, geometry),
             textures: None,
             swatches: None,
             options: SceneOptions::default(),

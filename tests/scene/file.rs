@@ -151,7 +151,7 @@ fn meshes_that_differ_in_material_only_share_accessors() {
 fn library_of(scene: &Scene) -> (SharedLibrary, BTreeMap<String, Vec<u8>>) {
     let keyed = scene.meshes.iter().filter_map(|mesh| Some((mesh.key.clone()?, mesh.model.as_ref())));
     let made = |(key, model): (ModelKey, &Model)| {
-        let path = format!("shared/{}.{}.{}.bin", key.class, key.variant, key.geometry);
+        let path = format!("shared/{}.{}.bin", key.variant, key.geometry);
         (key, Arc::new(SharedModel::new(model, |_| Painting::default(), |_| path)))
     };
     let library: SharedLibrary = keyed.map(made).collect();
@@ -243,7 +243,7 @@ fn textured_scene() -> Scene {
         furnished: &two_furnished(&catalog),
         verdicts: &[],
         catalog: &catalog,
-        models: &|_, _, _| Arc::clone(&model),
+        models: &|_, _| Arc::clone(&model),
         textures: None,
         swatches: None,
         options: SceneOptions::default(),
@@ -264,7 +264,7 @@ fn lamps_that_are_lit_are_brighter_than_their_colour() {
             furnished: &two_furnished(&catalog),
             verdicts: &[],
             catalog: &catalog,
-            models: &|_, _, _| Arc::clone(&model),
+            models: &|_, _| Arc::clone(&model),
             textures: None,
             swatches: None,
             options: SceneOptions { lights, ..SceneOptions::default() },
@@ -333,7 +333,7 @@ fn accessors_are_aligned_and_indices_as_long_as_a_mesh_needs() {
         furnished: &two_furnished(&catalog),
         verdicts: &[],
         catalog: &catalog,
-        models: &|_, _, _| Arc::clone(&model),
+        models: &|_, _| Arc::clone(&model),
         textures: None,
         swatches: None,
         options: SceneOptions { parts: Parts::Separate, ..SceneOptions::default() },

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use roomwright::internals::catalog::{
-    Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Finish, Material, Palette, RoomType, Side, Size,
-    Style, Untidiness,
+    Access, Catalog, Class, DEFAULT_STYLE, Finish, Material, Palette, RoomType, Side, Size, Style,
+    Untidiness, VariantRef,
 };
 use roomwright::internals::geometry::{Point, Polygon, Region};
 use roomwright::internals::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -273,14 +273,14 @@ pub(crate) fn box_model(size: Size, slot: Slot) -> Model {
 }
 
 /// One box per class and variant.
-pub(crate) fn models(catalog: &Catalog) -> impl Fn(ClassIndex, u32, GeometrySet) -> Arc<Model> + Sync {
+pub(crate) fn models(catalog: &Catalog) -> impl Fn(VariantRef, GeometrySet) -> Arc<Model> + Sync {
     let of_class = |class: &Class| {
         let box_of =
             |variant| Arc::new(box_model(class.size(variant), Slot::ALL[variant as usize % Slot::ALL.len()]));
         (0..class.variant_count()).map(box_of).collect::<Vec<_>>()
     };
     let models: Vec<Vec<Arc<Model>>> = catalog.classes.iter().map(of_class).collect();
-    move |class, variant, _| Arc::clone(&models[class][variant as usize])
+    move |of, _| Arc::clone(&models[of.class][of.variant as usize])
 }
 
 /// The scene of a level with the small catalogue.

@@ -26,7 +26,7 @@ fn scene_with(parts: Parts, has_swatches: bool) -> Scene {
         furnished: &two_furnished(&catalog),
         verdicts: &[],
         catalog: &catalog,
-        models: &|_, _, _| Arc::clone(&model),
+        models: &|_, _| Arc::clone(&model),
         textures: None,
         swatches: has_swatches.then_some(&swatched),
         options: SceneOptions { parts, ..SceneOptions::default() },
