@@ -36,6 +36,8 @@ from workers import outcomes
 
 # Arrangements that a room should have.
 LEAST_VARIETY = 3
+# The line of a page below which its figures are.
+FIGURES = "<!-- figures -->"
 
 
 def judge_files(tasks: list[Task], jobs: int, is_quiet: bool) -> tuple[list[Verdict], list[str]]:
@@ -71,6 +73,7 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--worst", type=int, default=0, metavar="N", help="also N rooms that fail, for each measure")
     parser.add_argument("--measure", action="append", metavar="CODE", choices=sorted(MEASURES),
                         help="list the worst rooms of this measure only; may be repeated")
+    parser.add_argument("--page", type=Path, metavar="FILE", help=f"also put the tables into a page, below its line {FIGURES}")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (default: one a core)")
     parser.add_argument("--json", action="store_true", help="write one JSON document instead of tables")
     parser.add_argument("--quiet", action="store_true", help="no progress")
@@ -94,10 +97,18 @@ def main(arguments: list[str] | None = None) -> int:
     verdicts, failures = judge_files([Task(file, options.drawn) for file in files], options.jobs, options.quiet)
     for failure in failures:
         print(f"judge: {failure}", file=sys.stderr)
-    print(as_json(verdicts) if options.json else as_text(verdicts, options))
+    text = as_json(verdicts) if options.json else as_text(verdicts, options)
+    print(text)
+    if options.page is not None:
+        write_figures(options.page, text)
     if not options.quiet:
         print(f"judge: {len(files)} files in {time.monotonic() - started:.0f} s", file=sys.stderr)
     return 1 if failures else 0
+
+
+def write_figures(page: Path, text: str) -> None:
+    head, mark, _ = page.read_text(encoding="utf-8").partition(FIGURES)
+    page.write_text(f"{head}{mark or FIGURES}\n\n{text}\n", encoding="utf-8")
 
 
 def as_text(verdicts: list[Verdict], options: argparse.Namespace) -> str:

@@ -45,6 +45,15 @@ def test_a_file_that_cannot_be_read_is_reported_and_the_others_are_judged(bake, 
     assert "broken.glb" in captured.err and "2 furnished rooms" in captured.out
 
 
+def test_the_figures_of_a_page_are_renewed(bake, capsys):
+    page = bake / "page.md"
+    page.write_text("# Judge\n\n<!-- figures -->\n\nold\n", encoding="utf-8")
+    assert main([str(bake), "--quiet", "--page", str(page)]) == 0
+    text = page.read_text(encoding="utf-8")
+    assert text.startswith("# Judge\n\n<!-- figures -->\n\n2 furnished rooms, 1 seed\n") and "old" not in text
+    assert "| `bedroom_without_bed` |" in text
+
+
 def test_nothing_to_judge(tmp_path, capsys):
     assert main([str(tmp_path)]) == 2
     assert main([str(tmp_path / "absent")]) == 2

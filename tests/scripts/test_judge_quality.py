@@ -189,6 +189,11 @@ def test_an_open_boundary_that_ends_at_another_is_walked_around(tmp_path):
     assert MEASURES["way_narrow"].judge(made.read(tmp_path)).faults == ()
 
 
+def test_a_lamp_of_the_ceiling_takes_no_light(tmp_path):
+    made = window(0.9).piece("pendant", 2.0, 3.7, "south", (0.8, 0.4, 0.6), 1.9)
+    assert MEASURES["window_blocked"].judge(made.read(tmp_path)).faults == ()
+
+
 def test_what_hangs_flat_on_a_wall_is_in_nobodys_way(tmp_path):
     made = wardrobe(1.5).piece("towel_rail", 2.0, 3.0, "south", (0.6, 0.1, 0.4), 0.9)
     assert MEASURES["blocked_use"].judge(made.read(tmp_path)).faults != ()

@@ -15,8 +15,8 @@ from ..roles import (ART, BASINS, BEDS, COFFEE_TABLES, COOKERS, DESKS, DISHWASHE
                      SOFAS, STORAGE, TOILETS, TUBS)
 from ..shapes import rectangle
 
-# Metres that people do not feel; the figures are rounded from inches.
-SLACK = 0.01
+# Metres that people do not feel, for the figures are rounded from inches, and rounding.
+SLACK = 0.012
 # Metres of a bed's side, from its foot, at which one gets in; a nightstand stands beside the rest.
 BED_SIDE = 1.2
 # Class, minimum and good depth before the front: HUD 1973 (storage), NKBA (kitchens and baths).

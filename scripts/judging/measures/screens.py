@@ -21,6 +21,9 @@ OVER_SILL = 0.1
 BEFORE = 0.5
 # Metres of what leaves the light: low before windows down to the floor, or slim.
 LOW = 0.9
+# Metres under the ceiling at which a piece hangs from it, and over the floor above which it is a lamp and no wardrobe.
+CEILING = 0.05
+OVERHEAD = 1.0
 SLIM = 0.6
 
 
@@ -72,15 +75,16 @@ def judge_windows(room: Room) -> Answer | None:
     for opening, side in windows:
         zone, sill = side.before(BEFORE).buffer(-0.01), max(opening.sill + OVER_SILL, LOW)
         for piece in room.pieces:
-            if piece.high > sill and takes_light(piece) and piece.below(opening.sill + opening.height, sill).intersects(zone):
+            if piece.high > sill and takes_light(piece, room) and piece.below(opening.sill + opening.height, sill).intersects(zone):
                 note = f"{piece.high:.2f} m high before window {opening.id}"
                 faults.append(Fault(note, (piece.id,), piece.high - opening.sill))
     return answer(faults)
 
 
-def takes_light(piece: Piece) -> bool:
-    """Curtains do not, nor do chairs, which are moved, nor plants, lamps and small things on others that are slim."""
-    if piece.kind in CURTAINS | CHAIRS | OFFICE_CHAIRS:
+def takes_light(piece: Piece, room: Room) -> bool:
+    """Curtains do not, nor lamps of the ceiling, chairs, which are moved, and plants, lamps and small things that are slim."""
+    hangs = piece.high > room.height - CEILING and piece.low > OVERHEAD
+    if hangs or piece.kind in CURTAINS | CHAIRS | OFFICE_CHAIRS:
         return False
     return max(piece.size) >= SLIM or not (piece.kind in SLIM_KINDS or piece.carrier is not None)
 
