@@ -70,7 +70,7 @@ impl Draft<'_> {
 
     /// How many pieces stand along a length in metres: as many as were asked for and have a quarter of their usual
     /// share of it, below which there is no room for edges and handles; or else as many as are usual, `most` at most.
-    pub(crate) fn count_along(&self, name: &str, (length, usual): (f64, f64), most: u32) -> u32 {
+    pub(crate) fn count_along(&self, name: &str, length: f64, usual: f64, most: u32) -> u32 {
         let room = (length / (usual * LEAST_PIECE)).floor().clamp(1.0, MOST_PIECES) as u32;
         self.count(name, (length / usual).round().clamp(1.0, f64::from(most)) as u32).min(room)
     }
@@ -103,9 +103,9 @@ mod tests {
     #[test]
     fn pieces_without_room_are_not_made() {
         let given = [("drawers".to_owned(), 30.0)];
-        let count = |length| with_draft(&given, |draft| draft.count_along("drawers", (length, 0.2), 5));
+        let count = |length| with_draft(&given, |draft| draft.count_along("drawers", length, 0.2, 5));
         assert_eq!((count(0.01), count(0.52), count(1.6)), (1, 10, 30));
-        let usual = |length| with_draft(&[], |draft| draft.count_along("drawers", (length, 0.2), 5));
+        let usual = |length| with_draft(&[], |draft| draft.count_along("drawers", length, 0.2, 5));
         assert_eq!((usual(0.01), usual(0.52), usual(1.6)), (1, 3, 5));
     }
 

@@ -33,7 +33,7 @@ fn washbasin(draft: &Draft, builder: &mut Builder) {
     let depth = (rim * 0.5).min(0.16);
     let (slot, corner) = bowl_of(draft);
     let body = bay.with_y([rim - depth, rim]);
-    basin(builder, slot, body, (corner, 0.22));
+    basin(builder, slot, body, corner, 0.22);
     if draft.is_traditional() {
         // No deeper than what stands on the rim keeps off the wall.
         let splash =
@@ -174,7 +174,7 @@ fn frame(builder: &mut Builder, under: Bay) {
 
 /// A basin with a hollow, an overflow, a drain and a ledge for the tap behind it, filling a bay; `corner` is the share of
 /// its half depth by which it is round, `floor` the share of the height at which the hollow ends.
-fn basin(builder: &mut Builder, slot: Slot, bay: Bay, (corner, floor): (f64, f64)) {
+fn basin(builder: &mut Builder, slot: Slot, bay: Bay, corner: f64, floor: f64) {
     let (half, middle) = (bay.extent() / 2.0, bay.center());
     let ledge = (bay.depth() * 0.2).min(0.1);
     let corner = (half.x.min(half.z) * corner).max(0.012);
@@ -218,7 +218,7 @@ fn vanity(draft: &Draft, builder: &mut Builder) {
     let rim = bay.high.y - tap_height;
     let depth = 0.16_f64.min(rim * 0.25);
     let slot = if draft.set() == GeometrySet::Industrial { Slot::Stone } else { Slot::Ceramic };
-    basin(builder, slot, bay.with_y([rim - depth, rim]), (0.12, 0.6));
+    basin(builder, slot, bay.with_y([rim - depth, rim]), 0.12, 0.6);
     ledge_tap(draft, builder, rim, tap_height);
     let toe = (rim * 0.15).min(0.12);
     let body = bay.with_y([toe, rim - depth * 0.45]).inset(0.012, 0.0, 0.004);

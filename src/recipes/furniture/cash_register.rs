@@ -24,7 +24,7 @@ fn cash_register(draft: &Draft, builder: &mut Builder) {
 }
 
 /// A drawer in a case, its front a little smaller than the case; gives its height.
-fn drawer(builder: &mut Builder, (case, front): (Slot, Slot), share: f64) -> f64 {
+fn drawer(builder: &mut Builder, case: Slot, front: Slot, share: f64) -> f64 {
     let bay = builder.bay();
     let high = bay.height() * share;
     let body = bay.slab(Side::Below, high);
@@ -34,7 +34,7 @@ fn drawer(builder: &mut Builder, (case, front): (Slot, Slot), share: f64) -> f64
 }
 
 /// A field of keys on a slope from `low` to `high`, (z, y), `half` wide to both sides.
-fn keys(builder: &mut Builder, (slot, thick): (Slot, f64), [low, high]: [(f64, f64); 2], half: f64) {
+fn keys(builder: &mut Builder, slot: Slot, thick: f64, [low, high]: [(f64, f64); 2], half: f64) {
     let (run, rise) = (low.0 - high.0, high.1 - low.1);
     let (slope, length) = (libm::atan2(rise, run), libm::sqrt(run * run + rise * rise));
     for row in 0..4 {
@@ -49,14 +49,14 @@ fn keys(builder: &mut Builder, (slot, thick): (Slot, f64), [low, high]: [(f64, f
 
 fn wedge(builder: &mut Builder) {
     let bay = builder.bay();
-    let drawer = drawer(builder, (Slot::MetalDark, Slot::Metal), 0.28);
+    let drawer = drawer(builder, Slot::MetalDark, Slot::Metal, 0.28);
     let (low, high) = (bay.low.z + bay.depth() * 0.1, bay.high.z - bay.depth() * 0.12);
     let top = bay.height() * 0.62;
     let profile = [(high, drawer - SINK), (high, drawer + 0.03), (low, top), (low, drawer - SINK)];
     let x = bay.width() * 0.44;
     builder.add(Slot::Plastic, extrude(&profile.map(DVec2::from), Axis::X, [-x, x]));
     let along = |share: f64| (low + (high - low) * share, top + (drawer + 0.03 - top) * share);
-    keys(builder, (Slot::PlasticDark, 0.006), [along(0.96), along(0.24)], x);
+    keys(builder, Slot::PlasticDark, 0.006, [along(0.96), along(0.24)], x);
     let post = Bay::new([-0.02, 0.02], [top - 0.06, bay.high.y - 0.03], [low + 0.01, low + 0.035]);
     builder.cuboid(Slot::PlasticDark, post);
     let panel = Bay::new([-x * 0.6, x * 0.6], [bay.height() * 0.74, bay.high.y], [low, low + 0.045]);
@@ -67,7 +67,7 @@ fn wedge(builder: &mut Builder) {
 fn cast(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let (high, depth) = (bay.height(), bay.depth());
-    let drawer = drawer(builder, (Slot::WoodDark, Slot::Wood), 0.24);
+    let drawer = drawer(builder, Slot::WoodDark, Slot::Wood, 0.24);
     let x = bay.width() * 0.42;
     let (back, front) = (bay.low.z + depth * 0.12, bay.high.z - depth * 0.06);
     let at =
@@ -148,7 +148,7 @@ fn crank(builder: &mut Builder, x: f64, y: f64) {
 fn screen_on_arm(builder: &mut Builder) {
     let bay = builder.bay();
     let (high, depth) = (bay.height(), bay.depth());
-    let drawer = drawer(builder, (Slot::MetalDark, Slot::MetalDark), 0.26);
+    let drawer = drawer(builder, Slot::MetalDark, Slot::MetalDark, 0.26);
     let lock = turned_forward(cylinder(0.014, [-0.006, 0.002], 10));
     builder.add(Slot::Chrome, lock.moved(0.0, drawer * 0.55, bay.high.z));
     let (x, z) = (-bay.width() * 0.14, bay.low.z + depth * 0.34);
@@ -186,7 +186,7 @@ fn screen_on_arm(builder: &mut Builder) {
 fn portable(builder: &mut Builder) {
     let bay = builder.bay();
     let (high, depth) = (bay.height(), bay.depth());
-    let drawer = drawer(builder, (Slot::PlasticDark, Slot::Plastic), 0.22);
+    let drawer = drawer(builder, Slot::PlasticDark, Slot::Plastic, 0.22);
     let x = bay.width() * 0.36;
     let (back, front) = (bay.low.z + depth * 0.16, bay.high.z - depth * 0.2);
     let top = high * 0.5;
@@ -202,7 +202,7 @@ fn portable(builder: &mut Builder) {
     builder.add(Slot::Plastic, extrude(&profile.map(DVec2::from), Axis::X, [-x, x]));
     let along =
         |share: f64| (back + 0.1 + (front - back - 0.1) * share, top + (drawer + 0.045 - top) * share);
-    keys(builder, (Slot::PaintedAccent, 0.008), [along(0.98), along(0.12)], x * 0.84);
+    keys(builder, Slot::PaintedAccent, 0.008, [along(0.98), along(0.12)], x * 0.84);
     let roll = (top + 0.045, back + 0.05);
     builder.add(Slot::Paper, across(0.036, [-x * 0.8, -x * 0.1], 12).moved(0.0, roll.0, roll.1));
     for side in [-x * 0.86, -x * 0.04] {

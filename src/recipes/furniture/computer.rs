@@ -17,7 +17,7 @@ pub(super) static COMPUTER: Recipe = Recipe::accessory("computer", [0.55, 0.2, 0
     .budget(|draft, builder| with_case(builder, body(draft)));
 
 /// A cable from behind a screen down to the table.
-fn cable(builder: &mut Builder, x: f64, (lift, z): (f64, f64)) {
+fn cable(builder: &mut Builder, x: f64, lift: f64, z: f64) {
     let back = builder.bay().low.z;
     let path = [
         DVec3::new(x + 0.03, lift + 0.06, z - 0.012),
@@ -49,7 +49,7 @@ fn wide(draft: &Draft, builder: &mut Builder) {
     let hump = panel.inset(panel.width() * 0.34, panel.height() * 0.3, 0.0).with_z([z - 0.016, z + SINK]);
     builder.cuboid(Slot::PlasticDark, hump);
     let foot = bay.width() * 0.22;
-    wide_foot(builder, metal, (look, z, foot));
+    wide_foot(builder, metal, look, z, foot);
     let neck = [
         (z - 0.034, 0.006),
         (z - 0.014, 0.006),
@@ -58,14 +58,14 @@ fn wide(draft: &Draft, builder: &mut Builder) {
     ];
     let half = foot * if look == 1 { 0.12 } else { 0.25 };
     builder.add(metal, extrude(&neck.map(DVec2::from), Axis::X, [-half, half]));
-    cable(builder, 0.0, (lift, z));
+    cable(builder, 0.0, lift, z);
     let light = DVec3::new(panel.high.x - 0.03, panel.low.y + 0.004, panel.high.z - 0.004);
     builder.cuboid(Slot::Lamp, Bay::around(light, 0.01, 0.004, 0.003));
 }
 
 /// What a wide monitor stands on: a plate, a disc, or two bars; its screen is at `z`, its foot `foot` metres to either
 /// side.
-fn wide_foot(builder: &mut Builder, metal: Slot, (look, z, foot): (usize, f64, f64)) {
+fn wide_foot(builder: &mut Builder, metal: Slot, look: usize, z: f64, foot: f64) {
     let bay = builder.bay();
     match look {
         1 => {
@@ -130,7 +130,7 @@ fn with_speakers(builder: &mut Builder, look: u32) {
     let knob =
         Bay::around(DVec3::new(bay.high.x - width * 0.075, height * 0.075, bay.high.z), 0.018, 0.018, 0.0);
     builder.cuboid(Slot::Metal, knob.with_z([bay.high.z - 0.03, bay.high.z - 0.002]));
-    cable(builder, 0.0, (lift, z));
+    cable(builder, 0.0, lift, z);
 }
 
 /// A sealed case with fins behind and bars to carry it by at its sides, on a round post and a plate: as beside machines.
@@ -206,5 +206,5 @@ fn with_case(builder: &mut Builder, (slot, border): (Slot, f64)) {
     }
     let button = Bay::around(face.center(), face.width() * 0.3, face.width() * 0.3, 0.0);
     builder.cuboid(Slot::Metal, front(button, 0.004));
-    cable(builder, middle, (lift, z));
+    cable(builder, middle, lift, z);
 }

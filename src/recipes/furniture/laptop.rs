@@ -58,7 +58,7 @@ impl Lid {
 }
 
 /// Keys and a field to point with, on a deck.
-fn keys(builder: &mut Builder, deck: Bay, (wide, lift): (f64, f64)) {
+fn keys(builder: &mut Builder, deck: Bay, wide: f64, lift: f64) {
     let top = deck.high.y;
     let keys = deck.slab(Side::Back, deck.depth() * 0.6).inset(deck.width() * wide, 0.0, deck.depth() * 0.06);
     builder.cuboid(Slot::PlasticDark, keys.with_y([top - SINK, top + lift]));
@@ -85,7 +85,7 @@ fn wedge(builder: &mut Builder) {
         .map(|(z, y)| DVec2::new(deck.low.z + z * deck.depth(), y * base));
     builder.add(Slot::Metal, extrude(&section, Axis::X, deck.x()));
     let top = deck.without(Side::Back, thick * 1.5);
-    keys(builder, top, (0.06, 0.0015));
+    keys(builder, top, 0.06, 0.0015);
     pad(builder, Slot::MetalDark, top, 0.2);
     let x = bay.inset(0.001, 0.0, 0.0).x();
     builder.add(Slot::Metal, lid.placed(cuboid(lid.body(x))));
@@ -161,7 +161,7 @@ fn rugged(builder: &mut Builder) {
     ];
     builder.add(Slot::PlasticDark, extrude(&handle.map(DVec2::from), Axis::Y, [base * 0.3, base * 0.78]));
     let top = deck.without(Side::Back, thick * 1.5);
-    keys(builder, top, (0.08, 0.003));
+    keys(builder, top, 0.08, 0.003);
     pad(builder, Slot::Rubber, top, 0.14);
     let x = deck.inset(0.001, 0.0, 0.0).x();
     let body = lid.body(x);

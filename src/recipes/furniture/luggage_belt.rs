@@ -59,12 +59,12 @@ fn carousel(builder: &mut Builder) {
                 plate.inset(0.0, 0.0, 0.001 + 0.0005 * (index % 2) as f64).moved(0.0, lift, 0.0),
             );
         }
-        fan(builder, (side, straight), [inner, inner + track], [top - 0.05, top]);
+        fan(builder, side, straight, [inner, inner + track], [top - 0.05, top]);
     }
 }
 
 /// Plates like slices of a cake around the end of a loop.
-fn fan(builder: &mut Builder, (side, straight): (f64, f64), radii: [f64; 2], y: [f64; 2]) {
+fn fan(builder: &mut Builder, side: f64, straight: f64, radii: [f64; 2], y: [f64; 2]) {
     let count = 6;
     for index in 0..count {
         let angle = |step: f64| PI * (step / f64::from(count) - 0.5);

@@ -17,11 +17,11 @@ fn papers(draft: &Draft, builder: &mut Builder) {
     let turn = draft.sampler().between(-0.14, 0.14);
     let bay = builder.bay();
     match draft.set() {
-        GeometrySet::Plain => folder(builder, bay, (form, turn)),
-        GeometrySet::Traditional => blotter(builder, bay, (form, turn)),
+        GeometrySet::Plain => folder(builder, bay, form, turn),
+        GeometrySet::Traditional => blotter(builder, bay, form, turn),
         GeometrySet::Industrial if form.is_multiple_of(2) => clipboard(builder, bay, form),
         GeometrySet::Industrial => plans(builder, bay, form),
-        GeometrySet::Budget => pad(builder, bay, (form, turn)),
+        GeometrySet::Budget => pad(builder, bay, form, turn),
     }
 }
 
@@ -51,7 +51,7 @@ fn pencil(builder: &mut Builder, slot: Slot, [from, to]: [DVec3; 2]) {
 }
 
 /// Sheets half out of a coloured folder, a few loose ones on top.
-fn folder(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
+fn folder(builder: &mut Builder, bay: Bay, form: usize, turn: f64) {
     let slot = [Slot::PaintedAccent, Slot::Leather, Slot::Fabric, Slot::WoodLight][form];
     builder.add(slot, sheet(bay, 1.0, [0.0, 0.3], 0.0));
     builder.add(Slot::Paper, sheet(bay, 0.9, [0.28, 0.62], turn * 0.3));
@@ -70,7 +70,7 @@ fn folder(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
 }
 
 /// A letter on a blotter with leather corners, and a pen beside it.
-fn blotter(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
+fn blotter(builder: &mut Builder, bay: Bay, form: usize, turn: f64) {
     builder.add(
         [Slot::Leaf, Slot::Book, Slot::Leather, Slot::WoodDark][form],
         sheet(bay, 1.0, [0.0, 0.26], 0.0),
@@ -141,7 +141,7 @@ fn plans(builder: &mut Builder, bay: Bay, form: usize) {
 }
 
 /// A squared pad bound at its head, coloured notes, a pen of plastic.
-fn pad(builder: &mut Builder, bay: Bay, (form, turn): (usize, f64)) {
+fn pad(builder: &mut Builder, bay: Bay, form: usize, turn: f64) {
     builder.add(Slot::WoodLight, sheet(bay, 1.0, [0.0, 0.12], 0.0));
     builder.add(Slot::Paper, sheet(bay, 0.985, [0.1, 0.5], 0.0));
     let head = bay.slab(Side::Back, bay.depth() * 0.08).inset(0.0005, 0.0, 0.0005);

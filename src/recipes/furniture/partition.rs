@@ -68,7 +68,7 @@ fn folding(draft: &Draft, builder: &mut Builder) {
         let turn = if index % 2 == 0 { angle } else { -angle };
         let x = bay.low.x + pitch * (f64::from(index) + 0.5);
         let mut leaf = builder.empty();
-        leaf_of_screen(&mut leaf, [slot, cloth], (width, thick));
+        leaf_of_screen(&mut leaf, [slot, cloth], width, thick);
         for (slot, solid) in leaf.into_parts() {
             builder.add(slot, solid.turned_y(turn).moved(x, 0.0, 0.0));
         }
@@ -76,7 +76,7 @@ fn folding(draft: &Draft, builder: &mut Builder) {
 }
 
 /// One leaf around the origin, as high as the box.
-fn leaf_of_screen(builder: &mut Builder, [wood, cloth]: [Slot; 2], (width, thick): (f64, f64)) {
+fn leaf_of_screen(builder: &mut Builder, [wood, cloth]: [Slot; 2], width: f64, thick: f64) {
     let high = builder.bay().high.y;
     let (half, z) = (width / 2.0, [-thick / 2.0, thick / 2.0]);
     let stile = (width * 0.12).min(0.045);

@@ -24,7 +24,7 @@ fn plate(face: Bay, x: [f64; 2], y: [f64; 2], out: f64) -> Bay {
 }
 
 /// A tray that stands out of a face, with a dark opening above it.
-fn tray(builder: &mut Builder, slot: Slot, face: Bay, (x, y): ([f64; 2], [f64; 2])) {
+fn tray(builder: &mut Builder, slot: Slot, face: Bay, x: [f64; 2], y: [f64; 2]) {
     let front = builder.bay().high.z;
     let opening = plate(face, x, y, 0.004);
     builder.cuboid(Slot::PlasticDark, opening);
@@ -78,7 +78,7 @@ fn leaning(builder: &mut Builder, look: usize) {
         .with_y([height * 0.12, height * 0.46])
         .with_z([bay.low.z, bay.low.z + depth * 0.9])
         .inset(0.04, 0.0, 0.0);
-    tray(builder, Slot::Metal, face, ([0.3, 0.7], [0.16, 0.36]));
+    tray(builder, Slot::Metal, face, [0.3, 0.7], [0.16, 0.36]);
     builder.cuboid(Slot::PlasticDark, plate(face, [0.62, 0.86], [0.56, 0.88], 0.02));
     builder.cuboid(Slot::Lamp, plate(face, [0.66, 0.82], [0.6, 0.64], 0.022));
     builder.cuboid(Slot::Metal, plate(face, [0.14, 0.34], [0.6, 0.86], 0.008));
@@ -138,7 +138,7 @@ fn arched(builder: &mut Builder, look: usize) {
     builder.cuboid(Slot::PlasticDark, plate(face, [0.79, 0.83], [0.52, 0.62], 0.0115));
     let knob = turned_forward(cylinder(0.018, [0.0, 0.03], 8));
     builder.add(Slot::Brass, knob.moved(face.high.x * 0.62, face.low.y + face.height() * 0.475, face.high.z));
-    tray(builder, Slot::Brass, face, ([0.3, 0.7], [0.14, 0.26]));
+    tray(builder, Slot::Brass, face, [0.3, 0.7], [0.14, 0.26]);
 }
 
 /// A cabinet of sheet steel with bolts along its door, a roof, a hooded screen, a keypad, louvres and a guard of pipe.
@@ -173,7 +173,7 @@ fn bolted(builder: &mut Builder, look: usize) {
     keys(builder, Slot::Chrome, plate(door, [0.6, 0.82], [0.46, 0.6], 0.018), [3, 4]);
     builder.block(Slot::MetalDark, plate(door, [0.16, 0.46], [0.48, 0.6], 0.02), 0.004);
     builder.cuboid(Slot::Lamp, plate(door, [0.2, 0.42], [0.535, 0.55], 0.022));
-    tray(builder, Slot::Metal, door.with_z([door.low.z, door.high.z]), ([0.26, 0.74], [0.28, 0.38]));
+    tray(builder, Slot::Metal, door.with_z([door.low.z, door.high.z]), [0.26, 0.74], [0.28, 0.38]);
     for slat in plate(door, [0.2, 0.8], [0.06, 0.2], 0.012).rows(6, 0.014) {
         builder.cuboid(Slot::MetalDark, slat);
     }

@@ -145,11 +145,11 @@ fn bucket(builder: &mut Builder, bay: Bay, form: usize) {
     builder.add(slots[1], sweep(&spade, 0.006, 5));
     let grip = Bay::around(spade[1], half * 0.44, 0.012, 0.012);
     builder.cuboid(slots[1], grip);
-    ball(builder, slots[2], (bay.high.x, bay.high.z));
+    ball(builder, slots[2], bay.high.x, bay.high.z);
 }
 
 /// A ball on the floor in a corner.
-fn ball(builder: &mut Builder, slot: Slot, (right, front): (f64, f64)) {
+fn ball(builder: &mut Builder, slot: Slot, right: f64, front: f64) {
     let radius = (right * 0.36).min(front * 0.5);
     let ring = |turn: f64| {
         let (sine, cosine) = libm::sincos(turn);

@@ -26,7 +26,7 @@ fn umbrella_stand(draft: &Draft, builder: &mut Builder) {
 }
 
 /// An umbrella that leans from the middle of the floor in a direction, with a curved handle.
-fn umbrella(builder: &mut Builder, slot: Slot, turn: f64, (top, is_hooked): (f64, bool)) {
+fn umbrella(builder: &mut Builder, slot: Slot, turn: f64, top: f64, is_hooked: bool) {
     let radius = builder.bay().width() / 2.0;
     let (sine, cosine) = libm::sincos(turn);
     let out = DVec3::new(cosine, 0.0, sine);
@@ -53,7 +53,7 @@ fn vessel(profile: &[(f64, f64)], radius: f64, sides: usize) -> Solid {
 }
 
 /// A ring around the axis at a height.
-fn hoop((outer, inner): (f64, f64), y: [f64; 2], sides: usize) -> Solid {
+fn hoop(outer: f64, inner: f64, y: [f64; 2], sides: usize) -> Solid {
     let slices = [(outer, y[0]), (outer, y[1]), (inner, (y[0] + y[1]) / 2.0)]
         .map(|(radius, y)| Slice::round(y, radius));
     loft_ring(&Outline::Round(sides), &slices)
@@ -74,8 +74,8 @@ fn cylinder_with_ring(builder: &mut Builder, sampler: &mut Sampler) {
     let slot = sampler.pick(&[Slot::MetalDark, Slot::Painted, Slot::Metal]);
     builder.add(slot, vessel(&[(0.96, 0.012), (0.96, rim), (0.9, rim), (0.9, 0.03)], radius, 12));
     builder.add(Slot::PlasticDark, vessel(&[(1.0, 0.0), (1.0, 0.014)], radius, 12));
-    builder.add(Slot::Chrome, hoop((radius, radius * 0.93), [rim * 0.9, rim * 0.94], 12));
-    umbrella(builder, Slot::Fabric, sampler.between(0.0, 3.0), (bay.high.y, true));
+    builder.add(Slot::Chrome, hoop(radius, radius * 0.93, [rim * 0.9, rim * 0.94], 12));
+    umbrella(builder, Slot::Fabric, sampler.between(0.0, 3.0), bay.high.y, true);
 }
 
 /// A tray on the floor, four bowed bars, and a ring above; ornaments where the bars meet it.
@@ -85,7 +85,7 @@ fn cast_iron(builder: &mut Builder, sampler: &mut Sampler) {
     let slot = sampler.pick(&[Slot::MetalDark, Slot::Brass]);
     let tray = [(0.86, 0.0), (1.0, 0.045), (0.92, 0.045), (0.8, 0.014)];
     builder.add(slot, vessel(&tray, radius, 10));
-    builder.add(slot, hoop((radius * 0.9, radius * 0.76), [rim - 0.008, rim + 0.008], 8));
+    builder.add(slot, hoop(radius * 0.9, radius * 0.76, [rim - 0.008, rim + 0.008], 8));
     for out in around(4, 0.5) {
         let at = |share: f64, y: f64| out * radius * share + DVec3::Y * y;
         let bar = [at(0.86, 0.02), at(0.56, rim * 0.45), at(0.82, rim), at(0.98, rim * 0.97)];
@@ -95,7 +95,8 @@ fn cast_iron(builder: &mut Builder, sampler: &mut Sampler) {
         builder,
         sampler.pick(&[Slot::Fabric, Slot::FabricAccent]),
         sampler.between(0.0, 3.0),
-        (bay.high.y, true),
+        bay.high.y,
+        true,
     );
 }
 
@@ -105,7 +106,7 @@ fn mesh(builder: &mut Builder, sampler: &mut Sampler) {
     let (radius, rim) = (bay.width() / 2.0, bay.height() * 0.72);
     builder.add(Slot::MetalDark, vessel(&[(0.94, 0.0), (0.98, 0.02)], radius, 8));
     for (low, wide) in [(rim - 0.014, 1.0), (rim * 0.45, 0.97)] {
-        builder.add(Slot::MetalDark, hoop((radius * wide, radius * (wide - 0.07)), [low, low + 0.014], 8));
+        builder.add(Slot::MetalDark, hoop(radius * wide, radius * (wide - 0.07), [low, low + 0.014], 8));
     }
     let wire = 0.0035;
     let places = |lean: f64| around(5, 0.25).zip(around(5, 0.25 + lean));
@@ -113,7 +114,7 @@ fn mesh(builder: &mut Builder, sampler: &mut Sampler) {
         let ends = [foot * radius * 0.9 + DVec3::Y * 0.015, head * radius * 0.92 + DVec3::Y * (rim - 0.004)];
         builder.add(Slot::Metal, sweep(&ends, wire, 3));
     }
-    umbrella(builder, Slot::FabricAccent, sampler.between(0.0, 3.0), (bay.high.y, true));
+    umbrella(builder, Slot::FabricAccent, sampler.between(0.0, 3.0), bay.high.y, true);
 }
 
 /// A pot of plastic with round corners, wider above, with a broad rim.
@@ -132,6 +133,6 @@ fn square_pot(builder: &mut Builder, sampler: &mut Sampler) {
     let slot = sampler.pick(&[Slot::Plastic, Slot::PlasticDark, Slot::PaintedAccent]);
     builder.add(slot, loft(&Outline::Soft(2), &slices));
     let turn = sampler.between(0.0, 3.0);
-    umbrella(builder, Slot::Fabric, turn, (bay.high.y, true));
-    umbrella(builder, Slot::FabricAccent, turn + 2.2, (bay.high.y * 0.94, false));
+    umbrella(builder, Slot::Fabric, turn, bay.high.y, true);
+    umbrella(builder, Slot::FabricAccent, turn + 2.2, bay.high.y * 0.94, false);
 }

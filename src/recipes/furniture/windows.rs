@@ -202,7 +202,7 @@ fn blind(draft: &Draft, builder: &mut Builder) {
         return;
     }
     let slot = if is_industrial { Slot::Metal } else { Slot::Painted };
-    slats(builder, (case, fall), [slot, if look == 3 { Slot::Wood } else { slot }]);
+    slats(builder, case, fall, [slot, if look == 3 { Slot::Wood } else { slot }]);
     cords(builder, case.low.y);
     // The brackets reach the wall and the room.
     for (side, inwards) in [(Side::Left, 0.0006), (Side::Right, -0.0006)] {
@@ -229,7 +229,7 @@ fn rolled_up(builder: &mut Builder, fall: f64) {
 }
 
 /// Slats drawn up under their case, with tapes and a heavier slat below; `slot` is of the case, `of_slats` of most slats.
-fn slats(builder: &mut Builder, (case, fall): (Bay, f64), [slot, of_slats]: [Slot; 2]) {
+fn slats(builder: &mut Builder, case: Bay, fall: f64, [slot, of_slats]: [Slot; 2]) {
     let bay = builder.bay();
     builder.block(slot, case.inset(0.0, 0.0, bay.depth() * 0.1), 0.003);
     let slats = bay.with_y([bay.high.y - fall, case.low.y]).inset(0.01, 0.0, bay.depth() * 0.14);

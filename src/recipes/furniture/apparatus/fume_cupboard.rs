@@ -43,7 +43,7 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
     }
     builder.block(Slot::Stone, bay.with_y([bench - TOP - SINK, bench]), 0.004);
     let upper = bay.with_y([bench - SINK, bay.high.y]).inset(0.001, 0.0, 0.001).without(Side::Front, 0.05);
-    working_space(draft, builder, slot, (upper, bench));
+    working_space(draft, builder, slot, upper, bench);
     valves(builder, bay.width(), bench, upper.high.z);
     for (x, tall) in [(-0.2, 0.16), (-0.1, 0.22), (0.18, 0.12)] {
         let glass =
@@ -53,7 +53,7 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
 }
 
 /// What stands on the bench: a hood over a pane, or a chamber behind panes.
-fn working_space(draft: &Draft, builder: &mut Builder, slot: Slot, (upper, bench): (Bay, f64)) {
+fn working_space(draft: &Draft, builder: &mut Builder, slot: Slot, upper: Bay, bench: f64) {
     let look = draft.form();
     // Panes that are lifted stand half open in their frame.
     let open = |low: f64| bench + (low - bench) * (0.25 + 0.12 * look as f64);

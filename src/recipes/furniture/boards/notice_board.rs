@@ -27,7 +27,7 @@ enum Holder {
 }
 
 /// Notes in cells of a field on its front, `most` at most, each a little crooked, and what holds them.
-fn notes(builder: &mut Builder, sampler: &mut Sampler, field: Bay, (most, holder): (usize, Holder)) {
+fn notes(builder: &mut Builder, sampler: &mut Sampler, field: Bay, most: usize, holder: Holder) {
     let count = |length: f64, cell: f64| (length / cell).round().clamp(1.0, 4.0) as u32;
     let (columns, rows) = (count(field.width(), CELL[0]), count(field.height(), CELL[1]).min(2));
     let cells = field.rows(rows, 0.03).into_iter().flat_map(|row| row.columns(columns, 0.03));
@@ -60,7 +60,7 @@ fn felt(draft: &Draft, builder: &mut Builder) {
     builder.add(Slot::Metal, frame(bay, 0.012));
     let felt = inside(bay, 0.012, [0.1, 0.7]);
     builder.cuboid(sampler.pick(&[Slot::Fabric, Slot::FabricAccent, Slot::FabricLight]), felt);
-    notes(builder, &mut sampler, felt.inset(0.04, 0.04, 0.0), (8, Holder::Pin));
+    notes(builder, &mut sampler, felt.inset(0.04, 0.04, 0.0), 8, Holder::Pin);
 }
 
 /// Cork in a moulding of wood with a plaque.
@@ -78,7 +78,7 @@ fn cork(draft: &Draft, builder: &mut Builder) {
     builder.cuboid(Slot::Terracotta, cork);
     let top = DVec3::new(0.0, board.high.y - border * 0.6, board.high.z);
     builder.cuboid(Slot::Brass, Bay::around(top, bay.width() * 0.22, border * 0.5, 0.006));
-    notes(builder, &mut sampler, cork.inset(0.03, 0.03, 0.0), (8, Holder::Pin));
+    notes(builder, &mut sampler, cork.inset(0.03, 0.03, 0.0), 8, Holder::Pin);
 }
 
 /// A grid of wire in a frame of rod, held off the wall; notes hang from clips.
@@ -103,7 +103,7 @@ fn wire(draft: &Draft, builder: &mut Builder) {
         builder.cuboid(Slot::Metal, stud);
     }
     let field = inner.inset(0.04, 0.04, 0.0).with_z([z, z + radius * 2.0]);
-    notes(builder, &mut sampler, field, (6, Holder::Clip));
+    notes(builder, &mut sampler, field, 6, Holder::Clip);
     let grip = Bay::around(DVec3::new(bay.low.x + 0.09, bay.high.y - 0.03, 0.0), 0.05, 0.04, 1.0);
     builder.cuboid(Slot::Metal, grip.with_z([z - 0.001, bay.high.z]));
 }
@@ -120,7 +120,7 @@ fn tiles(draft: &Draft, builder: &mut Builder) {
             builder.cuboid(slot, tile);
         }
     }
-    notes(builder, &mut sampler, cork.inset(0.04, 0.05, 0.0), (7, Holder::Pin));
+    notes(builder, &mut sampler, cork.inset(0.04, 0.05, 0.0), 7, Holder::Pin);
     let spare = Bay::around(bay.center(), 0.014, 0.014, 1.0).with_z([cork.high.z - SINK, bay.high.z]);
     builder.cuboid(Slot::Book, spare.moved(bay.width() * 0.46, -bay.height() * 0.46, 0.0));
 }

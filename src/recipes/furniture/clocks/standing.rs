@@ -54,7 +54,7 @@ pub(super) fn bow(builder: &mut Builder, look: usize) {
 }
 
 /// A one or a nought in a field, its front `lift` metres out of the field's.
-fn digit(builder: &mut Builder, slot: Slot, field: Bay, (is_nought, lift): (bool, f64)) {
+fn digit(builder: &mut Builder, slot: Slot, field: Bay, is_nought: bool, lift: f64) {
     let bar = field.width() * 0.24;
     let front = field.high.z;
     if is_nought {
@@ -73,7 +73,7 @@ fn digit(builder: &mut Builder, slot: Slot, field: Bay, (is_nought, lift): (bool
 fn ten_past_ten(builder: &mut Builder, slot: Slot, halves: [Bay; 2], lift: f64) {
     for half in halves {
         for (place, is_nought) in half.columns(2, half.width() * 0.12).into_iter().zip([false, true]) {
-            digit(builder, slot, place, (is_nought, lift));
+            digit(builder, slot, place, is_nought, lift);
         }
     }
 }

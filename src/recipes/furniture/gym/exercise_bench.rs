@@ -34,7 +34,7 @@ fn plates(builder: &mut Builder, slot: Slot, shares: [f64; 2], radius: f64, (y, 
 }
 
 /// The bar itself.
-fn bar(builder: &mut Builder, slot: Slot, (y, z): (f64, f64)) {
+fn bar(builder: &mut Builder, slot: Slot, y: f64, z: f64) {
     let bay = builder.bay();
     builder.add(slot, across(BAR, bay.x(), 8).moved(0.0, y, z));
 }
@@ -54,7 +54,7 @@ fn flat(builder: &mut Builder) {
         builder.cuboid(Slot::Metal, foot);
         builder.cuboid(Slot::Metal, Bay::new([x - 0.028, x + 0.028], [0.05 - SINK, y], [z - 0.03, z + 0.03]));
     }
-    bar(builder, Slot::Chrome, (y, z));
+    bar(builder, Slot::Chrome, y, z);
     plates(builder, Slot::Rubber, [0.8, 0.94], 0.2, (y, z));
 }
 
@@ -92,7 +92,7 @@ fn strongman(builder: &mut Builder) {
         builder.block(Slot::Wood, foot.with_x(ends), 0.012);
     }
     builder.cuboid(Slot::Wood, Bay::new([-gap, gap], [0.3, 0.38], [z - 0.018, z + 0.018]));
-    bar(builder, Slot::MetalDark, (y, z));
+    bar(builder, Slot::MetalDark, y, z);
     builder.add_pair(Slot::MetalDark, turned_sideways(ball(globe, 14)).moved(bay.high.x - globe, y, z));
 }
 
@@ -124,14 +124,14 @@ fn racked(builder: &mut Builder) {
     for ends in [cup.x(), [-cup.high.x, -cup.low.x]] {
         builder.block(Slot::PaintedAccent, cup.with_x(ends).inset(0.008, 0.0, 0.0), 0.006);
     }
-    bar(builder, Slot::Chrome, (y, z));
+    bar(builder, Slot::Chrome, y, z);
     plates(builder, Slot::Rubber, [0.7, 0.8], 0.16, (y, z));
     plates(builder, Slot::PaintedAccent, [0.81, 0.88], 0.16, (y, z));
-    reclining(builder, (Slot::Leather, Slot::MetalDark), bay.height() * LYING, [z - 0.1, bay.high.z]);
+    reclining(builder, Slot::Leather, Slot::MetalDark, bay.height() * LYING, [z - 0.1, bay.high.z]);
 }
 
 /// A level seat at the front and a slanting back, on a spine with two feet.
-fn reclining(builder: &mut Builder, (pad, frame): (Slot, Slot), lying: f64, z: [f64; 2]) {
+fn reclining(builder: &mut Builder, pad: Slot, frame: Slot, lying: f64, z: [f64; 2]) {
     let seat = Bay::new([-0.14, 0.14], [lying - 0.06, lying], [z[1] - 0.36, z[1]]);
     builder.cushion(pad, seat, 0.025);
     let hinge = seat.low.z.max(z[0] + LEAST_BACK);
@@ -162,7 +162,7 @@ fn inclined(builder: &mut Builder) {
     let bay = builder.bay();
     let (high, tube) = (bay.high.y, 0.02);
     let lying = bay.height() * LYING;
-    reclining(builder, (Slot::FabricAccent, Slot::Chrome), lying, [bay.low.z + 0.3, bay.high.z - 0.2]);
+    reclining(builder, Slot::FabricAccent, Slot::Chrome, lying, [bay.low.z + 0.3, bay.high.z - 0.2]);
     let x = bay.width() * 0.2;
     let (y, z) = (high - 0.12, bay.low.z + 0.14);
     let frame = [
@@ -181,7 +181,7 @@ fn inclined(builder: &mut Builder) {
     for ends in [hook.x(), [-hook.high.x, -hook.low.x]] {
         builder.cuboid(Slot::PlasticDark, hook.with_x(ends));
     }
-    bar(builder, Slot::Chrome, (y, z + 0.04));
+    bar(builder, Slot::Chrome, y, z + 0.04);
     plates(builder, Slot::PlasticDark, [0.66, 0.8], 0.115, (y, z + 0.04));
     plates(builder, Slot::PlasticDark, [0.805, 0.9], 0.09, (y, z + 0.04));
     // The lever for the legs.

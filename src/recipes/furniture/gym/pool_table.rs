@@ -25,20 +25,20 @@ fn pool_table(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Budget => Slot::Laminate,
         _ => wood,
     };
-    let bed = table_top(builder, (slot, rim), edge);
+    let bed = table_top(builder, slot, rim, edge);
     pockets(builder, rim, edge, draft.set());
     balls(builder, bed, bed.high.y);
     let below = bay.without(Side::Above, rim.height() - SINK);
     match draft.set() {
-        GeometrySet::Plain => broad_legs(builder, wood, (below, edge)),
-        GeometrySet::Traditional => turned_legs(builder, wood, (below, edge)),
-        GeometrySet::Industrial => trestles(builder, (below, edge)),
-        GeometrySet::Budget => panels(builder, (below, edge)),
+        GeometrySet::Plain => broad_legs(builder, wood, below, edge),
+        GeometrySet::Traditional => turned_legs(builder, wood, below, edge),
+        GeometrySet::Industrial => trestles(builder, below, edge),
+        GeometrySet::Budget => panels(builder, below, edge),
     }
 }
 
 /// Cushions around the cloth; gives the bed.
-fn table_top(builder: &mut Builder, (slot, rim): (Slot, Bay), edge: f64) -> Bay {
+fn table_top(builder: &mut Builder, slot: Slot, rim: Bay, edge: f64) -> Bay {
     for side in [Side::Front, Side::Back] {
         builder.block(slot, rim.slab(side, edge), 0.01);
     }
@@ -76,7 +76,7 @@ fn balls(builder: &mut Builder, bed: Bay, floor: f64) {
     }
 }
 
-fn broad_legs(builder: &mut Builder, wood: Slot, (below, edge): (Bay, f64)) {
+fn broad_legs(builder: &mut Builder, wood: Slot, below: Bay, edge: f64) {
     let apron = below.slab(Side::Above, builder.bay().height() * 0.15);
     builder.cuboid(wood, apron.inset(edge * 0.6, 0.0, edge * 0.6));
     let legs = below.with_y([0.0, apron.low.y + SINK]).inset(edge * 0.7, 0.0, edge * 0.7);
@@ -84,7 +84,7 @@ fn broad_legs(builder: &mut Builder, wood: Slot, (below, edge): (Bay, f64)) {
 }
 
 /// Six turned legs under a frame with a moulded edge.
-fn turned_legs(builder: &mut Builder, wood: Slot, (below, edge): (Bay, f64)) {
+fn turned_legs(builder: &mut Builder, wood: Slot, below: Bay, edge: f64) {
     let apron = below.slab(Side::Above, builder.bay().height() * 0.24).inset(edge * 0.5, 0.0, edge * 0.5);
     builder.cuboid(wood, apron);
     slab_top(
@@ -102,7 +102,7 @@ fn turned_legs(builder: &mut Builder, wood: Slot, (below, edge): (Bay, f64)) {
 }
 
 /// Two trestles of square tube, held by a beam and crossed rods.
-fn trestles(builder: &mut Builder, (below, edge): (Bay, f64)) {
+fn trestles(builder: &mut Builder, below: Bay, edge: f64) {
     let frame = below.slab(Side::Above, 0.1).inset(edge * 0.5, 0.0, edge * 0.5);
     builder.cuboid(Slot::MetalDark, frame);
     let (tube, top) = (0.05, frame.low.y + 0.02);
@@ -127,7 +127,7 @@ fn trestles(builder: &mut Builder, (below, edge): (Bay, f64)) {
 }
 
 /// A tray with rounded ends on two legs of panels, each on two levelling feet.
-fn panels(builder: &mut Builder, (below, edge): (Bay, f64)) {
+fn panels(builder: &mut Builder, below: Bay, edge: f64) {
     let tray = below.slab(Side::Above, builder.bay().height() * 0.2).inset(edge * 0.4, 0.0, edge * 0.4);
     builder.block(Slot::PlasticDark, tray, 0.02);
     let depth = below.high.z - edge * 1.2;

@@ -42,7 +42,7 @@ pub(in super::super) fn fill_with_books(
         let (next, used) = match sampler.count(0, 7) {
             0 if rest > THING => lying(builder, sampler, room, mean),
             1 if rest > THING && room.width() > 0.14 => thing(builder, sampler, room),
-            _ => run(builder, sampler, room, (mean, rest)),
+            _ => run(builder, sampler, room, mean, rest),
         };
         left = next;
         rest = rest.saturating_sub(used.max(1));
@@ -50,7 +50,7 @@ pub(in super::super) fn fill_with_books(
 }
 
 /// Three to nine books of nearly one height; the last may lean. Gives where the next may stand, and how many it took.
-fn run(builder: &mut Builder, sampler: &mut Sampler, room: Bay, (mean, rest): (f64, u32)) -> (f64, u32) {
+fn run(builder: &mut Builder, sampler: &mut Sampler, room: Bay, mean: f64, rest: u32) -> (f64, u32) {
     let height = room.height() * sampler.between(0.6, 0.92);
     let depth = room.depth() * sampler.between(0.6, 0.85);
     let count = sampler.count(3, 9).min(rest);

@@ -211,7 +211,8 @@ fn pot_form(set: GeometrySet, look: usize) -> (Slot, Vec<(f64, f64)>) {
 /// a look. In the traditional set clay and wicker, in the industrial zinc and concrete, in the budget set plastic.
 pub(in super::super) fn pot(
     builder: &mut Builder,
-    (set, look): (GeometrySet, u32),
+    set: GeometrySet,
+    look: u32,
     (radius, height): (f64, f64),
     sides: usize,
 ) {

@@ -55,13 +55,13 @@ fn bookshelf(draft: &Draft, builder: &mut Builder) {
         GeometrySet::Budget => 0.014,
         _ => BOARD,
     };
-    rows_of_books(draft, builder, open, (slot, board));
+    rows_of_books(draft, builder, open, slot, board);
 }
 
 /// Boards with books on them, from the floor of a bay to its top.
-fn rows_of_books(draft: &Draft, builder: &mut Builder, open: Bay, (slot, board): (Slot, f64)) {
+fn rows_of_books(draft: &Draft, builder: &mut Builder, open: Bay, slot: Slot, board: f64) {
     let mut sampler = draft.sampler();
-    let count = draft.count_along("shelves", (open.height(), SHELF_SPACING), 12);
+    let count = draft.count_along("shelves", open.height(), SHELF_SPACING, 12);
     builder.cuboid(slot, open.slab(Side::Above, board));
     let most = (MOST_BOOKS / count).min((open.width() / 0.03) as u32).max(1);
     let form = draft.input.look % 4;

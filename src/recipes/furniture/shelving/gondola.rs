@@ -127,7 +127,7 @@ fn crates(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
         for (place, cell) in
             zone.columns((bay.width() / 0.46).round().clamp(1.0, 4.0) as u32, 0.016).into_iter().enumerate()
         {
-            crate_of_fruit(builder, sampler, (wood, cell), place);
+            crate_of_fruit(builder, sampler, wood, cell, place);
         }
     }
     let valance = bay.slab(Side::Above, 0.14).slab(Side::Back, 0.06).without(Side::Back, 0.002);
@@ -141,7 +141,7 @@ fn crates(builder: &mut Builder, sampler: &mut Sampler, form: usize) {
 }
 
 /// A crate whose front is lower than its back, with round goods in it.
-fn crate_of_fruit(builder: &mut Builder, sampler: &mut Sampler, (wood, cell): (Slot, Bay), place: usize) {
+fn crate_of_fruit(builder: &mut Builder, sampler: &mut Sampler, wood: Slot, cell: Bay, place: usize) {
     let (drop, wall) = ((cell.height() * 0.3).min(0.12), (cell.height() * 0.3).min(0.1));
     let (low, back, front) = (cell.low.y, cell.low.z, cell.high.z);
     let side =

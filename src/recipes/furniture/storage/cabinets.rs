@@ -17,7 +17,7 @@ fn wardrobe(draft: &Draft, builder: &mut Builder) {
     let body = case(draft, builder, body_slot(draft));
     let fittings = fronts(draft);
     fittings.carcass(builder, body_slot(draft), body);
-    let count = draft.count_along("doors", (body.width(), DOOR), 6);
+    let count = draft.count_along("doors", body.width(), DOOR, 6);
     let has_drawers = draft.sampler().count(0, 2) == 2 && body.height() > 1.5;
     let upper = if has_drawers { body.without(Side::Below, 0.42) } else { body };
     if has_drawers {
@@ -37,7 +37,7 @@ fn cabinet(draft: &Draft, builder: &mut Builder) {
     let body = case(draft, builder, body_slot(draft));
     let fittings = fronts(draft);
     fittings.carcass(builder, body_slot(draft), body);
-    let count = draft.count_along("doors", (body.width(), DOOR), 6);
+    let count = draft.count_along("doors", body.width(), DOOR, 6);
     let has_drawer_row = draft.sampler().count(0, 3) == 3 && body.height() > 0.6;
     let lower = if has_drawer_row { body.without(Side::Above, 0.16) } else { body };
     if has_drawer_row {
@@ -68,6 +68,6 @@ fn wall_cabinet(draft: &Draft, builder: &mut Builder) {
         bay
     };
     fittings.carcass(builder, body_slot(draft), body);
-    let count = draft.count_along("doors", (bay.width(), DOOR), 6);
+    let count = draft.count_along("doors", bay.width(), DOOR, 6);
     doors(builder, &fittings, body, count, 0.2);
 }

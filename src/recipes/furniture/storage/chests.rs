@@ -17,7 +17,7 @@ fn dresser(draft: &Draft, builder: &mut Builder) {
     let body = chest_on_feet(draft, builder, body_slot(draft));
     let fittings = fronts(draft);
     fittings.carcass(builder, body_slot(draft), body);
-    let rows = draft.count_along("drawers", (bay.height(), 0.24), 6);
+    let rows = draft.count_along("drawers", bay.height(), 0.24, 6);
     let form = draft.input.look % 4;
     let columns = if bay.width() > 0.95 && form != 1 { 2 } else { 1 };
     // Some looks have shallow drawers for small things on top.

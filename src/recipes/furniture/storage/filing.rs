@@ -28,7 +28,7 @@ pub(in super::super) static FILING_CABINET: Recipe = Recipe::furniture("filing_c
 
 fn filing_cabinet(draft: &Draft, builder: &mut Builder) {
     let height = builder.bay().height();
-    let count = draft.count_along("drawers", (height, DRAWER), 5);
+    let count = draft.count_along("drawers", height, DRAWER, 5);
     let form = draft.form();
     match draft.set() {
         GeometrySet::Plain => plain(builder, count, form),

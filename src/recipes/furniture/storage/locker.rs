@@ -36,7 +36,7 @@ pub(in super::super) static LOCKER: Recipe = Recipe::furniture("locker", [0.9, 0
 
 fn locker(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let count = draft.count_along("doors", (bay.width(), COMPARTMENT), 6);
+    let count = draft.count_along("doors", bay.width(), COMPARTMENT, 6);
     let row = Row { bay, count, form: draft.form() };
     match draft.set() {
         GeometrySet::Plain => plain(&row, builder),

@@ -56,7 +56,7 @@ fn modesty(builder: &mut Builder, slot: Slot, under: Bay, share: f64) -> Bay {
 }
 
 /// Shallow drawers in a rail under the top.
-fn pencil_drawers(builder: &mut Builder, slot: Slot, under: Bay, (count, kind): (u32, HandleKind)) {
+fn pencil_drawers(builder: &mut Builder, slot: Slot, under: Bay, count: u32, kind: HandleKind) {
     let rail = under.inset(0.0485, 0.0, 0.012).without(Side::Above, SINK * 3.5).slab(Side::Above, 0.038);
     builder.cuboid(slot, rail.without(Side::Front, 0.012));
     for front in rail.columns(count, 0.006) {
@@ -77,7 +77,7 @@ fn slanted_ends(builder: &mut Builder, slot: Slot, under: Bay, radius: f64) {
 }
 
 /// A closed frame of bar at either end.
-fn loops(builder: &mut Builder, slot: Slot, under: Bay, (width, bar): (f64, f64)) {
+fn loops(builder: &mut Builder, slot: Slot, under: Bay, width: f64, bar: f64) {
     for side in [Side::Left, Side::Right] {
         let frame = under.slab(side, width);
         for end in [Side::Front, Side::Back] {
@@ -103,10 +103,10 @@ fn plain(builder: &mut Builder, under: Bay, form: usize) {
         }
         1 => {
             slanted_ends(builder, Slot::Wood, under, 0.026);
-            pencil_drawers(builder, Slot::Wood, under, (2, HandleKind::Knob));
+            pencil_drawers(builder, Slot::Wood, under, 2, HandleKind::Knob);
         }
         2 => {
-            loops(builder, Slot::MetalDark, under, (0.04, 0.03));
+            loops(builder, Slot::MetalDark, under, 0.04, 0.03);
             modesty(builder, Slot::Painted, under, 0.3);
         }
         _ => {
@@ -149,7 +149,7 @@ fn traditional(builder: &mut Builder, under: Bay, form: usize) {
         }
     }
     let kind = if form == 1 { HandleKind::Level } else { HandleKind::Knob };
-    pencil_drawers(builder, slot, under, (if form == 2 { 2 } else { 3 }, kind));
+    pencil_drawers(builder, slot, under, if form == 2 { 2 } else { 3 }, kind);
 }
 
 /// Two raised fields over each other on the outside of an end.
@@ -168,7 +168,7 @@ fn industrial(builder: &mut Builder, under: Bay, form: usize) {
         0 => pipe_frames(builder, under),
         1 => crossed_loops(builder, under),
         2 => {
-            trestles(builder, slot, under, (0.016, 4));
+            trestles(builder, slot, under, 0.016, 4);
             builder.cuboid(
                 slot,
                 under
@@ -195,13 +195,13 @@ fn angles_with_planks(builder: &mut Builder, under: Bay) {
         }
     }
     modesty(builder, slot, under, 0.3);
-    pencil_drawers(builder, slot, under, (2, HandleKind::Level));
+    pencil_drawers(builder, slot, under, 2, HandleKind::Level);
 }
 
 /// Loops of steel with a cross of wire behind.
 fn crossed_loops(builder: &mut Builder, under: Bay) {
     let slot = Slot::MetalDark;
-    loops(builder, slot, under, (0.045, 0.045));
+    loops(builder, slot, under, 0.045, 0.045);
     let (x, z) = (under.high.x - 0.03, under.low.z + 0.022);
     let cross = |from: f64, to: f64| {
         [DVec3::new(from, under.high.y * 0.56, z), DVec3::new(to, under.high.y - 0.03, z)]
@@ -232,7 +232,7 @@ fn pipe_frames(builder: &mut Builder, under: Bay) {
 }
 
 /// Two leaning bars with a cross bar at either end, as an A seen from the side.
-fn trestles(builder: &mut Builder, slot: Slot, under: Bay, (radius, sides): (f64, usize)) {
+fn trestles(builder: &mut Builder, slot: Slot, under: Bay, radius: f64, sides: usize) {
     let x = under.high.x - 0.03;
     let middle = under.center().z;
     let spread = under.depth() / 2.0 - radius;
@@ -260,7 +260,7 @@ fn trestles(builder: &mut Builder, slot: Slot, under: Bay, (radius, sides): (f64
 
 fn budget(builder: &mut Builder, under: Bay, form: usize) {
     match form {
-        0 => trestles(builder, Slot::WoodLight, under, (0.017, 4)),
+        0 => trestles(builder, Slot::WoodLight, under, 0.017, 4),
         1 => {
             for side in [Side::Left, Side::Right] {
                 builder.cuboid(Slot::Laminate, under.slab(side, 0.018).without(Side::Below, 0.004));

@@ -30,7 +30,7 @@ fn topped(draft: &Draft, builder: &mut Builder, thickness: f64) -> Bay {
     bay.without(Side::Above, top - SINK).inset(overhang, 0.0, overhang)
 }
 
-fn shelf(builder: &mut Builder, slot: Slot, under: Bay, (rise, inset): (f64, f64)) {
+fn shelf(builder: &mut Builder, slot: Slot, under: Bay, rise: f64, inset: f64) {
     let y = under.low.y + under.height() * rise;
     builder.block(slot, under.with_y([y, y + 0.018]).inset(inset, 0.0, inset), 0.003);
 }
@@ -101,7 +101,7 @@ fn pebble(builder: &mut Builder) {
 fn on_tapered_legs(draft: &Draft, builder: &mut Builder) {
     let under = topped(draft, builder, TOP * 0.8);
     legs_at_corners(builder, Slot::Wood, under, LEG * 0.9, LegKind::Tapered);
-    shelf(builder, Slot::Wood, under, (0.35, LEG * 0.3));
+    shelf(builder, Slot::Wood, under, 0.35, LEG * 0.3);
 }
 
 fn traditional(draft: &Draft, builder: &mut Builder, form: usize) {
@@ -114,7 +114,7 @@ fn traditional(draft: &Draft, builder: &mut Builder, form: usize) {
             legs_at_corners(builder, slot, under, LEG, kind);
             apron(builder, slot, under, LEG, under.height() * 0.16);
             match form {
-                0 => shelf(builder, slot, under, (0.22, LEG * 0.3)),
+                0 => shelf(builder, slot, under, 0.22, LEG * 0.3),
                 1 => {
                     let y = under.height() * 0.16;
                     let at = |x: f64, z: f64| {
@@ -260,7 +260,7 @@ fn budget(draft: &Draft, builder: &mut Builder, form: usize) {
             let under =
                 bay.without(Side::Above, 0.05_f64.min(bay.height() * 0.15) - SINK).inset(0.001, 0.0, 0.001);
             legs_at_corners(builder, Slot::Laminate, under, 0.05, LegKind::Square);
-            shelf(builder, Slot::Laminate, under, (0.28, 0.02));
+            shelf(builder, Slot::Laminate, under, 0.28, 0.02);
         }
         1 => {
             builder.block(Slot::WoodLight, bay.slab(Side::Above, 0.02), 0.003);
@@ -325,7 +325,8 @@ fn console_table(draft: &Draft, builder: &mut Builder) {
             builder,
             if set == GeometrySet::Industrial { Slot::Wood } else { slot },
             under,
-            (0.18, thick * 0.3),
+            0.18,
+            thick * 0.3,
         );
     }
 }

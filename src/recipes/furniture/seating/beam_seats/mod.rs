@@ -26,7 +26,7 @@ fn beam_seats(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
     let row = Row {
         bay,
-        count: draft.count_along("seats", (bay.width(), PERSON), 8).min(8),
+        count: draft.count_along("seats", bay.width(), PERSON, 8).min(8),
         seat: seat_height(bay.height()),
         look: draft.form(),
     };
