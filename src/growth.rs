@@ -29,7 +29,8 @@ impl ThreadTime {
 /// The power of the size with which time grows from a small input to one some times as large, as far as other work on the
 /// machine lets it be told: the least of a few rounds, the first of which that is below what is hoped for.
 pub(crate) fn growth<T>(
-    (small, times): (usize, usize),
+    small: usize,
+    times: usize,
     hoped: f64,
     make: impl Fn(usize) -> T,
     run: impl Fn(T),

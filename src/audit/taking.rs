@@ -110,7 +110,7 @@ pub(crate) fn takings(
     for &(zone, body) in hits {
         let Some((owner, number)) = select(zone.purpose) else { continue };
         let other = &subject.bodies[body];
-        if !is_welcome(subject, (owner, number), body)
+        if !is_welcome(subject, owner, number, body)
             && !is_flat(subject, other)
             && zone.intrusion(subject, other) > limit
         {
@@ -145,7 +145,7 @@ pub(crate) fn comfort_takings(subject: &Subject<'_>, zones: &[Zone], hits: &[Nea
 
 /// Whether a body may be in a clearance: it belongs to its object, and the side takes children or it lies
 /// below in the hierarchy.
-fn is_welcome(subject: &Subject<'_>, (owner, number): (usize, usize), body: usize) -> bool {
+fn is_welcome(subject: &Subject<'_>, owner: usize, number: usize, body: usize) -> bool {
     let clearance = &subject.bodies[owner].class.clearances[number];
     is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner)
 }

@@ -166,9 +166,9 @@ fn line(catalog: &Catalog, class: &str, count: Count) -> Request {
 }
 
 fn catalog() -> Catalog {
-    let mut desk = class("desk", (1.5, 0.75, 0.75), ParentName::Floor);
+    let mut desk = class("desk", 1.5, 0.75, 0.75, ParentName::Floor);
     desk.clearances.push(Clearance::SEAT);
-    let mut table = class("table", (1.5, 0.75, 0.75), ParentName::Floor);
+    let mut table = class("table", 1.5, 0.75, 0.75, ParentName::Floor);
     table.shape = table_shape();
     let room_type = RoomType {
         id: "office".into(),
@@ -205,11 +205,11 @@ fn catalog() -> Catalog {
     };
     Catalog {
         classes: vec![
-            class("chest", (1.0, 1.0, 0.8), ParentName::Floor),
+            class("chest", 1.0, 1.0, 0.8, ParentName::Floor),
             desk,
-            class("lamp", (0.2, 0.2, 0.3), ParentName::Ceiling),
-            class("picture", (0.6, 0.05, 0.5), ParentName::Wall),
-            class("stool", (0.4, 0.4, 0.45), ParentName::Floor),
+            class("lamp", 0.2, 0.2, 0.3, ParentName::Ceiling),
+            class("picture", 0.6, 0.05, 0.5, ParentName::Wall),
+            class("stool", 0.4, 0.4, 0.45, ParentName::Floor),
             table,
         ],
         room_types: [("office".to_owned(), room_type)].into(),
@@ -218,7 +218,7 @@ fn catalog() -> Catalog {
     }
 }
 
-fn class(id: &str, (width, depth, height): (f64, f64, f64), parent: ParentName) -> Class {
+fn class(id: &str, width: f64, depth: f64, height: f64, parent: ParentName) -> Class {
     let rule = ParentRule {
         parent,
         sides: vec![Side::Above],

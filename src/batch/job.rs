@@ -36,7 +36,8 @@ impl Job<'_> {
 /// All levels of the plan, sorted by building id, then level id: whatever order the files were named in,
 /// shares and manifests are the same.
 pub(crate) fn list_jobs<'a>(
-    (plan, edits): (&'a Plan, &'a EditBook),
+    plan: &'a Plan,
+    edits: &'a EditBook,
     catalog: &Catalog,
     options: &LevelOptions,
 ) -> Vec<Job<'a>> {
@@ -123,7 +124,7 @@ pub(crate) mod tests {
 
     fn paths(plan: &Plan) -> Vec<String> {
         let no_edits = EditBook::default();
-        let jobs = list_jobs((plan, &no_edits), &Catalog::default(), &LevelOptions::default());
+        let jobs = list_jobs(plan, &no_edits, &Catalog::default(), &LevelOptions::default());
         jobs.into_iter().map(|job| job.path).collect()
     }
 
@@ -150,7 +151,7 @@ pub(crate) mod tests {
     fn every_input_changes_the_hash() {
         let plan = Plan { buildings: vec![tower("a", &["1"])] };
         let inputs = |plan: &Plan, options: &LevelOptions| {
-            list_jobs((plan, &EditBook::default()), &Catalog::default(), options)[0].inputs.clone()
+            list_jobs(plan, &EditBook::default(), &Catalog::default(), options)[0].inputs.clone()
         };
         let base = inputs(&plan, &LevelOptions::default());
         let showing = |scene| LevelOptions { scene, ..LevelOptions::default() };
@@ -189,7 +190,7 @@ pub(crate) mod tests {
         let mut edits = EditBook::default();
         edits.pin("a", "1", "101", 7);
         let edited = |edits: &EditBook| {
-            list_jobs((&plan, edits), &Catalog::default(), &LevelOptions::default())[0].inputs.clone()
+            list_jobs(&plan, edits, &Catalog::default(), &LevelOptions::default())[0].inputs.clone()
         };
         assert_ne!(edited(&edits), base);
         edits = EditBook::default();

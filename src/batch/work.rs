@@ -55,7 +55,7 @@ pub fn bake(
 ) -> Result<BakeReport, OutputFault> {
     let &BakeInput { plan, edits, catalog, models, options } = input;
     // The levels of this share; those that are up to date are kept.
-    let jobs = list_jobs((plan, edits), catalog, &options.level);
+    let jobs = list_jobs(plan, edits, catalog, &options.level);
     let is_ours = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
     let share = jobs.iter().enumerate().filter(|(index, _)| is_ours(*index)).map(|(_, job)| job);
     let (kept, open): (Vec<&Job<'_>>, Vec<&Job<'_>>) = share.partition(|job| folder.is_current(job));

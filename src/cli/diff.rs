@@ -137,7 +137,7 @@ fn draw(
     if rooms.is_empty() {
         return Vec::new();
     }
-    draw_rooms(level, rooms, (&arguments.old, &arguments.new), catalog)
+    draw_rooms(level, rooms, &arguments.old, &arguments.new, catalog)
 }
 
 /// Writes the pictures of `--svg`: `<building>/<level>/<room>.before.svg` and `….after.svg`.

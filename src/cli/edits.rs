@@ -58,7 +58,7 @@ fn find(command: EditsCommand) -> Result<Found, Faults> {
         }
         EditsCommand::Reroll { plan, room, to, edits, catalog } => {
             let file = edits.unwrap_or_else(|| edits_path(&plan));
-            let entry = rolled(&plan, catalog, &file, (&room, to))?;
+            let entry = rolled(&plan, catalog, &file, &room, to)?;
             Ok(Found { file, entries: vec![entry], notes: Faults::default() })
         }
     }
@@ -69,7 +69,8 @@ fn rolled(
     plan: &Path,
     catalog: Vec<PathBuf>,
     file: &Path,
-    (room, to): (&str, Option<u64>),
+    room: &str,
+    to: Option<u64>,
 ) -> Result<RoomEntry, Faults> {
     let paths = vec![plan.to_owned()];
     let run_seed = project_settings(&paths)?.seed.unwrap_or(DEFAULT_SEED);

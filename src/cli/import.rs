@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
     }
     screen.faults(&faults);
     let reports = is_report_wanted.then_some(&reports[..]);
-    report(&written, &faults, (reports, screen));
+    report(&written, &faults, reports, screen);
     match written.is_empty() {
         true => Outcome::NotStarted,
         false => Outcome::of_failures(faults.has_errors()),
@@ -89,7 +89,7 @@ fn other_format(out: &Path) -> Option<Fault> {
 }
 
 /// The files written, and the reports of the readers if requested.
-fn report(written: &[&Target<'_>], faults: &Faults, (reports, screen): (Option<&[InputReport]>, Screen)) {
+fn report(written: &[&Target<'_>], faults: &Faults, reports: Option<&[InputReport]>, screen: Screen) {
     let counts = |target: &&Target<'_>| {
         let levels = &target.placed.building.levels;
         let sum = |count: fn(&Level) -> usize| levels.iter().map(count).sum::<usize>();

@@ -124,7 +124,7 @@ fn compare_folders(old: &Folder, new: &Folder, options: &DiffOptions<'_>) -> Vec
         let found = match *pair {
             Pair::Old(entry) => lone_level(entry, Presence::Removed),
             Pair::New(entry) => lone_level(entry, Presence::Added),
-            Pair::Both(before, after) => compare_entries((old, before), (new, after), options),
+            Pair::Both(before, after) => compare_entries(old, before, new, after, options),
         };
         (options.observer)(done.fetch_add(1, Ordering::Relaxed) + 1, all);
         found
@@ -156,8 +156,10 @@ fn lone_level(entry: &Entry, state: Presence) -> Found {
 
 /// A level of both folders.
 fn compare_entries(
-    (old, before): (&Folder, &Entry),
-    (new, after): (&Folder, &Entry),
+    old: &Folder,
+    before: &Entry,
+    new: &Folder,
+    after: &Entry,
     options: &DiffOptions<'_>,
 ) -> Found {
     let frame = LevelDiff {

@@ -33,7 +33,8 @@ pub struct RoomPictures {
 pub fn draw_rooms(
     level: &LevelDiff,
     rooms: &[&RoomDiff],
-    (old, new): (&Path, &Path),
+    old: &Path,
+    new: &Path,
     catalog: &Catalog,
 ) -> Vec<RoomPictures> {
     let open = |root: &Path, file: Option<&String>| {

@@ -193,7 +193,7 @@ fn pictures(old: &str, new: &str) -> RoomPictures {
     let report = compared(&before, &after);
     let level = &report.levels[0];
     let rooms: Vec<&RoomDiff> = level.rooms.iter().collect();
-    draw_rooms(level, &rooms, (&before, &after), &catalog()).remove(0)
+    draw_rooms(level, &rooms, &before, &after, &catalog()).remove(0)
 }
 
 #[test]
@@ -232,7 +232,7 @@ fn a_room_on_one_side_has_one_picture() {
     fs::write(&after, other).unwrap();
     let report = compared(&before, &after);
     let rooms: Vec<&RoomDiff> = report.levels[0].rooms.iter().collect();
-    let drawn = draw_rooms(&report.levels[0], &rooms, (&before, &after), &catalog());
+    let drawn = draw_rooms(&report.levels[0], &rooms, &before, &after, &catalog());
     let sides: Vec<(bool, bool)> =
         drawn.iter().map(|pair| (pair.old.is_some(), pair.new.is_some())).collect();
     assert_eq!(sides, [(true, false), (false, true)]);

@@ -365,7 +365,7 @@ mod tests {
     fn many_keys_of_a_mapping_take_time_by_their_number() {
         let text = |count: usize| (0..count).map(|key| format!("k{key}: 1\n")).collect::<String>();
         let parse = |text: String| assert!(Tree::parse(&text).unwrap().flaws.is_empty());
-        let power = crate::growth::growth((2_000, 8), 1.3, text, parse);
+        let power = crate::growth::growth(2_000, 8, 1.3, text, parse);
         assert!(power < 1.3, "{power}");
     }
 

@@ -39,18 +39,18 @@ pub(crate) fn draw_labels(canvas: &mut Canvas, drawing: &Drawing<'_>) {
             color: name_color(drawing, index),
             ..TextStyle::default()
         };
-        draw_line(canvas, (room, at + line), name, style);
+        draw_line(canvas, room, at + line, name, style);
         let room_type = drawing.catalog.room_types.get(&room.room_type);
         let room_type = room_type.map_or(room.room_type.as_str(), |found| &found.label);
         let detail = format!("{room_type}, {:.1} m²", room.region.area());
         let style = TextStyle { size: DETAIL_SIZE, is_bold: false, color: "#555", ..style };
-        draw_line(canvas, (room, at - line), &detail, style);
+        draw_line(canvas, room, at - line, &detail, style);
     }
 }
 
 /// Writes a line as near to a place as the room's walls allow: smaller where it is too long, cut off where
 /// letters would be too small.
-fn draw_line(canvas: &mut Canvas, (room, at): (&Room, Point), text: &str, style: TextStyle) {
+fn draw_line(canvas: &mut Canvas, room: &Room, at: Point, text: &str, style: TextStyle) {
     let (left, right) = free_stretch(room, at, style.size / canvas.scale());
     let width = (right - left) * canvas.scale() / if style.is_bold { BOLD } else { 1.0 };
     let letters = text.chars().count().max(1) as f64;

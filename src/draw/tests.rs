@@ -101,12 +101,12 @@ fn furnished(room: usize) -> Furnished {
 }
 
 fn drawn(has_clearances: bool) -> String {
-    draw(&[], (has_clearances, false))
+    draw(&[], has_clearances, false)
 }
 
 /// The level with findings in the study.
 fn found(findings: Vec<Finding>) -> String {
-    draw(&[findings, Vec::new()], (false, true))
+    draw(&[findings, Vec::new()], false, true)
 }
 
 /// The plan without what explains its signs.
@@ -129,7 +129,7 @@ fn draw_rooms(level: &Level, has_legend: bool) -> String {
     })
 }
 
-fn draw(findings: &[Vec<Finding>], (has_clearances, has_findings): (bool, bool)) -> String {
+fn draw(findings: &[Vec<Finding>], has_clearances: bool, has_findings: bool) -> String {
     let (level, catalog) = (level(), catalog());
     draw_level(&Drawing {
         building: "house & home",

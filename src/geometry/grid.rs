@@ -132,7 +132,7 @@ impl Grid {
             // Cells of the border hold what lies outside, too.
             let low = if row == 0 { f64::NEG_INFINITY } else { self.bottom_of(row) };
             let high = if row + 1 == self.rows { f64::INFINITY } else { self.bottom_of(row + 1) };
-            let Some((from, to)) = extent_between(base, (low - ROUNDING, high + ROUNDING)) else { continue };
+            let Some((from, to)) = extent_between(base, low - ROUNDING, high + ROUNDING) else { continue };
             let column_of = |x: f64| index_of((x - self.origin.x) * self.scale.x, self.columns);
             let (from, to) = (column_of(from - ROUNDING), column_of(to + ROUNDING));
             for column in from.max(left)..=to.min(right) {
@@ -152,7 +152,7 @@ fn index_of(place: f64, count: usize) -> usize {
 }
 
 /// Lowest and highest x of what a polygon has between two heights of the plan; `None` where it has nothing there.
-fn extent_between(base: &Convex, (low, high): (f64, f64)) -> Option<(f64, f64)> {
+fn extent_between(base: &Convex, low: f64, high: f64) -> Option<(f64, f64)> {
     let mut extent = None;
     for Segment { start: a, end: b } in edges(base.corners()) {
         let (lower, upper) = if a.y <= b.y { (a, b) } else { (b, a) };

@@ -64,14 +64,15 @@ pub(crate) fn encode(
 ) -> Vec<EncodedPrimitive> {
     let primitives = model.primitives.iter().enumerate();
     let encoded = primitives
-        .flat_map(|(source, primitive)| encode_primitive(source, (primitive, corners), painting(source)));
+        .flat_map(|(source, primitive)| encode_primitive(source, primitive, corners, painting(source)));
     encoded.collect()
 }
 
 /// One, or one with and one without normals where this is shorter.
 fn encode_primitive(
     source: usize,
-    (primitive, corners): (&Primitive, Corners),
+    primitive: &Primitive,
+    corners: Corners,
     painting: Painting,
 ) -> Vec<EncodedPrimitive> {
     let is_mapped = primitive.texture_coordinates.len() == primitive.positions.len();

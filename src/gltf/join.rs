@@ -32,7 +32,7 @@ fn joined_by(primitive: &Primitive, has_normals: bool, has_coordinates: bool) ->
         let normal = if has_normals { primitive.normals[corner] } else { [0.0; 3] };
         let color = if has_colors { primitive.colors[corner] } else { [0.0; 4] };
         let place = if has_coordinates { primitive.texture_coordinates[corner] } else { [0.0; 2] };
-        new[corner] = *known.entry(key((position, normal), color, place)).or_insert_with(|| {
+        new[corner] = *known.entry(key(position, normal, color, place)).or_insert_with(|| {
             made.positions.push(position);
             if has_normals {
                 made.normals.push(normal);
@@ -51,7 +51,7 @@ fn joined_by(primitive: &Primitive, has_normals: bool, has_coordinates: bool) ->
 }
 
 /// Numbers that are equal bit by bit, so that nothing changes.
-fn key((position, normal): ([f32; 3], [f32; 3]), color: [f32; 4], place: [f32; 2]) -> [u32; 12] {
+fn key(position: [f32; 3], normal: [f32; 3], color: [f32; 4], place: [f32; 2]) -> [u32; 12] {
     let mut key = [0; 12];
     let numbers = position.into_iter().chain(normal).chain(color).chain(place);
     key.iter_mut().zip(numbers).for_each(|(place, number)| *place = number.to_bits());

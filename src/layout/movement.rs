@@ -19,7 +19,7 @@ pub(crate) fn move_agent(environment: &mut Environment<'_>, agent: AgentIndex, p
     }
     environment.settle(agent, &place);
     for &(member, rest) in &group.0[1..] {
-        follow(environment, member, &rest, (&old.pose, &pose));
+        follow(environment, member, &rest, &old.pose, &pose);
     }
     true
 }
@@ -79,7 +79,7 @@ pub(crate) fn send_away(environment: &mut Environment<'_>, agent: AgentIndex) {
     environment.is_exhausted.fill(false);
 }
 
-fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, (from, to): (&Pose, &Pose)) {
+fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, from: &Pose, to: &Pose) {
     let has_parent = match rest.parent {
         ParentPart::Agent(parent) => environment.agents[parent].rest().is_some(),
         _ => true,

@@ -39,7 +39,7 @@ fn tight_roots(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
 
 /// Whether an agent takes of the room that is good for others, or has less than is good itself.
 fn is_tight(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    environment.lacks_comfort(agent, place) || environment.takes_comfort((agent, place), &mut ())
+    environment.lacks_comfort(agent, place) || environment.takes_comfort(agent, place, &mut ())
 }
 
 fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {

@@ -98,12 +98,12 @@ impl<'a> Surroundings<'a> {
         };
         for side in &room.openings {
             let opening = &level.openings[side.opening];
-            let regions = surroundings.regions_of(opening, side, (rules, swings));
+            let regions = surroundings.regions_of(opening, side, rules, swings);
             let cause = Cause::Opening(side.opening);
             surroundings.kept_free.extend(regions.into_iter().map(|solid| KeptFree { solid, cause }));
             if opening.kind == OpeningKind::Window {
                 let from = opening.bottom + rules.windows.over_sill;
-                let strip = wall_strip(room, side, (rules.windows.depth, 0.0), (from, opening.top));
+                let strip = wall_strip(room, side, rules.windows.depth, 0.0, (from, opening.top));
                 surroundings.window_strips.push(strip);
             }
         }
@@ -137,9 +137,10 @@ impl<'a> Surroundings<'a> {
         &self,
         opening: &Opening,
         side: &RoomOpening,
-        (rules, swings): (&AuditRules, Swings),
+        rules: &AuditRules,
+        swings: Swings,
     ) -> Vec<Solid> {
-        let strip = |depth, margin| wall_strip(self.room, side, (depth, margin), (0.0, opening.top));
+        let strip = |depth, margin| wall_strip(self.room, side, depth, margin, (0.0, opening.top));
         match opening.kind {
             OpeningKind::Window => Vec::new(),
             OpeningKind::OpenBoundary => vec![strip(rules.doors.open_boundary_depth, 0.0)],
@@ -186,12 +187,7 @@ fn cut(wall: usize, edge: Segment, open: Vec<(f64, f64)>) -> Vec<Border> {
 }
 
 /// The region before an opening on the room's side: `depth` metres deep, `margin` wider at both ends.
-fn wall_strip(
-    room: &Room,
-    side: &RoomOpening,
-    (depth, margin): (f64, f64),
-    (low, high): (f64, f64),
-) -> Solid {
+fn wall_strip(room: &Room, side: &RoomOpening, depth: f64, margin: f64, (low, high): (f64, f64)) -> Solid {
     let wall = &room.walls[side.wall];
     let (along, normal) = (wall.direction(), wall.normal());
     let center = wall.start + along * f64::midpoint(side.from, side.to) + normal * (depth / 2.0);

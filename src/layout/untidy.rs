@@ -27,7 +27,7 @@ pub(crate) fn make_untidy(environment: &mut Environment<'_>, untidiness: &Untidi
             || is_locked(environment, agent)
             || follows_suggestion(environment, agent);
         if let (false, Some(rest)) = (is_fixed, environment.agents[agent].rest().copied())
-            && let Some(pose) = offset(environment, agent, &rest, (untidiness, &mut stream))
+            && let Some(pose) = offset(environment, agent, &rest, untidiness, &mut stream)
         {
             has_moved |= move_agent(environment, agent, pose);
         }
@@ -40,7 +40,8 @@ fn offset(
     environment: &Environment<'_>,
     agent: AgentIndex,
     rest: &Rest,
-    (untidiness, stream): (&Untidiness, &mut Stream),
+    untidiness: &Untidiness,
+    stream: &mut Stream,
 ) -> Option<Pose> {
     let angle = rest.pose.angle + untidiness.turn * stream.signed();
     let distance = untidiness.distance * stream.unit();

@@ -27,7 +27,7 @@ pub(super) fn fit(model: &Model, class: &str, size: Size) -> Result<Model, Probl
     let scale = wanted / extent;
     let stretch = scale.max_element() / scale.min_element();
     if stretch > MOST_STRETCH {
-        return Err(misfit((extent, wanted), class, stretch));
+        return Err(misfit(extent, wanted, class, stretch));
     }
     let scale = scale.as_vec3();
     let base = Vec3::new((low.x + high.x) / 2.0, low.y, (low.z + high.z) / 2.0);
@@ -65,7 +65,7 @@ fn in_metres(extent: glam::DVec3) -> String {
     format!("{:.3} × {:.3} × {:.3} m (width × depth × height)", extent.x, extent.z, extent.y)
 }
 
-fn misfit((extent, wanted): (glam::DVec3, glam::DVec3), class: &str, stretch: f64) -> Problem {
+fn misfit(extent: glam::DVec3, wanted: glam::DVec3, class: &str, stretch: f64) -> Problem {
     let percent = (stretch - 1.0) * 100.0;
     let message = format!(
         "has the proportions of {}, which the box of class \"{class}\", {}, would distort by {percent:.0} %",

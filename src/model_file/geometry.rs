@@ -254,7 +254,7 @@ fn append(target: &mut Primitive, surface: &Surface, place: DMat4) -> Result<(),
             let known = kept[corner].filter(|_| normals.is_some());
             let index = known.unwrap_or_else(|| {
                 let normal = normals.as_ref().map_or(face, |normals| normals[corner]);
-                push_corner(target, (positions[corner], normal), surface, corner)
+                push_corner(target, positions[corner], normal, surface, corner)
             });
             kept[corner] = Some(index);
             target.indices.push(index);
@@ -277,7 +277,8 @@ fn placed_normals(normals: &[DVec3], linear: DMat3, is_mirrored: bool) -> Option
 /// Adds a placed corner with the rest as the surface has it.
 fn push_corner(
     target: &mut Primitive,
-    (position, normal): (DVec3, DVec3),
+    position: DVec3,
+    normal: DVec3,
     surface: &Surface,
     corner: usize,
 ) -> u32 {

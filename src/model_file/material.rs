@@ -38,18 +38,19 @@ pub(super) fn read_materials(file: &Path, container: &mut Container) -> Result<V
         .map(|(index, material)| {
             let name = material.name.clone().unwrap_or_else(|| format!("{stem}.{index}"));
             let laying = |usage| layings.of(index, usage);
-            read_material(name, material, (document, &images), &laying)
+            read_material(name, material, document, &images, &laying)
         })
         .collect::<Result<Vec<_>, _>>()?;
     let plain = |usage| Layings::default().of(0, usage);
-    materials.push(read_material(stem, &JsonMaterial::default(), (document, &images), &plain)?);
+    materials.push(read_material(stem, &JsonMaterial::default(), document, &images, &plain)?);
     Ok(materials)
 }
 
 fn read_material(
     name: String,
     source: &JsonMaterial,
-    (document, images): (&Root, &[Arc<Image>]),
+    document: &Root,
+    images: &[Arc<Image>],
     laying: &dyn Fn(TextureUse) -> Laying,
 ) -> Result<ReadMaterial, Problem> {
     let surface = &source.pbr_metallic_roughness;

@@ -249,7 +249,7 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
             taken_spans.push((ends[0].min(ends[1]), ends[0].max(ends[1])));
         }
     }
-    let free = gaps((low, high), taken_spans);
+    let free = gaps(low, high, taken_spans);
     let best = free.into_iter().max_by(|a, b| {
         let (first, second) = (request.overlap(a.0, a.1), request.overlap(b.0, b.1));
         // Of equal gaps the first: `max_by` would take the last.
@@ -291,7 +291,7 @@ fn near_entries<'a>(request: &Request, room: &'a Room, face: &Face) -> &'a [Room
 }
 
 /// The free parts of a stretch between spans, from its low to its high end.
-fn gaps((low, high): (f64, f64), mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+fn gaps(low: f64, high: f64, mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut free = Vec::new();
     let mut from = low;

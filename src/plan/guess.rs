@@ -109,7 +109,8 @@ impl<'a> Guessing<'a> {
     pub(super) fn guess(
         &mut self,
         draft: &mut LevelDraft,
-        (place, level): (usize, &Level),
+        place: usize,
+        level: &Level,
     ) -> (usize, Vec<Problem>) {
         let rooms: BTreeMap<&str, usize> =
             level.rooms.iter().enumerate().map(|(index, room)| (room.id.as_str(), index)).collect();

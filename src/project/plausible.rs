@@ -40,7 +40,7 @@ pub(crate) fn check_plausible(plan: &Plan, catalog: &Catalog) -> Faults {
         }
     }
     let faults = questions.iter().map(|((_, room_type, measure), question)| {
-        fault((room_type, *measure), question, &catalog.room_types[*room_type].plausible)
+        fault(room_type, *measure, question, &catalog.room_types[*room_type].plausible)
     });
     Faults(faults.collect())
 }
@@ -54,7 +54,7 @@ fn beyond(room: &Room, plausible: &Plausible) -> Vec<(Measure, f64)> {
     found.map(|(measure, value, _)| (measure, value)).collect()
 }
 
-fn fault((room_type, measure): (&str, Measure), question: &Question, plausible: &Plausible) -> Fault {
+fn fault(room_type: &str, measure: Measure, question: &Question, plausible: &Plausible) -> Fault {
     let Question { place, measured, count } = question;
     let others =
         if *count > 1 { format!(" (and {} more rooms of the building)", count - 1) } else { String::new() };

@@ -67,7 +67,7 @@ pub(super) fn read(
         if is_broken[room] {
             return None;
         }
-        let furnished = furnish((nodes, &family), (empty, room), pieces, catalog);
+        let furnished = furnish(nodes, &family, (empty, room), pieces, catalog);
         furnished.map_err(|problem| problems.push(problem)).ok()
     });
     rooms.collect()
@@ -115,7 +115,8 @@ fn is_below_bad_room(nodes: &[Node], node: &Node) -> bool {
 }
 
 fn furnish(
-    (nodes, family): (&[Node], &Family<'_>),
+    nodes: &[Node],
+    family: &Family<'_>,
     (empty, room): (&EmptyLevel, usize),
     pieces: Vec<Piece<'_>>,
     catalog: &Catalog,
@@ -134,7 +135,7 @@ fn furnish(
         style: extras.style.clone(),
         requested: extras.requested,
         removals: removals.collect::<Result<Vec<_>, _>>()?,
-        placements: parents_first(nodes, (empty, room), family, pieces)?,
+        placements: parents_first(nodes, empty, room, family, pieces)?,
     })
 }
 

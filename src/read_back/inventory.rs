@@ -192,7 +192,7 @@ fn add_contents(
         let Some(room) = inventory.rooms.get_mut(id) else { continue };
         match &node.extras {
             Some(Extras::Furniture(extras)) => {
-                match object((document, nodes), (index, &family), extras, spot) {
+                match object(document, nodes, (index, &family), extras, spot) {
                     Some(object) => room.objects.push(object),
                     None => {
                         problems.push(Problem::new(&node.name, "stands nowhere: its transform is no number"));
@@ -216,7 +216,8 @@ fn add_contents(
 }
 
 fn object(
-    (document, nodes): (&Root, &[Node]),
+    document: &Root,
+    nodes: &[Node],
     (node, family): (usize, &Family<'_>),
     extras: &FurnitureExtras,
     spot: &Spot,

@@ -14,7 +14,8 @@ use crate::plan::RoomRef;
 /// The placements with their parents, each after its parent.
 pub(super) fn parents_first(
     nodes: &[Node],
-    (empty, room): (&EmptyLevel, usize),
+    empty: &EmptyLevel,
+    room: usize,
     family: &Family<'_>,
     mut pieces: Vec<Piece<'_>>,
 ) -> Result<Vec<Placement>, Problem> {

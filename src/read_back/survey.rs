@@ -98,7 +98,7 @@ pub(super) fn read(document: &Root, nodes: &[Node]) -> Result<Survey, Problem> {
         let place = spots[index].map_or(worlds[index], |spot| spot.place);
         index_of[index] = Some(survey.objects.len());
         parents.push(family.parent_of(index).or_else(|| furniture_above(nodes, node)));
-        let object = object(document, node, extras, (room, &place));
+        let object = object(document, node, extras, room, &place);
         if let (Some(model), Some(mesh)) = (object.model.clone(), node.mesh) {
             survey.models.entry(model).or_insert_with(|| shape(document, mesh));
         }
@@ -114,7 +114,8 @@ fn object(
     document: &Root,
     node: &Node,
     extras: &FurnitureExtras,
-    (room, place): (Option<String>, &glam::DMat4),
+    room: Option<String>,
+    place: &glam::DMat4,
 ) -> SurveyedObject {
     let named_room = owner_in_name(&node.name, &extras.id).map(str::to_owned);
     SurveyedObject {

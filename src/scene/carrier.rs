@@ -12,7 +12,7 @@ pub(crate) fn carriers(catalog: &Catalog, placements: &[Placement]) -> Vec<Optio
     let mut carriers: Vec<Option<usize>> = Vec::with_capacity(placements.len());
     for placement in placements {
         let carrier = match placement.parent {
-            Parent::Object(parent) => object_carrier(catalog, placement, (parent, placements), &carriers),
+            Parent::Object(parent) => object_carrier(catalog, placement, parent, placements, &carriers),
             _ => None,
         };
         carriers.push(carrier);
@@ -23,7 +23,8 @@ pub(crate) fn carriers(catalog: &Catalog, placements: &[Placement]) -> Vec<Optio
 fn object_carrier(
     catalog: &Catalog,
     placement: &Placement,
-    (parent, placements): (usize, &[Placement]),
+    parent: usize,
+    placements: &[Placement],
     earlier: &[Option<usize>],
 ) -> Option<usize> {
     let contact = catalog.audit.bodies.support_gap;

@@ -87,7 +87,7 @@ impl Floor {
         let widest = rules.person.max(rules.narrow_person).max(rules.robot);
         // Somebody on a threshold stands half behind it.
         let doors = DoorDepth { behind: rules.person / 2.0, before: 0.0 };
-        Self::for_disc(at, rules, (widest, doors), solids)
+        Self::for_disc(at, rules, widest, doors, solids)
     }
 
     /// The same for a wheelchair. Its way is wider than most doors: whoever has that width right before a door goes
@@ -99,14 +99,15 @@ impl Floor {
     ) -> Option<Self> {
         let AccessRules { turning, walkway } = rules.access;
         let doors = DoorDepth { behind: 0.0, before: walkway / 2.0 };
-        Self::for_disc(at, &rules.walking, (turning.max(walkway), doors), solids)
+        Self::for_disc(at, &rules.walking, turning.max(walkway), doors, solids)
     }
 
     /// The floor for discs up to a width.
     fn for_disc<'s>(
         at: RoomRef<'_>,
         rules: &WalkingRules,
-        (widest, depth): (f64, DoorDepth),
+        widest: f64,
+        depth: DoorDepth,
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
         let RoomRef { level, room, .. } = at;

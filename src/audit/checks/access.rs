@@ -57,7 +57,7 @@ pub(crate) fn narrow_way(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let (possible, impossible): (Vec<_>, Vec<_>) =
         missed.into_iter().partition(|goal| empty.reaches(home, goal.goal()));
     let fault = |(goals, is_possible): (Vec<Target<'_>>, Held)| {
-        let narrowest = widest((&floor, home), &goals, width).into_iter().fold(width, f64::min);
+        let narrowest = widest(&floor, home, &goals, width).into_iter().fold(width, f64::min);
         let mut subjects: Vec<Named> = goals.iter().map(|&goal| named(subject, goal)).collect();
         subjects.sort_unstable();
         subjects.dedup();

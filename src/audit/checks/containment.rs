@@ -23,9 +23,9 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         let upright = (-body.low()).max(body.high() - subject.at.room.height);
         let sideways = body.solids.iter().map(|solid| {
             let through_walls =
-                protrusion((solid, limit), &borders, |point| subject.at.room.region.contains(point));
+                protrusion(solid, limit, &borders, |point| subject.at.room.region.contains(point));
             let columns = subject.at.room.obstacles.iter();
-            columns.map(|column| into_column((solid, limit), column)).fold(through_walls, f64::max)
+            columns.map(|column| into_column(solid, limit, column)).fold(through_walls, f64::max)
         });
         let measured = sideways.fold(upright, f64::max);
         if measured > limit + ROUNDING {
@@ -36,13 +36,13 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 }
 
 /// How deep a prism reaches into a column; zero where it does not, or stands on top of it.
-fn into_column((solid, limit): (&Solid, f64), column: &Obstacle) -> f64 {
+fn into_column(solid: &Solid, limit: f64, column: &Obstacle) -> f64 {
     let upright = column.height - solid.low;
     if upright <= limit || !solid.bounds.touches(column.outline.bounds()) {
         return 0.0;
     }
     let borders: Vec<Segment> = column.outline.edges().collect();
-    upright.min(protrusion((solid, limit), &borders, |point| !column.outline.contains(point)))
+    upright.min(protrusion(solid, limit, &borders, |point| !column.outline.contains(point)))
 }
 
 /// How far a prism sticks out of an allowed area, from the area's borders and a test for points; zero for
@@ -50,7 +50,7 @@ fn into_column((solid, limit): (&Solid, f64), column: &Obstacle) -> f64 {
 ///
 /// A convex footprint leaves the area in one of two ways: a corner of it lies outside, or a border
 /// runs through it (past a concave corner of the room, or around a hole inside it).
-fn protrusion((solid, limit): (&Solid, f64), borders: &[Segment], is_allowed: impl Fn(Point) -> bool) -> f64 {
+fn protrusion(solid: &Solid, limit: f64, borders: &[Segment], is_allowed: impl Fn(Point) -> bool) -> f64 {
     let footprint = solid.footprint();
     let passes = |border: &&Segment| border.bounds().touches(solid.bounds);
     // Without a border near it, the whole footprint is on one side.

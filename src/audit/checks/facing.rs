@@ -27,7 +27,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         }
     }
     for (index, desk) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(WORK_SURFACE)) {
-        if is_used_from_behind(subject, (index, desk)) {
+        if is_used_from_behind(subject, index, desk) {
             faults.push(Fault::new(Quantity::Angle, vec![subject.object(index)], 180.0, limit.to_degrees()));
         }
     }
@@ -58,7 +58,7 @@ fn off_table(seat: &Body<'_>, table: &Body<'_>) -> f64 {
 }
 
 /// Whether seats stand at a desk, but none at a side that people use.
-fn is_used_from_behind(subject: &Subject<'_>, (index, desk): (usize, &Body<'_>)) -> bool {
+fn is_used_from_behind(subject: &Subject<'_>, index: usize, desk: &Body<'_>) -> bool {
     let used = |side: Side| desk.class.clearances.iter().any(|one| one.side == side && one.allows_children);
     let children = subject.children(index).map(|child| &subject.bodies[child]);
     let mut seats = children.filter(|body| body.is_in(SEAT)).peekable();

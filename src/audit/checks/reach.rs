@@ -59,7 +59,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let home = walk.main_door();
     let goals = goals(subject, zones, floor);
     let missed: Vec<Target<'_>> = goals.into_iter().filter(|goal| !walk.reaches(home, goal.goal())).collect();
-    if missed.is_empty() { Vec::new() } else { explain(subject, (floor, home), &missed) }
+    if missed.is_empty() { Vec::new() } else { explain(subject, floor, home, &missed) }
 }
 
 /// The room with some of its bodies' solids; `None` where no door leads in.
@@ -81,11 +81,11 @@ pub(crate) fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor)
 
 /// The faults of goals that are not reached. What the empty room allows is asked of the furnished one: the
 /// full width, else the narrow one; what it does not allow is the plan's fault.
-fn explain(subject: &Subject<'_>, (floor, home): (&Floor, usize), missed: &[Target<'_>]) -> Vec<Fault> {
+fn explain(subject: &Subject<'_>, floor: &Floor, home: usize, missed: &[Target<'_>]) -> Vec<Fault> {
     let rules = subject.rules().walking;
     let empty = floor_with(subject, core::iter::empty()).expect("furniture closes no door");
     let (wide, narrow) = (empty.walk(rules.person), empty.walk(rules.narrow_person));
-    let widths = widest((floor, home), missed, rules.person);
+    let widths = widest(floor, home, missed, rules.person);
     let mut faults: Vec<Fault> = Vec::new();
     for (&goal, width) in missed.iter().zip(widths) {
         // A way that the plan itself makes narrow is asked for at the width of a narrow person.
@@ -113,7 +113,7 @@ fn region(subject: &Subject<'_>, target: Target<'_>) -> Vec<FloorRegion> {
 }
 
 /// For each goal the widest disc that gets there, to a cell and below `missed_by`; zero where none does.
-pub(crate) fn widest((floor, home): (&Floor, usize), goals: &[Target<'_>], missed_by: f64) -> Vec<f64> {
+pub(crate) fn widest(floor: &Floor, home: usize, goals: &[Target<'_>], missed_by: f64) -> Vec<f64> {
     let mut widths = vec![0.0; goals.len()];
     let steps = (missed_by / CELL) as u32;
     // From the widest down, a cell at a time: the first disc that gets there is the widest.

@@ -73,7 +73,7 @@ fn sees(
         (rules.nearest..=rules.farthest).contains(&distance)
             && is_near_axis
             && is_turned_to
-            && !is_hidden(subject, (viewer, eye), (screen, target))
+            && !is_hidden(subject, viewer, eye, screen, target)
     })
 }
 
@@ -86,11 +86,7 @@ fn eyes(body: &Body<'_>) -> [Point; 3] {
 }
 
 /// Whether a third body stands in the line of sight.
-fn is_hidden(
-    subject: &Subject<'_>,
-    (viewer, eye): (usize, Point),
-    (screen, target): (usize, &Body<'_>),
-) -> bool {
+fn is_hidden(subject: &Subject<'_>, viewer: usize, eye: Point, screen: usize, target: &Body<'_>) -> bool {
     let rules = subject.rules().screens;
     let sight = Segment::new(eye, target.placement.position);
     let is_part = |body: usize| {

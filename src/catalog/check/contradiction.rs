@@ -18,14 +18,14 @@ pub(crate) fn check_programmes(
         room_types.iter().map(|room_type| (room_type.room_type.id.as_str(), room_type)).collect();
     for room_type in room_types {
         let asks = format!("room type \"{}\"", room_type.room_type.id);
-        check_excludes(&asks, &room_type.programme, (room_type, names), report);
+        check_excludes(&asks, &room_type.programme, room_type, names, report);
         check_counted(&room_type.programme, &[&room_type.programme], names, report);
     }
     for style in styles {
         for lines in &style.lines {
             let Some(room_type) = by_id.get(lines.room_type.as_str()) else { continue };
             let asks = format!("style \"{}\"", lines.written_by);
-            check_excludes(&asks, &lines.programme, (room_type, names), report);
+            check_excludes(&asks, &lines.programme, room_type, names, report);
             check_counted(&lines.programme, &programme_with(lines, style, room_type), names, report);
         }
     }
@@ -47,7 +47,8 @@ fn programme_with<'a>(
 fn check_excludes(
     asks: &str,
     programme: &ResolvedProgramme,
-    (room_type, names): (&ResolvedRoomType, &Names<'_>),
+    room_type: &ResolvedRoomType,
+    names: &Names<'_>,
     report: &mut Report<'_>,
 ) {
     for named in &programme.named {

@@ -56,7 +56,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     lines.add("model", &show_model(&class.model));
     lines.add("children", &class_names(catalog, &children).join(", "));
     lines.add("asked for", &room_types.join(", "));
-    (lines, value_of(catalog, class, (&children, &room_types)))
+    (lines, value_of(catalog, class, &children, &room_types))
 }
 
 fn show_size(size: &Size) -> String {
@@ -150,7 +150,7 @@ fn list_room_types(catalog: &Catalog, class: ClassIndex) -> Vec<&str> {
     asks.map(|room_type| room_type.id.as_str()).collect()
 }
 
-fn value_of(catalog: &Catalog, class: &Class, (children, room_types): (&[ClassIndex], &[&str])) -> Value {
+fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_types: &[&str]) -> Value {
     let all: Vec<[f64; 3]> = class.sizes.iter().map(|size| [size.width, size.depth, size.height]).collect();
     let (sizes, spare_sizes) = all.split_at(class.usual_sizes);
     let parents: Vec<Value> = class.parents.iter().map(|rule| value_of_parent(catalog, rule)).collect();

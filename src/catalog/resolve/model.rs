@@ -35,7 +35,7 @@ pub(super) fn resolve_model(
         }
         ModelEntry::Fields(fields) => match (&fields.recipe, &fields.file) {
             (Some(name), None) => resolve_recipe(name, fields, &found.spot, report),
-            (None, Some(file)) => resolve_file(file, fields, (&found.spot, files), report),
+            (None, Some(file)) => resolve_file(file, fields, &found.spot, files, report),
             (Some(_), Some(_)) => {
                 report.error_with_hint(
                     &found.spot,
@@ -121,7 +121,8 @@ fn is_gltf(path: &Path) -> bool {
 fn resolve_file(
     file: &str,
     fields: &ModelFields,
-    (spot, files): (&Spot, &Files),
+    spot: &Spot,
+    files: &Files,
     report: &mut Report<'_>,
 ) -> Option<ModelSource> {
     for name in fields.parameters.keys() {

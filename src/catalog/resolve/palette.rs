@@ -54,7 +54,7 @@ fn resolve_palette(chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> 
 fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> Material {
     let strength = resolve_strength(slot, chain, report);
     let mut share = |key: &'static str, get: fn(&MaterialEntry) -> Option<f64>, default: f64| {
-        let found = find_key((slot, key), chain, get);
+        let found = find_key(slot, key, chain, get);
         found.map_or(default, |(spot, value)| Quantity::plain(key, SHARE).check(value, &spot, report))
     };
     let roughness = share("roughness", |material| material.roughness, DEFAULT_ROUGHNESS);
@@ -63,7 +63,7 @@ fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Re
     let transmission = share("transmission", |material| material.transmission, 0.0);
     let mut color = |key: &'static str, get: fn(&MaterialEntry) -> Option<String>, default: &str| {
         let unnamed = || (chain.own().spot.clone(), default.to_owned());
-        let (spot, text) = find_key((slot, key), chain, get).unwrap_or_else(unnamed);
+        let (spot, text) = find_key(slot, key, chain, get).unwrap_or_else(unnamed);
         linear_color(&text, &spot, report)
     };
     let [red, green, blue] = color("color", |material| material.color.clone(), DEFAULT_COLOR);
@@ -84,7 +84,7 @@ fn resolve_material(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Re
 
 /// How much brighter than its colour a lit lamp is.
 fn resolve_strength(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Report<'_>) -> f64 {
-    let found = find_key((slot, "emissive_strength"), chain, |material| material.emissive_strength);
+    let found = find_key(slot, "emissive_strength", chain, |material| material.emissive_strength);
     found.map_or(1.0, |(spot, value)| {
         Quantity::plain("emissive_strength", STRENGTH).check(value, &spot, report)
     })
@@ -92,7 +92,8 @@ fn resolve_strength(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Re
 
 /// The first value of a key along the chain, with its place.
 fn find_key<T>(
-    (slot, key): (&str, &'static str),
+    slot: &str,
+    key: &'static str,
     chain: &Chain<'_, PaletteEntry>,
     get: impl Fn(&MaterialEntry) -> Option<T>,
 ) -> Option<(Spot, T)> {
@@ -107,7 +108,7 @@ fn resolve_texture(
     chain: &Chain<'_, PaletteEntry>,
     report: &mut Report<'_>,
 ) -> Option<&'static str> {
-    let (spot, word) = find_key((slot, "texture"), chain, |material| material.texture.clone())?;
+    let (spot, word) = find_key(slot, "texture", chain, |material| material.texture.clone())?;
     let known = SURFACES.into_iter().find(|surface| *surface == word);
     if known.is_none() && word != NO_TEXTURE {
         report.unknown(&spot, "texture", &word, SURFACES.into_iter().chain([NO_TEXTURE]));
@@ -124,6 +125,6 @@ fn resolve_tints(slot: &str, chain: &Chain<'_, PaletteEntry>, report: &mut Repor
         (None, None) => None,
     };
     let (spot, texts) =
-        find_key((slot, "tints"), chain, own).unwrap_or_else(|| (chain.own().spot.clone(), Vec::new()));
+        find_key(slot, "tints", chain, own).unwrap_or_else(|| (chain.own().spot.clone(), Vec::new()));
     texts.iter().enumerate().map(|(index, text)| linear_color(text, &spot.index(index), report)).collect()
 }

@@ -19,7 +19,7 @@ pub(super) fn resolve_sides(
         let found = chain.find("sides", |entry| entry.sides.as_ref()?.get(side));
         found.map_or(SideOffer::NONE, |found| {
             let spot = found.spot.key(side.name());
-            resolve_side(found.value, side, (&spot, sizes), report)
+            resolve_side(found.value, side, &spot, sizes, report)
         })
     })
 }
@@ -27,7 +27,8 @@ pub(super) fn resolve_sides(
 fn resolve_side(
     entry: &SideEntry,
     side: Side,
-    (spot, sizes): (&Spot, &[Size]),
+    spot: &Spot,
+    sizes: &[Size],
     report: &mut Report<'_>,
 ) -> SideOffer {
     let places = entry.places.map(|places| check_count("places", places, &spot.key("places"), report));

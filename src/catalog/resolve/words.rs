@@ -20,7 +20,7 @@ pub(crate) fn resolve_words<'a>(
     let styles = styles.map(str::to_owned).collect();
     let mut words = RoomWords { known, styles, ..RoomWords::default() };
     for (source, file) in files {
-        add_guesses(&mut words, (*source, file), report);
+        add_guesses(&mut words, *source, file, report);
         for (format, table) in &file.formats {
             let spot = Spot { source: *source, path: vec!["formats".into()] }.key(format);
             let merged = words.words.entry(format.clone()).or_default();
@@ -40,7 +40,7 @@ pub(crate) fn resolve_words<'a>(
 }
 
 /// Adds the kinds of buildings of a file, and its rules before those of the files before it.
-fn add_guesses(words: &mut RoomWords, (source, file): (usize, &WordsFile), report: &mut Report<'_>) {
+fn add_guesses(words: &mut RoomWords, source: usize, file: &WordsFile, report: &mut Report<'_>) {
     words.families.extend(file.families.clone());
     let spot = Spot { source, path: vec!["families".into()] };
     for (family, types) in &file.families {

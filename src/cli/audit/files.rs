@@ -54,7 +54,7 @@ fn levels_below(folder: &Path, faults: &mut Faults) -> Result<BTreeSet<PathBuf>,
     let unreadable = |error| Fault::of_file(folder, format!("cannot be read: {error}"));
     collect(folder, DEEPEST, &mut below).map_err(unreadable)?;
     let mut files = match listing_of(folder) {
-        Some((root, listing)) => listed(folder, (&root, listing), &below.files, faults),
+        Some((root, listing)) => listed(folder, &root, listing, &below.files, faults),
         None => below.files,
     };
     for bake in below.bakes {
@@ -79,7 +79,8 @@ fn listing_of(folder: &Path) -> Option<(PathBuf, Listing)> {
 /// The listed levels below a folder; reports missing levels, and files that are not listed.
 fn listed(
     folder: &Path,
-    (root, listing): (&Path, Listing),
+    root: &Path,
+    listing: Listing,
     found: &BTreeSet<PathBuf>,
     faults: &mut Faults,
 ) -> BTreeSet<PathBuf> {

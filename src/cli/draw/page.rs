@@ -27,7 +27,7 @@ pub(super) fn draw_page(
     page: &Page<'_>,
 ) -> (String, Vec<Misfit>) {
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
-    let furnish = |&subject: &Subject<'_>| furnish_level(arguments, sources, (seed, style), subject);
+    let furnish = |&subject: &Subject<'_>| furnish_level(arguments, sources, seed, style, subject);
     let judged: Vec<Judgement> = page.iter().map(furnish).collect();
     let drawings: Vec<Drawing<'_>> = page
         .iter()
@@ -64,7 +64,8 @@ fn drawing<'a>(
 fn furnish_level(
     arguments: &DrawArguments,
     sources: &Project,
-    (seed, style): (u64, Option<&str>),
+    seed: u64,
+    style: Option<&str>,
     (placed, level): Subject<'_>,
 ) -> Judgement {
     let rooms = (0..level.rooms.len()).into_par_iter();

@@ -76,7 +76,8 @@ impl Environment<'_> {
     /// relatives and what hangs flat on a wall.
     pub(crate) fn has_clearances<R: Recorder>(
         &self,
-        (agent, place): (AgentIndex, &Place),
+        agent: AgentIndex,
+        place: &Place,
         is_good: bool,
         recorder: &mut R,
     ) -> bool {
@@ -131,7 +132,7 @@ impl Environment<'_> {
             return false;
         }
         let wall = |border: &Border| (!border.is_open).then_some(Obstacle::WallInOwnClearance(border.wall));
-        if self.is_entered((solid, CLEARANCE_TOLERANCE), recorder, wall) {
+        if self.is_entered(solid, CLEARANCE_TOLERANCE, recorder, wall) {
             return true;
         }
         let kept_by_next_room = self.brief.catalog.audit.doors.open_boundary_depth;
@@ -178,7 +179,8 @@ impl Environment<'_> {
     /// with those who will sit at it.
     pub(crate) fn takes_comfort<R: Recorder>(
         &self,
-        (agent, place): (AgentIndex, &Place),
+        agent: AgentIndex,
+        place: &Place,
         recorder: &mut R,
     ) -> bool {
         let (class, size) = (self.class(agent), self.agents[agent].size);
@@ -207,7 +209,7 @@ impl Environment<'_> {
     pub(crate) fn lacks_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
         let mut clearances = self.class(agent).clearances.iter();
         clearances.any(|clearance| clearance.good > clearance.minimum)
-            && !self.has_clearances((agent, place), true, &mut ())
+            && !self.has_clearances(agent, place, true, &mut ())
     }
 
     /// Calls `visit` with every region that is good to have free and meets another.

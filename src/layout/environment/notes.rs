@@ -74,7 +74,7 @@ impl Environment<'_> {
                     found.record(Obstacle::OwnComfort);
                 }
                 if takes {
-                    self.takes_comfort((agent, place), &mut found);
+                    self.takes_comfort(agent, place, &mut found);
                 }
             }
         });

@@ -138,7 +138,7 @@ impl Environment<'_> {
         } else if self.has_collision(probe, recorder) || self.slides_under_a_stranger(probe, recorder) {
             Some(RemovalReason::Collision)
         } else if self.blocks_a_way(probe, recorder)
-            || !self.has_clearances((probe.agent, probe.place), false, recorder)
+            || !self.has_clearances(probe.agent, probe.place, false, recorder)
         {
             Some(RemovalReason::Clearance)
         } else {
@@ -154,7 +154,7 @@ impl Environment<'_> {
         }
         if !R::FIRST_IS_ENOUGH {
             let wall = |border: &Border| Some(Obstacle::Wall(border.wall));
-            if !self.is_entered((&probe.whole, CONTACT_TOLERANCE), recorder, wall) {
+            if !self.is_entered(&probe.whole, CONTACT_TOLERANCE, recorder, wall) {
                 recorder.record(Obstacle::BeyondWalls);
             }
         }
@@ -168,14 +168,15 @@ impl Environment<'_> {
 
     /// The same with a tolerance in metres.
     pub(super) fn lies_inside(&self, solid: &Solid, tolerance: f64) -> bool {
-        !self.is_entered((solid, tolerance), &mut (), |border| Some(Obstacle::Wall(border.wall)))
+        !self.is_entered(solid, tolerance, &mut (), |border| Some(Obstacle::Wall(border.wall)))
             && self.brief.surroundings.room.region.contains(solid.base.center())
     }
 
     /// Whether a border that is an obstacle runs through a solid.
     pub(super) fn is_entered<R: Recorder>(
         &self,
-        (solid, tolerance): (&Solid, f64),
+        solid: &Solid,
+        tolerance: f64,
         recorder: &mut R,
         obstacle: impl Fn(&Border) -> Option<Obstacle>,
     ) -> bool {

@@ -67,7 +67,7 @@ fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory
     if let Some(rest) = environment.agents[agent].rest() {
         let place = rest.place();
         weigh(environment, agent, &place, |factor, points| match factor {
-            Factor::Wish(relation) => wishes.push(wish(environment, (agent, &place), relation, points)),
+            Factor::Wish(relation) => wishes.push(wish(environment, agent, &place, relation, points)),
             Factor::BeforeWindow => wishes.push(fault("before a window", points)),
             Factor::SuitsWall => wishes.push(Wish { is_met: true, ..fault("its wall suits it", points) }),
             Factor::TakesSeat => wishes.push(fault("takes the place of a seat", points)),
@@ -102,7 +102,8 @@ fn fault(about: &'static str, points: f64) -> Wish {
 
 fn wish(
     environment: &Environment<'_>,
-    (agent, place): (AgentIndex, &Place),
+    agent: AgentIndex,
+    place: &Place,
     relation: &Relation,
     points: f64,
 ) -> Wish {

@@ -86,7 +86,7 @@ pub(crate) fn weigh<'a>(
         visit(Factor::TakesSeat, -SEAT_PENALTY);
     }
     let (takes, lacks) =
-        (environment.takes_comfort((agent, place), &mut ()), environment.lacks_comfort(agent, place));
+        (environment.takes_comfort(agent, place, &mut ()), environment.lacks_comfort(agent, place));
     if takes || lacks {
         visit(Factor::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
     }

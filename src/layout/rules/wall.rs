@@ -223,7 +223,7 @@ impl<'a> Strip<'a> {
         self.view.environment.each_border(region, |border| {
             if border.wall != self.index
                 && counts(border)
-                && let Some((from, to)) = clip(border.segment, along, (near, far))
+                && let Some((from, to)) = clip(border.segment, along, near, far)
             {
                 free.subtract(from - start - self.half, to - start + self.half);
             }
@@ -232,7 +232,7 @@ impl<'a> Strip<'a> {
 }
 
 /// The part of a segment whose height over a wall of a direction lies between `near` and `far`, as a range along the wall.
-fn clip(segment: Segment, along: Point, (near, far): (f64, f64)) -> Option<(f64, f64)> {
+fn clip(segment: Segment, along: Point, near: f64, far: f64) -> Option<(f64, f64)> {
     let (Segment { start: a, end: b }, normal) = (segment, along.perp());
     let (height_a, height_b) = (a.dot(normal), b.dot(normal));
     if height_a.max(height_b) <= near || height_a.min(height_b) >= far {
@@ -303,9 +303,9 @@ mod tests {
     #[test]
     fn a_slanted_neighbour_takes_only_what_it_covers() {
         let neighbour = Segment::new(Point::ZERO, Point::new(1.0, 1.0));
-        let range = clip(neighbour, Point::X, (0.0, 0.5)).unwrap();
+        let range = clip(neighbour, Point::X, 0.0, 0.5).unwrap();
         assert!(range.0.abs() < 1e-12 && (range.1 - 0.5).abs() < 1e-12);
-        assert_eq!(clip(neighbour.moved(2.0 * Point::Y), Point::X, (0.0, 0.5)), None);
+        assert_eq!(clip(neighbour.moved(2.0 * Point::Y), Point::X, 0.0, 0.5), None);
     }
 
     #[test]

@@ -11,12 +11,12 @@ const ROOMS: usize = 200;
 const TIMES: usize = 8;
 
 fn assert_steady(what: &str, draft: impl Fn(usize) -> LevelDraft) {
-    let power = growth((ROOMS, TIMES), STEEPEST, draft, |draft| drop(assemble_level(draft)));
+    let power = growth(ROOMS, TIMES, STEEPEST, draft, |draft| drop(assemble_level(draft)));
     assert!(power < STEEPEST, "{what}: time grows with the power {power:.2} of their number");
 }
 
 /// Rooms in rows and columns, this many metres apart.
-fn rows(count: usize, (width, depth): (f64, f64), apart: f64) -> Vec<RoomDraft> {
+fn rows(count: usize, width: f64, depth: f64, apart: f64) -> Vec<RoomDraft> {
     let across = (count as f64).sqrt().ceil() as usize;
     let place = |index: usize| ((index % across) as f64 * apart, (index / across) as f64 * apart);
     (0..count).map(|index| rectangle(&format!("r{index}"), place(index), (width, depth))).collect()
@@ -26,13 +26,13 @@ fn rows(count: usize, (width, depth): (f64, f64), apart: f64) -> Vec<RoomDraft> 
 fn many_rooms_of_a_level() {
     assert_steady("rooms on centre lines", |count| LevelDraft {
         outlines: OutlineKind::Center,
-        ..level(rows(count, (4.0, 4.0), 4.0), Vec::new())
+        ..level(rows(count, 4.0, 4.0, 4.0), Vec::new())
     });
 }
 
 #[test]
 fn many_rooms_that_overlap_their_neighbours() {
-    assert_steady("overlapping rooms", |count| level(rows(count, (4.0, 4.0), 3.0), Vec::new()));
+    assert_steady("overlapping rooms", |count| level(rows(count, 4.0, 4.0, 3.0), Vec::new()));
 }
 
 #[test]
@@ -47,7 +47,7 @@ fn many_rooms_in_one_place() {
 #[test]
 fn many_rooms_drawn_inside_one() {
     assert_steady("rooms in a room", |count| {
-        let mut rooms = rows(count, (3.0, 3.0), 4.0);
+        let mut rooms = rows(count, 3.0, 3.0, 4.0);
         let side = (count as f64).sqrt().ceil() * 4.0 + 2.0;
         rooms.push(rectangle("all", (-1.0, -1.0), (side, side)));
         level(rooms, Vec::new())
@@ -81,14 +81,14 @@ fn many_openings_that_name_rooms() {
             door.rooms = vec![format!("nowhere{index}")];
             door
         };
-        level(rows(count, (3.0, 3.0), 4.0), (0..count).map(door).collect())
+        level(rows(count, 3.0, 3.0, 4.0), (0..count).map(door).collect())
     });
 }
 
 #[test]
 fn many_columns() {
     assert_steady("columns", |count| {
-        let rooms = rows(count, (3.0, 3.0), 4.0);
+        let rooms = rows(count, 3.0, 3.0, 4.0);
         let column = |room: &RoomDraft| {
             let (x, y) = (room.outline[0].x + 1.0, room.outline[0].y + 1.0);
             let outline = points(&[(x, y), (x + 0.3, y), (x + 0.3, y + 0.3), (x, y + 0.3)]);
@@ -102,7 +102,7 @@ fn many_columns() {
 #[test]
 fn many_rooms_whose_numbers_are_taken() {
     assert_steady("numbers", |count| {
-        let mut rooms = rows(count, (3.0, 3.0), 4.0);
+        let mut rooms = rows(count, 3.0, 3.0, 4.0);
         for (index, room) in rooms.iter_mut().enumerate().take(count / 2) {
             room.number = Some((count / 2 + index) as u32 + 1);
         }

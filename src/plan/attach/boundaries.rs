@@ -40,7 +40,7 @@ pub(in crate::plan) fn open_boundaries(
                 let shared = shared_stretch(piece, &rooms[far.room].walls[far.wall]);
                 for (low, high) in shared.map(|span| free_stretches(piece, span, solids)).unwrap_or_default()
                 {
-                    found.push(boundary(rooms, place, far, (low, high)));
+                    found.push(boundary(rooms, place, far, low, high));
                 }
             }
         }
@@ -93,7 +93,7 @@ fn is_walled(point: Point, wall: &Wall, solids: &OutlineIndex) -> bool {
     })
 }
 
-fn boundary(rooms: &[Room], place: WallPlace, far: WallPlace, (low, high): (f64, f64)) -> Request {
+fn boundary(rooms: &[Room], place: WallPlace, far: WallPlace, low: f64, high: f64) -> Request {
     let wall = &rooms[place.room].walls[place.wall];
     let (room, other) = (&rooms[place.room], &rooms[far.room]);
     Request {

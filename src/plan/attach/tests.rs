@@ -259,8 +259,8 @@ fn stubs_and_doors_part_an_open_boundary() {
 
 #[test]
 fn gaps_between_spans_in_any_order() {
-    let free = super::gaps((0.0, 10.0), vec![(6.0, 7.0), (-1.0, 1.0), (2.0, 3.0), (2.5, 4.0), (9.0, 12.0)]);
+    let free = super::gaps(0.0, 10.0, vec![(6.0, 7.0), (-1.0, 1.0), (2.0, 3.0), (2.5, 4.0), (9.0, 12.0)]);
     assert_eq!(free, [(1.0, 2.0), (4.0, 6.0), (7.0, 9.0)]);
-    assert_eq!(super::gaps((0.0, 10.0), Vec::new()), [(0.0, 10.0)]);
-    assert_eq!(super::gaps((0.0, 10.0), vec![(-5.0, 20.0)]), []);
+    assert_eq!(super::gaps(0.0, 10.0, Vec::new()), [(0.0, 10.0)]);
+    assert_eq!(super::gaps(0.0, 10.0, vec![(-5.0, 20.0)]), []);
 }

@@ -23,7 +23,7 @@ fn read(rooms: Vec<RoomDraft>, openings: Vec<OpeningDraft>, building: Option<&st
     let (level, _) = assemble_level(draft.clone());
     let (words, stack) = (words(), Stack::default());
     let (_, problems) =
-        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, (0, &level));
+        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, 0, &level);
     let last = draft.rooms.last().expect("a room");
     (last.room_type.clone(), problems.last().map(|problem| problem.message.clone()).unwrap_or_default())
 }
@@ -127,7 +127,7 @@ fn a_room_with_a_railing_is_read_as_open_air() {
         draft.railings = vec![points(&[(0.0, -2.15), (4.0, -2.15), (4.0, -2.05), (0.0, -2.05)])];
         let (level, _) = assemble_level(draft.clone());
         let (words, stack) = (words(), Stack::default());
-        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, (0, &level));
+        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, 0, &level);
         assert_eq!(draft.rooms[1].room_type, kind);
     }
 }
@@ -155,7 +155,7 @@ fn read_in_tower(levels: Vec<Vec<RoomDraft>>) -> (String, String) {
     let mut told = 0;
     let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
     let mut first = draft.levels[0].clone();
-    let (_, problems) = guessing.guess(&mut first, (0, &assemble_level(draft.levels[0].clone()).0));
+    let (_, problems) = guessing.guess(&mut first, 0, &assemble_level(draft.levels[0].clone()).0);
     (first.rooms.last().expect("a room").room_type.clone(), problems[0].message.clone())
 }
 
@@ -225,7 +225,7 @@ fn thousands_of_guesses_are_counted_instead_of_listed() {
     let mut told = 0;
     let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
     let guesses: Vec<(usize, Vec<Problem>)> = (draft.levels.iter().enumerate())
-        .map(|(place, level)| guessing.guess(&mut level.clone(), (place, &assemble_level(level.clone()).0)))
+        .map(|(place, level)| guessing.guess(&mut level.clone(), place, &assemble_level(level.clone()).0))
         .collect();
     assert_eq!(
         guesses.iter().map(|(count, problems)| (*count, problems.len())).collect::<Vec<_>>(),
@@ -247,7 +247,7 @@ fn all_buildings_of_an_input_share_the_list_of_guesses() {
             let mut draft = house.levels[0].clone();
             let assembled = assemble_level(draft.clone()).0;
             let mut guessing = Guessing::of(&house, &words, &mut told).expect("a word is unknown");
-            guessing.guess(&mut draft, (0, &assembled)).1[0].message.clone()
+            guessing.guess(&mut draft, 0, &assembled).1[0].message.clone()
         })
         .collect();
     assert!(messages[..TOLD_GUESSES].iter().all(|message| message.starts_with("room \"a\" (Zxq): read as")));
@@ -273,9 +273,9 @@ fn time_to_guess_grows_with_the_number_of_rooms() {
     let guess = |(draft, assembled): (BuildingDraft, Level)| {
         let mut told = 0;
         let mut guessing = Guessing::of(&draft, &words, &mut told).expect("words are unknown");
-        guessing.guess(&mut draft.levels[0].clone(), (0, &assembled));
+        guessing.guess(&mut draft.levels[0].clone(), 0, &assembled);
     };
-    let power = growth((200, 8), 1.3, tower, guess);
+    let power = growth(200, 8, 1.3, tower, guess);
     assert!(power < 1.3, "time grows with the power {power:.2}");
 }
 
@@ -316,7 +316,7 @@ fn guessed_uses(draft: &BuildingDraft, words: &RoomWords, step: usize) -> (usize
         let mut guessing =
             Guessing { words, family: family_of(draft, words), stack: Stack::of(&blind), told: &mut 0 };
         for (place, (mut level, assembled)) in blind.levels.into_iter().zip(&levels).enumerate() {
-            guessing.guess(&mut level, (place, assembled));
+            guessing.guess(&mut level, place, assembled);
             let rooms = draft.levels[place].rooms.iter().zip(&level.rooms);
             for (room, guess) in rooms.filter(|(room, guess)| room.unknown_word != guess.unknown_word) {
                 counts.0 += usize::from(use_of(&room.room_type, words) == use_of(&guess.room_type, words));

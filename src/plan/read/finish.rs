@@ -108,7 +108,7 @@ fn assemble_guessed(
         return (level, problems, 0);
     };
     let (level, _) = assemble_level(draft.clone());
-    let (count, guesses) = guessing.guess(&mut draft, (place, &level));
+    let (count, guesses) = guessing.guess(&mut draft, place, &level);
     let (level, mut problems) = assemble_level(draft);
     problems.extend(guesses);
     (level, problems, count)

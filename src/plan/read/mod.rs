@@ -123,7 +123,7 @@ impl From<Faults> for Reading {
 
 fn read_input(input: &Input, words: &RoomWords) -> Reading {
     if let Some(format) = input.format {
-        return finish_all((&input.path, format.about.name), read_drafts(&input.path, words), words);
+        return finish_all(&input.path, format.about.name, read_drafts(&input.path, words), words);
     }
     match unread::refusal(&input.path) {
         Some(fault) if input.is_named => return Faults::from(fault).into(),
@@ -143,11 +143,11 @@ fn read_input(input: &Input, words: &RoomWords) -> Reading {
         }
         Kind::Other | Kind::Project if !input.is_named => Reading::default(),
         Kind::Other if !native::may_be_plan(&source) => Faults::from(nothing::of_text(&source)).into(),
-        _ => finish_all((&input.path, "native"), native_drafts(source, words), words),
+        _ => finish_all(&input.path, "native", native_drafts(source, words), words),
     }
 }
 
-fn finish_all((file, format): (&Path, &'static str), reading: Drafts, words: &RoomWords) -> Reading {
+fn finish_all(file: &Path, format: &'static str, reading: Drafts, words: &RoomWords) -> Reading {
     let mut faults = reading.faults;
     let mut buildings = Vec::new();
     let mut report = InputReport { path: file.to_owned(), format, buildings: Vec::new() };

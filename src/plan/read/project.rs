@@ -178,7 +178,7 @@ impl Reading<'_> {
         });
         for (number, drafted) in drafts.iter().enumerate() {
             let variation = Variation { is_mirrored: plan.mirror, style: style.clone() };
-            let building = self.building(&file, (number, drafted), variation);
+            let building = self.building(&file, number, drafted, variation);
             if building.levels.is_empty() {
                 continue;
             }
@@ -222,7 +222,8 @@ impl Reading<'_> {
     fn building(
         &mut self,
         file: &Path,
-        (number, drafted): (usize, &Drafted),
+        number: usize,
+        drafted: &Drafted,
         variation: Variation,
     ) -> Arc<Building> {
         let key = (file.to_owned(), number, variation);

@@ -42,7 +42,7 @@ pub(super) fn switches(level: &Level, room: &Room) -> Vec<Fitted> {
         let away = casing(level, opening).metres() + BESIDE_DOOR;
         let (before, after) = (place.from - away, place.to + away);
         let places = if is_handle_after(opening, wall) { [after, before] } else { [before, after] };
-        let at = places.into_iter().find(|&at| is_free(level, room, place.wall, (at, SWITCH_HEIGHT)))?;
+        let at = places.into_iter().find(|&at| is_free(level, room, place.wall, at, SWITCH_HEIGHT))?;
         Some(fitted(Fitting::Switch, room, place.wall, at))
     };
     room.openings.iter().filter_map(beside).collect()
@@ -83,7 +83,7 @@ fn is_handle_after(opening: &Opening, wall: &Wall) -> bool {
 }
 
 /// Whether a plate at a place along a wall and a height lies on the wall alone.
-fn is_free(level: &Level, room: &Room, wall: usize, (at, height): (f64, f64)) -> bool {
+fn is_free(level: &Level, room: &Room, wall: usize, at: f64, height: f64) -> bool {
     let half = PLATE.metres();
     let is_on_wall = at > 2.0 * half && at < room.walls[wall].length() - 2.0 * half;
     let mut holes = holes(level, room, wall, height).into_iter();

@@ -157,7 +157,7 @@ impl Products<'_> {
         }
         let (kind, leaf) = match what {
             "door" => {
-                let closure = closure(self.geometry, self.relations, &self.frame, (product, &hole.doorway));
+                let closure = closure(self.geometry, self.relations, &self.frame, product, &hole.doorway);
                 closure.unwrap_or_else(|trouble| {
                     let hint = "it is hung as seems best";
                     model.warn(trouble.id, format!("how {name} opens: {}", trouble.message), hint);

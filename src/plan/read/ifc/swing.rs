@@ -63,7 +63,8 @@ pub(super) fn closure(
     geometry: &Geometry<'_>,
     relations: &Relations,
     frame: &DAffine3,
-    (door, doorway): (&Entity, &Doorway),
+    door: &Entity,
+    doorway: &Doorway,
 ) -> Read<(OpeningKind, LeafDraft)> {
     let word = operation_word(geometry, relations, door)?;
     match Operation::of(word.as_deref().unwrap_or_default()) {

@@ -190,6 +190,6 @@ fn time_to_read_grows_with_the_number_of_levels() {
         let levels = &found.buildings[0].draft.levels;
         assert!(levels.iter().all(|level| (level.rooms.len(), level.openings.len()) == (1, 1)));
     };
-    let power = growth((500, 8), STEEPEST, write_levels, run);
+    let power = growth(500, 8, STEEPEST, write_levels, run);
     assert!(power < STEEPEST, "time grows with the power {power:.2} of the levels");
 }

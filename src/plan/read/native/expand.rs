@@ -31,7 +31,8 @@ pub(super) struct Expanded {
 
 /// Expands a file without the rooms at some document paths; what is wrong goes to the report.
 pub(super) fn expand_building(
-    (file, left_out): (&PlanFile, &BTreeSet<Vec<PathStep>>),
+    file: &PlanFile,
+    left_out: &BTreeSet<Vec<PathStep>>,
     report: &mut Report<'_>,
 ) -> Expanded {
     let draft = BuildingDraft { name: file.name.clone(), levels: Vec::new() };
@@ -181,7 +182,7 @@ impl<'a> Expansion<'a, '_> {
                 self.report.error(&step(&path, "prototype"), message, hint);
                 continue;
             };
-            for scope in self.copies(&path, (place, prototype), own) {
+            for scope in self.copies(&path, place, prototype, own) {
                 let id = scope.instance_id().unwrap_or_default().to_owned();
                 if !ids.insert(id.clone()) {
                     let message = format!("id \"{id}\" is placed twice");
@@ -203,7 +204,8 @@ impl<'a> Expansion<'a, '_> {
     fn copies(
         &mut self,
         path: &[PathStep],
-        (place, prototype): (&'a PlaceFile, &'a Prototype),
+        place: &'a PlaceFile,
+        prototype: &'a Prototype,
         own: &Scope<'a>,
     ) -> Vec<Scope<'a>> {
         let repeat = place.repeat.as_ref();

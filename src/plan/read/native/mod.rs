@@ -50,7 +50,7 @@ pub(crate) fn read_native(source: &Source, words: &RoomWords) -> Result<NativeDr
     let file: PlanFile = source.parse()?;
     let mut report = Report::new(source);
     let left_out = check::check_file(&file, words, &mut report);
-    let expanded = expand::expand_building((&file, &left_out), &mut report);
+    let expanded = expand::expand_building(&file, &left_out, &mut report);
     let id = building_id(&file, &mut report);
     let is_usable = !report.is_useless();
     let mut faults = report.finish();
