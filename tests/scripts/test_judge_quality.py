@@ -170,7 +170,7 @@ def test_every_measure_of_the_table_has_cases():
     import test_judge_homes
 
     walls = {code for code in MEASURES if code.endswith("_wall") and code not in ("bare_wall", "bare_hall_wall")}
-    assert MEASURES.keys() == CASES.keys() | test_judge_homes.CASES.keys() | walls | {"kitchen_length", "hall_middling"}
+    assert MEASURES.keys() == CASES.keys() | test_judge_homes.CASES.keys() | walls | {"kitchen_length", "hall_middling", "walkable_rate"}
 
 
 def test_a_chair_under_its_table_collides_with_nothing_of_it(tmp_path):
@@ -192,6 +192,12 @@ def test_an_open_boundary_that_ends_at_another_is_walked_around(tmp_path):
 def test_a_lamp_of_the_ceiling_takes_no_light(tmp_path):
     made = window(0.9).piece("pendant", 2.0, 3.7, "south", (0.8, 0.4, 0.6), 1.9)
     assert MEASURES["window_blocked"].judge(made.read(tmp_path)).faults == ()
+
+
+def test_the_floor_behind_a_closed_way_is_not_walkable(tmp_path):
+    # Free floor: 2 m of 6 before the shelves and nearly all of the rest behind them.
+    assert MEASURES["walkable_rate"].judge(passage(1.0).read(tmp_path)).value == pytest.approx(1.0)
+    assert 0.2 < MEASURES["walkable_rate"].judge(passage(0.2).read(tmp_path)).value < 0.5
 
 
 def test_what_hangs_flat_on_a_wall_is_in_nobodys_way(tmp_path):

@@ -72,6 +72,16 @@ def unreached(room: Room, places: list[Place], person: float) -> list[tuple[str,
     return cut_off
 
 
+def judge_walkable(room: Room) -> Answer | None:
+    """The share of the free floor that a narrow person reaches, of all doors the least: PhyScene's walkable rate."""
+    doors = [side for _, side in room.openings(doors=True)]
+    areas = walkable(room, NARROW, True)
+    whole = sum(area.area for area in areas)
+    if not doors or not room.standing or not whole:
+        return None
+    return answer([], min(sum(area.area for area in areas if area.intersects(door_zone(side))) / whole for side in doors))
+
+
 def door_zone(side: Side) -> shapely.Polygon:
     return side.before(PERSON)
 
@@ -103,4 +113,6 @@ MEASURES = [
             judge_reached(PERSON - RASTER), audit="unreachable"),
     Measure("way_narrow", "the same without rounding", "m", "0.45; 0.30 in narrow plans", "UK Part M, HUD; PhyScene",
             judge_reached(PERSON), audit="unreachable"),
+    Measure("walkable_rate", "the free floor is reached from every door (a distribution, no limit)", "of the free floor",
+            "0.30 m", "PhyScene", judge_walkable),
 ]
