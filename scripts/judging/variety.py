@@ -41,6 +41,25 @@ class Arrangement(NamedTuple):
     stands: tuple[Stand, ...]
 
 
+class Stands(NamedTuple):
+    """The pieces of an arrangement as columns."""
+
+    kinds: np.ndarray
+    places: np.ndarray
+    fronts: np.ndarray
+    areas: np.ndarray
+
+    @classmethod
+    def of(cls, arrangement: Arrangement) -> Stands:
+        kinds, places, fronts, areas = zip(*arrangement.stands) if arrangement.stands else ((), (), (), ())
+        return cls(np.array(kinds, str), np.array(places, float).reshape(-1, 2), np.array(fronts, float).reshape(-1, 2),
+                   np.array(areas, float))
+
+    def turned(self, turn: Turn) -> Stands:
+        places = turn(self.places)
+        return self._replace(places=places, fronts=turn(self.places + self.fronts) - places)
+
+
 def arrangement_of(room: Room) -> Arrangement:
     pieces = [piece for piece in room.standing
               if piece.footprint.area >= LEAST_PIECE and piece.kind not in CHAIRS | OFFICE_CHAIRS]
@@ -50,12 +69,14 @@ def arrangement_of(room: Room) -> Arrangement:
 
 def distinct(arrangements: Iterable[Arrangement]) -> int:
     """The number of arrangements of one room that differ by more than a mirror or a step."""
-    found: list[Arrangement] = []
+    found: list[Stands] = []
     turns: list[Turn] | None = None
     for arrangement in arrangements:
         turns = symmetries(shapely.from_wkb(arrangement.outline)) if turns is None else turns
-        if not any(is_same(arrangement, other, turn) for other in found for turn in turns):
-            found.append(arrangement)
+        stands = Stands.of(arrangement)
+        turned = [stands.turned(turn) for turn in turns]
+        if not any(is_same(one, other) for other in found for one in turned):
+            found.append(stands)
     return len(found)
 
 
@@ -74,15 +95,12 @@ def symmetries(region: shapely.Geometry) -> list[Turn]:
     return found
 
 
-def is_same(one: Arrangement, other: Arrangement, turn: Turn) -> bool:
+def is_same(one: Stands, other: Stands) -> bool:
     """Whether most of what stands in two arrangements stands in the same places."""
-    left, shared = list(other.stands), 0.0
-    for stand in one.stands:
-        place, tip = turn(np.array([stand.at, np.add(stand.at, stand.front)]))
-        match = next((candidate for candidate in left if stand.kind == candidate.kind
-                      and np.hypot(*(place - candidate.at)) <= SAME_PLACE
-                      and (tip - place) @ np.array(candidate.front) >= np.cos(np.radians(SAME_WAY))), None)
-        if match is not None:
-            left.remove(match)
-            shared += stand.area + match.area
-    return shared >= SAME_SHARE * sum(stand.area for stand in (*one.stands, *other.stands))
+    if not len(one.areas) or not len(other.areas):
+        return not len(one.areas) and not len(other.areas)
+    away = np.hypot(*(one.places[:, None] - other.places[None]).transpose(2, 0, 1))
+    turned = one.fronts @ other.fronts.T
+    match = (away <= SAME_PLACE) & (turned >= np.cos(np.radians(SAME_WAY))) & (one.kinds[:, None] == other.kinds[None])
+    shared = one.areas[match.any(axis=1)].sum() + other.areas[match.any(axis=0)].sum()
+    return bool(shared >= SAME_SHARE * (one.areas.sum() + other.areas.sum()))
