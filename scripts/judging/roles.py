@@ -21,12 +21,12 @@ TABLES = {"kitchen_table", "dining_table", "large_dining_table", "small_table", 
           "kitchen_island", "meeting_table", "small_meeting_table", "large_meeting_table"}
 CHAIRS = {"chair", "dining_chair", "restaurant_chair", "meeting_chair"}
 
-SCREENS = {"tv", "small_tv", "wall_tv", "hotel_tv", "large_hotel_tv"}
+SCREENS = {"tv", "small_tv", "wall_tv", "hotel_tv", "large_hotel_tv", "living_wall_tv"}
 PROJECTION = {"projector", "projection_screen"}
 TV_STANDS = {"tv_stand", "wide_tv_stand", "lowboard"}
 SOFAS = {"sofa", "lounge_sofa", "loveseat", "sofa_bed", "settee"}
-EASY_CHAIRS = {"armchair", "club_chair", "wing_chair", "shell_chair"}
-READING_LAMPS = {"floor_lamp", "table_lamp"}
+EASY_CHAIRS = {"armchair", "club_chair", "corner_chair", "wing_chair", "shell_chair"}
+READING_LAMPS = {"floor_lamp", "corner_lamp", "table_lamp"}
 BOOKCASES = {"bookshelf", "low_bookshelf", "plank_shelf"}
 
 DOUBLE_BEDS = {"double_bed", "king_bed"}
@@ -40,10 +40,10 @@ TOILETS = {"toilet"}
 BASINS = {"washbasin", "hand_basin", "vanity", "row_basin"}
 TUBS = {"bathtub", "shower", "small_shower"}
 
-ART = {"picture", "poster", "mirror", "vanity_mirror"}
+ART = {"picture", "gallery_picture", "poster", "mirror", "vanity_mirror"}
 MIRRORS = {"mirror", "vanity_mirror"}
 CURTAINS = {"curtain"}
-SLIM_KINDS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter", "floor_lamp"}
+SLIM_KINDS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter", "floor_lamp", "corner_lamp"}
 LIBRARY_SHELVES = {"library_shelf", "library_stack", "archive_shelf"}
 ROW_SEATS = {"auditorium_seat"}
 
