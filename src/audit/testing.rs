@@ -162,7 +162,15 @@ pub(crate) fn per_piece(class: &'static str, of: &'static str, each: f64) -> imp
 
 fn line(catalog: &Catalog, class: &str, count: Count) -> Request {
     let classes = vec![catalog.class_index(class).unwrap()];
-    Request { classes, count, area: (0.0, 1000.0), is_required: true, chance: 1.0, needs_window: false }
+    Request {
+        classes,
+        substitutes: Vec::new(),
+        count,
+        area: (0.0, 1000.0),
+        is_required: true,
+        chance: 1.0,
+        needs_window: false,
+    }
 }
 
 fn catalog() -> Catalog {

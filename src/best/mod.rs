@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 
 use crate::audit::{Code, Finding, Severity, Verdict};
 use crate::catalog::Catalog;
-use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, RoomLayout, Suggestion};
+use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, RoomLayout, StandIns, Suggestion};
 use crate::plan::RoomRef;
 use crate::solve::RoomSolver;
 
@@ -40,6 +40,8 @@ pub struct Judged {
     pub verdict: Verdict,
     /// Which alternative it is.
     pub alternative: Alternative,
+    /// What stands in for other pieces.
+    pub stand_ins: StandIns,
 }
 
 /// Furnishes one room up to `effort` times (at least once) and keeps the best.
@@ -63,7 +65,8 @@ pub fn furnish_best(at: RoomRef<'_>, catalog: &Catalog, options: &FurnishOptions
 /// The loop of [`furnish_best`], for callers that measure its parts: the first alternative without a finding
 /// and with all that was asked for, else the best of `effort`; of equals the earlier one. A room without a finding in
 /// which a piece is missing is not tried so often, for it may have no place. If the best misses a required piece and the
-/// solver found a place for it, a few more follow that try this place first. `solver_steps` says what the
+/// solver found a place for it, a few more follow that try this place first; if it still misses one, a last one in which
+/// others may stand in for it. `solver_steps` says what the
 /// solver spent on the room so far, as [`RoomSolver::steps`].
 pub fn best_of(
     effort: u32,
@@ -74,7 +77,8 @@ pub fn best_of(
 ) -> Judged {
     let mut maker = Maker { furnish, judge, steps: 0 };
     let best = best_numbered(effort, &mut maker, solver_steps);
-    with_suggested_places(best, effort, &mut maker, suggest)
+    let best = with_suggested_places(best, effort, &mut maker, suggest);
+    with_substitutes(best, effort, &mut maker)
 }
 
 /// Makes alternatives, and counts the steps of the layout.
@@ -86,10 +90,10 @@ struct Maker<F, J> {
 
 impl<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict> Maker<F, J> {
     fn make(&mut self, alternative: Alternative) -> Judged {
-        let Counted { furnished, steps } = (self.furnish)(&alternative);
+        let Counted { furnished, steps, stand_ins } = (self.furnish)(&alternative);
         self.steps += steps;
         let verdict = (self.judge)(&furnished);
-        Judged { furnished, verdict, alternative }
+        Judged { furnished, verdict, alternative, stand_ins }
     }
 }
 
@@ -134,15 +138,39 @@ fn with_suggested_places<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished)
         if suggestions.is_empty() {
             break;
         }
-        best = best.or_better(maker.make(Alternative { number, suggestions }));
+        best = best.or_better(maker.make(Alternative { suggestions, ..Alternative::numbered(number) }));
     }
     best
 }
 
+/// The best of a room and, where it lacks a required piece after all, of one more alternative in which others may stand in
+/// for such pieces.
+fn with_substitutes<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict>(
+    best: Judged,
+    effort: u32,
+    maker: &mut Maker<F, J>,
+) -> Judged {
+    if best.required_missing() == 0 || !best.stand_ins.are_left {
+        return best;
+    }
+    let number = effort.saturating_add(SUGGESTED_ALTERNATIVES);
+    let other = maker.make(Alternative { takes_substitutes: true, ..Alternative::numbered(number) });
+    let lack = |judged: &Judged| {
+        let (failed, minor, _) = judged.flaws();
+        (failed, judged.required_missing(), minor)
+    };
+    if lack(&other) < lack(&best) { other } else { best }
+}
+
 impl Judged {
+    /// How many required pieces are missing, whether or not the room could hold them.
+    fn required_missing(&self) -> usize {
+        self.furnished.removals.iter().filter(|removal| removal.is_required).count()
+    }
+
     /// Whether another alternative cannot be better.
     fn is_flawless(&self) -> bool {
-        self.flaws() == (0, 0, 0)
+        self.flaws() == (0, 0, 0) && self.stand_ins.steps_down == 0
     }
 
     /// Whether nothing is wrong with it, though something may be missing.
@@ -172,14 +200,16 @@ impl Judged {
     fn is_better_than(&self, other: &Self) -> bool {
         let score = |judged: &Self| judged.verdict.score.map_or(0.0, |score| score.value);
         // Counts before scores: a score is a mean, in which one failing finding is a small part.
-        match self.flaws().cmp(&other.flaws()) {
+        let flaws = |judged: &Self| (judged.flaws(), judged.stand_ins.steps_down);
+        match flaws(self).cmp(&flaws(other)) {
             Ordering::Less => true,
             Ordering::Equal => score(self) > score(other),
             Ordering::Greater => false,
         }
     }
 
-    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then missing pieces.
+    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then missing pieces. Of
+    /// equals, the one in which less stands in for other pieces is the better.
     fn flaws(&self) -> (usize, usize, usize) {
         let count = |severity: Severity| {
             self.verdict.findings.iter().filter(|finding| finding.severity == severity).count()
@@ -201,7 +231,7 @@ mod tests {
     }
 
     fn counted(furnished: Furnished) -> Counted {
-        Counted { furnished, steps: 1 }
+        Counted { furnished, steps: 1, stand_ins: StandIns::default() }
     }
 
     fn nothing() -> Furnished {
@@ -234,7 +264,7 @@ mod tests {
         let mut made = 0;
         let furnish = |_: &Alternative| {
             made += 1;
-            Counted { furnished: nothing(), steps: MOST_STEPS / 3 }
+            Counted { steps: MOST_STEPS / 3, ..counted(nothing()) }
         };
         let judge =
             |_: &Furnished| Verdict { findings: vec![found(Code::Sparse, &[])], ..Verdict::default() };
@@ -267,6 +297,23 @@ mod tests {
     fn one_failing_finding_is_worse_than_many_minor_ones_and_of_equals_the_first_stays() {
         assert_eq!(judged(3, &[(1, 0), (0, 3), (0, 3)]), (1, 3));
         assert_eq!(judged(1, &[(1, 0)]), (0, 1));
+    }
+
+    #[test]
+    fn a_room_that_lacks_a_required_piece_after_all_gets_what_may_stand_in_for_it() {
+        let made = |are_left: bool, is_replaced: bool| {
+            let lacking = move |alternative: &Alternative| {
+                let removal = Removal { class: 0, reason: RemovalReason::NoPlace, is_required: true };
+                let removals =
+                    if alternative.takes_substitutes && is_replaced { Vec::new() } else { vec![removal] };
+                let stand_ins = StandIns { are_left, ..StandIns::default() };
+                Counted { stand_ins, ..counted(Furnished { removals, ..nothing() }) }
+            };
+            best_of(1, lacking, |_| Verdict::default(), |_| Vec::new(), || 0).alternative
+        };
+        assert!(made(true, true).takes_substitutes);
+        assert!(!made(true, false).takes_substitutes, "nothing was gained");
+        assert!(!made(false, true).takes_substitutes, "nothing could stand in");
     }
 
     #[test]

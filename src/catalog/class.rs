@@ -77,6 +77,8 @@ pub struct Class {
     pub relations: Vec<Relation>,
     /// Under whom it lies on the floor, best first; empty for what is no rug.
     pub covers: Vec<ClassIndex>,
+    /// What it is there to carry: it is taken away again where none of these stands on it; empty for what needs nothing.
+    pub carries: Vec<ClassIndex>,
     /// Regular intervals instead of random positions (section 3.3).
     pub grid: Option<Grid>,
     /// What is given up first when room is short: lower goes first.
@@ -114,6 +116,7 @@ impl Class {
             clearances: Vec::new(),
             relations: Vec::new(),
             covers: Vec::new(),
+            carries: Vec::new(),
             grid: None,
             priority: 0,
             eras: Vec::new(),

@@ -81,6 +81,8 @@ pub struct Dado {
 pub struct Request {
     /// One of these classes is drawn for each room; at least one.
     pub classes: Vec<ClassIndex>,
+    /// What stands in, one after the other, for a piece that finds no place.
+    pub substitutes: Vec<ClassIndex>,
     /// How many.
     pub count: Count,
     /// Square metres of floor between which the line applies.
@@ -91,6 +93,14 @@ pub struct Request {
     pub chance: f64,
     /// Only where the room has a window.
     pub needs_window: bool,
+}
+
+impl Request {
+    /// Whether it may bring a piece of a class into the room.
+    #[must_use]
+    pub fn asks_for(&self, class: ClassIndex) -> bool {
+        self.classes.contains(&class) || self.substitutes.contains(&class)
+    }
 }
 
 /// How many pieces a line asks for.

@@ -109,6 +109,7 @@ mod tests {
     fn request(class: usize, count: Count) -> Request {
         Request {
             classes: vec![class],
+            substitutes: Vec::new(),
             count,
             area: (0.0, 1e9),
             is_required: false,

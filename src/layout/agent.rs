@@ -42,6 +42,9 @@ pub(crate) struct Agent {
 /// The states of figure 3, and what is left of an agent without a parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum State {
+    /// Is not asked for, unless something changes: it stands in for a piece that is there, or would carry something that is
+    /// not.
+    Unasked,
     /// Looks for a parent. (Arranging happens within one step: a candidate is tried as soon as it is found.)
     Search,
     /// Stands where it is.
@@ -76,7 +79,7 @@ impl Agent {
         Self {
             piece,
             size,
-            state: State::Search,
+            state: if piece.substitute_for.is_some() { State::Unasked } else { State::Search },
             taken: [0; 6],
             occupied: [0.0; 6],
             children: Vec::new(),
@@ -94,7 +97,7 @@ impl Agent {
     pub(crate) fn rest(&self) -> Option<&Rest> {
         match &self.state {
             State::Rest(rest) => Some(rest),
-            State::Search | State::Removed(_) => None,
+            State::Unasked | State::Search | State::Removed(_) => None,
         }
     }
 

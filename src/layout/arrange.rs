@@ -9,10 +9,12 @@ use super::constants::SEARCH_ROUNDS;
 use super::environment::Environment;
 use super::furnished::RemovalReason;
 use super::locked::locked_place;
+use super::movement::send_away;
 use super::place::{AgentIndex, Place};
 use super::search::{Care, Found, search};
 use super::seed::RoomKey;
 use super::suggested::{self, suggestion};
+use super::wanted;
 
 /// Lets all searching agents act until each rests or is removed.
 pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
@@ -29,12 +31,20 @@ pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
     }
 }
 
-/// One agent's step: a found parent and a free place lead to rest, else it is removed.
+/// One agent's step: a found parent and a free place lead to rest, else it is removed, and what stands in for it searches.
 fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
     if let Some(place) = locked_place(environment, agent) {
         return environment.settle(agent, &place);
     }
-    let reason = match search_in_any_size(environment, agent, key) {
+    if wanted::is_waiting(environment, agent) {
+        return;
+    }
+    if wanted::has_stand_in(environment, agent) {
+        environment.agents[agent].state = State::Removed(RemovalReason::NoPlace);
+        return;
+    }
+    let found = search_in_any_size(environment, agent, key);
+    let reason = match found.or_else(|reason| search_with_carrier(environment, agent, reason, key)) {
         Ok(place) => return environment.settle(agent, &place),
         Err(reason) => reason,
     };
@@ -46,6 +56,26 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
     };
     environment.agents[agent].state = State::Removed(reason);
     environment.is_exhausted[environment.agents[agent].piece.class] = true;
+    if let Some(substitute) = wanted::next_substitute(environment, agent) {
+        environment.agents[substitute].state = State::Search;
+        act(environment, substitute, key);
+    }
+}
+
+/// Where an agent fits on what is there to carry it but misses what it needs, the two look for a place together: a screen that
+/// no seat faces, with its stand.
+fn search_with_carrier(
+    environment: &mut Environment<'_>,
+    agent: AgentIndex,
+    reason: RemovalReason,
+    key: &RoomKey,
+) -> Result<Place, RemovalReason> {
+    let carrier = wanted::movable_carrier(environment, agent).filter(|_| reason == RemovalReason::Relation);
+    let Some(carrier) = carrier else { return Err(reason) };
+    send_away(environment, carrier);
+    environment.agents[carrier].is_in_the_way = false;
+    act(environment, carrier, key);
+    search_in_any_size(environment, agent, key)
 }
 
 /// Searches in the size that was drawn; where that has no good place, in the smaller sizes of the class, largest

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use crate::catalog::{Access, ClassIndex, ParentName};
 
-use super::agent::{Agent, State};
 use super::brief::Brief;
 use super::constants::{
     ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE, MOST_STEPS, MOST_STEPS_FOR_WAYS,
@@ -13,7 +12,8 @@ use super::environment::{Environment, Start};
 use super::furnished::Furnished;
 use super::place::AgentIndex;
 use super::seed::RoomKey;
-use super::{arrange, covering, locked, push, result, turning, untidy, ways};
+use super::wanted::StandIns;
+use super::{arrange, covering, locked, push, result, turning, untidy, wanted, ways};
 
 /// Whether what agents meet on their search is noted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +36,8 @@ pub(crate) struct Kept<T> {
     pub(crate) attempts: u32,
     /// What they took together, in steps of about a tenth of a microsecond.
     pub(crate) steps: u64,
+    /// What stands in for other pieces in it.
+    pub(crate) stand_ins: StandIns,
 }
 
 /// Furnishes a room as often as it deserves and keeps the attempt that lacks least, of equals the first. `describe` gives a
@@ -63,8 +65,8 @@ pub(crate) fn best_attempt<T>(
         }
         attempts += 1;
     }
-    let Attempt { furnished, description, number, .. } = best;
-    Kept { furnished, description, number: number + 1, attempts, steps }
+    let Attempt { furnished, description, number, stand_ins, .. } = best;
+    Kept { furnished, description, number: number + 1, attempts, steps, stand_ins }
 }
 
 /// What an attempt lacks, the worst first: attempts are compared in this order.
@@ -78,10 +80,12 @@ struct Lack {
     required: usize,
     /// All pieces that are missing.
     pieces: usize,
+    /// How far down their lists the pieces are that stand in for others ([`StandIns::steps_down`]).
+    steps_down: u32,
 }
 
 impl Lack {
-    fn of(furnished: &Furnished, closed_ways: usize) -> Self {
+    fn of(furnished: &Furnished, closed_ways: usize, stand_ins: StandIns) -> Self {
         let required = || furnished.removals.iter().filter(|removal| removal.is_required);
         let is_there = |class| furnished.placements.iter().any(|placement| placement.class == class);
         let classes: BTreeSet<ClassIndex> = required().map(|removal| removal.class).collect();
@@ -90,6 +94,7 @@ impl Lack {
             closed_ways,
             required: required().count(),
             pieces: furnished.removals.len(),
+            steps_down: stand_ins.steps_down,
         }
     }
 }
@@ -104,6 +109,7 @@ struct Attempt<T> {
     missed: BTreeSet<AgentIndex>,
     description: T,
     steps: u64,
+    stand_ins: StandIns,
 }
 
 impl<T> Attempt<T> {
@@ -121,9 +127,11 @@ impl<T> Attempt<T> {
         let key = brief.key.attempt(alternative * ATTEMPTS_IN_NEED + number);
         let closed_ways = act_all(&mut environment, &key);
         let furnished = result::furnished(&environment);
+        let stand_ins = StandIns::of(&environment);
         Self {
             number,
-            lack: Lack::of(&furnished, closed_ways),
+            lack: Lack::of(&furnished, closed_ways, stand_ins),
+            stand_ins,
             missed: missed(&environment),
             description: describe(&environment, &furnished),
             steps: environment.steps(),
@@ -138,7 +146,7 @@ impl<T> Attempt<T> {
 
     /// How many attempts the room deserves.
     fn deserved_attempts(&self, brief: &Brief<'_>) -> u32 {
-        let Lack { classes_without_any, closed_ways, required, pieces } = self.lack;
+        let Lack { classes_without_any, closed_ways, required, pieces, .. } = self.lack;
         let misses_many = pieces as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
         let is_in_need = classes_without_any > 0 || closed_ways > 0;
         match (is_in_need, brief.alternative.number) {
@@ -161,9 +169,12 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     if untidy::make_untidy(environment, &style.untidiness, key) {
         arrange::arrange(environment, key);
     }
+    wanted::give_back(environment, key);
     // Who is sent away from here on searches among all that rest.
     let lacks_turn = style.access == Access::Wheelchair && turning::lacks_turn(environment, key);
     let closed_ways = ways::clear_ways(environment, key);
+    // Who was sent away may have been on something that is there for it alone.
+    wanted::give_back(environment, key);
     // Rugs last: they are in nobody's way, so that the rest of the room is the same without them.
     covering::lay(environment);
     closed_ways + usize::from(lacks_turn)
@@ -173,8 +184,7 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
 /// stand. What goes wrong first is dealt with first: D. Joslin, D. Clements, "Squeaky Wheel Optimization", 1999.
 fn missed(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
     let is_missed = |agent: &AgentIndex| {
-        let Agent { piece, state, .. } = &environment.agents[*agent];
-        piece.is_required && matches!(state, State::Removed(_))
+        environment.agents[*agent].piece.is_required && wanted::is_missed(environment, *agent)
     };
     let missed: BTreeSet<AgentIndex> = (0..environment.agents.len()).filter(is_missed).collect();
     let rules = missed.iter().flat_map(|&agent| &environment.class(agent).parents);

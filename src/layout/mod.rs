@@ -43,6 +43,7 @@ mod trace;
 mod turning;
 mod untidy;
 mod variant;
+mod wanted;
 mod ways;
 
 pub use body::{clearance_solids, solids};
@@ -53,6 +54,7 @@ pub(crate) use ids::{object_id, opening_id, parent_id};
 pub use lock::{Lock, LockSupport};
 pub use options::FurnishOptions;
 pub use suggestion::{Alternative, Suggestion};
+pub use wanted::StandIns;
 
 use crate::catalog::Catalog;
 use crate::plan::RoomRef;
@@ -82,6 +84,8 @@ pub struct Counted {
     pub furnished: Furnished,
     /// Work of all attempts, in steps of about a tenth of a microsecond: the same on every machine.
     pub steps: u64,
+    /// What stands in for other pieces.
+    pub stand_ins: StandIns,
 }
 
 impl<'a> RoomLayout<'a> {
@@ -98,9 +102,11 @@ impl<'a> RoomLayout<'a> {
         match &self.brief {
             Ok(brief) => {
                 let kept = best_attempt(&brief.alternative(alternative), Recording::Off, |_, _| ());
-                Counted { furnished: kept.furnished, steps: kept.steps }
+                Counted { furnished: kept.furnished, steps: kept.steps, stand_ins: kept.stand_ins }
             }
-            Err(furnished) => Counted { furnished: furnished.clone(), steps: 0 },
+            Err(furnished) => {
+                Counted { furnished: furnished.clone(), steps: 0, stand_ins: StandIns::default() }
+            }
         }
     }
 

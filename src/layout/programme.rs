@@ -1,6 +1,6 @@
 //! The programme of a room: which pieces it asks for (sections 4.2 and 6.2: counts depend on room size).
 
-use crate::catalog::{Catalog, ClassIndex, Count, Request, RoomType, Style};
+use crate::catalog::{Catalog, Class, ClassIndex, Count, ParentName, Request, RoomType, Style};
 
 use super::lock::Lock;
 use super::seed::{Purpose, Stream};
@@ -19,6 +19,10 @@ pub(crate) struct Piece {
     pub(crate) is_required: bool,
     /// Whether it only fills what room is left and is not missed.
     pub(crate) is_fill: bool,
+    /// The piece that it stands in for, by index into the room's pieces: it searches only where that found no place.
+    pub(crate) substitute_for: Option<usize>,
+    /// The class of the pieces that it was counted by, if it does not stand by itself: it waits until one of them is there.
+    pub(crate) companion: Option<ClassIndex>,
 }
 
 /// What a programme may look at.
@@ -30,45 +34,128 @@ pub(crate) struct Site {
     pub(crate) window_count: u32,
 }
 
-/// Draws the pieces of a room, in the order of the programme.
+/// Draws the pieces of a room, in the order of the programme; then those that stand in for them, each list behind the piece
+/// that it is for.
 pub(crate) fn pieces(
     catalog: &Catalog,
     (style, room_type): (&Style, &RoomType),
     site: Site,
     variants: &Variants<'_>,
 ) -> Vec<Piece> {
-    let mut counts = Counts { drawn: vec![0; catalog.classes.len()], asked: vec![0; catalog.classes.len()] };
-    let mut pieces = Vec::new();
+    let counts = Counts { drawn: vec![0; catalog.classes.len()], asked: vec![0; catalog.classes.len()] };
+    let mut draft = Draft { catalog, style, site, variants, counts, pieces: Vec::new() };
+    let mut heads = Vec::new();
     for request in style.programme(room_type) {
-        let name = &catalog.classes[request.classes[0]].id;
-        // Lines that begin with the same class share a stream name; their order keeps them apart.
-        let line = counts.drawn[request.classes[0]];
-        let mut stream = variants.key.stream(Purpose::Programme, name, line);
-        if !applies(request, site, &mut stream) {
-            continue;
-        }
-        let mut fitting = style.fitting(&request.classes, &catalog.classes);
-        if fitting.is_empty() && request.is_required {
-            // The room is wrong without it, whatever it looks like.
-            fitting.clone_from(&request.classes);
-        }
-        if fitting.is_empty() {
-            continue;
-        }
-        let class = fitting[stream.below(fitting.len())];
-        let count = count(request, style.density, site, &counts.asked, &mut stream);
-        for _ in 0..count {
-            let number = counts.add(catalog, class);
-            pieces.push(Piece {
-                class,
-                number,
-                variant: variants.draw(&catalog.classes[class], number),
-                is_required: request.is_required,
-                is_fill: matches!(request.count, Count::Fill(_)),
-            });
+        let first = draft.pieces.len();
+        draft.add(request, None);
+        heads.extend((first..draft.pieces.len()).map(|piece| (piece, request)));
+    }
+    for (piece, request) in heads {
+        for class in draft.add_substitutes(piece, request) {
+            let counts_by_it = |request: &&Request| matches!(request.count, Count::PerPiece(counted, _) if stands_for(catalog, class, counted));
+            style
+                .programme(room_type)
+                .filter(counts_by_it)
+                .for_each(|request| draft.add(request, Some(class)));
         }
     }
-    pieces
+    draft.pieces
+}
+
+/// Whether a class is another, or stands in for it: it is in a group of its name.
+pub(crate) fn stands_for(catalog: &Catalog, class: ClassIndex, other: ClassIndex) -> bool {
+    class == other || catalog.classes[class].groups.contains(&catalog.classes[other].id)
+}
+
+/// Whether a class may stand at any wall or anywhere on the floor, as a garden chair does.
+fn stands_by_itself(class: &Class) -> bool {
+    class.parents.iter().any(|rule| match rule.parent {
+        ParentName::Floor => true,
+        ParentName::Wall => rule.tag.is_none(),
+        _ => false,
+    })
+}
+
+/// The pieces of a room that are drawn so far.
+struct Draft<'a> {
+    catalog: &'a Catalog,
+    style: &'a Style,
+    site: Site,
+    variants: &'a Variants<'a>,
+    counts: Counts,
+    pieces: Vec<Piece>,
+}
+
+impl Draft<'_> {
+    /// Adds the pieces of a line: with `companion`, those for one piece of that class.
+    fn add(&mut self, request: &Request, companion: Option<ClassIndex>) {
+        let name = &self.catalog.classes[request.classes[0]].id;
+        // Lines that begin with the same class share a stream name; their order keeps them apart.
+        let line = self.counts.drawn[request.classes[0]];
+        let mut stream = self.variants.key.stream(Purpose::Programme, name, line);
+        if !applies(request, self.site, &mut stream) {
+            return;
+        }
+        let fitting = self.fitting(request);
+        if fitting.is_empty() {
+            return;
+        }
+        let class = fitting[stream.below(fitting.len())];
+        let asked = |class: ClassIndex| companion.map_or(self.counts.asked[class], |_| 1);
+        let count = count(request, self.style.density, self.site, asked, &mut stream);
+        let of_line = match request.count {
+            Count::PerPiece(counted, _) if !stands_by_itself(&self.catalog.classes[class]) => Some(counted),
+            _ => None,
+        };
+        for _ in 0..count {
+            let piece = self.piece(class, request);
+            self.pieces.push(Piece { companion: companion.or(of_line), ..piece });
+        }
+    }
+
+    /// What a line may ask for in the style: what stands in where nothing else goes with it.
+    fn fitting(&self, request: &Request) -> Vec<ClassIndex> {
+        let classes = &self.catalog.classes;
+        let fitting = self.style.fitting(&request.classes, classes);
+        match (fitting.is_empty(), request.is_required) {
+            (false, _) => fitting,
+            // The room is wrong without it, whatever it looks like.
+            (true, true) => request.classes.clone(),
+            (true, false) => {
+                let goes = |class: &&ClassIndex| !self.style.fitting(&[**class], classes).is_empty();
+                request.substitutes.iter().find(goes).copied().into_iter().collect()
+            }
+        }
+    }
+
+    /// Adds what stands in for a piece, one after the other, and answers their classes.
+    fn add_substitutes(&mut self, piece: usize, request: &Request) -> Vec<ClassIndex> {
+        let mut before = piece;
+        let mut added = vec![self.pieces[piece].class];
+        for &class in &request.substitutes {
+            let goes = !self.style.fitting(&[class], &self.catalog.classes).is_empty();
+            if goes && !added.contains(&class) {
+                let substitute = Piece { substitute_for: Some(before), ..self.piece(class, request) };
+                before = self.pieces.len();
+                self.pieces.push(substitute);
+                added.push(class);
+            }
+        }
+        added.split_off(1)
+    }
+
+    fn piece(&mut self, class: ClassIndex, request: &Request) -> Piece {
+        let number = self.counts.add(self.catalog, class);
+        Piece {
+            class,
+            number,
+            variant: self.variants.draw(&self.catalog.classes[class], number),
+            is_required: request.is_required,
+            is_fill: matches!(request.count, Count::Fill(_)),
+            substitute_for: None,
+            companion: None,
+        }
+    }
 }
 
 /// The pieces of a room with those that are locked: these have the variant that was asked for.
@@ -86,6 +173,8 @@ pub(crate) fn add_locked(pieces: &mut Vec<Piece>, locks: &[Lock], catalog: &Cata
                 variant: variant.unwrap_or(0),
                 is_required: false,
                 is_fill: false,
+                substitute_for: None,
+                companion: None,
             }),
         }
     }
@@ -118,14 +207,20 @@ fn applies(request: &Request, site: Site, stream: &mut Stream) -> bool {
     is_lucky && site.area >= least && site.area < most && (site.window_count > 0 || !request.needs_window)
 }
 
-fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &mut Stream) -> u32 {
+fn count(
+    request: &Request,
+    density: f64,
+    site: Site,
+    asked: impl Fn(ClassIndex) -> u32,
+    stream: &mut Stream,
+) -> u32 {
     let base = match request.count {
         Count::Fixed(count) | Count::Fill(count) => f64::from(count),
         Count::Range(least, most) => f64::from(stream.count(least, most)),
         Count::PerArea(per_area, least, most) => {
             (site.area * per_area).round().clamp(f64::from(least), f64::from(most))
         }
-        Count::PerPiece(class, each) => f64::from(counts[class]) * each,
+        Count::PerPiece(class, each) => f64::from(asked(class)) * each,
         Count::PerWindow(each) => f64::from(site.window_count) * each,
     };
     let factor = if request.is_required { 1.0 } else { density };
@@ -135,7 +230,7 @@ fn count(request: &Request, density: f64, site: Site, counts: &[u32], stream: &m
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::{Class, DEFAULT_STYLE, Era, Share, Untidiness};
+    use crate::catalog::{DEFAULT_STYLE, Era, Share, Untidiness};
     use crate::layout::FurnishOptions;
     use crate::layout::choice::Series;
     use crate::layout::seed::RoomKey;

@@ -4,8 +4,9 @@ use super::agent::{Agent, Rest, State};
 use super::environment::Environment;
 use super::furnished::{Furnished, Parent, Placement, Removal};
 use super::place::{AgentIndex, ParentPart};
+use super::wanted::is_missed;
 
-/// What the agents came to. Pieces that only fill what room is left are not missed where they found none.
+/// What the agents came to.
 pub(crate) fn furnished(environment: &Environment<'_>) -> Furnished {
     let (agents, brief) = (&environment.agents, environment.brief);
     let mut result = Furnished::empty(brief.at.index, brief.key.seed(), Some(brief.style));
@@ -13,21 +14,17 @@ pub(crate) fn furnished(environment: &Environment<'_>) -> Furnished {
     for agent in 0..agents.len() {
         place(environment, agent, &mut indices, &mut result.placements);
     }
-    let removal = |agent: &Agent| match agent.state {
-        State::Removed(reason) => {
-            Some(Removal { class: agent.piece.class, reason, is_required: agent.piece.is_required })
+    let removal = |agent: AgentIndex| match &agents[agent] {
+        Agent { piece, state: State::Removed(reason), .. } => {
+            Some(Removal { class: piece.class, reason: *reason, is_required: piece.is_required })
         }
         _ => None,
     };
-    result.removals = agents.iter().filter(|agent| is_missed(agent)).filter_map(removal).collect();
+    let missed = (0..agents.len()).filter(|&agent| is_missed(environment, agent));
+    result.removals = missed.filter_map(removal).collect();
     let count = result.placements.len() + result.removals.len();
     result.requested = u32::try_from(count).expect("a programme asks for fewer than 2^32 pieces");
     result
-}
-
-/// Whether an agent is a piece that was asked for and is not there.
-pub(crate) fn is_missed(agent: &Agent) -> bool {
-    matches!(agent.state, State::Removed(_)) && !agent.piece.is_fill
 }
 
 /// Appends an agent's placement after its parent's.

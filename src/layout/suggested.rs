@@ -58,7 +58,7 @@ mod tests {
         let size = catalog.classes[DESK].sizes[0];
         let position = Point::new(3.0, 2.0);
         let suggestion = Suggestion { class: DESK, size, position, angle: 0.0, wall: Some(2) };
-        let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
+        let alternative = Alternative { suggestions: vec![suggestion], ..Alternative::numbered(1) };
         let options = FurnishOptions::new(1, "test");
         let room = RoomBrief::new(level.room(0), &catalog, &options).expect("offices are furnished");
         let brief = room.alternative(&alternative);

@@ -10,13 +10,15 @@ pub struct Alternative {
     pub number: u32,
     /// Where some pieces should try to stand first.
     pub suggestions: Vec<Suggestion>,
+    /// Whether required pieces that find no place are replaced by what may stand in for them.
+    pub takes_substitutes: bool,
 }
 
 impl Alternative {
     /// An arrangement without suggestions.
     #[must_use]
     pub fn numbered(number: u32) -> Self {
-        Self { number, suggestions: Vec::new() }
+        Self { number, ..Self::default() }
     }
 }
 

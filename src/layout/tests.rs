@@ -64,6 +64,7 @@ fn classes() -> Vec<Class> {
 pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> Catalog {
     let request = |&(class, count): &(usize, Count)| Request {
         classes: vec![class],
+        substitutes: Vec::new(),
         count,
         area: (0.0, f64::INFINITY),
         is_required: false,
@@ -403,7 +404,7 @@ fn who_has_a_suggestion_stands_there_and_others_keep_off() {
     };
     let suggestion =
         Suggestion { class: desk.class, size: desk.size, position: desk.position, angle: desk.angle, wall };
-    let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
+    let alternative = Alternative { suggestions: vec![suggestion], ..Alternative::numbered(1) };
     let furnished = RoomLayout::new(level.room(0), &catalog, &options).furnish(&alternative).furnished;
     let is_there = |placement: &Placement| {
         placement.class == desk.class && placement.position.distance(desk.position) < 1e-9
@@ -426,7 +427,8 @@ fn no_alternative_depends_on_those_that_were_furnished_before_it() {
     let shared = RoomLayout::new(level.room(0), &catalog, &options);
     for suggestions in [Vec::new(), vec![suggestion], Vec::new()] {
         for number in 0..3 {
-            let alternative = Alternative { number, suggestions: suggestions.clone() };
+            let alternative =
+                Alternative { suggestions: suggestions.clone(), ..Alternative::numbered(number) };
             let alone = RoomLayout::new(level.room(0), &catalog, &options).furnish(&alternative);
             assert_eq!(shared.furnish(&alternative), alone);
         }

@@ -212,7 +212,7 @@ mod tests {
         };
         let level = level(&[(0.0, 0.0), (6.0, 0.0), (6.0, depth), (0.0, depth)]);
         let options = FurnishOptions::new(1, "test");
-        let alternative = Alternative { number: 1, suggestions: vec![suggestion] };
+        let alternative = Alternative { suggestions: vec![suggestion], ..Alternative::numbered(1) };
         let furnished = RoomLayout::new(level.room(0), &catalog, &options).furnish(&alternative).furnished;
         let is_there =
             |class| furnished.placements.iter().filter(|placement| placement.class == class).count();

@@ -80,10 +80,7 @@ fn check_counted(
     report: &mut Report<'_>,
 ) {
     let is_asked = |class: ClassIndex| {
-        together
-            .iter()
-            .flat_map(|programme| &programme.requests)
-            .any(|request| request.classes.contains(&class))
+        together.iter().flat_map(|programme| &programme.requests).any(|request| request.asks_for(class))
     };
     let unasked: Vec<&(ClassIndex, Spot)> =
         programme.counted.iter().filter(|(class, _)| !is_asked(*class)).collect();

@@ -40,6 +40,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     );
     lines.add_all("wishes", class.relations.iter().map(|relation| show_relation(catalog, relation)));
     lines.add("lies under", &class_names(catalog, &class.covers).join(", "));
+    lines.add("is there for", &class_names(catalog, &class.carries).join(", "));
     lines.add(
         "grid",
         &class.grid.map_or_else(String::new, |grid| {
@@ -146,7 +147,7 @@ fn list_room_types(catalog: &Catalog, class: ClassIndex) -> Vec<&str> {
     let asks = catalog
         .room_types
         .values()
-        .filter(|room_type| room_type.programme.iter().any(|request| request.classes.contains(&class)));
+        .filter(|room_type| room_type.programme.iter().any(|request| request.asks_for(class)));
     asks.map(|room_type| room_type.id.as_str()).collect()
 }
 
@@ -179,6 +180,7 @@ fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_type
         "clearances": class.clearances.iter().map(value_of_clearance).collect::<Vec<_>>(),
         "relations": relations,
         "covers": class_names(catalog, &class.covers),
+        "carries": class_names(catalog, &class.carries),
         "grid": class.grid.map(|grid| json!({
             "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered,
             "back_to_back": grid.is_back_to_back, "margin": grid.margin

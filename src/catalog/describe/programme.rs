@@ -20,6 +20,9 @@ pub(super) fn show_request(catalog: &Catalog, request: &Request) -> String {
     if request.is_required {
         terms.push("required".to_owned());
     }
+    if !request.substitutes.is_empty() {
+        terms.push(format!("or else {}", class_names(catalog, &request.substitutes).join(", ")));
+    }
     if request.chance < 1.0 {
         terms.push(format!("chance {}", rounded(request.chance)));
     }
@@ -57,6 +60,7 @@ pub(super) fn value_of_request(catalog: &Catalog, request: &Request) -> Value {
     };
     json!({
         "class": class_names(catalog, &request.classes),
+        "or": class_names(catalog, &request.substitutes),
         "count": count,
         "area": [request.area.0, request.area.1],
         "required": request.is_required,

@@ -63,6 +63,8 @@ pub(crate) struct ClassEntry {
     /// It lies on the floor under the first of these that stands in the room, and others stand on it: a rug. It is at most
     /// 2 cm high, and laid when all others have their places.
     pub(crate) covers: Option<OneOrMany<String>>,
+    /// It is taken away again where none of these stands on it: a television stand.
+    pub(crate) carries: Option<OneOrMany<String>>,
     /// Regular intervals instead of random positions.
     pub(crate) grid: Option<GridEntry>,
     /// Pieces with a lower number are left out first when space is short; default 0.

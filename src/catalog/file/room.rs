@@ -104,6 +104,9 @@ pub(crate) struct DadoEntry {
 pub(crate) struct RequestEntry {
     /// A class or group, or several of which one is drawn for each room.
     pub(crate) class: OneOrMany<String>,
+    /// Classes and groups that stand in, one after the other, where a piece of `class` finds no place. For a required
+    /// piece, only where no arrangement of the room has a place for it.
+    pub(crate) or: Option<OneOrMany<String>>,
     /// How many; default 1.
     pub(crate) count: Option<CountEntry>,
     /// Square metres of floor between which the line applies; one number is the least.

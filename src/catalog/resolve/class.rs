@@ -63,6 +63,7 @@ fn resolve_class(
     let relations = resolve_relations(chain, names, report);
     let looks = resolve_looks(chain, report);
     let covers = resolve_covers(chain, names, &sizes, report);
+    let carries = resolve_carries(chain, names, report);
     let grid = resolve_grid(chain, report);
     let model = resolve_model(chain, files, report);
     let wealth = resolve_wealth(chain, report);
@@ -83,6 +84,7 @@ fn resolve_class(
         clearances,
         relations,
         covers,
+        carries,
         grid,
         priority: chain.find("priority", |entry| entry.priority.as_ref()).map_or(0, |found| *found.value),
         eras: resolve_eras(chain),
@@ -156,6 +158,16 @@ fn resolve_covers(
         let hint = format!("`covers` is for what is at most {COVERING_HEIGHT} m high");
         report.error_with_hint(&found.spot, message, &hint);
     }
+    let named = names.all_classes(found.value, &found.spot, report);
+    named.into_iter().flat_map(|named| named.classes).collect()
+}
+
+fn resolve_carries(
+    chain: &Chain<'_, ClassEntry>,
+    names: &Names<'_>,
+    report: &mut Report<'_>,
+) -> Vec<ClassIndex> {
+    let Some(found) = chain.find("carries", |entry| entry.carries.as_ref()) else { return Vec::new() };
     let named = names.all_classes(found.value, &found.spot, report);
     named.into_iter().flat_map(|named| named.classes).collect()
 }

@@ -35,6 +35,9 @@ pub(super) fn resolve_programme(
     for (index, entry) in entries.iter().enumerate() {
         let spot = spot.index(index);
         let named = names.all_classes(&entry.class, &spot.key("class"), report);
+        let or = entry.or.as_ref();
+        let named_substitutes =
+            or.map_or_else(Vec::new, |words| names.all_classes(words, &spot.key("or"), report));
         let count = resolve_count(entry.count.as_ref(), &spot.key("count"), names, report);
         if let Some(Count::PerPiece(class, _)) = count {
             programme.counted.push((class, spot.key("count").key("per")));
@@ -47,6 +50,7 @@ pub(super) fn resolve_programme(
             entry.chance.map_or(1.0, |chance_of| chance.check(chance_of, &spot.key("chance"), report));
         let request = count.map(|count| Request {
             classes: in_written_order(&named, names),
+            substitutes: in_written_order(&named_substitutes, names),
             count,
             area,
             is_required: entry.required,
@@ -54,7 +58,7 @@ pub(super) fn resolve_programme(
             needs_window: entry.window,
         });
         programme.requests.extend(request.filter(|request| !request.classes.is_empty()));
-        programme.named.extend(named);
+        programme.named.extend(named.into_iter().chain(named_substitutes));
     }
     programme
 }

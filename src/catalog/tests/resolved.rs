@@ -181,7 +181,7 @@ room_types:
     finish: {floor: stone, switches: false}
     programme:
       - {class: table}
-      - {class: [bed, surface], count: [1, 2], chance: 0.5, window: true, area: 9, required: true}
+      - {class: [bed, surface], count: [1, 2], chance: 0.5, window: true, area: 9, required: true, or: table}
       - {class: table, count: {per: table, each: 4}}
       - {class: table, count: {per_area: 0.2, least: 1}}
       - {class: table, count: {fill: 10}, area: [4, 9]}
@@ -199,6 +199,7 @@ room_types:
     assert_eq!(bath.excludes, ["seat"]);
     let second = Request {
         classes: vec![index("bed"), index("table")],
+        substitutes: vec![index("table")],
         count: Count::Range(1, 2),
         area: (9.0, 1e6),
         is_required: true,

@@ -4,7 +4,7 @@ use super::edits;
 use crate::audit::testing::{TestRoom, at};
 use crate::best::Judged;
 use crate::edits::{Finished, finish};
-use crate::layout::{Alternative, Furnished, Parent, Placement};
+use crate::layout::{Alternative, Furnished, Parent, Placement, StandIns};
 
 fn room() -> TestRoom {
     let mut room = TestRoom::rectangle(5.0, 4.0);
@@ -18,8 +18,12 @@ fn room() -> TestRoom {
 }
 
 fn edited(room: &TestRoom, lines: &[&str]) -> Finished {
-    let judged =
-        Judged { furnished: room.furnished(), verdict: room.judge(), alternative: Alternative::default() };
+    let judged = Judged {
+        furnished: room.furnished(),
+        verdict: room.judge(),
+        alternative: Alternative::default(),
+        stand_ins: StandIns::default(),
+    };
     let judge =
         |furnished: &Furnished| crate::solve::judge_room(room.level.room(0), furnished, &room.catalog);
     finish(&room.level, judged, &edits(lines), &room.catalog, judge)

@@ -20,9 +20,9 @@ use super::brief::Brief;
 use super::environment::Environment;
 use super::furnished::{Furnished, RemovalReason};
 use super::place::{AgentIndex, Place};
-use super::result::is_missed;
 use super::rules::{Factor, measure, weigh};
 use super::trace::Refused;
+use super::wanted::is_missed;
 use names::{decider, id, obstacle_name, relation_word, target_name};
 use survey::survey_walls;
 
@@ -42,7 +42,7 @@ fn explanation(environment: &Environment<'_>, furnished: &Furnished) -> Explanat
         (0..environment.agents.len()).find(is_it)
     };
     let agents = furnished.placements.iter().filter_map(|object| agent_of(object.class, object.number));
-    let missed = (0..environment.agents.len()).filter(|&agent| is_missed(&environment.agents[agent]));
+    let missed = (0..environment.agents.len()).filter(|&agent| is_missed(environment, agent));
     let missing = missed.zip(&furnished.removals).map(|(agent, removal)| MissingStory {
         id: id(environment, agent),
         reason: removal.reason.name(),

@@ -122,7 +122,10 @@ pub(crate) fn meets_needs(environment: &Environment<'_>, agent: AgentIndex, plac
 pub(crate) fn unmet_need(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> Option<usize> {
     let is_met = |relation: &Relation| match relation.kind {
         RelationKind::NotBefore => !stands_before_window(environment, agent, place),
-        RelationKind::AwayFrom => fulfilment(environment, agent, place, relation) >= 1.0,
+        RelationKind::AwayFrom => {
+            let own = Target::own(environment, agent, place);
+            targets(environment, &relation.target).all(|target| way_to(own, target).0 >= relation.distance.0)
+        }
         _ => {
             let own = Target::own(environment, agent, place);
             targets(environment, &relation.target).any(|target| value(relation, own, target) >= 1.0)

@@ -1,0 +1,247 @@
+//! Which agents are asked for: what stands in for a piece without a place, what waits for the piece that it belongs to, and
+//! what is given back because nothing stands on it. Not in the paper.
+
+use super::agent::State;
+use super::arrange::arrange;
+use super::environment::Environment;
+use super::locked::is_locked;
+use super::movement::send_away;
+use super::place::AgentIndex;
+use super::programme::stands_for;
+use super::seed::RoomKey;
+
+/// Whether an agent waits for the piece that it was counted by: a chair without its table is not asked for.
+pub(crate) fn is_waiting(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    let Some(companion) = environment.agents[agent].piece.companion else { return false };
+    let catalog = environment.brief.catalog;
+    environment.resting[companion].is_empty()
+        && !environment
+            .agents
+            .iter()
+            .any(|other| other.rest().is_some() && stands_for(catalog, other.piece.class, companion))
+}
+
+/// Whether another piece stands in for an agent.
+pub(crate) fn has_stand_in(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    steps_down(environment, agent) > 0
+}
+
+/// The agent that is to stand in for one that found no place, if it was not asked for before. Required pieces are
+/// replaced only where the alternative says so: another arrangement may have a place for them.
+pub(crate) fn next_substitute(environment: &Environment<'_>, agent: AgentIndex) -> Option<AgentIndex> {
+    let is_required = environment.agents[agent].piece.is_required;
+    let may_replace = !is_required || environment.brief.alternative.takes_substitutes;
+    substitute(environment, agent)
+        .filter(|&other| may_replace && environment.agents[other].state == State::Unasked)
+}
+
+fn substitute(environment: &Environment<'_>, agent: AgentIndex) -> Option<AgentIndex> {
+    environment.agents.iter().position(|other| other.piece.substitute_for == Some(agent))
+}
+
+/// Whether an agent is a piece that was asked for and is not there. Pieces that only fill what room is left are not missed, nor
+/// are those with a stand-in, nor those that would stand by a piece that is not there.
+pub(crate) fn is_missed(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    let piece = &environment.agents[agent].piece;
+    matches!(environment.agents[agent].state, State::Removed(_))
+        && !piece.is_fill
+        && piece.substitute_for.is_none()
+        && !is_waiting(environment, agent)
+        && !has_stand_in(environment, agent)
+}
+
+/// Of an attempt: what stands in for others.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StandIns {
+    /// How far down the lists of substitutes the pieces are that stand in for others: 1 for the first of a list, summed.
+    pub steps_down: u32,
+    /// Whether a required piece is missing for which nothing was tried that may stand in for it.
+    pub are_left: bool,
+}
+
+impl StandIns {
+    /// Of all agents.
+    pub(crate) fn of(environment: &Environment<'_>) -> Self {
+        let heads = || {
+            (0..environment.agents.len()).filter(|&agent| {
+                environment.agents[agent].piece.substitute_for.is_none()
+                    && matches!(environment.agents[agent].state, State::Removed(_))
+            })
+        };
+        let is_left = |agent: AgentIndex| {
+            environment.agents[agent].piece.is_required
+                && !environment.brief.alternative.takes_substitutes
+                && substitute(environment, agent).is_some()
+        };
+        Self {
+            steps_down: heads().map(|agent| steps_down(environment, agent)).sum(),
+            are_left: heads().any(is_left),
+        }
+    }
+}
+
+/// Which of its substitutes stands in for an agent, from 1; 0 if none does.
+fn steps_down(environment: &Environment<'_>, agent: AgentIndex) -> u32 {
+    let (mut next, mut steps) = (substitute(environment, agent), 1);
+    while let Some(other) = next {
+        if environment.agents[other].rest().is_some() {
+            return steps;
+        }
+        (next, steps) = (substitute(environment, other), steps + 1);
+    }
+    0
+}
+
+/// What is there to carry an agent and may look for another place: it did so once at most, and nothing that the room cannot do
+/// without belongs to it.
+pub(crate) fn movable_carrier(environment: &Environment<'_>, agent: AgentIndex) -> Option<AgentIndex> {
+    let class = environment.agents[agent].piece.class;
+    (0..environment.agents.len()).find(|&other| {
+        environment.class(other).carries.contains(&class)
+            && environment.agents[other].rest().is_some()
+            && environment.agents[other].searches == 0
+            && !environment.has_required(other)
+            && !is_locked(environment, other)
+    })
+}
+
+/// Takes away what is there to carry something that found no place on it.
+pub(crate) fn give_back(environment: &mut Environment<'_>, key: &RoomKey) {
+    let useless: Vec<AgentIndex> =
+        (0..environment.agents.len()).filter(|&agent| is_useless(environment, agent)).collect();
+    for &agent in &useless {
+        send_away(environment, agent);
+    }
+    for &agent in &useless {
+        environment.agents[agent].state = State::Unasked;
+    }
+    if !useless.is_empty() {
+        // Who stood on it or by it.
+        arrange(environment, key);
+    }
+}
+
+fn is_useless(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    let carries = &environment.class(agent).carries;
+    let stands_on_it = |&child: &AgentIndex| carries.contains(&environment.agents[child].piece.class);
+    !carries.is_empty()
+        && environment.agents[agent].rest().is_some()
+        && !environment.agents[agent].piece.is_required
+        && !is_locked(environment, agent)
+        && !environment.agents[agent].children.iter().any(stands_on_it)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalog::{Along, Catalog, Count, ParentName, Relation, RelationKind, Side, Turn, Untidiness};
+    use crate::layout::tests::{WIDE, catalog, level, rule, run};
+    use crate::layout::{Alternative, FurnishOptions, Furnished, RoomLayout};
+
+    const CHAIR: usize = 0;
+    const DESK: usize = 1;
+    const LAMP: usize = 2;
+    const SHELF: usize = 4;
+
+    /// Beside the door there is room for a shelf, and none for a desk.
+    const NARROW: &[(f64, f64)] = &[(0.0, 0.0), (1.3, 0.0), (1.3, 2.4), (0.0, 2.4)];
+
+    fn names(catalog: &Catalog, furnished: &Furnished) -> (Vec<String>, Vec<String>) {
+        let id = |class: usize| catalog.classes[class].id.clone();
+        (
+            furnished.placements.iter().map(|placement| id(placement.class)).collect(),
+            furnished.removals.iter().map(|removal| id(removal.class)).collect(),
+        )
+    }
+
+    fn needs(kind: RelationKind, target: usize, distance: (f64, f64)) -> Relation {
+        let target = ParentName::Classes(vec![target]);
+        Relation { kind, target, distance, angle: 0.5, weight: 1.0, is_needed: true }
+    }
+
+    #[test]
+    fn a_chair_without_its_desk_is_not_asked_for() {
+        let programme = [(DESK, Count::Fixed(1)), (CHAIR, Count::PerPiece(DESK, 2.0))];
+        let mut catalog = catalog(&programme, Untidiness::default());
+        let at_wall = rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Random);
+        let tagged = crate::catalog::ParentRule { tag: Some("seating".to_owned()), ..at_wall.clone() };
+        catalog.classes[CHAIR].parents.push(tagged);
+        let furnished = run(&level(NARROW), &catalog, 1);
+        assert_eq!(names(&catalog, &furnished), (vec![], vec!["desk".to_owned()]));
+        assert_eq!(furnished.requested, 1);
+        assert!(!run(&level(WIDE), &catalog, 1).placements.is_empty());
+        catalog.classes[CHAIR].parents.push(at_wall);
+        let stands = names(&catalog, &run(&level(NARROW), &catalog, 1)).0;
+        assert_eq!(stands, ["chair", "chair"], "what stands by itself by design stays");
+    }
+
+    #[test]
+    fn an_optional_piece_without_a_place_is_replaced_by_the_next_of_its_line() {
+        let programme = [(DESK, Count::Fixed(1)), (LAMP, Count::PerPiece(SHELF, 1.0))];
+        let mut catalog = catalog(&programme, Untidiness::default());
+        catalog.room_types.get_mut("office").unwrap().programme[0].substitutes = vec![SHELF];
+        catalog.classes[SHELF].sides[Side::Above.index()].places = 1;
+        catalog.classes[LAMP].parents =
+            vec![rule(ParentName::Classes(vec![SHELF, DESK]), &[Side::Above], Turn::Parallel, Along::Center)];
+        let found = names(&catalog, &run(&level(NARROW), &catalog, 1));
+        assert_eq!(found, (vec!["shelf".to_owned(), "lamp".to_owned()], vec![]), "with what belongs to it");
+        let found = names(&catalog, &run(&level(WIDE), &catalog, 1));
+        assert_eq!(found, (vec!["desk".to_owned()], vec![]), "and not where it has a place");
+    }
+
+    #[test]
+    fn a_required_piece_is_replaced_only_where_the_alternative_says_so() {
+        let mut catalog = catalog(&[(DESK, Count::Fixed(1))], Untidiness::default());
+        let request = &mut catalog.room_types.get_mut("office").unwrap().programme[0];
+        (request.substitutes, request.is_required) = (vec![SHELF], true);
+        let (level, options) = (level(NARROW), FurnishOptions::new(1, "test"));
+        let layout = RoomLayout::new(level.room(0), &catalog, &options);
+        let usual = layout.furnish(&Alternative::default());
+        assert_eq!(names(&catalog, &usual.furnished), (vec![], vec!["desk".to_owned()]));
+        assert!(usual.stand_ins.are_left);
+        let last = layout.furnish(&Alternative { takes_substitutes: true, ..Alternative::default() });
+        assert_eq!(names(&catalog, &last.furnished), (vec!["shelf".to_owned()], vec![]));
+        assert_eq!((last.stand_ins.are_left, last.stand_ins.steps_down), (false, 1));
+    }
+
+    #[test]
+    fn a_stand_on_which_nothing_stands_is_given_back() {
+        let mut catalog = catalog(&[(DESK, Count::Fixed(1)), (LAMP, Count::Fixed(1))], Untidiness::default());
+        catalog.classes[DESK].carries = vec![LAMP];
+        assert_eq!(run(&level(WIDE), &catalog, 1).placements.len(), 2);
+        // It needs a shelf that is not there.
+        catalog.classes[LAMP].relations = vec![needs(RelationKind::Near, SHELF, (0.0, 1.0))];
+        let furnished = run(&level(WIDE), &catalog, 1);
+        assert_eq!(names(&catalog, &furnished), (vec![], vec!["lamp".to_owned()]));
+    }
+
+    #[test]
+    fn what_needs_to_see_something_looks_for_a_place_with_what_carries_it() {
+        let programme = [(DESK, Count::Fixed(1)), (LAMP, Count::Fixed(1)), (SHELF, Count::Fixed(1))];
+        let mut catalog = catalog(&programme, Untidiness::default());
+        // The desk stands before the shelf comes, and wishes to be near it.
+        catalog.classes[DESK].priority = 1;
+        let near = needs(RelationKind::Near, SHELF, (0.0, 1.2));
+        catalog.classes[DESK].relations = vec![Relation { is_needed: false, weight: 5.0, ..near.clone() }];
+        catalog.classes[LAMP].relations = vec![near];
+        let has_lamp = |carries: &[usize], seed: u64| {
+            let mut catalog = catalog.clone();
+            catalog.classes[DESK].carries = carries.to_vec();
+            run(&level(WIDE), &catalog, seed).removals.is_empty()
+        };
+        let count = |carries: &[usize]| (0..16).filter(|&seed| has_lamp(carries, seed)).count();
+        let (fixed, moved) = (count(&[]), count(&[LAMP]));
+        assert!(fixed < 16 && moved > fixed, "{fixed} with a fixed desk, {moved} with one that moves");
+    }
+
+    #[test]
+    fn what_must_be_away_from_something_stands_where_it_is() {
+        let mut catalog =
+            catalog(&[(DESK, Count::Fixed(1)), (SHELF, Count::Fixed(1))], Untidiness::default());
+        catalog.classes[DESK].priority = 1;
+        let away = |metres: f64| vec![needs(RelationKind::AwayFrom, DESK, (metres, 100.0))];
+        catalog.classes[SHELF].relations = away(1.0);
+        assert_eq!(run(&level(WIDE), &catalog, 1).placements.len(), 2);
+        catalog.classes[SHELF].relations = away(9.0);
+        assert_eq!(run(&level(WIDE), &catalog, 1).placements.len(), 1);
+    }
+}
