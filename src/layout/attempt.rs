@@ -13,7 +13,7 @@ use super::furnished::Furnished;
 use super::place::AgentIndex;
 use super::seed::RoomKey;
 use super::wanted::StandIns;
-use super::{arrange, covering, locked, push, result, turning, untidy, wanted, ways};
+use super::{arrange, covering, locked, push, result, turning, untidy, useless, wanted, ways};
 
 /// Whether what agents meet on their search is noted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -169,12 +169,12 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     if untidy::make_untidy(environment, &style.untidiness, key) {
         arrange::arrange(environment, key);
     }
-    wanted::give_back(environment, key);
+    useless::give_back(environment, key);
     // Who is sent away from here on searches among all that rest.
     let lacks_turn = style.access == Access::Wheelchair && turning::lacks_turn(environment, key);
     let closed_ways = ways::clear_ways(environment, key);
     // Who was sent away may have been on something that is there for it alone.
-    wanted::give_back(environment, key);
+    useless::give_back(environment, key);
     // Rugs last: they are in nobody's way, so that the rest of the room is the same without them.
     covering::lay(environment);
     closed_ways + usize::from(lacks_turn)

@@ -42,6 +42,7 @@ mod tests;
 mod trace;
 mod turning;
 mod untidy;
+mod useless;
 mod variant;
 mod wanted;
 mod ways;

@@ -1,14 +1,11 @@
-//! Which agents are asked for: what stands in for a piece without a place, what waits for the piece that it belongs to, and
-//! what is given back because nothing stands on it. Not in the paper.
+//! Which agents are asked for: what stands in for a piece without a place, and what waits for the piece that it belongs to.
+//! Not in the paper.
 
 use super::agent::State;
-use super::arrange::arrange;
 use super::environment::Environment;
 use super::locked::is_locked;
-use super::movement::send_away;
 use super::place::AgentIndex;
 use super::programme::stands_for;
-use super::seed::RoomKey;
 
 /// Whether an agent waits for the piece that it was counted by: a chair without its table is not asked for.
 pub(crate) fn is_waiting(environment: &Environment<'_>, agent: AgentIndex) -> bool {
@@ -105,32 +102,6 @@ pub(crate) fn movable_carrier(environment: &Environment<'_>, agent: AgentIndex) 
     })
 }
 
-/// Takes away what is there to carry something that found no place on it.
-pub(crate) fn give_back(environment: &mut Environment<'_>, key: &RoomKey) {
-    let useless: Vec<AgentIndex> =
-        (0..environment.agents.len()).filter(|&agent| is_useless(environment, agent)).collect();
-    for &agent in &useless {
-        send_away(environment, agent);
-    }
-    for &agent in &useless {
-        environment.agents[agent].state = State::Unasked;
-    }
-    if !useless.is_empty() {
-        // Who stood on it or by it.
-        arrange(environment, key);
-    }
-}
-
-fn is_useless(environment: &Environment<'_>, agent: AgentIndex) -> bool {
-    let carries = &environment.class(agent).carries;
-    let stands_on_it = |&child: &AgentIndex| carries.contains(&environment.agents[child].piece.class);
-    !carries.is_empty()
-        && environment.agents[agent].rest().is_some()
-        && !environment.agents[agent].piece.is_required
-        && !is_locked(environment, agent)
-        && !environment.agents[agent].children.iter().any(stands_on_it)
-}
-
 #[cfg(test)]
 mod tests {
     use crate::catalog::{Along, Catalog, Count, ParentName, Relation, RelationKind, Side, Turn, Untidiness};
@@ -201,17 +172,6 @@ mod tests {
         let last = layout.furnish(&Alternative { takes_substitutes: true, ..Alternative::default() });
         assert_eq!(names(&catalog, &last.furnished), (vec!["shelf".to_owned()], vec![]));
         assert_eq!((last.stand_ins.are_left, last.stand_ins.steps_down), (false, 1));
-    }
-
-    #[test]
-    fn a_stand_on_which_nothing_stands_is_given_back() {
-        let mut catalog = catalog(&[(DESK, Count::Fixed(1)), (LAMP, Count::Fixed(1))], Untidiness::default());
-        catalog.classes[DESK].carries = vec![LAMP];
-        assert_eq!(run(&level(WIDE), &catalog, 1).placements.len(), 2);
-        // It needs a shelf that is not there.
-        catalog.classes[LAMP].relations = vec![needs(RelationKind::Near, SHELF, (0.0, 1.0))];
-        let furnished = run(&level(WIDE), &catalog, 1);
-        assert_eq!(names(&catalog, &furnished), (vec![], vec!["lamp".to_owned()]));
     }
 
     #[test]
