@@ -23,12 +23,12 @@ fn form(draft: &Draft) -> usize {
 }
 
 /// A slice of a bin at a share of its height, of a share of its width.
-fn slice(bay: Bay, (rise, share): (f64, f64)) -> Slice {
+fn slice(bay: Bay, rise: f64, share: f64) -> Slice {
     Slice::new(bay.height() * rise, bay.width() / 2.0 * share, bay.depth() / 2.0 * share)
 }
 
 fn body(bay: Bay, outline: &Outline, profile: &[(f64, f64)]) -> Solid {
-    let slices: Vec<Slice> = profile.iter().map(|&place| slice(bay, place)).collect();
+    let slices: Vec<Slice> = profile.iter().map(|&(rise, share)| slice(bay, rise, share)).collect();
     loft(outline, &slices)
 }
 
@@ -62,7 +62,8 @@ fn drum(builder: &mut Builder, form: usize) {
     let slot = [Slot::Metal, Slot::MetalDark, Slot::PaintedAccent][form];
     builder.add(slot, body(bay, &COARSE, &[(0.0, 0.93), (1.0, 0.93), (1.0, 0.88), (0.04, 0.88)]));
     for rise in [0.3, 0.9] {
-        let hoop = [(rise, 0.91), (rise, 1.0), (rise + 0.04, 0.91)].map(|place| slice(bay, place));
+        let hoop =
+            [(rise, 0.91), (rise, 1.0), (rise + 0.04, 0.91)].map(|(rise, share)| slice(bay, rise, share));
         builder.add(if form == 2 { Slot::Metal } else { slot }, loft_ring(&COARSE, &hoop));
     }
 }

@@ -26,13 +26,20 @@ fn car(draft: &Draft, builder: &mut Builder) {
     }
 }
 
+/// The middle of a wheel.
+struct Hub {
+    slot: Slot,
+    /// Share of the wheel's radius.
+    share: f64,
+}
+
 /// Four wheels of a radius and a width on two axles.
-fn wheels(builder: &mut Builder, radius: f64, broad: f64, axles: [f64; 2], hub: (Slot, f64)) {
+fn wheels(builder: &mut Builder, radius: f64, broad: f64, axles: [f64; 2], hub: Hub) {
     let right = builder.bay().high.x - 0.005;
     for z in axles {
         builder.add_pair(Slot::Rubber, across(radius, [right - broad, right], 14).moved(0.0, radius, z));
-        let cap = across(radius * hub.1, [right - broad - 0.005, right + 0.005], 12);
-        builder.add_pair(hub.0, cap.moved(0.0, radius, z));
+        let cap = across(radius * hub.share, [right - broad - 0.005, right + 0.005], 12);
+        builder.add_pair(hub.slot, cap.moved(0.0, radius, z));
     }
 }
 
@@ -80,7 +87,7 @@ fn saloon(builder: &mut Builder, paint: Slot) {
     builder.rounded(Slot::Screen, cabin.without(Side::Above, 0.03), DVec3::new(0.12, 0.25, 0.5), 3);
     let roof = cabin.slab(Side::Above, 0.09).inset(width * 0.03, 0.0, depth * 0.09);
     builder.rounded(paint, roof, DVec3::new(0.1, 0.04, 0.2), 3);
-    wheels(builder, wheel, 0.215, axles(bay, [0.19, 0.19]), (Slot::Chrome, 0.55));
+    wheels(builder, wheel, 0.215, axles(bay, [0.19, 0.19]), Hub { slot: Slot::Chrome, share: 0.55 });
     for side in [Side::Left, Side::Right] {
         let corner = body.inset(width * 0.08, 0.0, 0.0).slab(side, width * 0.2);
         let lamp = corner.with_y([high * 0.42, high * 0.5]);
@@ -134,7 +141,7 @@ fn oldtimer(builder: &mut Builder, paint: Slot) {
     for ends in [board.x(), [-board.high.x, -board.low.x]] {
         builder.block(Slot::Rubber, board.with_x(ends), 0.01);
     }
-    wheels(builder, wheel, 0.16, axles, (Slot::Chrome, 0.6));
+    wheels(builder, wheel, 0.16, axles, Hub { slot: Slot::Chrome, share: 0.6 });
     face(builder, at(0.94, 0.0).x);
     spare_wheel(builder, wheel * 0.9);
 }
@@ -194,7 +201,7 @@ fn pick_up(builder: &mut Builder, paint: Slot) {
         .without(Side::Front, 0.3)
         .without(Side::Back, 0.03);
     cabin(builder, paint, foot, roof);
-    wheels(builder, wheel, 0.25, axles(bay, [0.21, 0.19]), (Slot::MetalDark, 0.6));
+    wheels(builder, wheel, 0.25, axles(bay, [0.21, 0.19]), Hub { slot: Slot::MetalDark, share: 0.6 });
     for share in [0.21, 0.81] {
         let arch = across(wheel * 1.18, [body.high.x - 0.18, body.high.x + 0.02], 14);
         builder.add_pair(Slot::PlasticDark, arch.moved(0.0, wheel * 1.05, z(share)));
@@ -265,7 +272,7 @@ fn hatchback(builder: &mut Builder, paint: Slot) {
         .without(Side::Front, depth * 0.15)
         .without(Side::Back, 0.1);
     cabin(builder, paint, foot, roof);
-    wheels(builder, wheel, 0.19, axles(bay, [0.17, 0.17]), (Slot::Plastic, 0.66));
+    wheels(builder, wheel, 0.19, axles(bay, [0.17, 0.17]), Hub { slot: Slot::Plastic, share: 0.66 });
     for side in [Side::Left, Side::Right] {
         let strip = bay.slab(side, 0.022).with_z([at(0.28, 0.0).x, at(0.72, 0.0).x]);
         builder.cuboid(Slot::PlasticDark, strip.with_y([high * 0.36, high * 0.4]));

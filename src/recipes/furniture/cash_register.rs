@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::parts::{across, turned_forward};
-use super::screens::display;
+use super::screens::{Shell, display};
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cuboid, cylinder, extrude, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
@@ -60,7 +60,7 @@ fn wedge(builder: &mut Builder) {
     let post = Bay::new([-0.02, 0.02], [top - 0.06, bay.high.y - 0.03], [low + 0.01, low + 0.035]);
     builder.cuboid(Slot::PlasticDark, post);
     let panel = Bay::new([-x * 0.6, x * 0.6], [bay.height() * 0.74, bay.high.y], [low, low + 0.045]);
-    display(builder, panel, (Slot::PlasticDark, 0.012));
+    display(builder, panel, Shell { slot: Slot::PlasticDark, border: 0.012 });
 }
 
 /// A body that swells towards the buttons, under a crown with a window for the price; a crank at the right.
@@ -217,5 +217,5 @@ fn portable(builder: &mut Builder) {
     let post = cylinder(0.014, [top - 0.02, high * 0.82], 8);
     builder.add(Slot::PlasticDark, post.moved(x * 0.5, 0.0, back + 0.03));
     let panel = Bay::new([x * 0.04, x * 0.98], [high * 0.78, high], [back + 0.01, back + 0.05]);
-    display(builder, panel, (Slot::PlasticDark, 0.01));
+    display(builder, panel, Shell { slot: Slot::PlasticDark, border: 0.01 });
 }

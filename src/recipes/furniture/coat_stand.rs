@@ -8,6 +8,12 @@ use super::parts::slanted_leg;
 use crate::recipes::kit::{Bay, Builder, Solid, cuboid, cylinder, lathe, pipe, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
+/// Pieces around a post: how many, and radians of the first from the front.
+struct Ring {
+    count: u32,
+    first: f64,
+}
+
 /// A stand drawn in a circle and stretched where its box is not square.
 struct Stand {
     radius: f64,
@@ -21,7 +27,8 @@ impl Stand {
     }
 
     /// `count` copies of a piece around the middle, the first turned by `first` radians.
-    fn around(&self, builder: &mut Builder, slot: Slot, (count, first): (u32, f64), piece: &Solid) {
+    fn around(&self, builder: &mut Builder, slot: Slot, ring: Ring, piece: &Solid) {
+        let Ring { count, first } = ring;
         for step in 0..count {
             let turn = TAU * f64::from(step) / f64::from(count) + first;
             self.place(builder, slot, piece.clone().turned_y(turn));
@@ -61,11 +68,11 @@ fn leaning_poles(stand: &Stand, builder: &mut Builder) {
     let foot = stand.at(0.0, 1.0) - DVec3::Z * pole;
     let top = DVec3::new(0.03, stand.high, -stand.radius * 0.55);
     let shape = slanted_leg([foot, top], pole, &[(0.75, 0.0), (1.0, 0.5), (0.75, 1.0)], 8);
-    stand.around(builder, Slot::Wood, (4, 0.0), &shape);
+    stand.around(builder, Slot::Wood, Ring { count: 4, first: 0.0 }, &shape);
     for rise in [0.82, 0.95] {
         let at = foot.lerp(top, rise);
         let peg = sweep(&[at, at + DVec3::new(0.02, 0.05, -0.1)], 0.009, 6);
-        stand.around(builder, Slot::MetalDark, (4, 0.0), &peg);
+        stand.around(builder, Slot::MetalDark, Ring { count: 4, first: 0.0 }, &peg);
     }
     stand.place(builder, Slot::MetalDark, cylinder(0.055, [stand.high * 0.66, stand.high * 0.675], 10));
 }
@@ -98,7 +105,7 @@ fn disc_and_loops(stand: &Stand, builder: &mut Builder) {
             stand.at(rise + 0.025, 0.6),
             stand.at(rise + 0.04, 0.3),
         ];
-        stand.around(builder, slot, (3, first), &pipe(&bow, 0.008, 0.04));
+        stand.around(builder, slot, Ring { count: 3, first }, &pipe(&bow, 0.008, 0.04));
     }
     stand.place(
         builder,
@@ -146,7 +153,7 @@ fn bentwood(stand: &Stand, builder: &mut Builder, form: usize) {
     let column: Vec<(f64, f64)> = column.iter().map(|&(r, rise)| (r * 0.021, rise * stand.high)).collect();
     stand.place(builder, slot, lathe(&column, 8));
     let leg = [stand.at(0.24, 0.06), stand.at(0.14, 0.3), stand.at(0.09, 0.62), stand.at(0.008, 0.95)];
-    stand.around(builder, slot, (4, 0.0), &sweep(&leg, 0.0125, 6));
+    stand.around(builder, slot, Ring { count: 4, first: 0.0 }, &sweep(&leg, 0.0125, 6));
     let hook = [
         stand.at(0.8, 0.06),
         stand.at(0.785, 0.3),
@@ -155,7 +162,12 @@ fn bentwood(stand: &Stand, builder: &mut Builder, form: usize) {
         stand.at(0.92, 0.62),
         stand.at(0.965, 0.78),
     ];
-    stand.around(builder, slot, (if form < 2 { 4 } else { 6 }, 0.0), &sweep(&hook, 0.01, 6));
+    stand.around(
+        builder,
+        slot,
+        Ring { count: if form < 2 { 4 } else { 6 }, first: 0.0 },
+        &sweep(&hook, 0.01, 6),
+    );
     if form != 1 {
         let ring: Vec<DVec3> = (0..=10)
             .map(|step| {
@@ -184,11 +196,11 @@ fn pipes(stand: &Stand, builder: &mut Builder, form: usize) {
     }
     if form >= 2 {
         let leg = [stand.at(0.1, 0.05), stand.at(0.1, 0.86), stand.at(0.0, 0.93)];
-        stand.around(builder, slot, (4, 0.0), &pipe(&leg, tube * 0.95, 0.05));
+        stand.around(builder, slot, Ring { count: 4, first: 0.0 }, &pipe(&leg, tube * 0.95, 0.05));
     }
     for (rise, first) in [(0.92, 0.0), (0.82, FRAC_PI_2)] {
         let arm = [stand.at(rise, 0.03), stand.at(rise, 0.62), stand.at(rise + 0.035, 0.62)];
-        stand.around(builder, slot, (2, first), &pipe(&arm, tube * 0.8, 0.02));
+        stand.around(builder, slot, Ring { count: 2, first }, &pipe(&arm, tube * 0.8, 0.02));
         let tee = cylinder(tube * 1.5, [stand.high * (rise - 0.018), stand.high * (rise + 0.018)], 8);
         stand.place(builder, slot, tee);
     }
@@ -215,16 +227,16 @@ fn thin_tube(stand: &Stand, builder: &mut Builder, form: usize) {
         stand.place(builder, if form == 0 { Slot::PlasticDark } else { slot }, lathe(&disc, 16));
     } else {
         let leg = [stand.at(0.16, 0.03), stand.at(0.06, 0.5), stand.at(0.006, 0.96)];
-        stand.around(builder, slot, (4, 0.0), &sweep(&leg, 0.009, 6));
+        stand.around(builder, slot, Ring { count: 4, first: 0.0 }, &sweep(&leg, 0.009, 6));
     }
     let count = 4;
     for (rise, first, reach) in [(0.9, 0.0, 0.5), (0.8, 0.78, 0.66)] {
         let hook =
             [stand.at(rise - 0.03, 0.04), stand.at(rise - 0.015, reach * 0.7), stand.at(rise + 0.03, reach)];
-        stand.around(builder, slot, (count, first), &sweep(&hook, 0.006, 5));
+        stand.around(builder, slot, Ring { count, first }, &sweep(&hook, 0.006, 5));
         let end = stand.at(rise + 0.03, reach);
         let ball = lathe(&[(0.009, -0.016), (0.017, 0.0), (0.009, 0.016)], 6).moved(0.0, end.y, end.z);
-        stand.around(builder, tip, (count, first), &ball);
+        stand.around(builder, tip, Ring { count, first }, &ball);
     }
     let knob = [(0.012, stand.high - 0.03), (0.022, stand.high - 0.014), (0.012, stand.high)];
     stand.place(builder, tip, lathe(&knob, 8));

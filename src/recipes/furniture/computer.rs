@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::screens::{body, display};
+use super::screens::{Shell, body, display};
 use crate::geometry::Side;
 use crate::recipes::kit::{Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, lathe, loft, sweep};
 use crate::recipes::{Draft, Recipe, Slot};
@@ -13,7 +13,7 @@ use crate::recipes::{Draft, Recipe, Slot};
 pub(super) static COMPUTER: Recipe = Recipe::accessory("computer", [0.55, 0.2, 0.45])
     .plain(wide)
     .traditional(|draft, builder| with_speakers(builder, draft.input.look % 2))
-    .industrial(|draft, builder| in_steel(builder, body(draft)))
+    .industrial(|draft, builder| in_steel(builder, body(draft).slot))
     .budget(|draft, builder| with_case(builder, body(draft)));
 
 /// A cable from behind a screen down to the table.
@@ -34,9 +34,10 @@ fn wide(draft: &Draft, builder: &mut Builder) {
     let lift = bay.height() * [0.26, 0.3, 0.22, 0.28][look];
     let thick = (bay.depth() * 0.2).min(0.035);
     let z = bay.center().z;
-    let (slot, border) = body(draft);
+    let shell = body(draft);
+    let slot = shell.slot;
     let panel = bay.without(Side::Below, lift).with_z([z, z + thick]);
-    display(builder, panel, (slot, border));
+    display(builder, panel, shell);
     let metal = if slot == Slot::Metal || look % 2 == 1 { Slot::Metal } else { Slot::PlasticDark };
     if look == 2 {
         // A chin under the screen, with a badge.
@@ -134,7 +135,7 @@ fn with_speakers(builder: &mut Builder, look: u32) {
 }
 
 /// A sealed case with fins behind and bars to carry it by at its sides, on a round post and a plate: as beside machines.
-fn in_steel(builder: &mut Builder, (slot, _): (Slot, f64)) {
+fn in_steel(builder: &mut Builder, slot: Slot) {
     let bay = builder.bay();
     let (width, height, z) = (bay.width(), bay.height(), bay.center().z);
     let lift = height * 0.24;
@@ -180,14 +181,15 @@ fn in_steel(builder: &mut Builder, (slot, _): (Slot, f64)) {
 }
 
 /// A screen on a plain foot, with the case of its computer upright to its right: drives, a button, slits for air.
-fn with_case(builder: &mut Builder, (slot, border): (Slot, f64)) {
+fn with_case(builder: &mut Builder, shell: Shell) {
+    let slot = shell.slot;
     let bay = builder.bay();
     let (width, height, z) = (bay.width(), bay.height(), bay.center().z);
     let lift = height * 0.22;
     let case = bay.slab(Side::Right, width * 0.19).slab(Side::Below, height * 0.74);
     let panel = bay.without(Side::Right, width * 0.24).without(Side::Below, lift);
     let panel = panel.with_z([z, z + bay.depth() * 0.2]);
-    display(builder, panel, (slot, border));
+    display(builder, panel, shell);
     let middle = panel.center().x;
     let hump = panel.inset(panel.width() * 0.24, panel.height() * 0.2, 0.0);
     builder.cuboid(Slot::PlasticDark, hump.with_z([z - bay.depth() * 0.14, z + SINK]));

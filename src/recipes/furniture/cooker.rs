@@ -3,7 +3,9 @@
 use glam::DVec3;
 
 use super::ovens::{hob, hob_height, oven_front, oven_slots};
-use super::parts::{Fittings, HandleKind, LegKind, handle, legs_at_corners, raised_panel, turned_forward};
+use super::parts::{
+    Fittings, HandleForm, HandleKind, LegKind, handle, legs_at_corners, raised_panel, turned_forward,
+};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft_ring};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -100,7 +102,7 @@ fn range(builder: &mut Builder, slots: [Slot; 2]) {
         );
     }
     let rail = DVec3::new(0.0, strip.high.y - strip.height() * 0.16, surface);
-    handle(builder, metal, (HandleKind::Level, strip.width() * 0.94), rail, REACH);
+    handle(builder, metal, HandleForm { kind: HandleKind::Level, length: strip.width() * 0.94 }, rail, REACH);
     let doors = face.without(Side::Above, strip.height() + 0.004);
     let share = doors.width() * 0.6;
     for (index, door) in [doors.slab(Side::Left, share - 0.002), doors.without(Side::Left, share + 0.002)]
@@ -116,7 +118,13 @@ fn range(builder: &mut Builder, slots: [Slot; 2]) {
             builder.cuboid(Slot::Screen, window.with_z([surface, surface + 0.014]));
         }
         let bar = DVec3::new(door.center().x, door.high.y - margin * 0.5, surface);
-        handle(builder, metal, (HandleKind::Level, door.width() * 0.6), bar, REACH);
+        handle(
+            builder,
+            metal,
+            HandleForm { kind: HandleKind::Level, length: door.width() * 0.6 },
+            bar,
+            REACH,
+        );
     }
 }
 
@@ -183,7 +191,7 @@ fn of_a_restaurant(builder: &mut Builder, slots: [Slot; 2]) {
     let field = door.inset(door.width() * 0.08, door.height() * 0.12, 0.0).without(Side::Above, 0.05);
     builder.block(front, field.with_z([surface - SINK, surface + 0.008]), 0.003);
     let bar = DVec3::new(0.0, door.high.y - 0.04, surface);
-    handle(builder, metal, (HandleKind::Level, door.width() * 0.92), bar, REACH);
+    handle(builder, metal, HandleForm { kind: HandleKind::Level, length: door.width() * 0.92 }, bar, REACH);
 }
 
 /// Thin sheet: a shallow top, knobs, an oven with a small window over a drawer.

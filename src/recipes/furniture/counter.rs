@@ -18,8 +18,15 @@ pub(super) static COUNTER: Recipe = Recipe::furniture("counter", [2.4, 0.7, 1.1]
     .industrial(|draft, builder| framed(builder, draft.form()))
     .budget(|draft, builder| boarded(builder, draft.form()));
 
+/// Boards about as wide as usual, in metres, with gaps between them.
+struct Boards {
+    usual: f64,
+    gap: f64,
+}
+
 /// Boards side by side over a face of the body.
-fn boards(builder: &mut Builder, slot: Slot, face: Bay, (usual, gap): (f64, f64)) -> Vec<Bay> {
+fn boards(builder: &mut Builder, slot: Slot, face: Bay, form: Boards) -> Vec<Bay> {
+    let Boards { usual, gap } = form;
     let count = (face.width() / usual).round().clamp(1.0, 40.0) as u32;
     let columns = face.inset(0.004, 0.004, 0.0).columns(count, gap);
     columns.iter().for_each(|&column| builder.cuboid(slot, column));
@@ -55,9 +62,9 @@ fn folded(builder: &mut Builder, look: usize) {
     );
     let upper = body.without(Side::Below, kick);
     builder.cuboid(wood, upper.inset(0.0, 0.0, BOARD));
-    let form = if look % 2 == 1 { (0.09, 0.016) } else { (0.6, 0.008) };
+    let (usual, gap) = if look % 2 == 1 { (0.09, 0.016) } else { (0.6, 0.008) };
     for face in faces(upper) {
-        boards(builder, wood, face, form);
+        boards(builder, wood, face, Boards { usual, gap });
     }
 }
 
@@ -83,7 +90,7 @@ fn panelled(builder: &mut Builder, look: usize) {
     builder.cuboid(wood, upper.inset(0.0, 0.0, BOARD));
     for (index, face) in faces(upper).into_iter().enumerate() {
         let out = if index == 0 { 0.007 } else { -0.007 };
-        for column in boards(builder, wood, face, (0.6, 0.008)) {
+        for column in boards(builder, wood, face, Boards { usual: 0.6, gap: 0.008 }) {
             let field = column.inset(column.width() * 0.16, column.height() * 0.14, 0.0);
             builder.block(wood, field.moved(0.0, 0.0, out), 0.004);
         }
@@ -118,7 +125,7 @@ fn framed(builder: &mut Builder, look: usize) {
     for face in faces(body) {
         // Planks between the rails only, which cover their ends.
         let face = face.with_y([foot + thick - SINK, frame.high.y - thick - 0.01 + SINK]);
-        boards(builder, wood, face.inset(thick * 0.5, -0.004, 0.0), (0.2, 0.008));
+        boards(builder, wood, face.inset(thick * 0.5, -0.004, 0.0), Boards { usual: 0.2, gap: 0.008 });
     }
     foot_rail(builder, metal, frame, [foot * 1.9, 0.0]);
 }
@@ -151,7 +158,7 @@ fn boarded(builder: &mut Builder, look: usize) {
     let inner = upper.inset(thin - SINK, 0.0, 0.001);
     builder.cuboid(wood, inner.slab(Side::Back, thin).without(Side::Below, 0.001));
     let fronts = inner.slab(Side::Back, thin).inset(0.004, 0.0, 0.0).moved(0.0, 0.0, -0.008);
-    boards(builder, wood, fronts, (0.8, 0.006));
+    boards(builder, wood, fronts, Boards { usual: 0.8, gap: 0.006 });
     let room = inner.without(Side::Back, thin - SINK).without(Side::Front, 0.004);
     for rise in [0.006, 0.55] {
         let low = room.low.y + rise * room.height();

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::parts::{HandleKind, handle, turned_forward};
+use super::parts::{HandleForm, HandleKind, handle, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -38,7 +38,7 @@ fn fridge(draft: &Draft, builder: &mut Builder) {
         let radii = DVec3::new(round, round, if draft.is_traditional() { 0.04 } else { 0.008 });
         builder.rounded(slot, face, radii, segments);
         if face.height() >= 0.1 {
-            grip(draft, builder, metal, face, (reach, index == 0 && !is_low));
+            grip(draft, builder, metal, face, Grip { reach, is_lower: index == 0 && !is_low });
         }
     }
     extras(draft, builder, body, reach);
@@ -71,8 +71,17 @@ fn two_doors(body: Bay, look: usize) -> Vec<Bay> {
     vec![body.with_y([body.low.y, cut - 0.004]), body.with_y([cut + 0.004, body.high.y])]
 }
 
-/// The handle of one door; `is_lower` says that it is reached for from above.
-fn grip(draft: &Draft, builder: &mut Builder, metal: Slot, face: Bay, (reach, is_lower): (f64, bool)) {
+/// Where a door is gripped.
+struct Grip {
+    /// Metres that the handle stands out.
+    reach: f64,
+    /// Whether it is reached for from above.
+    is_lower: bool,
+}
+
+/// The handle of one door.
+fn grip(draft: &Draft, builder: &mut Builder, metal: Slot, face: Bay, place: Grip) {
+    let Grip { reach, is_lower } = place;
     let surface = face.high.z;
     let length = (face.height() * 0.4).min(0.42);
     let inner = if is_lower { face.high.y - length * 0.6 } else { face.low.y + length * 0.6 };
@@ -99,7 +108,13 @@ fn grip(draft: &Draft, builder: &mut Builder, metal: Slot, face: Bay, (reach, is
         }
         GeometrySet::Industrial => {
             let at = DVec3::new(face.low.x + 0.05, face.center().y, surface);
-            handle(builder, metal, (HandleKind::Upright, face.height() * 0.78), at, reach);
+            handle(
+                builder,
+                metal,
+                HandleForm { kind: HandleKind::Upright, length: face.height() * 0.78 },
+                at,
+                reach,
+            );
         }
         GeometrySet::Budget => {
             let at = DVec3::new(face.low.x + 0.03, inner, surface);

@@ -16,18 +16,18 @@ const LAYER: f64 = 0.000_4;
 /// A frame in the plane of the wall, of an outline: through (share of the depth, metres inwards) pairs.
 pub(super) fn framed(outline: &Outline, bay: Bay, profile: &[(f64, f64)]) -> Solid {
     let half = bay.extent() / 2.0;
-    let slices: Vec<Slice> = profile.iter().map(|&pair| slice(bay, half, pair)).collect();
+    let slices: Vec<Slice> = profile.iter().map(|&(depth, back)| slice(bay, half, depth, back)).collect();
     turned_forward(loft_ring(outline, &slices)).moved(0.0, bay.center().y, 0.0)
 }
 
 /// A plate in the plane of the wall.
 pub(super) fn plate(outline: &Outline, bay: Bay, profile: &[(f64, f64)]) -> Solid {
     let half = bay.extent() / 2.0;
-    let slices: Vec<Slice> = profile.iter().map(|&pair| slice(bay, half, pair)).collect();
+    let slices: Vec<Slice> = profile.iter().map(|&(depth, back)| slice(bay, half, depth, back)).collect();
     turned_forward(loft(outline, &slices)).moved(0.0, bay.center().y, 0.0)
 }
 
-fn slice(bay: Bay, half: DVec3, (depth, back): (f64, f64)) -> Slice {
+fn slice(bay: Bay, half: DVec3, depth: f64, back: f64) -> Slice {
     let round = (half.x.min(half.y) * 0.3 - back).max(0.002);
     Slice::new(bay.low.z + depth * bay.depth(), (half.x - back).max(0.002), (half.y - back).max(0.002))
         .softened(round)

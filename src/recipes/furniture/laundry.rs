@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::parts::{Fittings, HandleKind, LegKind, handle, legs_at_corners, turned_forward};
+use super::parts::{Fittings, HandleForm, HandleKind, LegKind, handle, legs_at_corners, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft_ring};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -264,10 +264,10 @@ fn dishwasher(draft: &Draft, builder: &mut Builder) {
         _ => handle(
             builder,
             metal,
-            (
-                HandleKind::Level,
-                door.width() * if draft.set() == GeometrySet::Industrial { 0.9 } else { 0.7 },
-            ),
+            HandleForm {
+                kind: HandleKind::Level,
+                length: door.width() * if draft.set() == GeometrySet::Industrial { 0.9 } else { 0.7 },
+            },
             bar,
             REACH,
         ),

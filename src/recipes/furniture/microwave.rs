@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::parts::{HandleKind, handle, turned_forward};
+use super::parts::{HandleForm, HandleKind, handle, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, cylinder, extrude, lathe, loft, loft_ring,
@@ -63,7 +63,13 @@ fn glass(builder: &mut Builder, slot: Slot) {
     builder.cuboid(Slot::MetalDark, window.with_z(out(front, DOOR + 0.0008)));
     let face = front + DOOR;
     let grip = DVec3::new(pane.low.x + pane.width() * 0.73, pane.center().y, face);
-    handle(builder, Slot::Metal, (HandleKind::Upright, pane.height() * 0.86), grip, REACH - DOOR);
+    handle(
+        builder,
+        Slot::Metal,
+        HandleForm { kind: HandleKind::Upright, length: pane.height() * 0.86 },
+        grip,
+        REACH - DOOR,
+    );
     let keys = pane.slab(Side::Right, pane.width() * 0.24);
     let radius = (keys.width() * 0.32).min(keys.height() * 0.2);
     let dial = turned_forward(lathe(&[(radius, -SINK), (radius * 0.92, REACH * 0.6)], 10));
@@ -92,7 +98,13 @@ fn round(builder: &mut Builder, slot: Slot) {
     let pane = [slice(-SINK, border * 0.9), slice(0.0022, border * 0.7)];
     builder.add(Slot::Screen, place(loft(&Outline::Soft(1), &pane)));
     let grip = DVec3::new(door.high.x - half.x * 0.22, middle.y, front + 0.002);
-    handle(builder, Slot::Chrome, (HandleKind::Upright, half.y * 1.1), grip, REACH - 0.002);
+    handle(
+        builder,
+        Slot::Chrome,
+        HandleForm { kind: HandleKind::Upright, length: half.y * 1.1 },
+        grip,
+        REACH - 0.002,
+    );
     let keys = face.slab(Side::Right, face.width() * 0.25);
     let radius = (keys.width() * 0.42).min(keys.height() * 0.2);
     for y in [0.72, 0.26] {
@@ -123,7 +135,13 @@ fn steel(builder: &mut Builder, slot: Slot) {
         door.without(Side::Above, door.height() * 0.3).inset(door.width() * 0.12, door.height() * 0.08, 0.0);
     builder.cuboid(Slot::Screen, window.with_z(out(face, 0.001)));
     let grip = DVec3::new(door.center().x, door.high.y - door.height() * 0.15, face);
-    handle(builder, Slot::Metal, (HandleKind::Level, door.width() * 0.9), grip, REACH - 0.007);
+    handle(
+        builder,
+        Slot::Metal,
+        HandleForm { kind: HandleKind::Level, length: door.width() * 0.9 },
+        grip,
+        REACH - 0.007,
+    );
 }
 
 /// A case of thin sheet with a door that bows out, knobs with a bar across and a long button that opens.

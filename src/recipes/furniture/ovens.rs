@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::parts::{Fittings, HandleKind, handle, turned_forward};
+use super::parts::{Fittings, HandleForm, HandleKind, handle, turned_forward};
 use crate::geometry::Side;
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Slice, cuboid, cylinder, extrude, lathe, loft, loft_ring, sweep,
@@ -147,7 +147,7 @@ pub(super) fn oven_front(draft: &Draft, builder: &mut Builder, face: Bay) {
     }
     builder.cuboid(Slot::Screen, glass.with_z([surface - SINK * 2.0, surface + 0.006]));
     let bar = DVec3::new(0.0, door.high.y - 0.05_f64.min(door.height() * 0.1), surface);
-    handle(builder, metal, (HandleKind::Level, door.width() * 0.82), bar, REACH);
+    handle(builder, metal, HandleForm { kind: HandleKind::Level, length: door.width() * 0.82 }, bar, REACH);
     let has_display = matches!(draft.set(), GeometrySet::Plain | GeometrySet::Budget);
     let knob = lathe(&[(0.02, -SINK), (0.021, 0.006), (0.016, 0.008), (0.015, REACH * 0.9)], 10);
     let places: &[f64] =

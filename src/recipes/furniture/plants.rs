@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::parts::{Foliage, Species, grow, pot};
+use super::parts::{Foliage, PotSize, Species, grow, pot};
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Blade, Builder, Outline, SINK, Slice, blade, lathe, loft, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -31,7 +31,7 @@ fn plant(draft: &Draft, builder: &mut Builder) {
     let mut sampler = draft.sampler();
     let radius = bay.width().min(bay.depth()) / 2.0;
     let height = (bay.height() * POT_SHARE).min(0.38);
-    pot(builder, draft.set(), draft.input.look, (radius * 0.62, height), 14);
+    pot(builder, draft.set(), draft.input.look, PotSize { radius: radius * 0.62, height }, 14);
     let species = species(draft);
     let rise = bay.height() - height;
     let trunk = if species == Species::Palm && bay.height() > 1.0 { rise * 0.3 } else { 0.0 };
@@ -72,7 +72,7 @@ fn small_plant(draft: &Draft, builder: &mut Builder) {
     let mut sampler = draft.sampler();
     let radius = bay.width().min(bay.depth()) / 2.0;
     let height = bay.height() * 0.42;
-    pot(builder, draft.set(), draft.input.look, (radius * 0.7, height), 7);
+    pot(builder, draft.set(), draft.input.look, PotSize { radius: radius * 0.7, height }, 7);
     let species = match species(draft) {
         Species::Tree => Species::Bush,
         other => other,

@@ -9,8 +9,18 @@ use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 /// Metres of depth from which a television stands on a foot; a flatter one hangs on the wall.
 const STANDING_FROM: f64 = 0.13;
 
+/// The dark body of a screen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shell {
+    /// Its material.
+    pub(super) slot: Slot,
+    /// Metres around the lit area.
+    pub(super) border: f64,
+}
+
 /// A flat display: a dark body with a lit area in front, `bay` deep, and a border.
-pub(super) fn display(builder: &mut Builder, bay: Bay, (slot, border): (Slot, f64)) {
+pub(super) fn display(builder: &mut Builder, bay: Bay, shell: Shell) {
+    let Shell { slot, border } = shell;
     let glass = 0.004_f64.min(bay.depth() * 0.2);
     builder.block(slot, bay.without(Side::Front, glass), bay.depth().min(0.02) * 0.2);
     let border = border.min(bay.width() * 0.08).min(bay.height() * 0.1);
@@ -18,9 +28,9 @@ pub(super) fn display(builder: &mut Builder, bay: Bay, (slot, border): (Slot, f6
 }
 
 /// Body and border of a screen, in metres (thin modern bezels: 0.008; older ones 0.03).
-pub(super) fn body(draft: &Draft) -> (Slot, f64) {
+pub(super) fn body(draft: &Draft) -> Shell {
     let look = draft.form();
-    match draft.set() {
+    let (slot, border) = match draft.set() {
         GeometrySet::Plain => {
             ([Slot::PlasticDark, Slot::MetalDark, Slot::Metal, Slot::PlasticDark][look], 0.007)
         }
@@ -33,7 +43,8 @@ pub(super) fn body(draft: &Draft) -> (Slot, f64) {
         GeometrySet::Budget => {
             ([Slot::PlasticDark, Slot::PlasticDark, Slot::Plastic, Slot::PlasticDark][look], 0.024)
         }
-    }
+    };
+    Shell { slot, border }
 }
 
 /// A television, on a foot or on a wall bracket by its depth.
@@ -70,7 +81,7 @@ fn tv(draft: &Draft, builder: &mut Builder) {
     match (draft.set(), draft.input.look % 2) {
         (GeometrySet::Plain, 0) | (GeometrySet::Budget, _) => plate_foot(builder, lift, middle),
         (GeometrySet::Industrial, _) => tube_foot(builder, lift, middle),
-        _ => splayed_feet(builder, shell.0, lift, middle),
+        _ => splayed_feet(builder, shell.slot, lift, middle),
     }
     let cable = [
         DVec3::new(0.03, lift + bay.height() * 0.1, middle - 0.04),

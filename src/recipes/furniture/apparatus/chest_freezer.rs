@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::Side;
-use crate::recipes::furniture::parts::{HandleKind, across, handle};
+use crate::recipes::furniture::parts::{HandleForm, HandleKind, across, handle};
 use crate::recipes::kit::{
     Axis, Bay, Builder, Outline, SINK, Sampler, Slice, cylinder, extrude, lathe, loft,
 };
@@ -84,7 +84,7 @@ fn hinged_lids(builder: &mut Builder) {
     for piece in bay.slab(Side::Above, lid).without(Side::Front, 0.02).columns(2, 0.014) {
         builder.block(Slot::Metal, piece, 0.012);
         let at = DVec3::new(piece.center().x, piece.center().y, piece.high.z);
-        handle(builder, Slot::PlasticDark, (HandleKind::Level, 0.26), at, 0.02);
+        handle(builder, Slot::PlasticDark, HandleForm { kind: HandleKind::Level, length: 0.26 }, at, 0.02);
         for share in [-0.32, 0.32] {
             let at =
                 DVec3::new(piece.center().x + share * piece.width(), piece.low.y - 0.01, bay.low.z + 0.0095);

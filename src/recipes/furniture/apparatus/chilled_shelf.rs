@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{
-    HandleKind, LegKind, across, cornice, handle, legs_at_corners, raised_panel, slab_top,
+    HandleForm, HandleKind, LegKind, across, cornice, handle, legs_at_corners, raised_panel, slab_top,
 };
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, Sampler, extrude, lathe, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
@@ -210,7 +210,7 @@ fn glazed(builder: &mut Builder, sampler: &mut Sampler, wood: Slot) {
         handle(
             builder,
             Slot::Brass,
-            (HandleKind::Upright, 0.16),
+            HandleForm { kind: HandleKind::Upright, length: 0.16 },
             DVec3::new(x, door.center().y, door.high.z),
             0.022,
         );
@@ -283,7 +283,13 @@ fn sliding_panes(builder: &mut Builder, doors: Bay) {
         framed_pane(builder, Slot::MetalDark, door, 0.035);
         let x = if side == Side::Left { door.low.x + 0.05 } else { door.high.x - 0.05 };
         let at = DVec3::new(x, door.center().y, door.high.z);
-        handle(builder, Slot::Chrome, (HandleKind::Upright, 0.4), at - DVec3::Z * 0.002, 0.014);
+        handle(
+            builder,
+            Slot::Chrome,
+            HandleForm { kind: HandleKind::Upright, length: 0.4 },
+            at - DVec3::Z * 0.002,
+            0.014,
+        );
     }
 }
 

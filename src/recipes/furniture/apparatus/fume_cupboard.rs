@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::Side;
-use crate::recipes::furniture::parts::{Fittings, HandleKind, handle, turned_forward};
+use crate::recipes::furniture::parts::{Fittings, HandleForm, HandleKind, handle, turned_forward};
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, cylinder, lathe, loft};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
@@ -33,12 +33,12 @@ fn fume_cupboard(draft: &Draft, builder: &mut Builder) {
     let look = draft.form();
     let slot = [Slot::Painted, Slot::Metal, Slot::Laminate, Slot::Painted][look];
     let bench = bay.height() * BENCH;
-    let slots = (slot, [Slot::PaintedAccent, Slot::Laminate, Slot::Painted, Slot::Metal][look]);
+    let front = [Slot::PaintedAccent, Slot::Laminate, Slot::Painted, Slot::Metal][look];
     match draft.set() {
         GeometrySet::Industrial => frame(builder, bench),
-        GeometrySet::Budget => panels(builder, slots, bench),
+        GeometrySet::Budget => panels(builder, slot, front, bench),
         GeometrySet::Plain | GeometrySet::Traditional => {
-            cupboards(builder, slots, bench, draft.is_traditional());
+            cupboards(builder, slot, front, bench, draft.is_traditional());
         }
     }
     builder.block(Slot::Stone, bay.with_y([bench - TOP - SINK, bench]), 0.004);
@@ -109,7 +109,7 @@ fn frame(builder: &mut Builder, bench: f64) {
 }
 
 /// Two ends and a back of panels, with a chest of drawers on one side and room for the knees.
-fn panels(builder: &mut Builder, (slot, front): (Slot, Slot), bench: f64) {
+fn panels(builder: &mut Builder, slot: Slot, front: Slot, bench: f64) {
     let bay = builder.bay().with_y([0.0, bench - TOP]).inset(0.004, 0.0, 0.01);
     for side in [Side::Left, Side::Right] {
         builder.cuboid(slot, bay.slab(side, 0.022));
@@ -124,7 +124,7 @@ fn panels(builder: &mut Builder, (slot, front): (Slot, Slot), bench: f64) {
 }
 
 /// Cupboards with doors on a plinth, up to the bench.
-fn cupboards(builder: &mut Builder, (slot, front): (Slot, Slot), bench: f64, is_traditional: bool) {
+fn cupboards(builder: &mut Builder, slot: Slot, front: Slot, bench: f64, is_traditional: bool) {
     let bay = builder.bay();
     let fittings = Fittings { front, handle: Slot::Metal, reach: 0.025, is_traditional };
     let base = bay.with_y([PLINTH, bench - TOP]).inset(0.002, 0.0, 0.002);
@@ -220,7 +220,13 @@ fn pane(builder: &mut Builder, upper: Bay, y: [f64; 2]) -> Bay {
         builder.cuboid(Slot::Metal, pane.slab(edge, 0.025));
     }
     let at = DVec3::new(0.0, pane.low.y + 0.0125, pane.high.z);
-    handle(builder, Slot::MetalDark, (HandleKind::Level, pane.width() * 0.3), at, 0.016);
+    handle(
+        builder,
+        Slot::MetalDark,
+        HandleForm { kind: HandleKind::Level, length: pane.width() * 0.3 },
+        at,
+        0.016,
+    );
     pane
 }
 

@@ -3,7 +3,9 @@
 use glam::DVec3;
 
 use crate::geometry::Side;
-use crate::recipes::furniture::parts::{Fronts, HandleKind, LegKind, handle, legs_at_corners, slab_top};
+use crate::recipes::furniture::parts::{
+    Fronts, HandleForm, HandleKind, LegKind, handle, legs_at_corners, slab_top,
+};
 use crate::recipes::kit::{Bay, Builder, SINK, sweep};
 use crate::recipes::{Draft, Recipe, Slot, Symbol};
 
@@ -118,7 +120,7 @@ fn budget(builder: &mut Builder, form: usize) {
     }
     if form == 3 {
         let at = DVec3::new(door.low.x + 0.04, lower.center().y, door.high.z);
-        handle(builder, Slot::PlasticDark, (HandleKind::Upright, 0.16), at, 0.014);
+        handle(builder, Slot::PlasticDark, HandleForm { kind: HandleKind::Upright, length: 0.16 }, at, 0.014);
     }
     let badge = Bay::around(DVec3::new(0.0, lower.high.y - 0.03, door.high.z), 0.07, 0.012, 0.002);
     builder.cuboid(Slot::MetalDark, badge);

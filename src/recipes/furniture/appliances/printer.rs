@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::Side;
-use crate::recipes::furniture::parts::{HandleKind, handle};
+use crate::recipes::furniture::parts::{HandleForm, HandleKind, handle};
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cylinder, extrude};
 use crate::recipes::{Recipe, Slot};
 
@@ -35,7 +35,13 @@ fn scanner_over_tray(builder: &mut Builder, form: usize) {
     for row in body.slab(Side::Below, cassette).inset(0.01, 0.006, 0.0).rows(cassettes, 0.004) {
         builder.cuboid(shell, row.slab(Side::Front, 0.008));
         let grip = DVec3::new(0.0, row.center().y, body.high.z);
-        handle(builder, Slot::MetalDark, (HandleKind::Level, bay.width() * 0.3), grip, 0.012);
+        handle(
+            builder,
+            Slot::MetalDark,
+            HandleForm { kind: HandleKind::Level, length: bay.width() * 0.3 },
+            grip,
+            0.012,
+        );
     }
     let engine = body.with_y([cassette - SINK, high * 0.7]).inset(0.003, 0.0, 0.003);
     let (back, left) = (engine.depth() * 0.45, bay.width() * 0.16);

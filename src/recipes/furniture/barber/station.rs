@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{
-    HandleKind, LegKind, ball, cornice, handle, leg, slab_top, turned_forward,
+    HandleForm, HandleKind, LegKind, ball, cornice, handle, leg, slab_top, turned_forward,
 };
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, cylinder, extrude, lathe, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -60,7 +60,7 @@ fn console(builder: &mut Builder, wood: Slot) {
         let front = drawer.with_z([apron.high.z - SINK, apron.high.z + 0.008]);
         builder.block(Slot::Wood, front, 0.004);
         let at = DVec3::new(front.center().x, front.center().y, front.high.z);
-        handle(builder, Slot::Brass, (HandleKind::Knob, 0.0), at, 0.011);
+        handle(builder, Slot::Brass, HandleForm { kind: HandleKind::Knob, length: 0.0 }, at, 0.011);
     }
     let legs = apron.with_y([0.0, apron.low.y + SINK]).inset(0.004, 0.0, 0.004);
     for x in [[legs.low.x, legs.low.x + 0.06], [legs.high.x - 0.06, legs.high.x]] {

@@ -16,6 +16,12 @@ const MATTRESS: f64 = 0.1;
 /// Metres from bar to bar; with bars of 15 to 20 mm it leaves the gap that is allowed.
 const BARS: f64 = 0.085;
 
+/// A side of a cot with bars, and metres of its top.
+struct Rail {
+    side: Side,
+    top: f64,
+}
+
 /// What all cots share.
 struct Cot {
     bay: Bay,
@@ -56,8 +62,8 @@ impl Cot {
     }
 
     /// Two rails with bars between them along a long side.
-    fn fence(&self, builder: &mut Builder, slot: Slot, (side, top): (Side, f64), bar: f64) {
-        let field = self.side(side, 0.022).with_y([self.bed - 0.06, top]);
+    fn fence(&self, builder: &mut Builder, slot: Slot, rail: Rail, bar: f64) {
+        let field = self.side(rail.side, 0.022).with_y([self.bed - 0.06, rail.top]);
         builder.cuboid(slot, field.slab(Side::Above, 0.035));
         builder.cuboid(slot, field.slab(Side::Below, 0.035));
         let between = field.inset(0.0, 0.035 - SINK, 0.0);
@@ -114,7 +120,7 @@ fn plain(cot: &Cot, builder: &mut Builder) {
     );
     let top = cot.bay.high.y - 0.02;
     for side in [Side::Left, Side::Right] {
-        cot.fence(builder, slot, (side, top), 0.014);
+        cot.fence(builder, slot, Rail { side, top }, 0.014);
     }
     if cot.form.is_multiple_of(2) {
         cot.end_bars(builder, slot, top, 0.014);
@@ -144,7 +150,7 @@ fn traditional(cot: &Cot, builder: &mut Builder) {
     }
     let top = posts.high.y - 0.06;
     for side in [Side::Left, Side::Right] {
-        cot.fence(builder, slot, (side, top), 0.017);
+        cot.fence(builder, slot, Rail { side, top }, 0.017);
     }
     for side in [Side::Front, Side::Back] {
         let end = bay.inset(cot.post - SINK, 0.0, cot.post * 0.28).slab(side, 0.022);
@@ -204,7 +210,7 @@ fn industrial(cot: &Cot, builder: &mut Builder) {
     }
     let inner = Cot { bay, post: 0.03, bed: cot.bed, form: cot.form };
     for side in [Side::Left, Side::Right] {
-        inner.fence(builder, slot, (side, top - 0.03), 0.01);
+        inner.fence(builder, slot, Rail { side, top: top - 0.03 }, 0.01);
     }
     builder.cuboid(Slot::MetalDark, bay.inset(0.04, 0.0, 0.04).with_y([cot.bed - 0.02, cot.bed + 0.002]));
     inner
@@ -263,7 +269,7 @@ fn boards(cot: &Cot, builder: &mut Builder) {
     }
     let slim = Cot { bay: cot.bay, post: 0.018, bed: cot.bed, form: cot.form };
     for side in [Side::Left, Side::Right] {
-        slim.fence(builder, Slot::Painted, (side, cot.bay.high.y - 0.03), 0.012);
+        slim.fence(builder, Slot::Painted, Rail { side, top: cot.bay.high.y - 0.03 }, 0.012);
     }
     cot.bedding(builder, Slot::FabricAccent);
 }

@@ -6,7 +6,9 @@ use std::f64::consts::FRAC_PI_2;
 use glam::DVec3;
 
 use crate::geometry::Side;
-use crate::recipes::furniture::parts::{HandleKind, LegKind, handle, legs_at_corners, turned_forward};
+use crate::recipes::furniture::parts::{
+    HandleForm, HandleKind, LegKind, handle, legs_at_corners, turned_forward,
+};
 use crate::recipes::furniture::seating::depth_slats;
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe, rounded_box, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -253,7 +255,7 @@ fn budget(couch: &Couch, builder: &mut Builder) {
     handle(
         builder,
         Slot::PlasticDark,
-        (HandleKind::Level, 0.14),
+        HandleForm { kind: HandleKind::Level, length: 0.14 },
         DVec3::new(0.0, frame.center().y, frame.high.z),
         0.03,
     );

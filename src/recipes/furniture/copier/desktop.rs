@@ -1,6 +1,6 @@
 //! Small copiers on tables.
 
-use super::{Slots, keys, slope};
+use super::{Slots, Stretch, keys, slope};
 use crate::geometry::Side;
 use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{LegKind, legs_at_corners};
@@ -53,9 +53,14 @@ pub(super) fn desktop(builder: &mut Builder, (shell, dark): Slots) {
     let feeder = lid.slab(Side::Left, lid.width() * 0.42).with_y([at(0.76) - SINK, at(0.94)]);
     builder.block(dark, feeder, 0.012);
     let ends = [(feeder.high.x - 0.02, at(0.82)), (lid.high.x, at(0.985) - 0.008)];
-    slope(builder, dark, ends, (0.008, [lid.low.z + 0.05, lid.high.z - 0.05]));
+    slope(builder, dark, ends, Stretch { thickness: 0.008, z: [lid.low.z + 0.05, lid.high.z - 0.05] });
     let sheet = ends.map(|(x, y)| (x - 0.01, y + 0.005));
-    slope(builder, Slot::Paper, sheet, (0.008, [lid.low.z + 0.08, lid.high.z - 0.08]));
+    slope(
+        builder,
+        Slot::Paper,
+        sheet,
+        Stretch { thickness: 0.008, z: [lid.low.z + 0.08, lid.high.z - 0.08] },
+    );
 }
 
 /// Packs of paper side by side on a board, two high at the left.

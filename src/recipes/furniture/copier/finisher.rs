@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Slots, keys, slope};
+use super::{Slots, Stretch, keys, slope};
 use crate::geometry::Side;
 use crate::recipes::Slot;
 use crate::recipes::furniture::parts::Fittings;
@@ -69,10 +69,10 @@ fn sorter(builder: &mut Builder, (shell, dark): Slots, bay: Bay) {
     for bin in 0..count {
         let low = stack.low.y + 0.012 + pitch * f64::from(bin);
         let ends = [(stack.low.x + 0.04, low), (bay.high.x, low + 0.035)];
-        slope(builder, dark, ends, (0.004, z));
+        slope(builder, dark, ends, Stretch { thickness: 0.004, z });
         if bin % 3 != 1 {
             let sheet = [(ends[0].0 + 0.02, ends[0].1 + 0.009), (ends[1].0 - 0.012, ends[1].1 + 0.003)];
-            slope(builder, Slot::Paper, sheet, (0.006, [z[0] + 0.03, z[1] - 0.03]));
+            slope(builder, Slot::Paper, sheet, Stretch { thickness: 0.006, z: [z[0] + 0.03, z[1] - 0.03] });
         }
     }
 }
@@ -100,12 +100,12 @@ pub(super) fn with_tower(builder: &mut Builder, (shell, dark): Slots) {
     let feeder = upper.inset(0.02, 0.0, 0.03).with_y([height * 0.84 - SINK, height * 0.9]);
     builder.block(dark, feeder, 0.012);
     let ends = [(feeder.low.x + 0.13, height * 0.89), (feeder.high.x, height * 0.95)];
-    slope(builder, shell, ends, (0.01, [feeder.low.z + 0.06, feeder.high.z - 0.1]));
+    slope(builder, shell, ends, Stretch { thickness: 0.01, z: [feeder.low.z + 0.06, feeder.high.z - 0.1] });
     slope(
         builder,
         Slot::Paper,
         ends.map(|(x, y)| (x - 0.012, y + 0.008)),
-        (0.008, [feeder.low.z + 0.1, feeder.high.z - 0.14]),
+        Stretch { thickness: 0.008, z: [feeder.low.z + 0.1, feeder.high.z - 0.14] },
     );
     builder.block(
         shell,
@@ -151,13 +151,13 @@ fn tower(builder: &mut Builder, (shell, dark): Slots, bay: Bay) {
     for (index, rise) in [0.3, 0.52, 0.68].into_iter().enumerate() {
         let y = height * rise;
         let ends = [(case.high.x - 0.006, y), (bay.high.x - 0.004 * index as f64, y + 0.05)];
-        slope(builder, dark, ends, (0.012, [case.low.z + 0.04, case.high.z - 0.04]));
+        slope(builder, dark, ends, Stretch { thickness: 0.012, z: [case.low.z + 0.04, case.high.z - 0.04] });
         let sheet = [(ends[0].0 + 0.01, ends[0].1 + 0.012), (ends[1].0 - 0.02, ends[1].1 + 0.008)];
         slope(
             builder,
             Slot::Paper,
             sheet,
-            (0.012 + 0.006 * index as f64, [case.low.z + 0.08, case.high.z - 0.08]),
+            Stretch { thickness: 0.012 + 0.006 * index as f64, z: [case.low.z + 0.08, case.high.z - 0.08] },
         );
     }
 }

@@ -34,9 +34,16 @@ fn copier(draft: &Draft, builder: &mut Builder) {
     }
 }
 
+/// How thick a sheet or shelf is, and between which depths it lies.
+struct Stretch {
+    thickness: f64,
+    z: [f64; 2],
+}
+
 /// A sheet or shelf that rises outwards, between two ends along x and depths, with a thickness.
-fn slope(builder: &mut Builder, slot: Slot, [from, to]: [(f64, f64); 2], (thick, z): (f64, [f64; 2])) {
-    let outline = [from, to, (to.0, to.1 + thick), (from.0, from.1 + thick)].map(DVec2::from);
+fn slope(builder: &mut Builder, slot: Slot, [from, to]: [(f64, f64); 2], stretch: Stretch) {
+    let Stretch { thickness, z } = stretch;
+    let outline = [from, to, (to.0, to.1 + thickness), (from.0, from.1 + thickness)].map(DVec2::from);
     builder.add(slot, extrude(&outline, Axis::Z, z));
 }
 

@@ -43,7 +43,8 @@ fn football_table(draft: &Draft, builder: &mut Builder) {
     markings(builder, floor);
     for rod in 0..FIGURES.len() {
         let x = body.low.x + body.width() * (rod as f64 + 1.0) / (FIGURES.len() as f64 + 1.0);
-        self::rod(builder, floor, (rod, x, grips), set == GeometrySet::Traditional);
+        let rod = Rod { number: rod, x, grips };
+        self::rod(builder, floor, &rod, set == GeometrySet::Traditional);
     }
 }
 
@@ -80,9 +81,18 @@ fn markings(builder: &mut Builder, floor: Bay) {
     builder.add(Slot::Linen, ring);
 }
 
-/// A rod with its grip, turned or straight, and its figures: the number of the rod, its place along the table, the length
-/// that sticks out.
-fn rod(builder: &mut Builder, floor: Bay, (rod, x, grips): (usize, f64, f64), is_turned: bool) {
+/// A rod of the table.
+struct Rod {
+    number: usize,
+    /// Metres along the table.
+    x: f64,
+    /// Metres that stick out.
+    grips: f64,
+}
+
+/// A rod with its grip, turned or straight, and its figures.
+fn rod(builder: &mut Builder, floor: Bay, rod: &Rod, is_turned: bool) {
+    let &Rod { number: rod, x, grips } = rod;
     let bay = builder.bay();
     let y = floor.high.y + 0.09;
     let is_near = rod.is_multiple_of(2);

@@ -18,6 +18,12 @@ pub(in super::super) static DUMBBELL_RACK: Recipe = Recipe::furniture("dumbbell_
     .industrial(|_, builder| rails(builder))
     .budget(|_, builder| tube_stand(builder));
 
+/// One of the two weights of a dumbbell.
+struct Weight {
+    head: Head,
+    radius: f64,
+}
+
 /// The heads of a dumbbell.
 #[derive(Clone, Copy)]
 enum Head {
@@ -26,7 +32,8 @@ enum Head {
 }
 
 /// A dumbbell from back to front with heads of a slot, its grip around a point.
-fn dumbbell(builder: &mut Builder, slot: Slot, (head, radius): (Head, f64), at: DVec3, reach: f64) {
+fn dumbbell(builder: &mut Builder, slot: Slot, weight: Weight, at: DVec3, reach: f64) {
+    let Weight { head, radius } = weight;
     let grip = turned_forward(cylinder(0.016, [-reach, reach], 8));
     builder.add(Slot::Chrome, grip.moved(at.x, at.y, at.z));
     for end in [-reach, reach] {
@@ -51,7 +58,7 @@ fn boards(builder: &mut Builder) {
         for cell in board.columns(pieces, 0.02) {
             let radius = (cell.width() * 0.35).min(0.075);
             let at = DVec3::new(cell.center().x, y + radius - SINK, 0.0);
-            dumbbell(builder, Slot::Rubber, (Head::Sides(8), radius), at, bay.depth() * 0.3);
+            dumbbell(builder, Slot::Rubber, Weight { head: Head::Sides(8), radius }, at, bay.depth() * 0.3);
         }
     }
 }
@@ -84,7 +91,7 @@ fn case(builder: &mut Builder) {
         dumbbell(
             builder,
             Slot::MetalDark,
-            (Head::Globe, radius),
+            Weight { head: Head::Globe, radius },
             DVec3::new(x, shelf + radius, 0.0),
             bay.depth() * 0.26,
         );
@@ -169,7 +176,7 @@ fn tube_stand(builder: &mut Builder) {
     let slots = [Slot::PaintedAccent, Slot::Leaf, Slot::Book, Slot::Brass];
     for (index, cell) in bay.inset(0.06, 0.0, 0.0).columns(pieces, 0.02).into_iter().enumerate() {
         let at = DVec3::new(cell.center().x, level + 0.058, 0.0);
-        dumbbell(builder, slots[index % 4], (Head::Sides(6), 0.052), at, reach);
+        dumbbell(builder, slots[index % 4], Weight { head: Head::Sides(6), radius: 0.052 }, at, reach);
     }
     for (index, share) in [-0.64, -0.2, 0.24, 0.66].into_iter().enumerate() {
         let radius = 0.12 - 0.012 * index as f64;

@@ -28,9 +28,9 @@ fn pad(bay: Bay) -> Bay {
 }
 
 /// Plates on both ends of a bar: shares of half the width between which each lies, and their radius.
-fn plates(builder: &mut Builder, slot: Slot, shares: [f64; 2], radius: f64, (y, z): (f64, f64)) {
+fn plates(builder: &mut Builder, slot: Slot, shares: [f64; 2], radius: f64, at: DVec2) {
     let x = shares.map(|share| share * builder.bay().high.x);
-    builder.add_pair(slot, across(radius, x, 14).moved(0.0, y, z));
+    builder.add_pair(slot, across(radius, x, 14).moved(0.0, at.x, at.y));
 }
 
 /// The bar itself.
@@ -55,7 +55,7 @@ fn flat(builder: &mut Builder) {
         builder.cuboid(Slot::Metal, Bay::new([x - 0.028, x + 0.028], [0.05 - SINK, y], [z - 0.03, z + 0.03]));
     }
     bar(builder, Slot::Chrome, y, z);
-    plates(builder, Slot::Rubber, [0.8, 0.94], 0.2, (y, z));
+    plates(builder, Slot::Rubber, [0.8, 0.94], 0.2, DVec2::new(y, z));
 }
 
 /// A trestle of wood with a leather pad; forked posts hold a bar between two globes.
@@ -125,8 +125,8 @@ fn racked(builder: &mut Builder) {
         builder.block(Slot::PaintedAccent, cup.with_x(ends).inset(0.008, 0.0, 0.0), 0.006);
     }
     bar(builder, Slot::Chrome, y, z);
-    plates(builder, Slot::Rubber, [0.7, 0.8], 0.16, (y, z));
-    plates(builder, Slot::PaintedAccent, [0.81, 0.88], 0.16, (y, z));
+    plates(builder, Slot::Rubber, [0.7, 0.8], 0.16, DVec2::new(y, z));
+    plates(builder, Slot::PaintedAccent, [0.81, 0.88], 0.16, DVec2::new(y, z));
     reclining(builder, Slot::Leather, Slot::MetalDark, bay.height() * LYING, [z - 0.1, bay.high.z]);
 }
 
@@ -182,8 +182,8 @@ fn inclined(builder: &mut Builder) {
         builder.cuboid(Slot::PlasticDark, hook.with_x(ends));
     }
     bar(builder, Slot::Chrome, y, z + 0.04);
-    plates(builder, Slot::PlasticDark, [0.66, 0.8], 0.115, (y, z + 0.04));
-    plates(builder, Slot::PlasticDark, [0.805, 0.9], 0.09, (y, z + 0.04));
+    plates(builder, Slot::PlasticDark, [0.66, 0.8], 0.115, DVec2::new(y, z + 0.04));
+    plates(builder, Slot::PlasticDark, [0.805, 0.9], 0.09, DVec2::new(y, z + 0.04));
     // The lever for the legs.
     let front = bay.high.z - 0.09;
     let lever = [

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::handles::{HandleKind, handle};
+use super::handles::{HandleForm, HandleKind, handle};
 use super::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::Slot;
@@ -47,7 +47,12 @@ impl Fittings {
         let kind = if self.is_traditional { HandleKind::Knob } else { HandleKind::Level };
         let length = (bay.width() * 0.3).clamp(0.04, 0.25);
         let middle = bay.center();
-        self.handle(builder, (kind, length), DVec3::new(middle.x, middle.y, bay.high.z - self.reach), bay);
+        self.handle(
+            builder,
+            HandleForm { kind, length },
+            DVec3::new(middle.x, middle.y, bay.high.z - self.reach),
+            bay,
+        );
     }
 
     /// A door with its handle on the side away from the hinge, at a share of its height.
@@ -58,7 +63,7 @@ impl Fittings {
         let x = if hinge == Side::Left { bay.high.x - inwards } else { bay.low.x + inwards };
         let length = (bay.height() * 0.2).clamp(0.04, 0.3);
         let y = bay.low.y + rise * bay.height();
-        self.handle(builder, (kind, length), DVec3::new(x, y, bay.high.z - self.reach), bay);
+        self.handle(builder, HandleForm { kind, length }, DVec3::new(x, y, bay.high.z - self.reach), bay);
     }
 
     /// A front without a handle.
@@ -81,7 +86,7 @@ impl Fittings {
         builder.add(self.front, field.moved(middle.x, middle.y, 0.0));
     }
 
-    fn handle(&self, builder: &mut Builder, form: (HandleKind, f64), at: DVec3, bay: Bay) {
+    fn handle(&self, builder: &mut Builder, form: HandleForm, at: DVec3, bay: Bay) {
         let fits = bay.width().min(bay.height()) > self.reach && bay.depth() > self.reach;
         if self.reach > SINK && fits {
             handle(builder, self.handle, form, at, self.reach);

@@ -207,15 +207,18 @@ fn pot_form(set: GeometrySet, look: usize) -> (Slot, Vec<(f64, f64)>) {
     }
 }
 
-/// A pot around the y axis from its underside, filled with soil, by radius at the rim and height: of a geometry set and
+/// Metres of a pot.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct PotSize {
+    /// At the rim.
+    pub(in super::super) radius: f64,
+    pub(in super::super) height: f64,
+}
+
+/// A pot around the y axis from its underside, filled with soil, of a geometry set and
 /// a look. In the traditional set clay and wicker, in the industrial zinc and concrete, in the budget set plastic.
-pub(in super::super) fn pot(
-    builder: &mut Builder,
-    set: GeometrySet,
-    look: u32,
-    (radius, height): (f64, f64),
-    sides: usize,
-) {
+pub(in super::super) fn pot(builder: &mut Builder, set: GeometrySet, look: u32, size: PotSize, sides: usize) {
+    let PotSize { radius, height } = size;
     let wall = radius * 0.08;
     let look = look as usize % 4;
     let (slot, outside) = pot_form(set, look);

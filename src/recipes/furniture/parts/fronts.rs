@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 
-use super::handles::{HandleKind, handle};
+use super::handles::{HandleForm, HandleKind, handle};
 use super::turned_forward;
 use crate::geometry::Side;
 use crate::recipes::kit::{Bay, Builder, Outline, SINK, Slice, lathe, loft, loft_ring};
@@ -61,10 +61,10 @@ impl Fronts {
         if bay.width() > 0.6 && self.set != GeometrySet::Plain {
             for share in [-0.28, 0.28] {
                 let at = middle + DVec3::X * share * bay.width();
-                self.grip(builder, (self.kind(HandleKind::Level), 0.09), at, bay);
+                self.grip(builder, HandleForm { kind: self.kind(HandleKind::Level), length: 0.09 }, at, bay);
             }
         } else {
-            self.grip(builder, (self.kind(HandleKind::Level), length), middle, bay);
+            self.grip(builder, HandleForm { kind: self.kind(HandleKind::Level), length }, middle, bay);
         }
     }
 
@@ -75,7 +75,7 @@ impl Fronts {
         let x = if hinge == Side::Left { bay.high.x - inwards } else { bay.low.x + inwards };
         let length = (bay.height() * [0.2, 0.2, 0.12, 0.3][self.form]).clamp(0.04, 0.4);
         let at = DVec3::new(x, bay.low.y + rise * bay.height(), bay.high.z - self.reach);
-        self.grip(builder, (self.kind(HandleKind::Upright), length), at, bay);
+        self.grip(builder, HandleForm { kind: self.kind(HandleKind::Upright), length }, at, bay);
         if matches!(self.set, GeometrySet::Industrial | GeometrySet::Traditional) && self.form != 0 {
             self.hinges(builder, bay, hinge);
         }
@@ -90,10 +90,10 @@ impl Fronts {
         }
     }
 
-    fn grip(&self, builder: &mut Builder, (kind, length): (HandleKind, f64), at: DVec3, bay: Bay) {
+    fn grip(&self, builder: &mut Builder, form: HandleForm, at: DVec3, bay: Bay) {
         let fits = bay.width().min(bay.height()) > self.reach && bay.depth() > self.reach;
         if self.reach > SINK && fits {
-            handle(builder, self.handle, (kind, length), at, self.reach);
+            handle(builder, self.handle, form, at, self.reach);
         }
     }
 

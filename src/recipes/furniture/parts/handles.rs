@@ -17,19 +17,23 @@ pub(in super::super) enum HandleKind {
     Knob,
 }
 
+/// How a handle looks from the front.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct HandleForm {
+    /// Bar or knob.
+    pub(in super::super) kind: HandleKind,
+    /// Metres of a bar; of no account for a knob.
+    pub(in super::super) length: f64,
+}
+
 /// Share of the reach that a bar is thick.
 const BAR_SHARE: f64 = 0.4;
 /// Corners of a knob.
 const KNOB_SIDES: usize = 8;
 
 /// A handle of a length on a front whose surface is at `at`, standing `reach` metres out of it.
-pub(in super::super) fn handle(
-    builder: &mut Builder,
-    slot: Slot,
-    (kind, length): (HandleKind, f64),
-    at: DVec3,
-    reach: f64,
-) {
+pub(in super::super) fn handle(builder: &mut Builder, slot: Slot, form: HandleForm, at: DVec3, reach: f64) {
+    let HandleForm { kind, length } = form;
     let along = match kind {
         HandleKind::Level => DVec3::X,
         HandleKind::Upright => DVec3::Y,

@@ -79,15 +79,27 @@ fn figures(builder: &mut Builder, [border, guard]: [Slot; 2], field: Bay, look: 
     let half = DVec2::new(field.width(), field.depth()) / 2.0;
     let middle = DVec2::new(field.center().x, field.center().z);
     match look {
-        0 => lozenge(builder, [guard, border], &OCTAGON, field, (middle, half * DVec2::new(0.5, 0.72))),
-        1 => lozenge(builder, [border, guard], &OCTAGON, field, (middle, half * DVec2::new(0.24, 0.36))),
+        0 => lozenge(
+            builder,
+            [guard, border],
+            &OCTAGON,
+            field,
+            Figure { middle, half: half * DVec2::new(0.5, 0.72) },
+        ),
+        1 => lozenge(
+            builder,
+            [border, guard],
+            &OCTAGON,
+            field,
+            Figure { middle, half: half * DVec2::new(0.24, 0.36) },
+        ),
         2 => corners(builder, border, field),
         _ => {
             let count = ((field.width() / field.depth() * 2.2).round() as u32).clamp(2, 6);
             for cell in field.inset(half.x * 0.06, 0.0, 0.0).columns(count, 0.0) {
                 let at = DVec2::new(cell.center().x, middle.y);
                 let size = DVec2::new(cell.width() * 0.44, half.y * 0.6);
-                lozenge(builder, [guard, border], &LOZENGE, field, (at, size));
+                lozenge(builder, [guard, border], &LOZENGE, field, Figure { middle: at, half: size });
             }
         }
     }
@@ -105,14 +117,16 @@ const OCTAGON: [(f64, f64); 8] = [
     (0.62, 0.62),
 ];
 
-/// A figure of a middle and half its size on the field, with a heart of another slot.
-fn lozenge(
-    builder: &mut Builder,
-    slots: [Slot; 2],
-    corners: &[(f64, f64)],
-    field: Bay,
-    (middle, half): (DVec2, DVec2),
-) {
+/// Where a figure lies.
+struct Figure {
+    middle: DVec2,
+    /// Half of its size.
+    half: DVec2,
+}
+
+/// A figure on the field, with a heart of another slot.
+fn lozenge(builder: &mut Builder, slots: [Slot; 2], corners: &[(f64, f64)], field: Bay, figure: Figure) {
+    let Figure { middle, half } = figure;
     let outline = Outline::Points(corners.iter().map(|&corner| DVec2::from(corner)).collect());
     let heights = [(ROOT, FIGURE, 1.0), (FIELD, 1.0, 0.55)];
     for (slot, (from, to, share)) in slots.into_iter().zip(heights) {

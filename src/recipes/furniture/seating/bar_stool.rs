@@ -13,6 +13,12 @@ const REST: f64 = 0.36;
 /// Metres of a tube's radius.
 const TUBE: f64 = 0.011;
 
+/// How thick the legs of a stool are, and how far out they begin, as a share.
+struct Legs {
+    thick: f64,
+    top: f64,
+}
+
 /// The measures that all bar stools share.
 struct BarStool {
     bay: Bay,
@@ -28,7 +34,8 @@ impl BarStool {
     }
 
     /// Four legs from under the seat outwards, and bars between them at the rest's height.
-    fn legs(&self, builder: &mut Builder, slot: Slot, bar: Slot, (thick, top): (f64, f64)) {
+    fn legs(&self, builder: &mut Builder, slot: Slot, bar: Slot, form: Legs) {
+        let Legs { thick, top } = form;
         let out = 1.0 - thick / self.half;
         let high = self.high - 0.026;
         for z in [-1.0, 1.0] {
@@ -80,7 +87,7 @@ fn saddle(stool: &BarStool, builder: &mut Builder) {
         builder,
         if stool.form == 0 { Slot::Wood } else { Slot::MetalDark },
         Slot::MetalDark,
-        (0.018, 0.62),
+        Legs { thick: 0.018, top: 0.62 },
     );
 }
 
@@ -268,5 +275,5 @@ fn stacking(stool: &BarStool, builder: &mut Builder) {
     );
     let plate = stool.bay.slab(Side::Above, 0.04).without(Side::Above, 0.026);
     builder.cuboid(frame, plate.inset(stool.half * 0.5, 0.0, stool.half * 0.5));
-    stool.legs(builder, frame, frame, (TUBE, 0.56));
+    stool.legs(builder, frame, frame, Legs { thick: TUBE, top: 0.56 });
 }

@@ -21,7 +21,8 @@ fn bench(draft: &Draft, builder: &mut Builder) {
         builder.cuboid(Slot::Wood, slat);
     }
     let inset = (bay.width() * 0.12).min(0.2);
-    trestles(builder, legs_of(draft), seat.with_y([0.0, seat.low.y + SINK]).inset(inset, 0.0, 0.02));
+    let (slot, kind) = legs_of(draft);
+    trestles(builder, slot, kind, seat.with_y([0.0, seat.low.y + SINK]).inset(inset, 0.0, 0.02));
     if has_back {
         back(builder, inset, seat.y());
     }
@@ -47,7 +48,7 @@ fn legs_of(draft: &Draft) -> (Slot, LegKind) {
 }
 
 /// Two pairs of legs under bars, at the ends of a frame.
-fn trestles(builder: &mut Builder, (slot, kind): (Slot, LegKind), frame: Bay) {
+fn trestles(builder: &mut Builder, slot: Slot, kind: LegKind, frame: Bay) {
     for side in [Side::Left, Side::Right] {
         let trestle = frame.slab(side, 0.05);
         let bar = trestle.slab(Side::Above, 0.04).without(Side::Above, 0.001);

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use super::{OVERHANG, REACH};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{
-    HandleKind, LegKind, REVEAL, handle, legs_at_corners, slab_top, turned_forward,
+    HandleForm, HandleKind, LegKind, REVEAL, handle, legs_at_corners, slab_top, turned_forward,
 };
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, extrude, lathe};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -81,7 +81,7 @@ fn plain(builder: &mut Builder, count: u32, form: usize) {
             1 => handle(
                 builder,
                 Slot::MetalDark,
-                (HandleKind::Level, front.width() * 0.8),
+                HandleForm { kind: HandleKind::Level, length: front.width() * 0.8 },
                 on_front(front, 0.25),
                 reach,
             ),
@@ -111,7 +111,13 @@ fn shutter(builder: &mut Builder, field: Bay, reach: f64) {
         builder.cuboid(Slot::Metal, slat);
     }
     let grip = on_front(inner.slab(Side::Below, 0.12), 0.1) - DVec3::Z * 0.006;
-    handle(builder, Slot::Metal, (HandleKind::Level, inner.width() * 0.6), grip, reach + 0.006);
+    handle(
+        builder,
+        Slot::Metal,
+        HandleForm { kind: HandleKind::Level, length: inner.width() * 0.6 },
+        grip,
+        reach + 0.006,
+    );
 }
 
 /// Oak with a moulded top: drawers with brass pulls under labels, or a card index of two columns.
@@ -260,7 +266,13 @@ fn budget(builder: &mut Builder, count: u32, form: usize) {
                 builder.cuboid(Slot::PlasticDark, grip.moved(0.0, 0.0, -SINK / 2.0));
                 builder.cuboid(Slot::Paper, Bay::around(on_front(front, 0.1), 0.07, 0.024, 0.002));
             }
-            1 => handle(builder, Slot::PlasticDark, (HandleKind::Knob, 0.0), at, reach),
+            1 => handle(
+                builder,
+                Slot::PlasticDark,
+                HandleForm { kind: HandleKind::Knob, length: 0.0 },
+                at,
+                reach,
+            ),
             _ => {
                 let gap = Bay::around(at, front.width() * 0.3, 0.026, 0.002);
                 builder.cuboid(Slot::PlasticDark, gap);

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use super::{PLINTH, REACH};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{
-    HandleKind, LegKind, REVEAL, cornice, handle, legs_at_corners, slab_top, turned_forward,
+    HandleForm, HandleKind, LegKind, REVEAL, cornice, handle, legs_at_corners, slab_top, turned_forward,
 };
 use crate::recipes::kit::{Axis, Bay, Builder, SINK, extrude, lathe};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot, Symbol};
@@ -157,7 +157,7 @@ fn traditional(row: &Row, builder: &mut Builder) {
         for door in line.columns(row.count, 0.014) {
             louvred(builder, slot, door, row.form);
             let knob = DVec3::new(door.high.x - 0.025, door.low.y + door.height() * 0.52, door.high.z);
-            handle(builder, Slot::Brass, (HandleKind::Knob, 0.0), knob, GRIP);
+            handle(builder, Slot::Brass, HandleForm { kind: HandleKind::Knob, length: 0.0 }, knob, GRIP);
             plate(builder, Slot::Brass, door, 0.94);
         }
     }

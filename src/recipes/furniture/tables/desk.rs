@@ -4,7 +4,9 @@ use glam::DVec3;
 
 use super::{OVERHANG, top_board};
 use crate::geometry::Side;
-use crate::recipes::furniture::parts::{Fronts, HandleKind, LegKind, handle, leg, raised_panel, slanted_leg};
+use crate::recipes::furniture::parts::{
+    Fronts, HandleForm, HandleKind, LegKind, handle, leg, raised_panel, slanted_leg,
+};
 use crate::recipes::kit::{Bay, Builder, SINK, cuboid, pipe, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
@@ -62,7 +64,7 @@ fn pencil_drawers(builder: &mut Builder, slot: Slot, under: Bay, count: u32, kin
     for front in rail.columns(count, 0.006) {
         builder.block(slot, front.slab(Side::Front, 0.014).inset(0.0, 0.001, 0.0), 0.003);
         let at = DVec3::new(front.center().x, front.center().y, front.high.z);
-        handle(builder, Slot::Brass, (kind, 0.1), at, 0.011);
+        handle(builder, Slot::Brass, HandleForm { kind, length: 0.1 }, at, 0.011);
     }
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::{LEG, OVERHANG};
 use crate::geometry::Side;
 use crate::recipes::furniture::parts::{
-    Fittings, HandleKind, LegKind, handle, legs_at_corners, raised_panel, slab_top,
+    Fittings, HandleForm, HandleKind, LegKind, handle, legs_at_corners, raised_panel, slab_top,
 };
 use crate::recipes::kit::{Bay, Builder, SINK, cylinder, lathe};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
@@ -135,7 +135,7 @@ fn traditional(builder: &mut Builder, bench: Bay, form: usize) {
                 front.center().y,
                 front.high.z,
             );
-            handle(builder, Slot::Brass, (HandleKind::Knob, 0.0), at, REACH);
+            handle(builder, Slot::Brass, HandleForm { kind: HandleKind::Knob, length: 0.0 }, at, REACH);
         }
     }
     for x in [body.low.x, body.high.x - 0.03] {
@@ -236,7 +236,13 @@ fn budget(builder: &mut Builder, bench: Bay, form: usize) {
         for part in parts {
             builder.cuboid([Slot::Laminate, Slot::Painted, Slot::Laminate, Slot::Plastic][form], part);
             let at = DVec3::new(part.center().x, part.high.y - 0.04, part.high.z);
-            handle(builder, Slot::PlasticDark, (HandleKind::Level, 0.12), at, reach);
+            handle(
+                builder,
+                Slot::PlasticDark,
+                HandleForm { kind: HandleKind::Level, length: 0.12 },
+                at,
+                reach,
+            );
         }
     }
 }

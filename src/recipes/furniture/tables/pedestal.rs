@@ -53,6 +53,14 @@ fn round_top(draft: &Draft, builder: &mut Builder, top: f64) {
     }
 }
 
+/// The arms of a foot, each a rod of so many sides.
+struct Arms {
+    slot: Slot,
+    count: u32,
+    thickness: f64,
+    sides: usize,
+}
+
 struct Foot {
     /// Metres from the middle to the end of the foot.
     radius: f64,
@@ -70,18 +78,13 @@ impl Foot {
     }
 
     /// Arms around the column through (radius as a share, height).
-    fn arms(
-        &self,
-        builder: &mut Builder,
-        (slot, count): (Slot, u32),
-        path: &[(f64, f64)],
-        thick: (f64, usize),
-    ) {
+    fn arms(&self, builder: &mut Builder, form: &Arms, path: &[(f64, f64)]) {
+        let &Arms { slot, count, thickness, sides } = form;
         for step in 0..count {
             let angle = TAU * f64::from(step) / f64::from(count) + 0.4;
             let points: Vec<DVec3> =
                 path.iter().map(|&(out, y)| DVec3::new(0.0, y, out * self.radius)).collect();
-            builder.add(slot, sweep(&points, thick.0, thick.1).turned_y(angle));
+            builder.add(slot, sweep(&points, thickness, sides).turned_y(angle));
         }
     }
 
@@ -126,7 +129,11 @@ fn plain(foot: &Foot, builder: &mut Builder, form: usize) {
         }
         _ => {
             builder.add(Slot::Wood, foot.turned(&[(0.16, 0.03), (0.18, foot.end * 0.5), (0.16, -1.0)], 12));
-            foot.arms(builder, (Slot::Wood, 4), &[(0.05, 0.055), (0.6, 0.045), (1.0, 0.0175)], (0.022, 4));
+            foot.arms(
+                builder,
+                &Arms { slot: Slot::Wood, count: 4, thickness: 0.022, sides: 4 },
+                &[(0.05, 0.055), (0.6, 0.045), (1.0, 0.0175)],
+            );
             let rail = Bay::new(
                 [-foot.radius * 0.9, foot.radius * 0.9],
                 [foot.end - 0.04, foot.end - 0.004],
@@ -145,17 +152,18 @@ fn traditional(foot: &Foot, builder: &mut Builder, form: usize) {
     match form {
         0 => foot.arms(
             builder,
-            (slot, 3),
+            &Arms { slot, count: 3, thickness: 0.024, sides: 6 },
             &[(0.1, 0.1), (0.45, 0.085), (0.8, 0.035), (1.02, 0.02)],
-            (0.024, 6),
         ),
         1 => builder.add(
             slot,
             foot.turned(&[(0.92, 0.0), (1.0, 0.02), (0.95, 0.035), (0.6, 0.05), (0.3, 0.062)], 16),
         ),
-        2 => {
-            foot.arms(builder, (slot, 4), &[(0.1, 0.09), (0.5, 0.08), (0.75, 0.03), (1.0, 0.022)], (0.026, 4))
-        }
+        2 => foot.arms(
+            builder,
+            &Arms { slot, count: 4, thickness: 0.026, sides: 4 },
+            &[(0.1, 0.09), (0.5, 0.08), (0.75, 0.03), (1.0, 0.022)],
+        ),
         _ => {
             let plate = foot.radius * 0.72;
             builder.block(slot, Bay::new([-plate, plate], [0.018, 0.05], [-plate, plate]), 0.012);
@@ -201,7 +209,11 @@ fn industrial(foot: &Foot, builder: &mut Builder, form: usize) {
     match form {
         0 => {
             builder.add(slot, foot.turned(&[(0.15, 0.03), (0.15, -1.02)], 10));
-            foot.arms(builder, (slot, 4), &[(0.05, 0.05), (0.7, 0.05), (1.0, 0.012)], (0.02, 4));
+            foot.arms(
+                builder,
+                &Arms { slot, count: 4, thickness: 0.02, sides: 4 },
+                &[(0.05, 0.05), (0.7, 0.05), (1.0, 0.012)],
+            );
         }
         1 => {
             builder.add(
@@ -252,7 +264,11 @@ fn screw(foot: &Foot, builder: &mut Builder) {
         builder.add(Slot::Metal, cylinder(foot.radius * 0.16, [y, y + 0.008], 8));
     }
     builder.add(slot, foot.turned(&[(0.22, 0.03), (0.24, 0.1), (0.24, 0.16), (0.16, 0.18)], 10));
-    foot.arms(builder, (slot, 3), &[(0.1, 0.08), (0.5, 0.07), (1.0, 0.02)], (0.024, 6));
+    foot.arms(
+        builder,
+        &Arms { slot, count: 3, thickness: 0.024, sides: 6 },
+        &[(0.1, 0.08), (0.5, 0.07), (1.0, 0.02)],
+    );
 }
 
 fn budget(foot: &Foot, builder: &mut Builder, form: usize) {
@@ -271,7 +287,11 @@ fn budget(foot: &Foot, builder: &mut Builder, form: usize) {
         ),
         2 => {
             builder.add(Slot::MetalDark, foot.turned(&[(0.11, 0.03), (0.11, -1.0)], 8));
-            foot.arms(builder, (Slot::MetalDark, 4), &[(0.02, 0.045), (1.0, 0.014)], (0.017, 4));
+            foot.arms(
+                builder,
+                &Arms { slot: Slot::MetalDark, count: 4, thickness: 0.017, sides: 4 },
+                &[(0.02, 0.045), (1.0, 0.014)],
+            );
             foot.plate(builder, Slot::MetalDark);
         }
         _ => {

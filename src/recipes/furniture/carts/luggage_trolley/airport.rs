@@ -39,12 +39,13 @@ pub(super) fn trolley(builder: &mut Builder, look: usize) -> f64 {
     ]
     .map(|(x, z)| DVec3::new(x, deck + 0.004, z));
     builder.add(metal, sweep(&rim, TUBE, 6));
-    posts(builder, metal, accent, (wide - TUBE, back, wheel));
+    posts(builder, metal, accent, DVec3::new(wide - TUBE, wheel, back));
     deck
 }
 
 /// The bow behind with its bars, the basket and the board for advertisements.
-fn posts(builder: &mut Builder, metal: Slot, accent: Slot, (x, foot, low): (f64, f64, f64)) {
+fn posts(builder: &mut Builder, metal: Slot, accent: Slot, foot: DVec3) {
+    let DVec3 { x, y: low, z: foot } = foot;
     let bay = builder.bay();
     let (top, head) = (bay.high.y - TUBE - 0.003, bay.low.z + TUBE + 0.003);
     let at = |x: f64, rise: f64| DVec3::new(x, low + rise * (top - low), foot + rise * (head - foot));

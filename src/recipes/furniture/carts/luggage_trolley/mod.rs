@@ -7,7 +7,7 @@ mod platforms;
 use glam::DVec3;
 
 use super::{castor, castors};
-use crate::recipes::furniture::parts::{HandleKind, handle};
+use crate::recipes::furniture::parts::{HandleForm, HandleKind, handle};
 use crate::recipes::kit::{Bay, Builder, SINK, sweep};
 use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
@@ -76,7 +76,7 @@ fn suitcases(builder: &mut Builder, floor: f64) {
         let case = Bay::around(middle, bay.width() * wide, tall, bay.depth() * deep);
         builder.block(slot, case, 0.02);
         let grip = DVec3::new(0.0, case.center().y, case.high.z);
-        handle(builder, Slot::PlasticDark, (HandleKind::Level, 0.14), grip, 0.02);
+        handle(builder, Slot::PlasticDark, HandleForm { kind: HandleKind::Level, length: 0.14 }, grip, 0.02);
         for x in [-0.3, 0.3] {
             let middle = case.center() + DVec3::X * x * case.width();
             builder.cuboid(Slot::Rubber, Bay::around(middle, 0.02, tall + 0.004, case.depth() + 0.004));

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ARM_RISE, HUB, Swivel, flat_bar};
+use super::{ARM_RISE, HUB, Spokes, Swivel, flat_bar};
 use crate::geometry::Side;
 use crate::recipes::Slot;
 use crate::recipes::furniture::parts::turned_forward;
@@ -122,7 +122,7 @@ fn holes(builder: &mut Builder, field: Bay, is_level: bool) {
 /// Posts of tube that bend from under the seat up behind the back, and arm rests of the same tube.
 fn tube_frame(chair: &Swivel, builder: &mut Builder) {
     let tube = 0.014;
-    chair.spokes(builder, (Slot::MetalDark, Slot::Metal), (5, 0.0), 0.018);
+    chair.spokes(builder, &Spokes { slot: Slot::MetalDark, wheel: Slot::Metal, count: 5, thickness: 0.018 });
     builder.add(Slot::MetalDark, cylinder(0.03, [HUB - 0.03, HUB + 0.04], 8));
     builder.add(Slot::Metal, cylinder(0.02, [HUB, chair.under() + 0.01], 8));
     let (x, y) = (chair.half * 0.6, chair.seat - 0.045);

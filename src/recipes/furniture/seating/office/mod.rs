@@ -32,6 +32,15 @@ const HUB: f64 = 0.09;
 /// Metres of a gas spring's radius: its outer tube has 50 mm.
 const SPRING: f64 = 0.025;
 
+/// The spokes of a foot on castors.
+struct Spokes {
+    slot: Slot,
+    /// Of the castors.
+    wheel: Slot,
+    count: u32,
+    thickness: f64,
+}
+
 /// The measures that all swivel chairs share.
 struct Swivel {
     bay: Bay,
@@ -83,7 +92,7 @@ impl Swivel {
 
     /// Five spokes on castors around a hub, and the gas spring with the mechanism on it.
     fn five_star(&self, builder: &mut Builder, slot: Slot, spring: Slot) {
-        self.spokes(builder, (slot, Slot::Rubber), (5, 0.0), 0.017);
+        self.spokes(builder, &Spokes { slot, wheel: Slot::Rubber, count: 5, thickness: 0.017 });
         builder.add(slot, lathe(&[(0.045, HUB - 0.025), (0.05, HUB), (SPRING, HUB + 0.035)], 8));
         builder.add(spring, cylinder(SPRING * 0.9, [HUB, self.under() - 0.02], 8));
         self.mechanism(builder, Slot::PlasticDark);
@@ -95,18 +104,13 @@ impl Swivel {
         builder.cuboid(slot, Bay::around(middle, self.half * 0.55, 0.032, self.half * 0.75));
     }
 
-    /// Spokes that slope from the hub to castors, the first at a turn from the front.
-    fn spokes(
-        &self,
-        builder: &mut Builder,
-        (slot, wheel): (Slot, Slot),
-        (count, first): (u32, f64),
-        thickness: f64,
-    ) {
+    /// Spokes that slope from the hub to castors, the first to the front.
+    fn spokes(&self, builder: &mut Builder, spokes: &Spokes) {
+        let &Spokes { slot, wheel, count, thickness } = spokes;
         let reach = self.half - CASTOR;
         let bar = [DVec3::new(0.0, HUB, 0.02), DVec3::new(0.0, CASTOR * 2.2, reach)];
         for spoke in 0..count {
-            let angle = TAU * f64::from(spoke) / f64::from(count) + first;
+            let angle = TAU * f64::from(spoke) / f64::from(count);
             builder.add(slot, sweep(&bar, thickness, 4).turned_y(angle));
             let castor = cylinder(CASTOR, [-0.02, 0.02], 8).turned_z(FRAC_PI_2);
             builder.add(wheel, castor.moved(0.0, CASTOR, reach).turned_y(angle));
@@ -114,7 +118,7 @@ impl Swivel {
     }
 
     /// Arm rests on posts that come from under the seat.
-    fn t_arms(&self, builder: &mut Builder, (post, pad): (Slot, Slot)) {
+    fn t_arms(&self, builder: &mut Builder, post: Slot, pad: Slot) {
         let (x, top, y) = (self.bay.high.x - 0.028, self.seat + ARM_RISE, self.under() - 0.008);
         let path =
             [DVec3::new(self.half * 0.2, y, 0.0), DVec3::new(x, y, 0.0), DVec3::new(x, top - 0.02, 0.0)];

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ARM_RISE, BACK_DEPTH, HUB, PAD, SPRING, Swivel};
+use super::{ARM_RISE, BACK_DEPTH, HUB, PAD, SPRING, Spokes, Swivel};
 use crate::recipes::Slot;
 use crate::recipes::kit::{
     Bay, Builder, Solid, Station, crowned, cuboid, cylinder, pipe, rounded_box, sheet,
@@ -11,7 +11,7 @@ use crate::recipes::kit::{
 /// A net in a frame with a bar across the loins, arm rests on posts.
 pub(super) fn mesh_back(chair: &Swivel, builder: &mut Builder) {
     chair.five_star(builder, Slot::PlasticDark, Slot::Metal);
-    chair.t_arms(builder, (Slot::MetalDark, Slot::PlasticDark));
+    chair.t_arms(builder, Slot::MetalDark, Slot::PlasticDark);
     chair.spine(builder, Slot::PlasticDark, 0.34, 0.02);
     builder.add(Slot::Fabric, crowned(chair.seat_bay(PAD, 0.82), 0.03, 0.012));
     frame(chair, builder, [(0.1, 0.62), (0.52, 0.74), (0.985, 0.66)]);
@@ -55,7 +55,7 @@ pub(super) fn padded_shell(chair: &Swivel, builder: &mut Builder) {
 
 /// Four spokes towards the corners, and the gas spring on them.
 fn four_spokes(chair: &Swivel, builder: &mut Builder, slot: Slot) {
-    chair.spokes(builder, (slot, Slot::Rubber), (4, 0.0), 0.016);
+    chair.spokes(builder, &Spokes { slot, wheel: Slot::Rubber, count: 4, thickness: 0.016 });
     builder.add(slot, cylinder(SPRING, [HUB - 0.02, chair.under() - 0.01], 8));
     chair.mechanism(builder, Slot::MetalDark);
 }
@@ -90,7 +90,7 @@ fn shell(chair: &Swivel, thickness: f64, rim: f64) -> Solid {
 /// Deep cushions in leather, a rest for the head, padded arm rests.
 pub(super) fn executive(chair: &Swivel, builder: &mut Builder) {
     chair.five_star(builder, Slot::Chrome, Slot::Chrome);
-    chair.t_arms(builder, (Slot::Chrome, Slot::Leather));
+    chair.t_arms(builder, Slot::Chrome, Slot::Leather);
     chair.spine(builder, Slot::MetalDark, 0.3, 0.022);
     builder.add(Slot::Leather, crowned(chair.seat_bay(PAD + 0.02, 0.84), 0.035, 0.022));
     builder

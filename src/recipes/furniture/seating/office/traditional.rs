@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ARM_RISE, HUB, Swivel, flat_bar};
+use super::{ARM_RISE, HUB, Spokes, Swivel, flat_bar};
 use crate::recipes::Slot;
 use crate::recipes::furniture::parts::{SPINDLE, bowed_board, slanted_leg, turned_forward};
 use crate::recipes::kit::{Bay, Builder, crowned, lathe, pipe, sweep};
@@ -12,7 +12,7 @@ const RAIL: f64 = 0.019;
 
 /// Four wooden spokes at the corners and an iron screw in a turned collar.
 fn wooden_foot(chair: &Swivel, builder: &mut Builder, slot: Slot, castor: Slot) {
-    chair.spokes(builder, (slot, castor), (4, 0.0), 0.026);
+    chair.spokes(builder, &Spokes { slot, wheel: castor, count: 4, thickness: 0.026 });
     let high = chair.under() - 0.004;
     let collar = [
         (0.03, HUB - 0.045),
