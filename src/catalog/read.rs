@@ -152,7 +152,7 @@ impl Files {
         let mut definitions = Definitions::default();
         for (source, (place, parsed)) in self.places.iter().zip(parsed).enumerate() {
             if let Some(parsed) = parsed {
-                definitions.add(parsed, (source, place.layer), &mut report);
+                definitions.add(parsed, Origin { source, layer: place.layer }, &mut report);
             }
         }
         (definitions, report)
@@ -244,6 +244,13 @@ fn list_files(folder: &Path, prefix: &str, keys: &mut Vec<String>) -> Result<(),
     Ok(())
 }
 
+/// Where definitions come from: a file, by its number, and the layer that it is part of.
+#[derive(Clone, Copy)]
+struct Origin {
+    source: usize,
+    layer: usize,
+}
+
 /// One file as it is written.
 enum Parsed {
     Classes(ClassFile),
@@ -266,17 +273,17 @@ fn parse(kind: FileKind, source: &Source) -> Result<Parsed, Faults> {
 }
 
 impl Definitions {
-    fn add(&mut self, parsed: Parsed, place: (usize, usize), report: &mut Report<'_>) {
+    fn add(&mut self, parsed: Parsed, origin: Origin, report: &mut Report<'_>) {
         match parsed {
-            Parsed::Classes(file) => add_all(&mut self.classes, file.classes, place, report),
-            Parsed::RoomTypes(file) => add_all(&mut self.room_types, file.room_types, place, report),
+            Parsed::Classes(file) => add_all(&mut self.classes, file.classes, origin, report),
+            Parsed::RoomTypes(file) => add_all(&mut self.room_types, file.room_types, origin, report),
             Parsed::Styles(file) => {
-                add_all(&mut self.styles, file.styles, place, report);
-                add_all(&mut self.building_styles, file.building_styles, place, report);
+                add_all(&mut self.styles, file.styles, origin, report);
+                add_all(&mut self.building_styles, file.building_styles, origin, report);
             }
-            Parsed::Palettes(file) => add_all(&mut self.palettes, file.palettes, place, report),
-            Parsed::Words(file) => self.words.push((place.0, file)),
-            Parsed::Audit(file) => self.audit.push((place.0, *file)),
+            Parsed::Palettes(file) => add_all(&mut self.palettes, file.palettes, origin, report),
+            Parsed::Words(file) => self.words.push((origin.source, file)),
+            Parsed::Audit(file) => self.audit.push((origin.source, *file)),
         }
     }
 }
@@ -284,9 +291,10 @@ impl Definitions {
 fn add_all<T: Extends>(
     table: &mut Table<T>,
     entries: std::collections::BTreeMap<String, T>,
-    (source, layer): (usize, usize),
+    origin: Origin,
     report: &mut Report<'_>,
 ) {
+    let Origin { source, layer } = origin;
     for (id, entry) in entries {
         let spot = Spot::definition(source, T::TABLE, &id);
         check_id(T::KIND, &id, &spot, report);

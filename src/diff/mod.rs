@@ -180,7 +180,9 @@ fn compare_entries(
     }
     match (old.main_file(before), new.main_file(after)) {
         (Ok(before), Ok(after)) => {
-            compare_paths(frame, (&before, current.0.is_edited), (&after, current.1.is_edited), options)
+            let before = LevelFile { path: &before, is_edited: current.0.is_edited };
+            let after = LevelFile { path: &after, is_edited: current.1.is_edited };
+            compare_paths(frame, before, after, options)
         }
         (before, after) => unreadable(frame, [before.err(), after.err()]),
     }
@@ -200,7 +202,10 @@ fn compare_files(old: &Path, new: &Path, options: &DiffOptions<'_>) -> Found {
     let is_same = read::is_same_content(old, new);
     let found = match is_same {
         Ok(true) => Found::default(),
-        Ok(false) => compare_paths(frame, (old, true), (new, true), options),
+        Ok(false) => {
+            let [old, new] = [old, new].map(|path| LevelFile { path, is_edited: true });
+            compare_paths(frame, old, new, options)
+        }
         Err(fault) => unreadable(frame, [Some(fault), None]),
     };
     (options.observer)(1, 1);
@@ -212,18 +217,25 @@ fn unreadable(frame: LevelDiff, faults: [Option<Fault>; 2]) -> Found {
     Found { diff: Some(diff), faults: faults.into_iter().flatten().collect() }
 }
 
-/// Reads both files and compares what they hold. The flags say whether each is not as its bake left it.
+/// A file to compare.
+struct LevelFile<'a> {
+    path: &'a Path,
+    /// Whether it is not as its bake left it.
+    is_edited: bool,
+}
+
+/// Reads both files and compares what they hold.
 fn compare_paths(
     frame: LevelDiff,
-    old: (&Path, bool),
-    new: (&Path, bool),
+    old: LevelFile<'_>,
+    new: LevelFile<'_>,
     options: &DiffOptions<'_>,
 ) -> Found {
-    let (before, after) =
-        match (read::read(old.0, old.1, options.catalog), read::read(new.0, new.1, options.catalog)) {
-            (Ok(before), Ok(after)) => (before, after),
-            (before, after) => return unreadable(frame, [before.err(), after.err()]),
-        };
+    let (before, after) = match [old, new].map(|file| read::read(file.path, file.is_edited, options.catalog))
+    {
+        [Ok(before), Ok(after)] => (before, after),
+        [before, after] => return unreadable(frame, [before.err(), after.err()]),
+    };
     let differences = compare_levels(&before.inventory, &after.inventory, &options.tolerance);
     let diff = LevelDiff {
         building: after.inventory.building,

@@ -157,19 +157,20 @@ fn openings(catalog: &Catalog, room_type: &RoomType, place: Place, size: Point) 
     const EAST: usize = 1;
     const NORTH: usize = 2;
     const WEST: usize = 3;
-    let id = room_type.id.as_str();
+    let names = |opening| Names { room: &room_type.id, opening };
+    let edge = |index, length| Edge { index, length };
     let area = size.x * size.y;
     let mut openings = match place {
         Place::Way => {
-            vec![door((id, "west"), (WEST, size.y), area), door((id, "east"), (EAST, size.y), area)]
+            vec![door(names("west"), edge(WEST, size.y), area), door(names("east"), edge(EAST, size.y), area)]
         }
-        Place::Room | Place::Outdoors => vec![door((id, "door"), (SOUTH, size.x), area)],
+        Place::Room | Place::Outdoors => vec![door(names("door"), edge(SOUTH, size.x), area)],
     };
     if holds(catalog, room_type, VEHICLE) {
-        openings.push(gate((id, "gate"), (EAST, size.y)));
+        openings.push(gate(names("gate"), edge(EAST, size.y)));
     }
     if has_window(catalog, room_type, place) {
-        openings.push(window((id, "window"), (NORTH, size.x)));
+        openings.push(window(names("window"), edge(NORTH, size.x)));
     }
     openings
 }
@@ -190,46 +191,68 @@ fn holds(catalog: &Catalog, room_type: &RoomType, group: &str) -> bool {
     classes.any(|&class| catalog.classes[class].groups.iter().any(|one| one == group))
 }
 
-/// Ids of the room and of the opening.
-type Names<'a> = (&'a str, &'a str);
+/// Ids of an opening and of its room.
+#[derive(Clone, Copy)]
+struct Names<'a> {
+    room: &'a str,
+    opening: &'a str,
+}
 
-/// An edge of the outline and its metres.
-type Edge = (usize, f64);
+/// An edge of the outline.
+#[derive(Clone, Copy)]
+struct Edge {
+    index: usize,
+    /// Metres.
+    length: f64,
+}
+
+/// Metres of an opening.
+struct Extent {
+    width: f64,
+    bottom: f64,
+    top: f64,
+}
 
 /// A door near the end of a wall, in the middle of a short one.
-fn door(names: Names<'_>, (edge, length): Edge, area: f64) -> OpeningDraft {
+fn door(names: Names<'_>, edge: Edge, area: f64) -> OpeningDraft {
     const WIDTHS: [f64; 2] = [0.9, 1.6];
     const TO_CORNER: f64 = 0.35;
     let leaves = 1 + usize::from(area >= DOOR_AREAS.1);
     let width = WIDTHS[leaves - 1];
-    let at = (TO_CORNER + width / 2.0).min(length / 2.0);
-    let into = (area >= DOOR_AREAS.0).then(|| names.0.to_owned());
+    let at = (TO_CORNER + width / 2.0).min(edge.length / 2.0);
+    let into = (area >= DOOR_AREAS.0).then(|| names.room.to_owned());
     let leaf = LeafDraft::Swing { hinge_left: true, into, count: leaves as u32, angle: FRAC_PI_2 };
-    opening(names, OpeningKind::Door, (edge, at), (width, 0.0, 2.05), leaf)
+    opening(names, OpeningKind::Door, place_on(edge, at), Extent { width, bottom: 0.0, top: 2.05 }, leaf)
 }
 
 /// A gate in the middle of a wall, through which a car gets.
-fn gate(names: Names<'_>, (edge, length): Edge) -> OpeningDraft {
-    const EXTENT: (f64, f64, f64) = (2.5, 0.0, 2.2);
-    opening(names, OpeningKind::SlidingDoor, (edge, length / 2.0), EXTENT, LeafDraft::None)
+fn gate(names: Names<'_>, edge: Edge) -> OpeningDraft {
+    const EXTENT: Extent = Extent { width: 2.5, bottom: 0.0, top: 2.2 };
+    opening(names, OpeningKind::SlidingDoor, place_on(edge, edge.length / 2.0), EXTENT, LeafDraft::None)
 }
 
 /// A window in the middle of a wall.
-fn window(names: Names<'_>, (edge, length): Edge) -> OpeningDraft {
+fn window(names: Names<'_>, edge: Edge) -> OpeningDraft {
     const SHARE: f64 = 0.45;
-    let extent = (length * SHARE, 0.9, 2.2);
-    opening(names, OpeningKind::Window, (edge, length / 2.0), extent, LeafDraft::None)
+    let extent = Extent { width: edge.length * SHARE, bottom: 0.9, top: 2.2 };
+    opening(names, OpeningKind::Window, place_on(edge, edge.length / 2.0), extent, LeafDraft::None)
+}
+
+/// The place on an edge, metres from its start.
+fn place_on(edge: Edge, at: f64) -> OpeningPlace {
+    OpeningPlace::Edge { edge: edge.index, at }
 }
 
 fn opening(
-    (room, id): Names<'_>,
+    names: Names<'_>,
     kind: OpeningKind,
-    (edge, at): (usize, f64),
-    (width, bottom, top): (f64, f64, f64),
+    place: OpeningPlace,
+    extent: Extent,
     leaf: LeafDraft,
 ) -> OpeningDraft {
-    let place = OpeningPlace::Edge { edge, at };
-    OpeningDraft { id: id.to_owned(), kind, place, rooms: vec![room.to_owned()], width, bottom, top, leaf }
+    let Extent { width, bottom, top } = extent;
+    let (id, rooms) = (names.opening.to_owned(), vec![names.room.to_owned()]);
+    OpeningDraft { id, kind, place, rooms, width, bottom, top, leaf }
 }
 
 #[cfg(test)]

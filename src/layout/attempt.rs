@@ -49,7 +49,7 @@ pub(crate) fn best_attempt<T>(
 ) -> Kept<T> {
     let mut urgency = vec![0; brief.pieces.len()];
     let mut attempt = |number: u32| {
-        let attempt = Attempt::new(brief, (number, recording), &urgency, &describe);
+        let attempt = Attempt::new(brief, number, recording, &urgency, &describe);
         // Counts attempts, 15 at most. A larger count is served earlier among agents of the same depth.
         attempt.missed.iter().for_each(|&agent| urgency[agent] += 1);
         attempt
@@ -115,7 +115,8 @@ struct Attempt<T> {
 impl<T> Attempt<T> {
     fn new(
         brief: &Brief<'_>,
-        (number, recording): (u32, Recording),
+        number: u32,
+        recording: Recording,
         urgency: &[u32],
         describe: impl Fn(&Environment<'_>, &Furnished) -> T,
     ) -> Self {

@@ -70,7 +70,7 @@ impl<'a> RoomBrief<'a> {
         };
         let series = Series::new(at, catalog, options);
         let variants = Variants { seed, series, key: &key };
-        let mut pieces = programme::pieces(catalog, (style, room_type), site(at), &variants);
+        let mut pieces = programme::pieces(catalog, style, room_type, site(at), &variants);
         programme::add_locked(&mut pieces, options.locks, catalog);
         Ok(Self {
             at,

@@ -38,7 +38,8 @@ pub(crate) struct Site {
 /// that it is for.
 pub(crate) fn pieces(
     catalog: &Catalog,
-    (style, room_type): (&Style, &RoomType),
+    style: &Style,
+    room_type: &RoomType,
     site: Site,
     variants: &Variants<'_>,
 ) -> Vec<Piece> {
@@ -255,11 +256,11 @@ mod tests {
         catalog.styles.get_mut(DEFAULT_STYLE).unwrap().era = style;
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let key = RoomKey::new(1, "b", level.room(0));
-        let room = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
+        let (style, room_type) = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
         let options = FurnishOptions::new(1, "b");
         let series = Series { at: level.room(0), options: &options, share: Share::Building };
         let variants = Variants { seed: 1, series, key: &key };
-        let pieces = pieces(&catalog, room, Site { area: 16.0, window_count: 0 }, &variants);
+        let pieces = pieces(&catalog, style, room_type, Site { area: 16.0, window_count: 0 }, &variants);
         pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()
     }
 

@@ -103,8 +103,8 @@ impl<'a> Surroundings<'a> {
             surroundings.kept_free.extend(regions.into_iter().map(|solid| KeptFree { solid, cause }));
             if opening.kind == OpeningKind::Window {
                 let from = opening.bottom + rules.windows.over_sill;
-                let strip = wall_strip(room, side, rules.windows.depth, 0.0, (from, opening.top));
-                surroundings.window_strips.push(strip);
+                let strip = wall_strip(room, side, rules.windows.depth, 0.0);
+                surroundings.window_strips.push(Solid::new(strip, from, opening.top.max(from)));
             }
         }
         surroundings.borders = surroundings.cut_borders();
@@ -140,7 +140,10 @@ impl<'a> Surroundings<'a> {
         rules: &AuditRules,
         swings: Swings,
     ) -> Vec<Solid> {
-        let strip = |depth, margin| wall_strip(self.room, side, depth, margin, (0.0, opening.top));
+        let strip = |depth, margin| {
+            let strip = wall_strip(self.room, side, depth, margin);
+            Solid::new(strip, 0.0, opening.top.max(0.0))
+        };
         match opening.kind {
             OpeningKind::Window => Vec::new(),
             OpeningKind::OpenBoundary => vec![strip(rules.doors.open_boundary_depth, 0.0)],
@@ -186,13 +189,13 @@ fn cut(wall: usize, edge: Segment, open: Vec<(f64, f64)>) -> Vec<Border> {
     pieces.into_iter().filter(|(from, to, _)| to > from).map(border).collect()
 }
 
-/// The region before an opening on the room's side: `depth` metres deep, `margin` wider at both ends.
-fn wall_strip(room: &Room, side: &RoomOpening, depth: f64, margin: f64, (low, high): (f64, f64)) -> Solid {
+/// The floor before an opening on the room's side: `depth` metres deep, `margin` wider at both ends.
+fn wall_strip(room: &Room, side: &RoomOpening, depth: f64, margin: f64) -> Convex {
     let wall = &room.walls[side.wall];
     let (along, normal) = (wall.direction(), wall.normal());
     let center = wall.start + along * f64::midpoint(side.from, side.to) + normal * (depth / 2.0);
     let half = Point::new((side.to - side.from) / 2.0 + margin, depth / 2.0);
-    Solid::new(Convex::rectangle(center, half, along), low, high.max(low))
+    Convex::rectangle(center, half, along)
 }
 
 /// The sector that a leaf sweeps; nothing for a leaf that does not turn.
@@ -208,7 +211,7 @@ fn swept(leaf: &Leaf, swings: Swings) -> Vec<Convex> {
         Swings::Exact => (sweep.abs() / EXACT_SWEEP).ceil(),
     };
     let (first, part) = (libm::atan2(closed.y, closed.x), sweep / count);
-    let sector = |number: u32| sector(leaf.hinge, radius, (first + f64::from(number) * part, part));
+    let sector = |number: u32| sector(leaf.hinge, radius, first + f64::from(number) * part, part);
     (0..count as u32).map(sector).collect()
 }
 
@@ -221,7 +224,7 @@ fn swept(leaf: &Leaf, swings: Swings) -> Vec<Convex> {
 ///    |     |       where its tangents meet
 ///  hinge --+ closed tip
 /// ```
-fn sector(hinge: Point, radius: f64, (first, sweep): (f64, f64)) -> Convex {
+fn sector(hinge: Point, radius: f64, first: f64, sweep: f64) -> Convex {
     const STEPS: usize = 4;
     let step = sweep / STEPS as f64;
     let reach = radius / libm::cos(step / 2.0);

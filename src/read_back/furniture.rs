@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec3};
 
 use super::family::Family;
-use super::level::EmptyLevel;
+use super::level::{EmptyLevel, EmptyRoomNode};
 use super::parents::parents_first;
 use super::problem::Problem;
 use super::tree::Node;
@@ -67,7 +67,7 @@ pub(super) fn read(
         if is_broken[room] {
             return None;
         }
-        let furnished = furnish(nodes, &family, (empty, room), pieces, catalog);
+        let furnished = furnish(nodes, &family, empty.room(room), pieces, catalog);
         furnished.map_err(|problem| problems.push(problem)).ok()
     });
     rooms.collect()
@@ -117,11 +117,11 @@ fn is_below_bad_room(nodes: &[Node], node: &Node) -> bool {
 fn furnish(
     nodes: &[Node],
     family: &Family<'_>,
-    (empty, room): (&EmptyLevel, usize),
+    at: EmptyRoomNode<'_>,
     pieces: Vec<Piece<'_>>,
     catalog: &Catalog,
 ) -> Result<Furnished, Problem> {
-    let node = &nodes[empty.room_nodes[room]];
+    let node = &nodes[at.node];
     let Some(Extras::Room(extras)) = &node.extras else {
         return Err(Problem::new(&node.name, "is no room"));
     };
@@ -130,12 +130,12 @@ fn furnish(
     }
     let removals = extras.removed.iter().map(|removed| removal(removed, &node.name, catalog));
     Ok(Furnished {
-        room,
+        room: at.room.index,
         seed: extras.seed,
         style: extras.style.clone(),
         requested: extras.requested,
         removals: removals.collect::<Result<Vec<_>, _>>()?,
-        placements: parents_first(nodes, empty, room, family, pieces)?,
+        placements: parents_first(nodes, at, family, pieces)?,
     })
 }
 

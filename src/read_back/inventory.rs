@@ -192,7 +192,12 @@ fn add_contents(
         let Some(room) = inventory.rooms.get_mut(id) else { continue };
         match &node.extras {
             Some(Extras::Furniture(extras)) => {
-                match object(document, nodes, (index, &family), extras, spot) {
+                let above = family.parent_of(index).and_then(|above| match &nodes[above].extras {
+                    Some(Extras::Furniture(above)) => Some(ElementId::Object(above.id.clone())),
+                    _ => None,
+                });
+                let materials = material_names(document, node.mesh);
+                match object(extras, spot, above, materials) {
                     Some(object) => room.objects.push(object),
                     None => {
                         problems.push(Problem::new(&node.name, "stands nowhere: its transform is no number"));
@@ -216,30 +221,25 @@ fn add_contents(
 }
 
 fn object(
-    document: &Root,
-    nodes: &[Node],
-    (node, family): (usize, &Family<'_>),
     extras: &FurnitureExtras,
     spot: &Spot,
+    above: Option<ElementId>,
+    materials: Vec<String>,
 ) -> Option<ObjectEntry> {
     if !spot.place.is_finite() {
         return None;
     }
     let (scale, rotation, position) = spot.place.to_scale_rotation_translation();
-    let parent = family.parent_of(node).and_then(|parent| match &nodes[parent].extras {
-        Some(Extras::Furniture(parent)) => Some(ElementId::Object(parent.id.clone())),
-        _ => None,
-    });
     let [width, depth, height] = extras.size;
     Some(ObjectEntry {
         id: extras.id.clone(),
         class: extras.class.clone(),
-        parent: parent.unwrap_or_else(|| extras.parent.clone()),
+        parent: above.unwrap_or_else(|| extras.parent.clone()),
         position: plan_point(position),
         rotation: plan_rotation(rotation).filter(|rotation| rotation.is_finite())?,
         size: [width * scale.x.abs(), depth * scale.z.abs(), height * scale.y.abs()],
         variant: extras.variant,
-        materials: material_names(document, nodes[node].mesh),
+        materials,
     })
 }
 

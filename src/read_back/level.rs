@@ -9,7 +9,7 @@ use super::tree::Node;
 use crate::contract::{Extras, LevelExtras, Part, PartExtras, PartId, RoomExtras};
 use crate::geometry::Region;
 use crate::plan::limits::STOREY_HEIGHT;
-use crate::plan::{Level, Obstacle, Room};
+use crate::plan::{Level, Obstacle, Room, RoomRef};
 
 /// A level and where its rooms are in the file.
 pub(super) struct EmptyLevel {
@@ -21,7 +21,20 @@ pub(super) struct EmptyLevel {
     pub(super) is_broken: Vec<bool>,
 }
 
+/// A room without its furniture.
+#[derive(Clone, Copy)]
+pub(super) struct EmptyRoomNode<'a> {
+    pub(super) room: RoomRef<'a>,
+    /// The index of its node.
+    pub(super) node: usize,
+}
+
 impl EmptyLevel {
+    /// A room by its index.
+    pub(super) fn room(&self, index: usize) -> EmptyRoomNode<'_> {
+        EmptyRoomNode { room: self.level.room(index), node: self.room_nodes[index] }
+    }
+
     /// The index of the room that a node is.
     pub(super) fn room_of(&self, node: usize) -> Option<usize> {
         self.room_nodes.binary_search(&node).ok()

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::family::Family;
 use super::furniture::Piece;
-use super::level::EmptyLevel;
+use super::level::EmptyRoomNode;
 use super::problem::Problem;
 use super::tree::Node;
 use crate::contract::{ElementId, ObjectId};
@@ -14,14 +14,13 @@ use crate::plan::RoomRef;
 /// The placements with their parents, each after its parent.
 pub(super) fn parents_first(
     nodes: &[Node],
-    empty: &EmptyLevel,
-    room: usize,
+    at: EmptyRoomNode<'_>,
     family: &Family<'_>,
     mut pieces: Vec<Piece<'_>>,
 ) -> Result<Vec<Placement>, Problem> {
     let ids: BTreeSet<&ObjectId> = pieces.iter().map(|piece| &piece.extras.id).collect();
     if ids.len() < pieces.len() {
-        return Err(Problem::new(&nodes[empty.room_nodes[room]].name, "has two objects of the same id"));
+        return Err(Problem::new(&nodes[at.node].name, "has two objects of the same id"));
     }
     let by_node: BTreeMap<usize, Option<usize>> =
         pieces.iter().map(|piece| (piece.node, family.parent_of(piece.node))).collect();
@@ -45,7 +44,7 @@ pub(super) fn parents_first(
     let placed = pieces.into_iter().map(|piece| {
         let parent = match by_node[&piece.node] {
             Some(above) => Parent::Object(order[&above]),
-            None => room_part(&piece.extras.parent, empty.level.room(room)).ok_or_else(|| {
+            None => room_part(&piece.extras.parent, at.room).ok_or_else(|| {
                 let message = format!("stands on \"{}\", which is not there", piece.extras.parent);
                 Problem::new(&nodes[piece.node].name, message)
             })?,

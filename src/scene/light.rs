@@ -20,21 +20,25 @@ pub(crate) fn scene_light(light: &Light) -> SceneLight {
     }
 }
 
+/// Whose light it is.
+#[derive(Clone, Copy)]
+pub(crate) struct Owner<'a> {
+    /// The lamp.
+    pub(crate) id: &'a ObjectId,
+    /// Id of its room.
+    pub(crate) room: &'a str,
+}
+
 /// The node of a lamp's light, a child of the lamp's node: `light.<id>@<room>`. Its extras say the light; `index` is that
 /// of the light in the scene, where viewers are to draw it.
-pub(crate) fn light_node(
-    light: &Light,
-    size: Size,
-    (id, room): (&ObjectId, &str),
-    index: Option<usize>,
-) -> Node {
+pub(crate) fn light_node(light: &Light, size: Size, owner: Owner<'_>, index: Option<usize>) -> Node {
     let place = match light.from {
         LightSide::Below => DVec3::new(0.0, -OUTSIDE, 0.0),
         LightSide::Above => DVec3::new(0.0, size.height + OUTSIDE, 0.0),
         LightSide::Front => DVec3::new(0.0, size.height / 2.0, size.depth / 2.0 + OUTSIDE),
     };
     Node {
-        name: owned_name(&format_args!("light.{id}"), room),
+        name: owned_name(&format_args!("light.{}", owner.id), owner.room),
         translation: Vec3::new(place.x as f32, place.y as f32, place.z as f32),
         rotation: Quat::IDENTITY,
         mesh: None,
@@ -95,7 +99,7 @@ mod tests {
         let light = Light { lumens: 800.0, kelvin: 2700.0, from: LightSide::Above };
         assert!((scene_light(&light).intensity - 63.66).abs() < 0.01);
         let size = Size { width: 0.2, depth: 0.2, height: 0.4 };
-        let node = light_node(&light, size, (&ObjectId::new("table_lamp", 1), "12"), None);
+        let node = light_node(&light, size, Owner { id: &ObjectId::new("table_lamp", 1), room: "12" }, None);
         assert_eq!(node.name, "light.table_lamp.1@12");
         assert!(node.translation.y > 0.4);
     }

@@ -4,14 +4,14 @@ use super::axes::Pose;
 use super::carrier::carriers;
 use super::extras::{furniture_extras, room_extras};
 use super::input::SceneInput;
-use super::light::light_node;
+use super::light::{Owner, light_node};
 use super::meshes::{Look, MeshTable};
 use super::node::Node;
 use super::options::{Lights, Parts};
 use super::shell::{RoomFinish, room_parts};
 use super::tint::Tint;
 use crate::catalog::VariantRef;
-use crate::contract::{Extras, FurnitureExtras, ObjectId, owned_name, room_name};
+use crate::contract::{Extras, FurnitureExtras, owned_name, room_name};
 use crate::layout::{Furnished, Parent, Placement};
 
 /// The node of a room: shell parts first, then furniture in the order of its placement.
@@ -55,7 +55,7 @@ fn furniture<'a>(
         let tint = tint_of(furnished, placement, &extras, &tints);
         tints.push(tint);
         let mesh = meshes.furniture(VariantRef::new(placement.class, placement.variant), look, tint);
-        let light = light_of(input, placement, (&extras.id, room), meshes);
+        let light = light_of(input, placement, Owner { id: &extras.id, room }, meshes);
         let place = pose(placement).relative_to(&frame);
         let mut node = Node::at(name, &place, Some(mesh), Extras::Furniture(extras));
         node.children.extend(light);
@@ -79,7 +79,7 @@ fn furniture<'a>(
 fn light_of(
     input: &SceneInput<'_>,
     placement: &Placement,
-    owner: (&ObjectId, &str),
+    owner: Owner<'_>,
     meshes: &mut MeshTable<'_>,
 ) -> Option<Node> {
     let light =

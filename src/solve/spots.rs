@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use crate::audit::ROUNDING;
 use crate::catalog::{Class, ParentName, Size};
 use crate::geometry::{Bounds, Point};
-use crate::plan::{FRAME_WIDTH, Wall};
+use crate::plan::FRAME_WIDTH;
 
 use super::constants::{FIT_STEP, SAME_DIRECTION};
 use super::footprint::{Part, Turned};
@@ -37,7 +37,7 @@ impl Space<'_, '_> {
     pub(super) fn any_free(&self, trial: &Trial<'_>, mut is_it: impl FnMut(Spot, &[Part]) -> bool) -> bool {
         let mut turned = Turned::new(trial.boxes);
         let walls = self.empty.at.room.walls.iter().enumerate();
-        for wall in walls.filter(|(_, wall)| wall.length() > ROUNDING) {
+        for (wall, _) in walls.filter(|(_, wall)| wall.length() > ROUNDING) {
             for spot in self.spots_at_wall(trial, wall) {
                 if self.empty.budget.is_overdrawn() {
                     return false;
@@ -114,8 +114,9 @@ impl Space<'_, '_> {
     }
 
     /// Along a wall, the back of the piece to it, before solid wall.
-    fn spots_at_wall(&self, trial: &Trial<'_>, (number, wall): (usize, &Wall)) -> impl Iterator<Item = Spot> {
+    fn spots_at_wall(&self, trial: &Trial<'_>, number: usize) -> impl Iterator<Item = Spot> {
         let (size, empty) = (trial.size, self.empty);
+        let wall = &empty.at.room.walls[number];
         let angle = libm::atan2(wall.direction().y, wall.direction().x) + core::f64::consts::PI;
         let off_wall = wall.normal() * (size.depth / 2.0 + ROUNDING);
         let (start, along) = (wall.start, wall.direction());

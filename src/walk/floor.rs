@@ -131,7 +131,7 @@ impl Floor {
         for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
         }
-        let doors = places.iter().map(|place| Doorway::new(room, place, (-cell, before), &raster)).collect();
+        let doors = places.iter().map(|place| Doorway::new(room, place, -cell..before, &raster)).collect();
         // Distances are exact as far as the widest disc needs them, which keeps them cheap in halls.
         let reach = raster.reach(widest);
         Some(Self { distances: raster.distances(reach), raster, doors, reach })
@@ -227,10 +227,10 @@ fn strip(room: &Room, place: &RoomOpening, from: f64, to: f64) -> Vec<Segment> {
 }
 
 impl Doorway {
-    /// `(from, to)` is where its threshold lies, in metres from the wall's inner face.
-    fn new(room: &Room, place: &RoomOpening, (from, to): (f64, f64), raster: &Raster) -> Self {
+    /// Its threshold lies `across` the wall, in metres from the inner face.
+    fn new(room: &Room, place: &RoomOpening, across: Range<f64>, raster: &Raster) -> Self {
         let mut threshold = Vec::new();
-        raster.spans(&strip(room, place, from, to), |span| threshold.push(span));
+        raster.spans(&strip(room, place, across.start, across.end), |span| threshold.push(span));
         Self { opening: place.opening, threshold }
     }
 }

@@ -35,9 +35,9 @@ pub(crate) fn blocked_ways(
         return Vec::new();
     }
     let empty = empty();
-    let wide = Passage::new((empty.walk(rules.person), walk), home);
+    let wide = Passage::new(empty.walk(rules.person), walk, home);
     let narrow = LazyCell::new(|| {
-        Passage::new((empty.walk(rules.narrow_person), floor.walk(rules.narrow_person)), home)
+        Passage::new(empty.walk(rules.narrow_person), floor.walk(rules.narrow_person), home)
     });
     let way = |&(index, goal): &(usize, Goal<'_>)| {
         // The plan may itself be too narrow for a person: then a narrow person must get through.
@@ -118,7 +118,7 @@ fn number(cell: usize) -> u32 {
 }
 
 impl<'f> Passage<'f> {
-    fn new((empty, walk): (Walk<'f>, Walk<'f>), home: usize) -> Self {
+    fn new(empty: Walk<'f>, walk: Walk<'f>, home: usize) -> Self {
         let least = walk.floor.raster.least_distance(walk.diameter);
         Self { empty, walk, home, least, routes: OnceCell::new() }
     }

@@ -26,8 +26,8 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
             faults.push(Fault::new(Quantity::Count, vec![subject.object(index)], 0.0, 1.0));
         }
     }
-    for (index, desk) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(WORK_SURFACE)) {
-        if is_used_from_behind(subject, index, desk) {
+    for (index, _) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(WORK_SURFACE)) {
+        if is_used_from_behind(subject, index) {
             faults.push(Fault::new(Quantity::Angle, vec![subject.object(index)], 180.0, limit.to_degrees()));
         }
     }
@@ -58,7 +58,8 @@ fn off_table(seat: &Body<'_>, table: &Body<'_>) -> f64 {
 }
 
 /// Whether seats stand at a desk, but none at a side that people use.
-fn is_used_from_behind(subject: &Subject<'_>, index: usize, desk: &Body<'_>) -> bool {
+fn is_used_from_behind(subject: &Subject<'_>, index: usize) -> bool {
+    let desk = &subject.bodies[index];
     let used = |side: Side| desk.class.clearances.iter().any(|one| one.side == side && one.allows_children);
     let children = subject.children(index).map(|child| &subject.bodies[child]);
     let mut seats = children.filter(|body| body.is_in(SEAT)).peekable();

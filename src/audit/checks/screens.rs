@@ -24,7 +24,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     for (index, screen) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(SCREEN)) {
         let (position, diagonal) = (screen.placement.position, diagonal(screen));
         let mut nearest = viewers.nearest(position).into_iter();
-        let sees = |viewer: usize| sees(subject, (viewer, &subject.bodies[viewer]), (index, screen));
+        let sees = |viewer: usize| sees(subject, viewer, index);
         if !nearest.any(sees) {
             let place = |viewer: usize| subject.bodies[viewer].placement.position;
             // Without any seat the screen is infinitely far away, for which JSON has no number.
@@ -58,11 +58,8 @@ fn diagonal(screen: &Body<'_>) -> f64 {
 
 /// Whether somebody in some place of a viewer sees the screen: near its axis, at a good distance, not turned
 /// away, nothing between.
-fn sees(
-    subject: &Subject<'_>,
-    (viewer, body): (usize, &Body<'_>),
-    (screen, target): (usize, &Body<'_>),
-) -> bool {
+fn sees(subject: &Subject<'_>, viewer: usize, screen: usize) -> bool {
+    let (body, target) = (&subject.bodies[viewer], &subject.bodies[screen]);
     let rules = subject.rules().screens;
     let diagonal = diagonal(target);
     eyes(body).into_iter().any(|eye| {
@@ -73,7 +70,7 @@ fn sees(
         (rules.nearest..=rules.farthest).contains(&distance)
             && is_near_axis
             && is_turned_to
-            && !is_hidden(subject, viewer, eye, screen, target)
+            && !is_hidden(subject, viewer, eye, screen)
     })
 }
 
@@ -86,9 +83,9 @@ fn eyes(body: &Body<'_>) -> [Point; 3] {
 }
 
 /// Whether a third body stands in the line of sight.
-fn is_hidden(subject: &Subject<'_>, viewer: usize, eye: Point, screen: usize, target: &Body<'_>) -> bool {
+fn is_hidden(subject: &Subject<'_>, viewer: usize, eye: Point, screen: usize) -> bool {
     let rules = subject.rules().screens;
-    let sight = Segment::new(eye, target.placement.position);
+    let sight = Segment::new(eye, subject.bodies[screen].placement.position);
     let is_part = |body: usize| {
         [viewer, screen]
             .iter()

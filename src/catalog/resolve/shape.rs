@@ -51,7 +51,7 @@ fn resolve_part(part: &PartEntry, spot: &Spot, sizes: &[Size], report: &mut Repo
             continue;
         };
         (low[axis], high[axis]) = (from, to);
-        is_good &= sizes.iter().all(|size| check_axis((from, to), (axis, length(*size, axis)), spot, report));
+        is_good &= sizes.iter().all(|size| check_axis([from, to], axis, length(*size, axis), spot, report));
     }
     is_good.then_some(PrismRule { is_disc: part.disc, low, high })
 }
@@ -74,15 +74,10 @@ fn report_extent(fault: ExtentFault, spot: &Spot, report: &mut Report<'_>) {
 }
 
 /// Whether a part lies in a box along one axis; reports the first size for which it does not.
-fn check_axis(
-    ends: (Extent, Extent),
-    (axis, length): (usize, f64),
-    spot: &Spot,
-    report: &mut Report<'_>,
-) -> bool {
+fn check_axis(ends: [Extent; 2], axis: usize, length: f64, spot: &Spot, report: &mut Report<'_>) -> bool {
     let (name, low_name, high_name) = AXES[axis];
     let at = |extent: Extent| extent.share * length + extent.offset;
-    let (low, high) = (at(ends.0), at(ends.1));
+    let [low, high] = ends.map(at);
     let shown = |metres: f64| (metres * 1e6).round() / 1e6;
     for (key, end, value) in [("from", low_name, low), ("to", high_name, high)] {
         if value < -TOLERANCE || value > length + TOLERANCE {

@@ -43,8 +43,9 @@ fn resolve_side(
     let margin = entry.margin.map_or([0.0; 4], |margin| {
         margin.all().map(|edge| Quantity::metres("margin", DISTANCE).check(edge, &spot.key("margin"), report))
     });
+    let offer = SideOffer { places: places.unwrap_or(0), space, surface, margin };
     if side == Side::Above {
-        check_surface(entry, (surface, margin), (spot, sizes), report);
+        check_surface(entry, &offer, spot, sizes, report);
     } else {
         for (key, is_written) in [("surface", entry.surface.is_some()), ("margin", entry.margin.is_some())] {
             if is_written {
@@ -53,16 +54,12 @@ fn resolve_side(
             }
         }
     }
-    SideOffer { places: places.unwrap_or(0), space, surface, margin }
+    offer
 }
 
 /// The surface lies in the box and something of it carries, in every size.
-fn check_surface(
-    entry: &SideEntry,
-    (surface, [left, front, right, back]): (Option<f64>, [f64; 4]),
-    (spot, sizes): (&Spot, &[Size]),
-    report: &mut Report<'_>,
-) {
+fn check_surface(entry: &SideEntry, offer: &SideOffer, spot: &Spot, sizes: &[Size], report: &mut Report<'_>) {
+    let &SideOffer { surface, margin: [left, front, right, back], .. } = offer;
     for size in sizes {
         if let Some(surface) = surface.filter(|&surface| surface > size.height) {
             let message = format!("the surface at {surface} m lies above the top at {} m", size.height);

@@ -33,7 +33,10 @@ pub(super) fn resolve_sizes(
     };
     let model = found.definition.spot.key("model");
     let Some(written) = found.value.sizes.as_deref() else {
-        let of_model = found.value.sized_file().and_then(|file| size_of_model(file, &model, files, report));
+        let of_model = found
+            .value
+            .sized_file()
+            .and_then(|(fields, scale)| size_of_model(fields, scale, &model, files, report));
         return of_model.into_iter().collect();
     };
     if found.value.sized_file().is_some() {
@@ -88,7 +91,8 @@ fn check_size(lengths: &[f64; 3], spot: &Spot, report: &mut Report<'_>) -> Size 
 
 /// The size of a model file times its scale. What else is wrong with the entry is reported with the model.
 fn size_of_model(
-    (fields, scale): (&ModelFields, f64),
+    fields: &ModelFields,
+    scale: f64,
     spot: &Spot,
     files: &Files,
     report: &mut Report<'_>,

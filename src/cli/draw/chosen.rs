@@ -8,7 +8,12 @@ use crate::plan::{Level, PlacedBuilding};
 use crate::project::Project;
 
 /// A level to draw.
-pub(super) type Subject<'a> = (&'a PlacedBuilding, &'a Level);
+#[derive(Clone, Copy)]
+pub(super) struct Subject<'a> {
+    /// The building around it.
+    pub(super) placed: &'a PlacedBuilding,
+    pub(super) level: &'a Level,
+}
 
 /// The levels of one file; several are of one building, from below to above.
 pub(super) type Page<'a> = Vec<Subject<'a>>;
@@ -28,14 +33,16 @@ pub(super) fn chosen_levels<'a>(
     if let (Some(id), true) = (&arguments.building, chosen.is_empty()) {
         return Err(unknown("building", id, buildings.iter().map(|placed| placed.id.clone()).collect()));
     }
-    let levels = chosen.iter().flat_map(|placed| placed.building.levels.iter().map(|level| (*placed, level)));
-    let levels: Vec<Subject<'_>> = levels.collect();
-    let of_level = |subject: &&Subject<'_>| arguments.level.as_ref().is_none_or(|id| *id == subject.1.id);
+    let subjects = |placed: &'a PlacedBuilding| {
+        placed.building.levels.iter().map(move |level| Subject { placed, level })
+    };
+    let levels: Vec<Subject<'_>> = chosen.into_iter().flat_map(subjects).collect();
+    let of_level = |subject: &&Subject<'_>| arguments.level.as_ref().is_none_or(|id| *id == subject.level.id);
     let mut found: Vec<Subject<'_>> = levels.iter().filter(of_level).copied().collect();
     if let (Some(id), true) = (&arguments.level, found.is_empty()) {
-        return Err(unknown("level", id, levels.iter().map(|(_, level)| level.id.clone()).collect()));
+        return Err(unknown("level", id, levels.iter().map(|subject| subject.level.id.clone()).collect()));
     }
-    found.sort_by(|a, b| (&a.0.id, &a.1.id).cmp(&(&b.0.id, &b.1.id)));
+    found.sort_by(|a, b| (&a.placed.id, &a.level.id).cmp(&(&b.placed.id, &b.level.id)));
     Ok(found)
 }
 
@@ -55,12 +62,12 @@ pub(super) fn pages(subjects: Vec<Subject<'_>>, is_sheet: bool) -> Vec<Page<'_>>
     let mut pages: Vec<Page<'_>> = Vec::new();
     for subject in subjects {
         match pages.last_mut() {
-            Some(page) if page[0].0.id == subject.0.id => page.push(subject),
+            Some(page) if page[0].placed.id == subject.placed.id => page.push(subject),
             _ => pages.push(vec![subject]),
         }
     }
     for page in &mut pages {
-        page.sort_by(|a, b| a.1.elevation.total_cmp(&b.1.elevation));
+        page.sort_by(|a, b| a.level.elevation.total_cmp(&b.level.elevation));
     }
     pages
 }

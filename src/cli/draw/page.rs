@@ -32,7 +32,7 @@ pub(super) fn draw_page(
     let drawings: Vec<Drawing<'_>> = page
         .iter()
         .zip(&judged)
-        .map(|(subject, judgement)| drawing(arguments, &sources.catalog, seed, (*subject, judgement)))
+        .map(|(subject, judgement)| drawing(arguments, &sources.catalog, seed, *subject, judgement))
         .collect();
     let svg = match drawings.as_slice() {
         [one] => draw_level(one),
@@ -45,8 +45,10 @@ fn drawing<'a>(
     arguments: &DrawArguments,
     catalog: &'a Catalog,
     seed: u64,
-    ((placed, level), judged): (Subject<'a>, &'a Judgement),
+    subject: Subject<'a>,
+    judged: &'a Judgement,
 ) -> Drawing<'a> {
+    let Subject { placed, level } = subject;
     Drawing {
         building: &placed.id,
         site: placed.site,
@@ -66,8 +68,9 @@ fn furnish_level(
     sources: &Project,
     seed: u64,
     style: Option<&str>,
-    (placed, level): Subject<'_>,
+    subject: Subject<'_>,
 ) -> Judgement {
+    let Subject { placed, level } = subject;
     let rooms = (0..level.rooms.len()).into_par_iter();
     let run = FurnishOptions::new(seed, &placed.id).with_style(style);
     let edits = sources.edits.level(&placed.id, &level.id);

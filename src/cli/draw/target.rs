@@ -79,8 +79,8 @@ impl Target {
 
 /// A file each: `<building>.svg` for sheets, `<building>/<level>.svg` for levels.
 fn names(pages: &[Page<'_>], is_sheet: bool) -> Vec<PathBuf> {
-    let buildings: Vec<&str> = pages.iter().map(|page| page[0].0.id.as_str()).collect();
-    let levels: Vec<&str> = pages.iter().map(|page| page[0].1.id.as_str()).collect();
+    let buildings: Vec<&str> = pages.iter().map(|page| page[0].placed.id.as_str()).collect();
+    let levels: Vec<&str> = pages.iter().map(|page| page[0].level.id.as_str()).collect();
     let name = |(building, level): (String, String)| match is_sheet {
         true => PathBuf::from(building + ".svg"),
         false => Path::new(&building).join(level + ".svg"),
@@ -90,7 +90,7 @@ fn names(pages: &[Page<'_>], is_sheet: bool) -> Vec<PathBuf> {
 
 fn too_many(place: &Path, what: &str, pages: &[Page<'_>]) -> Faults {
     let fault = Fault::of_file(place, format!("{what}, but {} buildings are drawn", pages.len()));
-    let first = &pages[0][0].0.id;
+    let first = &pages[0][0].placed.id;
     let hint = format!("name a folder with --out, or one building, for example --building {first}");
     fault.with_hint(hint).into()
 }

@@ -11,6 +11,15 @@ use crate::layout::trace::Obstacle;
 use super::obstruction::{Probe, Recorder, any_obstacle, body_of};
 use super::{Environment, ROOM, item};
 
+/// A clearance of an agent that would stand at a place.
+struct OwnClearance<'a> {
+    agent: AgentIndex,
+    place: &'a Place,
+    clearance: &'a Clearance,
+    /// Metres of it that are asked for.
+    depth: f64,
+}
+
 impl Environment<'_> {
     /// Whether a body would stand in a door's way or in another object's clearance.
     pub(super) fn blocks_a_way<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
@@ -84,7 +93,7 @@ impl Environment<'_> {
         let mut is_free = true;
         for clearance in &self.class(agent).clearances {
             let depth = if is_good { clearance.good } else { clearance.minimum };
-            is_free &= self.is_clearance_free((agent, place), clearance, depth, recorder);
+            is_free &= self.is_clearance_free(&OwnClearance { agent, place, clearance, depth }, recorder);
             if !is_free && R::FIRST_IS_ENOUGH {
                 return false;
             }
@@ -93,15 +102,10 @@ impl Environment<'_> {
     }
 
     /// Whether a clearance is free of walls and bodies, as deep as some metres.
-    fn is_clearance_free<R: Recorder>(
-        &self,
-        (agent, place): (AgentIndex, &Place),
-        clearance: &Clearance,
-        depth: f64,
-        recorder: &mut R,
-    ) -> bool {
+    fn is_clearance_free<R: Recorder>(&self, own: &OwnClearance<'_>, recorder: &mut R) -> bool {
+        let &OwnClearance { agent, place, clearance, depth } = own;
         let solid = clearance_solid(clearance, self.agents[agent].size, &place.pose, depth);
-        let is_walled = self.is_walled((agent, place), (clearance, depth), &solid, recorder);
+        let is_walled = self.is_walled(own, &solid, recorder);
         if is_walled && R::FIRST_IS_ENOUGH {
             return false;
         }
@@ -121,13 +125,7 @@ impl Environment<'_> {
 
     /// Whether the walls leave a clearance too little room. Where the wall is open it may reach across the strip that the
     /// next room keeps free.
-    fn is_walled<R: Recorder>(
-        &self,
-        (agent, place): (AgentIndex, &Place),
-        (clearance, depth): (&Clearance, f64),
-        solid: &Solid,
-        recorder: &mut R,
-    ) -> bool {
+    fn is_walled<R: Recorder>(&self, own: &OwnClearance<'_>, solid: &Solid, recorder: &mut R) -> bool {
         if self.lies_inside(solid, CLEARANCE_TOLERANCE) {
             return false;
         }
@@ -137,9 +135,9 @@ impl Environment<'_> {
         }
         let kept_by_next_room = self.brief.catalog.audit.doors.open_boundary_depth;
         // At least as deep as the tolerance: a clearance without depth is no region.
-        let depth = (depth - kept_by_next_room).max(CLEARANCE_TOLERANCE);
-        let own = clearance_solid(clearance, self.agents[agent].size, &place.pose, depth);
-        let is_outside = !self.lies_inside(&own, CLEARANCE_TOLERANCE);
+        let depth = (own.depth - kept_by_next_room).max(CLEARANCE_TOLERANCE);
+        let inner = clearance_solid(own.clearance, self.agents[own.agent].size, &own.place.pose, depth);
+        let is_outside = !self.lies_inside(&inner, CLEARANCE_TOLERANCE);
         if is_outside {
             recorder.record(Obstacle::OwnClearanceOutside);
         }

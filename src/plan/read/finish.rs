@@ -89,8 +89,8 @@ pub(super) fn finish(
         building.levels.extend((!is_lost).then_some(level));
     }
     let mut faults = drafted.provenance.faults(problems);
-    if let Some(found) = unprintable {
-        faults.push(replaced(drafted.provenance.file(), found));
+    if let Some((first, others)) = unprintable {
+        faults.push(replaced(drafted.provenance.file(), &first, others));
     }
     Finished { building, faults, levels: reports }
 }

@@ -39,7 +39,7 @@ fn names_of(level: &mut LevelDraft, mend: &mut impl FnMut(&mut String, char)) {
 }
 
 /// The fault of a file with such names.
-pub(super) fn replaced(file: &std::path::Path, (first, others): (String, usize)) -> Fault {
+pub(super) fn replaced(file: &std::path::Path, first: &str, others: usize) -> Fault {
     let more = if others == 0 { String::new() } else { format!(", and {others} more names") };
     let message = format!("the name \"{first}\"{more}: signs that cannot be printed");
     Fault::of_file(file, message).as_warning().with_hint("they were replaced by spaces and underscores")

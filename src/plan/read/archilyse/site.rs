@@ -86,7 +86,7 @@ pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
     let mut buildings: BTreeMap<i64, Vec<(i32, LevelDraft)>> = BTreeMap::new();
     for (index, floor) in site.floors.rows() {
         let floors = buildings.entry(floor.building_id).or_default();
-        match site.level((index, floor), &outlines, &mut types) {
+        match site.level(index, floor, &outlines, &mut types) {
             Ok(level) => floors.push((floor.floor_number, level)),
             Err(found) => faults.merge(found),
         }
@@ -153,7 +153,8 @@ impl Site {
     /// The level of a row of the table of floors.
     fn level(
         &self,
-        (row, floor): (usize, &FloorRow),
+        row: usize,
+        floor: &FloorRow,
         outlines: &BTreeMap<i64, Outlined<'_>>,
         types: &mut RoomTypes<'_>,
     ) -> Result<LevelDraft, Faults> {

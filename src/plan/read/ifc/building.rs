@@ -48,7 +48,7 @@ pub(super) fn buildings(
         let mut storeys: Vec<Storey> = Vec::new();
         for storey in &home.storeys {
             let own = spaces.remove(&storey.id).unwrap_or_default();
-            storeys.push(Storey::read(&geometry, &frame, (storey, &own), &|space| types.of(space)));
+            storeys.push(Storey::read(&geometry, &frame, storey, &own, &|space| types.of(space)));
         }
         stack(&mut storeys);
         note_fixtures(model, &relations, words, &mut storeys);

@@ -40,7 +40,8 @@ impl Storey {
     pub(super) fn read(
         geometry: &Geometry<'_>,
         frame: &DAffine3,
-        (storey, spaces): (&Entity, &[Entity]),
+        storey: &Entity,
+        spaces: &[Entity],
         room_type: &dyn Fn(&Entity) -> TypeOfWord,
     ) -> Self {
         let model = geometry.model;

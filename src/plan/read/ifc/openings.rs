@@ -44,6 +44,15 @@ struct Hole {
     high: f64,
 }
 
+/// What fills a hole, or is one.
+struct Product<'a> {
+    entity: &'a Entity,
+    /// A door, a window or an opening.
+    what: &'a str,
+    /// What, with its name in the file.
+    name: &'a str,
+}
+
 impl Products<'_> {
     /// Enters all openings of a building into its storeys, by kind and number.
     pub(super) fn open(&self, storeys: &mut [Storey]) {
@@ -53,7 +62,9 @@ impl Products<'_> {
                 let name = format!("{what} \"{}\"", product.text(2).or(product.text(0)).unwrap_or_default());
                 let found = if what == "opening" { self.passage(&product) } else { self.filler(&product) };
                 match found {
-                    Ok(Some(hole)) => self.enter(storeys, (&product, what, &name), hole),
+                    Ok(Some(hole)) => {
+                        self.enter(storeys, &Product { entity: &product, what, name: &name }, hole)
+                    }
                     Ok(None) => {}
                     Err(trouble) => {
                         let message = format!("{name}: {}", trouble.message);
@@ -144,7 +155,8 @@ impl Products<'_> {
         Ok(Hole { doorway: Doorway { center: middle(0) + middle(1), along: axes[chosen], width }, low, high })
     }
 
-    fn enter(&self, storeys: &mut [Storey], (product, what, name): (&Entity, &str, &str), hole: Hole) {
+    fn enter(&self, storeys: &mut [Storey], product: &Product<'_>, hole: Hole) {
+        let &Product { entity: product, what, name } = product;
         let model = self.geometry.model;
         let home = self.relations.within(product.id, |whole| storeys.iter().any(|storey| storey.id == whole));
         let Some(storey) = storey_of(storeys, home, (hole.low + hole.high) / 2.0) else {

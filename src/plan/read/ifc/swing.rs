@@ -72,7 +72,7 @@ pub(super) fn closure(
         Operation::Unknown => Ok((OpeningKind::Door, LeafDraft::Automatic)),
         Operation::Swing { left, right } => {
             let axes = *frame * geometry.place(door)? * turned(geometry, door)?;
-            Ok((OpeningKind::Door, leaves(&axes, doorway, (left, right))))
+            Ok((OpeningKind::Door, leaves(&axes, doorway, left, right)))
         }
     }
 }
@@ -102,7 +102,7 @@ fn turned(geometry: &Geometry<'_>, door: &Entity) -> Read<DAffine3> {
     geometry.operator(item.reference(1)?)
 }
 
-fn leaves(axes: &DAffine3, doorway: &Doorway, (left, right): (bool, bool)) -> LeafDraft {
+fn leaves(axes: &DAffine3, doorway: &Doorway, left: bool, right: bool) -> LeafDraft {
     let flat = |axis: DVec3| axes.transform_vector3(axis).truncate().normalize_or_zero();
     let (x, y) = (flat(DVec3::X), flat(DVec3::Y));
     let is_along = x.dot(doorway.along).abs() > ALONG && y.dot(doorway.along).abs() < 1.0 - ALONG;
@@ -124,8 +124,8 @@ mod tests {
 
     const DOORWAY: Doorway = Doorway { center: Point::new(3.0, 2.0), along: Point::X, width: 0.9 };
 
-    fn hung(axes: &DAffine3, sides: (bool, bool)) -> Vec<Leaf> {
-        match leaves(axes, &DOORWAY, sides) {
+    fn hung(axes: &DAffine3, [left, right]: [bool; 2]) -> Vec<Leaf> {
+        match leaves(axes, &DOORWAY, left, right) {
             LeafDraft::Points(leaves) => leaves,
             other => panic!("{other:?}"),
         }
@@ -133,11 +133,11 @@ mod tests {
 
     #[test]
     fn a_left_leaf_hangs_at_small_x_and_opens_along_y() {
-        let [leaf] = hung(&DAffine3::IDENTITY, (true, false))[..] else { panic!() };
+        let [leaf] = hung(&DAffine3::IDENTITY, [true, false])[..] else { panic!() };
         assert!(leaf.hinge.distance(Point::new(2.55, 2.0)) < 1e-9);
         assert!(leaf.open_tip.distance(Point::new(2.55, 2.9)) < 1e-9);
         let half_turn = DAffine3::from_rotation_z(std::f64::consts::PI);
-        let [leaf] = hung(&half_turn, (true, false))[..] else { panic!() };
+        let [leaf] = hung(&half_turn, [true, false])[..] else { panic!() };
         assert!(leaf.hinge.distance(Point::new(3.45, 2.0)) < 1e-9);
         assert!(leaf.open_tip.distance(Point::new(3.45, 1.1)) < 1e-9);
     }
@@ -145,10 +145,10 @@ mod tests {
     #[test]
     fn a_mirrored_leaf_hangs_at_the_other_end() {
         let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
-        let [leaf] = hung(&mirror, (true, false))[..] else { panic!() };
+        let [leaf] = hung(&mirror, [true, false])[..] else { panic!() };
         assert!(leaf.hinge.distance(Point::new(3.45, 2.0)) < 1e-9);
         assert!(leaf.open_tip.distance(Point::new(3.45, 2.9)) < 1e-9);
-        assert_eq!(hung(&mirror, (true, true)).len(), 2);
+        assert_eq!(hung(&mirror, [true, true]).len(), 2);
     }
 
     #[test]
