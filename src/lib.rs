@@ -74,10 +74,11 @@ mod texture;
 mod walk;
 
 pub use batch::{BakeOptions, BakeReport, OutputFault};
+pub use contract::RoomId;
 pub use document::{Fault, Faults};
 pub use gltf::GltfError;
 pub use output::LevelOptions;
-pub use project::{EditsChoice, FinishedRoom, Project, ProjectPaths, RoomId, Rooms, UnknownRoom};
+pub use project::{EditsChoice, FinishedRoom, Project, ProjectPaths, Rooms, UnknownRoom};
 
 /// What [`LevelOptions`] and [`BakeOptions`] are made of.
 pub mod options {

@@ -29,7 +29,7 @@ pub(crate) struct Job<'a> {
 impl Job<'_> {
     /// Building id and level id.
     pub(crate) fn key(&self) -> LevelKey {
-        (self.placed.id.clone(), self.level.id.clone())
+        LevelKey { building: self.placed.id.clone(), level: self.level.id.clone() }
     }
 }
 
@@ -101,6 +101,7 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::batch::options::Shard;
+    use crate::contract::RoomId;
     use crate::gltf::FlatNormals;
     use crate::model::Detail;
     use crate::output::{Format, TextureOptions};
@@ -188,13 +189,13 @@ pub(crate) mod tests {
         moved.buildings[0].site.turn = 1.0;
         assert_ne!(inputs(&moved, &LevelOptions::default()), base);
         let mut edits = EditBook::default();
-        edits.pin("a", "1", "101", 7);
+        edits.pin(&RoomId::new("a", "1", "101"), 7);
         let edited = |edits: &EditBook| {
             list_jobs(&plan, edits, &Catalog::default(), &LevelOptions::default())[0].inputs.clone()
         };
         assert_ne!(edited(&edits), base);
         edits = EditBook::default();
-        edits.pin("a", "2", "201", 7);
+        edits.pin(&RoomId::new("a", "2", "201"), 7);
         assert_eq!(edited(&edits), base, "of another level");
         let renamed = Plan { buildings: vec![tower("b", &["1"])] };
         assert_ne!(inputs(&renamed, &LevelOptions::default()), base);

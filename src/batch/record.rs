@@ -142,12 +142,16 @@ pub struct RemovedRecord {
     pub reason: String,
 }
 
-/// Building id and level id; the order of the manifest.
-pub(crate) type LevelKey = (String, String);
+/// A level by its ids; the order of the manifest.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct LevelKey {
+    pub(crate) building: String,
+    pub(crate) level: String,
+}
 
 impl LevelRecord {
     /// Building id and level id.
     pub(crate) fn key(&self) -> LevelKey {
-        (self.building.clone(), self.level.clone())
+        LevelKey { building: self.building.clone(), level: self.level.clone() }
     }
 }

@@ -83,7 +83,7 @@ impl Apart {
     pub(super) fn leftovers(&self) -> Leftovers {
         let paths: BTreeSet<&String> = self.files.iter().map(|file| &file.path).collect();
         Leftovers {
-            levels: self.levels.iter().cloned().collect(),
+            levels: self.levels.iter().map(|key| (key.building.clone(), key.level.clone())).collect(),
             files: paths.into_iter().cloned().collect(),
             ..Leftovers::default()
         }

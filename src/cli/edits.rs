@@ -1,5 +1,6 @@
 //! `edits`: writes changes by hand into the file beside the plan.
 
+use crate::contract::RoomId;
 use std::path::{Path, PathBuf};
 
 use super::answer::EditsAnswer;
@@ -82,7 +83,8 @@ fn rolled(
     if faults.has_errors() {
         return Err(faults);
     }
-    let Rolled { names: [building, level, room], seed } = reroll(&read, &mut book, run_seed, room, "ROOM")?;
+    let Rolled { room: RoomId { building, level, room }, seed } =
+        reroll(&read, &mut book, run_seed, room, "ROOM")?;
     let seed = Some(to.unwrap_or(seed));
     Ok(RoomEntry { building: Some(building), level, room, seed, ..RoomEntry::default() })
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::document::{Fault, Faults, did_you_mean, suggest};
-use crate::plan::{Level, PlacedBuilding, Room};
+use crate::plan::{Level, PlacedBuilding, RoomRef};
 
 /// Rooms that are listed where several could be meant.
 const MOST_LISTED: usize = 5;
@@ -26,21 +26,14 @@ pub(crate) struct Wanted<'w> {
 pub(crate) struct Found<'a> {
     /// The building.
     pub(crate) placed: &'a PlacedBuilding,
-    /// The level.
-    pub(crate) level: &'a Level,
-    /// Index in the level.
-    pub(crate) room: usize,
+    /// The room.
+    pub(crate) at: RoomRef<'a>,
 }
 
 impl<'a> Found<'a> {
-    /// The room itself.
-    pub(crate) fn room(&self) -> &'a Room {
-        &self.level.rooms[self.room]
-    }
-
     /// Ids of building, level and room.
     pub(crate) fn ids(&self) -> [&'a str; 3] {
-        [&self.placed.id, &self.level.id, &self.room().id]
+        [&self.placed.id, &self.at.level.id, &self.at.room.id]
     }
 
     /// Whether the words are the ids of the room, of room and level, or of all three.
@@ -72,7 +65,7 @@ pub(crate) fn find_room<'a>(
         return Err(unknown("level", id, levels.iter().map(|(_, level)| level.id.clone()).collect()));
     }
     let of_level = |&(placed, level): &(&'a PlacedBuilding, &'a Level)| {
-        (0..level.rooms.len()).map(move |room| Found { placed, level, room })
+        (0..level.rooms.len()).map(move |room| Found { placed, at: level.room(room) })
     };
     let all: Vec<Found<'a>> = in_levels.into_iter().flat_map(of_level).collect();
     choose(wanted, &all)
@@ -82,7 +75,7 @@ fn choose<'a>(wanted: Wanted<'_>, all: &[Found<'a>]) -> Result<Found<'a>, Faults
     let words = wanted.room;
     let mut found: Vec<&Found<'a>> = all.iter().filter(|found| found.is_called(words)).collect();
     if found.is_empty() {
-        found = all.iter().filter(|found| found.room().name.as_deref() == Some(words)).collect();
+        found = all.iter().filter(|found| found.at.room.name.as_deref() == Some(words)).collect();
     }
     match found.as_slice() {
         [found] => Ok(**found),
@@ -106,7 +99,7 @@ fn no_room(wanted: Wanted<'_>, all: &[Found<'_>]) -> Fault {
     // `stdy` is compared with ids of rooms, `ground/stdy` with those of levels and rooms.
     let depth = wanted.room.matches('/').count().min(2);
     let ids: Vec<String> = all.iter().map(|found| found.ids()[2 - depth..].join("/")).collect();
-    let names = all.iter().filter_map(|found| found.room().name.clone());
+    let names = all.iter().filter_map(|found| found.at.room.name.clone());
     let near = suggest(wanted.room, ids.iter().cloned().chain(names));
     let hint =
         near.map(|near| format!("did you mean \"{near}\"?")).or_else(|| did_you_mean(wanted.room, ids));

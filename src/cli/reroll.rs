@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::find_room::{Wanted, find_room};
+use crate::contract::RoomId;
 use crate::document::Faults;
 use crate::edits::EditBook;
 use crate::plan::Plan;
@@ -10,15 +11,15 @@ use crate::plan::Plan;
 /// A room with its new seed.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Rolled {
-    /// Building, level, room.
-    pub(crate) names: [String; 3],
+    /// The room.
+    pub(crate) room: RoomId,
     /// The seed that its furniture has now.
     pub(crate) seed: u64,
 }
 
 impl fmt::Display for Rolled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: seed {}", self.names.join("/"), self.seed)
+        write!(f, "{}: seed {}", self.room, self.seed)
     }
 }
 
@@ -34,9 +35,10 @@ pub(crate) fn reroll(
     argument: &'static str,
 ) -> Result<Rolled, Faults> {
     let wanted = Wanted { room: named, building: None, level: None, argument };
-    let [building, level, room] = find_room(&plan.buildings, wanted)?.ids().map(str::to_owned);
-    let own = edits.level(&building, &level).and_then(|edits| edits.room(&room)?.seed);
+    let [building, level, room] = find_room(&plan.buildings, wanted)?.ids();
+    let room = RoomId::new(building, level, room);
+    let own = edits.level(&room.building, &room.level).and_then(|edits| edits.room(&room.room)?.seed);
     let seed = own.unwrap_or(run_seed).wrapping_add(1);
-    edits.pin(&building, &level, &room, seed);
-    Ok(Rolled { names: [building, level, room], seed })
+    edits.pin(&room, seed);
+    Ok(Rolled { room, seed })
 }

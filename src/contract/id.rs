@@ -31,6 +31,31 @@ impl fmt::Display for VariantId {
     }
 }
 
+/// A room by its ids.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RoomId {
+    /// Id of the building.
+    pub building: String,
+    /// Id of the level.
+    pub level: String,
+    /// Id of the room.
+    pub room: String,
+}
+
+impl RoomId {
+    /// The room of these ids.
+    #[must_use]
+    pub fn new(building: &str, level: &str, room: &str) -> Self {
+        Self { building: building.to_owned(), level: level.to_owned(), room: room.to_owned() }
+    }
+}
+
+impl fmt::Display for RoomId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}/{}", self.building, self.level, self.room)
+    }
+}
+
 /// An element of a room as `parent`, findings, answers and edits name it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ElementId {

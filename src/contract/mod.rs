@@ -19,6 +19,6 @@ pub use extras::{
     Closure, Corner, Extras, FindingExtras, FurnitureExtras, LeafExtras, LevelExtras, LightExtras,
     OpeningExtras, OpeningWord, PartExtras, RemovedExtras, RoomExtras, SideExtras, SiteExtras, Word,
 };
-pub use id::{ElementId, ObjectId, VariantId};
+pub use id::{ElementId, ObjectId, RoomId, VariantId};
 pub use name::{level_name, model_in_name, model_name, owned_name, owner_in_name, room_in_name, room_name};
 pub use part::{Part, PartId};

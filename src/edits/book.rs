@@ -1,5 +1,6 @@
 //! All edits of a run, sorted by building, level and room.
 
+use crate::contract::RoomId;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -51,10 +52,10 @@ impl EditBook {
     }
 
     /// Gives a room another seed, as long as this book lives.
-    pub fn pin(&mut self, building: &str, level: &str, room: &str, seed: u64) {
-        let levels = self.buildings.entry(building.to_owned()).or_default();
-        let edits = Arc::make_mut(levels.entry(level.to_owned()).or_default());
-        edits.rooms.entry(room.to_owned()).or_default().seed = Some(seed);
+    pub fn pin(&mut self, id: &RoomId, seed: u64) {
+        let levels = self.buildings.entry(id.building.clone()).or_default();
+        let edits = Arc::make_mut(levels.entry(id.level.clone()).or_default());
+        edits.rooms.entry(id.room.clone()).or_default().seed = Some(seed);
     }
 }
 

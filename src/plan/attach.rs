@@ -88,8 +88,8 @@ pub(super) fn attach(request: &Request, rooms: &[Room], index: &WallIndex) -> Re
     if let Some(full) = chosen.iter().map(room_of).find(|&room| rooms[room].openings.len() >= ROOM_OPENINGS) {
         return Err(AttachFault::TooMany(full));
     }
-    let fitted = fit(request, rooms, &chosen)?;
-    Ok(build(request, rooms, &chosen, fitted))
+    let (low, high) = fit(request, rooms, &chosen)?;
+    Ok(build(request, rooms, &chosen, low, high))
 }
 
 /// As [`attach`]; a window that no wall holds is cut into pieces, one for each wall it runs along.
@@ -304,7 +304,7 @@ fn gaps(low: f64, high: f64, mut spans: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     free
 }
 
-fn build(request: &Request, rooms: &[Room], chosen: &[Face], (low, high): (f64, f64)) -> Opening {
+fn build(request: &Request, rooms: &[Room], chosen: &[Face], low: f64, high: f64) -> Opening {
     let mut sides: Vec<OpeningSide> = Vec::with_capacity(chosen.len());
     let mut middles = Vec::with_capacity(chosen.len());
     for face in chosen {

@@ -10,4 +10,4 @@ mod read;
 mod rooms;
 
 pub use read::{EditsChoice, Project, ProjectPaths};
-pub use rooms::{FinishedRoom, RoomId, Rooms, UnknownRoom};
+pub use rooms::{FinishedRoom, Rooms, UnknownRoom};

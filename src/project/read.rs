@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::plausible::check_plausible;
-use super::rooms::{RoomId, Rooms};
+use super::rooms::Rooms;
 use crate::batch::{BakeInput, BakeOptions, BakeReport, OutputFault, OutputFolder, bake};
 use crate::catalog::{Catalog, load_catalog};
+use crate::contract::RoomId;
 use crate::document::{Faults, Warned};
 use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;

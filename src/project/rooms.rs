@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::read::Project;
 use crate::audit::Verdict;
+use crate::contract::RoomId;
 use crate::edits::{Finished, Misfit, furnish_edited};
 use crate::gltf::{EncodedModels, GltfError, WriteOptions, write_glb_with};
 use crate::layout::{FurnishOptions, Furnished};
@@ -12,31 +13,6 @@ use crate::output::{LevelOptions, TextureOptions};
 use crate::plan::{Level, PlacedBuilding};
 use crate::scene::{Scene, SceneInput, build_scene};
 use crate::texture::TextureLibrary;
-
-/// A room by its ids.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct RoomId {
-    /// Id of the building.
-    pub building: String,
-    /// Id of the level.
-    pub level: String,
-    /// Id of the room.
-    pub room: String,
-}
-
-impl RoomId {
-    /// The room of these ids.
-    #[must_use]
-    pub fn new(building: &str, level: &str, room: &str) -> Self {
-        Self { building: building.to_owned(), level: level.to_owned(), room: room.to_owned() }
-    }
-}
-
-impl fmt::Display for RoomId {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}/{}/{}", self.building, self.level, self.room)
-    }
-}
 
 /// A room that the plan does not have.
 #[derive(Clone, Debug, PartialEq, Eq)]

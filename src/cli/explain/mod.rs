@@ -65,7 +65,7 @@ fn subject<'a>(
     style: Option<&str>,
 ) -> Subject<'a> {
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
-    let (at, catalog) = (found.level.room(found.room), &sources.catalog);
+    let (at, catalog) = (found.at, &sources.catalog);
     let edits = sources.edits.level(&found.placed.id, &at.level.id);
     let edits = edits.and_then(|edits| edits.room(&at.room.id));
     let locks = edits.map(|edits| edits.locks(at, catalog)).unwrap_or_default();

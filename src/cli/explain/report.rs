@@ -9,20 +9,20 @@ use crate::layout::parent_id;
 /// degrees.
 pub(super) fn report<'a>(subject: &'a Subject<'_>) -> ExplainAnswer<'a> {
     let (found, explanation) = (&subject.found, &subject.explanation);
-    let room = found.room();
+    let room = found.at.room;
     let (catalog, placements) = (&subject.sources.catalog, &subject.furnished.placements);
     let pairs = explanation.objects.iter().zip(placements);
     let objects = pairs.map(|(story, placement)| ExplainedObject {
         story,
         class: &catalog.classes[placement.class].id,
-        parent: parent_id(placement.parent, found.level, catalog, placements),
+        parent: parent_id(placement.parent, found.at.level, catalog, placements),
         side: placement.side,
         position: [placement.position.x, placement.position.y, placement.elevation],
         turn: placement.angle.to_degrees(),
     });
     ExplainAnswer {
         building: &found.placed.id,
-        level: &found.level.id,
+        level: &found.at.level.id,
         room: &room.id,
         room_type: &room.room_type,
         area: room.region.area(),

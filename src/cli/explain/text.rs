@@ -34,10 +34,10 @@ pub(super) fn text(subject: &Subject<'_>) -> String {
 
 fn heading(subject: &Subject<'_>) -> String {
     let (found, furnished) = (subject.found, &subject.furnished);
-    let room = found.room();
+    let room = found.at.room;
     let room_type = subject.sources.catalog.room_types.get(&room.room_type);
     let label = room_type.map_or(room.room_type.as_str(), |room_type| &room_type.label);
-    let name = printable(&format!("{} / {} / {}: {label}", found.placed.id, found.level.id, room.id));
+    let name = printable(&format!("{} / {} / {}: {label}", found.placed.id, found.at.level.id, room.id));
     let area = room.region.area();
     let mut text = format!("{name}, {area:.1} m²\n  seed {}, style {}\n", subject.seed, furnished.style);
     let explanation = &subject.explanation;
@@ -103,7 +103,7 @@ fn stands(subject: &Subject<'_>, placement: &Placement) -> String {
         Parent::Ceiling => "under the ceiling".to_owned(),
         Parent::Wall(wall) => format!("at wall.{wall}"),
         Parent::Opening(index) => {
-            format!("at {}", crate::layout::opening_id(&subject.found.level.openings[index]))
+            format!("at {}", crate::layout::opening_id(&subject.found.at.level.openings[index]))
         }
         Parent::Column(column) => format!("at the {} of column.{column}", placement.side.name()),
         Parent::Object(index) => {

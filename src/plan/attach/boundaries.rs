@@ -38,7 +38,8 @@ pub(in crate::plan) fn open_boundaries(
             let partners = near.into_iter().filter(|far| far.room > room && has_floor(&rooms[far.room]));
             for far in partners {
                 let shared = shared_stretch(piece, &rooms[far.room].walls[far.wall]);
-                for (low, high) in shared.map(|span| free_stretches(piece, span, solids)).unwrap_or_default()
+                for (low, high) in
+                    shared.map(|(low, high)| free_stretches(piece, low, high, solids)).unwrap_or_default()
                 {
                     found.push(boundary(rooms, place, far, low, high));
                 }
@@ -64,7 +65,7 @@ fn shared_stretch(wall: &Wall, far: &Wall) -> Option<(f64, f64)> {
     (gap.abs() <= STEP).then_some((low, high))
 }
 
-fn free_stretches(wall: &Wall, (low, high): (f64, f64), solids: &OutlineIndex) -> Vec<(f64, f64)> {
+fn free_stretches(wall: &Wall, low: f64, high: f64, solids: &OutlineIndex) -> Vec<(f64, f64)> {
     let count = ((high - low) / SAMPLE_INTERVAL).ceil().max(1.0) as usize;
     let at = |index: usize| low + (high - low) * index as f64 / count as f64;
     let mut stretches: Vec<(f64, f64)> = Vec::new();
