@@ -81,6 +81,8 @@ pub struct Class {
     pub carries: Vec<ClassIndex>,
     /// Regular intervals instead of random positions (section 3.3).
     pub grid: Option<Grid>,
+    /// The part that it plays in a row of fitted units, which a room plans as a whole; `None` for what is no such unit.
+    pub fitted: Option<FittedPart>,
     /// What is given up first when room is short: lower goes first.
     pub priority: i32,
     /// The eras whose styles it is drawn in; empty for any.
@@ -118,6 +120,7 @@ impl Class {
             covers: Vec::new(),
             carries: Vec::new(),
             grid: None,
+            fitted: None,
             priority: 0,
             eras: Vec::new(),
             wealth: None,
@@ -338,6 +341,42 @@ pub struct Grid {
     pub is_back_to_back: bool,
     /// Metres that stay free at the walls, as left, front, right, back: aisles, and the floor before a board.
     pub margin: [f64; 4],
+}
+
+/// The part of a unit in a row of fitted ones, such as a kitchen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FittedPart {
+    /// Holds the water: near pipes, under a window.
+    Sink,
+    /// Needs water, beside the sink: a dishwasher.
+    BesideSink,
+    /// Cooks: worktop between it and the sink, never before a window.
+    Hob,
+    /// What is set down goes there: between the others, and where wall is left.
+    Worktop,
+    /// Stands in the corner where two rows meet.
+    Corner,
+    /// Tall, at the end of a row: a fridge.
+    Tall,
+    /// Hangs on the wall over the row, in one line.
+    WallUnit,
+}
+
+impl FittedPart {
+    /// Its word in class files.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Sink => "sink",
+            Self::BesideSink => "beside_sink",
+            Self::Hob => "hob",
+            Self::Worktop => "worktop",
+            Self::Corner => "corner",
+            Self::Tall => "tall",
+            Self::WallUnit => "wall_unit",
+        }
+    }
 }
 
 /// How a class looks.

@@ -38,8 +38,8 @@ pub use audit::{AccessRules, AuditRules, DoorRules, WalkingRules};
 pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{builtin_file, builtin_files};
 pub use class::{
-    Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, Grid, ModelSource, Orientation, ParentName,
-    ParentRule, Relation, RelationKind, SideOffer, Turn, VariantRef,
+    Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, FittedPart, Grid, ModelSource, Orientation,
+    ParentName, ParentRule, Relation, RelationKind, SideOffer, Turn, VariantRef,
 };
 pub use describe::{Description, describe, style_differences};
 #[cfg(test)]

@@ -13,7 +13,7 @@ use super::furnished::Furnished;
 use super::place::AgentIndex;
 use super::seed::RoomKey;
 use super::wanted::StandIns;
-use super::{arrange, covering, locked, push, result, turning, untidy, useless, wanted, ways};
+use super::{arrange, covering, fitted, locked, push, result, turning, untidy, useless, wanted, ways};
 
 /// Whether what agents meet on their search is noted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,6 +78,8 @@ struct Lack {
     closed_ways: usize,
     /// Required pieces that are missing.
     required: usize,
+    /// Fitted units that were sent away from their row: a kitchen in pieces.
+    strays: usize,
     /// All pieces that are missing.
     pieces: usize,
     /// How far down their lists the pieces are that stand in for others ([`StandIns::steps_down`]).
@@ -85,14 +87,23 @@ struct Lack {
 }
 
 impl Lack {
-    fn of(furnished: &Furnished, closed_ways: usize, stand_ins: StandIns) -> Self {
+    fn of(
+        environment: &Environment<'_>,
+        furnished: &Furnished,
+        closed_ways: usize,
+        stand_ins: StandIns,
+    ) -> Self {
         let required = || furnished.removals.iter().filter(|removal| removal.is_required);
+        let is_stray = |agent: &AgentIndex| {
+            environment.class(*agent).fitted.is_some() && environment.agents[*agent].is_in_the_way
+        };
         let is_there = |class| furnished.placements.iter().any(|placement| placement.class == class);
         let classes: BTreeSet<ClassIndex> = required().map(|removal| removal.class).collect();
         Self {
             classes_without_any: classes.into_iter().filter(|&class| !is_there(class)).count(),
             closed_ways,
             required: required().count(),
+            strays: (0..environment.agents.len()).filter(is_stray).count(),
             pieces: furnished.removals.len(),
             steps_down: stand_ins.steps_down,
         }
@@ -122,7 +133,8 @@ impl<T> Attempt<T> {
     ) -> Self {
         let alternative = brief.alternative.number;
         let heeds_tags = alternative < ALTERNATIVES_WITH_TAGS && number < ATTEMPTS;
-        let start = Start { urgency, heeds_tags, is_traced: recording == Recording::On };
+        let turn = (alternative + number) as usize;
+        let start = Start { urgency, heeds_tags, turn, is_traced: recording == Recording::On };
         let mut environment = Environment::new(brief, &start);
         // No two attempts share a number: an alternative has ATTEMPTS_IN_NEED at most.
         let key = brief.key.attempt(alternative * ATTEMPTS_IN_NEED + number);
@@ -131,7 +143,7 @@ impl<T> Attempt<T> {
         let stand_ins = StandIns::of(&environment);
         Self {
             number,
-            lack: Lack::of(&furnished, closed_ways, stand_ins),
+            lack: Lack::of(&environment, &furnished, closed_ways, stand_ins),
             stand_ins,
             missed: missed(&environment),
             description: describe(&environment, &furnished),
@@ -147,13 +159,13 @@ impl<T> Attempt<T> {
 
     /// How many attempts the room deserves.
     fn deserved_attempts(&self, brief: &Brief<'_>) -> u32 {
-        let Lack { classes_without_any, closed_ways, required, pieces, .. } = self.lack;
+        let Lack { classes_without_any, closed_ways, required, strays, pieces, .. } = self.lack;
         let misses_many = pieces as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
         let is_in_need = classes_without_any > 0 || closed_ways > 0;
         match (is_in_need, brief.alternative.number) {
             (true, 0) => ATTEMPTS_IN_NEED,
             (true, _) => ATTEMPTS,
-            (false, 0) if required > 0 || misses_many => ATTEMPTS,
+            (false, 0) if required > 0 || strays > 0 || misses_many => ATTEMPTS,
             // Who compares alternatives has more of them.
             (false, _) => 1,
         }
@@ -165,6 +177,7 @@ impl<T> Attempt<T> {
 fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     let style = environment.brief.style;
     locked::settle_locked(environment);
+    fitted::settle_fitted(environment, key);
     arrange::arrange(environment, key);
     push::push_apart(environment);
     if untidy::make_untidy(environment, &style.untidiness, key) {

@@ -39,6 +39,8 @@ pub(crate) struct Environment<'a> {
     pub(crate) is_exhausted: Vec<bool>,
     /// Whether walls that carry the right tag come first.
     pub(crate) heeds_tags: bool,
+    /// How many times the room was furnished before, in other attempts and alternatives.
+    pub(crate) turn: usize,
     bodies: Vec<Body>,
     body_grid: Grid,
     clearances: Vec<Region>,
@@ -82,6 +84,8 @@ pub(crate) struct Start<'u> {
     pub(crate) urgency: &'u [u32],
     /// Whether walls that carry the right tag come first.
     pub(crate) heeds_tags: bool,
+    /// How many times the room was furnished before, in other attempts and alternatives.
+    pub(crate) turn: usize,
     /// Whether it is noted what agents meet on their search.
     pub(crate) is_traced: bool,
 }
@@ -102,6 +106,7 @@ impl<'a> Environment<'a> {
             trace: start.is_traced.then(|| RefCell::new(Trace::new(pieces.len()))),
             is_exhausted: vec![false; catalog.classes.len()],
             heeds_tags: start.heeds_tags,
+            turn: start.turn,
             bodies: Vec::with_capacity(pieces.len() * 2),
             body_grid: Grid::new(bounds),
             clearances: Vec::new(),

@@ -9,6 +9,7 @@
 //! - who closes the only way to a door or to a side that people use is sent away to search again (`ways`);
 //! - a room that lacks a required piece, a way, or many pieces is furnished again from a derived seed, a few
 //!   times at most, with those served first that were missed;
+//! - the units of a kitchen do not search one by one: their row is planned as a whole (`fitted`);
 //! - an agent with wishes about other objects compares a few free places instead of taking the first.
 
 mod agent;
@@ -21,6 +22,7 @@ mod constants;
 mod covering;
 mod environment;
 mod explain;
+mod fitted;
 mod furnished;
 mod ids;
 mod lock;

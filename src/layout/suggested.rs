@@ -62,7 +62,7 @@ mod tests {
         let options = FurnishOptions::new(1, "test");
         let room = RoomBrief::new(level.room(0), &catalog, &options).expect("offices are furnished");
         let brief = room.alternative(&alternative);
-        let start = Start { urgency: &[0], heeds_tags: false, is_traced: false };
+        let start = Start { urgency: &[0], heeds_tags: false, turn: 0, is_traced: false };
         let mut environment = Environment::new(&brief, &start);
         arrange(&mut environment, brief.key);
         let place = environment.agents[0].rest().expect("the desk has a place").place();

@@ -4,8 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::lines::{Lines, class_names, degrees, parent_names, range, rounded};
 use crate::catalog::{
-    Catalog, Class, ClassIndex, Extent, Light, ModelSource, ParentName, ParentRule, Relation, Shape, Share,
-    Side, Size, Variety,
+    Catalog, Class, ClassIndex, Extent, FittedPart, Light, ModelSource, ParentName, ParentRule, Relation,
+    Shape, Share, Side, Size, Variety,
 };
 
 /// The label, and the size of the first variant.
@@ -48,6 +48,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
             format!("every {} × {} m{pairs}", rounded(grid.interval.x), rounded(grid.interval.y))
         }),
     );
+    lines.add("fitted as", &class.fitted.map_or_else(String::new, |part| part.word().replace('_', " ")));
     lines.add("priority", &class.priority.to_string());
     lines.add("depth", &class.depth.to_string());
     lines.add("eras", &class.eras.iter().map(|era| era.word()).collect::<Vec<_>>().join(", "));
@@ -185,6 +186,7 @@ fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_type
             "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered,
             "back_to_back": grid.is_back_to_back, "margin": grid.margin
         })),
+        "fitted": class.fitted.map(FittedPart::word),
         "priority": class.priority,
         "depth": class.depth,
         "eras": class.eras,

@@ -10,7 +10,7 @@ use super::building_style::ShareWord;
 use super::{Edges, ExtentText, FormatVersion, OneOrMany, Pair, VariedEntry};
 use crate::catalog::LightSide;
 use crate::catalog::table::Extends;
-use crate::catalog::{Along, Era, Side, Turn};
+use crate::catalog::{Along, Era, FittedPart, Side, Turn};
 
 /// Classes of furniture: what they are, where they may stand, what may stand on them.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -67,6 +67,9 @@ pub(crate) struct ClassEntry {
     pub(crate) carries: Option<OneOrMany<String>>,
     /// Regular intervals instead of random positions.
     pub(crate) grid: Option<GridEntry>,
+    /// The part that it plays in a row of fitted units, such as a kitchen: rooms plan the row as a whole, before anything else
+    /// is placed. Its depth is that of the row.
+    pub(crate) fitted: Option<FittedPart>,
     /// Pieces with a lower number are left out first when space is short; default 0.
     pub(crate) priority: Option<i32>,
     /// The eras that it is drawn for in styles that name one; any if absent.

@@ -86,6 +86,7 @@ fn resolve_class(
         covers,
         carries,
         grid,
+        fitted: chain.find("fitted", |entry| entry.fitted.as_ref()).map(|found| *found.value),
         priority: chain.find("priority", |entry| entry.priority.as_ref()).map_or(0, |found| *found.value),
         eras: resolve_eras(chain),
         wealth,

@@ -1,13 +1,15 @@
 //! At a wall, between its openings: the paper's random position along the touching side, drawn from the
 //! stretches that are really free, so that a piece that fits is not missed by bad luck.
 
-use crate::catalog::{Along, Clearance, Side};
+use crate::catalog::{Along, Clearance, ParentName, Side, Size};
 use crate::geometry::{Convex, Intervals, Point, Segment, Solid};
 use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
 use crate::layout::constants::{
     CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, COVER_MARGIN, SEAT_DEPTH, SNAP_DISTANCE, TRIALS_PER_WALL,
 };
+use crate::layout::environment::Environment;
+use crate::layout::place::{AgentIndex, ParentPart};
 use crate::layout::seed::Stream;
 use crate::layout::surroundings::Border;
 use crate::plan::{OpeningKind, Wall, WallKind};
@@ -32,6 +34,26 @@ pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: 
             None => return,
         }
     }
+}
+
+/// The stretches of a wall that are free for an agent of a size, in metres from the wall's start; none for a class that does
+/// not stand at walls.
+pub(crate) fn free_wall(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    size: Size,
+    wall: usize,
+    stream: &mut Stream,
+) -> Vec<(f64, f64)> {
+    let class = environment.class(agent);
+    let Some(rule) = class.parents.iter().find(|rule| rule.parent == ParentName::Wall) else {
+        return Vec::new();
+    };
+    let view =
+        View { environment, agent, class, size, rule, parent: ParentPart::Wall(wall), side: Side::Front };
+    let Some(strip) = Strip::new(&view, wall, stream) else { return Vec::new() };
+    let free = strip.free_stretches();
+    free.as_slice().iter().map(|&(from, to)| (from - strip.half, to + strip.half)).collect()
 }
 
 /// Poses all along a wall, in a fixed order. What is free is asked of each: the free stretches leave out the whole

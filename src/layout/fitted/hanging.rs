@@ -1,0 +1,82 @@
+//! Wall units over a row: in one line, flush with each other, beside the hood.
+
+use crate::catalog::{FittedPart, ParentName};
+use crate::geometry::Intervals;
+use crate::layout::arrange::take_size;
+use crate::layout::environment::Environment;
+use crate::layout::place::AgentIndex;
+use crate::plan::OpeningKind;
+
+use super::forms::Leg;
+use super::rows::{ROUNDING, Row, Standing};
+use super::standing::place_at;
+use super::units::{Unit, Units};
+
+/// Hangs the wall units of a room over the low units of a row, as many as there is room for.
+pub(super) fn hang(environment: &mut Environment<'_>, units: &Units, row: &Row) {
+    let mut hanging = units.of_part(FittedPart::WallUnit).map(|(_, unit)| unit);
+    let Some(mut unit) = hanging.next() else { return };
+    let Some(elevation) = elevation(environment, unit.agent) else { return };
+    for wall in row.walls() {
+        for &(from, to) in stretches(environment, units, row, wall, elevation).as_slice() {
+            let mut stretch = Leg { wall, from, to };
+            while let Some(end) = hang_one(environment, unit, &stretch, elevation) {
+                stretch.from = end;
+                match hanging.next() {
+                    Some(next) => unit = next,
+                    None => return,
+                }
+            }
+        }
+    }
+}
+
+/// Hangs a unit at the beginning of a stretch, if that is long enough and free; answers where the unit ends.
+fn hang_one(environment: &mut Environment<'_>, unit: &Unit, stretch: &Leg, elevation: f64) -> Option<f64> {
+    let width = unit.width_within(stretch.length() + ROUNDING)?;
+    take_size(environment, unit.agent, width.variant);
+    let place = place_at(environment, unit.agent, stretch.wall, stretch.from, elevation);
+    if !environment.is_free(unit.agent, &place) {
+        return None;
+    }
+    environment.settle(unit.agent, &place);
+    Some(stretch.from + width.metres)
+}
+
+/// The metres above the floor at which a class hangs on walls.
+fn elevation(environment: &Environment<'_>, agent: AgentIndex) -> Option<f64> {
+    let rules = &environment.class(agent).parents;
+    rules.iter().find(|rule| rule.parent == ParentName::Wall).map(|rule| rule.elevation.0)
+}
+
+/// The stretches of a wall over low units, without those before windows, over the hob, and in the corner that the wall
+/// units of the other leg reach into.
+fn stretches(
+    environment: &Environment<'_>,
+    units: &Units,
+    row: &Row,
+    wall: usize,
+    elevation: f64,
+) -> Intervals {
+    let here = || row.standings.iter().filter(|standing| standing.wall == wall);
+    let part = |standing: &Standing| units.unit(standing.unit).part;
+    let low = || here().filter(|standing| part(standing) != FittedPart::Tall);
+    let from = low().map(|standing| standing.from).fold(f64::INFINITY, f64::min);
+    let to = low().map(Standing::to).fold(0.0, f64::max);
+    let mut free = Intervals::new(from, to);
+    let hobs = here().filter(|standing| matches!(part(standing), FittedPart::Hob | FittedPart::Tall));
+    hobs.for_each(|standing| free.subtract(standing.from, standing.to()));
+    if here().any(|standing| part(standing) == FittedPart::Corner) {
+        let depth =
+            units.of_part(FittedPart::WallUnit).map(|(_, unit)| environment.agents[unit.agent].size.depth);
+        free.subtract(0.0, depth.fold(0.0, f64::max));
+    }
+    let surroundings = environment.brief.surroundings;
+    for side in surroundings.room.openings.iter().filter(|side| side.wall == wall) {
+        let opening = &surroundings.level.openings[side.opening];
+        if opening.kind != OpeningKind::Window || opening.top > elevation {
+            free.subtract(side.from, side.to);
+        }
+    }
+    free
+}

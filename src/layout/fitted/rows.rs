@@ -1,0 +1,304 @@
+//! The rows that can be made of the units of a room in a form.
+
+use crate::catalog::FittedPart;
+
+use super::forms::{Form, Leg};
+use super::units::{Unit, Units, Width};
+
+/// Metres of worktop between sink and hob that are wanted where there is room: NKBA asks for 0.91 m of preparation area.
+const BETWEEN: f64 = 1.2;
+/// Metres of it for which units are taken narrower than they were drawn, and then for which what stands beside the sink is
+/// given up: a pot and a board; the narrowest unit.
+const ENOUGH_BETWEEN: f64 = 0.6;
+const LEAST_BETWEEN: f64 = 0.3;
+/// Metres of worktop on the other side of the hob that are wanted; NKBA asks for 0.38 m.
+const LANDING: f64 = 0.6;
+/// Metres of the second part of a row in two parts at most: a fridge with worktops.
+const SECOND_PART: f64 = 1.25;
+/// Metres by which units may be wider than their stretch together: rounding.
+pub(super) const ROUNDING: f64 = 1e-6;
+
+/// A place in the order of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Slot {
+    Tall,
+    Beside,
+    Sink,
+    /// Worktop between sink and hob.
+    Between,
+    Hob,
+    /// Worktop on the other side of the hob.
+    Landing,
+    /// Worktop where wall is left.
+    Rest,
+}
+
+/// The orders that a row is built in, and from its other end: what is brought home goes from the fridge to the sink, to the
+/// worktop, to the hob; or the fridge stands behind the worktop beside the hob.
+const ORDERS: [[Slot; 8]; 2] = [
+    [Slot::Tall, Slot::Rest, Slot::Beside, Slot::Sink, Slot::Between, Slot::Hob, Slot::Landing, Slot::Rest],
+    [Slot::Rest, Slot::Beside, Slot::Sink, Slot::Between, Slot::Hob, Slot::Landing, Slot::Rest, Slot::Tall],
+];
+
+/// A unit in its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Standing {
+    /// Which unit, by index.
+    pub(super) unit: usize,
+    /// The variant of its class.
+    pub(super) variant: u32,
+    /// The wall at its back.
+    pub(super) wall: usize,
+    /// Metres from the wall's start to its nearer side.
+    pub(super) from: f64,
+    /// Its metres along the wall.
+    pub(super) width: f64,
+}
+
+impl Standing {
+    /// Metres from the wall's start to its farther side.
+    pub(super) fn to(&self) -> f64 {
+        self.from + self.width
+    }
+}
+
+/// A row: the units of a room in one order.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// Who stands where; the unit in the corner first.
+    pub(super) standings: Vec<Standing>,
+    /// Whether all units stand in it but those that only fill, with enough worktop between sink and hob.
+    pub(super) is_complete: bool,
+    /// How good it is, once that was asked.
+    pub(super) points: f64,
+}
+
+impl Row {
+    /// The walls at the backs of its units, sorted.
+    pub(super) fn walls(&self) -> Vec<usize> {
+        let mut walls: Vec<usize> = self.standings.iter().map(|standing| standing.wall).collect();
+        walls.sort_unstable();
+        walls.dedup();
+        walls
+    }
+}
+
+/// All rows in a form that hold the units that are required.
+pub(super) fn rows_in(units: &Units, form: &Form) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for order in &ORDERS {
+        let reversed: Vec<Slot> = order.iter().rev().copied().collect();
+        for slots in [order.as_slice(), &reversed] {
+            match form {
+                Form::Straight(leg) => add_straight(units, leg, slots, &mut rows),
+                Form::AroundCorner(before, after) => {
+                    add_around_corner(units, before, after, slots, &mut rows);
+                }
+                Form::InTwoParts(first, second) => add_parts(units, first, second, slots, &mut rows),
+            }
+        }
+    }
+    rows
+}
+
+/// Rows from the one end of a stretch and from the other.
+fn add_straight(units: &Units, leg: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
+    let Some(lane) = Lane::pack(units, slots, leg.length(), 0) else { return };
+    rows.extend(row(units, lane.from(leg, 0.0)));
+    if lane.left > ROUNDING {
+        rows.extend(row(units, lane.from(leg, lane.left)));
+    }
+}
+
+/// Rows that turn at each place of their order; both legs begin at the corner.
+fn add_around_corner(units: &Units, before: &Leg, after: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
+    let Some((corner, unit)) = units.corner() else { return };
+    let Width { metres, variant } = unit.narrowest();
+    let in_corner = Standing { unit: corner, variant, wall: after.wall, from: 0.0, width: metres };
+    for turn in 1..slots.len() {
+        let Some(first) = Lane::pack(units, &slots[..turn], before.length(), 0) else { continue };
+        let taken = first.worktops;
+        let Some(second) = Lane::pack(units, &slots[turn..], after.length(), taken) else { continue };
+        let is_tall = |packed: Option<&Packed>| {
+            packed.is_none_or(|packed| units.unit(packed.unit).part == FittedPart::Tall)
+        };
+        // Nothing tall in a corner: its door opens against the other leg.
+        if is_tall(first.packed.last()) || is_tall(second.packed.first()) {
+            continue;
+        }
+        let mut standings = vec![in_corner];
+        standings.extend(first.from(before, first.left));
+        standings.extend(second.from(after, 0.0));
+        rows.extend(row(units, standings));
+    }
+}
+
+/// Rows whose ends stand at another wall: the fridge, or it and worktops.
+fn add_parts(units: &Units, first: &Leg, second: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
+    for turn in [slots.len() - 2, slots.len() - 1] {
+        let Some(one) = Lane::pack(units, &slots[..turn], first.length(), 0) else { continue };
+        // The second part is short: the table needs the other walls.
+        let metres = second.length().min(SECOND_PART);
+        let Some(two) = Lane::pack(units, &slots[turn..], metres, one.worktops) else { continue };
+        let left = second.length() - metres + two.left;
+        if one.packed.is_empty() || two.packed.is_empty() {
+            continue;
+        }
+        for (before, after) in [(0.0, 0.0), (one.left, 0.0), (0.0, left), (one.left, left)] {
+            let mut standings = one.from(first, before);
+            standings.extend(two.from(second, after));
+            rows.extend(row(units, standings));
+        }
+    }
+}
+
+/// A row of these units; `None` if it lacks a required one.
+fn row(units: &Units, standings: Vec<Standing>) -> Option<Row> {
+    let stands = |index: usize| standings.iter().any(|standing| standing.unit == index);
+    let low = |part: &FittedPart| *part != FittedPart::WallUnit;
+    let all = units.indices().filter(|&index| low(&units.unit(index).part));
+    let missing: Vec<usize> = all.filter(|&index| !stands(index)).collect();
+    if missing.iter().any(|&index| units.unit(index).is_required) {
+        return None;
+    }
+    let is_complete = missing.iter().all(|&index| units.unit(index).is_fill);
+    let is_spacious =
+        metres_between(units, &standings).is_none_or(|metres| metres >= ENOUGH_BETWEEN - ROUNDING);
+    Some(Row { standings, is_complete: is_complete && is_spacious, points: 0.0 })
+}
+
+/// Metres from the sink to the hob at one wall.
+pub(super) fn metres_between(units: &Units, standings: &[Standing]) -> Option<f64> {
+    let find = |part| standings.iter().find(|standing| units.unit(standing.unit).part == part);
+    let (sink, hob) = (find(FittedPart::Sink)?, find(FittedPart::Hob)?);
+    (sink.wall == hob.wall).then(|| (sink.from - hob.to()).max(hob.from - sink.to()))
+}
+
+/// A unit in the width that it has in a lane.
+#[derive(Clone, Copy, Debug)]
+struct Packed {
+    unit: usize,
+    width: Width,
+}
+
+/// Units side by side along one stretch.
+struct Lane {
+    packed: Vec<Packed>,
+    /// How many worktops are used up, with those of earlier lanes.
+    worktops: usize,
+    /// Metres of the stretch that are left.
+    left: f64,
+}
+
+impl Lane {
+    /// Packs the units of some slots into so many metres, after the first worktops that others took. `None` if what is
+    /// required does not fit.
+    fn pack(units: &Units, slots: &[Slot], metres: f64, worktops: usize) -> Option<Self> {
+        let metres = metres + ROUNDING;
+        let fixed = fixed_units(units, slots, metres)?;
+        let used: f64 = fixed.iter().map(|packed| packed.width.metres).sum();
+        let mut shelf = Worktops { units, taken: worktops, left: metres - used };
+        let mut tops = vec![Vec::new(); slots.len()];
+        let has = |slot: Slot| slots.contains(&slot);
+        let wants_landing = has(Slot::Landing) && has(Slot::Hob);
+        for (index, slot) in slots.iter().enumerate() {
+            if *slot == Slot::Between {
+                let has_enough = shelf.left >= ENOUGH_BETWEEN + LEAST_BETWEEN;
+                let reserved = if wants_landing && has_enough { LEAST_BETWEEN } else { 0.0 };
+                // A corner between sink and hob is worktop already.
+                let wanted = if has(Slot::Sink) && has(Slot::Hob) { BETWEEN } else { LANDING };
+                tops[index] = shelf.take(wanted.min(shelf.left - reserved));
+            }
+        }
+        for (index, slot) in slots.iter().enumerate() {
+            if *slot == Slot::Landing && wants_landing {
+                tops[index] = shelf.take(LANDING);
+            }
+        }
+        if let Some(index) = slots.iter().rposition(|slot| *slot == Slot::Rest) {
+            tops[index] = shelf.take(f64::INFINITY);
+        }
+        let (left, worktops) = (shelf.left.max(0.0), shelf.taken);
+        let mut packed = Vec::with_capacity(fixed.len() + worktops);
+        for (slot, tops) in slots.iter().zip(tops) {
+            let of_slot = fixed.iter().filter(|packed| slot_of(units.unit(packed.unit).part) == Some(*slot));
+            packed.extend(of_slot.copied());
+            packed.extend(tops);
+        }
+        Some(Self { packed, worktops, left })
+    }
+
+    /// The units where they stand if the first begins so many metres after the start of the stretch.
+    fn from(&self, leg: &Leg, offset: f64) -> Vec<Standing> {
+        let mut from = leg.from + offset;
+        let stand = |packed: &Packed| {
+            let Width { metres: width, variant } = packed.width;
+            let standing = Standing { unit: packed.unit, variant, wall: leg.wall, from, width };
+            from += width;
+            standing
+        };
+        self.packed.iter().map(stand).collect()
+    }
+}
+
+/// The units of some slots that are no worktops, as wide as they fit together: as drawn, else narrow, else without those
+/// beside the sink, else without the tall ones.
+fn fixed_units(units: &Units, slots: &[Slot], metres: f64) -> Option<Vec<Packed>> {
+    let is_here = |unit: &Unit| slot_of(unit.part).is_some_and(|slot| slots.contains(&slot));
+    let indices = units.indices().filter(|&index| is_here(units.unit(index)));
+    let mut packed: Vec<Packed> =
+        indices.map(|unit| Packed { unit, width: units.unit(unit).widths[0] }).collect();
+    let has_both = slots.contains(&Slot::Sink) && slots.contains(&Slot::Hob);
+    let leaves = |packed: &[Packed], between: f64| {
+        let used: f64 = packed.iter().map(|packed| packed.width.metres).sum();
+        used + if has_both { between } else { 0.0 } <= metres
+    };
+    if !leaves(&packed, ENOUGH_BETWEEN) {
+        packed.iter_mut().for_each(|packed| packed.width = units.unit(packed.unit).narrowest());
+    }
+    if !leaves(&packed, ENOUGH_BETWEEN) {
+        packed.retain(|packed| !units.unit(packed.unit).is_fill);
+    }
+    for part in [FittedPart::BesideSink, FittedPart::Tall] {
+        if !leaves(&packed, LEAST_BETWEEN) {
+            packed.retain(|packed| {
+                let unit = units.unit(packed.unit);
+                unit.part != part || unit.is_required
+            });
+        }
+    }
+    leaves(&packed, 0.0).then_some(packed)
+}
+
+/// The slot that a part stands in; worktops have several.
+fn slot_of(part: FittedPart) -> Option<Slot> {
+    match part {
+        FittedPart::Sink => Some(Slot::Sink),
+        FittedPart::BesideSink => Some(Slot::Beside),
+        FittedPart::Hob => Some(Slot::Hob),
+        FittedPart::Tall => Some(Slot::Tall),
+        FittedPart::Worktop | FittedPart::Corner | FittedPart::WallUnit => None,
+    }
+}
+
+/// The worktops that are not used up, and the metres that are left for them.
+struct Worktops<'a> {
+    units: &'a Units,
+    taken: usize,
+    left: f64,
+}
+
+impl Worktops<'_> {
+    /// Takes worktops for so many metres at most, as wide as they are made.
+    fn take(&mut self, metres: f64) -> Vec<Packed> {
+        let mut metres = metres.min(self.left);
+        let mut taken = Vec::new();
+        while let Some((unit, worktop)) = self.units.of_part(FittedPart::Worktop).nth(self.taken) {
+            let Some(width) = worktop.width_within(metres + ROUNDING) else { break };
+            taken.push(Packed { unit, width });
+            (metres, self.left) = (metres - width.metres, self.left - width.metres);
+            self.taken += 1;
+        }
+        taken
+    }
+}

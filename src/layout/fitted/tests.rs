@@ -1,0 +1,167 @@
+//! Kitchens of the catalogue in rooms made by hand, each with several seeds.
+
+use crate::catalog::{Catalog, FittedPart, Side, load_catalog};
+use crate::geometry::{Point, Solid};
+use crate::layout::tests::{level, run};
+use crate::layout::{FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, furnish, solids};
+use crate::plan::{Level, Opening, OpeningKind, OpeningSide, RoomOpening};
+
+const SEEDS: std::ops::Range<u64> = 0..12;
+/// Metres between units that stand side by side.
+const TOUCHING: f64 = 0.005;
+
+fn corners(width: f64, depth: f64) -> [(f64, f64); 4] {
+    [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
+}
+
+/// A room with a door at the start of its first wall.
+fn room(room_type: &str, width: f64, depth: f64) -> Level {
+    let mut level = level(&corners(width, depth));
+    level.rooms[0].room_type = room_type.to_owned();
+    level
+}
+
+/// The low units of a room, each with its part and its box.
+fn units(catalog: &Catalog, furnished: &Furnished) -> Vec<(FittedPart, Solid)> {
+    let low = furnished.placements.iter().filter_map(|placement| {
+        let class = &catalog.classes[placement.class];
+        let part = class.fitted.filter(|part| *part != FittedPart::WallUnit)?;
+        Some((part, solids(class, placement)[0]))
+    });
+    low.collect()
+}
+
+fn distance(a: &Solid, b: &Solid) -> f64 {
+    let (a, b) = (a.bounds, b.bounds);
+    let x = (a.low.x - b.high.x).max(b.low.x - a.high.x).max(0.0);
+    let y = (a.low.y - b.high.y).max(b.low.y - a.high.y).max(0.0);
+    libm::hypot(x, y)
+}
+
+/// Groups of units that touch.
+fn runs(units: &[(FittedPart, Solid)]) -> usize {
+    let mut left: Vec<usize> = (0..units.len()).collect();
+    let mut runs = 0;
+    while let Some(first) = left.pop() {
+        runs += 1;
+        let mut reached = vec![first];
+        while let Some(unit) = reached.pop() {
+            let touches = |&other: &usize| distance(&units[unit].1, &units[other].1) < TOUCHING;
+            let (near, far) = left.iter().copied().partition(touches);
+            left = far;
+            reached.extend::<Vec<usize>>(near);
+        }
+    }
+    runs
+}
+
+fn apart(units: &[(FittedPart, Solid)], a: FittedPart, b: FittedPart) -> Option<f64> {
+    let find = |part| units.iter().find(|unit| unit.0 == part).map(|unit| &unit.1);
+    Some(distance(find(a)?, find(b)?))
+}
+
+#[test]
+fn a_kitchen_is_one_row_with_worktop_between_sink_and_hob() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for (width, depth) in [(2.6, 3.4), (3.0, 3.0), (2.4, 4.4), (4.0, 4.5)] {
+        let level = room("kitchen", width, depth);
+        for seed in SEEDS {
+            let furnished = run(&level, &catalog, seed);
+            let units = units(&catalog, &furnished);
+            let place = format!("{width} x {depth} m, seed {seed}");
+            assert!(runs(&units) <= 2, "{place}: {} runs", runs(&units));
+            let between = apart(&units, FittedPart::Sink, FittedPart::Hob).expect(&place);
+            assert!((0.3..2.0).contains(&between), "{place}: {between} m between sink and hob");
+            if let Some(metres) = apart(&units, FittedPart::Sink, FittedPart::BesideSink) {
+                assert!(metres < TOUCHING, "{place}: the dishwasher stands {metres} m off the sink");
+            }
+            let fridge = apart(&units, FittedPart::Tall, FittedPart::Hob).expect(&place);
+            assert!(fridge > TOUCHING, "{place}: the fridge stands at the hob");
+        }
+    }
+}
+
+#[test]
+fn a_row_turns_at_a_corner_where_one_wall_is_too_short() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let level = room("kitchen", 2.5, 2.6);
+    let turns = |seed: &u64| {
+        let furnished = run(&level, &catalog, *seed);
+        units(&catalog, &furnished).iter().any(|(part, _)| *part == FittedPart::Corner)
+    };
+    assert!(SEEDS.filter(turns).count() > 0);
+}
+
+#[test]
+fn wall_units_hang_in_one_line_beside_the_hood() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let level = room("kitchen", 3.6, 3.2);
+    for seed in SEEDS {
+        let furnished = run(&level, &catalog, seed);
+        let of = |id: &str| {
+            let class = catalog.class_index(id).unwrap();
+            let is_of_class = move |placement: &&Placement| placement.class == class;
+            furnished.placements.iter().filter(is_of_class).collect::<Vec<_>>()
+        };
+        let cabinets = of("wall_cabinet");
+        assert!(cabinets.len() >= 2 && of("hood").len() == 1, "seed {seed}: {}", cabinets.len());
+        assert!(cabinets.iter().all(|cabinet| cabinet.elevation == cabinets[0].elevation), "seed {seed}");
+        assert!(cabinets.iter().all(|cabinet| matches!(cabinet.parent, Parent::Wall(_))), "seed {seed}");
+    }
+}
+
+#[test]
+fn nothing_of_a_row_takes_the_light_of_a_window() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let mut level = room("kitchen", 3.0, 4.0);
+    let wall = &level.rooms[0].walls[1];
+    let (from, to) = (0.0, wall.length());
+    level.openings.push(Opening {
+        id: "2".to_owned(),
+        kind: OpeningKind::Window,
+        center: wall.start.midpoint(wall.end),
+        along: wall.direction(),
+        width: to - from,
+        bottom: 0.5,
+        top: 2.2,
+        leaves: Vec::new(),
+        sides: vec![OpeningSide { room: 0, wall: 1, from, to }],
+    });
+    level.rooms[0].openings.push(RoomOpening { opening: 1, wall: 1, from, to });
+    for seed in SEEDS {
+        let furnished = run(&level, &catalog, seed);
+        let glass = level.rooms[0].walls[1].start.x;
+        for placement in furnished.placements.iter().filter(|placement| placement.size.height > 1.5) {
+            let class = &catalog.classes[placement.class];
+            let reach = solids(class, placement)[0].bounds.high.x;
+            assert!(class.fitted.is_none() || reach < glass - 0.05, "seed {seed}: {} takes light", class.id);
+        }
+    }
+}
+
+#[test]
+fn what_is_locked_stays_and_the_row_is_made_of_the_others() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let level = room("kitchen", 3.4, 3.4);
+    let free = run(&level, &catalog, 1);
+    let fridge = catalog.class_index("fridge").unwrap();
+    let standing = free.placements.iter().find(|placement| placement.class == fridge).unwrap();
+    let lock = Lock {
+        class: fridge,
+        number: 1,
+        on: LockSupport::Part(Parent::Floor),
+        side: Side::Above,
+        position: Point::new(3.05, 1.7),
+        elevation: None,
+        angle: standing.angle,
+        variant: None,
+    };
+    let locks = [lock];
+    let options = FurnishOptions { locks: &locks, ..FurnishOptions::new(1, "test") };
+    let furnished = furnish(level.room(0), &catalog, &options);
+    let locked = furnished.placements.iter().find(|placement| placement.class == fridge).unwrap();
+    assert_eq!(locked.position, locks[0].position);
+    let others: Vec<_> =
+        units(&catalog, &furnished).into_iter().filter(|(part, _)| *part != FittedPart::Tall).collect();
+    assert!(runs(&others) <= 2, "{}", runs(&others));
+}

@@ -1,0 +1,112 @@
+//! The fitted units of a room, by the part that they play.
+
+use crate::catalog::FittedPart;
+use crate::layout::agent::State;
+use crate::layout::arrange::sizes_by;
+use crate::layout::environment::Environment;
+use crate::layout::locked::is_locked;
+use crate::layout::place::AgentIndex;
+
+/// One of the widths that a unit is made in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Width {
+    /// Metres along the row.
+    pub(super) metres: f64,
+    /// The variant of its class that is so wide.
+    pub(super) variant: u32,
+}
+
+/// An agent that stands in a row.
+#[derive(Clone, Debug)]
+pub(super) struct Unit {
+    /// Who.
+    pub(super) agent: AgentIndex,
+    /// What it is there for.
+    pub(super) part: FittedPart,
+    /// The width that was drawn, then the others, widest first.
+    pub(super) widths: Vec<Width>,
+    /// Whether the room is wrong without it.
+    pub(super) is_required: bool,
+    /// Whether it only fills what wall is left.
+    pub(super) is_fill: bool,
+}
+
+impl Unit {
+    /// The width that was drawn if it fits, else the widest that does.
+    pub(super) fn width_within(&self, metres: f64) -> Option<Width> {
+        self.widths.iter().copied().find(|width| width.metres <= metres)
+    }
+
+    /// The narrowest width.
+    pub(super) fn narrowest(&self) -> Width {
+        *self.widths.last().expect("a class has a size")
+    }
+}
+
+/// The units of a room, those of a part in the order of the programme. A unit is named by its index.
+pub(super) struct Units {
+    units: Vec<Unit>,
+}
+
+impl Units {
+    /// Those that nobody locked.
+    pub(super) fn of(environment: &Environment<'_>) -> Self {
+        let mut units: Vec<Unit> = (0..environment.agents.len())
+            .filter(|&agent| {
+                environment.agents[agent].state == State::Search && !is_locked(environment, agent)
+            })
+            .filter_map(|agent| Some((agent, environment.class(agent).fitted?)))
+            .map(|(agent, part)| unit(environment, agent, part))
+            .collect();
+        // Stable; those that only fill come after those that are asked for.
+        units.sort_by_key(|unit| (unit.part, unit.is_fill));
+        Self { units }
+    }
+
+    /// Whether there is nothing to make a row of: it begins with a sink or a hob and holds more than that.
+    pub(super) fn is_no_row(&self) -> bool {
+        let has = |part| self.units.iter().any(|unit| unit.part == part);
+        let low = self.units.iter().filter(|unit| unit.part != FittedPart::WallUnit).count();
+        low < 2 || !(has(FittedPart::Sink) || has(FittedPart::Hob))
+    }
+
+    /// A unit by its index.
+    pub(super) fn unit(&self, index: usize) -> &Unit {
+        &self.units[index]
+    }
+
+    /// The indices of all units.
+    pub(super) fn indices(&self) -> core::ops::Range<usize> {
+        0..self.units.len()
+    }
+
+    /// All agents.
+    pub(super) fn agents(&self) -> impl Iterator<Item = AgentIndex> {
+        self.units.iter().map(|unit| unit.agent)
+    }
+
+    /// The units of a part, with their indices.
+    pub(super) fn of_part(&self, part: FittedPart) -> impl Iterator<Item = (usize, &Unit)> {
+        self.units.iter().enumerate().filter(move |(_, unit)| unit.part == part)
+    }
+
+    /// The unit for corners, if the room has one.
+    pub(super) fn corner(&self) -> Option<(usize, &Unit)> {
+        self.of_part(FittedPart::Corner).next()
+    }
+
+    /// Its metres along both walls.
+    pub(super) fn corner_width(&self) -> Option<f64> {
+        self.corner().map(|(_, unit)| unit.narrowest().metres)
+    }
+}
+
+fn unit(environment: &Environment<'_>, agent: AgentIndex, part: FittedPart) -> Unit {
+    let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
+    let mut variants = sizes_by(environment, agent, |size| size.width);
+    // Stable: the drawn one moves to the front.
+    variants.sort_by_key(|&variant| variant != piece.variant);
+    let widths =
+        variants.into_iter().map(|variant| Width { metres: class.size(variant).width, variant }).collect();
+    Unit { agent, part, widths, is_required: piece.is_required, is_fill: piece.is_fill }
+}
