@@ -100,7 +100,9 @@ def spread(row: Row) -> str:
 
 
 def wanted(row: Row) -> str:
-    """The share that may fail, and whether it does not."""
+    """The share that may fail, and whether it does not; nothing for rooms that there are none of."""
+    if not row.judged:
+        return ""
     return f"{'met' if row.is_met else '**not met**'}: ≤ {1 - row.wanted:.0%}".replace("%", " %")
 
 
