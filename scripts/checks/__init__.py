@@ -8,6 +8,8 @@
       health       closed meshes, faces, normals
       bodies       meshes as solid parts
       overlap      how deep two parts overlap
+    shell        walls, columns, frames and leaves against rooms, doorways and furniture; with
+      shell_parts  what they are made of
     loading      the same file read by trimesh
     khronos      the Khronos validator
     manifest     files against the manifest
