@@ -53,7 +53,8 @@ impl Sums {
             score: ten_thousandths(&totals["score"]["sum"]),
         };
         let mean = sums.score as f64 / sums.scored as f64 / 1e4;
-        assert!((totals["score"]["mean"].as_f64().unwrap() - mean).abs() <= 0.5e-4);
+        // Four decimals; a mean right between two of them may go either way in binary numbers.
+        assert!((totals["score"]["mean"].as_f64().unwrap() - mean).abs() <= 0.5e-4 + 1e-9);
         sums
     }
 }
