@@ -37,8 +37,10 @@ impl RoomWords {
 
     /// The room type that a word stands for in any format: `hallway` is a corridor.
     pub(crate) fn meant(&self, word: &str) -> Option<&str> {
-        let plain = word.to_lowercase().replace(['_', '-'], " ");
-        let found = self.words.values().find_map(|table| table.get(plain.trim()))?;
+        let word = word.trim().to_lowercase();
+        let plain = word.replace(['_', '-'], " ");
+        let found =
+            self.words.values().find_map(|table| table.get(&word).or_else(|| table.get(plain.trim())))?;
         self.known.contains(found).then_some(found.as_str())
     }
 
@@ -46,5 +48,24 @@ impl RoomWords {
     #[must_use]
     pub fn room_type(&self, format: &str, word: &str) -> Option<&str> {
         self.words.get(format)?.get(&word.to_lowercase()).map(String::as_str)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalog::load_catalog;
+    use crate::plan::read::real_data::published;
+
+    #[test]
+    fn each_word_of_the_published_vocabularies_has_a_room_type() {
+        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
+        for (format, least) in [("archilyse", 107), ("imdf", 60), ("osm", 40)] {
+            let mut words = published(format);
+            assert!(words.len() >= least, "{format}: {}", words.len());
+            words.retain(|word| table.room_type(format, word).is_none());
+            assert!(words.is_empty(), "{format}: {words:?}");
+        }
+        assert_eq!(table.meant("OPEN_PLAN_OFFICE"), Some("office"));
+        assert_eq!(table.meant("open-plan living"), Some("living_kitchen"));
     }
 }

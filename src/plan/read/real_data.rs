@@ -21,6 +21,13 @@ pub(in crate::plan) fn drafts(path: &Path, words: &RoomWords) -> Vec<BuildingDra
     reading.drafts.into_iter().map(|drafted| drafted.draft).collect()
 }
 
+/// The words of a published vocabulary, from `tests/cases/words/`.
+pub(in crate::plan) fn published(vocabulary: &str) -> Vec<String> {
+    let path = format!("tests/cases/words/{vocabulary}.txt");
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    text.lines().filter(|line| !line.starts_with('#')).map(str::to_owned).collect()
+}
+
 /// The project's own table of room words.
 pub(super) fn words() -> RoomWords {
     #[derive(serde::Deserialize, schemars::JsonSchema)]

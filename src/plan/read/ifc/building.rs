@@ -37,7 +37,7 @@ pub(super) fn buildings(
 ) -> Vec<(DraftedBuilding, Vec<DrawnPiece>)> {
     let geometry = Geometry::new(model);
     let relations = Relations::of(model);
-    let types = RoomTypes::new(words);
+    let types = RoomTypes::new(words, model, &relations);
     let mut spaces = spaces_by_storey(model, &relations);
     let homes = homes(model, &relations);
     let is_single = homes.len() == 1;

@@ -1,4 +1,4 @@
-//! Reads the relations of instances: parts and wholes, openings and their doors, types, and the spaces of doors.
+//! Reads the relations of instances: parts and wholes, openings and their doors, types, classes, and the spaces of doors.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,6 +24,8 @@ pub(super) struct Relations {
     pub(super) type_of: BTreeMap<u64, u64>,
     /// Product → the spaces that it bounds.
     pub(super) spaces_of: BTreeMap<u64, BTreeSet<u64>>,
+    /// Product → the classifications that it has, as references to OmniClass or other tables.
+    classes_of: BTreeMap<u64, Vec<u64>>,
 }
 
 impl Relations {
@@ -55,6 +57,9 @@ impl Relations {
         each(&["IFCRELDEFINESBYTYPE"], (5, 4), |all, kind, product| {
             all.type_of.insert(product, kind);
         });
+        each(&["IFCRELASSOCIATESCLASSIFICATION"], (5, 4), |all, class, product| {
+            all.classes_of.entry(product).or_default().push(class);
+        });
         relations.read_boundaries(model);
         relations
     }
@@ -75,6 +80,11 @@ impl Relations {
     /// The parts of a whole, in the file's order.
     pub(super) fn parts(&self, whole: u64) -> &[u64] {
         self.parts_of.get(&whole).map_or(&[], Vec::as_slice)
+    }
+
+    /// The classifications of a product, in the file's order.
+    pub(super) fn classes(&self, product: u64) -> &[u64] {
+        self.classes_of.get(&product).map_or(&[], Vec::as_slice)
     }
 
     /// The wholes that a part belongs to, from the nearest to the farthest.

@@ -5,29 +5,35 @@ use std::collections::BTreeMap;
 
 use super::NAME;
 use super::model::{Entity, Model};
+use super::relations::Relations;
 use crate::plan::read::foreign::{TypeOfWord, unknown_words};
 use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
 
 /// Where a space says what it is: `LongName`, `Name`, `ObjectType`.
 const PLACES: [usize; 3] = [7, 2, 4];
+/// Where a classification says what its products are: `Name`, `ItemReference` (COBie's exporters write both into either).
+const CLASS_PLACES: [usize; 2] = [2, 1];
 
 /// Room types by word, remembering the words that are unknown.
 pub(super) struct RoomTypes<'a> {
     words: &'a RoomWords,
+    model: &'a Model,
+    relations: &'a Relations,
     /// Word → (its first space, how many).
     unknown: RefCell<BTreeMap<String, (u64, usize)>>,
 }
 
 impl<'a> RoomTypes<'a> {
-    pub(super) fn new(words: &'a RoomWords) -> Self {
-        Self { words, unknown: RefCell::default() }
+    pub(super) fn new(words: &'a RoomWords, model: &'a Model, relations: &'a Relations) -> Self {
+        Self { words, model, relations, unknown: RefCell::default() }
     }
 
-    /// The type of a space; for unknown words a warning comes later.
+    /// The type of a space, by its names, then by its classifications; for unknown words a warning comes later.
     pub(super) fn of(&self, space: &Entity) -> TypeOfWord {
-        let texts: Vec<Vec<String>> =
+        let mut texts: Vec<Vec<String>> =
             PLACES.iter().filter_map(|place| space.text(*place)).map(plain_words).collect();
-        let found = most_telling(texts.iter().filter_map(|words| self.known(words)));
+        texts.extend(self.class_words(space));
+        let found = most_telling(texts.iter().filter_map(|words| known(self.words, words)));
         let said = texts.into_iter().find(|words| !words.is_empty()).unwrap_or_default().join(" ");
         if let Some(found) = found {
             return TypeOfWord::known(&said, found);
@@ -37,14 +43,14 @@ impl<'a> RoomTypes<'a> {
         read
     }
 
-    /// The room type of the longest run of words that the table knows; of equals the last, which mostly carries the sense
-    /// ("kitchen store").
-    fn known(&self, words: &[String]) -> Option<&'a str> {
-        // Names of rooms are short; what goes on for long is a remark.
-        const LONGEST: usize = 12;
-        let words = &words[..words.len().min(LONGEST)];
-        let runs = (1..=words.len()).rev().flat_map(|length| words.windows(length).rev());
-        most_telling(runs.filter_map(|run| self.words.room_type(NAME, &run.join(" "))))
+    /// The words of the classifications of a space.
+    fn class_words(&self, space: &Entity) -> Vec<Vec<String>> {
+        let classes = self.relations.classes(space.id).iter().filter_map(|class| self.model.get(*class).ok());
+        let classes = classes.filter(|class| class.is(&["IFCCLASSIFICATIONREFERENCE"]));
+        classes
+            .flat_map(|class| CLASS_PLACES.map(|place| class.text(place).map(plain_words)))
+            .flatten()
+            .collect()
     }
 
     /// Warnings for unknown words, at their first spaces.
@@ -53,6 +59,16 @@ impl<'a> RoomTypes<'a> {
             model.warn(*id, message, &hint);
         }
     }
+}
+
+/// The room type of the longest run of words that the table knows; of equals the last, which mostly carries the sense
+/// ("kitchen store").
+fn known<'a>(table: &'a RoomWords, words: &[String]) -> Option<&'a str> {
+    // Names of rooms are short; what goes on for long is a remark.
+    const LONGEST: usize = 12;
+    let words = &words[..words.len().min(LONGEST)];
+    let runs = (1..=words.len()).rev().flat_map(|length| words.windows(length).rev());
+    most_telling(runs.filter_map(|run| table.room_type(NAME, &run.join(" "))))
 }
 
 /// The first type, but that of generic rooms only where there is no other: an "office space" is an office.
@@ -71,6 +87,8 @@ pub(super) fn plain_words(text: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalog::load_catalog;
+    use crate::plan::read::real_data::published;
 
     #[test]
     fn numbers_and_signs_are_not_room_words() {
@@ -90,12 +108,25 @@ mod tests {
         ];
         let table = table.map(|(word, kind)| (word.to_owned(), kind.to_owned()));
         let words = RoomWords { words: [(NAME.to_owned(), table.into())].into(), ..RoomWords::default() };
-        let types = RoomTypes::new(&words);
-        let known = |text: &str| types.known(&plain_words(text));
+        let known = |text: &str| known(&words, &plain_words(text));
         assert_eq!(known("Large Living Room 3"), Some("living_room"));
         assert_eq!(known("Kitchen store"), Some("storeroom"));
         assert_eq!(known("Kitchen space"), Some("kitchen"), "a space is no more than a room");
         assert_eq!(known("Space 12"), Some("generic"));
         assert_eq!(known("Planetarium"), None);
+    }
+
+    #[test]
+    fn each_published_function_of_rooms_is_more_than_a_room() {
+        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
+        let type_of = |word: &str| known(&table, &plain_words(word));
+        for vocabulary in ["omniclass", "din_277"] {
+            let mut words = published(vocabulary);
+            assert!(words.len() > 100, "{vocabulary}");
+            words.retain(|word| matches!(type_of(word), None | Some(GENERIC_ROOM_TYPE)));
+            assert!(words.is_empty(), "{vocabulary}: {words:?}");
+        }
+        assert_eq!(type_of("13-15 31 11: Control Room"), Some("security"), "and no bedroom");
+        assert_eq!(type_of("Assembly Hall"), Some("auditorium"), "and no corridor");
     }
 }

@@ -120,6 +120,18 @@ fn shapes_of_all_kinds_have_their_areas() {
 }
 
 #[test]
+fn a_space_whose_names_say_nothing_is_what_its_classification_says() {
+    const CLASS: &str = "#900=IFCCLASSIFICATIONREFERENCE($,'13-15 11 34 11: Office',$,$);\n\
+        #901=IFCRELASSOCIATESCLASSIFICATION('0r900',$,$,$,(#100,#110),#900);\n#100=IFCSPACE(";
+    let text = std::fs::read_to_string(VILLA).unwrap().replacen("#100=IFCSPACE(", CLASS, 1);
+    let nameless = text.replace("'Wohnen'", "'A-101'");
+    let found = read_bytes(nameless.as_bytes()).unwrap_or_else(|faults| panic!("{faults}"));
+    let rooms = &found.buildings[0].draft.levels[0].rooms;
+    assert_eq!(rooms[0].room_type, "office");
+    assert_eq!(rooms[1].room_type, "kitchen", "the name comes first");
+}
+
+#[test]
 fn openings_stand_where_they_are_and_open_as_they_say() {
     let (buildings, _) = villa("#1=", "#1=");
     let ground = &buildings[0].draft.levels[0];
