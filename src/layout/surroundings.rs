@@ -3,7 +3,8 @@
 use crate::catalog::AuditRules;
 use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Segment, Solid};
 use crate::plan::{
-    FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, RoomRef, Wall,
+    FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, RoomRef,
+    Wall,
 };
 
 use super::constants::{WALL_POINTS, WALL_STEP};
@@ -153,8 +154,11 @@ impl<'a> Surroundings<'a> {
                 let wall = &self.room.walls[side.wall];
                 let opens_inward = |leaf: &&Leaf| (leaf.open_tip - leaf.hinge).dot(wall.normal()) > 0.0;
                 let leaves = opening.leaves.iter().filter(opens_inward);
-                let sectors = leaves.flat_map(|leaf| swept(leaf, swings));
-                regions.extend(sectors.map(|base| Solid::new(base, 0.0, opening.top)));
+                for leaf in leaves {
+                    let sectors = swept(leaf, swings).into_iter();
+                    regions.extend(sectors.map(|base| Solid::new(base, 0.0, opening.top)));
+                    regions.extend(standing_open(leaf, opening.top));
+                }
                 regions
             }
         }
@@ -196,6 +200,16 @@ fn wall_strip(room: &Room, side: &RoomOpening, depth: f64, margin: f64) -> Conve
     let center = wall.start + along * f64::midpoint(side.from, side.to) + normal * (depth / 2.0);
     let half = Point::new((side.to - side.from) / 2.0 + margin, depth / 2.0);
     Convex::rectangle(center, half, along)
+}
+
+/// What a leaf that stands open takes beside the sector that it sweeps: its thickness, and its handle.
+fn standing_open(leaf: &Leaf, top: f64) -> Vec<Solid> {
+    let Some([board, handle]) = leaf.standing_open() else { return Vec::new() };
+    let (low, high) = HANDLE_HEIGHTS;
+    vec![
+        Solid::new(Convex::from_corners(&board), 0.0, top),
+        Solid::new(Convex::from_corners(&handle), low.min(top), high.min(top)),
+    ]
 }
 
 /// The sector that a leaf sweeps; nothing for a leaf that does not turn.
@@ -304,6 +318,26 @@ mod tests {
         assert_eq!(swept(&mirrored, Swings::Exact).len(), swept(&leaf, Swings::Exact).len());
         let still = Leaf { open_tip: leaf.closed_tip, ..leaf };
         assert!(swept(&still, Swings::Exact).is_empty());
+    }
+
+    #[test]
+    fn a_leaf_that_stands_open_has_a_thickness_and_a_handle() {
+        for sign in [1.0, -1.0] {
+            let leaf = Leaf { hinge: Point::ZERO, closed_tip: Point::X * sign, open_tip: Point::Y };
+            let regions = standing_open(&leaf, 2.0);
+            let meets = |x: f64, y: f64, z: f64| {
+                let base = Convex::rectangle(Point::new(-x * sign, y), Point::splat(0.001), Point::X);
+                let probe = Solid::new(base, z, z + 0.01);
+                regions.iter().any(|region| region.overlaps(&probe, 1e-6))
+            };
+            assert!(meets(0.04, 0.1, 0.1) && meets(0.04, 0.99, 1.9), "the board");
+            assert!(!meets(0.05, 0.1, 0.1) && !meets(-0.01, 0.5, 0.1) && !meets(0.04, 0.1, 2.1), "beside it");
+            assert!(meets(0.1, 0.9, 1.05), "the handle");
+            assert!(
+                !meets(0.1, 0.9, 0.9) && !meets(0.1, 0.5, 1.05) && !meets(0.11, 0.9, 1.05),
+                "beside that"
+            );
+        }
     }
 
     #[test]

@@ -241,6 +241,16 @@ pub const FRAME_WIDTH: f64 = 0.06;
 /// Metres that the frame of a door or passage stands out of its wall, at most.
 pub const FRAME_DEPTH: f64 = 0.02;
 
+/// Metres from the line between hinge and free end to the far face of a leaf, with the air before it.
+pub const LEAF_DEPTH: f64 = 0.044;
+/// Metres that a handle stands out of a leaf, that it and its plate take along the leaf from the free end on, and from where
+/// to where above the floor.
+pub const HANDLE_REACH: f64 = 0.06;
+/// See [`HANDLE_REACH`].
+pub const HANDLE_LENGTH: f64 = 0.22;
+/// See [`HANDLE_REACH`].
+pub const HANDLE_HEIGHTS: (f64, f64) = (1.03, 1.09);
+
 /// The kind of closure of an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OpeningKind {
@@ -279,6 +289,25 @@ pub struct Leaf {
     pub closed_tip: Point,
     /// Its free end when fully open; on the side of the room it opens into.
     pub open_tip: Point,
+}
+
+impl Leaf {
+    /// The floor under a leaf that stands open, then under its handle on that side: counter-clockwise corners. The leaf is
+    /// behind the line from hinge to free end, as the sector that it sweeps is before it. None for a leaf without length.
+    #[must_use]
+    pub fn standing_open(&self) -> Option<[[Point; 4]; 2]> {
+        let (shut, open) = (self.closed_tip - self.hinge, self.open_tip - self.hinge);
+        let along = open.try_normalize()?;
+        // Of a leaf that turns counter-clockwise, the body is on the left.
+        let is_left = shut.perp_dot(open) > 0.0;
+        let side = if is_left { along.perp() } else { -along.perp() };
+        let base = |from: Point, depth: f64| {
+            let corners = [from, self.open_tip, self.open_tip + side * depth, from + side * depth];
+            if is_left { corners } else { [corners[1], corners[0], corners[3], corners[2]] }
+        };
+        let handle = self.open_tip - along * HANDLE_LENGTH.min(open.length());
+        Some([base(self.hinge, LEAF_DEPTH), base(handle, LEAF_DEPTH + HANDLE_REACH)])
+    }
 }
 
 /// Where an opening meets a room.

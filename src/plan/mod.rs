@@ -31,9 +31,11 @@ mod write_native;
 
 pub use assemble::assemble_level;
 pub use building::{
-    Building, FRAME_DEPTH, FRAME_WIDTH, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide,
-    PlacedBuilding, Plan, PlanSource, Room, RoomOpening, SitePlacement, Wall, WallKind,
+    Building, FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Leaf, Level, Obstacle, Opening, OpeningKind,
+    OpeningSide, PlacedBuilding, Plan, PlanSource, Room, RoomOpening, SitePlacement, Wall, WallKind,
 };
+#[cfg(test)]
+pub(crate) use building::{HANDLE_LENGTH, HANDLE_REACH, LEAF_DEPTH};
 pub use draft::{
     BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,
     RoomDraft, Subject,

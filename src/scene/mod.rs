@@ -27,7 +27,7 @@ pub(crate) use extras::GENERATOR;
 
 use axes::Pose;
 use meshes::{Look, MeshTable};
-use shell::{OpeningLook, RoomFinish, opening_node};
+use shell::{OpeningLook, RoomFinish, Storey, opening_node};
 
 use crate::catalog::DEFAULT_STYLE;
 use crate::contract::level_name;
@@ -46,13 +46,15 @@ pub fn build_scene(input: &SceneInput<'_>) -> Scene {
     let name = level_name(input.building, &input.level.id);
     let origin = Pose::on_floor(Point::ZERO, 0.0);
     let mut root = Node::at(name, &origin, None, extras::level_extras(input));
-    root.children.extend(openings(input, &mut meshes));
-    root.children.extend((0..input.furnished.len()).map(|room| room::room_node(input, room, &mut meshes)));
+    let storey = Storey::of(input.level);
+    root.children.extend(openings(input, &storey, &mut meshes));
+    let rooms = 0..input.furnished.len();
+    root.children.extend(rooms.map(|room| room::room_node(input, &storey, room, &mut meshes)));
     meshes.finish(root)
 }
 
 /// Openings look like the first room they join.
-fn openings<'a>(input: &SceneInput<'a>, meshes: &mut MeshTable<'a>) -> Vec<Node> {
+fn openings<'a>(input: &SceneInput<'a>, storey: &Storey<'_>, meshes: &mut MeshTable<'a>) -> Vec<Node> {
     let node = |opening: &crate::plan::Opening| {
         let room = opening.sides.first().map(|side| side.room);
         let style = room.map_or(DEFAULT_STYLE, |room| input.style_of(room));
@@ -60,7 +62,7 @@ fn openings<'a>(input: &SceneInput<'a>, meshes: &mut MeshTable<'a>) -> Vec<Node>
         let finish =
             room.map_or(RoomFinish::PLAIN, |room| RoomFinish::of(input.catalog, &input.level.rooms[room]));
         let SceneOptions { door_angle, parts, .. } = input.options;
-        opening_node(input.level, opening, &OpeningLook { finish, look, door_angle, parts }, meshes)
+        opening_node(storey, opening, &OpeningLook { finish, look, door_angle, parts }, meshes)
     };
     input.level.openings.iter().filter(|opening| input.shows(opening)).map(node).collect()
 }

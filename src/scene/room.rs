@@ -8,14 +8,19 @@ use super::light::{Owner, light_node};
 use super::meshes::{Look, MeshTable};
 use super::node::Node;
 use super::options::{Lights, Parts};
-use super::shell::{RoomFinish, room_parts};
+use super::shell::{RoomFinish, Storey, room_parts};
 use super::tint::Tint;
 use crate::catalog::VariantRef;
 use crate::contract::{Extras, FurnitureExtras, owned_name, room_name};
 use crate::layout::{Furnished, Parent, Placement};
 
 /// The node of a room: shell parts first, then furniture in the order of its placement.
-pub(crate) fn room_node<'a>(input: &SceneInput<'a>, index: usize, meshes: &mut MeshTable<'a>) -> Node {
+pub(crate) fn room_node<'a>(
+    input: &SceneInput<'a>,
+    storey: &Storey<'_>,
+    index: usize,
+    meshes: &mut MeshTable<'a>,
+) -> Node {
     let furnished = &input.furnished[index];
     let room = &input.level.rooms[furnished.room];
     let verdict = input.verdicts.get(index).cloned().unwrap_or_default();
@@ -24,7 +29,7 @@ pub(crate) fn room_node<'a>(input: &SceneInput<'a>, index: usize, meshes: &mut M
     let extras = room_extras(room, furnished, verdict, input.catalog);
     let mut node = Node::at(room_name(&room.id), &ROOM_POSE, None, extras);
     let is_merged = input.options.parts == Parts::Merged;
-    node.children = room_parts(input.level, room, finish, (look, is_merged), meshes);
+    node.children = room_parts(storey, room, finish, (look, is_merged), meshes);
     node.children.extend(furniture(input, furnished, &room.id, look, meshes));
     node
 }

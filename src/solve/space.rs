@@ -2,7 +2,7 @@
 
 use crate::audit::{ROUNDING, clip_segment, door_zones, middle, penetration};
 use crate::geometry::{Bounds, Grid, Line, Point, Solid};
-use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, RoomOpening};
+use crate::plan::{FRAME_DEPTH, FRAME_WIDTH, Leaf, RoomOpening};
 
 use super::borders::Borders;
 use super::empty_room::EmptyRoom;
@@ -46,11 +46,21 @@ fn with_bounds(zone: Vec<Point>) -> (Vec<Point>, Bounds) {
     (zone, bounds)
 }
 
+/// What leaves that stand open in the room take beside the ways through their doors.
+fn open_leaves(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
+    empty.at.room.openings.iter().flat_map(move |place| {
+        let normal = empty.at.room.walls[place.wall].normal();
+        let leaves = empty.at.level.openings[place.opening].leaves.iter();
+        let inward = leaves.filter(move |leaf| (leaf.open_tip - leaf.hinge).dot(normal) > 0.0);
+        inward.filter_map(Leaf::standing_open).flatten().map(|base| base.to_vec())
+    })
+}
+
 impl<'s, 'a> Space<'s, 'a> {
     /// The room without furniture.
     pub(crate) fn empty(empty: &'s EmptyRoom<'a>) -> Self {
         let passages = door_zones(empty.at, empty.rules().doors).into_iter().map(|zone| zone.base);
-        let zones = passages.chain(frames(empty));
+        let zones = passages.chain(frames(empty)).chain(open_leaves(empty));
         Self {
             empty,
             borders: Borders::new(empty),

@@ -1,33 +1,35 @@
 //! Computes the corners where the outer faces of neighbouring walls meet.
 
+use super::behind::{Behind, Quad, clipped};
+use super::storey::Storey;
+use super::thickness::{THIN_SHEET, built_thickness};
 use crate::geometry::{Point, Polygon, Region};
-use crate::plan::{Room, Wall, WallKind};
+use crate::plan::{Room, Wall};
 
 /// A wall's body seen from above; see [`super::wall::WallShape`] for the frame. Metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Footprint {
-    /// Where the outer face begins along the wall.
-    pub outer_from: f64,
-    /// Where it ends.
-    pub outer_to: f64,
-    /// From inner to outer face.
+    /// From inner to outer face, where no other room is in the way.
     pub thickness: f64,
+    /// The outer face, from the wall's start to its end.
+    pub back: Vec<Behind>,
 }
 
-/// Thickness of a wall to the open air where the plan has none.
-pub(crate) const SHEET: f64 = 0.01;
-/// Thickness where the plan has none and another room lies behind: what stands against the wall there must
-/// not be swallowed.
-pub(crate) const THIN_SHEET: f64 = 0.002;
-/// Thickness of a railing that the plan gives none.
-const RAILING: f64 = 0.05;
+impl Footprint {
+    /// The least depth behind the inner face.
+    pub(crate) fn least_depth(&self) -> f64 {
+        self.back.iter().map(|point| point.outer.y).fold(self.thickness, f64::min)
+    }
+}
+
 /// How far the outer face may reach round a sharp corner, in thicknesses of the thicker wall: 2.5 serves
 /// corners down to 45 degrees in full; below that the tip is cut.
 const MITRE_LIMIT: f64 = 2.5;
 /// Sine below which two walls run straight on.
 const STRAIGHT: f64 = 0.02;
-/// Cosine between the directions of two walls from which a mitre between unlike thicknesses would run far along them.
-const NEARLY_STRAIGHT: f64 = 0.95;
+/// Cosine between the directions of two walls from which a mitre between unlike thicknesses would run far along them: both
+/// end at the line that halves the corner instead, and the thicker one shows its end.
+const NEARLY_STRAIGHT: f64 = 0.85;
 /// Cosine between the directions of two walls up to which they stand back to back.
 const BACK_TO_BACK: f64 = -0.5;
 /// Metres that two walls must share along their direction to stand back to back.
@@ -40,8 +42,22 @@ const LEAST_DEPTH: f64 = 1e-3;
 /// tip, where the body would have no back.
 const TIP: f64 = 0.98;
 
-/// The footprints of a room's walls, by wall.
-pub(crate) fn footprints(room: &Room) -> Vec<Footprint> {
+/// The footprints of a room's walls, by wall: none enters a room of the level.
+pub(crate) fn footprints(storey: &Storey<'_>, room: &Room) -> Vec<Footprint> {
+    let quads = quads(room);
+    let walls = room.walls.iter().zip(quads);
+    walls.map(|(wall, quad)| footprint(storey, wall, quad)).collect()
+}
+
+fn footprint(storey: &Storey<'_>, wall: &Wall, quad: Quad) -> Footprint {
+    let Quad { length, outer: [from, to], thickness } = quad;
+    let corner = |inner: f64, outer: f64| Behind { inner, outer: Point::new(outer, thickness) };
+    let back = clipped(storey, wall, quad).unwrap_or_else(|| vec![corner(0.0, from), corner(length, to)]);
+    Footprint { thickness, back }
+}
+
+/// The bodies of a room's walls, by wall, as their corners make them.
+fn quads(room: &Room) -> Vec<Quad> {
     let bodies: Vec<Body<'_>> = room
         .walls
         .iter()
@@ -51,19 +67,19 @@ pub(crate) fn footprints(room: &Room) -> Vec<Footprint> {
             Body { wall, thickness: built_thickness(wall).min(clear) }
         })
         .collect();
-    let mut footprints = Vec::with_capacity(bodies.len());
+    let mut quads = Vec::with_capacity(bodies.len());
     let mut rest = bodies.as_slice();
     for (is_hole, count) in ring_lengths(&room.region) {
         let (ring, after) = rest.split_at(count.min(rest.len()));
         rest = after;
-        footprints.extend((0..ring.len()).map(|index| {
+        quads.extend((0..ring.len()).map(|index| {
             let (next, last) = ((index + 1) % ring.len(), (index + ring.len() - 1) % ring.len());
             // Each edge of a hole is reversed, their order is not: there the walk goes backwards.
             let (before, after) = if is_hole { (next, last) } else { (last, next) };
-            footprint(&ring[before], &ring[index], &ring[after])
+            quad(&ring[before], &ring[index], &ring[after])
         }));
     }
-    footprints
+    quads
 }
 
 /// A wall with the thickness that is built.
@@ -109,17 +125,7 @@ fn ring_lengths(region: &Region) -> impl Iterator<Item = (bool, usize)> {
     std::iter::once((false, count(&region.outline))).chain(holes)
 }
 
-/// The thickness that is built.
-pub(crate) fn built_thickness(wall: &Wall) -> f64 {
-    let least = match wall.kind {
-        WallKind::Railing(_) => RAILING,
-        WallKind::Solid if wall.is_exterior => SHEET,
-        WallKind::Solid => THIN_SHEET,
-    };
-    if wall.thickness < THIN_SHEET { least } else { wall.thickness }
-}
-
-fn footprint(before: &Body<'_>, body: &Body<'_>, after: &Body<'_>) -> Footprint {
+fn quad(before: &Body<'_>, body: &Body<'_>, after: &Body<'_>) -> Quad {
     let (length, thickness) = (body.wall.length(), body.thickness);
     let corner_at = |one: &Body<'_>, two: &Body<'_>, other: &Body<'_>| {
         reach_round_corner(one.wall.direction(), two.wall.direction(), [thickness, other.thickness])
@@ -127,13 +133,13 @@ fn footprint(before: &Body<'_>, body: &Body<'_>, after: &Body<'_>) -> Footprint 
     let outer_from = -corner_at(before, body, before);
     let outer_to = length + corner_at(body, after, after);
     if outer_from < outer_to {
-        return Footprint { outer_from, outer_to, thickness };
+        return Quad { length, outer: [outer_from, outer_to], thickness };
     }
     // Both mitres meet before the outer face: the body becomes (nearly) the triangle below that point.
     let share = TIP * length / (length + outer_from - outer_to);
-    Footprint {
-        outer_from: outer_from * share,
-        outer_to: length - (length - outer_to) * share,
+    Quad {
+        length,
+        outer: [outer_from * share, length - (length - outer_to) * share],
         thickness: (thickness * share).max(LEAST_DEPTH),
     }
 }
@@ -147,19 +153,20 @@ fn reach_round_corner(before: Point, after: Point, [thickness, other]: [f64; 2])
     if sine.abs() < STRAIGHT {
         return 0.0;
     }
+    if cosine > NEARLY_STRAIGHT {
+        return thickness * sine / (1.0 + cosine);
+    }
     let reach = (other - thickness * cosine) / sine;
-    // Where walls of unlike thickness run nearly straight on, both stop at the line on which the thicker one is cut:
-    // a thinner one that stopped farther off would leave a gap.
-    let least = if cosine > NEARLY_STRAIGHT { -MITRE_LIMIT * thickness } else { f64::NEG_INFINITY };
-    reach.clamp(least, MITRE_LIMIT * thickness.max(other))
+    reach.min(MITRE_LIMIT * thickness.max(other))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::Segment;
+    use crate::plan::WallKind;
 
-    fn walls(corners: &[(f64, f64)], thickness: &[f64]) -> Vec<Footprint> {
+    fn walls(corners: &[(f64, f64)], thickness: &[f64]) -> Vec<Quad> {
         let points: Vec<Point> = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
         let region = Region::simple(Polygon::new(&points).unwrap());
         let walls = region.borders().enumerate().map(|(index, Segment { start, end })| Wall {
@@ -183,14 +190,14 @@ mod tests {
             obstacles: Vec::new(),
             openings: Vec::new(),
         };
-        footprints(&room)
+        quads(&room)
     }
 
     #[test]
     fn a_square_corner_reaches_round_by_the_neighbours_thickness() {
         let prints = walls(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)], &[0.3, 0.1]);
-        assert!((prints[0].outer_from + 0.1).abs() < 1e-12 && (prints[0].outer_to - 4.1).abs() < 1e-12);
-        assert!((prints[1].outer_from + 0.3).abs() < 1e-12 && (prints[1].outer_to - 3.3).abs() < 1e-12);
+        assert!((prints[0].outer[0] + 0.1).abs() < 1e-12 && (prints[0].outer[1] - 4.1).abs() < 1e-12);
+        assert!((prints[1].outer[0] + 0.3).abs() < 1e-12 && (prints[1].outer[1] - 3.3).abs() < 1e-12);
     }
 
     #[test]
@@ -198,8 +205,8 @@ mod tests {
         let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0)];
         let prints = walls(&corners, &[0.2]);
         // Wall 2 ends and wall 3 begins at the inner corner (2, 2).
-        assert!((prints[2].outer_to - 1.8).abs() < 1e-12, "{:?}", prints[2]);
-        assert!((prints[3].outer_from - 0.2).abs() < 1e-12);
+        assert!((prints[2].outer[1] - 1.8).abs() < 1e-12, "{:?}", prints[2]);
+        assert!((prints[3].outer[0] - 0.2).abs() < 1e-12);
     }
 
     #[test]
@@ -207,14 +214,14 @@ mod tests {
         let corners =
             [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.1, 3.0), (2.1, 2.0), (2.0, 2.0), (2.0, 3.0), (0.0, 3.0)];
         let nib = walls(&corners, &[0.2])[4];
-        assert!(nib.outer_from < nib.outer_to && nib.thickness < 0.2, "{nib:?}");
-        assert!(nib.outer_from > 0.0 && nib.outer_to < 0.1, "{nib:?}");
+        assert!(nib.outer[0] < nib.outer[1] && nib.thickness < 0.2, "{nib:?}");
+        assert!(nib.outer[0] > 0.0 && nib.outer[1] < 0.1, "{nib:?}");
     }
 
     #[test]
     fn a_sharp_corner_is_cut() {
         let prints = walls(&[(0.0, 0.0), (10.0, 0.0), (10.0, 1.0)], &[0.2]);
-        assert!(prints[0].outer_from >= -MITRE_LIMIT * 0.2 - 1e-12);
+        assert!(prints[0].outer[0] >= -MITRE_LIMIT * 0.2 - 1e-12);
     }
 
     #[test]
@@ -222,15 +229,16 @@ mod tests {
         let corners = [(0.0, 0.0), (2.0, 0.0), (4.0, -0.06), (4.0, 3.0), (0.0, 3.0)];
         let prints = walls(&corners, &[0.35, 0.07, 0.07, 0.07, 0.07]);
         let slope = |along: f64, depth: f64| along / depth;
-        let (thick, thin) = (slope(prints[0].outer_to - 2.0, 0.35), slope(prints[1].outer_from, 0.07));
-        assert!((thick - thin).abs() < 1e-9 && thick > 0.0, "{thick} {thin}");
+        let (thick, thin) = (slope(prints[0].outer[1] - 2.0, 0.35), slope(prints[1].outer[0], 0.07));
+        // The line that halves the corner, seen from either wall: both stop short where the corner points into the room.
+        assert!((thick + thin).abs() < 1e-9 && thick < 0.0, "{thick} {thin}");
     }
 
     #[test]
     fn a_wall_going_straight_on_ends_square() {
         let corners = [(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)];
         let prints = walls(&corners, &[0.1, 0.3, 0.1, 0.1, 0.1]);
-        assert_eq!(prints[0].outer_to, 2.0);
-        assert_eq!(prints[1].outer_from, 0.0);
+        assert_eq!(prints[0].outer[1], 2.0);
+        assert_eq!(prints[1].outer[0], 0.0);
     }
 }

@@ -205,6 +205,32 @@ mod tests {
     }
 
     #[test]
+    fn a_leaf_is_where_furniture_keeps_free() {
+        use crate::geometry::Point;
+        use crate::plan::{HANDLE_HEIGHTS, HANDLE_LENGTH, HANDLE_REACH, LEAF_DEPTH, Leaf};
+        const ROUNDING: f64 = 1e-4;
+        let shape = LeafShape {
+            length: Ticks(90_000),
+            top: Ticks(210_000),
+            body_on_front: true,
+            meets_jamb: false,
+            design: LeafDesign::Panelled,
+        };
+        let mut corners = shape.build().into_iter().flat_map(|solid| solid.finish().positions);
+        let deepest = corners.clone().map(|[_, _, z]| f64::from(z)).fold(0.0, f64::max);
+        assert!((deepest - LEAF_DEPTH - HANDLE_REACH).abs() < ROUNDING, "{deepest}");
+        assert!(corners.all(|corner| {
+            let [x, y, z] = corner.map(f64::from);
+            let is_handle = x > 0.9 - HANDLE_LENGTH && y > HANDLE_HEIGHTS.0 && y < HANDLE_HEIGHTS.1;
+            z < LEAF_DEPTH + ROUNDING || is_handle
+        }));
+        // The same leaf in a plan: it turns clockwise, its body on the right of the line to its free end.
+        let leaf = Leaf { hinge: Point::ZERO, closed_tip: Point::Y * 0.9, open_tip: Point::X * 0.9 };
+        let [board, _] = leaf.standing_open().unwrap();
+        assert!(board.iter().all(|corner| corner.y <= 0.0), "{board:?}");
+    }
+
+    #[test]
     fn the_grain_of_a_leaf_runs_up() {
         let shape = LeafShape {
             length: Ticks(90_000),

@@ -3,6 +3,7 @@
 //! Each part is described by a [`Shape`] in whole ticks in the frame of its own node, then built. Rooms that are equal
 //! apart from their place share meshes, also where parts are merged.
 
+mod behind;
 mod corner;
 mod finish;
 mod fitted;
@@ -18,6 +19,8 @@ mod skirting;
 mod slab;
 mod slots;
 mod solid;
+mod storey;
+mod thickness;
 mod ticks;
 mod wall;
 mod window;
@@ -25,6 +28,7 @@ mod window;
 pub(crate) use finish::RoomFinish;
 pub(crate) use opening::{OpeningLook, opening_node};
 pub(crate) use room::room_parts;
+pub(crate) use storey::Storey;
 
 use fitting::Fitting;
 use frame::Reveal;

@@ -1,12 +1,14 @@
 //! Doors, windows, passages and open boundaries.
 
-use super::corner::built_thickness;
+use super::behind::least_depth;
 use super::finish::RoomFinish;
 use super::frame::Reveal;
 use super::leaf::{LeafDesign, LeafShape};
 use super::merge::Merged;
 use super::opening_size::{casing, opening_heights};
 use super::slots::{FRAME_SLOT, RAILING_SLOT};
+use super::storey::Storey;
+use super::thickness::built_thickness;
 use super::ticks::Ticks;
 use super::{SLAB, Shape};
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
@@ -40,14 +42,15 @@ pub(crate) struct OpeningLook<'a> {
 
 /// The node of an opening with its pieces. It faces the first room it joins.
 pub(crate) fn opening_node<'a>(
-    level: &Level,
+    storey: &Storey<'_>,
     opening: &Opening,
     &OpeningLook { finish, look, door_angle, parts }: &OpeningLook<'a>,
     meshes: &mut MeshTable<'a>,
 ) -> Node {
+    let level = storey.level;
     let facing = opening.sides.first().map_or(opening.along.perp(), |side| wall_of(level, side).normal());
     let pose = Pose::on_floor(opening.center, angle_facing(facing));
-    let reveal = reveal(level, opening, &pose);
+    let reveal = reveal(storey, opening, &pose);
     let name = opening_id(opening).to_string();
     let mut pieces = Pieces {
         owner: &name,
@@ -85,7 +88,8 @@ fn leaf_design(level: &Level, opening: &Opening, look: Look<'_>) -> LeafDesign {
 }
 
 /// The hole through all walls of the opening, in the frame of its node.
-fn reveal(level: &Level, opening: &Opening, pose: &Pose) -> Reveal {
+fn reveal(storey: &Storey<'_>, opening: &Opening, pose: &Pose) -> Reveal {
+    let level = storey.level;
     let (across, back) = axes_at(pose.angle);
     let local = |point: Point| (point - opening.center).dot(across);
     let depth = |point: Point| -(point - opening.center).dot(back);
@@ -98,7 +102,8 @@ fn reveal(level: &Level, opening: &Opening, pose: &Pose) -> Reveal {
         right = right.min(local(ends[0]).max(local(ends[1])));
         let inner = depth((ends[0] + ends[1]) / 2.0);
         // Towards the far side of this room's part of the wall.
-        let behind = -wall.normal().dot(-back) * built_thickness(wall);
+        let thick = least_depth(storey, wall, [side.from, side.to], built_thickness(wall));
+        let behind = -wall.normal().dot(-back) * thick;
         low = low.min(inner).min(inner + behind);
         high = high.max(inner).max(inner + behind);
     }

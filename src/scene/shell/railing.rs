@@ -25,6 +25,8 @@ const POST: Ticks = Ticks(4_000);
 const HANDRAIL: [Ticks; 2] = [Ticks(4_000), Ticks(5_000)];
 /// Lower rails: height and depth.
 const RAIL: Ticks = Ticks(2_000);
+/// Least depth of a bar: in the thinnest strip it stands out by half of it.
+const LEAST_DEPTH: Ticks = Ticks(1_600);
 /// Furthest distance of posts.
 const POST_INTERVAL: i32 = 120_000;
 /// Furthest clear height between rails.
@@ -72,8 +74,9 @@ impl RailingShape {
         }
     }
 
-    /// A bar in the middle of the strip: along the wall, in height, and its depth.
+    /// A bar in the middle of the strip: along the wall, in height, and its depth; of a narrow strip it takes all.
     fn bar(&self, along: [Ticks; 2], height: [Ticks; 2], depth: Ticks, solid: &mut Solid) {
+        let depth = depth.min(self.thickness.max(LEAST_DEPTH));
         let x = |u: Ticks| Ticks(self.length.0 / 2) - u;
         let back = Ticks((-self.thickness.0 - depth.0) / 2);
         solid.cuboid([x(along[1]), height[0], back], [x(along[0]), height[1], back + depth]);

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::behind::Behind;
 use super::corner::{Footprint, footprints};
 use super::finish::RoomFinish;
 use super::fitted::{Fitted, sockets, switches};
@@ -12,8 +13,9 @@ use super::railing::RailingShape;
 use super::skirting::{self, SkirtingShape};
 use super::slab::SlabShape;
 use super::slots::{FACADE_SLOT, RAILING_SLOT, SKIRTING_SLOT};
+use super::storey::Storey;
 use super::ticks::Ticks;
-use super::wall::{Hole, WallShape};
+use super::wall::{Cut, Hole, WallShape};
 use super::{INSET, SLAB, Shape};
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::{Point, Region};
@@ -35,17 +37,18 @@ const ROUNDING: f64 = 1e-6;
 /// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns, sockets, switches; where all but floor
 /// and ceiling are merged, last the one that shows them.
 pub(crate) fn room_parts<'a>(
-    level: &Level,
+    storey: &Storey<'_>,
     room: &Room,
     finish: RoomFinish,
     (look, is_merged): (Look<'a>, bool),
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
+    let level = storey.level;
     let origin = Pose::on_floor(room.region.outline.corners()[0], 0.0);
     let merged = is_merged.then(|| Merged::at(origin));
     let mut parts = RoomParts { room, palette: look.palette, origin, merged, meshes, nodes: Vec::new() };
     parts.slabs(level, finish);
-    for (index, footprint) in footprints(room).into_iter().enumerate() {
+    for (index, footprint) in footprints(storey, room).into_iter().enumerate() {
         parts.wall(level, index, footprint, finish);
     }
     parts.skirting(level, finish);
@@ -85,17 +88,17 @@ impl RoomParts<'_, '_, '_> {
         let shape = match wall.kind {
             WallKind::Railing(height) if footprint.thickness < PARAPET_FROM => Shape::Railing(RailingShape {
                 length: Ticks::of(wall.length()),
-                thickness: Ticks::of(footprint.thickness),
+                thickness: Ticks::of(footprint.least_depth()),
                 height: Ticks::of(height),
                 gaps: holes.iter().map(|hole| (hole.from, hole.to)).collect(),
                 slot: RAILING_SLOT,
             }),
             WallKind::Railing(height) => {
-                self.body(wall_shape(wall, footprint, Ticks::of(height), holes, finish))
+                self.body(wall_shape(wall, &footprint, Ticks::of(height), holes, finish))
             }
             WallKind::Solid => {
                 let top = storey_end(level, self.room).walls;
-                self.body(wall_shape(wall, footprint, top, holes, finish))
+                self.body(wall_shape(wall, &footprint, top, holes, finish))
             }
         };
         let id = PartId::numbered(Part::Wall, index);
@@ -249,12 +252,14 @@ fn main_direction(walls: &[Wall]) -> Point {
     if x < Ticks(0) || (x == Ticks(0) && y < Ticks(0)) { -longest.1 } else { longest.1 }
 }
 
-fn wall_shape(wall: &Wall, print: Footprint, top: Ticks, holes: Vec<Hole>, finish: RoomFinish) -> WallShape {
+fn wall_shape(wall: &Wall, print: &Footprint, top: Ticks, holes: Vec<Hole>, finish: RoomFinish) -> WallShape {
+    let cut = |point: &Behind| Cut {
+        inner: Ticks::of(point.inner),
+        outer: [Ticks::of(point.outer.x), Ticks::of(point.outer.y)],
+    };
     WallShape {
         length: Ticks::of(wall.length()),
-        outer_from: Ticks::of(print.outer_from),
-        outer_to: Ticks::of(print.outer_to),
-        thickness: Ticks::of(print.thickness),
+        back: print.back.iter().map(cut).collect(),
         bottom: WALL_FOOT,
         top,
         holes,

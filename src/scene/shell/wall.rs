@@ -10,9 +10,9 @@ use crate::recipes::Slot;
 /// behind (−Z). Seen from above, `u` runs along the inner face from the wall's start:
 ///
 /// ```text
-///   outer_from             outer_to
-///      +----------------------+        z = -thickness
-///       \                    /
+///   back's end          back's start
+///      +---------+  +---------+        z = -depth
+///       \         \/         /         (less where a room lies behind)
 ///        +------------------+          z = 0, the room is below
 ///      u = length         u = 0   →  +X
 /// ```
@@ -20,12 +20,8 @@ use crate::recipes::Slot;
 pub(crate) struct WallShape {
     /// Length of the inner face.
     pub length: Ticks,
-    /// Where the outer face begins, as `u`; below zero where it reaches round a corner.
-    pub outer_from: Ticks,
-    /// Where the outer face ends, as `u`; never before `outer_from`.
-    pub outer_to: Ticks,
-    /// From inner to outer face.
-    pub thickness: Ticks,
+    /// The outer face: from `u` zero to the length, two at least.
+    pub back: Vec<Cut>,
     /// Underside; the floor of the room is zero.
     pub bottom: Ticks,
     /// Top.
@@ -58,10 +54,12 @@ pub(crate) struct Hole {
 const SEAM: Ticks = Ticks(20);
 
 /// A cut through the wall: where it meets the inner and the outer face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Cut {
-    inner: Ticks,
-    outer: Ticks,
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Cut {
+    /// On the inner face.
+    pub inner: Ticks,
+    /// On the outer face: along the wall, beyond its ends where it reaches round a corner, and behind the inner face.
+    pub outer: [Ticks; 2],
 }
 
 impl WallShape {
@@ -71,12 +69,24 @@ impl WallShape {
         let length = self.length - seam - seam;
         let inside = |u: Ticks| (u - seam).clamp(Ticks(0), length);
         let hole = |hole: Hole| Hole { from: inside(hole.from), to: inside(hole.to), ..hole };
-        Self {
-            length,
-            outer_to: self.outer_from.max(self.outer_to - seam - seam),
-            holes: self.holes.into_iter().map(hole).collect(),
-            ..self
+        let cut = |cut: Cut| {
+            let [u, depth] = cut.outer;
+            let u = match cut.inner {
+                Ticks(0) => u,
+                inner if inner == self.length => u - seam - seam,
+                _ => u - seam,
+            };
+            Cut { inner: inside(cut.inner), outer: [u, depth] }
+        };
+        let mut back: Vec<Cut> = self.back.iter().copied().map(cut).collect();
+        // A face that is shorter than the seams keeps its direction.
+        for index in 1..back.len() {
+            if self.back[index].outer[0] >= self.back[index - 1].outer[0] {
+                back[index].outer[0] = back[index].outer[0].max(back[index - 1].outer[0]);
+            }
         }
+        back.dedup();
+        Self { length, back, holes: self.holes.into_iter().map(hole).collect(), ..self }
     }
 
     /// The wall as a grid of cells between cuts and heights; faces stand where a filled cell meets none, so
@@ -117,13 +127,14 @@ impl WallShape {
     /// Start, both ends of each hole, end. A hole that begins or ends at a corner leaves the mitre behind it: then two
     /// cuts meet on the inner face.
     fn cuts(&self) -> Vec<Cut> {
-        let mut inner: Vec<Ticks> = self.holes.iter().flat_map(|hole| [hole.from, hole.to]).collect();
-        inner.retain(|u| (Ticks(0)..=self.length).contains(u));
-        inner.sort_unstable();
-        inner.dedup();
-        let mut cuts = vec![Cut { inner: Ticks(0), outer: self.outer_from }];
-        cuts.extend(inner.iter().map(|&u| Cut { inner: u, outer: u.clamp(self.outer_from, self.outer_to) }));
-        cuts.push(Cut { inner: self.length, outer: self.outer_to });
+        let mut cuts = self.back.clone();
+        for u in self.holes.iter().flat_map(|hole| [hole.from, hole.to]) {
+            let is_around =
+                |pair: &[Cut]| pair[0].inner <= u && u <= pair[1].inner && pair[0].inner < pair[1].inner;
+            if let Some(index) = cuts.windows(2).position(is_around) {
+                cuts.insert(index + 1, between(cuts[index], cuts[index + 1], u));
+            }
+        }
         cuts.dedup();
         cuts
     }
@@ -151,6 +162,15 @@ impl WallShape {
     }
 }
 
+/// A cut square through the wall at `u`, between two others: at their outer ends where those do not reach so far.
+fn between(one: Cut, two: Cut, u: Ticks) -> Cut {
+    let ([from, start], [to, end]) = (one.outer, two.outer);
+    let at = u.max(from).min(to.max(from));
+    let share = if to > from { f64::from((at - from).0) / f64::from((to - from).0) } else { 0.0 };
+    let depth = f64::from(start.0) + f64::from((end - start).0) * share;
+    Cut { inner: u, outer: [at, Ticks(depth.round() as i32)] }
+}
+
 /// One filled cell of the grid.
 struct Cell<'a> {
     shape: &'a WallShape,
@@ -171,11 +191,10 @@ struct Bare {
 impl Cell<'_> {
     fn faces(&self, bare: &Bare, [solid, outer, dado]: &mut [Solid; 3]) {
         let middle = self.shape.length.metres() / 2.0;
-        let back = (-self.shape.thickness).narrow();
         let x = |u: Ticks| (middle - u.metres()) as f32;
         let (low, high) = (self.low.narrow(), self.high.narrow());
         let front = |cut: Cut, y: f32| Vec3::new(x(cut.inner), y, 0.0);
-        let behind = |cut: Cut, y: f32| Vec3::new(x(cut.outer), y, back);
+        let behind = |cut: Cut, y: f32| Vec3::new(x(cut.outer[0]), y, (-cut.outer[1]).narrow());
         let (start, end) = (self.start, self.end);
         let is_dado = self.shape.dado.is_some_and(|(height, _)| self.high <= height);
         let inner = if is_dado { dado } else { &mut *solid };

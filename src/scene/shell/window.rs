@@ -6,14 +6,18 @@ use super::solid::Solid;
 use super::ticks::Ticks;
 use crate::recipes::Slot;
 
-/// Depth of the bars of a window frame.
+/// Depth of the bars of a window frame, and the least one behind a handle.
 const BAR_DEPTH: Ticks = Ticks(7_000);
+const LEAST_BAR_DEPTH: Ticks = Ticks(4_000);
+/// How far sills, bars and handles may stand out of a wall: furniture and curtains touch the wall, and no piece may be more
+/// than 1 cm in another.
+const FLUSH: Ticks = Ticks(900);
 /// Widest casement: a window has as many as it takes.
 const CASEMENT: i32 = 90_000;
 /// Height from which a window has a transom, and height of the lights above it.
 const TRANSOM: [Ticks; 2] = [Ticks(180_000), Ticks(45_000)];
 /// Board on the sill inside: thickness, and how far it stands into the room.
-const SILL_BOARD: [Ticks; 2] = [Ticks(2_500), Ticks(2_000)];
+const SILL_BOARD: [Ticks; 2] = [Ticks(2_500), FLUSH];
 /// Sheet on the sill outside: thickness, and how far it stands out.
 const SILL_SHEET: [Ticks; 2] = [Ticks(1_500), Ticks(3_500)];
 /// Material of the sheet.
@@ -63,6 +67,9 @@ impl Reveal {
         }
         let middle = Ticks((casement[0].0 + casement[1].0) / 2);
         let face = self.bar_depth().1;
+        if face + distance + thickness > self.front + FLUSH {
+            return solid;
+        }
         for column in &panes.columns {
             let left = column[1] + width;
             let right = left + width;
@@ -78,7 +85,9 @@ impl Reveal {
     pub(crate) fn window_glass(&self) -> Solid {
         let panes = self.panes();
         let half = Ticks(GLASS.0 / 2);
-        let (back, front) = (self.middle_depth() - half, self.middle_depth() + half);
+        let (behind, before) = self.bar_depth();
+        let middle = Ticks((behind.0 + before.0) / 2);
+        let (back, front) = (middle - half, middle + half);
         let mut solid = Solid::new(GLASS_SLOT);
         for row in &panes.rows {
             for column in &panes.columns {
@@ -117,10 +126,18 @@ impl Reveal {
         Panes { columns, rows }
     }
 
-    /// Bars stand in the middle of the wall; thin walls have bars that stand out.
+    /// Bars stand in the middle of the wall, or so far back that handles before them hardly stand out of it. In walls that
+    /// are too thin for that, bars are as deep as the wall.
     fn bar_depth(&self) -> (Ticks, Ticks) {
         let half = Ticks(BAR_DEPTH.0 / 2);
-        (self.middle_depth() - half, self.middle_depth() + half)
+        let [.., distance, thickness] = HANDLE;
+        let (lowest, highest) = (self.back - FLUSH, self.front + FLUSH);
+        let front = (self.middle_depth() + half).min(highest - distance - thickness);
+        let back = (front - BAR_DEPTH).max(lowest);
+        if front - back >= LEAST_BAR_DEPTH {
+            return (back, front);
+        }
+        ((self.middle_depth() - half).max(lowest), (self.middle_depth() + half).min(highest))
     }
 }
 
