@@ -3,6 +3,8 @@
 //! In a room that somebody filled with a thousand copies at one place everything is near everything. There each thing is
 //! compared with some of the others only: a room of which that is true fails for what was compared.
 
+use std::borrow::Cow;
+
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, PointDistance, RTree};
 
@@ -70,8 +72,8 @@ impl NearPoints {
     }
 
     /// The things that are nearest to a place, so many at most: all of them where they are not many.
-    pub(crate) fn nearest(&self, place: Point) -> Vec<usize> {
-        let Some(tree) = &self.tree else { return self.all.clone() };
+    pub(crate) fn nearest(&self, place: Point) -> Cow<'_, [usize]> {
+        let Some(tree) = &self.tree else { return Cow::Borrowed(&self.all) };
         tree.nearest_neighbor_iter(&place.to_array()).take(MOST_NEAR).map(|entry| entry.data).collect()
     }
 
@@ -143,7 +145,7 @@ mod tests {
     fn of_many_things_the_nearest_are_found_and_of_few_all() {
         let place = |number: usize| Point::new(number as f64, 0.0);
         let things = |count: usize| NearPoints::new((0..count).map(|number| (number, place(number))));
-        assert_eq!(things(3).nearest(Point::ZERO), [0, 1, 2]);
+        assert_eq!(*things(3).nearest(Point::ZERO), [0, 1, 2]);
         let many = things(10 * MOST_NEAR);
         let nearest = many.nearest(Point::new(500.2, 0.0));
         assert_eq!((nearest.len(), nearest[0], nearest[1]), (MOST_NEAR, 500, 501));

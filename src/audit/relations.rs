@@ -88,8 +88,8 @@ impl<'s, 'a> Known<'s, 'a> {
             ParentName::Classes(classes) => {
                 for &class in classes {
                     let others = self.subject.nearest_of(class, position);
-                    let others = others.into_iter().filter(|&index| index != own);
-                    others.for_each(|index| visit(Target::of_body(&bodies[index])));
+                    let others = others.iter().filter(|&&index| index != own);
+                    others.for_each(|&index| visit(Target::of_body(&bodies[index])));
                 }
             }
             ParentName::Window | ParentName::Door => {

@@ -1,6 +1,7 @@
 //! What the audit looks at: one room with the bodies that stand in it.
 
 use core::cell::OnceCell;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, DEFAULT_STYLE, Style};
@@ -115,7 +116,7 @@ impl<'a> Subject<'a> {
     }
 
     /// The bodies of a class that are nearest to a place, by index, so many as [`NearPoints::nearest`] gives.
-    pub(crate) fn nearest_of(&self, class: ClassIndex, place: Point) -> Vec<usize> {
+    pub(crate) fn nearest_of(&self, class: ClassIndex, place: Point) -> Cow<'_, [usize]> {
         let by_class = self.by_class.get_or_init(|| {
             let mut places: BTreeMap<ClassIndex, Vec<(usize, Point)>> = BTreeMap::new();
             for (index, body) in self.bodies.iter().enumerate() {

@@ -20,7 +20,16 @@ pub struct Convex {
     is_symmetric: bool,
     /// Metres of the radius of the disc that it stands for, if that is round.
     radius: Option<f64>,
+    /// A rectangle along the axes of the plan, as most furniture and walls are: its box is all that it covers.
+    fills_its_bounds: bool,
 }
+
+/// Metres by which corners of rectangles along the axes may be off their sides: the sine of half a turn is 1e-16, not zero.
+const STRAIGHT: f64 = 1e-9;
+
+/// Metres within which the exact test decides instead of a quick one, far more than rounding. Larger only makes the exact test
+/// more frequent.
+pub(super) const CLOSE: f64 = 1e-7;
 
 impl Convex {
     /// A rectangle around `center`; `axis` is the unit vector along its width.
@@ -32,7 +41,8 @@ impl Convex {
         corners[1] = center + along - across;
         corners[2] = center + along + across;
         corners[3] = center - along + across;
-        Self { corners, count: 4, is_symmetric: true, radius: None }
+        let off_axis = (along.x.abs().min(along.y.abs())).max(across.x.abs().min(across.y.abs()));
+        Self { corners, count: 4, is_symmetric: true, radius: None, fills_its_bounds: off_axis < STRAIGHT }
     }
 
     /// The polygon around an ellipse with half axes `half`, `axis` along the first.
@@ -58,7 +68,7 @@ impl Convex {
         ];
         let corners = UNIT.map(|(x, y)| center + axis * (x * half.x) + axis.perp() * (y * half.y));
         let radius = (half.x == half.y).then_some(half.x);
-        Self { corners, count: DISC_CORNERS, is_symmetric: true, radius }
+        Self { corners, count: DISC_CORNERS, is_symmetric: true, radius, fills_its_bounds: false }
     }
 
     /// A convex polygon from its counter-clockwise corners.
@@ -70,13 +80,18 @@ impl Convex {
         assert!((3..=DISC_CORNERS).contains(&points.len()), "a convex footprint has 3 to 12 corners");
         let mut corners = [Point::ZERO; DISC_CORNERS];
         corners[..points.len()].copy_from_slice(points);
-        Self { corners, count: points.len(), is_symmetric: false, radius: None }
+        Self { corners, count: points.len(), is_symmetric: false, radius: None, fills_its_bounds: false }
     }
 
     /// The corners, counter-clockwise.
     #[must_use]
     pub fn corners(&self) -> &[Point] {
         &self.corners[..self.count]
+    }
+
+    /// Whether it is a rectangle along the axes of the plan, so that its box says all about it.
+    pub(super) fn fills_its_bounds(&self) -> bool {
+        self.fills_its_bounds
     }
 
     /// The middle of the corners.
@@ -135,8 +150,6 @@ impl Convex {
     fn is_met_by_disc(&self, disc: &Self, tolerance: f64) -> Option<bool> {
         /// The circle around the corners, by that within: 1 / cos 15°.
         const AROUND: f64 = 1.035_276_180_410_083;
-        /// Metres within which the exact test decides, far more than rounding.
-        const CLOSE: f64 = 1e-7;
         let radius = disc.radius.filter(|_| self.is_symmetric && self.count == 4)?;
         let from_corner = (disc.corners[0] + disc.corners[DISC_CORNERS / 2]) / 2.0 - self.corners[0];
         let sides = [self.corners[1] - self.corners[0], self.corners[3] - self.corners[0]];

@@ -124,7 +124,7 @@ impl Grid {
     pub fn each_under(&self, base: &Convex, mut visit: impl FnMut(u32)) {
         let bounds = base.bounds();
         let (left, right, bottom, top) = self.cells(bounds);
-        if left == right || bottom == top {
+        if base.fills_its_bounds() || left == right || bottom == top {
             // Along an axis, as most walls run, the box is the strip.
             return self.each(bounds, visit);
         }

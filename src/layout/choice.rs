@@ -1,5 +1,7 @@
 //! The style that a room is furnished in.
 
+use std::borrow::Cow;
+
 use super::options::FurnishOptions;
 use super::seed::shared_draw;
 use crate::catalog::{BuildingStyle, Catalog, Class, DEFAULT_STYLE, Share, Style};
@@ -38,14 +40,14 @@ fn draw(style: &BuildingStyle, at: RoomRef<'_>, options: &FurnishOptions<'_>) ->
 }
 
 /// The names that a room has in common with those that it shares with, and with no others.
-fn sharing(share: Share, at: RoomRef<'_>, options: &FurnishOptions<'_>) -> Vec<String> {
-    let building = options.building.to_owned();
-    let level = at.level.id.clone();
+fn sharing<'a>(share: Share, at: RoomRef<'a>, options: &FurnishOptions<'a>) -> Vec<Cow<'a, str>> {
+    let building = Cow::Borrowed(options.building);
+    let level = Cow::Borrowed(at.level.id.as_str());
     match (share, &at.room.dwelling) {
         (Share::Building, _) => vec![building],
         (Share::Level, _) | (Share::Dwelling, None) => vec![building, level],
-        (Share::Dwelling, Some(dwelling)) => vec![building, level, dwelling.clone()],
-        (Share::Room, _) => vec![building, level, String::new(), at.room.number.to_string()],
+        (Share::Dwelling, Some(dwelling)) => vec![building, level, dwelling.into()],
+        (Share::Room, _) => vec![building, level, "".into(), at.room.number.to_string().into()],
     }
 }
 
@@ -69,11 +71,11 @@ impl<'a> Series<'a> {
 
     /// A number from 0 up to 1 that pieces of a class have in common in all rooms where they look alike.
     pub(crate) fn look(&self, class: &Class, seed: u64) -> f64 {
-        shared_draw(seed, self.names(class).iter().map(String::as_str).chain(["look of", &class.id]))
+        shared_draw(seed, self.names(class).iter().map(Cow::as_ref).chain(["look of", &class.id]))
     }
 
     /// The names that the room has in common with those where pieces of a class look alike.
-    fn names(&self, class: &Class) -> Vec<String> {
+    fn names(&self, class: &Class) -> Vec<Cow<'a, str>> {
         sharing(class.share.unwrap_or(self.share), self.at, self.options)
     }
 

@@ -23,6 +23,9 @@ const SLACK: f64 = 0.35;
 /// Cells of the largest radius whose squares are counted: 7.5 m, more than anybody needs to pass.
 const MOST_REACH: u16 = 150;
 
+/// Cells of a row whose distances are found at once: as many as stay in registers while all that lie beside them are tried.
+const BLOCK: usize = 32;
+
 /// A grid of free and blocked cells. The outermost cells are always blocked.
 #[derive(Clone)]
 pub(crate) struct Raster {
@@ -99,15 +102,16 @@ impl Raster {
     /// 1994: distances along columns first, then along rows the least sum of squares. A person's radius reaches
     /// over so few cells that trying each of them, on whole rows at once, is faster than any cleverer search.
     pub(crate) fn distances(&self, reach: u16) -> Vec<u16> {
-        let heights = self.column_squares(reach + 1);
-        let mut squares = heights.clone();
-        let rows = squares.chunks_exact_mut(self.columns).zip(heights.chunks_exact(self.columns));
-        for (squares, heights) in rows {
-            for step in (1..=reach).take(self.columns - 1) {
-                let (from, aside) = (usize::from(step), step * step);
-                let lower = |(square, &height): (&mut u16, &u16)| *square = (*square).min(height + aside);
-                squares[from..].iter_mut().zip(heights).for_each(lower);
-                squares.iter_mut().zip(&heights[from..]).for_each(lower);
+        let columns = self.columns;
+        let mut squares = self.column_squares(reach + 1);
+        // A row with as many cells on both sides as are tried, and more up to a whole block: all of no obstacle.
+        let margin = usize::from(reach);
+        let mut heights = vec![u16::MAX - reach * reach; columns.next_multiple_of(BLOCK) + 2 * margin];
+        for row in squares.chunks_exact_mut(columns) {
+            heights[margin..][..columns].copy_from_slice(row);
+            for (block, squares) in row.chunks_mut(BLOCK).enumerate() {
+                let least = least_squares(&heights[block * BLOCK..][..BLOCK + 2 * margin], margin);
+                squares.copy_from_slice(&least[..squares.len()]);
             }
         }
         squares
@@ -151,8 +155,11 @@ impl Raster {
 
     /// The first index whose cell middle lies at or after `metres` from the first, at most `count`.
     fn index_after(&self, metres: f64, count: usize) -> usize {
-        // Numbers below zero become zero.
-        ((metres / self.cell).ceil() as usize).min(count)
+        // Rounded up by hand, which is a call on processors of twenty years ago, for which this is compiled. Numbers below zero
+        // become zero.
+        let place = metres / self.cell;
+        let whole = place as usize;
+        whole.saturating_add(usize::from(place > whole as f64)).min(count)
     }
 
     /// The least distance, as [`Raster::distances`] gives it, of cells where a disc of a diameter may be.
@@ -165,6 +172,23 @@ impl Raster {
     pub(crate) fn reach(&self, diameter: f64) -> u16 {
         ((diameter / 2.0 / self.cell).ceil() as u16).min(MOST_REACH)
     }
+}
+
+/// The least sums of squares of a block of cells. `heights` are the squares along columns of the cells and of `margin` more on
+/// both sides.
+fn least_squares(heights: &[u16], margin: usize) -> [u16; BLOCK] {
+    let block = |from: usize| -> &[u16; BLOCK] {
+        heights[from..][..BLOCK].try_into().expect("a block lies so far from both ends")
+    };
+    let mut least = *block(margin);
+    for step in 1..=margin {
+        let aside = (step * step) as u16;
+        let (before, after) = (block(margin - step), block(margin + step));
+        for ((least, &before), &after) in least.iter_mut().zip(before).zip(after) {
+            *least = (*least).min(before.min(after) + aside);
+        }
+    }
+    least
 }
 
 /// Metres from cell to cell for a floor of a size in metres.

@@ -83,7 +83,8 @@ fn hangs_over_nothing(subject: &Subject<'_>, mirror: &Body<'_>) -> bool {
         across <= body.placement.size.width / 2.0 && forth <= body.placement.size.depth / 2.0 + reach
     };
     let nearest = |&class: &usize| subject.nearest_of(class, mirror.placement.position);
-    let is_over_some = || below.iter().flat_map(nearest).any(|body| is_under(&subject.bodies[body]));
+    let is_over = |class: &usize| nearest(class).iter().any(|&body| is_under(&subject.bodies[body]));
+    let is_over_some = || below.iter().any(is_over);
     mirror.is_in(MIRROR) && !below.is_empty() && !is_over_some()
 }
 

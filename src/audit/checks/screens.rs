@@ -23,9 +23,8 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let viewers = NearPoints::new(viewers.map(|(index, body)| (index, body.placement.position)));
     for (index, screen) in subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(SCREEN)) {
         let (position, diagonal) = (screen.placement.position, diagonal(screen));
-        let mut nearest = viewers.nearest(position).into_iter();
-        let sees = |viewer: usize| sees(subject, viewer, index);
-        if !nearest.any(sees) {
+        let sees = |&viewer: &usize| sees(subject, viewer, index);
+        if !viewers.nearest(position).iter().any(sees) {
             let place = |viewer: usize| subject.bodies[viewer].placement.position;
             // Without any seat the screen is infinitely far away, for which JSON has no number.
             let nearest = viewers.distance(position, place).map_or(0.0, |distance| distance / diagonal);
