@@ -17,6 +17,7 @@ pub(crate) fn all() -> Vec<(&'static str, Level)> {
         ("slanted walls, narrow nib", slanted()),
         ("outline folding back on itself", folding_back()),
         ("openings at corners", openings_at_corners()),
+        ("door beside a corner", door_beside_a_corner()),
         ("every kind of opening", every_kind()),
         ("no thickness", without_thickness()),
         ("balcony", balcony()),
@@ -97,6 +98,20 @@ fn openings_at_corners() -> Level {
         sides: &[(0, 5, 3.0)],
         width: 0.8,
         heights: (0.0, 9.0),
+    };
+    add_opening(&mut level, &door);
+    level
+}
+
+/// A door nearer to a corner that points into the room than the walls are thick.
+fn door_beside_a_corner() -> Level {
+    let mut level = level(vec![room("1", &L_SHAPE)]);
+    let door = OpeningPlan {
+        kind: OpeningKind::Door,
+        id: "a",
+        sides: &[(0, 3, 0.6)],
+        width: 0.9,
+        heights: (0.0, 2.0),
     };
     add_opening(&mut level, &door);
     level

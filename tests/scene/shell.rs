@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use roomwright::internals::catalog::Dado;
 use roomwright::internals::geometry::{Bounds, Point};
 use roomwright::internals::model::{Model, ModelMaterial, Primitive};
-use roomwright::internals::plan::{Level, OpeningKind, Room, RoomOpening, WallKind};
+use roomwright::internals::plan::{Level, Opening, OpeningKind, Room, RoomOpening, WallKind};
 use roomwright::internals::recipes::Slot;
 use roomwright::internals::scene::Scene;
 
@@ -232,6 +232,33 @@ fn doorways_have_a_floor_through_the_wall() {
         let above = DVec3::new(opening.center.x, 1.0, -opening.center.y);
         let (distance, is_front) = nearest(shell(), above, DVec3::NEG_Y).unwrap();
         assert!((distance - 1.0).abs() < 1e-6 && is_front, "{}: {distance}", opening.id);
+    }
+}
+
+/// Metres before a wall and from the edges of an opening where rays begin, and metres of rounding.
+const EDGE: f64 = 6e-3;
+const ROUNDING: f64 = 1e-3;
+
+#[test]
+fn nothing_stands_in_an_opening_through_all_of_the_wall() {
+    for (name, level) in levels::all() {
+        let bodies = bodies(&bare_scene(&level));
+        let walls = || bodies.iter().filter(|body| body.part == Some("wall"));
+        for (room, opening) in
+            level.rooms.iter().flat_map(|room| room.openings.iter().map(move |at| (room, at)))
+        {
+            let (wall, &Opening { bottom, top, .. }) =
+                (&room.walls[opening.wall], &level.openings[opening.opening]);
+            let height = f64::midpoint(bottom, top.min(room.height));
+            for at in [opening.from + EDGE, f64::midpoint(opening.from, opening.to), opening.to - EDGE] {
+                let foot = wall.start + wall.direction() * at + wall.normal() * EDGE;
+                let ray = (DVec3::new(foot.x, height, -foot.y), wall.normal());
+                let out = DVec3::new(-ray.1.x, 0.0, ray.1.y);
+                let hit = nearest(walls().flat_map(|body| &body.triangles), ray.0, out);
+                let free = hit.is_none_or(|(distance, _)| distance > wall.thickness + EDGE - ROUNDING);
+                assert!(free, "{name}: opening {} at {at} m: {hit:?}", level.openings[opening.opening].id);
+            }
+        }
     }
 }
 

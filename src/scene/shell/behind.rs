@@ -12,8 +12,13 @@
 //! Rays go out from the inner face, and in a fan round each corner that the outer face reaches past. Between two corners of
 //! the rooms behind, the same border is the first that the rays meet, so that its ends tell the rest.
 
+mod limits;
+mod profile;
+
+use limits::{Limits, Line, Sector, enters};
+use profile::{RAMP, STRAIGHT, Step, join, without_jumps};
+
 use super::storey::{Border, Storey};
-use super::thickness::THIN_SHEET;
 use crate::geometry::{Bounds, Point};
 use crate::plan::Wall;
 
@@ -41,11 +46,6 @@ pub(super) struct Quad {
 const TOUCHING: f64 = 1e-5;
 /// Metres by which a body may be deeper than half of the way to the room behind: walls that are drawn as thick as that.
 const SLACK: f64 = 5e-4;
-/// Metres along the wall in which its depth changes where a room behind begins or ends: its side does not lie in the plane
-/// of that room's own wall.
-const RAMP: f64 = 1e-3;
-/// Metres by which a point may lie off a line and count as one of it.
-const STRAIGHT: f64 = 5e-5;
 
 /// The outer face of a wall from its start to its end, never farther than halfway to a room behind it; none where the
 /// corners alone limit it.
@@ -64,20 +64,28 @@ pub(super) fn clipped(storey: &Storey<'_>, wall: &Wall, quad: Quad) -> Option<Ve
 }
 
 /// The same face where its ends lean over the inner face: a mitre is the end of the wall, no part of its outer face.
+/// Beside a hollow it stays one: the wall is built in pieces without hollows.
 fn mitred(mut back: Vec<Behind>) -> Vec<Behind> {
-    if let [first, second, _, ..] = &mut back[..]
+    if let [first, second, third, ..] = &mut back[..]
         && first.outer.y < STRAIGHT
+        && is_bulge([first, second, third])
     {
         second.inner = first.inner;
         back.remove(0);
     }
-    if let [.., _, second, last] = &mut back[..]
+    if let [.., third, second, last] = &mut back[..]
         && last.outer.y < STRAIGHT
+        && is_bulge([third, second, last])
     {
         second.inner = last.inner;
         back.pop();
     }
     back
+}
+
+/// Whether an outer face bends towards the inner one at the second of three points.
+fn is_bulge([one, two, three]: [&Behind; 3]) -> bool {
+    (two.outer - one.outer).perp_dot(three.outer - two.outer) < 0.0
 }
 
 /// The least depth of a wall between two places along it: at most `thickness`.
@@ -86,38 +94,6 @@ pub(super) fn least_depth(storey: &Storey<'_>, wall: &Wall, stretch: [f64; 2], t
     let ground = Ground::behind(storey, wall, quad);
     let sector = Sector { corner: None, from: stretch[0], to: stretch[1], thickness };
     ground.profile(&sector).iter().map(|&[_, depth]| depth).fold(thickness, f64::min)
-}
-
-/// A family of rays: parallel ones, or those through a corner.
-#[derive(Clone, Copy, Debug)]
-struct Sector {
-    /// The corner, along the wall.
-    corner: Option<f64>,
-    /// Where the first and the last ray are at the depth of the wall's thickness.
-    from: f64,
-    to: f64,
-    thickness: f64,
-}
-
-impl Sector {
-    /// The place on the inner face where a ray begins.
-    fn inner(&self, at: f64) -> f64 {
-        self.corner.unwrap_or(at)
-    }
-
-    /// Metres along the wall for each metre behind it.
-    fn slope(&self, at: f64) -> f64 {
-        self.corner.map_or(0.0, |corner| (at - corner) / self.thickness)
-    }
-
-    fn point(&self, at: f64, depth: f64) -> Point {
-        Point::new(self.inner(at) + self.slope(at) * depth, depth)
-    }
-
-    /// The ray through a point behind the wall.
-    fn ray_of(&self, point: Point) -> f64 {
-        self.corner.map_or(point.x, |corner| corner + (point.x - corner) * self.thickness / point.y)
-    }
 }
 
 impl Quad {
@@ -140,51 +116,6 @@ impl Quad {
         };
         let start = (from > TOUCHING).then(|| line(0.0, from));
         start.into_iter().chain((to < length - TOUCHING).then(|| line(length, to)))
-    }
-}
-
-/// A line that limits the depth: to a share of the way to it.
-#[derive(Clone, Copy, Debug)]
-struct Line {
-    ends: [Point; 2],
-    share: f64,
-}
-
-impl Line {
-    /// The part between two depths.
-    fn between(&self, low: f64, high: f64) -> Option<Self> {
-        let [a, b] = self.ends;
-        let at = |depth: f64| a + (b - a) * ((depth - a.y) / (b.y - a.y));
-        let cut = |end: Point| {
-            if end.y < low {
-                at(low)
-            } else if end.y > high {
-                at(high)
-            } else {
-                end
-            }
-        };
-        let is_between = a.y.max(b.y) > low && a.y.min(b.y) < high;
-        is_between.then(|| Self { ends: [cut(a), cut(b)], ..*self })
-    }
-
-    /// The depth that it leaves to a ray, on the line as if it had no ends.
-    fn depth_at(&self, sector: &Sector, at: f64) -> f64 {
-        let [a, b] = self.ends;
-        let along = b - a;
-        let ray = Point::new(sector.slope(at), 1.0);
-        let across = ray.perp_dot(along);
-        let foot = Point::new(sector.inner(at), 0.0);
-        if across.abs() < f64::EPSILON {
-            0.0
-        } else {
-            ((a - foot).perp_dot(along) / across).max(0.0) * self.share
-        }
-    }
-
-    fn rays(&self, sector: &Sector) -> [f64; 2] {
-        let [one, two] = self.ends.map(|end| sector.ray_of(end));
-        [one.min(two), one.max(two)]
     }
 }
 
@@ -212,10 +143,10 @@ impl<'s, 'l> Ground<'s, 'l> {
         let corners = corners.map(|(x, y)| wall.start + along * x + outward * y);
         let borders = storey.borders_near(Bounds::around(corners));
         let line = |border: &Border| {
-            // Halfway to a room, where its own wall begins, and up to a doorway.
-            let share = if border.room.is_some() { 0.5 } else { 1.0 };
+            // Halfway to a room, where its own wall begins, and up to a doorway. Flat rays of a fan go far in little depth.
+            let (share, slack) = if border.room.is_some() { (0.5, SLACK) } else { (1.0, 0.0) };
             let line = Line { ends: [local(border.start), local(border.end)], share };
-            line.between(TOUCHING, (quad.thickness - SLACK) / share)
+            line.between(TOUCHING, (quad.thickness - slack) / share)
         };
         let rooms = borders.iter().filter_map(line).collect();
         let mut near: Vec<usize> = borders.iter().filter_map(|border| border.room).collect();
@@ -245,31 +176,40 @@ impl<'s, 'l> Ground<'s, 'l> {
         events.retain(|at| (sector.from..=sector.to).contains(at));
         events.sort_by(f64::total_cmp);
         events.dedup_by(|later, earlier| *later - *earlier < TOUCHING);
-        let steps: Vec<Step> = events.windows(2).map(|pair| self.step(sector, [pair[0], pair[1]])).collect();
+        let steps: Vec<Step> =
+            events.windows(2).flat_map(|pair| self.steps(sector, [pair[0], pair[1]])).collect();
         without_jumps(&steps, sector)
     }
 
-    /// The depths at both ends of a stretch in which rays meet the same borders.
-    fn step(&self, sector: &Sector, ends: [f64; 2]) -> Step {
-        let middle = f64::midpoint(ends[0], ends[1]);
+    /// The depths along a stretch in which rays meet the same borders: two steps where another border is the nearest at
+    /// its end than at its start.
+    fn steps(&self, sector: &Sector, ends: [f64; 2]) -> Vec<Step> {
+        let limits = self.limits_at(sector, f64::midpoint(ends[0], ends[1]));
+        let step = |ends: [f64; 2]| Step { ends, depths: ends.map(|at| limits.depth(sector, at)) };
+        let whole = step(ends);
+        let [from, to] = ends;
+        let crossings = limits.crossings(sector, ends);
+        let deepest = crossings.into_iter().filter(|at| from + TOUCHING < *at && *at < to - TOUCHING).max_by(
+            |one, two| {
+                let above = |at: f64| limits.depth(sector, at) - whole.at(at);
+                above(*one).total_cmp(&above(*two))
+            },
+        );
+        deepest.map_or_else(|| vec![whole], |at| vec![step([from, at]), step([at, to])])
+    }
+
+    /// What limits the rays beside one of them.
+    fn limits_at(&self, sector: &Sector, at: f64) -> Limits<'_> {
         let is_met = |line: &&Line| {
             let [low, high] = line.rays(sector);
-            low < middle && middle < high
+            low < at && at < high
         };
-        let rooms: Vec<&Line> =
-            self.rooms.iter().filter(is_met).filter(|line| enters(line, sector, middle)).collect();
-        let mitres: Vec<&Line> = self.mitres.iter().filter(is_met).collect();
-        let is_inside = self.is_inside(sector, middle);
-        let least = |lines: &[&Line], at: f64| {
-            lines.iter().map(|line| line.depth_at(sector, at)).fold(sector.thickness, f64::min)
-        };
-        let depths = ends.map(|at| {
-            let free = if is_inside { 0.0 } else { least(&rooms, at) };
-            // Where two rooms touch, there still is a wall: so long a piece of each ray.
-            let sheet = THIN_SHEET / (1.0 + sector.slope(at).abs());
-            least(&mitres, at).min(free.max(sheet))
-        });
-        Step { ends, depths }
+        let rooms = self.rooms.iter().filter(is_met).filter(|line| enters(line, sector, at));
+        Limits {
+            rooms: rooms.collect(),
+            mitres: self.mitres.iter().filter(is_met).collect(),
+            is_inside: self.is_inside(sector, at),
+        }
     }
 
     /// Whether a ray begins in another room, as where rooms overlap.
@@ -280,76 +220,6 @@ impl<'s, 'l> Ground<'s, 'l> {
             let region = &self.storey.level.rooms[room].region;
             region.outline.bounds().contains(place) && region.contains(place)
         })
-    }
-}
-
-/// Whether a ray enters a room through its border: the room is on the left of a border, which the wall's frame mirrors.
-fn enters(line: &Line, sector: &Sector, at: f64) -> bool {
-    let along = line.ends[1] - line.ends[0];
-    along.y * sector.slope(at) - along.x > 0.0
-}
-
-/// A stretch with the depths at its ends.
-#[derive(Clone, Copy, Debug)]
-struct Step {
-    ends: [f64; 2],
-    depths: [f64; 2],
-}
-
-/// The corners of a line below all steps: where two meet at unlike depths, the deeper one slopes down to the other.
-fn without_jumps(steps: &[Step], sector: &Sector) -> Vec<[f64; 2]> {
-    let (Some(first), Some(last)) = (steps.first(), steps.last()) else {
-        return vec![[sector.from, sector.thickness], [sector.to, sector.thickness]];
-    };
-    let node = |before: Option<&Step>, after: Option<&Step>| {
-        let depths = [before.map(|step| step.depths[1]), after.map(|step| step.depths[0])];
-        depths.into_iter().flatten().fold(sector.thickness, f64::min)
-    };
-    let mut line = vec![[first.ends[0], node(None, Some(first))]];
-    for (index, step) in steps.iter().enumerate() {
-        let low = line.last().map_or(0.0, |corner| corner[1]);
-        let high = node(Some(step), steps.get(index + 1));
-        let ([from, to], [start, end]) = (step.ends, step.depths);
-        let at = |place: f64| start + (end - start) * (place - from) / (to - from);
-        if to - from > 2.0 * RAMP {
-            line.extend((start > low + STRAIGHT).then(|| [from + RAMP, at(from + RAMP)]));
-            line.extend((end > high + STRAIGHT).then(|| [to - RAMP, at(to - RAMP)]));
-        }
-        line.push([to, high]);
-    }
-    debug_assert!(
-        line.last().is_some_and(|corner| corner[0] == last.ends[1]),
-        "a line ends where its steps do"
-    );
-    line
-}
-
-/// Gives neighbouring sectors the same depth at the ray that they share; sectors without rays become empty.
-fn join(profiles: &mut [Vec<[f64; 2]>; 3]) {
-    let is_empty =
-        |profile: &Vec<[f64; 2]>| profile.first().map(|at| at[0]) == profile.last().map(|at| at[0]);
-    let [start, strip, end] = profiles;
-    for (fan, is_start) in [(start, true), (end, false)] {
-        if is_empty(fan) {
-            fan.clear();
-            continue;
-        }
-        let ends = if is_start { (fan.len() - 1, 0) } else { (0, strip.len() - 1) };
-        let depth = fan[ends.0][1].min(strip[ends.1][1]);
-        lower_end(fan, ends.0, depth);
-        lower_end(strip, ends.1, depth);
-    }
-}
-
-/// Lowers the first or last corner of a line; the rest of the line stays, but for a ramp.
-fn lower_end(line: &mut Vec<[f64; 2]>, index: usize, depth: f64) {
-    let next = if index == 0 { 1 } else { index - 1 };
-    let ([at, old], [next_at, next_depth]) = (line[index], line[next]);
-    line[index][1] = depth;
-    let distance = next_at - at;
-    if old > depth + STRAIGHT && distance.abs() > 2.0 * RAMP {
-        let share = RAMP / distance.abs();
-        line.insert(index.max(next), [at + distance * share, old + (next_depth - old) * share]);
     }
 }
 

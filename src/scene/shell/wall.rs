@@ -127,7 +127,7 @@ impl WallShape {
     /// Start, both ends of each hole, end. A hole that begins or ends at a corner leaves the mitre behind it: then two
     /// cuts meet on the inner face.
     fn cuts(&self) -> Vec<Cut> {
-        let mut cuts = self.back.clone();
+        let mut cuts = self.back_beside_holes();
         for u in self.holes.iter().flat_map(|hole| [hole.from, hole.to]) {
             let is_around =
                 |pair: &[Cut]| pair[0].inner <= u && u <= pair[1].inner && pair[0].inner < pair[1].inner;
@@ -137,6 +137,29 @@ impl WallShape {
         }
         cuts.dedup();
         cuts
+    }
+
+    /// The outer face, and with it the mitres that lean over a hole's edge: what stands beside the hole ends square there.
+    fn back_beside_holes(&self) -> Vec<Cut> {
+        let edges = || self.holes.iter().flat_map(|hole| [hole.from, hole.to]);
+        let is_beside = |low: Ticks, high: Ticks| edges().any(|edge| low < edge && edge < high);
+        let mut back = self.back.clone();
+        let foot = |inner: Ticks| Cut { inner, outer: [inner, Ticks(0)] };
+        if let [first, second, ..] = &mut back[..]
+            && first.outer[0] < second.inner
+            && is_beside(Ticks(0), first.outer[0])
+        {
+            first.inner = first.outer[0];
+            back.insert(0, foot(Ticks(0)));
+        }
+        if let [.., second, last] = &mut back[..]
+            && second.inner < last.outer[0]
+            && is_beside(last.outer[0], self.length)
+        {
+            last.inner = last.outer[0];
+            back.push(foot(self.length));
+        }
+        back
     }
 
     fn heights(&self) -> Vec<Ticks> {

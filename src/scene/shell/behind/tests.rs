@@ -85,6 +85,20 @@ fn a_wall_ends_halfway_to_the_room_behind() {
 }
 
 #[test]
+fn a_mitre_ends_at_the_side_of_a_doorway_in_the_next_wall() {
+    let corners = [(0.0, 0.0), (6.0, 0.0), (6.0, 2.5), (2.5, 2.5), (2.5, 5.0), (0.0, 5.0)];
+    let mut one = room("1", &corners.map(|(x, y)| Point::new(x, y)));
+    one.walls[2].thickness = 0.3;
+    one.walls[3].thickness = 0.3;
+    let mut level = Level::bare("1", 2.8, vec![one, rectangle("2", (2.8, 2.6), (6.0, 5.0))]);
+    join(&mut level, [(0, 3), (1, 3)], (0.15, 1.0));
+    let back = &footprints(&Storey::of(&level), &level.rooms[0])[2].back;
+    // Not farther than the doorway begins, and up to it where the mitre comes so far.
+    let deepest = back.iter().rfind(|behind| behind.outer.x > 3.2).unwrap().outer;
+    assert!((deepest.y - 0.155).abs() < 1e-3 && (deepest.x - 3.345).abs() < 1e-3, "{back:?}");
+}
+
+#[test]
 fn a_corner_of_unlike_walls_reaches_into_no_room() {
     // The thick wall in the south would send the eastern one 0.5 m round the corner, into the room in the south-east.
     let mut one = rectangle("1", (0.0, 0.0), (4.0, 3.0));
