@@ -11,8 +11,8 @@ For every .glb and .gltf:
   geometry     each object's mesh fills its `size`, is closed, has no empty faces and no wrong normals
   containment  each object lies inside its room and outside of the room's columns
   collision    no object overlaps another, measured on the triangles
-  shell        with --shell: no wall, column, frame or leaf reaches more than 1 cm into a room, a doorway or furniture, and
-               walls stand at the edges of the floors
+  shell        no wall, column, frame or leaf reaches more than 1 cm into a room, a doorway or furniture, and walls stand at
+               the edges of the floors
   trimesh      trimesh loads the file with the same count of instances and the same bounds
   khronos      the Khronos validator reports no error and no warning
 For every .usd, .usda, .usdc and .usdz:
@@ -62,18 +62,17 @@ from gltf_document import GltfError
 from gltf_file import GltfFile
 from workers import outcomes
 
-CHECKS = (check_names, check_extras, check_pieces, check_containment, check_collisions)
+CHECKS = (check_names, check_extras, check_pieces, check_containment, check_collisions, check_shell)
 
 
 class Input(NamedTuple):
-    """A file to judge, the folder of the command line that it was found in, and whether its shell is measured."""
+    """A file to judge, and the folder of the command line that it was found in."""
 
     file: Path
     folder: Path | None = None
-    with_shell: bool = False
 
 
-def check_file(file: Path, folder: Path | None = None, with_shell: bool = False) -> tuple[list[Fault], Counter]:
+def check_file(file: Path, folder: Path | None = None) -> tuple[list[Fault], Counter]:
     """Every check of one file but the Khronos validator's, with counts for the report."""
     if file.suffix.lower() in STAGE_ENDINGS:
         return check_stage(file, folder)
@@ -88,8 +87,7 @@ def check_file(file: Path, folder: Path | None = None, with_shell: bool = False)
         counts.update(nodes=len(gltf.nodes), rooms=kinds["room"], furniture=kinds["furniture"])
         # Other readers are not sent after what a floor may not name.
         readers = () if any(note.code == PATH for note in notes) else (check_trimesh,)
-        shell = (check_shell,) if with_shell else ()
-        for check in (*CHECKS, *shell, *readers):
+        for check in (*CHECKS, *readers):
             notes += guarded(check, gltf)
     except Exception as error:
         notes.append(stopped(error))
@@ -163,7 +161,6 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("paths", nargs="+", type=Path, metavar="FOLDER|FILE")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (default: one a core)")
     parser.add_argument("--no-khronos", action="store_true", help="skip the Khronos validator")
-    parser.add_argument("--shell", action="store_true", help="measure walls, frames and leaves too")
     parser.add_argument("--json", action="store_true", help="write one JSON document instead of lines")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     return parser.parse_args(arguments)
@@ -188,7 +185,6 @@ def main(arguments: list[str] | None = None) -> int:
               "  source scripts/set_up.sh && set_up_validator\n"
               "or skip it with --no-khronos", file=sys.stderr)
         return 2
-    files = [judged._replace(with_shell=options.shell) for judged in files]
     faults, totals = check_files(files, max(1, options.jobs), with_khronos, options.quiet)
     faults += chain.from_iterable(map(check_manifest, manifests))
     faults.sort()

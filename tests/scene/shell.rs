@@ -263,6 +263,33 @@ fn nothing_stands_in_an_opening_through_all_of_the_wall() {
 }
 
 #[test]
+fn frames_stand_hardly_out_of_walls_that_are_not_parallel() {
+    const STANDS_OUT: f64 = 0.03;
+    let left = room("1", &[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
+    let right = room("2", &[(4.2, 0.0), (8.0, 0.0), (8.0, 3.0), (4.8, 3.0)]);
+    let mut level = level(vec![left, right]);
+    let at = level.rooms[1].walls[3].length() - 1.53;
+    let door = OpeningPlan {
+        kind: OpeningKind::Door,
+        id: "a",
+        sides: &[(0, 1, 1.5), (1, 3, at)],
+        width: 0.9,
+        heights: (0.0, 2.0),
+    };
+    add_opening(&mut level, &door);
+    let bodies = bodies(&bare_scene(&level));
+    let frame = bodies.iter().find(|body| body.part == Some("frame")).unwrap();
+    for corner in frame.triangles.iter().flatten() {
+        let point = Point::new(corner.x, -corner.z);
+        for room in level.rooms.iter().filter(|room| room.region.contains(point)) {
+            let depth =
+                room.region.borders().map(|border| border.distance(point)).fold(f64::INFINITY, f64::min);
+            assert!(depth < STANDS_OUT, "{point} is {depth} m in room {}", room.id);
+        }
+    }
+}
+
+#[test]
 fn equal_rooms_share_their_shell() {
     let corners = |x: f64| [(x, 0.0), (x + 4.0, 0.0), (x + 4.0, 3.0), (x, 3.0)];
     let rooms: Vec<_> = (0..10).map(|i| room(&i.to_string(), &corners(f64::from(i) * 4.6 + 0.1))).collect();

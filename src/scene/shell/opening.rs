@@ -26,6 +26,8 @@ use crate::scene::options::Parts;
 const FREE_STANDING: f64 = 0.1;
 /// Narrowest common span of both sides' holes that is taken for the opening's own width.
 const LEAST_SPAN: f64 = 0.05;
+/// Metres that a frame may stand further out of a wall at one end, where the walls of both rooms are not parallel.
+const SKEW: f64 = 0.01;
 
 /// How openings look.
 #[derive(Clone, Copy, Debug)]
@@ -50,24 +52,29 @@ pub(crate) fn opening_node<'a>(
     let level = storey.level;
     let facing = opening.sides.first().map_or(opening.along.perp(), |side| wall_of(level, side).normal());
     let pose = Pose::on_floor(opening.center, angle_facing(facing));
-    let reveal = reveal(storey, opening, &pose);
+    let hole = Hole::of(storey, opening, &pose);
     let name = opening_id(opening).to_string();
+    let casing = casing(level, opening);
+    let (threshold, reveal) = (hole.reveal(), hole.between_faces(casing.metres()).reveal());
     let mut pieces = Pieces {
         owner: &name,
         origin: pose,
         palette: look.palette,
         design: leaf_design(level, opening, look),
-        casing: casing(level, opening),
+        casing,
         door_angle,
         merged: (parts == Parts::Merged).then(|| Merged::at(pose)),
         meshes,
         nodes: Vec::new(),
     };
+    if opening.kind.is_walkable() {
+        pieces.threshold(threshold, finish.floor);
+    }
     match opening.kind {
-        OpeningKind::Door => pieces.door(opening, reveal, finish.floor),
-        OpeningKind::SlidingDoor => pieces.sliding_door(reveal, finish.floor),
-        OpeningKind::Passage => pieces.doorway(reveal, finish.floor),
-        OpeningKind::OpenBoundary => pieces.threshold(reveal, finish.floor),
+        OpeningKind::Door => pieces.door(opening, reveal),
+        OpeningKind::SlidingDoor => pieces.sliding_door(reveal),
+        OpeningKind::Passage => pieces.frame(reveal),
+        OpeningKind::OpenBoundary => {}
         OpeningKind::Window => pieces.window(reveal, opening.sides.len() == 1),
     }
     let children = pieces.finish();
@@ -87,40 +94,63 @@ fn leaf_design(level: &Level, opening: &Opening, look: Look<'_>) -> LeafDesign {
     if is_outdoors { LeafDesign::Glazed } else { LeafDesign::of_set(look.geometry) }
 }
 
-/// The hole through all walls of the opening, in the frame of its node.
-fn reveal(storey: &Storey<'_>, opening: &Opening, pose: &Pose) -> Reveal {
-    let level = storey.level;
-    let (across, back) = axes_at(pose.angle);
-    let local = |point: Point| (point - opening.center).dot(across);
-    let depth = |point: Point| -(point - opening.center).dot(back);
-    let (mut left, mut right) = (f64::NEG_INFINITY, f64::INFINITY);
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for side in &opening.sides {
-        let wall = wall_of(level, side);
-        let ends = [side.from, side.to].map(|at| wall.start + wall.direction() * at);
-        left = left.max(local(ends[0]).min(local(ends[1])));
-        right = right.min(local(ends[0]).max(local(ends[1])));
-        let inner = depth((ends[0] + ends[1]) / 2.0);
-        // Towards the far side of this room's part of the wall.
-        let thick = least_depth(storey, wall, [side.from, side.to], built_thickness(wall));
-        let behind = -wall.normal().dot(-back) * thick;
-        low = low.min(inner).min(inner + behind);
-        high = high.max(inner).max(inner + behind);
+/// The hole through all walls of an opening, in the frame of its node. Metres.
+struct Hole {
+    /// Along the wall.
+    across: [f64; 2],
+    /// Through the wall, where its faces are in the middle of the opening.
+    through: [f64; 2],
+    /// Metres that each face comes nearer to the other for each metre from the middle, at one side.
+    lean: [f64; 2],
+    heights: (Ticks, Ticks),
+}
+
+impl Hole {
+    fn of(storey: &Storey<'_>, opening: &Opening, pose: &Pose) -> Self {
+        let level = storey.level;
+        let (axis, back) = axes_at(pose.angle);
+        let local = |point: Point| (point - opening.center).dot(axis);
+        let depth = |point: Point| -(point - opening.center).dot(back);
+        let (mut across, mut lean) = ([f64::NEG_INFINITY, f64::INFINITY], [0.0; 2]);
+        let mut through = [f64::INFINITY, f64::NEG_INFINITY];
+        for side in &opening.sides {
+            let wall = wall_of(level, side);
+            let ends = [side.from, side.to].map(|at| wall.start + wall.direction() * at);
+            let [low, high] = [local(ends[0]).min(local(ends[1])), local(ends[0]).max(local(ends[1]))];
+            across = [across[0].max(low), across[1].min(high)];
+            let inner = depth((ends[0] + ends[1]) / 2.0);
+            // Towards the far side of this room's part of the wall.
+            let thick = least_depth(storey, wall, [side.from, side.to], built_thickness(wall));
+            let facing = wall.normal().dot(-back);
+            let outer = inner - facing * thick;
+            through = [through[0].min(inner).min(outer), through[1].max(inner).max(outer)];
+            let slope = (depth(ends[1]) - depth(ends[0])).abs() / (high - low).max(f64::EPSILON);
+            let face = usize::from(facing > 0.0);
+            lean[face] = slope.max(lean[face]);
+        }
+        if across[1] - across[0] < LEAST_SPAN || !(across[1] - across[0]).is_finite() {
+            across = [-opening.width / 2.0, opening.width / 2.0];
+        }
+        if opening.sides.is_empty() {
+            through = [-FREE_STANDING / 2.0, FREE_STANDING / 2.0];
+        }
+        let (bottom, top) = opening_heights(level, opening);
+        Self { across, through, lean, heights: (bottom.max(Ticks(0)), top) }
     }
-    if right - left < LEAST_SPAN || !(right - left).is_finite() {
-        (left, right) = (-opening.width / 2.0, opening.width / 2.0);
+
+    /// The part of the hole in which a box with boards of the width `casing` beside it stands hardly out of walls that are
+    /// not parallel.
+    fn between_faces(self, casing: f64) -> Self {
+        let half = (self.across[1] - self.across[0]) / 2.0 + casing;
+        let [low, high] = self.lean.map(|lean| (lean * half - SKEW).max(0.0));
+        let [back, front] = self.through;
+        let front = front - high;
+        Self { through: [(back + low).min(front), front], ..self }
     }
-    if opening.sides.is_empty() {
-        (low, high) = (-FREE_STANDING / 2.0, FREE_STANDING / 2.0);
-    }
-    let (bottom, top) = opening_heights(level, opening);
-    Reveal {
-        left: Ticks::of(left),
-        right: Ticks::of(right),
-        bottom: bottom.max(Ticks(0)),
-        top,
-        back: Ticks::of(low),
-        front: Ticks::of(high),
+
+    fn reveal(&self) -> Reveal {
+        let ([left, right], [back, front]) = (self.across.map(Ticks::of), self.through.map(Ticks::of));
+        Reveal { left, right, bottom: self.heights.0, top: self.heights.1, back, front }
     }
 }
 
@@ -145,8 +175,8 @@ struct Pieces<'a, 'm, 'n> {
 }
 
 impl Pieces<'_, '_, '_> {
-    fn door(&mut self, opening: &Opening, reveal: Reveal, floor: Slot) {
-        self.doorway(reveal, floor);
+    fn door(&mut self, opening: &Opening, reveal: Reveal) {
+        self.frame(reveal);
         let count = opening.leaves.len();
         for (index, leaf) in opening.leaves.iter().enumerate() {
             let id = PartId { number: (count > 1).then_some(index + 1), ..PartId::only(Part::Leaf) };
@@ -170,8 +200,8 @@ impl Pieces<'_, '_, '_> {
         self.piece(id, &pose, Shape::Leaf(shape));
     }
 
-    fn sliding_door(&mut self, reveal: Reveal, floor: Slot) {
-        self.doorway(reveal, floor);
+    fn sliding_door(&mut self, reveal: Reveal) {
+        self.frame(reveal);
         let slot = if self.design == LeafDesign::Steel { RAILING_SLOT } else { FRAME_SLOT };
         for second in [false, true] {
             let id = PartId::numbered(Part::Leaf, if second { 2 } else { 1 });
@@ -179,8 +209,7 @@ impl Pieces<'_, '_, '_> {
         }
     }
 
-    fn doorway(&mut self, reveal: Reveal, floor: Slot) {
-        self.threshold(reveal, floor);
+    fn frame(&mut self, reveal: Reveal) {
         self.piece_here(PartId::only(Part::Frame), Shape::DoorFrame(reveal, self.casing));
     }
 
