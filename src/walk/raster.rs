@@ -77,19 +77,21 @@ impl Raster {
             edges.iter().fold(Bounds::EMPTY, |bounds, edge| bounds.union(edge.bounds()));
         let rows = self.len() / self.columns;
         let mut crossings: Vec<f64> = Vec::new();
+        // Most furniture stands along the rows: the columns of one row are those of the next.
+        let (mut last, mut columns) = ([f64::NAN; 2], [0; 2]);
         for row in self.index_after(low.y - self.low.y, rows)..self.index_after(high.y - self.low.y, rows) {
             let y = self.low.y + row as f64 * self.cell;
             let crossed = edges.iter().filter(|edge| (edge.start.y > y) != (edge.end.y > y));
             crossings.clear();
-            crossings.extend(crossed.map(|Segment { start, end }| {
-                start.x + (y - start.y) / (end.y - start.y) * (end.x - start.x)
-            }));
+            crossings.extend(crossed.map(|edge| crossing(edge, y)));
             crossings.sort_unstable_by(f64::total_cmp);
             for pair in crossings.chunks_exact(2) {
-                let column = |x: f64| row * self.columns + self.index_after(x - self.low.x, self.columns);
-                let span = column(pair[0])..column(pair[1]);
-                if !span.is_empty() {
-                    visit(span);
+                if pair != last {
+                    last.copy_from_slice(pair);
+                    columns = last.map(|x| self.index_after(x - self.low.x, self.columns));
+                }
+                if columns[0] < columns[1] {
+                    visit(row * self.columns + columns[0]..row * self.columns + columns[1]);
                 }
             }
         }
@@ -103,6 +105,7 @@ impl Raster {
     /// over so few cells that trying each of them, on whole rows at once, is faster than any cleverer search.
     pub(crate) fn distances(&self, reach: u16) -> Vec<u16> {
         let columns = self.columns;
+        // One cell farther than is asked for, so that what is beyond the reach is not taken for exactly at it.
         let mut squares = self.column_squares(reach + 1);
         // A row with as many cells on both sides as are tried, and more up to a whole block: all of no obstacle.
         let margin = usize::from(reach);
@@ -164,6 +167,7 @@ impl Raster {
 
     /// The least distance, as [`Raster::distances`] gives it, of cells where a disc of a diameter may be.
     pub(crate) fn least_distance(&self, diameter: f64) -> u16 {
+        // Less slack closes passages that are as wide as the disc and lie askew; more opens some that are two centimetres too narrow.
         let radius = (diameter / 2.0 - SLACK * self.cell).max(0.0) / self.cell;
         ((radius * radius).ceil() as u16).max(1)
     }
@@ -172,6 +176,11 @@ impl Raster {
     pub(crate) fn reach(&self, diameter: f64) -> u16 {
         ((diameter / 2.0 / self.cell).ceil() as u16).min(MOST_REACH)
     }
+}
+
+/// Where an edge that crosses a row does so.
+fn crossing(&Segment { start, end }: &Segment, y: f64) -> f64 {
+    if start.x == end.x { start.x } else { start.x + (y - start.y) / (end.y - start.y) * (end.x - start.x) }
 }
 
 /// The least sums of squares of a block of cells. `heights` are the squares along columns of the cells and of `margin` more on
