@@ -128,32 +128,19 @@ fn washing_machine(draft: &Draft, builder: &mut Builder) {
 fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
     let metal = slots(draft)[2];
     let out = |lift: f64| [surface - SINK, surface + lift];
-    let right = strip.slab(Side::Right, strip.width() * 0.36).inset(0.02, strip.height() * 0.22, 0.0);
     let knobs: &[f64] = match draft.set() {
         GeometrySet::Plain => {
-            builder.cuboid(
-                Slot::Screen,
-                strip.without(Side::Left, strip.width() * 0.3).inset(0.006, 0.006, 0.0).with_z(out(0.003)),
-            );
+            let glass = strip.without(Side::Left, strip.width() * 0.3).inset(0.006, 0.006, 0.0);
+            builder.cuboid(Slot::Screen, glass.with_z(out(0.003)));
             &[]
         }
         GeometrySet::Traditional => &[0.05, 0.34],
         GeometrySet::Industrial => {
-            let case = strip.without(Side::Left, strip.width() * 0.4).inset(0.02, 0.02, 0.0);
-            builder.block(Slot::MetalDark, case.with_z(out(REACH * 0.7)), 0.004);
-            for (index, key) in
-                case.inset(0.03, case.height() * 0.25, 0.0).columns(3, 0.03).into_iter().enumerate()
-            {
-                let slot = [Slot::PaintedAccent, Slot::Plastic, Slot::Plastic][index];
-                builder.block(slot, key.with_z([surface, surface + REACH * 0.95]), 0.003);
-            }
+            buttons_in_a_case(builder, strip, surface);
             &[]
         }
         GeometrySet::Budget => {
-            for column in right.columns(3, 0.012) {
-                let key = column.inset(column.width() * 0.2, column.height() * 0.2, 0.0);
-                builder.block(Slot::Plastic, key.with_z(out(0.008)), 0.002);
-            }
+            flat_keys(builder, strip, surface);
             &[0.0]
         }
     };
@@ -174,15 +161,27 @@ fn controls(draft: &Draft, builder: &mut Builder, strip: Bay, surface: f64) {
     }
 }
 
+/// Three big buttons in a case of sheet metal.
+fn buttons_in_a_case(builder: &mut Builder, strip: Bay, surface: f64) {
+    let case = strip.without(Side::Left, strip.width() * 0.4).inset(0.02, 0.02, 0.0);
+    builder.block(Slot::MetalDark, case.with_z([surface - SINK, surface + REACH * 0.7]), 0.004);
+    let keys = case.inset(0.03, case.height() * 0.25, 0.0).columns(3, 0.03);
+    for (key, slot) in keys.into_iter().zip([Slot::PaintedAccent, Slot::Plastic, Slot::Plastic]) {
+        builder.block(slot, key.with_z([surface, surface + REACH * 0.95]), 0.003);
+    }
+}
+
+/// Three small keys at the right end.
+fn flat_keys(builder: &mut Builder, strip: Bay, surface: f64) {
+    let right = strip.slab(Side::Right, strip.width() * 0.36).inset(0.02, strip.height() * 0.22, 0.0);
+    for column in right.columns(3, 0.012) {
+        let key = column.inset(column.width() * 0.2, column.height() * 0.2, 0.0);
+        builder.block(Slot::Plastic, key.with_z([surface - SINK, surface + 0.008]), 0.002);
+    }
+}
+
 fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dryer: bool) {
-    let size = [0.36, 0.33, 0.35, 0.31][draft.form()];
-    let size = size
-        * match draft.set() {
-            GeometrySet::Plain => 1.08,
-            GeometrySet::Traditional => 0.9,
-            GeometrySet::Industrial => 1.16,
-            GeometrySet::Budget => 0.8,
-        };
+    let size = [0.36, 0.33, 0.35, 0.31][draft.form()] * rim_size(draft.set());
     let radius = (face.width() * size).min(face.height() * size);
     let y = face.low.y + face.height() * 0.54;
     let shares = rim_profile(draft.set());
@@ -190,23 +189,14 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
         .iter()
         .map(|&(out, share)| Slice::round(if out > 0.0 { REACH * out } else { -SINK }, radius * share));
     let ring: Vec<Slice> = rings.collect();
-    let rim = match (draft.set(), draft.input.look % 2) {
-        (GeometrySet::Plain, 0) | (GeometrySet::Traditional, _) => Slot::Chrome,
-        (GeometrySet::Industrial, _) => Slot::Metal,
-        (GeometrySet::Budget, 0) => Slot::Plastic,
-        _ => Slot::PlasticDark,
-    };
+    let rim = rim_slot(draft);
     let place = |solid: crate::recipes::kit::Solid| turned_forward(solid).moved(0.0, y, surface);
     builder.add(rim, place(loft_ring(&Outline::Round(20), &ring)));
     let bulge = [(radius * 0.69, 0.002), (radius * 0.69, REACH * 0.5), (radius * 0.3, REACH * 0.8)];
     builder.add(if is_dryer { slots(draft)[1] } else { Slot::Screen }, place(lathe(&bulge, 20)));
     let x = if is_dryer { -1.0 } else { 1.0 };
     if draft.set() == GeometrySet::Industrial {
-        // A lever to the rim, and a hinge across from it.
-        let lever = Bay::around(DVec3::new(x * radius, y, 0.0), radius * 0.44, 0.03, 0.0);
-        builder.block(Slot::MetalDark, lever.with_z([surface + REACH * 0.4, surface + REACH]), 0.004);
-        let hinge = Bay::around(DVec3::new(-x * radius, y, 0.0), radius * 0.24, radius * 0.5, 0.0);
-        builder.block(Slot::MetalDark, hinge.with_z([surface - SINK, surface + REACH * 0.8]), 0.004);
+        lever_and_hinge(builder, [x * radius, y, surface], radius);
     } else {
         let grip = Bay::around(DVec3::new(x * radius * 0.86, y, 0.0), radius * 0.12, radius * 0.36, 0.0);
         builder.block(Slot::PlasticDark, grip.with_z([surface + REACH * 0.5, surface + REACH]), 0.003);
@@ -222,6 +212,34 @@ fn porthole(draft: &Draft, builder: &mut Builder, face: Bay, surface: f64, is_dr
             );
             builder.cuboid(Slot::PlasticDark, bar.with_z([surface + REACH * 0.4, surface + REACH * 0.83]));
         }
+    }
+}
+
+/// A lever to the rim at one side, and a hinge across from it.
+fn lever_and_hinge(builder: &mut Builder, [side, y, surface]: [f64; 3], radius: f64) {
+    let lever = Bay::around(DVec3::new(side, y, 0.0), radius * 0.44, 0.03, 0.0);
+    builder.block(Slot::MetalDark, lever.with_z([surface + REACH * 0.4, surface + REACH]), 0.004);
+    let hinge = Bay::around(DVec3::new(-side, y, 0.0), radius * 0.24, radius * 0.5, 0.0);
+    builder.block(Slot::MetalDark, hinge.with_z([surface - SINK, surface + REACH * 0.8]), 0.004);
+}
+
+/// Factor on the size of a porthole.
+fn rim_size(set: GeometrySet) -> f64 {
+    match set {
+        GeometrySet::Plain => 1.08,
+        GeometrySet::Traditional => 0.9,
+        GeometrySet::Industrial => 1.16,
+        GeometrySet::Budget => 0.8,
+    }
+}
+
+/// What a porthole's rim is made of.
+fn rim_slot(draft: &Draft) -> Slot {
+    match (draft.set(), draft.input.look % 2) {
+        (GeometrySet::Plain, 0) | (GeometrySet::Traditional, _) => Slot::Chrome,
+        (GeometrySet::Industrial, _) => Slot::Metal,
+        (GeometrySet::Budget, 0) => Slot::Plastic,
+        _ => Slot::PlasticDark,
     }
 }
 

@@ -38,27 +38,14 @@ pub(super) fn hob(draft: &Draft, builder: &mut Builder, top: Bay) {
             let size = radius * if x * z > 0.0 { 1.0 } else { 0.8 };
             let at = DVec3::new(x * width * 0.25, 0.0, z * depth * 0.25);
             match set {
-                GeometrySet::Plain => {
-                    let ring = [
-                        (base - SINK, 1.0),
-                        (surface + lift, 1.0),
-                        (surface + lift, 0.93),
-                        (base - SINK, 0.93),
-                    ];
-                    let slices = ring.map(|(y, share)| Slice::round(y, size * share));
-                    builder.add(Slot::Metal, loft_ring(&Outline::Round(16), &slices).moved(at.x, 0.0, at.z));
-                }
+                GeometrySet::Plain => ring_on_glass(builder, at, [base, surface + lift], size),
                 GeometrySet::Budget => {
-                    let cast = [
-                        (size, base - SINK),
-                        (size, surface + lift * 0.8),
-                        (size * 0.94, surface + lift),
-                        (size * 0.3, surface + lift),
-                        (size * 0.26, surface + lift * 0.85),
-                    ];
-                    builder.add(Slot::MetalDark, lathe(&cast, 14).moved(at.x, 0.0, at.z));
+                    let heights = [base - SINK, surface + lift * 0.8, surface + lift * 0.85, surface + lift];
+                    cast_plate(builder, at, heights, size);
                 }
-                _ => burner(builder, at, [base, surface + lift], size),
+                GeometrySet::Traditional | GeometrySet::Industrial => {
+                    burner(builder, at, [base, surface + lift], size);
+                }
             }
         }
     }
@@ -68,6 +55,19 @@ pub(super) fn hob(draft: &Draft, builder: &mut Builder, top: Bay) {
             builder.cuboid(Slot::Metal, key.with_y([base - SINK, base + 0.0006]));
         }
     }
+}
+
+/// A cooking zone that is drawn on glass as a thin ring.
+fn ring_on_glass(builder: &mut Builder, at: DVec3, [base, high]: [f64; 2], size: f64) {
+    let ring = [(base - SINK, 1.0), (high, 1.0), (high, 0.93), (base - SINK, 0.93)];
+    let slices = ring.map(|(y, share)| Slice::round(y, size * share));
+    builder.add(Slot::Metal, loft_ring(&Outline::Round(16), &slices).moved(at.x, 0.0, at.z));
+}
+
+/// A plate of cast iron: its foot, its edge, the hollow in its middle and its top.
+fn cast_plate(builder: &mut Builder, at: DVec3, [foot, edge, hollow, top]: [f64; 4], size: f64) {
+    let cast = [(size, foot), (size, edge), (size * 0.94, top), (size * 0.3, top), (size * 0.26, hollow)];
+    builder.add(Slot::MetalDark, lathe(&cast, 14).moved(at.x, 0.0, at.z));
 }
 
 /// A gas burner under a grate of cast bars.

@@ -12,13 +12,7 @@ pub(super) static WALL_LAMP: Recipe = Recipe::accessory("wall_lamp", [0.2, 0.2, 
 
 fn wall_lamp(draft: &Draft, builder: &mut Builder) {
     let bay = builder.bay();
-    let look = draft.form();
-    let slot = match draft.set() {
-        GeometrySet::Traditional => Slot::Brass,
-        GeometrySet::Industrial => [Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::PaintedAccent][look],
-        GeometrySet::Budget => [Slot::Plastic, Slot::Metal, Slot::PlasticDark, Slot::Painted][look],
-        GeometrySet::Plain => [Slot::Metal, Slot::MetalDark, Slot::Brass, Slot::Painted][look],
-    };
+    let slot = frame_slot(draft);
     let (half_width, height) = (bay.width() / 2.0, bay.height());
     let radius = half_width.min(bay.depth() * 0.42);
     let z = bay.high.z - radius;
@@ -33,31 +27,61 @@ fn wall_lamp(draft: &Draft, builder: &mut Builder) {
         lathe(&[(radius * 0.2, 0.0), (radius * 0.12, height * 0.14), (radius * 0.2, height * 0.2)], 6)
             .moved(0.0, 0.0, z),
     );
-    let mut head = builder.empty();
-    match (draft.set(), look) {
-        (GeometrySet::Plain, 1 | 3) | (GeometrySet::Budget, _) => {
-            let squat = (height * 0.3).min(radius);
-            let ball = globe(height - squat, squat, [-0.9, 1.0], 10);
-            head.add(Slot::Lamp, ball.stretched(DVec3::new(radius / squat, 1.0, radius / squat)));
-            head.add(slot, cylinder(radius * 0.4, [height * 0.36, height - squat * 1.8], 8));
-        }
-        (GeometrySet::Industrial, _) => {
-            cage(&mut head, slot, radius, [0.0, height * 0.62], 3);
-            bulb(&mut head, DVec3::new(0.0, height * 0.3, 0.0), radius * 0.38, -1.0);
-            head = mirrored_up(head, height);
-        }
-        (GeometrySet::Traditional, _) => {
-            head.add(Slot::Shade, pleated([radius, radius * 0.55], [height * 0.4, height], 16));
-            bulb(&mut head, DVec3::new(0.0, height * 0.66, 0.0), radius * 0.26, -1.0);
-        }
-        _ => {
-            head.add(Slot::Shade, shade([radius, radius * 0.85], [height * 0.36, height]));
-            bulb(&mut head, DVec3::new(0.0, height * 0.66, 0.0), radius * 0.26, -1.0);
-        }
-    }
+    let head = head(draft, builder.empty(), slot, [radius, height]);
     for (slot, solid) in head.into_parts() {
         builder.add(slot, solid.stretched(DVec3::new(half_width / radius, 1.0, 1.0)).moved(0.0, 0.0, z));
     }
+}
+
+/// The material of plate, arm and neck.
+fn frame_slot(draft: &Draft) -> Slot {
+    let look = draft.form();
+    match draft.set() {
+        GeometrySet::Traditional => Slot::Brass,
+        GeometrySet::Industrial => [Slot::MetalDark, Slot::Metal, Slot::MetalDark, Slot::PaintedAccent][look],
+        GeometrySet::Budget => [Slot::Plastic, Slot::Metal, Slot::PlasticDark, Slot::Painted][look],
+        GeometrySet::Plain => [Slot::Metal, Slot::MetalDark, Slot::Brass, Slot::Painted][look],
+    }
+}
+
+/// What gives the light, above the end of the arm: so wide and high, around the origin.
+fn head(draft: &Draft, head: Builder, slot: Slot, size: [f64; 2]) -> Builder {
+    match (draft.set(), draft.form()) {
+        (GeometrySet::Plain, 1 | 3) | (GeometrySet::Budget, _) => ball(head, slot, size),
+        (GeometrySet::Industrial, _) => caged_bulb(head, slot, size),
+        (GeometrySet::Traditional, _) => pleated_shade(head, size),
+        _ => plain_shade(head, size),
+    }
+}
+
+/// A ball on a short neck.
+fn ball(mut head: Builder, slot: Slot, [radius, height]: [f64; 2]) -> Builder {
+    let squat = (height * 0.3).min(radius);
+    let ball = globe(height - squat, squat, [-0.9, 1.0], 10);
+    head.add(Slot::Lamp, ball.stretched(DVec3::new(radius / squat, 1.0, radius / squat)));
+    head.add(slot, cylinder(radius * 0.4, [height * 0.36, height - squat * 1.8], 8));
+    head
+}
+
+/// A bulb in a cage of wire, which opens upwards.
+fn caged_bulb(mut head: Builder, slot: Slot, [radius, height]: [f64; 2]) -> Builder {
+    cage(&mut head, slot, radius, [0.0, height * 0.62], 3);
+    bulb(&mut head, DVec3::new(0.0, height * 0.3, 0.0), radius * 0.38, -1.0);
+    mirrored_up(head, height)
+}
+
+/// A bulb under cloth in folds.
+fn pleated_shade(mut head: Builder, [radius, height]: [f64; 2]) -> Builder {
+    head.add(Slot::Shade, pleated([radius, radius * 0.55], [height * 0.4, height], 16));
+    bulb(&mut head, DVec3::new(0.0, height * 0.66, 0.0), radius * 0.26, -1.0);
+    head
+}
+
+/// A bulb under smooth cloth.
+fn plain_shade(mut head: Builder, [radius, height]: [f64; 2]) -> Builder {
+    head.add(Slot::Shade, shade([radius, radius * 0.85], [height * 0.36, height]));
+    bulb(&mut head, DVec3::new(0.0, height * 0.66, 0.0), radius * 0.26, -1.0);
+    head
 }
 
 /// Parts turned upside down under a height.
