@@ -11,6 +11,7 @@ use crate::geometry::{Point, Segment, edges};
 /// parts them, and the axis of least overlap is the shortest way out.
 pub(crate) fn penetration(a: &[Point], b: &[Point]) -> f64 {
     let first = separation(a, b);
+    // The second search is half of the work and only needed where no edge of the first parts them.
     if first >= 0.0 { -first } else { -first.max(separation(b, a)) }
 }
 
@@ -18,6 +19,7 @@ pub(crate) fn penetration(a: &[Point], b: &[Point]) -> f64 {
 fn separation(a: &[Point], b: &[Point]) -> f64 {
     let mut widest = f64::NEG_INFINITY;
     for edge in edges(a) {
+        // Unit vectors, so that a gap is in metres and can be compared with limits.
         let outward = -edge.normal();
         let gap = b.iter().map(|&corner| outward.dot(corner - edge.start)).fold(f64::INFINITY, f64::min);
         widest = widest.max(gap);
@@ -37,6 +39,7 @@ pub(crate) fn clip_segment(polygon: &[Point], segment: Segment, margin: f64) -> 
         let inward = edge.normal();
         let at_start = inward.dot(segment.start - edge.start) - margin;
         let slope = inward.dot(segment.vector());
+        // Along the edge: all of it is on one side. Next to it `crossing` is far beyond both ends and cuts nothing.
         if slope == 0.0 {
             if at_start < 0.0 {
                 return None;

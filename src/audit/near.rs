@@ -47,6 +47,7 @@ impl NearBoxes {
             let others = self.touching(&bounds).filter(|&other| other != index).take(MOST_NEAR);
             pairs.extend(others.map(|other| (index.min(other), index.max(other))));
         }
+        // The tree has an order of its own that depends on all boxes; findings have that of the placements.
         pairs.sort_unstable();
         pairs.dedup();
         pairs
@@ -67,6 +68,7 @@ impl NearPoints {
         let entries: Vec<_> =
             things.map(|(number, place)| GeomWithData::new(place.to_array(), number)).collect();
         let all = entries.iter().map(|entry| entry.data).collect();
+        // Fewer are looked through faster than a tree is made; then all are answered, in the order of their numbers.
         let tree = (entries.len() > MOST_NEAR).then(|| RTree::bulk_load(entries));
         Self { all, tree }
     }

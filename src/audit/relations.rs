@@ -75,6 +75,7 @@ impl<'s, 'a> Known<'s, 'a> {
             RelationKind::NotBefore => {
                 most.map(|_| f64::from(u8::from(!self.before_windows.contains(&index))))
             }
+            // Away from all of them: the nearest decides. Of the others the one that suits best does.
             RelationKind::AwayFrom => least,
             _ => most,
         }
@@ -121,6 +122,7 @@ impl<'s, 'a> Known<'s, 'a> {
 fn value(relation: &Relation, own: Target, other: Target) -> f64 {
     let between = other.position - own.position;
     let distance = (between.length() - own.radius - other.radius).max(0.0);
+    // What stands at the same place (a lamp on its table) counts as straight ahead.
     let towards = between.normalize_or(own.front);
     let (least, most) = relation.distance;
     let fade = |off: f64| (1.0 - off.max(0.0) / FADE).max(0.0);

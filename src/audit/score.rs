@@ -100,13 +100,16 @@ fn balance(subject: &Subject<'_>) -> Option<f64> {
     let standing = subject.bodies.iter().filter(|body| body.is_standing(rules));
     let add = |(moment, all): (Point, f64), body: &Body<'_>| {
         let area = body.footprint_area();
+        // By area, for the weight of furniture is not known; a wardrobe counts for more than a stool.
         (moment + body.placement.position * area, all + area)
     };
     let (moment, all) = standing.fold((Point::ZERO, 0.0), add);
     if all == 0.0 {
         return None;
     }
+    // Metres from the middle to a side of a square of the same area: there the term is zero.
     let extent = subject.at.room.region.area().sqrt() / 2.0;
+    // Never below zero: rooms with all furniture at one end are equally bad, however long they are.
     Some((1.0 - (moment / all).distance(middle_of(subject)) / extent).max(0.0))
 }
 

@@ -70,10 +70,12 @@ impl Zone {
 
     fn reach(&self, solid: &Solid) -> f64 {
         let upright = (self.heights.1 - solid.low).min(solid.high - self.heights.0);
+        // The shortest way out counts, up and down too: what hangs a centimetre too low is a centimetre in the way.
         if upright <= 0.0 { upright } else { upright.min(penetration(&self.base, solid.footprint())) }
     }
 
     fn is_in_sight(&self, subject: &Subject<'_>, solid: &Solid) -> bool {
+        // One point stands for the whole body: walls are longer than what stands behind them.
         let witness = middle(&intersection(&self.base, solid.footprint()));
         let sight = Segment::new(witness, self.face.nearest(witness));
         !subject.at.room.region.borders().any(|border| cross(sight, border))

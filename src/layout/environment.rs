@@ -107,6 +107,7 @@ impl<'a> Environment<'a> {
             is_exhausted: vec![false; catalog.classes.len()],
             heeds_tags: start.heeds_tags,
             turn: start.turn,
+            // Most pieces are a box or a top with a leg or two.
             bodies: Vec::with_capacity(pieces.len() * 2),
             body_grid: Grid::new(bounds),
             clearances: Vec::new(),
@@ -211,10 +212,12 @@ impl<'a> Environment<'a> {
         }
         let first_clearance = self.clearances.len();
         for clearance in &class.clearances {
+            // Two depths (metres): where another may not stand, and where it had better not (`TIGHT_PENALTY`).
             let solid = clearance_solid(clearance, size, &place.pose, clearance.minimum);
             let comfort =
                 clearance_solid(clearance, size, &place.pose, clearance.good.max(clearance.minimum));
             let seat = seat(clearance, size, &place.pose);
+            // By the larger of the two regions: whoever asks for the smaller one finds it there too.
             self.clearance_grid.insert(item(self.clearances.len()), comfort.bounds);
             let allows_children = clearance.allows_children;
             self.clearances.push(Region { solid, comfort, owner: agent, allows_children, seat });

@@ -101,6 +101,7 @@ impl Draft<'_> {
         if fitting.is_empty() {
             return;
         }
+        // Drawn for the whole line: four chairs of a table are one class.
         let class = fitting[stream.below(fitting.len())];
         let asked = |class: ClassIndex| companion.map_or(self.counts.asked[class], |_| 1);
         let count = count(request, self.style.density, self.site, asked, &mut stream);
@@ -224,7 +225,9 @@ fn count(
         Count::PerPiece(class, each) => f64::from(asked(class)) * each,
         Count::PerWindow(each) => f64::from(site.window_count) * each,
     };
+    // A thin style leaves out what a room can do without; a bathroom keeps its toilet.
     let factor = if request.is_required { 1.0 } else { density };
+    // Rounded, not drawn: rooms of a size and style ask for the same, so that a hotel has no odd rooms.
     (base * factor).round().max(0.0) as u32
 }
 

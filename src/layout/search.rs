@@ -31,10 +31,12 @@ pub(crate) fn search(
     let piece = environment.agents[agent].piece;
     // A second search must not repeat the first one's draws.
     let number = piece.number + (environment.agents[agent].searches << 20);
+    // Shifted beyond all numbers of pieces, of which a room has far below a million: no two searches share a stream.
     let mut stream = key.stream(Purpose::Placement, &class.id, number);
     let mut failures = Failures::default();
     let mut poses = Vec::new();
     let mut fallback: Option<(f64, Place)> = None;
+    // A scan looks at up to `SCAN_POINTS` places: too much for pieces that nobody misses.
     let may_scan = !piece.is_fill && !environment.is_exhausted[piece.class];
     for rule in &class.parents {
         let mut choice = Choice::new(environment, agent, rule);
@@ -177,6 +179,7 @@ impl Failures {
     }
 
     fn reason(&self) -> RemovalReason {
+        // Of several reasons people are told the one that stood in the way most often; the order below breaks ties.
         let most = self.outside.max(self.collision).max(self.clearance);
         match most.max(self.relation).max(self.comfort) {
             0 if !self.has_parent => RemovalReason::NoParent,

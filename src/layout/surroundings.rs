@@ -94,6 +94,7 @@ impl<'a> Surroundings<'a> {
                 .iter()
                 .flat_map(|column| convex_parts(&column.outline, column.height))
                 .collect(),
+            // The same number of points in the longest halls: a scan takes no longer, it only gets coarser.
             wall_step: WALL_STEP.max(room.walls.iter().map(Wall::length).sum::<f64>() / WALL_POINTS),
             window_strips: Vec::new(),
         };
@@ -104,6 +105,7 @@ impl<'a> Surroundings<'a> {
             surroundings.kept_free.extend(regions.into_iter().map(|solid| KeptFree { solid, cause }));
             if opening.kind == OpeningKind::Window {
                 let from = opening.bottom + rules.windows.over_sill;
+                // No region that must stay free: a strip before a window costs points (`WINDOW_PENALTY`), no place.
                 let strip = wall_strip(room, side, rules.windows.depth, 0.0);
                 surroundings.window_strips.push(Solid::new(strip, from, opening.top.max(from)));
             }
@@ -129,6 +131,7 @@ impl<'a> Surroundings<'a> {
         };
         let open = self.room.openings.iter().filter(is_open);
         let mut stretches: Vec<_> = open.map(|side| (side.from, side.to)).collect();
+        // From the start of the wall on, for `cut` goes along it once.
         stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
         stretches
     }
@@ -147,8 +150,10 @@ impl<'a> Surroundings<'a> {
         };
         match opening.kind {
             OpeningKind::Window => Vec::new(),
+            // Nobody turns a handle there: less depth (metres) than before a door is enough to walk by.
             OpeningKind::OpenBoundary => vec![strip(rules.doors.open_boundary_depth, 0.0)],
             OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage => {
+                // As the audit measures it: no deeper than the door is wide. Deeper would empty small bathrooms.
                 let depth = rules.doors.approach_depth.min(side.to - side.from);
                 let mut regions = vec![strip(depth, 0.0), strip(FRAME_DEPTH, FRAME_WIDTH)];
                 let wall = &self.room.walls[side.wall];

@@ -105,10 +105,12 @@ impl<'s, 'a> Space<'s, 'a> {
             let (distance, looked_at) = self.borders.distance(middle);
             self.spend(looked_at);
             if distance < part.radius - SLACK {
+                // All places nearer than that have the border inside the part as well: the search leaps over them.
                 Some(part.radius - SLACK - distance)
             } else if self.contains(middle) {
                 None
             } else {
+                // Outside, and no border nearer: so is all around it up to there.
                 Some(distance - SLACK)
             }
         })
@@ -148,6 +150,7 @@ impl<'s, 'a> Space<'s, 'a> {
 
     /// Whether a border runs through a footprint. Nearly all borders are far away, as their boxes show.
     fn is_crossed(&self, footprint: &Footprint) -> bool {
+        // Half of what the audit rounds off, so that a place that is free here is without a finding there.
         let crosses = |border| clip_segment(&footprint.corners, border, ROUNDING / 2.0).is_some();
         let (is_crossed, looked_at) = self.borders.any_near(footprint.bounds, ROUNDING, crosses);
         self.spend(looked_at);

@@ -33,6 +33,7 @@ struct DoorDepth {
 impl DoorDepth {
     /// The same on a floor of cells: half a cell may be missing on either side.
     fn with_cells(self, cell: f64) -> Self {
+        // One cell for each end of the strip, which may begin or end between middles.
         let behind = if self.behind > 0.0 { self.behind + 2.0 * cell } else { 0.0 };
         Self { behind, before: self.before + cell }
     }
@@ -84,6 +85,7 @@ impl Floor {
         rules: &WalkingRules,
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
+        // Distances beyond this are not told apart: that keeps them as cheap in halls as in closets.
         let widest = rules.person.max(rules.narrow_person).max(rules.robot);
         // Somebody on a threshold stands half behind it.
         let doors = DoorDepth { behind: rules.person / 2.0, before: 0.0 };
@@ -172,6 +174,7 @@ impl Floor {
             while before < three[1] && next < three[2] {
                 let above = runs[before].start + columns..runs[before].end + columns;
                 let run = &runs[next];
+                // One cell of overlap is not needed: a disc goes across a corner as it goes along a side.
                 if above.start <= run.end && run.start <= above.end {
                     joined.join(number(before), number(next));
                 }
@@ -318,10 +321,12 @@ impl Walk<'_> {
     ) -> bool {
         let radius = self.diameter / 2.0;
         let around = Bounds::around(area.iter().copied()).inflated(radius).corners();
+        // The disc touches the area: somebody who stands so near reaches a drawer or sits down.
         let is_near = |cell: usize| distance_to_convex(area, self.floor.raster.middle(cell)) <= radius;
         let mut found = false;
         self.floor.raster.spans(&edges(&around).collect::<Vec<_>>(), |span| {
             for run in self.runs_among(&span).iter().filter(|run| is_wanted(run.group)) {
+                // Only what both have: a run may be as long as the room.
                 let mut cells = run.cells.start.max(span.start)..run.cells.end.min(span.end);
                 found = found || cells.any(|cell| is_near(cell) && is_it(cell));
             }

@@ -37,6 +37,7 @@ pub(crate) fn zones(at: RoomRef<'_>, rules: DoorRules) -> Vec<Zone> {
 fn approach(wall: &Wall, place: &RoomOpening, opening: &Opening, rules: DoorRules) -> Zone {
     let is_open = opening.kind == OpeningKind::OpenBoundary;
     let most = if is_open { rules.open_boundary_depth } else { rules.approach_depth };
+    // A hatch of half a metre needs half a metre before it; people who carry things need no more before wide doors.
     let inward = wall.normal() * opening.width.min(most);
     let start = wall.start + wall.direction() * place.from;
     let end = wall.start + wall.direction() * place.to;
@@ -54,6 +55,8 @@ fn swing(index: usize, opening: &Opening, leaf: &Leaf) -> Vec<Zone> {
     let sweep = swept_angle(leaf);
     let first = leaf.closed_tip - leaf.hinge;
     let start = libm::atan2(first.y, first.x);
+    // An eighth of a turn at most (radians): the questions of `convex` are about convex polygons, which a sector of more than half a
+    // turn is not, and short pieces have small boxes, which most bodies miss.
     let piece_count = (sweep.abs() / core::f64::consts::FRAC_PI_4).ceil().max(1.0);
     let step = sweep / piece_count;
     let arc_point = |angle: f64| leaf.hinge + direction(angle) * radius;
@@ -61,6 +64,7 @@ fn swing(index: usize, opening: &Opening, leaf: &Leaf) -> Vec<Zone> {
         let from = start + number * step;
         let arc = (0..=ARC_CORNERS).map(|i| arc_point(from + step * f64::from(i) / f64::from(ARC_CORNERS)));
         let mut base: Vec<Point> = core::iter::once(leaf.hinge).chain(arc).collect();
+        // A leaf that opens clockwise runs the arc the other way; corners are counter-clockwise everywhere.
         if sweep < 0.0 {
             base.reverse();
         }
@@ -95,6 +99,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     for &(zone, body) in hits {
         if let Purpose::Passing(opening) = zone.purpose {
             let depth = zone.intrusion(subject, &subject.bodies[body]);
+            // The deepest of approach and sectors: a body in several of them is one fault.
             let known = deepest.entry((opening, body)).or_insert(0.0);
             *known = known.max(depth);
         }

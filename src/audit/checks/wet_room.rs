@@ -34,6 +34,7 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
 pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, hits, .. } = *evidence;
     let mut faults = Vec::new();
+    // As much as any clearance forgives (metres): a tub that touches the region is no fault.
     let limit = subject.rules().clearances.intrusion + ROUNDING;
     for &(zone, body) in hits {
         let Purpose::Bowl(toilet) = zone.purpose else { continue };
@@ -50,6 +51,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     for (index, toilet) in bodies().filter(|(_, body)| body.is_in(TOILET)) {
         if let Some((kitchen, distance)) = kitchen_before(subject, &cookers, toilet) {
             let subjects = vec![subject.object(index), kitchen];
+            // No distance would be enough, so that the limit is the measure itself.
             faults.push(Fault::new(Quantity::Distance, subjects, distance, distance));
         }
     }
@@ -63,6 +65,7 @@ fn kitchen_before(subject: &Subject<'_>, cookers: &[usize], toilet: &Body<'_>) -
     let ahead = |point: Point| {
         let offset = point - from;
         let aside = offset.perp_dot(along).abs();
+        // Within an eighth of a turn to either side: what somebody sees who sits there and looks straight ahead.
         (offset.dot(along) > 0.0 && aside <= offset.dot(along)).then_some(offset.length())
     };
     let position = |cooker: usize| subject.bodies[cooker].placement.position;
@@ -75,6 +78,7 @@ fn kitchen_before(subject: &Subject<'_>, cookers: &[usize], toilet: &Body<'_>) -
             Some((subject.opening(place.opening), distance))
         })
     };
+    // The cooker first: it is nearer than any opening that leads to one, and one finding a toilet is enough.
     cooker.or_else(through)
 }
 
@@ -84,6 +88,7 @@ fn leads_to_kitchen(subject: &Subject<'_>, place: &RoomOpening) -> bool {
     let cooks = |room: usize| {
         let room_type = subject.catalog.room_types.get(&subject.at.level.rooms[room].room_type);
         let lines = room_type.into_iter().flat_map(|room_type| &room_type.programme);
+        // By the programme, not by what stands there: the other room is not furnished yet, or in another file.
         let mut classes = lines.flat_map(|line| &line.classes);
         classes.any(|&class| subject.catalog.classes[class].groups.iter().any(|group| group == COOKING))
     };

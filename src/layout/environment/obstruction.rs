@@ -114,6 +114,7 @@ impl Environment<'_> {
         self.count_steps(if is_cut_through { 0 } else { STEPS_A_TEST });
         let whole = box_solid(self.agents[agent].size, &place.pose);
         let height = self.brief.surroundings.room.height;
+        // Half a millimetre either way: pieces as high as the room fit under its ceiling.
         if whole.low < -CONTACT_TOLERANCE || whole.high > height + CONTACT_TOLERANCE {
             recorder.record(Obstacle::Height);
             return Some(RemovalReason::Outside);
@@ -133,6 +134,7 @@ impl Environment<'_> {
     }
 
     fn shape_obstruction<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> Option<RemovalReason> {
+        // From the cheapest to the dearest: borders are few, bodies many, clearances need a region each.
         if self.is_outside(probe, recorder) {
             Some(RemovalReason::Outside)
         } else if self.has_collision(probe, recorder) || self.slides_under_a_stranger(probe, recorder) {
