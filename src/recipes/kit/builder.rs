@@ -185,7 +185,7 @@ fn append(part: &mut MeshPart, solid: &Solid, projection: &Projection) {
     for (triangle, normals) in solid.triangles.iter().zip(corner_normals(solid)) {
         let axis = Projection::axis(normals.iter().sum());
         for (&point, normal) in triangle.iter().zip(normals) {
-            let key = (point, (normal * NORMAL_STEPS).round().as_ivec3().to_array(), axis);
+            let key = (point, (normal * NORMAL_STEPS).round().to_array().map(|step| step as i32), axis);
             let index = *known.entry(key).or_insert_with(|| {
                 let coordinates = projection.coordinates(solid.points[point], axis);
                 part.positions.push(solid.points[point].as_vec3().to_array());
