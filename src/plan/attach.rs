@@ -20,6 +20,7 @@ mod request;
 mod tests;
 
 pub(super) use boundaries::open_boundaries;
+use boundaries::without_posts;
 pub(super) use leaves::hang_leaves;
 pub(super) use request::{Request, request};
 
@@ -249,7 +250,7 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
             taken_spans.push((ends[0].min(ends[1]), ends[0].max(ends[1])));
         }
     }
-    let free = gaps(low, high, taken_spans);
+    let free = gaps(low, high, taken_spans.clone());
     let best = free.into_iter().max_by(|a, b| {
         let (first, second) = (request.overlap(a.0, a.1), request.overlap(b.0, b.1));
         // Of equal gaps the first: `max_by` would take the last.
@@ -266,8 +267,13 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
         return Err(taken);
     }
     let half = request.width / 2.0;
-    if request.kind == OpeningKind::OpenBoundary || high - low < request.width {
-        return Ok((low.max(-half), high.min(half)));
+    let cut = (low.max(-half), high.min(half));
+    if request.kind == OpeningKind::OpenBoundary {
+        let walls = chosen.iter().map(|face| (face.low, face.high));
+        return Ok(without_posts(cut, walls, &taken_spans));
+    }
+    if high - low < request.width {
+        return Ok(cut);
     }
     let middle = 0f64.clamp(low + half, (high - half).max(low + half));
     Ok((middle - half, middle + half))

@@ -18,6 +18,7 @@ pub(crate) fn all() -> Vec<(&'static str, Level)> {
         ("outline folding back on itself", folding_back()),
         ("openings at corners", openings_at_corners()),
         ("door beside a corner", door_beside_a_corner()),
+        ("corner of open sides", open_corner()),
         ("every kind of opening", every_kind()),
         ("no thickness", without_thickness()),
         ("balcony", balcony()),
@@ -114,6 +115,22 @@ fn door_beside_a_corner() -> Level {
         heights: (0.0, 2.0),
     };
     add_opening(&mut level, &door);
+    level
+}
+
+/// A kitchen in the corner of a living room: both of its inner sides are open as a whole.
+pub(crate) fn open_corner() -> Level {
+    let mut kitchen = room("1", &[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]);
+    let living = [(2.01, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0), (0.0, 2.01), (2.01, 2.01)];
+    let mut living = room("2", &living);
+    for wall in kitchen.walls[1..3].iter_mut().chain(&mut living.walls[4..]) {
+        (wall.thickness, wall.is_exterior) = (0.0, false);
+    }
+    let mut level = level(vec![kitchen, living]);
+    for (id, sides) in [("a", [(0, 1, 1.0), (1, 5, 1.0)]), ("b", [(0, 2, 1.0), (1, 4, 1.01)])] {
+        let kind = OpeningKind::OpenBoundary;
+        add_opening(&mut level, &OpeningPlan { kind, id, sides: &sides, width: 2.0, heights: (0.0, 2.6) });
+    }
     level
 }
 

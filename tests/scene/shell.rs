@@ -263,6 +263,16 @@ fn nothing_stands_in_an_opening_through_all_of_the_wall() {
 }
 
 #[test]
+fn no_post_stands_at_a_corner_of_open_sides() {
+    let bodies = bodies(&bare_scene(&levels::open_corner()));
+    let near = |corner: &DVec3| Point::new(corner.x, -corner.z).distance(Point::splat(2.005)) < 0.3;
+    let low = |triangle: &&[DVec3; 3]| triangle.iter().any(|corner| near(corner) && corner.y < 2.0);
+    for wall in bodies.iter().filter(|body| body.part == Some("wall")) {
+        assert_eq!(wall.triangles.iter().find(low), None, "{}", wall.name);
+    }
+}
+
+#[test]
 fn frames_stand_hardly_out_of_walls_that_are_not_parallel() {
     const STANDS_OUT: f64 = 0.03;
     let left = room("1", &[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);

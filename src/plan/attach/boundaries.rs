@@ -15,6 +15,9 @@ const SAMPLE_INTERVAL: f64 = 0.05;
 const WALL_REACH: f64 = 0.03;
 /// Shorter gaps in metres are no ways through: a walker needs 0.45 m and some room to turn.
 const SHORTEST_BOUNDARY: f64 = 0.6;
+/// A narrower piece of wall in metres, beside an open boundary at the end of a wall, is the width of a drawn line or of a corner
+/// that the other room has elsewhere: it would stand as a post in the way.
+const NARROWEST_POST: f64 = 0.05;
 
 /// Room types without a floor: nobody walks in, wall or no wall.
 const FLOORLESS_ROOM_TYPES: [&str; 2] = ["shaft", "void"];
@@ -91,6 +94,22 @@ fn is_walled(point: Point, wall: &Wall, solids: &OutlineIndex) -> bool {
             || solid
                 .edges()
                 .any(|edge| ray_hit(inside, outside - inside, edge).is_some_and(|share| share <= 1.0))
+    })
+}
+
+/// The span of an open boundary, up to the ends of its walls where it would leave a post there; `taken` are the spans of
+/// other openings. All in metres from the middle of the boundary.
+pub(super) fn without_posts(
+    (low, high): (f64, f64),
+    walls: impl Iterator<Item = (f64, f64)>,
+    taken: &[(f64, f64)],
+) -> (f64, f64) {
+    let is_post = |from: f64, to: f64| {
+        to > from && to - from < NARROWEST_POST && !taken.iter().any(|span| span.0 < to && from < span.1)
+    };
+    walls.fold((low, high), |(from, to), (start, end)| {
+        let from = if is_post(start, low) { from.min(start) } else { from };
+        (from, if is_post(high, end) { to.max(end) } else { to })
     })
 }
 

@@ -258,6 +258,18 @@ fn stubs_and_doors_part_an_open_boundary() {
 }
 
 #[test]
+fn an_open_boundary_leaves_no_post() {
+    let mut draft = joined();
+    draft.rooms[1] = rectangle("east", (4.01, 0.0105), (3.0, 2.95));
+    let (level, _) = assemble_level(draft);
+    check_guarantees(&level);
+    let spans: Vec<[f64; 2]> =
+        level.rooms.iter().map(|room| [room.openings[0].from, room.openings[0].to]).collect();
+    assert_eq!(spans[0], [0.0, 3.0], "the wall in the west is longer by the width of a line");
+    assert!(spans[1][0] < 1e-9 && (spans[1][1] - 2.95).abs() < 1e-9, "{spans:?}");
+}
+
+#[test]
 fn gaps_between_spans_in_any_order() {
     let free = super::gaps(0.0, 10.0, vec![(6.0, 7.0), (-1.0, 1.0), (2.0, 3.0), (2.5, 4.0), (9.0, 12.0)]);
     assert_eq!(free, [(1.0, 2.0), (4.0, 6.0), (7.0, 9.0)]);

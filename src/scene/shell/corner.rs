@@ -22,6 +22,25 @@ impl Footprint {
     }
 }
 
+impl Footprint {
+    /// The same without what reaches round the corner at the wall's start, or at its end.
+    pub(crate) fn square_at(mut self, is_start: bool, length: f64) -> Self {
+        let corner = if is_start { 0.0 } else { length };
+        let is_beyond =
+            |behind: &Behind| if is_start { behind.outer.x < 0.0 } else { behind.outer.x > length };
+        let depth = if is_start { self.back.first() } else { self.back.last() };
+        let depth = depth.map_or(self.thickness, |behind| behind.outer.y);
+        let foot = Behind { inner: corner, outer: Point::new(corner, depth) };
+        let had_tip = self.back.iter().any(is_beyond);
+        self.back.retain(|behind| !is_beyond(behind));
+        let is_square = self.back.iter().any(|behind| behind.inner == corner && behind.outer.x == corner);
+        if had_tip && !is_square {
+            self.back.insert(if is_start { 0 } else { self.back.len() }, foot);
+        }
+        self
+    }
+}
+
 /// How far the outer face may reach round a sharp corner, in thicknesses of the thicker wall: 2.5 serves
 /// corners down to 45 degrees in full; below that the tip is cut.
 const MITRE_LIMIT: f64 = 2.5;

@@ -85,6 +85,7 @@ impl RoomParts<'_, '_, '_> {
         let wall = &self.room.walls[index];
         let pose = Pose::on_floor((wall.start + wall.end) / 2.0, angle_facing(wall.normal()));
         let holes = self.holes(level, index);
+        let footprint = self.without_posts(level, index, footprint);
         let shape = match wall.kind {
             WallKind::Railing(height) if footprint.thickness < PARAPET_FROM => Shape::Railing(RailingShape {
                 length: Ticks::of(wall.length()),
@@ -103,6 +104,33 @@ impl RoomParts<'_, '_, '_> {
         };
         let id = PartId::numbered(Part::Wall, index);
         self.part(PartExtras { tags: wall.tags.clone(), ..PartExtras::of(id) }, pose, shape);
+    }
+
+    /// Where both sides of a corner are open, nothing stands there.
+    fn without_posts(&self, level: &Level, index: usize, mut print: Footprint) -> Footprint {
+        let wall = &self.room.walls[index];
+        for is_start in [true, false] {
+            let is_next =
+                |other: &Wall| if is_start { other.end == wall.start } else { other.start == wall.end };
+            let is_open = self.is_open_at(level, index, is_start)
+                && self
+                    .room
+                    .walls
+                    .iter()
+                    .position(is_next)
+                    .is_some_and(|next| self.is_open_at(level, next, !is_start));
+            if is_open {
+                print = print.square_at(is_start, wall.length());
+            }
+        }
+        print
+    }
+
+    /// Whether a wall is open from floor to ceiling at its start, or at its end.
+    fn is_open_at(&self, level: &Level, wall: usize, is_start: bool) -> bool {
+        let (end, ceiling) = (Ticks::of(self.room.walls[wall].length()), Ticks::of(self.room.height));
+        let is_at = |hole: &Hole| if is_start { hole.from <= Ticks(0) } else { hole.to >= end };
+        self.holes(level, wall).iter().any(|hole| is_at(hole) && hole.low <= Ticks(0) && hole.high >= ceiling)
     }
 
     /// A wall by itself, or one of a mesh.
