@@ -175,7 +175,8 @@ fn is_flat(subject: &Subject<'_>, body: &Body<'_>) -> bool {
 fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, Segment)> {
     let room = subject.at.room;
     let margin = subject.rules().clearances.intrusion + ROUNDING;
-    let inside = |edge: Segment| clip_segment(&zone.base, edge, margin);
+    let base = reaching_back(&zone.base, 2.0 * margin);
+    let inside = |edge: Segment| clip_segment(&base, edge, margin);
     let walls = room.region.borders().enumerate().filter_map(|(number, border)| {
         let segment = inside(border)?;
         (!is_open(subject, number, segment)).then(|| (Subject::wall(number), segment))
@@ -185,6 +186,14 @@ fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, Segment)> {
         column.outline.edges().filter_map(inside).map(move |segment| (Subject::column(number), segment))
     });
     walls.chain(columns).collect()
+}
+
+/// A zone that begins some metres inside its object: a wall that the object touches leaves nothing of the zone, though no part
+/// of the wall lies inside it.
+fn reaching_back(base: &[Point], metres: f64) -> Vec<Point> {
+    let &[near, far, other_far, other_near] = base else { return base.to_vec() };
+    let back = (near - far).normalize_or_zero() * metres;
+    vec![near + back, far, other_far, other_near + back]
 }
 
 /// Whether a stretch of a wall lies in an opening that nothing closes.

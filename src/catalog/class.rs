@@ -83,6 +83,10 @@ pub struct Class {
     pub grid: Option<Grid>,
     /// The part that it plays in a row of fitted units, which a room plans as a whole; `None` for what is no such unit.
     pub fitted: Option<FittedPart>,
+    /// Whether its place is sought together with those of the room's other such pieces, before anything else.
+    pub is_joint: bool,
+    /// The walls that it likes.
+    pub walls: WallWishes,
     /// What is given up first when room is short: lower goes first.
     pub priority: i32,
     /// The eras whose styles it is drawn in; empty for any.
@@ -121,6 +125,8 @@ impl Class {
             carries: Vec::new(),
             grid: None,
             fitted: None,
+            is_joint: false,
+            walls: WallWishes::default(),
             priority: 0,
             eras: Vec::new(),
             wealth: None,
@@ -323,6 +329,18 @@ pub enum RelationKind {
     Beside,
     /// Fronts or backs on one line.
     AlignedWith,
+}
+
+/// The walls that a piece likes at its back or side, as points of the score that places are compared by. A wish of weight 1 that
+/// is met counts as much as one point.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WallWishes {
+    /// Points at walls that carry a tag, fewer than zero at walls to keep away from, by tag.
+    pub tags: Vec<(String, f64)>,
+    /// Points at walls where one of these classes stands already.
+    pub with: Vec<(Vec<ClassIndex>, f64)>,
+    /// Points for each metre that the wall is long, up to 4 m.
+    pub metre: f64,
 }
 
 /// A regular layout on a side (section 3.3).

@@ -39,7 +39,7 @@ pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{builtin_file, builtin_files};
 pub use class::{
     Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, FittedPart, Grid, ModelSource, Orientation,
-    ParentName, ParentRule, Relation, RelationKind, SideOffer, Turn, VariantRef,
+    ParentName, ParentRule, Relation, RelationKind, SideOffer, Turn, VariantRef, WallWishes,
 };
 pub use describe::{Description, describe, style_differences};
 #[cfg(test)]

@@ -13,7 +13,9 @@ use super::furnished::Furnished;
 use super::place::AgentIndex;
 use super::seed::RoomKey;
 use super::wanted::StandIns;
-use super::{arrange, covering, fitted, locked, push, result, turning, untidy, useless, wanted, ways};
+use super::{
+    arrange, covering, fitted, jointly, locked, push, result, turning, untidy, useless, wanted, ways,
+};
 
 /// Whether what agents meet on their search is noted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,6 +180,7 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     let style = environment.brief.style;
     locked::settle_locked(environment);
     fitted::settle_fitted(environment, key);
+    jointly::settle_jointly(environment, key);
     arrange::arrange(environment, key);
     push::push_apart(environment);
     if untidy::make_untidy(environment, &style.untidiness, key) {

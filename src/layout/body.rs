@@ -108,12 +108,22 @@ fn prism(rule: &PrismRule, size: Size, pose: &Pose) -> Solid {
 
 /// The region before one side, `depth` metres deep.
 pub(crate) fn clearance_solid(clearance: &Clearance, size: Size, pose: &Pose, depth: f64) -> Solid {
+    clearance_between(clearance, size, pose, (0.0, depth))
+}
+
+/// The region before one side that begins and ends so many metres before it; less than zero is inside the object.
+pub(crate) fn clearance_between(
+    clearance: &Clearance,
+    size: Size,
+    pose: &Pose,
+    (near, far): (f64, f64),
+) -> Solid {
     let out = outward(clearance.side);
     let half = Point::new(size.width, size.depth) / 2.0;
     let reach = half.dot(out.abs());
     let width = half.dot(out.perp().abs()) + clearance.margin;
-    let center = pose.place(out * (reach + depth / 2.0));
-    let along = out.perp().abs() * width + out.abs() * (depth / 2.0);
+    let center = pose.place(out * (reach + f64::midpoint(near, far)));
+    let along = out.perp().abs() * width + out.abs() * ((far - near) / 2.0);
     let base = Convex::rectangle(center, along, pose.right);
     Solid::new(base, pose.elevation, pose.elevation + clearance.height)
 }

@@ -9,11 +9,13 @@
 //! - who closes the only way to a door or to a side that people use is sent away to search again (`ways`);
 //! - a room that lacks a required piece, a way, or many pieces is furnished again from a derived seed, a few
 //!   times at most, with those served first that were missed;
-//! - the units of a kitchen do not search one by one: their row is planned as a whole (`fitted`);
+//! - the units of a kitchen do not search one by one: their row is planned as a whole (`fitted`), and the fixtures of a
+//!   bathroom look for their places together (`jointly`);
 //! - an agent with wishes about other objects compares a few free places instead of taking the first.
 
 mod agent;
 mod arrange;
+mod at_wall;
 mod attempt;
 mod body;
 mod brief;
@@ -25,6 +27,7 @@ mod explain;
 mod fitted;
 mod furnished;
 mod ids;
+mod jointly;
 mod lock;
 mod locked;
 mod movement;

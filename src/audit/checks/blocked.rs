@@ -52,6 +52,21 @@ mod tests {
     }
 
     #[test]
+    fn a_wall_that_a_front_touches_blocks_it() {
+        let front_at = |y: f64| {
+            let mut room = TestRoom::rectangle(6.0, 5.0);
+            room.stand("desk", at(3.0, 0.375 + y));
+            room.audit().into_iter().filter(|finding| finding.code == Code::BlockedUse).collect::<Vec<_>>()
+        };
+        assert!(front_at(0.76).is_empty());
+        for metres in [0.3, 0.01, 0.004, 0.0] {
+            let findings = front_at(metres);
+            assert_eq!(findings.len(), 1, "the wall is {metres} m before the desk");
+            assert!((findings[0].measured - metres).abs() < 1e-6);
+        }
+    }
+
+    #[test]
     fn its_own_chair_may_stand_there_and_what_lies_on_it_and_nobody_elses() {
         let mut room = desk_room();
         let chair = room.add("stool", at(3.0, 1.7), Parent::Object(0));

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use super::lines::{Lines, class_names, degrees, parent_names, range, rounded};
 use crate::catalog::{
     Catalog, Class, ClassIndex, Extent, FittedPart, Light, ModelSource, ParentName, ParentRule, Relation,
-    Shape, Share, Side, Size, Variety,
+    Shape, Share, Side, Size, Variety, WallWishes,
 };
 
 /// The label, and the size of the first variant.
@@ -39,6 +39,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
         }),
     );
     lines.add_all("wishes", class.relations.iter().map(|relation| show_relation(catalog, relation)));
+    lines.add("likes walls", &show_walls(catalog, &class.walls));
     lines.add("lies under", &class_names(catalog, &class.covers).join(", "));
     lines.add("is there for", &class_names(catalog, &class.carries).join(", "));
     lines.add(
@@ -49,6 +50,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
         }),
     );
     lines.add("fitted as", &class.fitted.map_or_else(String::new, |part| part.word().replace('_', " ")));
+    lines.add("placed", if class.is_joint { "together with the other pieces that are" } else { "" });
     lines.add("priority", &class.priority.to_string());
     lines.add("depth", &class.depth.to_string());
     lines.add("eras", &class.eras.iter().map(|era| era.word()).collect::<Vec<_>>().join(", "));
@@ -110,6 +112,15 @@ fn show_offers(class: &Class) -> String {
     let offers: Vec<String> =
         offers.map(|side| format!("{} {}", side.name(), class.offer(side).places)).collect();
     offers.join(", ")
+}
+
+fn show_walls(catalog: &Catalog, walls: &WallWishes) -> String {
+    let with = walls.with.iter().map(|(classes, points)| {
+        format!("with {} {:+}", class_names(catalog, classes).join(" or "), rounded(*points))
+    });
+    let tags = walls.tags.iter().map(|(tag, points)| format!("{tag} {:+}", rounded(*points)));
+    let metre = (walls.metre != 0.0).then(|| format!("each metre {:+}", rounded(walls.metre)));
+    tags.chain(with).chain(metre).collect::<Vec<_>>().join(", ")
 }
 
 fn show_relation(catalog: &Catalog, relation: &Relation) -> String {
@@ -187,6 +198,14 @@ fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_type
             "back_to_back": grid.is_back_to_back, "margin": grid.margin
         })),
         "fitted": class.fitted.map(FittedPart::word),
+        "joint": class.is_joint,
+        "walls": json!({
+            "tags": class.walls.tags.iter().map(|(tag, points)| (tag.clone(), json!(rounded(*points)))).collect::<serde_json::Map<_, _>>(),
+            "with": class.walls.with.iter().map(|(classes, points)| json!({
+                "classes": class_names(catalog, classes), "points": rounded(*points),
+            })).collect::<Vec<_>>(),
+            "metre": rounded(class.walls.metre),
+        }),
         "priority": class.priority,
         "depth": class.depth,
         "eras": class.eras,

@@ -70,6 +70,11 @@ pub(crate) struct ClassEntry {
     /// The part that it plays in a row of fitted units, such as a kitchen: rooms plan the row as a whole, before anything else
     /// is placed. Its depth is that of the row.
     pub(crate) fitted: Option<FittedPart>,
+    /// Whether its place is sought together with those of the room's other such pieces, before anything else is placed: toilet,
+    /// basin and bath; default false. It stands at walls.
+    pub(crate) joint: Option<bool>,
+    /// The walls that it likes, as points that count beside its `relations`.
+    pub(crate) walls: Option<WallsEntry>,
     /// Pieces with a lower number are left out first when space is short; default 0.
     pub(crate) priority: Option<i32>,
     /// The eras that it is drawn for in styles that name one; any if absent.
@@ -81,6 +86,21 @@ pub(crate) struct ClassEntry {
     pub(crate) model: Option<ModelEntry>,
     /// The light that it gives; none if absent.
     pub(crate) light: Option<LightEntry>,
+}
+
+/// The walls that a piece likes.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct WallsEntry {
+    /// Points at walls with a tag: `pipes: 2` to stand there, `door: -5` to keep away. Tags are those of the plan, and
+    /// `pipes`, `door`, `window`, `open`, `opposite_door`, `blind`, `longest`, `exterior`, `interior`, `railing`.
+    #[serde(default)]
+    pub(crate) tags: BTreeMap<String, f64>,
+    /// Points at walls where a piece of a class or group stands already: `wc: 3`.
+    #[serde(default)]
+    pub(crate) with: BTreeMap<String, f64>,
+    /// Points for each metre that the wall is long, up to 4 m; default 0.
+    pub(crate) metre: Option<f64>,
 }
 
 /// The light of a lamp.

@@ -16,7 +16,7 @@ use serde::Deserialize;
 pub(crate) use building_style::{BuildingStyleEntry, ChoiceEntry};
 pub(crate) use class::{
     ClassEntry, ClassFile, ClearanceEntry, ModelEntry, ModelFields, Parameter, ParentEntry, PartEntry,
-    RelationEntry, ShapeEntry, SideEntry,
+    RelationEntry, ShapeEntry, SideEntry, WallsEntry,
 };
 pub(crate) use extent::{ExtentFault, read_extent};
 pub(crate) use palette::{MaterialEntry, PaletteEntry, PaletteFile};

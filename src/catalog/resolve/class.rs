@@ -9,11 +9,13 @@ use super::resolve_label;
 use super::shape::resolve_shape;
 use super::sides::{resolve_clearances, resolve_sides};
 use super::sizes::{resolve_sizes, resolve_spare_sizes};
-use crate::catalog::file::ClassEntry;
+use crate::catalog::file::{ClassEntry, WallsEntry};
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::Chain;
-use crate::catalog::{COVERING_HEIGHT, Class, ClassIndex, Era, Grid, Light, SHAPES, Size, Variety};
+use crate::catalog::{
+    COVERING_HEIGHT, Class, ClassIndex, Era, Grid, Light, SHAPES, Size, Variety, WallWishes,
+};
 use crate::geometry::Point;
 
 /// From a glow to a floodlight.
@@ -22,6 +24,9 @@ const LUMENS: Quantity = Quantity { name: "lumens", unit: " lm", range: 1.0..=10
 const KELVINS: Quantity = Quantity { name: "kelvin", unit: " K", range: 1667.0..=25_000.0 };
 /// Colour temperature in kelvins of lamps that say nothing.
 const WARM_WHITE: f64 = 2700.0;
+
+/// As far as points of other wishes go together, and no farther.
+const POINTS: Quantity = Quantity { name: "points", unit: "", range: -100.0..=100.0 };
 
 /// Looks of each size where the file says nothing.
 const DEFAULT_LOOKS: i64 = 4;
@@ -65,6 +70,7 @@ fn resolve_class(
     let covers = resolve_covers(chain, names, &sizes, report);
     let carries = resolve_carries(chain, names, report);
     let grid = resolve_grid(chain, report);
+    let walls = resolve_walls(chain, names, report);
     let model = resolve_model(chain, files, report);
     let wealth = resolve_wealth(chain, report);
     let light = resolve_light(chain, report);
@@ -87,6 +93,8 @@ fn resolve_class(
         carries,
         grid,
         fitted: chain.find("fitted", |entry| entry.fitted.as_ref()).map(|found| *found.value),
+        is_joint: chain.find("joint", |entry| entry.joint.as_ref()).is_some_and(|found| *found.value),
+        walls,
         priority: chain.find("priority", |entry| entry.priority.as_ref()).map_or(0, |found| *found.value),
         eras: resolve_eras(chain),
         wealth,
@@ -104,6 +112,23 @@ fn resolve_eras(chain: &Chain<'_, ClassEntry>) -> Vec<Era> {
     eras.sort_unstable();
     eras.dedup();
     eras
+}
+
+fn resolve_walls(chain: &Chain<'_, ClassEntry>, names: &Names<'_>, report: &mut Report<'_>) -> WallWishes {
+    let Some(found) = chain.find("walls", |entry| entry.walls.as_ref()) else { return WallWishes::default() };
+    let WallsEntry { tags, with, metre } = found.value;
+    let mut wishes = WallWishes::default();
+    for (tag, points) in tags {
+        let spot = found.spot.key("tags").key(tag);
+        wishes.tags.push((tag.clone(), POINTS.check(*points, &spot, report)));
+    }
+    for (word, points) in with {
+        let spot = found.spot.key("with").key(word);
+        let points = POINTS.check(*points, &spot, report);
+        wishes.with.extend(names.classes(word, &spot, report).map(|named| (named.classes, points)));
+    }
+    wishes.metre = POINTS.check(metre.unwrap_or(0.0), &found.spot.key("metre"), report);
+    wishes
 }
 
 fn resolve_wealth(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Option<(u32, u32)> {

@@ -2,7 +2,7 @@
 
 use crate::catalog::{Clearance, Shape};
 use crate::geometry::Solid;
-use crate::layout::body::{box_solid, clearance_solid, seat};
+use crate::layout::body::{box_solid, clearance_between, clearance_solid, seat};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT};
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::surroundings::{Border, Cause, KeptFree};
@@ -130,13 +130,17 @@ impl Environment<'_> {
             return false;
         }
         let wall = |border: &Border| (!border.is_open).then_some(Obstacle::WallInOwnClearance(border.wall));
-        if self.is_entered(solid, CLEARANCE_TOLERANCE, recorder, wall) {
+        // From inside the object, for a wall that it touches is at the very edge of its clearance.
+        let reach = (-2.0 * CLEARANCE_TOLERANCE, own.depth);
+        let (size, pose) = (self.agents[own.agent].size, &own.place.pose);
+        let from_inside = clearance_between(own.clearance, size, pose, reach);
+        if self.is_entered(&from_inside, CLEARANCE_TOLERANCE, recorder, wall) {
             return true;
         }
         let kept_by_next_room = self.brief.catalog.audit.doors.open_boundary_depth;
         // At least as deep as the tolerance: a clearance without depth is no region.
         let depth = (own.depth - kept_by_next_room).max(CLEARANCE_TOLERANCE);
-        let inner = clearance_solid(own.clearance, self.agents[own.agent].size, &own.place.pose, depth);
+        let inner = clearance_solid(own.clearance, size, pose, depth);
         let is_outside = !self.lies_inside(&inner, CLEARANCE_TOLERANCE);
         if is_outside {
             recorder.record(Obstacle::OwnClearanceOutside);

@@ -66,7 +66,7 @@ impl Environment<'_> {
     fn discomforts(&self, agent: AgentIndex, place: &Place) -> BTreeSet<Obstacle> {
         let mut found = BTreeSet::new();
         weigh(self, agent, place, |factor, _| match factor {
-            Factor::Wish(_) | Factor::SuitsWall => {}
+            Factor::Wish(_) | Factor::Wall | Factor::SuitsWall => {}
             Factor::BeforeWindow => found.record(Obstacle::WindowBehind),
             Factor::TakesSeat => found.record(Obstacle::Seat),
             Factor::Tight { takes, lacks } => {

@@ -69,6 +69,7 @@ fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory
         weigh(environment, agent, &place, |factor, points| match factor {
             Factor::Wish(relation) => wishes.push(wish(environment, agent, &place, relation, points)),
             Factor::BeforeWindow => wishes.push(fault("before a window", points)),
+            Factor::Wall => wishes.push(Wish { is_met: points > 0.0, ..fault("its wall", points) }),
             Factor::SuitsWall => wishes.push(Wish { is_met: true, ..fault("its wall suits it", points) }),
             Factor::TakesSeat => wishes.push(fault("takes the place of a seat", points)),
             Factor::Tight { takes, lacks } => {

@@ -9,8 +9,8 @@ use crate::plan::OpeningKind;
 
 use super::forms::Leg;
 use super::rows::{ROUNDING, Row, Standing};
-use super::standing::place_at;
 use super::units::{Unit, Units};
+use crate::layout::at_wall::place_at;
 
 /// Hangs the wall units of a room over the low units of a row, as many as there is room for.
 pub(super) fn hang(environment: &mut Environment<'_>, units: &Units, row: &Row) {

@@ -14,13 +14,14 @@ mod forms;
 mod hanging;
 mod points;
 mod rows;
-mod standing;
+
 #[cfg(test)]
 mod tests;
 mod units;
 
 use super::agent::State;
 use super::arrange::take_size;
+use super::at_wall::place_at;
 use super::environment::Environment;
 use super::furnished::RemovalReason;
 use super::place::AgentIndex;
@@ -28,7 +29,6 @@ use super::seed::{Purpose, RoomKey, Stream};
 use forms::{Form, forms_around_corners, forms_in_two_parts, straight_forms};
 use points::Judge;
 use rows::{Row, Standing, rows_in};
-use standing::place_at;
 use units::Units;
 
 /// Rows that are tried in the room, the best first; a room that refuses so many has something in the way everywhere.

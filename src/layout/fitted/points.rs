@@ -13,8 +13,8 @@ use crate::plan::{OpeningKind, Room};
 
 use super::forms::Form;
 use super::rows::{Row, Standing, metres_between};
-use super::standing::pose_at;
 use super::units::{Unit, Units};
+use crate::layout::at_wall::pose_at;
 
 /// Points by which chance moves a row: of rows that are equally good a seed takes one. Larger: more variety, and more rows with
 /// small faults.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::catalog::{ParentName, Relation, RelationKind, Side};
+use crate::catalog::{ParentName, Relation, RelationKind, Side, WallWishes};
 use crate::geometry::Point;
 use crate::layout::body::{Pose, box_solid};
 use crate::layout::constants::{
@@ -16,6 +16,8 @@ use crate::plan::OpeningKind;
 const ANGLE_FADE: f64 = 1.0;
 /// Metres beyond the good distance over which a wish about distance fades to half.
 const DISTANCE_FADE: f64 = 1.0;
+/// Metres of a wall from which on a longer one is liked no more.
+const LONG_WALL: f64 = 4.0;
 
 /// How well a place suits an agent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +51,8 @@ pub(crate) enum Factor<'a> {
     Wish(&'a Relation),
     /// It darkens a window.
     BeforeWindow,
+    /// It likes its wall, or would rather not stand there.
+    Wall,
     /// Its length fills its wall, or the wall holds a run of its kind.
     SuitsWall,
     /// It takes the place of a seat, or leaves none for its own.
@@ -77,6 +81,10 @@ pub(crate) fn weigh<'a>(
     if is_before_window {
         visit(Factor::BeforeWindow, -WINDOW_PENALTY);
     }
+    let likes = liking(environment, agent, place);
+    if likes != 0.0 {
+        visit(Factor::Wall, likes);
+    }
     let suits = suits_wall(environment, agent, place);
     if suits > 0.0 {
         visit(Factor::SuitsWall, BUILT_IN_REWARD * suits);
@@ -91,6 +99,24 @@ pub(crate) fn weigh<'a>(
         visit(Factor::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
     }
     (is_before_window || takes_a_seat, takes || lacks)
+}
+
+/// The points of the wall that a place is at.
+fn liking(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+    let (ParentPart::Wall(index), WallWishes { tags, with, metre }) =
+        (place.parent, &environment.class(agent).walls)
+    else {
+        return 0.0;
+    };
+    let wall = &environment.brief.surroundings.room.walls[index];
+    let of_tags = tags.iter().filter(|(tag, _)| wall.tags.contains(tag)).map(|(_, points)| points);
+    let is_here = |other: AgentIndex| {
+        environment.agents[other].rest().is_some_and(|rest| rest.parent == ParentPart::Wall(index))
+    };
+    let of_others = with.iter().filter(|(classes, _)| environment.resting_of(classes).any(is_here));
+    of_tags.sum::<f64>()
+        + of_others.map(|(_, points)| points).sum::<f64>()
+        + metre * wall.length().min(LONG_WALL)
 }
 
 /// How well a wall suits a built-in piece: a bathtub belongs where its length fills the niche, the first unit of a

@@ -173,7 +173,7 @@ fn frame(builder: &mut Builder, under: Bay) {
 }
 
 /// A basin with a hollow, an overflow, a drain and a ledge for the tap behind it, filling a bay; `corner` is the share of
-/// its half depth by which it is round, `floor` the share of the height at which the hollow ends.
+/// its half depth by which its front is round, `floor` the share of the height at which the hollow ends.
 fn basin(builder: &mut Builder, slot: Slot, bay: Bay, corner: f64, floor: f64) {
     let (half, middle) = (bay.extent() / 2.0, bay.center());
     let ledge = (bay.depth() * 0.2).min(0.1);
@@ -183,6 +183,7 @@ fn basin(builder: &mut Builder, slot: Slot, bay: Bay, corner: f64, floor: f64) {
         Slice::new(y(share), half.x * shrink, half.z * shrink)
             .at(0.0, middle.z - half.z * (1.0 - shrink))
             .softened(corner * shrink)
+            .softened_behind(0.012 * shrink)
     };
     let border = (bay.width() * 0.07).min(0.04);
     let hollow = |share: f64, shrink: f64| {

@@ -29,6 +29,8 @@ pub(crate) struct Slice {
     pub(crate) center: DVec2,
     /// Metres of a corner's rounding, for [`Outline::Soft`] only.
     pub(crate) radius: f64,
+    /// Likewise at the back.
+    pub(crate) back_radius: f64,
 }
 
 /// The least radius of a soft corner, in metres; below it its points would fall together.
@@ -37,7 +39,8 @@ const LEAST_RADIUS: f64 = 0.001;
 impl Slice {
     /// A cross-section around the y axis.
     pub(crate) fn new(y: f64, half_width: f64, half_depth: f64) -> Self {
-        Self { y, half: DVec2::new(half_width, half_depth), center: DVec2::ZERO, radius: LEAST_RADIUS }
+        let (half, center) = (DVec2::new(half_width, half_depth), DVec2::ZERO);
+        Self { y, half, center, radius: LEAST_RADIUS, back_radius: LEAST_RADIUS }
     }
 
     /// A circle around the y axis.
@@ -52,7 +55,12 @@ impl Slice {
 
     /// With soft corners.
     pub(crate) fn softened(self, radius: f64) -> Self {
-        Self { radius, ..self }
+        Self { radius, back_radius: radius, ..self }
+    }
+
+    /// With other corners at the back than at the front: what stands flush with a wall.
+    pub(crate) fn softened_behind(self, back_radius: f64) -> Self {
+        Self { back_radius, ..self }
     }
 
     /// Whether it is a single point.
@@ -82,10 +90,12 @@ fn direction(angle: f64) -> DVec2 {
 }
 
 fn soft_corners(slice: &Slice, segments: usize) -> Vec<DVec2> {
-    let radius = slice.radius.max(LEAST_RADIUS).min(slice.half.min_element() * 0.98);
-    let inner = slice.half - DVec2::splat(radius);
+    let most = slice.half.min_element() * 0.98;
     let signs = [(1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].map(DVec2::from);
     let corner = |(quarter, sign): (usize, DVec2)| {
+        let wanted = if sign.y < 0.0 { slice.back_radius } else { slice.radius };
+        let radius = wanted.max(LEAST_RADIUS).min(most);
+        let inner = slice.half - DVec2::splat(radius);
         (0..=segments).map(move |step| {
             let share = step as f64 / segments as f64;
             slice.center + sign * inner + direction(FRAC_PI_2 * (quarter as f64 + share)) * radius
@@ -109,6 +119,19 @@ mod tests {
             assert!(area < 0.0, "{outline:?}: x to the right, z to the front is left-handed");
             let high = corners.iter().fold(DVec2::NEG_INFINITY, |high, &corner| high.max(corner));
             assert!(high.distance(DVec2::new(1.5, 2.25)) < 1e-12, "{outline:?} {high}");
+        }
+    }
+
+    #[test]
+    fn corners_at_the_back_may_be_other_than_at_the_front() {
+        let slice = Slice::new(0.0, 0.5, 0.25).softened(0.2).softened_behind(0.01);
+        let nearest = |corner: DVec2| {
+            let corners = Outline::Soft(3).corners(&slice);
+            corners.iter().map(|point| point.distance(corner)).fold(f64::INFINITY, f64::min)
+        };
+        for x in [-0.5, 0.5] {
+            assert!(nearest(DVec2::new(x, -0.25)) < 0.01, "z to the front: the back is at -0.25");
+            assert!(nearest(DVec2::new(x, 0.25)) > 0.05);
         }
     }
 

@@ -1,4 +1,4 @@
-//! Where a unit stands that has its back to a wall.
+//! Where a piece stands or hangs that has its back to a wall.
 
 use crate::catalog::{Side, Size};
 use crate::layout::body::Pose;
@@ -7,7 +7,7 @@ use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::rules::angle_of_front;
 
 /// The place of an agent with its back to a wall, so many metres from the wall's start and above the floor.
-pub(super) fn place_at(
+pub(crate) fn place_at(
     environment: &Environment<'_>,
     agent: AgentIndex,
     wall: usize,
@@ -19,7 +19,7 @@ pub(super) fn place_at(
 }
 
 /// The pose of what has a size, with its back to a wall.
-pub(super) fn pose_at(
+pub(crate) fn pose_at(
     environment: &Environment<'_>,
     size: Size,
     wall: usize,

@@ -1,0 +1,224 @@
+//! Pieces that look for their places together, before anything else: the fixtures of a bathroom.
+//!
+//! One after the other, a bath takes the wall that the toilet needs, and a basin gets what is left, beside the door. Together
+//! they are compared as whole arrangements: all that [`crate::catalog::Class::is_joint`] names are placed in the order of their priority, each
+//! arrangement so far in several ways, and the best arrangements go on (a beam search). Points are those of the usual search,
+//! with the walls that the classes like (docs/fixtures.md). Who has no place in the best arrangement searches by itself.
+
+#[cfg(test)]
+mod tests;
+
+use super::agent::State;
+use super::arrange::{area, sizes_by, take_size};
+use super::at_wall::place_at;
+use super::environment::Environment;
+use super::locked::is_locked;
+use super::place::{AgentIndex, ParentPart, Place};
+use super::rules::{self, Score, free_wall};
+use super::seed::{Purpose, RoomKey, Stream};
+use super::suggested::suggestion;
+use crate::catalog::{Along, ClassIndex, ParentName, Side};
+use crate::plan::WallKind;
+
+/// Arrangements that go on after each piece. More find better ones, and cost as much more.
+const ARRANGEMENTS: usize = 10;
+/// How many of them have all pieces at the same walls at most.
+const ALIKE: usize = 2;
+/// Points by which chance moves a place: of places that are equally good a seed takes one. Larger: more variety, and fixtures
+/// at walls that they like less.
+const CHANCE: f64 = 0.5;
+/// Points lost for a piece without a place, required or not: more than all walls and wishes give together.
+const MISSED: f64 = 30.0;
+const MISSED_REQUIRED: f64 = 100.0;
+/// Points lost, beyond those of the score, where a window gets dark, and where somebody has less room than is good: all the room
+/// is still free, so that other walls are to be had.
+const SPOILT: f64 = 6.0;
+const TIGHT: f64 = 1.5;
+/// Points lost for a smaller size than the one that was drawn.
+const SMALLER: f64 = 1.0;
+
+/// A piece at its place.
+#[derive(Clone, Debug)]
+struct Standing {
+    agent: AgentIndex,
+    variant: u32,
+    place: Place,
+}
+
+/// Where the first few pieces stand.
+#[derive(Clone, Debug, Default)]
+struct Arrangement {
+    standings: Vec<Standing>,
+    points: f64,
+}
+
+impl Arrangement {
+    /// Classes with the parts of the room that they stand at: arrangements that agree in this look alike.
+    fn outline(&self, environment: &Environment<'_>) -> Vec<(ClassIndex, ParentPart)> {
+        let of =
+            |standing: &Standing| (environment.agents[standing.agent].piece.class, standing.place.parent);
+        self.standings.iter().map(of).collect()
+    }
+}
+
+/// Lets the pieces of the room that belong together rest where they stand best as a whole.
+pub(crate) fn settle_jointly(environment: &mut Environment<'_>, key: &RoomKey) {
+    let agents = joint_agents(environment);
+    if agents.len() < 2 || agents.iter().any(|&agent| suggestion(environment, agent).is_some()) {
+        return;
+    }
+    let mut stream = key.stream(Purpose::Placement, "jointly", 0);
+    let mut arrangements = vec![Arrangement::default()];
+    for agent in agents {
+        let longer = arrangements.iter().flat_map(|begun| go_on(environment, begun, agent, &mut stream));
+        arrangements = longer.collect();
+        // Stable: of equal points the earlier one comes first.
+        arrangements.sort_by(|a, b| b.points.total_cmp(&a.points));
+        arrangements = unlike(environment, arrangements);
+    }
+    if let Some(chosen) = at_turn(environment, &arrangements) {
+        stand(environment, chosen);
+    }
+}
+
+/// The pieces that are placed together, in the order of their priority, large before small.
+fn joint_agents(environment: &Environment<'_>) -> Vec<AgentIndex> {
+    let is_joint = |&agent: &AgentIndex| {
+        environment.class(agent).is_joint
+            && environment.agents[agent].state == State::Search
+            && !is_locked(environment, agent)
+    };
+    let mut agents: Vec<AgentIndex> = (0..environment.agents.len()).filter(is_joint).collect();
+    // Stable; of equals the order of the programme.
+    agents.sort_by(|&a, &b| {
+        let (first, second) = (environment.class(a).priority, environment.class(b).priority);
+        let area = |agent: AgentIndex| area(environment.agents[agent].size);
+        second.cmp(&first).then(area(b).total_cmp(&area(a)))
+    });
+    agents
+}
+
+/// The best arrangements, few of each outline: what comes next may need another.
+fn unlike(environment: &Environment<'_>, best_first: Vec<Arrangement>) -> Vec<Arrangement> {
+    let mut kept: Vec<(Arrangement, Vec<(ClassIndex, ParentPart)>)> = Vec::with_capacity(ARRANGEMENTS);
+    for arrangement in best_first {
+        let outline = arrangement.outline(environment);
+        if kept.iter().filter(|(_, other)| *other == outline).count() < ALIKE && kept.len() < ARRANGEMENTS {
+            kept.push((arrangement, outline));
+        }
+    }
+    kept.into_iter().map(|(arrangement, _)| arrangement).collect()
+}
+
+/// The best arrangement; a later attempt at the room takes the best of another outline, for something was wrong with the
+/// first.
+fn at_turn<'a>(environment: &Environment<'_>, best_first: &'a [Arrangement]) -> Option<&'a Arrangement> {
+    let mut seen = Vec::new();
+    let mut kinds: Vec<&Arrangement> = Vec::new();
+    for arrangement in best_first {
+        let outline = arrangement.outline(environment);
+        if !seen.contains(&outline) {
+            seen.push(outline);
+            kinds.push(arrangement);
+        }
+    }
+    kinds.get(environment.turn.min(kinds.len().checked_sub(1)?)).copied()
+}
+
+/// The arrangements that come of one when another piece is placed; without it if there is no place.
+fn go_on(
+    environment: &mut Environment<'_>,
+    begun: &Arrangement,
+    agent: AgentIndex,
+    stream: &mut Stream,
+) -> Vec<Arrangement> {
+    stand(environment, begun);
+    let drawn = environment.agents[agent].piece.variant;
+    let mut ways = places(environment, agent, stream);
+    if ways.is_empty() {
+        ways = smaller_places(environment, agent, stream);
+    }
+    take_size(environment, agent, drawn);
+    for standing in begun.standings.iter().rev() {
+        environment.unsettle(standing.agent);
+    }
+    if ways.is_empty() {
+        let lost = if environment.agents[agent].piece.is_required { MISSED_REQUIRED } else { MISSED };
+        return vec![Arrangement { points: begun.points - lost, ..begun.clone() }];
+    }
+    let with = |(points, standing): (f64, Standing)| {
+        let standings = begun.standings.iter().cloned().chain([standing]).collect();
+        Arrangement { standings, points: begun.points + points }
+    };
+    ways.into_iter().map(with).collect()
+}
+
+fn stand(environment: &mut Environment<'_>, arrangement: &Arrangement) {
+    for standing in &arrangement.standings {
+        take_size(environment, standing.agent, standing.variant);
+        environment.settle(standing.agent, &standing.place);
+    }
+}
+
+/// Free places in the largest of the smaller sizes that has any.
+fn smaller_places(
+    environment: &mut Environment<'_>,
+    agent: AgentIndex,
+    stream: &mut Stream,
+) -> Vec<(f64, Standing)> {
+    let drawn = area(environment.agents[agent].size);
+    let mut smaller = sizes_by(environment, agent, area);
+    smaller.retain(|&variant| area(environment.class(agent).size(variant)) < drawn);
+    for variant in smaller {
+        take_size(environment, agent, variant);
+        let mut ways = places(environment, agent, stream);
+        if !ways.is_empty() {
+            ways.iter_mut().for_each(|(points, _)| *points -= SMALLER);
+            return ways;
+        }
+    }
+    Vec::new()
+}
+
+/// The free places of an agent in its present size, with their points.
+fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<(f64, Standing)> {
+    let (size, variant) = (environment.agents[agent].size, environment.agents[agent].piece.variant);
+    let walls = &environment.brief.surroundings.room.walls;
+    let mut found = Vec::new();
+    for wall in (0..walls.len()).filter(|&wall| walls[wall].kind == WallKind::Solid) {
+        let stretches = free_wall(environment, agent, size, wall, stream);
+        let positions = stretches.into_iter().flat_map(|stretch| positions(environment, agent, stretch));
+        let places = positions.map(|from| place_at(environment, agent, wall, from, 0.0));
+        for place in places.filter(|place| environment.refusal(agent, place).is_none()) {
+            let points = points(environment, agent, &place) + CHANCE * stream.unit();
+            found.push((points, Standing { agent, variant, place }));
+        }
+    }
+    found
+}
+
+fn points(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+    let Score { value, is_spoilt, is_tight } = rules::score(environment, agent, place);
+    value - if is_spoilt { SPOILT } else { 0.0 } - if is_tight { TIGHT } else { 0.0 }
+}
+
+/// Where in a stretch of wall an agent could begin, in metres from the wall's start: at its ends, and with the space that it
+/// needs beside it or the space that is good; in the middle too, unless it goes to the ends.
+fn positions(environment: &Environment<'_>, agent: AgentIndex, (from, to): (f64, f64)) -> Vec<f64> {
+    let class = environment.class(agent);
+    let last = to - environment.agents[agent].size.width;
+    let beside =
+        class.clearances.iter().filter(|clearance| matches!(clearance.side, Side::Left | Side::Right));
+    let wall_rule = class.parents.iter().find(|rule| rule.parent == ParentName::Wall);
+    let mut positions = vec![from, last];
+    for clearance in beside.take(1) {
+        for metres in [clearance.minimum, clearance.good] {
+            positions.extend([from + metres, last - metres]);
+        }
+    }
+    if wall_rule.is_none_or(|rule| rule.along != Along::Ends) {
+        positions.push(f64::midpoint(from, last));
+    }
+    positions.retain(|position| (from..=last).contains(position));
+    positions
+}

@@ -1,0 +1,99 @@
+//! Bathrooms of the catalogue in rooms made by hand, each with several seeds.
+
+use crate::catalog::{Catalog, Side, load_catalog};
+use crate::geometry::{Point, Solid};
+use crate::layout::tests::{level, run};
+use crate::layout::{
+    FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, clearance_solids, furnish,
+};
+use crate::plan::Level;
+
+const SEEDS: std::ops::Range<u64> = 0..12;
+
+/// A bathroom with a door at the start of its south wall, and pipes in some of its walls: 0 south, 1 east, 2 north, 3 west.
+fn bathroom(width: f64, depth: f64, pipes: &[usize]) -> Level {
+    let mut level = level(&[(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]);
+    let room = &mut level.rooms[0];
+    room.room_type = "bathroom".to_owned();
+    room.walls[0].tags.push("door".to_owned());
+    pipes.iter().for_each(|&wall| room.walls[wall].tags.push("pipes".to_owned()));
+    level
+}
+
+fn placement<'f>(catalog: &Catalog, furnished: &'f Furnished, group: &str) -> Option<&'f Placement> {
+    let is_it =
+        |placement: &&Placement| catalog.classes[placement.class].groups.iter().any(|other| other == group);
+    furnished.placements.iter().find(is_it)
+}
+
+#[test]
+fn toilet_and_basin_stand_side_by_side_at_the_wall_with_pipes() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for seed in SEEDS {
+        let furnished = run(&bathroom(3.3, 2.0, &[2]), &catalog, seed);
+        for group in ["wc", "washing"] {
+            let fixture = placement(&catalog, &furnished, group).unwrap();
+            assert_eq!(fixture.parent, Parent::Wall(2), "{group}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn nothing_of_a_bathroom_stands_at_the_wall_of_its_door_where_others_are_free() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for seed in SEEDS {
+        let furnished = run(&bathroom(3.2, 2.4, &[]), &catalog, seed);
+        for group in ["wc", "washing"] {
+            let fixture = placement(&catalog, &furnished, group).unwrap();
+            assert_ne!(fixture.parent, Parent::Wall(0), "{group}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn all_fixtures_of_a_small_bathroom_find_a_place_with_the_space_that_they_need() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for seed in SEEDS {
+        let level = bathroom(1.8, 2.3, &[3]);
+        let furnished = run(&level, &catalog, seed);
+        let fixtures =
+            ["wc", "washing", "bathing"].map(|group| placement(&catalog, &furnished, group).unwrap());
+        for fixture in fixtures {
+            for (_, region) in clearance_solids(&catalog.classes[fixture.class], fixture, false) {
+                assert!(is_inside(&level, &region), "seed {seed}: {}", catalog.classes[fixture.class].id);
+            }
+        }
+    }
+}
+
+/// Whether a region lies in a rectangular room, but for a centimetre.
+fn is_inside(level: &Level, region: &Solid) -> bool {
+    let (room, region) = (level.rooms[0].region.outline.bounds(), region.bounds);
+    let margin = Point::splat(0.011);
+    (region.low.cmpge(room.low - margin) & region.high.cmple(room.high + margin)).all()
+}
+
+#[test]
+fn what_is_locked_stays_and_the_others_go_round_it() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let level = bathroom(2.6, 2.6, &[2]);
+    let toilet = catalog.class_index("toilet").unwrap();
+    let free = run(&level, &catalog, 1);
+    let stands = placement(&catalog, &free, "wc").unwrap();
+    let lock = Lock {
+        class: toilet,
+        number: 1,
+        on: LockSupport::Part(Parent::Floor),
+        side: Side::Above,
+        position: Point::new(0.6, 1.5),
+        elevation: None,
+        angle: stands.angle,
+        variant: None,
+    };
+    let locks = [lock.clone()];
+    let options = FurnishOptions { locks: &locks, ..FurnishOptions::new(1, "test") };
+    let furnished = furnish(level.room(0), &catalog, &options);
+    let kept = placement(&catalog, &furnished, "wc").unwrap();
+    assert_eq!(kept.position, lock.position);
+    assert!(placement(&catalog, &furnished, "washing").is_some());
+}
