@@ -18,13 +18,14 @@ KITCHEN_UNITS = SINKS | APPLIANCES | ISLANDS | WORKTOPS | {"oven_tower", "tall_u
 
 TABLES = {"kitchen_table", "dining_table", "large_dining_table", "small_table", "folding_table", "bistro_table", "round_table",
           "restaurant_table", "table_for_two", "garden_table", "terrace_table", "reading_table", "bar_table",
-          "kitchen_island", "meeting_table", "small_meeting_table", "large_meeting_table"}
+          "kitchen_island", "meeting_table", "small_meeting_table", "large_meeting_table", "canteen_table", "staff_table",
+          "seminar_table"}
 CHAIRS = {"chair", "dining_chair", "restaurant_chair", "meeting_chair"}
 
 SCREENS = {"tv", "small_tv", "wall_tv", "hotel_tv", "large_hotel_tv", "living_wall_tv"}
 PROJECTION = {"projector", "projection_screen"}
 TV_STANDS = {"tv_stand", "wide_tv_stand", "lowboard"}
-SOFAS = {"sofa", "lounge_sofa", "loveseat", "sofa_bed", "settee"}
+SOFAS = {"sofa", "lounge_sofa", "loveseat", "lounge_loveseat", "sofa_bed", "settee"}
 EASY_CHAIRS = {"armchair", "club_chair", "corner_chair", "wing_chair", "shell_chair"}
 READING_LAMPS = {"floor_lamp", "corner_lamp", "table_lamp"}
 BOOKCASES = {"bookshelf", "low_bookshelf", "plank_shelf"}
@@ -33,7 +34,7 @@ DOUBLE_BEDS = {"double_bed", "king_bed"}
 SINGLE_BEDS = {"single_bed"}
 BEDS = DOUBLE_BEDS | SINGLE_BEDS | {"bunk_bed"}
 WARDROBES = {"wardrobe", "large_wardrobe", "tall_clothes_press"}
-DESKS = {"desk", "small_desk", "executive_desk", "teacher_desk", "lecture_desk"}
+DESKS = {"desk", "team_desk", "small_desk", "executive_desk", "teacher_desk", "lecture_desk"}
 OFFICE_CHAIRS = {"office_chair"}
 
 TOILETS = {"toilet"}
@@ -43,13 +44,13 @@ TUBS = {"bathtub", "shower", "small_shower"}
 ART = {"picture", "gallery_picture", "poster", "mirror", "vanity_mirror"}
 MIRRORS = {"mirror", "vanity_mirror"}
 CURTAINS = {"curtain"}
-SLIM_KINDS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter", "floor_lamp", "corner_lamp"}
+SLIM_KINDS = {"plant", "hall_plant", "small_plant", "garden_plant", "planter", "team_planter", "floor_lamp", "corner_lamp"}
 LIBRARY_SHELVES = {"library_shelf", "library_stack", "archive_shelf"}
 ROW_SEATS = {"auditorium_seat"}
 
 STORAGE = WARDROBES | {"dresser", "bookshelf", "low_bookshelf", "plank_shelf", "cabinet", "tall_cabinet", "filing_cabinet",
                        "china_cabinet"}
-COFFEE_TABLES = {"coffee_table"}
+COFFEE_TABLES = {"coffee_table", "lounge_table"}
 VIEWERS = SOFAS | EASY_CHAIRS | BEDS
 DRESSING = {"dressing_table", "dresser", "console_table", "sideboard", "shoe_cabinet", "desk", "small_desk", "lowboard"}
 

@@ -79,6 +79,8 @@ pub struct Class {
     pub covers: Vec<ClassIndex>,
     /// What it is there to carry: it is taken away again where none of these stands on it; empty for what needs nothing.
     pub carries: Vec<ClassIndex>,
+    /// Whether it is taken away again where no other of its class stands beside it: seats in rows, shelves between aisles.
+    pub needs_company: bool,
     /// Regular intervals instead of random positions (section 3.3).
     pub grid: Option<Grid>,
     /// The part that it plays in a row of fitted units, which a room plans as a whole; `None` for what is no such unit.
@@ -123,6 +125,7 @@ impl Class {
             relations: Vec::new(),
             covers: Vec::new(),
             carries: Vec::new(),
+            needs_company: false,
             grid: None,
             fitted: None,
             is_joint: false,
@@ -349,7 +352,7 @@ pub struct Grid {
     /// Metres between neighbours along x and y: along the width and the depth of the class where it turns by
     /// quarters, else of the parent's side.
     pub interval: Point,
-    /// Places in a row along x and y after which an aisle follows; zero for none.
+    /// Most places in a row along x and y without an aisle; zero for no aisles.
     pub block: [u32; 2],
     /// Metres that an aisle adds to the interval.
     pub aisle: f64,

@@ -103,7 +103,7 @@ fn carried(pose: &Pose, from: &Pose, to: &Pose) -> Pose {
 }
 
 /// An agent and its descendants, parents first, with where they rest.
-fn family(environment: &Environment<'_>, agent: AgentIndex) -> Vec<(AgentIndex, Rest)> {
+pub(crate) fn family(environment: &Environment<'_>, agent: AgentIndex) -> Vec<(AgentIndex, Rest)> {
     let mut family = Vec::new();
     let mut waiting = vec![agent];
     while let Some(member) = waiting.pop() {

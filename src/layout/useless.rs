@@ -1,27 +1,81 @@
-//! What is there to carry something and carries nothing is given back: an empty television stand. Not in the paper.
+//! What is there to carry something and carries nothing is given back: an empty television stand. So is what needs another
+//! beside it in its row and stands alone: a seat of an auditorium. Not in the paper.
 
-use super::agent::State;
+use crate::catalog::Class;
+
+use super::agent::{Agent, Rest, State};
 use super::arrange::arrange;
 use super::environment::Environment;
 use super::locked::is_locked;
-use super::movement::send_away;
+use super::movement::{family, send_away};
 use super::place::AgentIndex;
 use super::seed::RoomKey;
 
-/// Takes away what is there to carry something that found no place on it.
+/// Cosine of the angle by which neighbours in a row may differ: untidy styles turn them a little.
+const SAME_WAY: f64 = 0.95;
+/// Metres by which neighbours may be farther apart than their grid or their width says, after untidiness.
+const APART: f64 = 0.1;
+
+/// Takes away what is there to carry something that found no place on it, and what needs company and stands alone.
 pub(crate) fn give_back(environment: &mut Environment<'_>, key: &RoomKey) {
-    let useless: Vec<AgentIndex> =
-        (0..environment.agents.len()).filter(|&agent| is_useless(environment, agent)).collect();
-    for &agent in &useless {
+    let useless = (0..environment.agents.len()).filter(|&agent| is_useless(environment, agent));
+    let mut leaving: Vec<AgentIndex> = useless.collect();
+    let alone = alone(environment);
+    leaving.extend(&alone);
+    // What is at them was asked for with them, and others that only fill what room is left would take their places.
+    let mut unasked = leaving.clone();
+    unasked.extend(alone.iter().flat_map(|&agent| family(environment, agent)).map(|(member, _)| member));
+    unasked.extend((0..environment.agents.len()).filter(|&other| would_follow(environment, &alone, other)));
+    for &agent in &leaving {
         send_away(environment, agent);
     }
-    for &agent in &useless {
+    for &agent in &unasked {
         environment.agents[agent].state = State::Unasked;
     }
-    if !useless.is_empty() {
+    if !leaving.is_empty() {
         // Who stood on it or by it.
         arrange(environment, key);
     }
+}
+
+/// The pieces that need company and have none. Where none of a class has any, all stay.
+fn alone(environment: &Environment<'_>) -> Vec<AgentIndex> {
+    let classes = &environment.brief.catalog.classes;
+    let resting = environment.resting.iter().enumerate().filter(|(class, _)| classes[*class].needs_company);
+    resting.flat_map(|(class, resting)| alone_of(environment, &classes[class], resting)).collect()
+}
+
+fn alone_of(environment: &Environment<'_>, class: &Class, resting: &[AgentIndex]) -> Vec<AgentIndex> {
+    let rests: Vec<&Rest> = resting.iter().filter_map(|&agent| environment.agents[agent].rest()).collect();
+    let reach = |agent: AgentIndex| {
+        class.grid.map_or(environment.agents[agent].size.width, |grid| grid.interval.x) + APART
+    };
+    let is_alone = |agent: &AgentIndex| {
+        let own = environment.agents[*agent].rest();
+        own.is_some_and(|own| !rests.iter().any(|other| is_beside(own, other, reach(*agent))))
+    };
+    let mut alone: Vec<AgentIndex> = resting.iter().copied().filter(is_alone).collect();
+    if alone.len() == resting.len() {
+        return Vec::new();
+    }
+    alone.retain(|&agent| !is_locked(environment, agent));
+    alone
+}
+
+/// Whether another piece is the next in the row of one: to its left or right within some metres, and turned the same way.
+fn is_beside(one: &Rest, other: &Rest, metres: f64) -> bool {
+    let offset = other.pose.position - one.pose.position;
+    let along = offset.dot(one.pose.right).abs();
+    let across = offset.dot(one.pose.right.perp()).abs();
+    along > across && along <= metres && one.pose.right.dot(other.pose.right) > SAME_WAY
+}
+
+/// Whether an agent without a place only fills what room is left and is of the class of some of others.
+fn would_follow(environment: &Environment<'_>, others: &[AgentIndex], agent: AgentIndex) -> bool {
+    let Agent { piece, state, .. } = &environment.agents[agent];
+    let is_without_place = matches!(state, State::Search | State::Removed(_));
+    let is_of_class = |other: &AgentIndex| environment.agents[*other].piece.class == piece.class;
+    piece.is_fill && is_without_place && others.iter().any(is_of_class)
 }
 
 fn is_useless(environment: &Environment<'_>, agent: AgentIndex) -> bool {
@@ -36,12 +90,45 @@ fn is_useless(environment: &Environment<'_>, agent: AgentIndex) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::catalog::{Count, ParentName, Relation, RelationKind, Untidiness};
-    use crate::layout::tests::{WIDE, catalog, level, run};
+    use crate::catalog::{Along, Count, Grid, ParentName, Relation, RelationKind, Side, Turn, Untidiness};
+    use crate::geometry::{Point, direction};
+    use crate::layout::Placement;
+    use crate::layout::tests::{WIDE, catalog, level, rule, run};
 
     const DESK: usize = 1;
     const LAMP: usize = 2;
     const SHELF: usize = 4;
+
+    #[test]
+    fn a_seat_without_another_beside_it_is_left_out() {
+        let mut catalog = catalog(&[(LAMP, Count::Fill(100))], Untidiness::default());
+        let seat = &mut catalog.classes[LAMP];
+        seat.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
+        seat.grid = Some(Grid {
+            interval: Point::new(0.7, 1.0),
+            block: [0, 0],
+            aisle: 0.0,
+            is_centered: true,
+            is_back_to_back: false,
+            margin: [0.0; 4],
+        });
+        let lone_seats = |needs_company: bool| {
+            let mut catalog = catalog.clone();
+            catalog.classes[LAMP].needs_company = needs_company;
+            let placements = run(&level(&[(0.0, 0.0), (8.0, 0.0), (4.0, 6.0)]), &catalog, 1).placements;
+            let is_beside = |one: &Placement, other: &Placement| {
+                let offset = other.position - one.position;
+                let along = offset.dot(direction(one.angle)).abs();
+                (0.1..0.75).contains(&along) && offset.length() < along + 0.1
+            };
+            let is_alone = |one: &&Placement| !placements.iter().any(|other| is_beside(one, other));
+            (placements.iter().filter(is_alone).count(), placements.len())
+        };
+        let (lone, all) = lone_seats(false);
+        assert!(lone > 0 && all > 10, "{lone} of {all}");
+        let (still_lone, kept) = lone_seats(true);
+        assert_eq!((still_lone, kept), (0, all - lone));
+    }
 
     #[test]
     fn a_stand_on_which_nothing_stands_is_given_back() {

@@ -42,6 +42,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     lines.add("likes walls", &show_walls(catalog, &class.walls));
     lines.add("lies under", &class_names(catalog, &class.covers).join(", "));
     lines.add("is there for", &class_names(catalog, &class.carries).join(", "));
+    lines.add("stands", if class.needs_company { "beside others of its class" } else { "" });
     lines.add(
         "grid",
         &class.grid.map_or_else(String::new, |grid| {
@@ -193,6 +194,7 @@ fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_type
         "relations": relations,
         "covers": class_names(catalog, &class.covers),
         "carries": class_names(catalog, &class.carries),
+        "company": class.needs_company,
         "grid": class.grid.map(|grid| json!({
             "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered,
             "back_to_back": grid.is_back_to_back, "margin": grid.margin

@@ -65,6 +65,9 @@ pub(crate) struct ClassEntry {
     pub(crate) covers: Option<OneOrMany<String>>,
     /// It is taken away again where none of these stands on it: a television stand.
     pub(crate) carries: Option<OneOrMany<String>>,
+    /// It is taken away again where no other of its class stands beside it and others have company: a seat of an auditorium, a
+    /// shelf between aisles; default false.
+    pub(crate) company: Option<bool>,
     /// Regular intervals instead of random positions.
     pub(crate) grid: Option<GridEntry>,
     /// The part that it plays in a row of fitted units, such as a kitchen: rooms plan the row as a whole, before anything else
@@ -299,7 +302,7 @@ pub(crate) struct GridEntry {
     /// Metres between neighbours, one number or [along x, along y]: along the width and the depth of the class
     /// where it turns by quarters, else of the parent's side.
     pub(crate) interval: Pair,
-    /// Places along x and along y after which an aisle follows; default [0, 0], no aisles.
+    /// Most places along x and along y without an aisle; blocks differ by one place at most. Default [0, 0], no aisles.
     pub(crate) block: Option<[i64; 2]>,
     /// Metres that an aisle adds to the interval; default 0.
     pub(crate) aisle: Option<f64>,

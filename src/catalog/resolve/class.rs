@@ -91,6 +91,9 @@ fn resolve_class(
         relations,
         covers,
         carries,
+        needs_company: chain
+            .find("company", |entry| entry.company.as_ref())
+            .is_some_and(|found| *found.value),
         grid,
         fitted: chain.find("fitted", |entry| entry.fitted.as_ref()).map(|found| *found.value),
         is_joint: chain.find("joint", |entry| entry.joint.as_ref()).is_some_and(|found| *found.value),

@@ -43,7 +43,7 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let room = frame_room(margins);
     let most = most_in(room);
     let counts = lattice(wanted, most, room / grid.interval);
-    let span = Point::new(axes[0].offset(counts[0] - 1), axes[1].offset(counts[1] - 1));
+    let span = Point::new(axes[0].span(counts[0]), axes[1].span(counts[1]));
     let slack = (room - span).max(Point::ZERO);
     let share = if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
     let first = bounds.low + margins.low + slack * share;
@@ -56,7 +56,8 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     // Each agent begins behind those that rest, where its own slot is usually free.
     for slot in (0..total).map(|index| (index + resting) % total) {
         let (place, member) = (slot / members.len(), &members[slot % members.len()]);
-        let at = Point::new(axes[0].offset(place % counts[0]), axes[1].offset(place / counts[0]));
+        let at = [place % counts[0], place / counts[0]];
+        let at = Point::new(axes[0].offset(at[0], counts[0]), axes[1].offset(at[1], counts[1]));
         add(first + at, member);
     }
     let half = half_of_place(view, grid);
@@ -126,10 +127,10 @@ fn angle(view: &View<'_>, stream: &mut Stream) -> f64 {
     best_quarter(view.environment, &view.class.relations, middle, surroundings.main_angle).unwrap_or(drawn)
 }
 
-/// One direction of a lattice: regular intervals, with an aisle after each block of so many.
+/// One direction of a lattice: regular intervals, and aisles between blocks of as many places, or of one less.
 ///
 /// ```text
-///  o--o--o----o--o--o----o     block 3
+///  o--o--o----o--o----o--o     seven places, three at most in a block
 /// ```
 #[derive(Clone, Copy, Debug)]
 struct Axis {
@@ -143,16 +144,34 @@ impl Axis {
         Self { interval: grid.interval[axis], block: grid.block[axis] as usize, aisle: grid.aisle }
     }
 
-    /// Metres from the first place to another.
-    fn offset(&self, index: usize) -> f64 {
-        let aisles = index.checked_div(self.block).unwrap_or(0);
-        index as f64 * self.interval + aisles as f64 * self.aisle
+    /// Metres from the first of so many places to another; places behind the last go on in the same way.
+    fn offset(&self, index: usize, count: usize) -> f64 {
+        index as f64 * self.interval + self.aisles_before(index, count) as f64 * self.aisle
+    }
+
+    /// Metres from the first of so many places to the last.
+    fn span(&self, count: usize) -> f64 {
+        self.offset(count.max(1) - 1, count)
+    }
+
+    /// Aisles before a place. The first blocks are the larger ones.
+    fn aisles_before(&self, index: usize, count: usize) -> usize {
+        if self.block == 0 {
+            return 0;
+        }
+        let blocks = count.div_ceil(self.block).max(1);
+        let (small, large_blocks) = ((count / blocks).max(1), count % blocks);
+        let in_large = large_blocks * (small + 1);
+        match index.checked_sub(in_large) {
+            Some(behind) => large_blocks + behind / small,
+            None => index / (small + 1),
+        }
     }
 
     /// How many places a length has room for, one at least.
     fn count(&self, length: f64) -> usize {
-        let most = (length / self.interval + ROUNDING).max(0.0) as usize;
-        (0..=most).rev().find(|&index| self.offset(index) <= length + ROUNDING).unwrap_or(0) + 1
+        let most = (length / self.interval + ROUNDING).max(0.0) as usize + 1;
+        (1..=most).rev().find(|&count| self.span(count) <= length + ROUNDING).unwrap_or(1)
     }
 }
 
@@ -180,7 +199,7 @@ fn add_outside(block: Block, area: Bounds, axes: &[Axis; 2], mut add: impl FnMut
     let after = [axes[0].count(high.x - first.x) as i64, axes[1].count(high.y - first.y) as i64];
     // Before the first place there are no aisles: what stands there has lost its block anyway.
     let at = |axis: usize, index: i64| match usize::try_from(index) {
-        Ok(index) => axes[axis].offset(index),
+        Ok(index) => axes[axis].offset(index, counts[axis]),
         Err(_) => index as f64 * axes[axis].interval,
     };
     for row in -before[1]..after[1] {
@@ -229,10 +248,26 @@ mod tests {
     #[test]
     fn an_aisle_follows_each_block() {
         let axis = Axis { interval: 1.0, block: 2, aisle: 0.5 };
-        assert_eq!([0, 1, 2, 3, 4].map(|index| axis.offset(index)), [0.0, 1.0, 2.5, 3.5, 5.0]);
+        assert_eq!([0, 1, 2, 3, 4].map(|index| axis.offset(index, 5)), [0.0, 1.0, 2.5, 3.5, 5.0]);
         assert_eq!([axis.count(0.9), axis.count(2.4), axis.count(2.5)], [1, 2, 3]);
         let without = Axis { block: 0, ..axis };
-        assert_eq!((without.offset(4), without.count(3.0)), (4.0, 4));
+        assert_eq!((without.offset(4, 5), without.count(3.0)), (4.0, 4));
+    }
+
+    #[test]
+    fn no_block_has_a_single_place_where_another_has_three() {
+        let axis = Axis { interval: 1.0, block: 12, aisle: 1.0 };
+        let places: Vec<f64> = (0..13).map(|index| axis.offset(index, 13)).collect();
+        assert_eq!((places[6], places[7], places[12]), (6.0, 8.0, 13.0), "seven and six");
+        for (count, most) in (1..60).flat_map(|count| (1..9).map(move |most| (count, most))) {
+            let axis = Axis { block: most, ..axis };
+            let mut sizes = vec![0; count];
+            (0..count).for_each(|index| sizes[axis.aisles_before(index, count)] += 1);
+            sizes.retain(|&size| size > 0);
+            let (least, largest) = (*sizes.iter().min().unwrap(), *sizes.iter().max().unwrap());
+            assert_eq!(sizes.len(), count.div_ceil(most), "as few aisles as with full blocks");
+            assert!(largest <= most && largest - least <= 1, "{count} {most}: {sizes:?}");
+        }
     }
 
     #[test]

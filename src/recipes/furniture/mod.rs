@@ -50,6 +50,7 @@ mod phone;
 mod plants;
 mod projection_screen;
 mod projector;
+mod queue_barrier;
 mod radiators;
 mod rugs;
 mod screens;
@@ -61,6 +62,7 @@ mod signage;
 mod soap;
 mod step_stool;
 mod storage;
+mod suitcase;
 mod tables;
 mod tableware;
 mod ticket_machine;
@@ -166,6 +168,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &appliances::PRINTER,
     &projection_screen::PROJECTION_SCREEN,
     &projector::PROJECTOR,
+    &queue_barrier::QUEUE_BARRIER,
     &radiators::RADIATOR,
     &tables::ROUND_TABLE,
     &rugs::RUG,
@@ -182,6 +185,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &lounge::SOFA,
     &step_stool::STEP_STOOL,
     &seating::STOOL,
+    &suitcase::SUITCASE,
     &tables::TABLE,
     &lamps::TABLE_LAMP,
     &gym::TENNIS_TABLE,
