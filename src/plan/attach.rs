@@ -202,7 +202,9 @@ fn pairs(request: &Request, faces: &[Face], common: f64) -> Vec<Vec<Face>> {
         .flat_map(|&left| faces.iter().filter(|face| !face.is_left).map(move |&right| (left, right)))
         .filter(|&(left, right)| {
             let gap = left.depth + right.depth;
-            (-OVERLAPPING_FACES..=THICKEST_WALL).contains(&gap)
+            // Of one room, two faces whose gap is none have the room between them, where it is narrow, and no wall.
+            let least = if left.place.room == right.place.room { 0.0 } else { -OVERLAPPING_FACES };
+            (least..=THICKEST_WALL).contains(&gap)
                 && (holds(left) || holds(right))
                 && request.common(left, right) >= common
         })

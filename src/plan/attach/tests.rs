@@ -270,6 +270,14 @@ fn an_open_boundary_leaves_no_post() {
 }
 
 #[test]
+fn an_opening_does_not_join_two_sides_of_a_narrow_room() {
+    let rooms = vec![rectangle("slit", (0.0, 0.0), (4.0, 0.08))];
+    let openings = vec![opening("w", OpeningKind::Window, at(2.0, 0.08, (1.0, 0.0)), 1.0)];
+    let (level, _) = assembled(rooms, openings);
+    assert_eq!(rooms_of(&level, 0), ["slit"]);
+}
+
+#[test]
 fn gaps_between_spans_in_any_order() {
     let free = super::gaps(0.0, 10.0, vec![(6.0, 7.0), (-1.0, 1.0), (2.0, 3.0), (2.5, 4.0), (9.0, 12.0)]);
     assert_eq!(free, [(1.0, 2.0), (4.0, 6.0), (7.0, 9.0)]);
