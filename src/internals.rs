@@ -11,8 +11,8 @@ pub mod best {
 }
 pub mod catalog {
     pub use crate::catalog::{
-        Access, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, Material, Palette, Plausible,
-        RoomType, Share, Side, Size, Style, Untidiness, VariantRef, load_catalog,
+        Access, ById, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, Material, Palette, PaletteRef,
+        Plausible, RoomType, Share, Side, Size, Style, StyleRef, Untidiness, VariantRef, load_catalog,
     };
 }
 pub mod contract {

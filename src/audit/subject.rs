@@ -4,7 +4,7 @@ use core::cell::OnceCell;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, DEFAULT_STYLE, Style};
+use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, Style};
 use crate::contract::ElementId;
 use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, object_id, opening_id, solids};
@@ -100,9 +100,8 @@ impl<'a> Subject<'a> {
     }
 
     /// The style that the room is furnished in.
-    pub(crate) fn style(&self) -> Option<&'a Style> {
-        let styles = &self.catalog.styles;
-        styles.get(&self.furnished.style).or_else(|| styles.get(DEFAULT_STYLE))
+    pub(crate) fn style(&self) -> &'a Style {
+        &self.catalog.styles[self.furnished.style]
     }
 
     /// The solid parts of all bodies that people walk around: not of rugs.

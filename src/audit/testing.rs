@@ -1,8 +1,8 @@
 //! Small rooms and a small catalogue for the audit's tests.
 
 use crate::catalog::{
-    Access, Along, Catalog, Class, Clearance, Count, Extent, Finish, Orientation, ParentName, ParentRule,
-    PrismRule, Request, RoomType, Shape, Side, Size, Style, Turn, Untidiness,
+    Access, Along, Catalog, Class, Clearance, Count, Extent, Finish, Orientation, PaletteRef, ParentName,
+    ParentRule, PrismRule, Request, RoomType, Shape, Side, Size, Style, StyleRef, Turn, Untidiness,
 };
 use crate::geometry::{Point, Polygon, Region};
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -126,7 +126,7 @@ impl TestRoom {
         Furnished {
             room: 0,
             seed: 1,
-            style: "default".into(),
+            style: StyleRef::default(),
             requested: self.requested.unwrap_or(0),
             placements: self.placements.clone(),
             removals: self.removals.clone(),
@@ -204,7 +204,7 @@ fn catalog() -> Catalog {
         programmes: std::collections::BTreeMap::new(),
         additions: std::collections::BTreeMap::new(),
         geometry: GeometrySet::Plain,
-        palette: "modern".into(),
+        palette: PaletteRef::default(),
         untidiness: Untidiness::default(),
         density: 1.0,
         access: Access::default(),
@@ -221,7 +221,7 @@ fn catalog() -> Catalog {
             table,
         ],
         room_types: [("office".to_owned(), room_type)].into(),
-        styles: [("default".to_owned(), style)].into(),
+        styles: [style].into_iter().collect(),
         ..Catalog::default()
     }
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::audit::{Finding, Verdict};
 use crate::best::{Judged, best_of};
-use crate::catalog::{Catalog, DEFAULT_STYLE};
+use crate::catalog::Catalog;
 use crate::edits::{Finished, Misfit, finish};
 use crate::layout::{FurnishOptions, Furnished, RoomLayout, room_style};
 use crate::output::{LevelToWrite, TooLarge, WrittenLevel};
@@ -142,11 +142,10 @@ fn furnish_room(context: &Context<'_>, job: &Job<'_>, room: usize) -> BakedRoom 
 fn unfurnished(context: &Context<'_>, job: &Job<'_>, room: usize) -> Furnished {
     let options = &context.options.level;
     let run = FurnishOptions::new(options.seed, &job.placed.id).with_style(options.style.as_deref());
-    let style = room_style(job.level.room(room), context.catalog, &run);
     Furnished {
         room,
         seed: options.seed,
-        style: style.map_or_else(|| DEFAULT_STYLE.to_owned(), |style| style.id.clone()),
+        style: room_style(job.level.room(room), context.catalog, &run),
         requested: 0,
         placements: Vec::new(),
         removals: Vec::new(),

@@ -222,7 +222,7 @@ impl Judged {
 mod tests {
     use super::*;
     use crate::audit::testing::found;
-    use crate::catalog::Size;
+    use crate::catalog::{Size, StyleRef};
     use crate::geometry::Point;
     use crate::layout::{Removal, RemovalReason};
 
@@ -238,7 +238,7 @@ mod tests {
         Furnished {
             room: 0,
             seed: 0,
-            style: String::new(),
+            style: StyleRef::default(),
             requested: 0,
             placements: Vec::new(),
             removals: Vec::new(),

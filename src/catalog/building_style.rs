@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::by_id::StyleRef;
+
 /// Gives each room of a building its style, drawn by seed, all inheritance resolved.
 #[derive(Clone, Debug)]
 pub struct BuildingStyle {
@@ -17,14 +19,14 @@ pub struct BuildingStyle {
     pub rooms: BTreeMap<String, Vec<WeightedStyle>>,
     /// By drawn style, the styles that single dwellings or rooms get in its place; weights are shares of all, together 1
     /// at most.
-    pub instead: BTreeMap<String, Vec<WeightedStyle>>,
+    pub instead: BTreeMap<StyleRef, Vec<WeightedStyle>>,
 }
 
 /// One of the styles that are drawn from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WeightedStyle {
-    /// Id of a style.
-    pub style: String,
+    /// The style.
+    pub style: StyleRef,
     /// How often it is drawn compared with the others; above zero.
     pub weight: f64,
 }
@@ -62,17 +64,17 @@ impl Share {
 impl BuildingStyle {
     /// The style of a room type for a number drawn evenly from [0, 1); `None` where it leaves the choice.
     #[must_use]
-    pub fn style(&self, room_type: &str, drawn: f64) -> Option<&str> {
+    pub fn style(&self, room_type: &str, drawn: f64) -> Option<StyleRef> {
         let styles = self.rooms.get(room_type).unwrap_or(&self.styles);
         let mut left = drawn * styles.iter().map(|one| one.weight).sum::<f64>();
         for one in styles {
             if left < one.weight {
-                return Some(&one.style);
+                return Some(one.style);
             }
             left -= one.weight;
         }
         // Rounding may leave a trace behind the last.
-        styles.last().map(|one| one.style.as_str())
+        styles.last().map(|one| one.style)
     }
 }
 
@@ -80,11 +82,11 @@ impl BuildingStyle {
     /// The style that a single dwelling or room gets in place of the drawn one, for a number of its own drawn evenly from
     /// [0, 1); nearly all get none.
     #[must_use]
-    pub fn style_instead(&self, style: &str, drawn: f64) -> Option<&str> {
+    pub fn style_instead(&self, style: StyleRef, drawn: f64) -> Option<StyleRef> {
         let mut left = drawn;
-        for one in self.instead.get(style)? {
+        for one in self.instead.get(&style)? {
             if left < one.weight {
-                return Some(&one.style);
+                return Some(one.style);
             }
             left -= one.weight;
         }
@@ -95,26 +97,28 @@ impl BuildingStyle {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalog::{Definition, Style};
 
     #[test]
     fn weights_are_shares_of_the_draw() {
-        let weighted = |(style, weight): (&str, f64)| WeightedStyle { style: style.to_owned(), weight };
+        let [old, new, grand, wide] = [0, 1, 2, 3].map(Style::reference);
+        let weighted = |(style, weight): (StyleRef, f64)| WeightedStyle { style, weight };
         let block = BuildingStyle {
             id: "block".into(),
             label: "Block".into(),
             share: Share::Dwelling,
-            styles: [("old", 3.0), ("new", 1.0)].map(weighted).into(),
-            rooms: [("lobby".to_owned(), vec![weighted(("grand", 0.5))])].into(),
-            instead: [("old".to_owned(), vec![weighted(("wide", 0.05))])].into(),
+            styles: [(old, 3.0), (new, 1.0)].map(weighted).into(),
+            rooms: [("lobby".to_owned(), vec![weighted((grand, 0.5))])].into(),
+            instead: [(old, vec![weighted((wide, 0.05))])].into(),
         };
-        assert_eq!(block.style_instead("old", 0.049), Some("wide"));
-        assert_eq!(block.style_instead("old", 0.051), None);
-        assert_eq!(block.style_instead("new", 0.0), None);
-        assert_eq!(block.style("bedroom", 0.0), Some("old"));
-        assert_eq!(block.style("bedroom", 0.749), Some("old"));
-        assert_eq!(block.style("bedroom", 0.751), Some("new"));
-        assert_eq!(block.style("bedroom", 1.0), Some("new"));
-        assert_eq!(block.style("lobby", 0.9), Some("grand"));
+        assert_eq!(block.style_instead(old, 0.049), Some(wide));
+        assert_eq!(block.style_instead(old, 0.051), None);
+        assert_eq!(block.style_instead(new, 0.0), None);
+        assert_eq!(block.style("bedroom", 0.0), Some(old));
+        assert_eq!(block.style("bedroom", 0.749), Some(old));
+        assert_eq!(block.style("bedroom", 0.751), Some(new));
+        assert_eq!(block.style("bedroom", 1.0), Some(new));
+        assert_eq!(block.style("lobby", 0.9), Some(grand));
         assert_eq!(BuildingStyle { styles: Vec::new(), ..block }.style("bedroom", 0.5), None);
     }
 

@@ -12,7 +12,7 @@ use super::resolve::{
     resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
 };
 use super::table::{Extends, Table};
-use super::{BuildingStyle, Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin, Style};
+use super::{BuildingStyle, ById, Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin, Palette, Style};
 use crate::document::{Fault, Faults, Warned};
 use crate::plan::GENERIC_ROOM_TYPE;
 
@@ -73,13 +73,18 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
     if classes.len() == names.class_count() && !report.faults.has_errors() {
         find_depths(&mut classes, report);
     }
-    let palettes = resolve_palettes(&definitions.palettes.chains(report), report);
+    let palettes: ById<Palette> =
+        resolve_palettes(&definitions.palettes.chains(report), report).into_iter().collect();
     let room_types = resolve_room_types(&definitions.room_types.chains(report), &names, report);
-    let world =
-        StyleWorld { names: &names, room_types: &definitions.room_types, palettes: &definitions.palettes };
+    let world = StyleWorld {
+        names: &names,
+        room_types: &definitions.room_types,
+        palette_table: &definitions.palettes,
+        palettes: &palettes,
+    };
     let styles = resolve_styles(&definitions.styles.chains(report), &world, report);
     check_programmes(&room_types, &styles, &names, report);
-    let styles = by_id(styles.into_iter().map(|resolved| resolved.style), |one| &one.id);
+    let styles: ById<Style> = styles.into_iter().map(|resolved| resolved.style).collect();
     let building_styles = building_styles(definitions, &styles, report);
     let style_words = definitions.styles.ids().chain(definitions.building_styles.ids());
     let room_words = resolve_words(&definitions.words, &definitions.room_types, style_words, report);
@@ -91,9 +96,11 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
         digest: finish_digest(files.digest(), &classes, report),
         classes,
         room_types: by_id(room_types.into_iter().map(|resolved| resolved.room_type), |one| &one.id),
+        // Where there is none, that is a fault: see `check_indispensable`.
+        default_style: styles.find(DEFAULT_STYLE).unwrap_or_default(),
         styles,
         building_styles: by_id(building_styles, |one| &one.id),
-        palettes: by_id(palettes, |one| &one.id),
+        palettes,
         room_words,
         audit,
         origins: find_origins(definitions, files),
@@ -102,7 +109,7 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
 
 fn building_styles(
     definitions: &Definitions,
-    styles: &BTreeMap<String, Style>,
+    styles: &ById<Style>,
     report: &mut Report<'_>,
 ) -> Vec<BuildingStyle> {
     let Definitions { room_types, styles: style_table, building_styles, .. } = definitions;

@@ -5,12 +5,14 @@
 //! - every class index points into [`Catalog::classes`], every name into its table;
 //! - sizes are positive;
 //! - every palette fills every slot;
+//! - styles and palettes are references into [`Catalog::styles`] and [`Catalog::palettes`] wherever one names another;
 //! - recipes, material slots and geometry sets are values, no names that later stages look up;
 //! - no class has itself as its only ancestor.
 
 mod audit;
 mod building_style;
 mod builtin;
+mod by_id;
 mod check;
 mod class;
 mod describe;
@@ -37,6 +39,7 @@ pub(crate) use audit::AuditFile;
 pub use audit::{AccessRules, AuditRules, DoorRules, WalkingRules};
 pub use building_style::{BuildingStyle, Share, WeightedStyle};
 pub use builtin::{builtin_file, builtin_files};
+pub use by_id::{ById, Definition, PaletteRef, StyleRef};
 pub use class::{
     Along, COVERING_HEIGHT, Class, ClassIndex, Clearance, FittedPart, Grid, ModelSource, Orientation,
     ParentName, ParentRule, Relation, RelationKind, SideOffer, Turn, VariantRef, WallWishes,
@@ -65,12 +68,14 @@ pub struct Catalog {
     pub classes: Vec<Class>,
     /// Room types by id.
     pub room_types: BTreeMap<String, RoomType>,
-    /// Styles by id; always contains [`DEFAULT_STYLE`].
-    pub styles: BTreeMap<String, Style>,
+    /// The styles; always with [`DEFAULT_STYLE`].
+    pub styles: ById<Style>,
+    /// The style of rooms for which nobody names one.
+    pub default_style: StyleRef,
     /// Building styles by id; none has the id of a style.
     pub building_styles: BTreeMap<String, BuildingStyle>,
-    /// Palettes by id.
-    pub palettes: BTreeMap<String, Palette>,
+    /// The palettes.
+    pub palettes: ById<Palette>,
     /// The room words of plan formats.
     pub room_words: RoomWords,
     /// The thresholds of the audit.
@@ -131,7 +136,7 @@ impl Catalog {
     /// Whether there is a style or building style of that id.
     #[must_use]
     pub fn has_style(&self, id: &str) -> bool {
-        self.styles.contains_key(id) || self.building_styles.contains_key(id)
+        self.styles.contains(id) || self.building_styles.contains_key(id)
     }
 
     /// Index of a class by id.

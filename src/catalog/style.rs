@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::building_style::Share;
+use super::by_id::PaletteRef;
 use super::class::{Class, ClassIndex};
 use crate::recipes::{GeometrySet, Slot};
 
@@ -135,8 +136,8 @@ pub struct Style {
     pub additions: BTreeMap<String, Vec<Request>>,
     /// What its furniture is shaped like.
     pub geometry: GeometrySet,
-    /// Name of the palette.
-    pub palette: String,
+    /// What its materials look like.
+    pub palette: PaletteRef,
     /// How untidy.
     pub untidiness: Untidiness,
     /// Factor on the counts of lines that are not required; 1 is as written.

@@ -115,7 +115,7 @@ pub(crate) fn run_style(typed: Option<&String>, sources: &Project) -> Result<Opt
         return Ok(Some(style.clone()));
     }
     let fault = Fault::of_file(Path::new("--style"), format!("unknown style \"{style}\""));
-    let known = catalog.styles.keys().chain(catalog.building_styles.keys()).map(String::as_str);
+    let known = catalog.styles.ids().chain(catalog.building_styles.keys().map(String::as_str));
     let hint = did_you_mean(style, known).unwrap_or_else(|| "see `roomwright catalog styles`".to_owned());
     Err(fault.with_hint(hint).into())
 }

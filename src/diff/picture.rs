@@ -94,7 +94,7 @@ impl View<'_> {
         let furnished = Furnished {
             room: 0,
             seed: 0,
-            style: String::new(),
+            style: catalog.default_style,
             requested: 0,
             placements: known.into_iter().filter_map(|object| placement(object, catalog)).collect(),
             removals: Vec::new(),

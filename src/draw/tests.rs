@@ -5,7 +5,7 @@ use crate::plan::{LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft
 use super::*;
 use crate::audit::Code;
 use crate::audit::testing::{found as finding, given};
-use crate::catalog::{Class, Clearance, ModelSource, RoomType, Side, Size};
+use crate::catalog::{Class, Clearance, ModelSource, RoomType, Side, Size, StyleRef};
 use crate::recipes::{Slot, find};
 
 const DESK: Size = Size { width: 1.6, depth: 0.8, height: 0.74 };
@@ -93,7 +93,7 @@ fn furnished(room: usize) -> Furnished {
     Furnished {
         room,
         seed: 1,
-        style: "default".to_owned(),
+        style: StyleRef::default(),
         requested: 3,
         placements: if room == 0 { vec![placement] } else { Vec::new() },
         removals: if room == 0 { vec![removal.clone(), removal] } else { Vec::new() },

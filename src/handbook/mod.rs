@@ -109,8 +109,9 @@ mod tests {
         assert!(pages[0].text.contains("![Toilet](catalogue/toilet.svg)"), "{}", pages[0].text);
         assert!(pages[0].text.contains("Not furnished: Shaft."));
         assert!(pages[1].text.starts_with("<svg"));
-        let names = catalog.classes.iter().map(|class| &class.id);
-        for id in names.chain(catalog.styles.keys()).chain(catalog.building_styles.keys()) {
+        let names = catalog.classes.iter().map(|class| class.id.as_str());
+        let building_styles = catalog.building_styles.keys().map(String::as_str);
+        for id in names.chain(catalog.styles.ids()).chain(building_styles) {
             assert!(pages[0].text.contains(&format!("\n| `{id}` |")), "{id}");
         }
     }

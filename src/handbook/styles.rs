@@ -1,13 +1,13 @@
 //! Styles by their changes, and building styles by the styles that they draw from.
 
-use crate::catalog::{BuildingStyle, Catalog, DefinitionKind, WeightedStyle, style_differences};
+use crate::catalog::{BuildingStyle, Catalog, DefinitionKind, Style, WeightedStyle, style_differences};
 
 use super::markdown::{code, codes, number, table};
 
 /// All styles, each with what is not as in the one that it extends.
 pub(super) fn style_section(catalog: &Catalog) -> String {
-    let row = |id: &String| {
-        let style = &catalog.styles[id];
+    let row = |style: &Style| {
+        let id = &style.id;
         let origin = catalog.origins.get(&(DefinitionKind::Style, id.clone()));
         let base = origin.and_then(|origin| origin.extends.as_ref()).map(|base| code(base));
         let differences: Vec<String> = style_differences(catalog, style)
@@ -17,33 +17,36 @@ pub(super) fn style_section(catalog: &Catalog) -> String {
         [code(id), style.label.clone(), base.unwrap_or_default(), differences.join("; ")]
     };
     let head = "## Styles\n\nThe last column lists the differences from the style that it extends.\n\n";
-    head.to_owned() + &table(["id", "label", "extends", "differences"], catalog.styles.keys().map(row))
+    head.to_owned() + &table(["id", "label", "extends", "differences"], catalog.styles.values().map(row))
 }
 
 /// All building styles.
 pub(super) fn building_style_section(catalog: &Catalog) -> String {
     let head = "## Building styles\n\nNumbers are the weights of the draw; styles without numbers are equally likely.\n\n";
     let names = ["id", "label", "drawn for each", "styles", "other styles for room types"];
-    head.to_owned() + &table(names, catalog.building_styles.values().map(building_row))
+    head.to_owned()
+        + &table(names, catalog.building_styles.values().map(|style| building_row(catalog, style)))
 }
 
-fn building_row(style: &BuildingStyle) -> [String; 5] {
-    let show =
-        |(room_type, choice): (&String, &Vec<WeightedStyle>)| format!("{room_type}: {}", show_choice(choice));
+fn building_row(catalog: &Catalog, style: &BuildingStyle) -> [String; 5] {
+    let show = |(room_type, choice): (&String, &Vec<WeightedStyle>)| {
+        format!("{room_type}: {}", show_choice(catalog, choice))
+    };
     let apart: Vec<String> = style.rooms.iter().map(show).collect();
-    let choice = show_choice(&style.styles);
+    let choice = show_choice(catalog, &style.styles);
     [code(&style.id), style.label.clone(), style.share.word().to_owned(), choice, apart.join("; ")]
 }
 
-fn show_choice(choice: &[WeightedStyle]) -> String {
+fn show_choice(catalog: &Catalog, choice: &[WeightedStyle]) -> String {
     if choice.is_empty() {
         return code(crate::catalog::DEFAULT_STYLE);
     }
     let is_even = choice.windows(2).all(|pair| pair[0].weight == pair[1].weight);
     if is_even {
-        return codes(choice.iter().map(|one| &one.style));
+        return codes(choice.iter().map(|one| &catalog.styles[one.style].id));
     }
-    let show = |one: &WeightedStyle| format!("{} {}", number(one.weight), code(&one.style));
+    let show =
+        |one: &WeightedStyle| format!("{} {}", number(one.weight), code(&catalog.styles[one.style].id));
     choice.iter().map(show).collect::<Vec<_>>().join(", ")
 }
 
@@ -51,21 +54,21 @@ fn show_choice(choice: &[WeightedStyle]) -> String {
 mod tests {
     use super::*;
 
-    fn weighted(style: &str, weight: f64) -> WeightedStyle {
-        WeightedStyle { style: style.to_owned(), weight }
-    }
-
     #[test]
     fn equal_weights_are_not_shown() {
-        assert_eq!(show_choice(&[weighted("old", 1.0), weighted("new", 1.0)]), "`old`, `new`");
-        assert_eq!(show_choice(&[weighted("old", 3.0), weighted("new", 1.0)]), "3 `old`, 1 `new`");
-        assert_eq!(show_choice(&[]), "`default`");
+        let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
+        let weighted =
+            |style: &str, weight: f64| WeightedStyle { style: catalog.styles.find(style).unwrap(), weight };
+        let show = |choice: &[WeightedStyle]| show_choice(&catalog, choice);
+        assert_eq!(show(&[weighted("hotel", 1.0), weighted("default", 1.0)]), "`hotel`, `default`");
+        assert_eq!(show(&[weighted("hotel", 3.0), weighted("default", 1.0)]), "3 `hotel`, 1 `default`");
+        assert_eq!(show(&[]), "`default`");
     }
 
     #[test]
     fn a_building_style_shows_what_each_room_is_drawn_from() {
         let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
-        let row = building_row(&catalog.building_styles["hotel_building"]);
+        let row = building_row(&catalog, &catalog.building_styles["hotel_building"]);
         assert!(row[4].contains("hotel_room: 3 `hotel`, 1 `hotel_budget`"), "{}", row[4]);
         assert!(row[4].ends_with("restaurant: 3 `restaurant_fine`, 1 `restaurant_simple`"), "{}", row[4]);
     }

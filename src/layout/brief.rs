@@ -2,7 +2,7 @@
 
 use core::cell::OnceCell;
 
-use crate::catalog::{Catalog, Style};
+use crate::catalog::{Catalog, Style, StyleRef};
 use crate::plan::{OpeningKind, RoomOpening, RoomRef};
 
 use super::choice::{Series, room_style};
@@ -19,7 +19,7 @@ use super::variant::Variants;
 pub(crate) struct RoomBrief<'a> {
     at: RoomRef<'a>,
     catalog: &'a Catalog,
-    style: &'a Style,
+    style: StyleRef,
     key: RoomKey,
     /// Drawn once: another attempt must not ask for other pieces.
     pieces: Vec<Piece>,
@@ -37,6 +37,8 @@ pub(crate) struct Brief<'a> {
     pub(crate) catalog: &'a Catalog,
     /// How the room is furnished.
     pub(crate) style: &'a Style,
+    /// The same among the styles of the catalogue.
+    pub(crate) style_ref: StyleRef,
     /// The key of its random streams.
     pub(crate) key: &'a RoomKey,
     /// The room.
@@ -65,12 +67,12 @@ impl<'a> RoomBrief<'a> {
         let key = RoomKey::new(seed, options.building, at);
         let style = room_style(at, catalog, options);
         let room_type = catalog.room_types.get(&at.room.room_type).filter(|room_type| room_type.is_furnished);
-        let (Some(style), Some(room_type)) = (style, room_type) else {
+        let Some(room_type) = room_type else {
             return Err(Furnished::empty(at.index, key.seed(), style));
         };
         let series = Series::new(at, catalog, options);
         let variants = Variants { seed, series, key: &key };
-        let mut pieces = programme::pieces(catalog, style, room_type, site(at), &variants);
+        let mut pieces = programme::pieces(catalog, &catalog.styles[style], room_type, site(at), &variants);
         programme::add_locked(&mut pieces, options.locks, catalog);
         Ok(Self {
             at,
@@ -91,8 +93,9 @@ impl<'a> RoomBrief<'a> {
         } else {
             self.exact_surroundings.get_or_init(|| self.surroundings_with(Swings::Exact))
         };
-        let Self { catalog, style, ref key, at, ref pieces, locks, .. } = *self;
-        Brief { catalog, style, key, at, pieces, surroundings, locks, alternative }
+        let Self { catalog, style: style_ref, ref key, at, ref pieces, locks, .. } = *self;
+        let style = &catalog.styles[style_ref];
+        Brief { catalog, style, style_ref, key, at, pieces, surroundings, locks, alternative }
     }
 
     fn surroundings_with(&self, swings: Swings) -> Surroundings<'a> {

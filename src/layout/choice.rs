@@ -4,34 +4,26 @@ use std::borrow::Cow;
 
 use super::options::FurnishOptions;
 use super::seed::shared_draw;
-use crate::catalog::{BuildingStyle, Catalog, Class, DEFAULT_STYLE, Share, Style};
+use crate::catalog::{BuildingStyle, Catalog, Class, Share, StyleRef};
 use crate::plan::RoomRef;
 
 /// The style of a room: its own, else the run's if that is made for such rooms, else the default. A building style
 /// draws one; where that is not made for such rooms, the default takes its place.
 #[must_use]
-pub fn room_style<'a>(
-    at: RoomRef<'_>,
-    catalog: &'a Catalog,
-    options: &FurnishOptions<'_>,
-) -> Option<&'a Style> {
+pub fn room_style(at: RoomRef<'_>, catalog: &Catalog, options: &FurnishOptions<'_>) -> StyleRef {
     let room = at.room;
-    let suits = |style: &&Style| style.suits(&room.room_type);
+    let suits = |style: &StyleRef| catalog.styles[*style].suits(&room.room_type);
     let of_building = |id: &str| {
         let building_style = catalog.building_styles.get(id)?;
-        let drawn = draw(building_style, at, options);
-        let id = building_style.style(&room.room_type, drawn);
-        let exception = id.and_then(|id| {
-            let drawn = single_draw(at, options);
-            catalog.styles.get(building_style.style_instead(id, drawn)?)
-        });
-        let style = exception.filter(suits).or_else(|| id.and_then(|id| catalog.styles.get(id)));
-        style.filter(suits).or_else(|| catalog.styles.get(DEFAULT_STYLE))
+        let drawn = building_style.style(&room.room_type, draw(building_style, at, options));
+        let exception = drawn.and_then(|style| building_style.style_instead(style, single_draw(at, options)));
+        let style = exception.filter(suits).or(drawn);
+        Some(style.filter(suits).unwrap_or(catalog.default_style))
     };
-    let own = room.style.as_deref().and_then(|id| catalog.styles.get(id).or_else(|| of_building(id)));
+    let own = room.style.as_deref().and_then(|id| catalog.styles.find(id).or_else(|| of_building(id)));
     let of_run =
-        options.style.and_then(|id| catalog.styles.get(id).filter(suits).or_else(|| of_building(id)));
-    own.or(of_run).or_else(|| catalog.styles.get(DEFAULT_STYLE))
+        options.style.and_then(|id| catalog.styles.find(id).filter(suits).or_else(|| of_building(id)));
+    own.or(of_run).unwrap_or(catalog.default_style)
 }
 
 /// The number that a building style draws with: equal for rooms that share it, whatever other rooms there are.
@@ -113,7 +105,7 @@ mod tests {
 
     fn style_of<'a>(level: &Level, catalog: &'a Catalog, seed: u64, style: &str) -> &'a str {
         let options = FurnishOptions::new(seed, "block").with_style(Some(style));
-        &room_style(level.room(0), catalog, &options).unwrap().id
+        &catalog.styles[room_style(level.room(0), catalog, &options)].id
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The result of furnishing a room.
 
 use super::constants::CONTACT_TOLERANCE;
-use crate::catalog::{COVERING_HEIGHT, ClassIndex, Side, Size, Style};
+use crate::catalog::{COVERING_HEIGHT, ClassIndex, Side, Size, StyleRef};
 use crate::geometry::Point;
 
 /// A furnished room.
@@ -11,8 +11,8 @@ pub struct Furnished {
     pub room: usize,
     /// The seed that repeats it: first eight bytes of the room's key.
     pub seed: u64,
-    /// Id of the style that was used.
-    pub style: String,
+    /// The style that was used.
+    pub style: StyleRef,
     /// How many pieces the programme asked for.
     pub requested: u32,
     /// What rests, parents before children.
@@ -23,15 +23,8 @@ pub struct Furnished {
 
 impl Furnished {
     /// A room that is not furnished.
-    pub(crate) fn empty(room: usize, seed: u64, style: Option<&Style>) -> Self {
-        Self {
-            room,
-            seed,
-            style: style.map_or_else(String::new, |style| style.id.clone()),
-            requested: 0,
-            placements: Vec::new(),
-            removals: Vec::new(),
-        }
+    pub(crate) fn empty(room: usize, seed: u64, style: StyleRef) -> Self {
+        Self { room, seed, style, requested: 0, placements: Vec::new(), removals: Vec::new() }
     }
 }
 

@@ -259,7 +259,7 @@ mod tests {
         catalog.styles.get_mut(DEFAULT_STYLE).unwrap().era = style;
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let key = RoomKey::new(1, "b", level.room(0));
-        let (style, room_type) = (&catalog.styles[DEFAULT_STYLE], &catalog.room_types["office"]);
+        let (style, room_type) = (&catalog.styles[catalog.default_style], &catalog.room_types["office"]);
         let options = FurnishOptions::new(1, "b");
         let series = Series { at: level.room(0), options: &options, share: Share::Building };
         let variants = Variants { seed: 1, series, key: &key };

@@ -9,7 +9,7 @@ use super::wanted::is_missed;
 /// What the agents came to.
 pub(crate) fn furnished(environment: &Environment<'_>) -> Furnished {
     let (agents, brief) = (&environment.agents, environment.brief);
-    let mut result = Furnished::empty(brief.at.index, brief.key.seed(), Some(brief.style));
+    let mut result = Furnished::empty(brief.at.index, brief.key.seed(), brief.style_ref);
     let mut indices = vec![None; agents.len()];
     for agent in 0..agents.len() {
         place(environment, agent, &mut indices, &mut result.placements);

@@ -98,7 +98,7 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         programmes: Default::default(),
         additions: Default::default(),
         geometry: GeometrySet::Plain,
-        palette: "modern".into(),
+        palette: PaletteRef::default(),
         untidiness,
         density: 1.0,
         access: Access::default(),
@@ -108,7 +108,7 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
     Catalog {
         classes: classes(),
         room_types: [("office".to_owned(), room_type)].into(),
-        styles: [(DEFAULT_STYLE.to_owned(), style)].into(),
+        styles: [style].into_iter().collect(),
         ..Catalog::default()
     }
 }

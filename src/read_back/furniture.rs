@@ -7,7 +7,7 @@ use super::level::{EmptyLevel, EmptyRoomNode};
 use super::parents::parents_first;
 use super::problem::Problem;
 use super::tree::Node;
-use crate::catalog::{Catalog, ClassIndex, Side, Size};
+use crate::catalog::{Catalog, ClassIndex, Side, Size, StyleRef};
 use crate::contract::{Extras, FurnitureExtras, RemovedExtras};
 use crate::document::did_you_mean;
 use crate::geometry::Point;
@@ -132,7 +132,7 @@ fn furnish(
     Ok(Furnished {
         room: at.room.index,
         seed: extras.seed,
-        style: extras.style.clone(),
+        style: style(&extras.style, &node.name, catalog)?,
         requested: extras.requested,
         removals: removals.collect::<Result<Vec<_>, _>>()?,
         placements: parents_first(nodes, at, family, pieces)?,
@@ -153,6 +153,15 @@ fn class(id: &str, node: &str, catalog: &Catalog) -> Result<ClassIndex, Problem>
             "name the folder that has it with --catalog; its room is not judged".to_owned()
         });
         Problem::new(node, format!("is of an unknown class \"{id}\"")).with_hint(hint)
+    })
+}
+
+fn style(id: &str, node: &str, catalog: &Catalog) -> Result<StyleRef, Problem> {
+    catalog.styles.find(id).ok_or_else(|| {
+        let hint = did_you_mean(id, catalog.styles.ids()).unwrap_or_else(|| {
+            "name the folder that has it with --catalog; its room is not judged".to_owned()
+        });
+        Problem::new(node, format!("is of an unknown style \"{id}\"")).with_hint(hint)
     })
 }
 

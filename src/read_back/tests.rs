@@ -90,6 +90,18 @@ fn a_moved_object_and_its_children_are_read_at_their_new_place() {
 }
 
 #[test]
+fn an_unknown_style_is_named_with_a_hint_and_not_taken_for_the_default_one() {
+    let mut file = file();
+    let is_first = |node: &&mut Value| node["extras"]["room"] == "a" && node["extras"]["kind"] == "room";
+    let room = file["nodes"].as_array_mut().unwrap().iter_mut().find(is_first).unwrap();
+    room["extras"]["style"] = "defautl".into();
+    let (rooms, faults) = judged(&file);
+    assert_eq!(rooms, [false, true]);
+    assert!(faults.contains("is of an unknown style \"defautl\""), "{faults}");
+    assert!(faults.contains("hint: did you mean \"default\"?"), "{faults}");
+}
+
+#[test]
 fn an_unknown_class_is_named_with_a_hint_and_the_other_room_is_read() {
     let mut file = file();
     file["nodes"][4]["extras"]["class"] = "dekc".into();

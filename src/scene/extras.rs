@@ -71,7 +71,7 @@ pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, 
     Extras::Room(RoomExtras {
         room: room.id.clone(),
         room_type: room.room_type.clone(),
-        style: furnished.style.clone(),
+        style: catalog.styles[furnished.style].id.clone(),
         seed: furnished.seed,
         outline: corners(&room.region.outline),
         holes: room.region.holes.iter().map(corners).collect(),

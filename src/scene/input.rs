@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::options::SceneOptions;
 use crate::audit::Verdict;
-use crate::catalog::{Catalog, DEFAULT_STYLE, VariantRef};
+use crate::catalog::{Catalog, StyleRef, VariantRef};
 use crate::layout::{FurnishOptions, Furnished, room_style};
 use crate::model::{Model, SwatchedModels};
 use crate::plan::{Level, Opening, SitePlacement};
@@ -51,13 +51,12 @@ impl<'a> SceneInput<'a> {
     }
 
     /// The style of a room, furnished or not.
-    pub(crate) fn style_of(&self, room: usize) -> &'a str {
+    pub(crate) fn style_of(&self, room: usize) -> StyleRef {
         let undrawn = || {
             let options = FurnishOptions::new(self.seed, self.building).with_style(self.style);
-            let style = room_style(self.level.room(room), self.catalog, &options);
-            style.map_or(DEFAULT_STYLE, |style| style.id.as_str())
+            room_style(self.level.room(room), self.catalog, &options)
         };
-        self.furnished_room(room).map_or_else(undrawn, |furnished| furnished.style.as_str())
+        self.furnished_room(room).map_or_else(undrawn, |furnished| furnished.style)
     }
 
     fn furnished_room(&self, room: usize) -> Option<&'a Furnished> {

@@ -9,7 +9,7 @@ use super::node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, S
 use super::options::Lights;
 use super::shell::{MergedKey, Shape};
 use super::tint::Tint;
-use crate::catalog::{Catalog, Light, Material, VariantRef};
+use crate::catalog::{Catalog, Light, Material, PaletteRef, StyleRef, VariantRef};
 use crate::contract::{VariantId, model_name};
 use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, SwatchedModels};
 use crate::recipes::{GeometrySet, Slot};
@@ -17,18 +17,18 @@ use crate::texture::{SurfaceUse, TextureLibrary, swatch_textures};
 
 /// How a room's style looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Look<'a> {
+pub(crate) struct Look {
     /// Geometry set.
     pub geometry: GeometrySet,
     /// Palette.
-    pub palette: &'a str,
+    pub palette: PaletteRef,
 }
 
-impl<'a> Look<'a> {
+impl Look {
     /// The look of a style of the catalogue.
-    pub(crate) fn of_style(catalog: &'a Catalog, style: &str) -> Self {
+    pub(crate) fn of_style(catalog: &Catalog, style: StyleRef) -> Self {
         let style = &catalog.styles[style];
-        Self { geometry: style.geometry, palette: &style.palette }
+        Self { geometry: style.geometry, palette: style.palette }
     }
 }
 
@@ -46,14 +46,14 @@ pub(crate) struct MeshTable<'a> {
     swatches_of: Option<&'a SwatchedModels>,
     lights_mode: Lights,
     has_variants: bool,
-    furniture: BTreeMap<(VariantRef, Look<'a>), Vec<usize>>,
+    furniture: BTreeMap<(VariantRef, Look), Vec<usize>>,
     shapes: BTreeMap<Shape, (usize, Arc<Model>)>,
-    shells: BTreeMap<(usize, &'a str), usize>,
-    merged: BTreeMap<(MergedKey, &'a str), usize>,
+    shells: BTreeMap<(usize, PaletteRef), usize>,
+    merged: BTreeMap<(MergedKey, PaletteRef), usize>,
     /// By palette, slot and tint.
-    slots: BTreeMap<(&'a str, Slot, usize), usize>,
+    slots: BTreeMap<(PaletteRef, Slot, usize), usize>,
     /// By palette, the number that all slots are tinted by, and whether they give light.
-    swatches: BTreeMap<(&'a str, usize, bool), usize>,
+    swatches: BTreeMap<(PaletteRef, usize, bool), usize>,
 }
 
 /// How much brighter what gives pure white light is drawn where nothing else lights a room in renderers without surroundings
@@ -131,7 +131,7 @@ impl<'a> MeshTable<'a> {
     /// are as many.
     fn variants(&mut self) -> Vec<SceneVariant> {
         let (catalog, slots, swatches) = (self.catalog, self.slots.clone(), self.swatches.clone());
-        let variant = |palette: &'a str| {
+        let variant = |palette: PaletteRef| {
             let of_slot =
                 |(&(_, slot, number), &material)| (material, self.slot_of_number(palette, slot, number));
             let mut materials: BTreeMap<usize, usize> = slots.iter().map(of_slot).collect();
@@ -139,9 +139,9 @@ impl<'a> MeshTable<'a> {
                 (material, self.swatches_of_number(palette, number, is_lit))
             };
             materials.extend(swatches.iter().map(of_swatches));
-            SceneVariant { name: palette.to_owned(), materials }
+            SceneVariant { name: catalog.palettes[palette].id.clone(), materials }
         };
-        catalog.palettes.keys().map(String::as_str).map(variant).collect()
+        catalog.palettes.refs().map(variant).collect()
     }
 
     /// The light of a lamp; there are few kinds, and equal ones are found by looking at all.
@@ -154,7 +154,7 @@ impl<'a> MeshTable<'a> {
     }
 
     /// The mesh of a variant of a class in a tint; tints that come to the same colours share one.
-    pub(crate) fn furniture(&mut self, of: VariantRef, look: Look<'a>, tint: Tint) -> usize {
+    pub(crate) fn furniture(&mut self, of: VariantRef, look: Look, tint: Tint) -> usize {
         let models = self.models;
         let built = self.built.entry((of, look.geometry));
         let swatches = self.swatches_of;
@@ -169,7 +169,8 @@ impl<'a> MeshTable<'a> {
         }
         let class = self.catalog.classes[of.class].id.clone();
         let variant = VariantId { class, number: of.variant };
-        let name = model_name(&variant, look.geometry.name(), look.palette, known.len() + 1);
+        let palette = &self.catalog.palettes[look.palette].id;
+        let name = model_name(&variant, look.geometry.name(), palette, known.len() + 1);
         let key = ModelKey { variant, geometry: look.geometry };
         self.meshes.push(SceneMesh { name, model, materials, key: Some(key) });
         let mesh = self.meshes.len() - 1;
@@ -188,7 +189,7 @@ impl<'a> MeshTable<'a> {
     }
 
     /// The mesh of a shell part, named after the first node that uses it; `None` if it has no triangles.
-    pub(crate) fn shell(&mut self, shape: Shape, palette: &'a str, node: &str) -> Option<usize> {
+    pub(crate) fn shell(&mut self, shape: Shape, palette: PaletteRef, node: &str) -> Option<usize> {
         let (number, model) = self.shape(shape);
         if model.primitives.is_empty() {
             return None;
@@ -205,7 +206,7 @@ impl<'a> MeshTable<'a> {
     /// The mesh of several shell parts in a palette, named after the first node that shows it.
     pub(crate) fn merged(
         &mut self,
-        key: (MergedKey, &'a str),
+        key: (MergedKey, PaletteRef),
         node: &str,
         build: impl FnOnce() -> Model,
     ) -> usize {
@@ -219,13 +220,13 @@ impl<'a> MeshTable<'a> {
         mesh
     }
 
-    fn shell_mesh(&mut self, model: Arc<Model>, palette: &'a str, node: &str) -> usize {
+    fn shell_mesh(&mut self, model: Arc<Model>, palette: PaletteRef, node: &str) -> usize {
         let materials = self.materials_of(&model, palette, Tint::default());
         self.meshes.push(SceneMesh { name: node.to_owned(), model, materials, key: None });
         self.meshes.len() - 1
     }
 
-    fn materials_of(&mut self, model: &Model, palette: &'a str, tint: Tint) -> Vec<usize> {
+    fn materials_of(&mut self, model: &Model, palette: PaletteRef, tint: Tint) -> Vec<usize> {
         let primitives = model.primitives.iter();
         let material = |primitive: &Primitive| match &primitive.material {
             ModelMaterial::Slot(slot) => self.slot(palette, *slot, tint),
@@ -235,17 +236,17 @@ impl<'a> MeshTable<'a> {
         primitives.map(material).collect()
     }
 
-    fn slot(&mut self, palette: &'a str, slot: Slot, tint: Tint) -> usize {
+    fn slot(&mut self, palette: PaletteRef, slot: Slot, tint: Tint) -> usize {
         self.slot_of_number(palette, slot, tint.pick(self.tint_count(palette, slot)))
     }
 
-    fn slot_of_number(&mut self, palette: &'a str, slot: Slot, number: usize) -> usize {
+    fn slot_of_number(&mut self, palette: PaletteRef, slot: Slot, number: usize) -> usize {
         let (catalog, materials) = (self.catalog, &mut self.materials);
         let own = material_of(catalog, palette, slot);
         let number = number.min(own.tints.len());
         let lights = self.lights_mode;
         *self.slots.entry((palette, slot, number)).or_insert_with(|| {
-            let mut name = format!("{palette}.{slot}");
+            let mut name = format!("{}.{slot}", catalog.palettes[palette].id);
             if number > 0 {
                 name += &format!(".{number}");
             }
@@ -257,7 +258,7 @@ impl<'a> MeshTable<'a> {
 
     /// The swatches of a palette as an object of a tint shows them. Of the numbers by which its slots have these colours the
     /// lowest counts, so that objects that look alike share one material.
-    fn swatches(&mut self, palette: &'a str, slots: &[Slot], tint: Tint) -> usize {
+    fn swatches(&mut self, palette: PaletteRef, slots: &[Slot], tint: Tint) -> usize {
         let counts: Vec<usize> = slots.iter().map(|&slot| self.tint_count(palette, slot)).collect();
         let is_alike = |number: &u32| {
             counts.iter().all(|&count| Tint::of_number(*number).pick(count) == tint.pick(count))
@@ -267,15 +268,16 @@ impl<'a> MeshTable<'a> {
         self.swatches_of_number(palette, number as usize, is_lit)
     }
 
-    fn tint_count(&self, palette: &str, slot: Slot) -> usize {
+    fn tint_count(&self, palette: PaletteRef, slot: Slot) -> usize {
         material_of(self.catalog, palette, slot).tints.len()
     }
 
     /// Those of lamps have an image of their light too.
-    fn swatches_of_number(&mut self, palette: &'a str, number: usize, is_lit: bool) -> usize {
+    fn swatches_of_number(&mut self, palette: PaletteRef, number: usize, is_lit: bool) -> usize {
         let (catalog, lights, materials) = (self.catalog, self.lights_mode, &mut self.materials);
         *self.swatches.entry((palette, number, is_lit)).or_insert_with(|| {
-            let mut name = format!("{palette}.swatches{}", if is_lit { ".lit" } else { "" });
+            let lit = if is_lit { ".lit" } else { "" };
+            let mut name = format!("{}.swatches{lit}", catalog.palettes[palette].id);
             if number > 0 {
                 name += &format!(".{number}");
             }
@@ -306,7 +308,7 @@ impl<'a> MeshTable<'a> {
 }
 
 /// The material of a slot: the catalogue's palettes have every slot.
-fn material_of<'a>(catalog: &'a Catalog, palette: &str, slot: Slot) -> &'a Material {
+fn material_of(catalog: &Catalog, palette: PaletteRef, slot: Slot) -> &Material {
     &catalog.palettes[palette].materials[&slot]
 }
 

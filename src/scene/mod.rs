@@ -29,7 +29,6 @@ use axes::Pose;
 use meshes::{Look, MeshTable};
 use shell::{OpeningLook, RoomFinish, Storey, opening_node};
 
-use crate::catalog::DEFAULT_STYLE;
 use crate::contract::level_name;
 use crate::geometry::Point;
 
@@ -57,7 +56,7 @@ pub fn build_scene(input: &SceneInput<'_>) -> Scene {
 fn openings<'a>(input: &SceneInput<'a>, storey: &Storey<'_>, meshes: &mut MeshTable<'a>) -> Vec<Node> {
     let node = |opening: &crate::plan::Opening| {
         let room = opening.sides.first().map(|side| side.room);
-        let style = room.map_or(DEFAULT_STYLE, |room| input.style_of(room));
+        let style = room.map_or(input.catalog.default_style, |room| input.style_of(room));
         let look = Look::of_style(input.catalog, style);
         let finish =
             room.map_or(RoomFinish::PLAIN, |room| RoomFinish::of(input.catalog, &input.level.rooms[room]));

@@ -24,7 +24,7 @@ pub(crate) fn room_node<'a>(
     let furnished = &input.furnished[index];
     let room = &input.level.rooms[furnished.room];
     let verdict = input.verdicts.get(index).cloned().unwrap_or_default();
-    let look = Look::of_style(input.catalog, &furnished.style);
+    let look = Look::of_style(input.catalog, furnished.style);
     let finish = RoomFinish::of(input.catalog, room);
     let extras = room_extras(room, furnished, verdict, input.catalog);
     let mut node = Node::at(room_name(&room.id), &ROOM_POSE, None, extras);
@@ -46,7 +46,7 @@ fn furniture<'a>(
     input: &SceneInput<'a>,
     furnished: &Furnished,
     room: &str,
-    look: Look<'a>,
+    look: Look,
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
     let placements = &furnished.placements;

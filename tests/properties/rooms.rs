@@ -153,7 +153,7 @@ impl Sketch {
         let outline = Polygon::new(&corners).ok()?;
         let usual = |one: &&RoomType| (one.area.0..=one.area.1).contains(&self.area);
         let types: Vec<&RoomType> = catalog.room_types.values().filter(usual).collect();
-        let styles: Vec<&String> = catalog.styles.keys().collect();
+        let styles: Vec<&str> = catalog.styles.ids().collect();
         let columns =
             self.columns.iter().map(|block| ObstacleDraft { outline: square(&outline, block), height: None });
         let draft = LevelDraft {
@@ -165,7 +165,7 @@ impl Sketch {
                 id: "room".into(),
                 number: Some(1),
                 room_type: self.room_type.get(&types).id.clone(),
-                style: self.style.map(|style| (*style.get(&styles)).clone()),
+                style: self.style.map(|style| (*style.get(&styles)).to_owned()),
                 outline: outline.corners().to_vec(),
                 holes: self.hole.iter().map(|block| square(&outline, block)).collect(),
                 height: Some(self.height),

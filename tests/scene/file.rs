@@ -128,7 +128,7 @@ fn materials_are_those_of_the_palette() {
 fn meshes_that_differ_in_material_only_share_accessors() {
     let catalog = catalog();
     let mut rooms = two_furnished(&catalog);
-    rooms[1].style = "warm".to_owned();
+    rooms[1].style = catalog.styles.find("warm").unwrap();
     let scene = scene(&two_rooms(), &rooms);
     let chairs: Vec<&str> =
         scene.meshes.iter().filter(|mesh| mesh.is_shared()).map(|mesh| mesh.name.as_str()).collect();

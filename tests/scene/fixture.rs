@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use roomwright::internals::catalog::{
-    Access, Catalog, Class, DEFAULT_STYLE, Finish, Material, Palette, RoomType, Side, Size, Style,
-    Untidiness, VariantRef,
+    Access, ById, Catalog, Class, DEFAULT_STYLE, Finish, Material, Palette, RoomType, Side, Size, Style,
+    StyleRef, Untidiness, VariantRef,
 };
 use roomwright::internals::geometry::{Point, Polygon, Region};
 use roomwright::internals::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
@@ -176,6 +176,7 @@ pub(crate) fn catalog() -> Catalog {
         density: (0.2, 0.4),
         finish,
     };
+    let palettes: ById<Palette> = ["modern", "warm"].map(palette).into_iter().collect();
     let style = |id: &str, palette: &str| Style {
         id: id.to_owned(),
         label: id.to_owned(),
@@ -183,7 +184,7 @@ pub(crate) fn catalog() -> Catalog {
         programmes: BTreeMap::new(),
         additions: BTreeMap::new(),
         geometry: GeometrySet::Plain,
-        palette: palette.to_owned(),
+        palette: palettes.find(palette).unwrap(),
         untidiness: Untidiness::default(),
         density: 1.0,
         access: Access::default(),
@@ -197,11 +198,9 @@ pub(crate) fn catalog() -> Catalog {
             class("lamp", 0.2, 0.2, 0.4),
         ],
         room_types: BTreeMap::from([("office".to_owned(), office)]),
-        styles: BTreeMap::from([
-            (DEFAULT_STYLE.to_owned(), style(DEFAULT_STYLE, "modern")),
-            ("warm".to_owned(), style("warm", "warm")),
-        ]),
-        palettes: ["modern", "warm"].map(|id| (id.to_owned(), palette(id))).into(),
+        // The default style is the first of them.
+        styles: [style(DEFAULT_STYLE, "modern"), style("warm", "warm")].into_iter().collect(),
+        palettes,
         ..Catalog::default()
     }
 }
@@ -225,7 +224,7 @@ pub(crate) fn furnished(room: usize, placements: Vec<Placement>) -> Furnished {
     Furnished {
         room,
         seed: 7 + room as u64,
-        style: DEFAULT_STYLE.to_owned(),
+        style: StyleRef::default(),
         requested: placements.len() as u32,
         placements,
         removals: Vec::new(),

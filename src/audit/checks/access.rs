@@ -17,7 +17,7 @@ use crate::audit::subject::Subject;
 
 /// The floor of a room with some furniture and without it, where the style asks for access.
 fn floors(subject: &Subject<'_>) -> Option<(Floor, Floor)> {
-    let asks = subject.style().is_some_and(|style| style.access == Access::Wheelchair);
+    let asks = subject.style().access == Access::Wheelchair;
     let is_judged = asks && !subject.bodies.is_empty();
     if is_judged { floor(subject, true).zip(floor(subject, false)) } else { None }
 }

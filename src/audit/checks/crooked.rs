@@ -31,7 +31,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 
 /// A style whose untidiness turns nothing further than furniture may stand crooked.
 fn is_tidy(subject: &Subject<'_>, limit: f64) -> bool {
-    subject.style().is_none_or(|style| style.untidiness.turn <= limit)
+    subject.style().untidiness.turn <= limit
 }
 
 /// Whether a class wants to stand straight at its wall; plants and round things do not.

@@ -146,10 +146,7 @@ fn is_met(subject: &Subject<'_>, class: ClassIndex) -> bool {
 /// The lines that ask for what the room holds.
 pub(crate) fn programme<'a>(subject: &Subject<'a>) -> Vec<&'a Request> {
     let room_type = subject.catalog.room_types.get(&subject.at.room.room_type);
-    match (subject.style(), room_type) {
-        (Some(style), Some(room_type)) => style.programme(room_type).collect(),
-        _ => Vec::new(),
-    }
+    room_type.map(|room_type| subject.style().programme(room_type).collect()).unwrap_or_default()
 }
 
 fn resting(subject: &Subject<'_>, classes: &[ClassIndex]) -> u32 {

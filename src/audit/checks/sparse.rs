@@ -21,7 +21,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     if !room_type.is_furnished || area < rules.fulfilment.sparse_area {
         return Vec::new();
     }
-    let factor = subject.style().map_or(1.0, |style| style.density.min(1.0));
+    let factor = subject.style().density.min(1.0);
     let least = room_type.density.0 * factor * rules.fulfilment.sparse;
     let standing = subject.bodies.iter().filter(|body| body.is_standing(rules));
     let share = standing.fold(0.0, |sum, body| sum + body.footprint_area()) / area;

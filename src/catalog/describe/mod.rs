@@ -71,9 +71,9 @@ fn ids(catalog: &Catalog, kind: DefinitionKind) -> Vec<&str> {
     match kind {
         DefinitionKind::Class => catalog.classes.iter().map(|class| class.id.as_str()).collect(),
         DefinitionKind::RoomType => catalog.room_types.keys().map(String::as_str).collect(),
-        DefinitionKind::Style => catalog.styles.keys().map(String::as_str).collect(),
+        DefinitionKind::Style => catalog.styles.ids().collect(),
         DefinitionKind::BuildingStyle => catalog.building_styles.keys().map(String::as_str).collect(),
-        DefinitionKind::Palette => catalog.palettes.keys().map(String::as_str).collect(),
+        DefinitionKind::Palette => catalog.palettes.ids().collect(),
     }
 }
 
@@ -126,9 +126,9 @@ fn describe_one(catalog: &Catalog, kind: DefinitionKind, id: &str) -> Option<Des
             style::describe_style(catalog, catalog.styles.get(id)?, base_style(catalog, id))
         }
         DefinitionKind::BuildingStyle => {
-            building_style::describe_building_style(catalog.building_styles.get(id)?)
+            building_style::describe_building_style(catalog, catalog.building_styles.get(id)?)
         }
-        DefinitionKind::Palette => palette::describe_palette(catalog, catalog.palettes.get(id)?),
+        DefinitionKind::Palette => palette::describe_palette(catalog, catalog.palettes.find(id)?),
     };
     let file = file_of(catalog, kind, id);
     let origin = catalog.origins.get(&(kind, id.to_owned()));
@@ -155,7 +155,7 @@ fn describe_one(catalog: &Catalog, kind: DefinitionKind, id: &str) -> Option<Des
 /// The differences of a style from the one that it extends: names of facts, and their values in words.
 #[must_use]
 pub fn style_differences(catalog: &Catalog, style: &Style) -> Vec<(&'static str, String)> {
-    style::differences(style, base_style(catalog, &style.id))
+    style::differences(catalog, style, base_style(catalog, &style.id))
 }
 
 /// The style that another extends; one that replaces an earlier one of its own name has none to compare with.

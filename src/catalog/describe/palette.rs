@@ -4,24 +4,27 @@ use serde_json::{Map, Value, json};
 
 use super::lines::{Lines, rounded};
 use crate::catalog::resolve::srgb_hex;
-use crate::catalog::{Catalog, Material, Palette};
+use crate::catalog::{Catalog, Material, PaletteRef};
 
 /// Nothing for a title, and the styles that use it.
 pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
-    (String::new(), list_styles(catalog, id).join(", "))
+    (
+        String::new(),
+        catalog.palettes.find(id).map(|palette| list_styles(catalog, palette)).unwrap_or_default().join(", "),
+    )
 }
 
-fn list_styles<'a>(catalog: &'a Catalog, palette: &str) -> Vec<&'a str> {
+fn list_styles(catalog: &Catalog, palette: PaletteRef) -> Vec<&str> {
     let styles = catalog.styles.values().filter(|style| style.palette == palette);
     styles.map(|style| style.id.as_str()).collect()
 }
 
 /// Everything about a palette.
-pub(super) fn describe_palette(catalog: &Catalog, palette: &Palette) -> (Lines, Value) {
-    let styles = list_styles(catalog, &palette.id);
+pub(super) fn describe_palette(catalog: &Catalog, palette: PaletteRef) -> (Lines, Value) {
+    let styles = list_styles(catalog, palette);
     let mut lines = Lines::default();
     let mut materials: Vec<(&str, &Material)> =
-        palette.materials.iter().map(|(slot, material)| (slot.name(), material)).collect();
+        catalog.palettes[palette].materials.iter().map(|(slot, material)| (slot.name(), material)).collect();
     materials.sort_by_key(|(slot, _)| *slot);
     for (slot, material) in &materials {
         lines.add(slot, &show_material(material));

@@ -16,29 +16,29 @@ pub(super) fn summary(catalog: &Catalog, id: &str) -> (String, String) {
 type Programmes = BTreeMap<String, Vec<Request>>;
 
 /// A fact about a style, as people read it.
-type Show = fn(&Style) -> String;
+type Show = fn(&Catalog, &Style) -> String;
 
 /// Programmes of a style.
 type Select = fn(&Style) -> &Programmes;
 
 /// The facts of a style besides programmes.
 const FACTS: [(&str, Show); 8] = [
-    ("made for", show_room_types),
-    ("geometry", |style| style.geometry.name().to_owned()),
-    ("palette", |style| style.palette.clone()),
-    ("untidiness", |style| {
+    ("made for", |_, style| show_room_types(style)),
+    ("geometry", |_, style| style.geometry.name().to_owned()),
+    ("palette", |catalog, style| catalog.palettes[style.palette].id.clone()),
+    ("untidiness", |_, style| {
         format!("{}°, {} m", degrees(style.untidiness.turn), rounded(style.untidiness.distance))
     }),
-    ("density", |style| rounded(style.density).to_string()),
-    ("access", |style| style.access.word().to_owned()),
-    ("era", |style| style.era.map_or("any", Era::word).to_owned()),
-    ("wealth", |style| style.wealth.map_or_else(|| "any".to_owned(), |wealth| wealth.to_string())),
+    ("density", |_, style| rounded(style.density).to_string()),
+    ("access", |_, style| style.access.word().to_owned()),
+    ("era", |_, style| style.era.map_or("any", Era::word).to_owned()),
+    ("wealth", |_, style| style.wealth.map_or_else(|| "any".to_owned(), |wealth| wealth.to_string())),
 ];
 
 /// A fact, with that of the style that is extended where it is another.
-fn compared(style: &Style, base: Option<&Style>, show: Show) -> String {
-    let own = show(style);
-    match base.map(|base| (show(base), &base.id)) {
+fn compared(catalog: &Catalog, style: &Style, base: Option<&Style>, show: Show) -> String {
+    let own = show(catalog, style);
+    match base.map(|base| (show(catalog, base), &base.id)) {
         Some((other, id)) if other != own => format!("{own} (in {id}: {other})"),
         _ => own,
     }
@@ -46,10 +46,14 @@ fn compared(style: &Style, base: Option<&Style>, show: Show) -> String {
 
 /// The differences of a style from the one that it extends, or all facts if it extends none, in words:
 /// names of facts and what they are here.
-pub(super) fn differences(style: &Style, base: Option<&Style>) -> Vec<(&'static str, String)> {
-    let differs = |show: Show| base.is_none_or(|base| show(base) != show(style));
+pub(super) fn differences(
+    catalog: &Catalog,
+    style: &Style,
+    base: Option<&Style>,
+) -> Vec<(&'static str, String)> {
+    let differs = |show: Show| base.is_none_or(|base| show(catalog, base) != show(catalog, style));
     let facts = FACTS.into_iter().filter(|&(_, show)| differs(show));
-    let facts = facts.map(|(name, show)| (name, show(style)));
+    let facts = facts.map(|(name, show)| (name, show(catalog, style)));
     let kinds: [(&str, Select); 2] =
         [("programmes", |style| &style.programmes), ("additions", |style| &style.additions)];
     let changed = |(name, of): (&'static str, Select)| {
@@ -72,7 +76,7 @@ pub(super) fn describe_style(catalog: &Catalog, style: &Style, base: Option<&Sty
     let mut lines = Lines::default();
     lines.add("label", &style.label);
     for (name, show) in FACTS {
-        lines.add(name, &compared(style, base, show));
+        lines.add(name, &compared(catalog, style, base, show));
     }
     let inherited = |room_type: &str, of: Select| {
         base.filter(|base| of(base).get(room_type) == of(style).get(room_type)).map(|base| &base.id)
@@ -91,7 +95,7 @@ pub(super) fn describe_style(catalog: &Catalog, style: &Style, base: Option<&Sty
         "label": style.label,
         "room_types": style.room_types,
         "geometry": style.geometry.name(),
-        "palette": style.palette,
+        "palette": catalog.palettes[style.palette].id,
         "untidiness": {"turn": degrees(untidiness.turn), "distance": untidiness.distance},
         "density": style.density,
         "access": style.access.word(),

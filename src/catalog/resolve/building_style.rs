@@ -7,7 +7,7 @@ use super::{merged_keys, resolve_label};
 use crate::catalog::file::{BuildingStyleEntry, ChoiceEntry, RoomTypeEntry, StyleEntry};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::{Chain, Table};
-use crate::catalog::{BuildingStyle, Share, Style, WeightedStyle};
+use crate::catalog::{BuildingStyle, ById, Share, Style, StyleRef, WeightedStyle};
 
 /// The definitions that a building style may refer to.
 pub(crate) struct BuildingStyleWorld<'a> {
@@ -15,8 +15,8 @@ pub(crate) struct BuildingStyleWorld<'a> {
     pub(crate) room_types: &'a Table<RoomTypeEntry>,
     /// The styles as written.
     pub(crate) style_table: &'a Table<StyleEntry>,
-    /// The styles without faults, by id.
-    pub(crate) styles: &'a BTreeMap<String, Style>,
+    /// The styles without faults.
+    pub(crate) styles: &'a ById<Style>,
 }
 
 /// All building styles that are not broken, sorted by id.
@@ -65,7 +65,7 @@ fn resolve_instead(
     chain: &Chain<'_, BuildingStyleEntry>,
     world: &BuildingStyleWorld<'_>,
     report: &mut Report<'_>,
-) -> BTreeMap<String, Vec<WeightedStyle>> {
+) -> BTreeMap<StyleRef, Vec<WeightedStyle>> {
     let mut instead = BTreeMap::new();
     for style in merged_keys(chain, |entry| entry.instead.as_ref()) {
         let found = chain.find("instead", |entry| entry.instead.as_ref()?.get(style));
@@ -80,7 +80,7 @@ fn resolve_instead(
             let hint = "they are shares of all dwellings or rooms";
             report.error_with_hint(&spot, format!("the shares add up to {share}"), hint);
         }
-        instead.insert(style.clone(), choice);
+        instead.extend(world.styles.find(style).map(|style| (style, choice)));
     }
     instead
 }
@@ -114,8 +114,9 @@ fn warn_of_unsuitable(
     world: &BuildingStyleWorld<'_>,
     report: &mut Report<'_>,
 ) {
-    if world.styles.get(&one.style).is_some_and(|style| !style.suits(room_type)) {
-        let message = format!("style \"{}\" is not made for rooms of type \"{room_type}\"", one.style);
+    let style = &world.styles[one.style];
+    if !style.suits(room_type) {
+        let message = format!("style \"{}\" is not made for rooms of type \"{room_type}\"", style.id);
         report.warning(spot, message, "such rooms are furnished in the default style");
     }
 }
@@ -147,5 +148,9 @@ fn resolve_choice(
             report.error_with_hint(spot, format!("weight is {weight}"), hint);
         }
     }
-    written.into_iter().map(|(_, style, weight)| WeightedStyle { style: style.clone(), weight }).collect()
+    // Those that are not there are reported.
+    let known = |(_, style, weight): (Spot, &String, f64)| {
+        world.styles.find(style).map(|style| WeightedStyle { style, weight })
+    };
+    written.into_iter().filter_map(known).collect()
 }

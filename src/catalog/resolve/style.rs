@@ -9,7 +9,7 @@ use super::{merged_keys, resolve_label};
 use crate::catalog::file::{PaletteEntry, RequestEntry, RoomTypeEntry, StyleEntry};
 use crate::catalog::report::{Report, Spot};
 use crate::catalog::table::{Chain, Table};
-use crate::catalog::{Access, Request, Style, Untidiness};
+use crate::catalog::{Access, ById, Palette, PaletteRef, Request, Style, Untidiness};
 use crate::recipes::GeometrySet;
 
 /// The palette of a style that names none.
@@ -26,8 +26,10 @@ pub(crate) struct StyleWorld<'a> {
     pub(crate) names: &'a Names<'a>,
     /// The room types.
     pub(crate) room_types: &'a Table<RoomTypeEntry>,
-    /// The palettes.
-    pub(crate) palettes: &'a Table<PaletteEntry>,
+    /// The palettes as written.
+    pub(crate) palette_table: &'a Table<PaletteEntry>,
+    /// Those that are not broken.
+    pub(crate) palettes: &'a ById<Palette>,
 }
 
 /// Lines that a style writes for a room type.
@@ -77,7 +79,7 @@ fn resolve_style(
         programmes,
         additions: by_room_type(&additions),
         geometry: resolve_geometry(chain, report),
-        palette: resolve_palette_name(chain, world, report),
+        palette: resolve_palette_reference(chain, world, report),
         untidiness: resolve_untidiness(chain, report),
         density: density
             .map_or(1.0, |found| Quantity::plain("density", FACTOR).check(*found.value, &found.spot, report)),
@@ -180,18 +182,19 @@ fn resolve_geometry(chain: &Chain<'_, StyleEntry>, report: &mut Report<'_>) -> G
     })
 }
 
-fn resolve_palette_name(
+/// The palette of a style; any where there is none of its name, which is reported then, or is reported itself.
+fn resolve_palette_reference(
     chain: &Chain<'_, StyleEntry>,
     world: &StyleWorld<'_>,
     report: &mut Report<'_>,
-) -> String {
+) -> PaletteRef {
     let found = chain.find("palette", |entry| entry.palette.as_ref());
     let spot = found.as_ref().map_or_else(|| chain.own().spot.clone(), |found| found.spot.clone());
     let palette = found.map_or_else(|| DEFAULT_PALETTE.to_owned(), |found| found.value.clone());
-    if world.palettes.get(&palette).is_none() {
-        report.unknown(&spot, "palette", &palette, world.palettes.ids());
+    if world.palette_table.get(&palette).is_none() {
+        report.unknown(&spot, "palette", &palette, world.palette_table.ids());
     }
-    palette
+    world.palettes.find(&palette).unwrap_or_default()
 }
 
 fn resolve_untidiness(chain: &Chain<'_, StyleEntry>, report: &mut Report<'_>) -> Untidiness {

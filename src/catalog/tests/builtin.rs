@@ -10,7 +10,7 @@ fn the_builtin_catalogue_loads_without_faults_or_warnings() {
     assert!(loaded.warnings.is_empty(), "{}", loaded.warnings);
     let catalog = loaded.value;
     assert!(catalog.classes.is_sorted_by(|a, b| a.id < b.id));
-    assert!(catalog.styles.contains_key(DEFAULT_STYLE));
+    assert!(catalog.styles.contains(DEFAULT_STYLE));
     for palette in catalog.palettes.values() {
         assert_eq!(palette.materials.len(), Slot::ALL.len(), "{}", palette.id);
     }

@@ -222,7 +222,7 @@ styles:
   cheap_inn: {extends: inn, untidiness: {distance: 0.2}, geometry: traditional, programmes: {office: []}}
 ";
     let catalog = load(&[("styles/a.yaml", styles)]);
-    let (cheap, office) = (&catalog.styles["cheap_inn"], &catalog.room_types["office"]);
+    let (cheap, office) = (catalog.styles.get("cheap_inn").unwrap(), &catalog.room_types["office"]);
     assert_eq!(
         (cheap.label.as_str(), cheap.density, cheap.geometry.name()),
         ("Cheap inn", 2.0, "traditional")
@@ -231,7 +231,7 @@ styles:
     assert_eq!(cheap.untidiness.distance.to_bits(), 0.2_f64.to_bits());
     assert_eq!(cheap.programmes["generic"].len(), 1);
     assert_eq!(cheap.programme(office).count(), 1, "no programme of its own, one line added");
-    assert_eq!(catalog.styles["inn"].programme(office).count(), 2);
+    assert_eq!(catalog.styles.get("inn").unwrap().programme(office).count(), 2);
     assert_eq!(cheap.room_types, ["generic", "office"]);
 }
 
@@ -244,8 +244,8 @@ palettes:
 ";
     let catalog = load(&[("palettes/a.yaml", palettes)]);
     let (wood, lamp) = (
-        &catalog.palettes["warmer"].materials[&Slot::Wood],
-        &catalog.palettes["warmer"].materials[&Slot::Lamp],
+        &catalog.palettes.get("warmer").unwrap().materials[&Slot::Wood],
+        &catalog.palettes.get("warmer").unwrap().materials[&Slot::Lamp],
     );
     let [red, green, blue, opacity] = wood.base_color;
     assert!((red - 1.0).abs() < 1e-6 && (green - 0.215_86).abs() < 1e-4 && blue.abs() < 1e-6);

@@ -27,7 +27,7 @@ pub(super) fn report<'a>(subject: &'a Subject<'_>) -> ExplainAnswer<'a> {
         room_type: &room.room_type,
         area: room.region.area(),
         seed: subject.seed,
-        style: &subject.furnished.style,
+        style: &subject.sources.catalog.styles[subject.furnished.style].id,
         requested: subject.furnished.requested,
         placed: placements.len(),
         arrangement: subject.alternative + 1,

@@ -39,7 +39,8 @@ fn heading(subject: &Subject<'_>) -> String {
     let label = room_type.map_or(room.room_type.as_str(), |room_type| &room_type.label);
     let name = printable(&format!("{} / {} / {}: {label}", found.placed.id, found.at.level.id, room.id));
     let area = room.region.area();
-    let mut text = format!("{name}, {area:.1} m²\n  seed {}, style {}\n", subject.seed, furnished.style);
+    let style = &subject.sources.catalog.styles[furnished.style].id;
+    let mut text = format!("{name}, {area:.1} m²\n  seed {}, style {style}\n", subject.seed);
     let explanation = &subject.explanation;
     if explanation.attempts == 0 {
         return text + "  rooms of this type are not furnished\n";

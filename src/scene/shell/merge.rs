@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 
 use super::{MergedKey, Shape};
+use crate::catalog::PaletteRef;
 use crate::model::{Model, ModelMaterial, Primitive};
 use crate::scene::axes::Pose;
 use crate::scene::meshes::MeshTable;
@@ -46,7 +47,7 @@ impl Merged {
     /// The mesh, named after the first node that shows it; none if nothing was added.
     pub(crate) fn finish<'a>(
         self,
-        palette: &'a str,
+        palette: PaletteRef,
         node: &str,
         meshes: &mut MeshTable<'a>,
     ) -> Option<usize> {

@@ -11,6 +11,7 @@ use super::storey::Storey;
 use super::thickness::built_thickness;
 use super::ticks::Ticks;
 use super::{SLAB, Shape};
+use crate::catalog::PaletteRef;
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::Point;
 use crate::layout::opening_id;
@@ -31,11 +32,11 @@ const SKEW: f64 = 0.01;
 
 /// How openings look.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OpeningLook<'a> {
+pub(crate) struct OpeningLook {
     /// Of the first room.
     pub finish: RoomFinish,
     /// Of that room's style.
-    pub look: Look<'a>,
+    pub look: Look,
     /// Degrees by which leaves stand open; as far as they go where nothing is said.
     pub door_angle: Option<u16>,
     /// Whether frame, sill and threshold are one mesh.
@@ -46,7 +47,7 @@ pub(crate) struct OpeningLook<'a> {
 pub(crate) fn opening_node<'a>(
     storey: &Storey<'_>,
     opening: &Opening,
-    &OpeningLook { finish, look, door_angle, parts }: &OpeningLook<'a>,
+    &OpeningLook { finish, look, door_angle, parts }: &OpeningLook,
     meshes: &mut MeshTable<'a>,
 ) -> Node {
     let level = storey.level;
@@ -88,7 +89,7 @@ fn wall_of<'l>(level: &'l Level, side: &OpeningSide) -> &'l crate::plan::Wall {
 }
 
 /// Leaves to balconies and the like are glazed, others as the style has them.
-fn leaf_design(level: &Level, opening: &Opening, look: Look<'_>) -> LeafDesign {
+fn leaf_design(level: &Level, opening: &Opening, look: Look) -> LeafDesign {
     let is_railing = |wall: &Wall| wall.kind != WallKind::Solid;
     let is_outdoors = opening.sides.iter().any(|side| level.rooms[side.room].walls.iter().any(is_railing));
     if is_outdoors { LeafDesign::Glazed } else { LeafDesign::of_set(look.geometry) }
@@ -164,7 +165,7 @@ fn opened(shut: Point, open: Point, angle: f64) -> Point {
 struct Pieces<'a, 'm, 'n> {
     owner: &'n str,
     origin: Pose,
-    palette: &'a str,
+    palette: PaletteRef,
     design: LeafDesign,
     casing: Ticks,
     door_angle: Option<u16>,

@@ -17,6 +17,7 @@ use super::storey::Storey;
 use super::ticks::Ticks;
 use super::wall::{Cut, Hole, WallShape};
 use super::{INSET, SLAB, Shape};
+use crate::catalog::PaletteRef;
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::{Point, Region};
 use crate::plan::{Level, Room, Wall, WallKind};
@@ -40,7 +41,7 @@ pub(crate) fn room_parts<'a>(
     storey: &Storey<'_>,
     room: &Room,
     finish: RoomFinish,
-    (look, is_merged): (Look<'a>, bool),
+    (look, is_merged): (Look, bool),
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
     let level = storey.level;
@@ -59,7 +60,7 @@ pub(crate) fn room_parts<'a>(
 
 struct RoomParts<'a, 'm, 'r> {
     room: &'r Room,
-    palette: &'a str,
+    palette: PaletteRef,
     /// Where the node stands that shows what is merged.
     origin: Pose,
     /// Walls and what is fixed to them; none where each part has its own mesh.
