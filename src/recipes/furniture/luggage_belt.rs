@@ -119,16 +119,7 @@ fn panelled(builder: &mut Builder) {
         }
         let cap = bay.slab(side, 0.1).with_y([top - SINK, top + 0.03]);
         builder.block(Slot::Wood, cap.without(side, 0.004).inset(0.012, 0.0, 0.0), 0.008);
-        let z = bay.slab(side, 0.05).center().z;
-        let rail = [DVec3::new(bay.low.x, height - 0.013, z), DVec3::new(bay.high.x, height - 0.013, z)];
-        builder.add(Slot::Brass, sweep(&rail, 0.0135, 8));
-        let count = (bay.width() / 1.0).round().clamp(2.0, 10.0) as u32;
-        for post in bay.inset(0.1, 0.0, 0.0).columns(count, 0.0) {
-            builder.add(
-                Slot::Brass,
-                cylinder(0.008, [top + 0.02, height - 0.012], 6).moved(post.center().x, 0.0, z),
-            );
-        }
+        guard_rail(builder, Slot::Brass, side, top + 0.02);
         builder.cuboid(
             Slot::Brass,
             bay.slab(side, 0.016).inset(0.03, 0.0, 0.0).with_y([height * 0.04, height * 0.1]),
@@ -141,13 +132,26 @@ fn panelled(builder: &mut Builder) {
     belt(builder, bay.inset(0.048, 0.0, 0.066).with_y([height * 0.4, top - 0.006]));
 }
 
+/// A rail along a side at the height of the box, on posts from another height: luggage stays on the belt.
+fn guard_rail(builder: &mut Builder, slot: Slot, side: Side, foot: f64) {
+    let bay = builder.bay();
+    let (height, z) = (bay.height(), bay.slab(side, 0.05).center().z);
+    let rail = [DVec3::new(bay.low.x, height - 0.013, z), DVec3::new(bay.high.x, height - 0.013, z)];
+    builder.add(slot, sweep(&rail, 0.0135, 8));
+    let count = (bay.width() / 1.0).round().clamp(2.0, 10.0) as u32;
+    for post in bay.inset(0.1, 0.0, 0.0).columns(count, 0.0) {
+        builder.add(slot, cylinder(0.008, [foot, height - 0.012], 6).moved(post.center().x, 0.0, z));
+    }
+}
+
 /// Rollers between two beams on legs with braces, a motor below and stops at the ends.
 fn rollers(builder: &mut Builder) {
     let bay = builder.bay();
-    let height = bay.height();
+    let height = bay.height() * 0.86;
     let radius = 0.038;
     let axis = height - radius;
     for side in [Side::Front, Side::Back] {
+        guard_rail(builder, Slot::MetalDark, side, axis + 0.006);
         let beam = bay.slab(side, 0.012).with_y([axis - 0.09, axis + 0.02]);
         builder.cuboid(Slot::PaintedAccent, beam);
         for y in [axis - 0.09, axis + 0.008] {
@@ -185,10 +189,13 @@ fn rollers(builder: &mut Builder) {
 /// A belt that turns around two drums in a shallow body of folded sheet on square legs.
 fn on_drums(builder: &mut Builder) {
     let bay = builder.bay();
-    let height = bay.height();
+    let height = bay.height() * 0.86;
     let radius = 0.07;
     let middle = height - radius;
     let rim = 0.06;
+    for side in [Side::Front, Side::Back] {
+        guard_rail(builder, Slot::Metal, side, middle + radius * 0.6);
+    }
     for end in [bay.low.x + radius, bay.high.x - radius] {
         let drum = turned_forward(cylinder(radius, [bay.low.z + rim + 0.004, bay.high.z - rim - 0.004], 16));
         builder.add(Slot::Rubber, drum.moved(end, middle, 0.0));
