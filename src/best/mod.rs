@@ -15,7 +15,9 @@ use crate::solve::RoomSolver;
 /// How often a room is furnished at most where nothing else is said. Chosen by measurement: `docs/figures.md`, "Effort".
 pub const DEFAULT_EFFORT: u32 = 16;
 
-/// How many alternatives in a row may bring nothing better while the best has no finding and lacks optional pieces only.
+/// How many alternatives in a row may bring nothing better while the best room has no finding that depends on where its pieces
+/// stand ([`Code::is_of_places`]): it may have no place for more. Larger: more time for such rooms, long corridors above
+/// all, for a few pieces more.
 const PATIENCE: u32 = 3;
 
 /// Steps of the layout ([`Counted`]) and of the solver after which no further alternative begins. Of 10,454
@@ -106,8 +108,7 @@ fn best_numbered<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verd
     let mut best = maker.make(Alternative::default());
     let mut in_vain = 0;
     for number in 1..effort {
-        // A room without a finding may lack optional pieces for which it has no place: a few more arrangements are enough.
-        let is_enough = best.is_flawless() || (best.has_no_findings() && in_vain >= PATIENCE);
+        let is_enough = best.is_flawless() || (best.lacks_pieces_only() && in_vain >= PATIENCE);
         if is_enough || maker.steps + solver_steps() / SOLVER_STEPS_A_STEP >= best.most_steps() {
             break;
         }
@@ -173,10 +174,10 @@ impl Judged {
         self.flaws() == (0, 0, 0) && self.stand_ins.steps_down == 0
     }
 
-    /// Whether nothing is wrong with it, though something may be missing.
-    fn has_no_findings(&self) -> bool {
-        let (failed, minor, _) = self.flaws();
-        failed + minor == 0
+    /// Whether what stands there stands well, though something may be missing.
+    fn lacks_pieces_only(&self) -> bool {
+        let is_given = |finding: &Finding| finding.severity == Severity::Given;
+        self.verdict.findings.iter().all(|finding| is_given(finding) || !finding.code.is_of_places())
     }
 
     /// Steps after which no further alternative begins.
@@ -252,7 +253,7 @@ mod tests {
             let (failed, minor) = flaws[made];
             made += 1;
             let findings = (0..failed).map(|_| found(Code::Collision, &[]));
-            let findings = findings.chain((0..minor).map(|_| found(Code::Sparse, &[]))).collect();
+            let findings = findings.chain((0..minor).map(|_| found(Code::TightUse, &[]))).collect();
             Verdict { findings, ..Verdict::default() }
         };
         let best = best_of(effort, empty, judge, |_| Vec::new(), || 0);
@@ -267,7 +268,7 @@ mod tests {
             Counted { steps: MOST_STEPS / 3, ..counted(nothing()) }
         };
         let judge =
-            |_: &Furnished| Verdict { findings: vec![found(Code::Sparse, &[])], ..Verdict::default() };
+            |_: &Furnished| Verdict { findings: vec![found(Code::TightUse, &[])], ..Verdict::default() };
         let _ = best_of(16, furnish, judge, |_| Vec::new(), || 0);
         assert_eq!(made, 4);
     }
@@ -291,6 +292,17 @@ mod tests {
         };
         assert_eq!(best_of(16, lacking, judge, |_| Vec::new(), || 0).alternative.number, 0);
         assert_eq!(judged, 1 + PATIENCE);
+    }
+
+    #[test]
+    fn a_room_that_stays_sparse_is_not_tried_for_ever() {
+        let mut made = 0;
+        let judge = |_: &Furnished| {
+            made += 1;
+            Verdict { findings: vec![found(Code::Sparse, &[])], ..Verdict::default() }
+        };
+        assert_eq!(best_of(16, empty, judge, |_| Vec::new(), || 0).alternative.number, 0);
+        assert_eq!(made, 1 + PATIENCE);
     }
 
     #[test]

@@ -161,6 +161,12 @@ impl Code {
     pub fn is_physical(self) -> bool {
         matches!(self, Self::Collision | Self::OutOfRoom | Self::Floating | Self::Unsupported)
     }
+
+    /// Whether another arrangement of the same pieces may be without it. A room that is asked for too few pieces stays sparse.
+    #[must_use]
+    pub fn is_of_places(self) -> bool {
+        self != Self::Sparse
+    }
 }
 
 /// All faults of a room by their code, in the order of the table: checks share the budget for questions about the empty
