@@ -30,7 +30,7 @@ from checks.manifest import scenes_in
 from judging.judgement import Task, Verdict, judge_file
 from judging.report import (agreement_of, disagreements, given_lines, markdown, measures_table, rows_of, variety_of,
                             worst_rooms)
-from judging.table import MEASURES
+from judging.table import MEASURES, SUBJECTS
 from workers import outcomes
 
 
@@ -113,7 +113,7 @@ def write_figures(page: Path, text: str) -> None:
 
 def as_text(verdicts: list[Verdict], options: argparse.Namespace) -> str:
     rooms, seeds = len(verdicts), len({verdict.place.seed for verdict in verdicts})
-    blocks = [f"{rooms:,} furnished rooms, {seeds} seed{'' if seeds == 1 else 's'}", markdown(verdicts)]
+    blocks = [f"{rooms:,} furnished rooms, {seeds} seed{'' if seeds == 1 else 's'}. {flawless_rooms(verdicts)}", markdown(verdicts)]
     if options.compare:
         blocks.append(comparison(verdicts, options.worst))
         blocks.append(given(verdicts, options.worst))
@@ -125,6 +125,16 @@ def as_text(verdicts: list[Verdict], options: argparse.Namespace) -> str:
         if lines:
             blocks.append("\n".join([f"{code}:", *(f"- {line}" for line in lines)]))
     return "\n\n".join(blocks)
+
+
+def flawless_rooms(verdicts: list[Verdict]) -> str:
+    """How many rooms pass all measures but those of drawings, and how many the audit finds nothing in."""
+    drawn = {measure.code for measure in SUBJECTS["Drawn fixtures"].MEASURES}
+    judge = sum(not any(found.faults for code, found in verdict.answers.items() if code not in drawn) for verdict in verdicts)
+    audit = sum(not verdict.audit for verdict in verdicts)
+    rooms = max(len(verdicts), 1)
+    return (f"No finding, drawings apart: {judge / rooms:.1%} of them by the judge, {audit / rooms:.1%} by the audit"
+            ).replace("%", " %")
 
 
 def comparison(verdicts: list[Verdict], most: int) -> str:

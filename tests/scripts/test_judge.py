@@ -50,7 +50,7 @@ def test_the_figures_of_a_page_are_renewed(bake, capsys):
     page.write_text("# Judge\n\n<!-- figures -->\n\nold\n", encoding="utf-8")
     assert main([str(bake), "--quiet", "--page", str(page)]) == 0
     text = page.read_text(encoding="utf-8")
-    assert text.startswith("# Judge\n\n<!-- figures -->\n\n2 furnished rooms, 1 seed\n") and "old" not in text
+    assert text.startswith("# Judge\n\n<!-- figures -->\n\n2 furnished rooms, 1 seed. No finding, drawings apart: ") and "old" not in text
     assert "| `bedroom_without_bed` |" in text
 
 

@@ -194,6 +194,29 @@ def test_a_lamp_of_the_ceiling_takes_no_light(tmp_path):
     assert MEASURES["window_blocked"].judge(made.read(tmp_path)).faults == ()
 
 
+def test_a_seat_with_a_lamp_and_books_of_its_own_is_in_no_talk(tmp_path):
+    made = chairs(4.0).piece("floor_lamp", 2.8, 4.5, "south", (0.3, 0.3, 1.5))
+    assert MEASURES["talk"].judge(made.read(tmp_path)).faults != ()
+    made.piece("bookshelf", 3.0, 5.8, "south", (0.8, 0.3, 1.8))
+    assert MEASURES["talk"].judge(made.read(tmp_path)) is None
+
+
+def test_who_sits_behind_the_sofa_is_in_no_talk(tmp_path):
+    made = house("living_room", 4.0, 8.0).piece("sofa", 2.0, 4.0, "south", (2.0, 0.9, 0.8))
+    assert MEASURES["talk"].judge(made.piece("armchair", 2.0, 7.5, "south", (0.8, 0.8, 0.8)).read(tmp_path)) is None
+
+
+def test_the_tap_of_a_low_piece_takes_no_light_and_a_wide_one_does(tmp_path):
+    for width, count in ((0.12, 0), (0.4, 1)):
+        made = window(0.9).piece("washbasin", 2.0, 3.7, "south", (width, 0.15, 0.3), 0.9)
+        assert len(MEASURES["window_blocked"].judge(made.read(tmp_path)).faults) == count
+
+
+def test_a_hall_where_nothing_should_stand_is_not_sparse(tmp_path):
+    judged = [MEASURES["sparse"].judge(house("corridor", width, 5.0).read(tmp_path)) for width in (1.1, 1.3)]
+    assert judged[0] is None and judged[1].faults != ()
+
+
 def test_the_floor_behind_a_closed_way_is_not_walkable(tmp_path):
     # Free floor: 2 m of 6 before the shelves and nearly all of the rest behind them.
     assert MEASURES["walkable_rate"].judge(passage(1.0).read(tmp_path)).value == pytest.approx(1.0)

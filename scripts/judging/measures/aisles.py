@@ -13,6 +13,7 @@ from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
 from ..roles import CHAIRS, EASY_CHAIRS, KITCHEN_UNITS, KITCHENS, LIBRARY_SHELVES, LIVING_ROOMS, SOFAS, TABLES
 from ..shapes import angle_between
+from .living import is_for_reading
 
 # Metres: NKBA (kitchens, dining), Merrell (talk), ADA (libraries).
 KITCHEN_AISLE = 1.0
@@ -76,13 +77,14 @@ def behind(room: Room, table: Piece, chair: Piece, seats: set[str]) -> float:
 
 
 def judge_talk(room: Room) -> Answer | None:
-    """Seats that face the sofa, from seat to seat."""
+    """Seats and sofas that face each other, from seat to seat; a reading corner is a place of its own."""
     sofas, chairs = room.of(SOFAS), room.of(EASY_CHAIRS)
     if room.kind not in LIVING_ROOMS or not sofas or not chairs:
         return None
     pairs = [(sofa, chair, float(np.hypot(*(sofa.center - chair.center)))) for sofa in sofas for chair in chairs]
     facing = [(chair, metres) for sofa, chair, metres in pairs
-              if angle_between(chair.front, sofa.center - chair.center) < OPPOSITE]
+              if angle_between(chair.front, sofa.center - chair.center) < OPPOSITE
+              and angle_between(sofa.front, chair.center - sofa.center) < OPPOSITE and not is_for_reading(room, chair)]
     if not facing:
         return None
     faults = [Fault(f"{metres:.2f} m from the sofa", (chair.id,), metres) for chair, metres in facing

@@ -39,8 +39,11 @@ def judge_screen_only(room: Room) -> Answer | None:
 
 
 def has_reading_corner(room: Room) -> bool:
-    lamps, books = room.of(READING_LAMPS), room.of(BOOKCASES)
-    return any(near(seat, lamps, LAMP) and near(seat, books, BOOKS) for seat in room.of(EASY_CHAIRS))
+    return any(is_for_reading(room, seat) for seat in room.of(EASY_CHAIRS))
+
+
+def is_for_reading(room: Room, seat: Piece) -> bool:
+    return near(seat, room.of(READING_LAMPS), LAMP) and near(seat, room.of(BOOKCASES), BOOKS)
 
 
 def near(piece: Piece, others: list[Piece], metres: float) -> bool:

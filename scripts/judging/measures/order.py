@@ -10,7 +10,7 @@ from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
 from ..roles import (BASINS, BEDS, COOKERS, DESKS, DOUBLE_BEDS, DRESSING, FRIDGES, HALLS, HOME_ROOMS, KITCHENS, LIVING_ROOMS,
                      MIRRORS, OFFICE_CHAIRS, SINKS, SOFAS, STORAGE, TOILETS, TUBS, TV_STANDS)
-from ..shapes import angle_between, pieces_of_area
+from ..shapes import angle_between, pieces_of_area, width_of
 
 FACING = 30.0
 # Metres before a toilet bowl.
@@ -30,6 +30,8 @@ CARRYING = 0.5
 # Half of the least density by default: 25 % of the floor in living spaces, 10 % in circulation; from this area on.
 SPARSE = {True: 0.05, False: 0.125}
 SPARSE_AREA = 4.0
+# Metres of width below which nothing should stand in a hall: `hall_narrow`.
+NARROW_HALL = 1.2
 
 
 def judge_desks(room: Room) -> Answer | None:
@@ -178,11 +180,14 @@ def judge_unfulfilled(room: Room) -> Answer | None:
 
 
 def judge_sparse(room: Room) -> Answer | None:
-    if room.kind not in HOME_ROOMS | HALLS or room.area < SPARSE_AREA:
+    is_hall = room.kind in HALLS
+    if not is_hall and room.kind not in HOME_ROOMS or room.area < SPARSE_AREA:
+        return None
+    if is_hall and width_of(room.region) < NARROW_HALL:
         return None
     # What hangs low takes floor as well; what lies flat does not.
     filled = shapely.union_all([piece.footprint for piece in room.standing]).area / room.area
-    least = SPARSE[room.kind in HALLS]
+    least = SPARSE[is_hall]
     return answer([Fault(f"{filled:.1%} of the floor are furnished", (), filled)] if filled < least else [], filled)
 
 
@@ -212,7 +217,7 @@ MEASURES = [
     Measure("missing_required", "a room has what its kind requires, and a desk its chair", "", "by kind, from 1.4–8 m² on",
             "QUALITY §4", judge_required, audit="missing_required"),
     Measure("unfulfilled", "the requested pieces rest", "share", "≥ 90 %", "QUALITY §4", judge_unfulfilled, audit="unfulfilled"),
-    Measure("sparse", "furniture covers enough of the floor", "share", "≥ 12.5 %; ways 5 %", "QUALITY §4", judge_sparse,
+    Measure("sparse", "furniture covers enough of the floor", "share", "≥ 12.5 %; ways 5 %, from 1.2 m of width on", "QUALITY §4", judge_sparse,
             audit="sparse"),
     Measure("empty_surfaces", "surfaces carry small things", "share", "≥ half of them", "QUALITY §4", judge_empty, audit="bare"),
 ]
