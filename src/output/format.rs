@@ -8,7 +8,7 @@ use crate::scene::Scene;
 pub(crate) struct OutputFormat {
     /// The word of `--format`, and the extension of the file to open.
     pub(crate) name: &'static str,
-    /// What its files are, for `--help`.
+    /// A description of its files, for `--help`.
     pub(crate) about: &'static str,
     /// Extensions of the files of a level, the one to open first. The files of a level are `<level>.<extension>`.
     pub(crate) extensions: &'static [&'static str],
@@ -38,7 +38,7 @@ pub(crate) trait Output: Sync {
 /// A level on its way into files.
 #[derive(Clone, Copy)]
 pub(crate) struct LevelToWrite<'a> {
-    /// What it shows.
+    /// The content of the level.
     pub(crate) scene: &'a Scene,
     /// `<building>/<level>` in the output folder, with `/`, without extension.
     pub(crate) path: &'a str,
@@ -64,7 +64,7 @@ pub(crate) struct WrittenLevel<'a> {
 pub(crate) struct SharedFile<'a> {
     /// In the output folder, below a folder whose name begins with `shared-`.
     pub(crate) path: String,
-    /// What it holds; asked for once, by the first level that puts it into place.
+    /// Makes its content; called once, by the first level that puts the file into place.
     pub(crate) content: Box<dyn Fn() -> Vec<u8> + 'a>,
 }
 

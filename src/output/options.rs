@@ -29,7 +29,7 @@ pub struct LevelOptions {
     pub flat_normals: FlatNormals,
     /// How finely furniture is modelled; default as the recipes draw it.
     pub detail: Detail,
-    /// What levels show beyond rooms and furniture.
+    /// The options of levels beyond rooms and furniture.
     pub scene: SceneOptions,
 }
 

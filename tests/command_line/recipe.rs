@@ -20,6 +20,31 @@ fn the_recipe_of_the_page_is_the_file_that_is_compiled() {
     assert!(RECIPE.lines().count() <= MOST_LINES);
 }
 
+/// The files of the kit, as one text.
+fn kit() -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/recipes/kit");
+    let files =
+        std::fs::read_dir(folder).unwrap().map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap());
+    files.collect()
+}
+
+#[test]
+fn the_tools_of_the_page_are_those_of_the_kit() {
+    let table = PAGE.split("### Tools").nth(1).unwrap().split("\n\n").nth(2).unwrap();
+    let kit = kit();
+    let mut count = 0;
+    for code in table.split('`').skip(1).step_by(2).filter(|code| code.starts_with(char::is_lowercase)) {
+        let call = code.split('(').next().unwrap();
+        let name = call.rsplit('.').next().unwrap();
+        // Of the sampler the draft makes one.
+        let is_known =
+            name == "sampler" || ["(", "<"].iter().any(|next| kit.contains(&format!("fn {name}{next}")));
+        assert!(is_known, "the kit has no `{name}`");
+        count += 1;
+    }
+    assert!(count > 30, "{count}");
+}
+
 #[test]
 fn the_recipe_of_the_page_fills_its_box_in_every_size_and_set() {
     for [width, depth, height] in [[0.42, 0.4, 0.45], [0.5, 0.3, 0.4], [0.3, 0.5, 0.7], [0.9, 0.9, 0.3]] {

@@ -1,7 +1,23 @@
 //! The table of findings: a row says the word, how bad it is, what is measured, the section of `configs/audit.yaml` with
 //! its thresholds, what it means, and which check finds it. The words are part of the output.
 //!
-//! A check is a file of this folder. It takes the evidence and gives faults; the table makes findings of them.
+//! A check is a file of this folder. It takes the evidence and gives faults; the table makes findings of them. To add a finding:
+//!
+//! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand.
+//! 2. Add its `mod` line and its row of the table: meaning, word, severity, what it measures, section of thresholds, check.
+//! 3. Add a limit of its own, if it has one: a line with the figure and its source in `configs/audit.yaml`, and a line with its
+//!    unit in `src/catalog/audit.rs`.
+//! 4. Renew `docs/audit.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit published_schemas`.
+//!
+//! | a check needs | from |
+//! |---|---|
+//! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
+//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()`, `high()`, `is_in("seat")`, `front()`, `corners()` |
+//! | style, limits | `subject.style()`, `subject.rules().alignment.angle`: metres, radians, shares |
+//! | the space before sides, doors and windows, and what is in it | `evidence.zones`, `evidence.hits` |
+//! | where people get to | `evidence.floor`, which may be none: `floor.walk(diameter).reaches(door, goal)` |
+//! | whether the empty room could hold a piece | `(evidence.ask)(&Question::Class(class))`, for `Fault::if_possible` |
+//! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity |
 
 mod access;
 mod bare;
@@ -138,13 +154,13 @@ impl Code {
         self.row().severity
     }
 
-    /// What it measures, of several the usual one first.
+    /// The quantities that it measures, the usual one first.
     #[must_use]
     pub fn quantities(self) -> &'static [Quantity] {
         self.row().quantities
     }
 
-    /// What it means, as a sentence.
+    /// Its meaning, as a sentence.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         self.row().meaning.trim()

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::formats::ForeignFormat;
 use super::nothing;
+use super::reader::ForeignFormat;
 use super::readers::FOREIGN_FORMATS;
 use crate::document::{Fault, Faults};
 

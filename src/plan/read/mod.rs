@@ -1,10 +1,10 @@
-//! Reads files as buildings: one reader for each format, and the code that they share.
+//! Reads files as buildings: one reader for each format, and the code that they share. `readers.rs` says how to add a reader.
 
 pub(crate) mod archilyse;
+#[cfg(test)]
+mod example;
 mod finish;
 mod foreign;
-mod formats;
-mod found;
 pub(crate) mod ifc;
 pub(crate) mod imdf;
 mod inputs;
@@ -12,6 +12,7 @@ mod names;
 pub(crate) mod native;
 mod nothing;
 mod project;
+mod reader;
 mod readers;
 #[cfg(test)]
 pub(super) mod real_data;
@@ -27,11 +28,11 @@ use self::finish::{Drafted, Finished, Provenance, Variation, finish};
 #[cfg(test)]
 pub(crate) use {native::PlanFile, project::ProjectFile};
 
-pub use self::formats::ReadFormat;
-use self::found::{DraftedBuilding, Found};
 pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
+pub use self::reader::ReadFormat;
+use self::reader::{DraftedBuilding, ReadBuildings};
 use self::readers::FOREIGN_FORMATS;
 pub use self::readers::read_formats;
 pub use self::unread::unread_formats;
@@ -198,7 +199,7 @@ fn read_drafts(path: &Path, words: &RoomWords) -> Drafts {
         };
     };
     match (format.read)(path, words) {
-        Ok(Found { buildings, faults }) => {
+        Ok(ReadBuildings { buildings, faults }) => {
             let drafted = |DraftedBuilding { id, draft }| Drafted {
                 id,
                 draft,

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::foreign::missing_parts;
+use super::readers::FOREIGN_FORMATS;
 use super::unread::{read_are, recognise};
-use super::{archilyse, imdf};
 use crate::document::{Fault, Faults, Source};
 
 /// Files of a folder that are looked at.
@@ -47,7 +47,7 @@ pub(super) fn of_text(source: &Source) -> Fault {
 
 /// A folder that lacks a file to be one of a foreign format.
 fn near_miss(folder: &Path) -> Option<Fault> {
-    let (title, parts) = imdf::near_miss(folder).or_else(|| archilyse::near_miss(folder))?;
+    let (title, parts) = FOREIGN_FORMATS.iter().find_map(|format| (format.near_miss)(folder))?;
     let (message, hint) = missing_parts(folder, parts);
     Some(Fault::of_file(folder, format!("looks like {title}, but {message}")).with_hint(hint))
 }

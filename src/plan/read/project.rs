@@ -144,7 +144,7 @@ struct Reading<'a> {
     report: Report<'a>,
     folder: PathBuf,
     words: &'a RoomWords,
-    /// What each plan file holds, read once however often it is built; none where it cannot be read.
+    /// The content of each plan file, read once however often it is built; none where it cannot be read.
     drafts: BTreeMap<PathBuf, Option<Drafts>>,
     /// Buildings by file, number in the file, and variation: equal ones are one.
     buildings: BTreeMap<(PathBuf, usize, Variation), Arc<Building>>,

@@ -1,18 +1,43 @@
-//! The readers of foreign formats.
+//! The table of readers of foreign formats, and how to add one.
 //!
-//! To add one:
-//! 1. write its file or folder here, with a `const FORMAT: ForeignFormat` (`imdf/` is a short one): it turns its input into
-//!    [`crate::plan::BuildingDraft`]s, whose comments say what a draft leaves open, and reports faults with their places;
-//! 2. add its `mod` line to `mod.rs` and its `FORMAT` to the list below: recognition, `roomwright formats`, `import` and hints follow;
-//! 3. add a section with its words for rooms to `configs/room_words.yaml`, if it has any;
-//! 4. take it out of `unread.rs`, if the program knew it as a format that it does not read: a test compares the two lists;
-//! 5. add a case to `tests/cases/plan_import/`, and the format to `docs/commands.md`.
+//! 1. Write the reader: a file or folder here with a `const FORMAT: ForeignFormat`. `example.rs` is a complete one to copy. Add
+//!    its `mod` line to `mod.rs` and its `FORMAT` to the list below. Recognition, `roomwright formats`, `import` and hints follow;
+//!    `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands` renews the table in `docs/commands.md`.
+//! 2. Add a section with its words for rooms to `configs/room_words.yaml`, if it has any and the section is not there yet.
+//! 3. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
+//!    writes what is read of it into a text beside the folder.
+//! 4. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line.
+//!
+//! | for | use |
+//! |---|---|
+//! | the types to fill, and what each may leave open | `plan/draft.rs`: metres, x east, y north; `assemble` finds the rest |
+//! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema` |
+//! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
+//! | a fault at a document path | `source.fault(&["rooms".into(), 3.into()], message, hint, FaultSeverity::Warning)` |
+//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs`, which has other units too |
+//! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `unknown_words`, `missing_parts` |
 
-use super::formats::{ForeignFormat, OWN_FORMATS, ReadFormat};
+use super::reader::{ForeignFormat, ReadFormat};
 use super::{archilyse, ifc, imdf};
 
 /// All formats but the native one, in the order in which they are asked.
 pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[archilyse::FORMAT, imdf::FORMAT, ifc::FORMAT];
+
+/// The formats of this program itself.
+const OWN_FORMATS: [ReadFormat; 2] = [
+    ReadFormat {
+        name: "native",
+        title: "native YAML or JSON",
+        input: "a file with the key `levels`; its edits lie beside it in <name>.edits.yaml",
+        content: "everything; the schema is configs/schema/plan.schema.json",
+    },
+    ReadFormat {
+        name: "project",
+        title: "projects",
+        input: "a file with the key `project`",
+        content: "plans of any format, placed many times; the schema is configs/schema/project.schema.json",
+    },
+];
 
 /// All formats that are read, for people.
 #[must_use]
@@ -38,5 +63,31 @@ mod tests {
             let mut words = unread.split(|letter: char| !letter.is_alphanumeric()).map(str::to_lowercase);
             assert!(!words.any(|word| names.contains(word.as_str())), "{unread} is read now");
         }
+    }
+
+    /// The table as the page shows it.
+    fn page_table() -> String {
+        let row =
+            |format: ReadFormat| format!("| {} | {} | {} |\n", format.title, format.input, format.content);
+        let rows: String = read_formats().into_iter().map(row).collect();
+        // A name in angle brackets would be an element of HTML.
+        format!("| format | name | what is read |\n|---|---|---|\n{}", rows.replace('<', "\\<"))
+    }
+
+    #[test]
+    fn the_page_about_commands_has_the_table_of_formats() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/commands.md");
+        let page = std::fs::read_to_string(path).unwrap();
+        let from = page.find("| format | name |").expect("the page has the table");
+        let length = page[from..].find("\n\n").expect("the table ends") + 1;
+        let shown = &page[from..from + length];
+        if std::env::var_os("UPDATE_GOLDENS").is_some() {
+            return std::fs::write(path, page.replace(shown, &page_table())).unwrap();
+        }
+        assert_eq!(
+            shown,
+            page_table(),
+            "renew it with UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands"
+        );
     }
 }

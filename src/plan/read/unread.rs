@@ -1,4 +1,4 @@
-//! Recognises files that are no plans by their names, and gives advice.
+//! The formats that are known and not read, by the beginning of a file, with advice for the user.
 
 use std::path::Path;
 

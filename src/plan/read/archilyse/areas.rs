@@ -31,7 +31,7 @@ impl Area {
     /// The outlines of the area: one, or several where it has parts.
     ///
     /// # Errors
-    /// What the text is instead.
+    /// The kind of shape that the text describes instead.
     pub(super) fn outlines(&self) -> Result<Vec<Outline>, String> {
         let text = self.scaled_polygon.trim();
         let word: String = text.chars().take_while(char::is_ascii_alphabetic).collect();

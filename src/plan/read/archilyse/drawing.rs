@@ -60,7 +60,7 @@ pub(super) struct Sweep {
     pub(super) opened_point: [f64; 2],
 }
 
-/// What is said about a hole in words.
+/// The properties of a hole.
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(super) struct HoleProperties {
     pub(super) heights: Option<HoleHeights>,

@@ -25,9 +25,8 @@ mod tests;
 use std::path::Path;
 
 use super::foreign::{Parts, head};
-use super::found::ReadResult;
 use crate::plan::RoomWords;
-use crate::plan::read::formats::{ForeignFormat, ReadFormat};
+use crate::plan::read::reader::{ForeignFormat, ReadFormat, ReadResult};
 
 /// The format's word in `room_words.yaml`.
 const NAME: &str = "archilyse";
@@ -42,6 +41,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
         content: "areas, walls, railings, columns, doors and how they open, windows, flats; no furniture",
     },
     recognises,
+    near_miss,
     read,
 };
 /// The file that makes a folder a site.
@@ -70,7 +70,7 @@ fn recognises(path: &Path) -> bool {
 }
 
 /// The fault of a folder that has some tables of a site, with those that are needed.
-pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
+fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
     /// Tables that other programs do not name so.
     const TELLING: usize = 2;
     let tables = NEEDED.iter().chain(&OPTIONAL).filter(|name| folder.join(name).is_file());

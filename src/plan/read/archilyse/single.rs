@@ -9,7 +9,7 @@ use super::rooms::{RoomTypes, outlined};
 use super::tables::Table;
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
 use crate::plan::read::foreign::{both, missing_files};
-use crate::plan::read::found::{DraftedBuilding, Found, ReadResult};
+use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::units::metres_per_pixel;
 use crate::plan::{BuildingDraft, RoomWords};
 
@@ -32,7 +32,7 @@ pub(super) fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let draft = BuildingDraft { name: None, levels };
     faults.merge(types.warnings(&areas));
-    Found::new(vec![DraftedBuilding { id, draft }], faults)
+    ReadBuildings::new(vec![DraftedBuilding { id, draft }], faults)
 }
 
 /// The file of a drawing's areas, beside it or in the folder `areas` beside its own.

@@ -15,7 +15,7 @@ use super::tables::Table;
 use super::{NEEDED, PARTS, SITE_FILE};
 use crate::document::{Fault, FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::{both, missing_parts};
-use crate::plan::read::found::{DraftedBuilding, Found, ReadResult};
+use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::{BuildingDraft, LevelDraft, RoomWords};
 
 #[derive(Deserialize, JsonSchema)]
@@ -102,7 +102,7 @@ pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
         let levels = floors.into_iter().map(|(_, level)| level).collect();
         DraftedBuilding { id, draft: BuildingDraft { name: site.titles.get(&building).cloned(), levels } }
     });
-    Found::new(drafted.collect(), faults)
+    ReadBuildings::new(drafted.collect(), faults)
 }
 
 /// The faults of a site, those of all missing files in one that says what lies there instead.

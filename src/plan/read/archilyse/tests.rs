@@ -11,7 +11,7 @@ use super::drawing::Drawing;
 use super::{read, recognises};
 use crate::document::{Faults, Source};
 use crate::geometry::Point;
-use crate::plan::read::found::DraftedBuilding;
+use crate::plan::read::reader::DraftedBuilding;
 use crate::plan::read::real_data::{folder, words};
 use crate::plan::units::metres_per_pixel;
 use crate::plan::{Leaf, Level, LevelDraft, OpeningKind, Problem, assemble_level};

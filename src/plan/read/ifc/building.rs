@@ -14,7 +14,7 @@ use super::placement::Geometry;
 use super::relations::Relations;
 use super::room_types::RoomTypes;
 use crate::geometry::{Bounds, Point};
-use crate::plan::read::found::DraftedBuilding;
+use crate::plan::read::reader::DraftedBuilding;
 use crate::plan::{BuildingDraft, RoomWords};
 
 /// Metres from the building's origin beyond which it is moved there: coordinates of a country, in which millimetres are

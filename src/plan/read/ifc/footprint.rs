@@ -5,7 +5,7 @@ use geo::{Area, BooleanOps, Coord, LineString, MultiPolygon, Orient, unary_union
 use glam::DVec3;
 
 use super::profile::Rings;
-use super::solid::Body;
+use super::solid::IfcBody;
 use crate::geometry::Point;
 
 /// Sine of the largest angle between a sweep and the vertical, and between a face and the horizontal.
@@ -58,8 +58,8 @@ impl Footprint {
 }
 
 /// The part of the floor that bodies cover together, in one or several pieces; empty if they cover nothing.
-pub(super) fn footprints(bodies: &[Body]) -> Vec<Footprint> {
-    let corners = || bodies.iter().flat_map(Body::corners);
+pub(super) fn footprints(bodies: &[IfcBody]) -> Vec<Footprint> {
+    let corners = || bodies.iter().flat_map(IfcBody::corners);
     if corners().any(|corner| !corner.is_finite() || corner.abs().max_element() > FARTHEST) {
         return Vec::new();
     }
@@ -72,7 +72,7 @@ pub(super) fn footprints(bodies: &[Body]) -> Vec<Footprint> {
         high,
     };
     // Corners of a single prism are kept as drawn.
-    if let [Body::Swept(rings, sweep)] = bodies
+    if let [IfcBody::Swept(rings, sweep)] = bodies
         && is_upright(*sweep)
     {
         return vec![part(rings)];
@@ -97,11 +97,11 @@ fn flat(ring: &[DVec3]) -> Vec<Point> {
     ring.iter().map(|corner| corner.truncate()).collect()
 }
 
-fn covered(body: &Body) -> MultiPolygon {
+fn covered(body: &IfcBody) -> MultiPolygon {
     match body {
-        Body::Swept(rings, sweep) if is_upright(*sweep) => unary_union([&surface(rings)]),
-        Body::Swept(rings, sweep) => floor_of(&sides(rings, *sweep)),
-        Body::Faces(faces) => floor_of(faces),
+        IfcBody::Swept(rings, sweep) if is_upright(*sweep) => unary_union([&surface(rings)]),
+        IfcBody::Swept(rings, sweep) => floor_of(&sides(rings, *sweep)),
+        IfcBody::Faces(faces) => floor_of(faces),
     }
 }
 
@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn a_gable_swept_sideways_stands_on_its_floor() {
         let gable = ring(&[(0.0, 0.0, 1.0), (4.0, 0.0, 1.0), (2.0, 0.0, 3.0)]);
-        let body = Body::Swept(Rings { outer: gable, holes: Vec::new() }, DVec3::Y * 5.0);
+        let body = IfcBody::Swept(Rings { outer: gable, holes: Vec::new() }, DVec3::Y * 5.0);
         let found = footprints(&[body]);
         assert_eq!(found.len(), 1);
         assert!((area(&found[0]) - 20.0).abs() < 1e-6);
@@ -179,7 +179,7 @@ mod tests {
     fn parts_that_touch_become_one_room_and_others_several() {
         let part = |x: f64| {
             let outer = ring(&[(x, 0.0, 0.0), (x + 2.0, 0.0, 0.0), (x + 2.0, 2.0, 0.0), (x, 2.0, 0.0)]);
-            Body::Swept(Rings { outer, holes: Vec::new() }, DVec3::Z * 2.5)
+            IfcBody::Swept(Rings { outer, holes: Vec::new() }, DVec3::Z * 2.5)
         };
         assert_eq!(footprints(&[part(0.0), part(2.0)]).len(), 1);
         assert_eq!(footprints(&[part(0.0), part(3.0)]).len(), 2);
@@ -191,7 +191,7 @@ mod tests {
             ring(&[(low, low, 0.0), (high, low, 0.0), (high, high, 0.0), (low, high, 0.0)])
         };
         let rings = Rings { outer: square(0.0, 10.0), holes: vec![square(1.0, 9.0)] };
-        let pieces = footprints(&[Body::Swept(rings, DVec3::Z)])[0].pieces();
+        let pieces = footprints(&[IfcBody::Swept(rings, DVec3::Z)])[0].pieces();
         let pieces = pieces.iter().map(|piece| crate::geometry::Polygon::new(piece).unwrap());
         let (inside, covered) = pieces.fold((false, 0.0), |(inside, covered), piece| {
             (inside || piece.contains(Point::splat(5.0)), covered + piece.area())
@@ -203,7 +203,7 @@ mod tests {
     fn invalid_places_cover_no_floor() {
         for odd in [f64::NAN, f64::INFINITY, 1e300] {
             let outer = ring(&[(0.0, 0.0, 0.0), (odd, 0.0, 0.0), (1.0, 1.0, 0.0)]);
-            assert!(footprints(&[Body::Faces(vec![Rings { outer, holes: Vec::new() }])]).is_empty());
+            assert!(footprints(&[IfcBody::Faces(vec![Rings { outer, holes: Vec::new() }])]).is_empty());
         }
         assert!(footprints(&[]).is_empty());
     }

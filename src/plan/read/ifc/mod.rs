@@ -41,10 +41,9 @@ mod tests;
 use std::path::Path;
 
 use super::foreign::head;
-use super::found::{Found, ReadResult};
 use crate::document::{Fault, Faults, Source};
 use crate::plan::RoomWords;
-use crate::plan::read::formats::{ForeignFormat, ReadFormat};
+use crate::plan::read::reader::{ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
 pub use furniture::DrawnPiece;
 use model::Model;
 
@@ -60,6 +59,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
         content: "spaces, doors and how they open, windows, columns; no bodies with curved faces, roof windows or curtain walls",
     },
     recognises,
+    near_miss: |_| None,
     read,
 };
 /// The beginning of every exchange file.
@@ -93,7 +93,7 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
         let hint = "export rooms as spaces; in Revit rooms must be placed, in ArchiCAD zones";
         faults.push(Fault::of_file(path, "holds no spaces (IfcSpace), so no rooms").with_hint(hint));
     }
-    Found::new(buildings.into_iter().map(|(building, _)| building).collect(), faults)
+    ReadBuildings::new(buildings.into_iter().map(|(building, _)| building).collect(), faults)
 }
 
 /// The furniture of an IFC file, by building and number; what has no place or shape is left out.

@@ -44,7 +44,7 @@ struct Hole {
     high: f64,
 }
 
-/// What fills a hole, or is one.
+/// An element that fills a hole, or a hole itself.
 struct Product<'a> {
     entity: &'a Entity,
     /// A door, a window or an opening.

@@ -4,7 +4,7 @@ use glam::DAffine3;
 
 use super::model::{Entity, Read, Trouble};
 use super::placement::Geometry;
-use super::solid::Body;
+use super::solid::IfcBody;
 
 /// Where an `IfcProduct` names its placement and its shape.
 pub(super) const PLACEMENT: usize = 5;
@@ -43,11 +43,11 @@ impl Geometry<'_> {
     }
 
     /// The bodies of a product's first representation that can be read, moved from the world by a frame.
-    pub(super) fn bodies(&self, product: &Entity, frame: &DAffine3) -> Read<Vec<Body>> {
+    pub(super) fn bodies(&self, product: &Entity, frame: &DAffine3) -> Read<Vec<IfcBody>> {
         let by = *frame * self.place(product)?;
         let mut first: Option<Trouble> = None;
         for items in self.representations(product)? {
-            let bodies: Read<Vec<Vec<Body>>> = items.into_iter().map(|item| self.item(item, 0)).collect();
+            let bodies: Read<Vec<Vec<IfcBody>>> = items.into_iter().map(|item| self.item(item, 0)).collect();
             match bodies {
                 Ok(bodies) => return Ok(bodies.iter().flatten().map(|body| body.moved(&by)).collect()),
                 Err(trouble) => first = first.or(Some(trouble)),

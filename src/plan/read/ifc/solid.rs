@@ -13,14 +13,14 @@ const MOST_FACES: usize = 50_000;
 
 /// An item of a shape.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Body {
+pub(super) enum IfcBody {
     /// One end of a swept profile, and the way to the other end; zero for a bare outline.
     Swept(Rings, DVec3),
     /// Flat faces.
     Faces(Vec<Rings>),
 }
 
-impl Body {
+impl IfcBody {
     /// The same elsewhere.
     pub(super) fn moved(&self, by: &DAffine3) -> Self {
         match self {
@@ -42,7 +42,7 @@ impl Body {
 
 impl Geometry<'_> {
     /// The bodies of an item, in the coordinates of its product.
-    pub(super) fn item(&self, id: u64, depth: usize) -> Read<Vec<Body>> {
+    pub(super) fn item(&self, id: u64, depth: usize) -> Read<Vec<IfcBody>> {
         let item = self.model.get(id)?;
         if depth > DEEPEST {
             return Err(item.trouble("shapes are nested too deep"));
@@ -76,21 +76,21 @@ impl Geometry<'_> {
         }
     }
 
-    fn flat(&self, outline: u64, holes: Vec<u64>, depth: usize) -> Read<Body> {
+    fn flat(&self, outline: u64, holes: Vec<u64>, depth: usize) -> Read<IfcBody> {
         let outer = self.curve(outline, depth + 1)?;
         let holes = holes.into_iter().map(|hole| self.curve(hole, depth + 1)).collect::<Read<_>>()?;
-        Ok(Body::Swept(Rings { outer, holes }, DVec3::ZERO))
+        Ok(IfcBody::Swept(Rings { outer, holes }, DVec3::ZERO))
     }
 
-    fn extruded(&self, item: &Entity, depth: usize) -> Read<Vec<Body>> {
+    fn extruded(&self, item: &Entity, depth: usize) -> Read<Vec<IfcBody>> {
         let rings = self.profile(item.reference(0)?, depth + 1)?;
         let frame = self.axes(item.value(1))?;
         let direction = self.direction(item.value(2))?.unwrap_or(DVec3::Z);
         let sweep = direction * (item.positive(3)? * self.units.length);
-        Ok(vec![Body::Swept(rings, sweep).moved(&frame)])
+        Ok(vec![IfcBody::Swept(rings, sweep).moved(&frame)])
     }
 
-    fn mapped(&self, item: &Entity, depth: usize) -> Read<Vec<Body>> {
+    fn mapped(&self, item: &Entity, depth: usize) -> Read<Vec<IfcBody>> {
         let map = self.model.get(item.reference(0)?)?;
         let target = self.operator(item.reference(1)?)?;
         let by = target * self.axes(map.value(0))?.inverse();
@@ -102,15 +102,15 @@ impl Geometry<'_> {
         Ok(bodies)
     }
 
-    fn block(&self, item: &Entity, frame: &DAffine3) -> Read<Vec<Body>> {
+    fn block(&self, item: &Entity, frame: &DAffine3) -> Read<Vec<IfcBody>> {
         let length = |place: usize| Ok(item.positive(place)? * self.units.length);
         let (x, y, z) = (length(1)?, length(2)?, length(3)?);
         let corners = [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)];
         let outer = corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec();
-        Ok(vec![Body::Swept(Rings { outer, holes: Vec::new() }, DVec3::Z * z).moved(frame)])
+        Ok(vec![IfcBody::Swept(Rings { outer, holes: Vec::new() }, DVec3::Z * z).moved(frame)])
     }
 
-    fn shells(&self, shells: &[u64]) -> Read<Vec<Body>> {
+    fn shells(&self, shells: &[u64]) -> Read<Vec<IfcBody>> {
         let mut faces = Vec::new();
         for shell in shells {
             let shell = self.model.get(*shell)?;
@@ -121,7 +121,7 @@ impl Geometry<'_> {
                 faces.push(self.face(face)?);
             }
         }
-        Ok(vec![Body::Faces(faces)])
+        Ok(vec![IfcBody::Faces(faces)])
     }
 
     /// A face with its bounds; the outer one is said to be, or the longest.
@@ -145,7 +145,7 @@ impl Geometry<'_> {
     }
 
     /// Faces that name the points of one list.
-    fn face_set(&self, item: &Entity) -> Read<Vec<Body>> {
+    fn face_set(&self, item: &Entity) -> Read<Vec<IfcBody>> {
         let points = self.point_list(item.reference(0)?)?;
         let is_polygons = item.kind == "IFCPOLYGONALFACESET";
         let (place, renumbering) = if is_polygons { (2, 3) } else { (3, 4) };
@@ -175,7 +175,7 @@ impl Geometry<'_> {
             let holes = face.value(1).items().iter().map(&ring).collect::<Read<_>>()?;
             faces.push(Rings { outer: ring(face.value(0))?, holes });
         }
-        Ok(vec![Body::Faces(faces)])
+        Ok(vec![IfcBody::Faces(faces)])
     }
 }
 

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use super::{read, recognises};
 use crate::document::Faults;
 use crate::geometry::{Point, Polygon};
-use crate::plan::read::found::{DraftedBuilding, ReadResult};
+use crate::plan::read::reader::{DraftedBuilding, ReadResult};
 use crate::plan::read::real_data::{folder, words};
 use crate::plan::{
     GuessRule, LeafDraft, Level, LevelDraft, OpeningKind, OpeningPlace, RoomWords, assemble_level,

@@ -20,10 +20,9 @@ use features::{
 };
 
 use super::foreign::{Parts, both, head};
-use super::found::ReadResult;
 use crate::document::Faults;
 use crate::plan::RoomWords;
-use crate::plan::read::formats::{ForeignFormat, ReadFormat};
+use crate::plan::read::reader::{ForeignFormat, ReadFormat, ReadResult};
 
 /// The format's word in `room_words.yaml`.
 const NAME: &str = "imdf";
@@ -37,6 +36,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
         content: "units and openings of all levels that have a building; the format has no windows and no heights",
     },
     recognises,
+    near_miss,
     read,
 };
 /// The files without which there is no plan.
@@ -62,7 +62,7 @@ fn recognises(path: &Path) -> bool {
 }
 
 /// The fault of a folder that has some of the files, with those that are needed.
-pub(crate) fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
+fn near_miss(folder: &Path) -> Option<(&'static str, Parts)> {
     /// Bytes at the start of a file in which the first feature says what it is.
     const HEAD_SIZE: u64 = 4096;
     let entries = std::fs::read_dir(folder).ok()?.filter_map(Result::ok);

@@ -8,7 +8,7 @@ use super::{read, recognises};
 use crate::document::Faults;
 use crate::geometry::Point;
 use crate::growth::growth;
-use crate::plan::read::found::DraftedBuilding;
+use crate::plan::read::reader::DraftedBuilding;
 use crate::plan::read::real_data::{folder, words};
 use crate::plan::{LevelDraft, OpeningPlace, assemble_level};
 

@@ -7,7 +7,7 @@ use super::place::{outlines, plane_of, points};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::{TypeOfWord, slug, unknown_words};
-use crate::plan::read::found::{DraftedBuilding, Found, ReadResult};
+use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
     BuildingDraft, GENERIC_ROOM_TYPE, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace,
@@ -42,7 +42,7 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
         buildings.push(DraftedBuilding { id, draft: BuildingDraft { name, levels } });
     }
     translation.report_unknown_words();
-    Found::new(buildings, translation.faults)
+    ReadBuildings::new(buildings, translation.faults)
 }
 
 /// A name that reads well in paths, or the feature's own id.

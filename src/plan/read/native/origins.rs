@@ -55,12 +55,12 @@ impl LevelOrigins {
 #[derive(Debug, Default)]
 pub(crate) struct ProblemList {
     /// By path, rank among the problems of one part, and severity.
-    found: BTreeMap<(Vec<PathStep>, usize, bool), Found>,
+    found: BTreeMap<(Vec<PathStep>, usize, bool), RepeatedProblem>,
 }
 
 /// A problem, the first level that has it, and how often it came up.
 #[derive(Debug)]
-struct Found {
+struct RepeatedProblem {
     problem: Problem,
     level: String,
     count: usize,
@@ -74,7 +74,7 @@ impl ProblemList {
             let rank = ranks.entry(format!("{:?}", problem.subject)).or_default();
             let key = (origins.path_of(problem.subject), *rank, problem.is_error);
             *rank += 1;
-            let entry = self.found.entry(key).or_insert_with(|| Found {
+            let entry = self.found.entry(key).or_insert_with(|| RepeatedProblem {
                 problem,
                 level: origins.id.clone(),
                 count: 0,
@@ -85,7 +85,7 @@ impl ProblemList {
 
     /// Reports what was added.
     pub(crate) fn report(self, report: &mut Report<'_>) {
-        for ((path, _, is_error), Found { problem, level, count }) in self.found {
+        for ((path, _, is_error), RepeatedProblem { problem, level, count }) in self.found {
             let severity = if is_error { FaultSeverity::Error } else { FaultSeverity::Warning };
             let message = match count {
                 1 => problem.message,
