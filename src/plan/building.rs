@@ -179,6 +179,21 @@ impl Room {
 }
 
 impl Wall {
+    /// Walls around an outline, for tests.
+    #[cfg(test)]
+    pub(crate) fn around(corners: &[(f64, f64)]) -> Vec<Self> {
+        let point = |index: usize| Point::new(corners[index].0, corners[index].1);
+        let wall = |index: usize| Self {
+            start: point(index),
+            end: point((index + 1) % corners.len()),
+            thickness: 0.1,
+            is_exterior: false,
+            kind: WallKind::Solid,
+            tags: Vec::new(),
+        };
+        (0..corners.len()).map(wall).collect()
+    }
+
     /// Its inner face, seen from above.
     #[must_use]
     pub fn segment(&self) -> Segment {

@@ -234,42 +234,21 @@ fn textured_model() -> Model {
 fn textured_scene() -> Scene {
     let catalog = catalog();
     let model = Arc::new(textured_model());
-    let level = two_rooms();
-    build_scene(&SceneInput {
-        style: None,
-        level: &level,
-        building: "tower",
-        site: SitePlacement { position: point(10.0, -5.0), turn: 0.5 },
-        furnished: &two_furnished(&catalog),
-        verdicts: &[],
-        catalog: &catalog,
-        models: &|_, _| Arc::clone(&model),
-        textures: None,
-        swatches: None,
-        options: SceneOptions::default(),
-        seed: 42,
-    })
+    let (level, furnished) = (two_rooms(), two_furnished(&catalog));
+    let site = SitePlacement { position: point(10.0, -5.0), turn: 0.5 };
+    let models = |_, _| Arc::clone(&model);
+    build_scene(&SceneInput { site, ..input(&level, &furnished, &catalog, &models) })
 }
 
 #[test]
 fn lamps_that_are_lit_are_brighter_than_their_colour() {
     let (catalog, level) = (catalog(), two_rooms());
+    let furnished = two_furnished(&catalog);
     let model = Arc::new(box_model(Size { width: 0.2, depth: 0.2, height: 0.4 }, Slot::Lamp));
+    let models = |_, _| Arc::clone(&model);
     let written = |lights: Lights| {
-        let scene = build_scene(&SceneInput {
-            style: None,
-            level: &level,
-            building: "tower",
-            site: SitePlacement::default(),
-            furnished: &two_furnished(&catalog),
-            verdicts: &[],
-            catalog: &catalog,
-            models: &|_, _| Arc::clone(&model),
-            textures: None,
-            swatches: None,
-            options: SceneOptions { lights, ..SceneOptions::default() },
-            seed: 42,
-        });
+        let options = SceneOptions { lights, ..SceneOptions::default() };
+        let scene = build_scene(&SceneInput { options, ..input(&level, &furnished, &catalog, &models) });
         let file = read(&write_glb(&scene).unwrap());
         let lamps = file.materials().filter(|one| one.emissive_factor() == [1.0; 3]);
         let strengths: Vec<Option<f32>> = lamps.map(|lamp| lamp.emissive_strength()).collect();
@@ -324,21 +303,10 @@ fn accessors_are_aligned_and_indices_as_long_as_a_mesh_needs() {
     let primitives = vec![strip(252), strip(255), strip(u32::from(u16::MAX) + 3)];
     let catalog = catalog();
     let model = Arc::new(Model { primitives });
-    let level = two_rooms();
-    let scene = build_scene(&SceneInput {
-        style: None,
-        level: &level,
-        building: "tower",
-        site: SitePlacement::default(),
-        furnished: &two_furnished(&catalog),
-        verdicts: &[],
-        catalog: &catalog,
-        models: &|_, _| Arc::clone(&model),
-        textures: None,
-        swatches: None,
-        options: SceneOptions { parts: Parts::Separate, ..SceneOptions::default() },
-        seed: 42,
-    });
+    let (level, furnished) = (two_rooms(), two_furnished(&catalog));
+    let models = |_, _| Arc::clone(&model);
+    let options = SceneOptions { parts: Parts::Separate, ..SceneOptions::default() };
+    let scene = build_scene(&SceneInput { options, ..input(&level, &furnished, &catalog, &models) });
     let file = read(&write_glb(&scene).unwrap());
     assert_geometry(&scene, &geometry(&file, &[file.blob.as_ref().unwrap()]));
     for accessor in file.accessors() {

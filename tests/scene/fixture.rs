@@ -288,20 +288,32 @@ pub(crate) fn scene(level: &Level, furnished: &[Furnished]) -> Scene {
 }
 
 fn scene_by(catalog: Catalog, level: &Level, furnished: &[Furnished], parts: Parts) -> Scene {
-    build_scene(&SceneInput {
+    let models = models(&catalog);
+    let options = SceneOptions { parts, ..SceneOptions::default() };
+    build_scene(&SceneInput { options, ..input(level, furnished, &catalog, &models) })
+}
+
+/// The input of a scene without textures, with the usual options.
+pub(crate) fn input<'a>(
+    level: &'a Level,
+    furnished: &'a [Furnished],
+    catalog: &'a Catalog,
+    models: &'a (dyn Fn(VariantRef, GeometrySet) -> Arc<Model> + Sync + 'a),
+) -> SceneInput<'a> {
+    SceneInput {
         style: None,
         level,
         building: "tower",
         site: SitePlacement::default(),
         furnished,
         verdicts: &[],
-        catalog: &catalog,
-        models: &models(&catalog),
+        catalog,
+        models,
         textures: None,
         swatches: None,
-        options: SceneOptions { parts, ..SceneOptions::default() },
+        options: SceneOptions::default(),
         seed: 42,
-    })
+    }
 }
 
 /// The scene of a level without furniture.

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use glam::Vec3;
 use roomwright::internals::catalog::Size;
 use roomwright::internals::model::{Model, ModelMaterial, SwatchedModels};
-use roomwright::internals::plan::SitePlacement;
 use roomwright::internals::recipes::Slot;
 use roomwright::internals::scene::{Node, Parts, Scene, SceneInput, SceneOptions, build_scene};
 
@@ -16,22 +15,13 @@ use crate::levels;
 /// Two rooms with furniture whose models are a cupboard of several plain slots.
 fn scene_with(parts: Parts, has_swatches: bool) -> Scene {
     let (catalog, level) = (catalog(), two_rooms());
+    let furnished = two_furnished(&catalog);
     let swatched = SwatchedModels::new(&catalog);
     let model = Arc::new(cupboard());
-    build_scene(&SceneInput {
-        style: None,
-        level: &level,
-        building: "tower",
-        site: SitePlacement::default(),
-        furnished: &two_furnished(&catalog),
-        verdicts: &[],
-        catalog: &catalog,
-        models: &|_, _| Arc::clone(&model),
-        textures: None,
-        swatches: has_swatches.then_some(&swatched),
-        options: SceneOptions { parts, ..SceneOptions::default() },
-        seed: 42,
-    })
+    let models = |_, _| Arc::clone(&model);
+    let (swatches, options) =
+        (has_swatches.then_some(&swatched), SceneOptions { parts, ..SceneOptions::default() });
+    build_scene(&SceneInput { swatches, options, ..input(&level, &furnished, &catalog, &models) })
 }
 
 /// Boxes of three plain slots and a pane of glass.

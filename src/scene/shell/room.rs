@@ -303,16 +303,7 @@ mod tests {
     use super::*;
 
     fn direction(corners: &[(f64, f64)]) -> Point {
-        let point = |index: usize| Point::new(corners[index].0, corners[index].1);
-        let wall = |index: usize| Wall {
-            start: point(index),
-            end: point((index + 1) % corners.len()),
-            thickness: 0.1,
-            is_exterior: false,
-            kind: WallKind::Solid,
-            tags: Vec::new(),
-        };
-        main_direction(&(0..corners.len()).map(wall).collect::<Vec<_>>())
+        main_direction(&Wall::around(corners))
     }
 
     #[test]

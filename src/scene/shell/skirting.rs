@@ -131,19 +131,6 @@ pub(super) fn between(mut gaps: Vec<(f64, f64)>, length: f64) -> Vec<(f64, f64)>
 mod tests {
     use super::*;
 
-    fn walls(corners: &[(f64, f64)]) -> Vec<Wall> {
-        let point = |index: usize| Point::new(corners[index].0, corners[index].1);
-        let wall = |index: usize| Wall {
-            start: point(index),
-            end: point((index + 1) % corners.len()),
-            thickness: 0.1,
-            is_exterior: false,
-            kind: WallKind::Solid,
-            tags: Vec::new(),
-        };
-        (0..corners.len()).map(wall).collect()
-    }
-
     const SQUARE: [(f64, f64); 4] = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)];
 
     fn boards(walls: &[Wall], gap: Option<(f64, f64)>) -> Vec<Board> {
@@ -153,11 +140,11 @@ mod tests {
 
     #[test]
     fn boards_meet_at_corners_and_stop_at_doors() {
-        let whole = boards(&walls(&SQUARE), None);
+        let whole = boards(&Wall::around(&SQUARE), None);
         assert_eq!(whole.len(), 4);
         assert_eq!(whole[0].front[0], [Ticks(1_200), Ticks(1_200)]);
         assert_eq!(whole[0].front[0], whole[3].front[1], "both end at the same point");
-        let broken = boards(&walls(&SQUARE), Some((1.0, 2.0)));
+        let broken = boards(&Wall::around(&SQUARE), Some((1.0, 2.0)));
         assert_eq!(broken.len(), 5);
         assert_eq!(broken[0].front[1], [Ticks(100_000), Ticks(1_200)], "square at a door");
         assert_eq!(broken[1].back[0], [Ticks(200_000), Ticks(0)]);
@@ -166,14 +153,14 @@ mod tests {
     #[test]
     fn a_corner_that_points_into_the_room_is_reached_round() {
         let corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0)];
-        let boards = boards(&walls(&corners), None);
+        let boards = boards(&Wall::around(&corners), None);
         assert_eq!(boards[2].front[1], [Ticks(198_800), Ticks(198_800)]);
         assert_eq!(boards[3].front[0], boards[2].front[1]);
     }
 
     #[test]
     fn railings_have_no_skirting() {
-        let mut walls = walls(&SQUARE);
+        let mut walls = Wall::around(&SQUARE);
         walls[1].kind = WallKind::Railing(1.0);
         let boards = boards(&walls, None);
         assert_eq!(boards.len(), 3);
@@ -182,7 +169,7 @@ mod tests {
 
     #[test]
     fn a_board_has_sixteen_triangles() {
-        let shape = SkirtingShape::along(&walls(&SQUARE), |_| Vec::new(), Point::ZERO, Slot::Painted);
+        let shape = SkirtingShape::along(&Wall::around(&SQUARE), |_| Vec::new(), Point::ZERO, Slot::Painted);
         assert_eq!(shape.build().finish().indices.len(), 4 * 16 * 3);
     }
 }
