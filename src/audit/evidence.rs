@@ -1,4 +1,4 @@
-//! What the checks of a room look at, found out once for all of them.
+//! The evidence that the checks of a room share, collected once for all of them.
 
 use crate::walk::Floor;
 
@@ -12,13 +12,13 @@ use super::zone::{NearPair, Zone};
 pub(crate) struct Evidence<'e, 'a> {
     /// The room.
     pub(crate) subject: &'e Subject<'a>,
-    /// What must or should stay free.
+    /// The regions that must or should stay free.
     pub(crate) zones: &'e [Zone],
     /// Which bodies are near it.
     pub(crate) hits: &'e [NearPair<'e>],
     /// Pairs of bodies, by index, that are near each other.
     pub(crate) collisions: &'e [(usize, usize)],
-    /// What takes the good clearances.
+    /// The takings of the good clearances.
     pub(crate) comfort: &'e [Taking],
     /// The floor that people walk on; `None` without doors or without bodies in the way, where there is nothing to judge.
     pub(crate) floor: Option<&'e Floor>,

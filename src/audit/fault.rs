@@ -1,4 +1,4 @@
-//! What a check gives: a fault, of which the table ([`super::checks`]) says which finding it is.
+//! A fault is the result of a check. The table ([`super::checks`]) says which finding it becomes.
 
 use crate::catalog::ClassIndex;
 use crate::geometry::Point;
@@ -36,9 +36,9 @@ pub type FloorRegion = Vec<Point>;
 /// A fault of a furnished room.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fault {
-    /// What it is about.
+    /// The elements that it is about.
     pub(crate) subjects: Vec<Named>,
-    /// What was measured.
+    /// The measured quantity.
     pub(crate) quantity: Quantity,
     /// The measured value, in the unit of the quantity.
     pub(crate) measured: f64,

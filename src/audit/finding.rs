@@ -1,4 +1,4 @@
-//! What an audit says.
+//! Findings, which an audit reports, and the grade that they make.
 
 use std::fmt;
 
@@ -16,7 +16,7 @@ use super::severity::Severity;
 /// A fault of a furnished room.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
-    /// What kind.
+    /// Its kind.
     pub code: Code,
     /// Whether the room fails by it.
     pub severity: Severity,
@@ -29,10 +29,10 @@ pub struct Finding {
     /// Whether it was not searched further if the plan leaves another choice: the finding then counts as if it did.
     #[serde(skip_serializing_if = "is_false")]
     pub not_searched_further: bool,
-    /// What the ids in `objects` stand for, in their order.
+    /// The elements with the ids in `objects`, in their order.
     #[serde(skip)]
     pub elements: Vec<Element>,
-    /// What was measured.
+    /// The measured quantity.
     #[serde(skip)]
     pub quantity: Quantity,
     /// The floor that it is about; empty where it is about elements only.
@@ -51,6 +51,7 @@ impl Finding {
         let Fault { mut subjects, quantity, measured, threshold, region, is_possible } = fault;
         subjects.sort_unstable();
         let (objects, elements) = subjects.into_iter().map(|Named { id, element }| (id, element)).unzip();
+        // A search that was given up counts against the furniture: only a proof excuses it.
         let severity = if is_possible == Held::No { Severity::Given } else { code.severity() };
         let not_searched_further = is_possible == Held::Unknown;
         Self {

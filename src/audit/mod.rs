@@ -1,9 +1,11 @@
-//! Building and placements to findings; never changes a layout.
+//! Judges a furnished room: level and placements to findings and a score. Never changes a layout.
 //!
-//! The audit has its own geometry (`convex`): of the layout's it uses only the statement of what is solid
-//! ([`crate::layout::solids`]). Where people walk, both ask `walk`. All codes stand in one table
-//! (`checks/mod.rs`), each check in a file beside it, the figures and where they come from in `configs/audit.yaml`. Whether the plan leaves
-//! another choice the audit asks ([`Question`]): searching for places is the stage after it ([`crate::solve`]).
+//! - The table of all findings is `checks/mod.rs`, which says how to add one. Each check is a file beside it; the limits, with
+//!   their sources, are in `configs/audit.yaml`.
+//! - The audit has its own geometry (`convex`), so that a mistake of the layout's does not hide itself. The two share the
+//!   statement of what is solid ([`crate::layout::solids`]) and of where people walk ([`crate::walk`]).
+//! - A finding counts only if another arrangement could avoid it. The audit asks for that ([`Question`]); the stage after it,
+//!   [`crate::solve`], searches and answers.
 
 mod checks;
 mod convex;
@@ -93,7 +95,7 @@ pub(crate) fn missing_pieces(
     checks::missing_pieces(&Subject::new(at, furnished, catalog))
 }
 
-/// Whatever people need to be free.
+/// All regions that people need to be free.
 fn all_zones(subject: &Subject<'_>) -> Vec<Zone> {
     let mut zones = checks::door_zones(subject.at, subject.rules().doors);
     zones.extend(taking::zones(subject));

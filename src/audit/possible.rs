@@ -1,4 +1,4 @@
-//! What the audit must know of the empty room to judge a furnished one: questions that its caller answers.
+//! Questions about the empty room that the audit asks to judge a furnished one; its caller answers them.
 //!
 //! A finding is a fault of the furniture only if the plan leaves another choice. Whether it does takes a search, which is
 //! no judgement: the answers come from outside ([`Ask`]).
@@ -27,7 +27,7 @@ pub enum Question<'q> {
         class: ClassIndex,
         /// The size.
         size: Size,
-        /// What stands on the floor.
+        /// The bodies that stand on the floor.
         among: &'q [&'q Solid],
         /// The piece stays to the left of it.
         line: Line,

@@ -1,13 +1,13 @@
-//! What findings measure, and in which unit: people read `0.72 m` and not `0.72`.
+//! The quantities that findings measure, with their units: people read `0.72 m` and not `0.72`.
 
-/// What the figures of a finding measure.
+/// The quantity that the figures of a finding measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// How far something reaches into something else.
     Depth,
-    /// What is free between a side and what stands before it.
+    /// The free space between a side and the nearest body before it.
     FreeDepth,
-    /// What is between a body and its support.
+    /// The gap between a body and its support.
     Gap,
     /// The top of a body above the floor.
     Height,

@@ -29,7 +29,7 @@ pub(crate) fn met(subject: &Subject<'_>, hits: &[NearPair<'_>]) -> Option<f64> {
     }))
 }
 
-/// What wishes are about: a point, the way it faces, and half of its smaller side.
+/// The target of a wish: a point, the direction it faces, and half of its smaller side.
 #[derive(Clone, Copy)]
 struct Target {
     position: Point,
@@ -131,6 +131,7 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
     let faces = |front: Point, direction: Point| fade(front.angle_to(direction).abs() - relation.angle);
     match relation.kind {
         RelationKind::Near | RelationKind::Beside => within(distance),
+        // Nothing is too far away from what one wants to be away from: the upper end does not count.
         RelationKind::AwayFrom => fade(least - distance),
         RelationKind::Faces => faces(own.front, towards) * within(distance),
         RelationKind::Opposite => faces(own.front, towards) * faces(other.front, -towards) * within(distance),

@@ -1,4 +1,4 @@
-//! What the audit looks at: one room with the bodies that stand in it.
+//! The subject of an audit: one room with the bodies that stand in it.
 
 use core::cell::OnceCell;
 use std::borrow::Cow;
@@ -19,7 +19,7 @@ use super::upright_box::UprightBox;
 pub(crate) struct Subject<'a> {
     /// The room.
     pub(crate) at: RoomRef<'a>,
-    /// What the layout says about it.
+    /// The result of the layout.
     pub(crate) furnished: &'a Furnished,
     /// The classes and programmes.
     pub(crate) catalog: &'a Catalog,

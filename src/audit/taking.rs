@@ -1,4 +1,4 @@
-//! What takes the space that people need before the sides of objects: bodies, columns and walls.
+//! Bodies, columns and walls in the space that people need before the sides of objects.
 
 use std::collections::BTreeMap;
 
@@ -21,6 +21,7 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
             if clearance.minimum > 0.0 {
                 zones.push(zone(body, clearance, clearance.minimum, Purpose::Using(owner, number)));
             }
+            // Where both depths are the same, nothing lies between them that could be taken.
             if clearance.good > clearance.minimum + ROUNDING {
                 zones.push(zone(body, clearance, clearance.good, Purpose::Comfort(owner, number)));
             }
@@ -56,11 +57,11 @@ pub(crate) fn zone(body: &Body<'_>, clearance: &Clearance, depth: f64, purpose: 
 
 /// Something in a clearance that should not be there.
 pub(crate) struct Taking {
-    /// Whose clearance it is, by index.
+    /// The owner of the clearance, by index.
     pub(crate) owner: usize,
     /// Which of the clearances of its class.
     pub(crate) number: usize,
-    /// What takes it.
+    /// The body, wall or column that takes it.
     pub(crate) blocker: Named,
     /// Metres that are left of it.
     pub(crate) free: f64,
@@ -98,7 +99,7 @@ pub(crate) fn narrowest(takings: &[Taking]) -> BTreeMap<(usize, &str), &Taking> 
     narrowest
 }
 
-/// What takes the clearances of some purpose; `select` gives their object and number.
+/// The takings of the clearances of some purpose; `select` gives their object and number.
 pub(crate) fn takings(
     subject: &Subject<'_>,
     zones: &[Zone],
@@ -135,7 +136,7 @@ pub(crate) fn takings(
     takings
 }
 
-/// What takes the good clearances.
+/// The takings of the good clearances.
 pub(crate) fn comfort_takings(subject: &Subject<'_>, zones: &[Zone], hits: &[NearPair<'_>]) -> Vec<Taking> {
     takings(subject, zones, hits, |purpose| match purpose {
         Purpose::Comfort(owner, number) => Some((owner, number)),
@@ -147,6 +148,7 @@ pub(crate) fn comfort_takings(subject: &Subject<'_>, zones: &[Zone], hits: &[Nea
 /// below in the hierarchy.
 fn is_welcome(subject: &Subject<'_>, owner: usize, number: usize, body: usize) -> bool {
     let clearance = &subject.bodies[owner].class.clearances[number];
+    // Parents come before their children in the placements: a body of a lower index is the owner or what that belongs to.
     is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner)
 }
 
@@ -175,6 +177,7 @@ fn is_flat(subject: &Subject<'_>, body: &Body<'_>) -> bool {
 fn fixed_edges(subject: &Subject<'_>, zone: &Zone) -> Vec<(Named, Segment)> {
     let room = subject.at.room;
     let margin = subject.rules().clearances.intrusion + ROUNDING;
+    // Clipping takes the margin away again on every side: what touches the face then still lies inside.
     let base = reaching_back(&zone.base, 2.0 * margin);
     let inside = |edge: Segment| clip_segment(&base, edge, margin);
     let walls = room.region.borders().enumerate().filter_map(|(number, border)| {

@@ -12,7 +12,7 @@ pub struct Verdict {
     pub findings: Vec<Finding>,
     /// How good the room is beside that; `None` where nothing was asked for.
     pub score: Option<Score>,
-    /// What share of the floor is walked to from each door; empty where nothing stands in the way.
+    /// The share of the floor that people reach from each door; empty where nothing stands in the way.
     pub walkable: Vec<DoorRate>,
 }
 

@@ -58,6 +58,7 @@ impl Zone {
     pub(crate) fn free_depth(&self, body: &Body<'_>) -> f64 {
         let parts = body.solids.iter().filter(|solid| self.reach(solid) > 0.0);
         let corners = parts.flat_map(|solid| intersection(&self.base, solid.footprint()));
+        // The face is a whole side of the zone: the part of a body inside is nearest to it at one of its corners.
         let depths = corners.map(|corner| self.face.distance(corner));
         depths.fold(f64::INFINITY, f64::min)
     }

@@ -1,8 +1,8 @@
-//! Best of several: a room is furnished from derived seeds until the audit finds nothing, a few times at most.
+//! The best of several arrangements: furnishes a room from derived seeds until the audit has no finding, a few times at most.
 //!
-//! Outside `layout/`, which knows no audit, and outside `audit/` and `solve/`, which change no layout. The paper furnishes
-//! each room once; that samples are ranked by how good a room they make is the way of P. Merrell et al.,
-//! "Interactive Furniture Layout Using Interior Design Guidelines", 2011.
+//! This is a stage of its own because `layout/` knows no audit, and `audit/` and `solve/` change no layout. The paper furnishes
+//! each room once. Ranking arrangements by the quality of the room follows P. Merrell et al., "Interactive Furniture Layout Using
+//! Interior Design Guidelines", 2011.
 
 use core::cmp::Ordering;
 
@@ -42,7 +42,7 @@ pub struct Judged {
     pub verdict: Verdict,
     /// Which alternative it is.
     pub alternative: Alternative,
-    /// What stands in for other pieces.
+    /// The pieces that replace others.
     pub stand_ins: StandIns,
 }
 
@@ -78,6 +78,7 @@ pub fn best_of(
     solver_steps: impl Fn() -> u64,
 ) -> Judged {
     let mut maker = Maker { furnish, judge, steps: 0 };
+    // From the cheapest help to the dearest, each only where the one before left something missing.
     let best = best_numbered(effort, &mut maker, solver_steps);
     let best = with_suggested_places(best, effort, &mut maker, suggest);
     with_substitutes(best, effort, &mut maker)
@@ -158,6 +159,7 @@ fn with_substitutes<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> V
     let other = maker.make(Alternative { takes_substitutes: true, ..Alternative::numbered(number) });
     let lack = |judged: &Judged| {
         let (failed, minor, _) = judged.flaws();
+        // Before the minor findings: a stand-in with a tight side is better than nothing.
         (failed, judged.required_missing(), minor)
     };
     if lack(&other) < lack(&best) { other } else { best }
@@ -183,6 +185,7 @@ impl Judged {
     /// Steps after which no further alternative begins.
     fn most_steps(&self) -> u64 {
         let (failed, _, _) = self.flaws();
+        // A room that fails may take longer than one that merely could be better.
         if failed > 0 { MOST_STEPS_OF_FAILING } else { MOST_STEPS }
     }
 

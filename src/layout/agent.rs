@@ -11,11 +11,11 @@ use super::programme::Piece;
 /// One piece of furniture.
 #[derive(Clone, Debug)]
 pub(crate) struct Agent {
-    /// What the programme asked for.
+    /// The piece of the programme.
     pub(crate) piece: Piece,
     /// Size of its variant.
     pub(crate) size: Size,
-    /// What it is doing.
+    /// Its state.
     pub(crate) state: State,
     /// Children on each of its sides, by [`Side::index`].
     pub(crate) taken: [u32; 6],
@@ -58,7 +58,7 @@ pub(crate) enum State {
 pub(crate) struct Rest {
     /// Where it stands.
     pub(crate) pose: Pose,
-    /// What it stands on or belongs to.
+    /// The object or room part that it stands on or belongs to.
     pub(crate) parent: ParentPart,
     /// The parent's side that it touches.
     pub(crate) side: Side,
@@ -103,6 +103,7 @@ impl Agent {
 
     /// Half of its extent along a direction of the plan, turned as in `right`.
     pub(crate) fn half_extent(size: Size, right: Point, along: Point) -> f64 {
+        // The support function of a rectangle: half of each side, as far as it points along.
         (size.width * right.dot(along).abs() + size.depth * right.perp().dot(along).abs()) / 2.0
     }
 }

@@ -36,9 +36,9 @@ pub(crate) struct Kept<T> {
     pub(crate) number: u32,
     /// How many there were.
     pub(crate) attempts: u32,
-    /// What they took together, in steps of about a tenth of a microsecond.
+    /// The work of all of them, in steps of about a tenth of a microsecond.
     pub(crate) steps: u64,
-    /// What stands in for other pieces in it.
+    /// The pieces in it that replace others.
     pub(crate) stand_ins: StandIns,
 }
 
@@ -71,7 +71,7 @@ pub(crate) fn best_attempt<T>(
     Kept { furnished, description, number: number + 1, attempts, steps, stand_ins }
 }
 
-/// What an attempt lacks, the worst first: attempts are compared in this order.
+/// The shortcomings of an attempt, the worst first: attempts are compared in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Lack {
     /// Classes of which a required piece is missing and none is there.
@@ -118,7 +118,7 @@ struct Attempt<T> {
     number: u32,
     furnished: Furnished,
     lack: Lack,
-    /// Whom the next attempt should serve first.
+    /// The agents that the next attempt should serve first.
     missed: BTreeSet<AgentIndex>,
     description: T,
     steps: u64,
@@ -163,6 +163,7 @@ impl<T> Attempt<T> {
     fn deserved_attempts(&self, brief: &Brief<'_>) -> u32 {
         let Lack { classes_without_any, closed_ways, required, strays, pieces, .. } = self.lack;
         let misses_many = pieces as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
+        // Without its only bed, or without a way through, a room gets four times the attempts.
         let is_in_need = classes_without_any > 0 || closed_ways > 0;
         match (is_in_need, brief.alternative.number) {
             (true, 0) => ATTEMPTS_IN_NEED,
@@ -197,7 +198,7 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     closed_ways + usize::from(lacks_turn)
 }
 
-/// Whom the next attempt should serve first: the required pieces that found no place, and those by which they would
+/// The agents that the next attempt should serve first: the required pieces that found no place, and those by which they would
 /// stand. What goes wrong first is dealt with first: D. Joslin, D. Clements, "Squeaky Wheel Optimization", 1999.
 fn missed(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
     let is_missed = |agent: &AgentIndex| {

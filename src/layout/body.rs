@@ -130,6 +130,7 @@ pub(crate) fn clearance_between(
 
 /// Where a child's seat stands in a clearance that allows one.
 pub(crate) fn seat(clearance: &Clearance, size: Size, pose: &Pose) -> Option<Solid> {
+    // Never deeper than the clearance: behind it others may stand.
     let depth = clearance.minimum.min(SEAT_DEPTH);
     clearance.allows_children.then(|| clearance_solid(clearance, size, pose, depth))
 }

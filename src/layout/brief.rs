@@ -15,7 +15,7 @@ use super::suggestion::Alternative;
 use super::surroundings::{Surroundings, Swings};
 use super::variant::Variants;
 
-/// What is fixed for a room in all of its alternatives.
+/// The data that is fixed for a room in all of its alternatives.
 pub(crate) struct RoomBrief<'a> {
     at: RoomRef<'a>,
     catalog: &'a Catalog,
@@ -30,7 +30,7 @@ pub(crate) struct RoomBrief<'a> {
     exact_surroundings: OnceCell<Surroundings<'a>>,
 }
 
-/// What is fixed for one alternative of a room, whatever its agents do: complete when it is made, the same for all attempts.
+/// The data that is fixed for one alternative of a room: complete when it is made, the same for all attempts.
 #[derive(Clone, Copy)]
 pub(crate) struct Brief<'a> {
     /// Classes and figures.
@@ -45,9 +45,9 @@ pub(crate) struct Brief<'a> {
     pub(crate) at: RoomRef<'a>,
     /// The pieces that are asked for, with those that are locked.
     pub(crate) pieces: &'a [Piece],
-    /// What the room gives.
+    /// The fixed parts of the room.
     pub(crate) surroundings: &'a Surroundings<'a>,
-    /// Who stands where somebody put it.
+    /// The objects that somebody put in their places.
     pub(crate) locks: &'a [Lock],
     /// Which arrangement is wanted, and where somebody says that agents fit.
     pub(crate) alternative: &'a Alternative,
@@ -63,6 +63,7 @@ impl<'a> RoomBrief<'a> {
         catalog: &'a Catalog,
         options: &FurnishOptions<'a>,
     ) -> Result<Self, Furnished> {
+        // A room that somebody pinned keeps its seed when the run has another.
         let seed = options.pinned.unwrap_or(options.seed);
         let key = RoomKey::new(seed, options.building, at);
         let style = room_style(at, catalog, options);
@@ -88,6 +89,7 @@ impl<'a> RoomBrief<'a> {
 
     /// The brief of one alternative.
     pub(crate) fn alternative<'b>(&'b self, alternative: &'b Alternative) -> Brief<'b> {
+        // Places found in the empty room are tight: they are tested against the true arcs of the leaves, which takes longer.
         let surroundings = if alternative.suggestions.is_empty() {
             self.surroundings.get_or_init(|| self.surroundings_with(Swings::Simple))
         } else {

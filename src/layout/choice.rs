@@ -16,6 +16,7 @@ pub fn room_style(at: RoomRef<'_>, catalog: &Catalog, options: &FurnishOptions<'
     let of_building = |id: &str| {
         let building_style = catalog.building_styles.get(id)?;
         let drawn = building_style.style(&room.room_type, draw(building_style, at, options));
+        // By a draw of its own: whether a dwelling is an exception changes no style of the others.
         let exception = drawn.and_then(|style| building_style.style_instead(style, single_draw(at, options)));
         let style = exception.filter(suits).or(drawn);
         Some(style.filter(suits).unwrap_or(catalog.default_style))
@@ -23,6 +24,7 @@ pub fn room_style(at: RoomRef<'_>, catalog: &Catalog, options: &FurnishOptions<'
     let own = room.style.as_deref().and_then(|id| catalog.styles.find(id).or_else(|| of_building(id)));
     let of_run =
         options.style.and_then(|id| catalog.styles.find(id).filter(suits).or_else(|| of_building(id)));
+    // The style that a plan names for a room holds in any case; that of the run in rooms that it suits.
     own.or(of_run).unwrap_or(catalog.default_style)
 }
 
@@ -37,6 +39,7 @@ fn sharing<'a>(share: Share, at: RoomRef<'a>, options: &FurnishOptions<'a>) -> V
     let level = Cow::Borrowed(at.level.id.as_str());
     match (share, &at.room.dwelling) {
         (Share::Building, _) => vec![building],
+        // Outside of all dwellings (a stairwell, a lobby) rooms of a level look alike.
         (Share::Level, _) | (Share::Dwelling, None) => vec![building, level],
         (Share::Dwelling, Some(dwelling)) => vec![building, level, dwelling.into()],
         (Share::Room, _) => vec![building, level, "".into(), at.room.number.to_string().into()],

@@ -67,7 +67,7 @@ fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, 
     })
 }
 
-/// What a rug lies under.
+/// The piece that a rug lies under.
 #[derive(Clone, Copy)]
 struct Under {
     size: Size,
@@ -79,6 +79,7 @@ struct Under {
 
 impl Under {
     fn new(class: &Class, size: Size) -> Self {
+        // By the clearance, not by the class: users' own tables have rugs of the right size too.
         let is_seat = |it: &Clearance| it.allows_children && it.good >= GROWN_UP;
         let is_sat_at = |side: Side| class.clearances.iter().any(|it| it.side == side && is_seat(it));
         let most = |a: Side, b: Side| if is_sat_at(a) || is_sat_at(b) { SEAT_OVERHANG } else { OVERHANG };
@@ -97,6 +98,7 @@ fn poses(rest: &Rest, under: Under, size: Size) -> impl Iterator<Item = Pose> {
     let Under { size: piece, overhang, has_chairs } = under;
     let holds_whole = size.depth >= piece.depth + 2.0 * overhang.y;
     let is_large_enough = size.width >= piece.width + 2.0 * overhang.x && (holds_whole || !has_chairs);
+    // Of a bed the rug reaches FOOT beyond the foot end and goes under it as far as it is long.
     let before = if holds_whole { 0.0 } else { piece.depth / 2.0 + FOOT - size.depth / 2.0 };
     let middle = rest.pose.position + front * before;
     // Around a table it lies in the middle: moved, it would leave the chairs of one side.

@@ -27,13 +27,13 @@ const FIXED_GROUP: &str = "fixed";
 
 /// The room with its agents.
 pub(crate) struct Environment<'a> {
-    /// What is fixed for the room.
+    /// The data that is fixed for the room.
     pub(crate) brief: &'a Brief<'a>,
     /// All agents, in the order of the programme.
     pub(crate) agents: Vec<Agent>,
     /// Resting agents by class (section 4: "lists according to their type").
     pub(crate) resting: Vec<Vec<AgentIndex>>,
-    /// What the agents meet on their search, where somebody wants to know.
+    /// The record of the search, for explanations.
     pub(crate) trace: Option<RefCell<Trace>>,
     /// Classes of which an agent found no place: the room only gets fuller, so the next need not scan it again.
     pub(crate) is_exhausted: Vec<bool>,
@@ -41,7 +41,7 @@ pub(crate) struct Environment<'a> {
     pub(crate) heeds_tags: bool,
     /// How many times the room was furnished before, in other attempts and alternatives.
     pub(crate) turn: usize,
-    bodies: Vec<Body>,
+    bodies: Vec<OwnedSolid>,
     body_grid: Grid,
     clearances: Vec<Region>,
     clearance_grid: Grid,
@@ -53,13 +53,13 @@ pub(crate) struct Environment<'a> {
     kept_free_grid: Grid,
     /// Memory for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
-    /// What was done so far.
+    /// The steps so far.
     steps: Cell<u64>,
 }
 
 /// A solid part of an agent or column.
 #[derive(Clone, Copy, Debug)]
-struct Body {
+struct OwnedSolid {
     solid: Solid,
     owner: AgentIndex,
     /// Hangs flat on a wall, where it is in nobody's way.
@@ -78,7 +78,7 @@ struct Region {
     seat: Option<Solid>,
 }
 
-/// What differs between the attempts at a room.
+/// The data in which the attempts at a room differ.
 pub(crate) struct Start<'u> {
     /// By agent, in how many earlier attempts the room missed it.
     pub(crate) urgency: &'u [u32],
@@ -120,7 +120,7 @@ impl<'a> Environment<'a> {
             steps: Cell::default(),
         };
         for &solid in &surroundings.columns {
-            environment.push_body(Body { solid, owner: ROOM, is_flat: false });
+            environment.push_body(OwnedSolid { solid, owner: ROOM, is_flat: false });
         }
         environment
     }
@@ -154,7 +154,7 @@ impl<'a> Environment<'a> {
         self.steps.set(self.steps.get() + steps);
     }
 
-    /// What was done so far, in the same steps.
+    /// The work so far, in the same steps.
     pub(crate) fn steps(&self) -> u64 {
         self.steps.get()
     }
@@ -167,9 +167,11 @@ impl<'a> Environment<'a> {
 
     /// Lets an agent rest at a place.
     pub(crate) fn settle(&mut self, agent: AgentIndex, place: &Place) {
+        // Kept with the rest: the side gets back the same number when the agent leaves.
         let extent = self.extent_along(agent, place);
         self.agents[agent].state =
             State::Rest(Rest { pose: place.pose, parent: place.parent, side: place.side, extent });
+        // The parent counts places and metres, so that a full side is known without looking at the children.
         if let ParentPart::Agent(parent) = place.parent {
             let parent = &mut self.agents[parent];
             parent.taken[place.side.index()] += 1;
@@ -189,6 +191,7 @@ impl<'a> Environment<'a> {
             parent.occupied[rest.side.index()] -= rest.extent;
             parent.children.retain(|&child| child != agent);
         }
+        // Keeps the order: rules that name a class ask those first that came to rest first.
         self.resting[self.agents[agent].piece.class].retain(|&other| other != agent);
         for index in self.agents[agent].bodies.clone() {
             self.body_grid.remove(item(index), self.bodies[index].solid.bounds);
@@ -208,7 +211,7 @@ impl<'a> Environment<'a> {
         let first = self.bodies.len();
         // What lies flat on the floor is in nobody's way.
         for solid in parts.into_iter().filter(|_| !place.lies_flat(size)) {
-            self.push_body(Body { solid, owner: agent, is_flat });
+            self.push_body(OwnedSolid { solid, owner: agent, is_flat });
         }
         let first_clearance = self.clearances.len();
         for clearance in &class.clearances {
@@ -227,7 +230,7 @@ impl<'a> Environment<'a> {
         self.agents[agent].clearances = first_clearance..self.clearances.len();
     }
 
-    fn push_body(&mut self, body: Body) {
+    fn push_body(&mut self, body: OwnedSolid) {
         self.body_grid.insert(item(self.bodies.len()), body.solid.bounds);
         self.bodies.push(body);
     }

@@ -15,9 +15,9 @@ pub struct Furnished {
     pub style: StyleRef,
     /// How many pieces the programme asked for.
     pub requested: u32,
-    /// What rests, parents before children.
+    /// The pieces that rest, parents before children.
     pub placements: Vec<Placement>,
-    /// What was asked for and is not there, in the order of removal.
+    /// The requested pieces that are missing, in the order of removal.
     pub removals: Vec<Removal>,
 }
 
@@ -35,7 +35,7 @@ pub struct Placement {
     pub class: ClassIndex,
     /// Counts the objects of a class in a room from 1; the id is `<class>.<number>`.
     pub number: u32,
-    /// What it stands on or belongs to.
+    /// The object or room part that it stands on or belongs to.
     pub parent: Parent,
     /// The parent's side that it touches.
     pub side: Side,

@@ -14,7 +14,7 @@ pub struct Lock {
     pub number: u32,
     /// Which of the class's variants; the one that is drawn where nothing is said.
     pub variant: Option<u32>,
-    /// What it stands on or belongs to.
+    /// The object or room part that it stands on or belongs to.
     pub on: LockSupport,
     /// The side of that which it touches.
     pub side: Side,
@@ -27,7 +27,7 @@ pub struct Lock {
     pub angle: f64,
 }
 
-/// What a locked object stands on.
+/// The support of a locked object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LockSupport {
     /// A part of the room; not [`Parent::Object`].

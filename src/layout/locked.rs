@@ -10,6 +10,7 @@ use super::place::{AgentIndex, ParentPart, Place};
 pub(crate) fn settle_locked(environment: &mut Environment<'_>) {
     let locked: Vec<AgentIndex> =
         (0..environment.agents.len()).filter(|&agent| is_locked(environment, agent)).collect();
+    // In rounds, for a locked object may stand on one that comes later in the programme.
     let mut has_settled = true;
     while has_settled {
         has_settled = false;
@@ -42,6 +43,7 @@ pub(crate) fn locked_place(environment: &Environment<'_>, agent: AgentIndex) -> 
             let is_parent = |parent: &AgentIndex| environment.agents[*parent].piece.number == number;
             let parent = environment.resting[class].iter().copied().find(is_parent)?;
             let under = environment.agents[parent].rest()?.pose;
+            // On top, where nothing is said: most of what somebody puts on something lies there.
             let elevation = lock.elevation.unwrap_or(environment.agents[parent].size.height);
             let pose =
                 Pose::new(under.place(lock.position), under.elevation + elevation, under.angle + lock.angle);

@@ -1,4 +1,5 @@
-//! A room, the catalogue and a seed to a [`Furnished`] room: the agent system.
+//! Furnishes a room: level, room, catalogue and seed to a [`Furnished`] room, by the agent system of the paper.
+//! `ARCHITECTURE.md` follows one room through these files.
 //!
 //! T. Germer, M. Schwarz, "Procedural Arrangement of Furniture for Real-Time Walkthroughs", Computer
 //! Graphics Forum, 2009, section 3. Pure: no files, no threads, no clock. Departures from the paper:
@@ -6,9 +7,9 @@
 //!   table without meeting a leg;
 //! - along walls, positions are drawn from the stretches that are really free (`rules`);
 //! - clearances, door swings and approaches are regions that bodies keep out of;
-//! - who closes the only way to a door or to a side that people use is sent away to search again (`ways`);
+//! - agents that close the only way to a door or to a used side search again (`ways`);
 //! - a room that lacks a required piece, a way, or many pieces is furnished again from a derived seed, a few
-//!   times at most, with those served first that were missed;
+//!   times at most; the agents that were missing search first;
 //! - the units of a kitchen do not search one by one: their row is planned as a whole (`fitted`), and the fixtures of a
 //!   bathroom look for their places together (`jointly`);
 //! - an agent with wishes about other objects compares a few free places instead of taking the first.
@@ -90,12 +91,12 @@ pub struct Counted {
     pub furnished: Furnished,
     /// Work of all attempts, in steps of about a tenth of a microsecond: the same on every machine.
     pub steps: u64,
-    /// What stands in for other pieces.
+    /// The pieces that replace others.
     pub stand_ins: StandIns,
 }
 
 impl<'a> RoomLayout<'a> {
-    /// What the alternatives of a room have in common.
+    /// The data that the alternatives of a room share.
     #[must_use]
     pub fn new(at: RoomRef<'a>, catalog: &'a Catalog, options: &FurnishOptions<'a>) -> Self {
         Self { brief: RoomBrief::new(at, catalog, options) }

@@ -30,6 +30,7 @@ pub(crate) struct Group(Vec<(AgentIndex, Rest)>);
 /// Takes a resting agent out of the room, with its group; `None` if it does not rest.
 pub(crate) fn lift(environment: &mut Environment<'_>, agent: AgentIndex) -> Option<Group> {
     let family = family(environment, agent);
+    // Children leave before what they stand on: nobody rests on an agent that does not rest.
     for &(member, _) in family.iter().rev() {
         environment.unsettle(member);
     }
@@ -69,6 +70,7 @@ impl Group {
 
 /// Sends a resting agent away from where it stands, with all that stands on it, to search again.
 pub(crate) fn send_away(environment: &mut Environment<'_>, agent: AgentIndex) {
+    // What stood on it searches again too, each piece by itself.
     for (member, _) in family(environment, agent).into_iter().rev() {
         environment.unsettle(member);
         environment.agents[member].searches += 1;
@@ -86,6 +88,7 @@ fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, fr
     };
     let pose = carried(&rest.pose, from, to);
     let place = Place { pose, ..rest.place() };
+    // Parents come first: whether the parent found its new place is known by now.
     if has_parent && environment.is_free(member, &place) {
         environment.settle(member, &place);
     } else {
@@ -97,6 +100,7 @@ fn follow(environment: &mut Environment<'_>, member: AgentIndex, rest: &Rest, fr
 /// A pose after the frame it stands in went from one pose to another.
 fn carried(pose: &Pose, from: &Pose, to: &Pose) -> Pose {
     let offset = pose.position - from.position;
+    // In the frame of the old pose, so that a child keeps its place on a parent that turns.
     let local = Point::new(offset.dot(from.right), offset.dot(from.right.perp()));
     let elevation = pose.elevation + to.elevation - from.elevation;
     Pose::new(to.place(local), elevation, pose.angle + to.angle - from.angle)

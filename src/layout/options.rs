@@ -1,8 +1,8 @@
-//! What the caller of a layout chooses.
+//! The options of a layout.
 
 use super::lock::Lock;
 
-/// What furnishing a room depends on besides plan and catalogue.
+/// The options of furnishing a room, besides plan and catalogue.
 #[derive(Clone, Copy, Debug)]
 pub struct FurnishOptions<'a> {
     /// The seed of the whole run.

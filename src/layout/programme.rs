@@ -25,7 +25,7 @@ pub(crate) struct Piece {
     pub(crate) companion: Option<ClassIndex>,
 }
 
-/// What a programme may look at.
+/// The facts about a room that its programme depends on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Site {
     /// Square metres of floor.
@@ -115,7 +115,7 @@ impl Draft<'_> {
         }
     }
 
-    /// What a line may ask for in the style: what stands in where nothing else goes with it.
+    /// The classes that a line may ask for in the style: a substitute where nothing else goes with it.
     fn fitting(&self, request: &Request) -> Vec<ClassIndex> {
         let classes = &self.catalog.classes;
         let fitting = self.style.fitting(&request.classes, classes);
@@ -168,6 +168,7 @@ pub(crate) fn add_locked(pieces: &mut Vec<Piece>, locks: &[Lock], catalog: &Cata
         let variant = lock.variant.filter(|&variant| variant < catalog.classes[lock.class].variant_count());
         match (known, variant) {
             (Some(piece), Some(variant)) => piece.variant = variant,
+            // A lock without a variant keeps the place only: the look is that of the seed.
             (Some(_), None) => {}
             (None, variant) => pieces.push(Piece {
                 class: lock.class,
@@ -194,6 +195,7 @@ impl Counts {
     /// Adds a piece and answers its number in its class.
     fn add(&mut self, catalog: &Catalog, class: ClassIndex) -> u32 {
         let groups = catalog.classes[class].groups.iter();
+        // Members of a group with the name of a class do for that class: pieces that are counted by it count them too.
         let stood_in_for = groups.filter_map(|group| catalog.class_index(group));
         stood_in_for.filter(|&other| other != class).for_each(|other| self.asked[other] += 1);
         self.asked[class] += 1;

@@ -19,6 +19,7 @@ use super::suggested::follows_suggestion;
 pub(crate) fn push_apart(environment: &mut Environment<'_>) {
     for _ in 0..PUSH_ROUNDS {
         let mut has_moved = false;
+        // In the order of the programme: each push sees where the earlier ones have led.
         for root in tight_roots(environment) {
             has_moved |= push(environment, root);
         }
@@ -51,6 +52,7 @@ fn root(environment: &Environment<'_>, mut agent: AgentIndex) -> AgentIndex {
 
 /// Whether an agent may move at all: what is built in, in rows, hung, or where it was suggested stays.
 fn can_slide(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    // A row keeps its spacing: one of it alone would leave it crooked.
     let is_free = environment.class(agent).grid.is_none()
         && !environment.is_built_in(agent)
         && !is_locked(environment, agent)

@@ -6,7 +6,7 @@ use super::furnished::{Furnished, Parent, Placement, Removal};
 use super::place::{AgentIndex, ParentPart};
 use super::wanted::is_missed;
 
-/// What the agents came to.
+/// The result of the agents.
 pub(crate) fn furnished(environment: &Environment<'_>) -> Furnished {
     let (agents, brief) = (&environment.agents, environment.brief);
     let mut result = Furnished::empty(brief.at.index, brief.key.seed(), brief.style_ref);

@@ -26,6 +26,7 @@ impl RoomKey {
         let mut hash = Sha256::new();
         hash.update(seed.to_le_bytes());
         for text in [building, level.id.as_str()] {
+            // With its length: "a" and "bc" are not "ab" and "c".
             hash.update((text.len() as u64).to_le_bytes());
             hash.update(text.as_bytes());
         }
@@ -38,6 +39,7 @@ impl RoomKey {
     /// The key of a further attempt at the same room; attempt 0 is the key itself.
     pub(crate) fn attempt(&self, number: u32) -> Self {
         if number == 0 {
+            // A room that comes out well at once has the streams of its own key, however many attempts are allowed.
             return *self;
         }
         Self(Sha256::new_with_prefix(self.0).chain_update(number.to_le_bytes()).finalize().into())
@@ -51,6 +53,7 @@ impl RoomKey {
     /// The stream of a purpose. `name` and `number` say which (a class and its number), so that one more
     /// lamp does not move the bed.
     pub(crate) fn stream(&self, purpose: Purpose, name: &str, number: u32) -> Stream {
+        // The number is the nonce of the cipher: streams of one key have nothing in common (D. J. Bernstein, "ChaCha", 2008).
         let mut generator = ChaCha8Rng::from_seed(self.0);
         generator.set_stream(stream_number(purpose, name, number));
         Stream(generator)
@@ -68,10 +71,11 @@ pub(crate) fn shared_draw<Name: AsRef<str>>(seed: u64, names: impl IntoIterator<
     }
     let bytes = hash.finalize();
     let number = u32::from_le_bytes(bytes[..4].try_into().expect("a hash has 32 bytes"));
+    // Of 2^32: never 1, so that a share of one is always met.
     f64::from(number) / 4_294_967_296.0
 }
 
-/// What random numbers are for.
+/// The purpose of a random stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {
     /// Which classes and how many.
@@ -88,6 +92,7 @@ pub(crate) enum Purpose {
 fn stream_number(purpose: Purpose, name: &str, number: u32) -> u64 {
     const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
     const PRIME: u64 = 0x0000_0100_0000_01b3;
+    // The number is last and of fixed width, so that no name and number spell the bytes of others.
     let bytes = [purpose as u8].into_iter().chain(name.bytes()).chain(number.to_le_bytes());
     bytes.fold(OFFSET, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME))
 }
@@ -114,6 +119,7 @@ impl Stream {
 
     /// Even in 0..count; `count` above zero.
     pub(crate) fn below(&mut self, count: usize) -> usize {
+        // Counts are far below 2^32: the bias of multiplying is far below what anybody could measure.
         ((self.unit() * count as f64) as usize).min(count - 1)
     }
 

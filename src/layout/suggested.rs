@@ -10,6 +10,7 @@ use super::suggestion::Suggestion;
 /// The suggestion for an agent, by index: for the first of its class to search.
 pub(crate) fn suggestion(environment: &Environment<'_>, agent: AgentIndex) -> Option<usize> {
     let agent = &environment.agents[agent];
+    // A suggestion holds one piece of a class. An agent that was sent away from it searches as others do.
     let is_first = agent.searches == 0 && environment.resting[agent.piece.class].is_empty();
     let mut suggestions = environment.brief.alternative.suggestions.iter();
     suggestions.position(|suggested| suggested.class == agent.piece.class).filter(|_| is_first)

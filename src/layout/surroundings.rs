@@ -1,4 +1,4 @@
-//! What a room gives its agents before any of them rests: walls, regions to keep free, columns, windows.
+//! The fixed parts of a room, before any agent rests: walls, columns, windows, and regions that stay free.
 
 use crate::catalog::AuditRules;
 use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Segment, Solid};
@@ -38,11 +38,11 @@ pub(crate) struct Border {
 pub(crate) struct KeptFree {
     /// The region.
     pub(crate) solid: Solid,
-    /// What for.
+    /// The reason.
     pub(crate) cause: Cause,
 }
 
-/// What a region is kept free for.
+/// The reason why a region stays free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cause {
     /// An opening, by index into the level's openings.
@@ -136,7 +136,7 @@ impl<'a> Surroundings<'a> {
         stretches
     }
 
-    /// What stays free before an opening: swings and approaches.
+    /// The regions before an opening that stay free: swings and approaches.
     fn regions_of(
         &self,
         opening: &Opening,
@@ -207,7 +207,7 @@ fn wall_strip(room: &Room, side: &RoomOpening, depth: f64, margin: f64) -> Conve
     Convex::rectangle(center, half, along)
 }
 
-/// What a leaf that stands open takes beside the sector that it sweeps: its thickness, and its handle.
+/// The space of an open leaf beside the sector that it sweeps: its thickness, and its handle.
 fn standing_open(leaf: &Leaf, top: f64) -> Vec<Solid> {
     let Some([board, handle]) = leaf.standing_open() else { return Vec::new() };
     let (low, high) = HANDLE_HEIGHTS;
@@ -222,6 +222,7 @@ fn swept(leaf: &Leaf, swings: Swings) -> Vec<Convex> {
     let (closed, open) = (leaf.closed_tip - leaf.hinge, leaf.open_tip - leaf.hinge);
     let radius = closed.length().max(open.length());
     let sweep = libm::atan2(closed.perp_dot(open), closed.dot(open));
+    // A twentieth of a degree: drawn shut, or not at all.
     if radius <= 0.0 || sweep.abs() < 1e-3 {
         return Vec::new();
     }
@@ -246,6 +247,7 @@ fn swept(leaf: &Leaf, swings: Swings) -> Vec<Convex> {
 fn sector(hinge: Point, radius: f64, first: f64, sweep: f64) -> Convex {
     const STEPS: usize = 4;
     let step = sweep / STEPS as f64;
+    // The corners of a polygon around an arc lie outside of it by this factor: no part of the leaf sticks out.
     let reach = radius / libm::cos(step / 2.0);
     let mut corners = vec![hinge, hinge + crate::geometry::direction(first) * radius];
     for index in 0..STEPS {

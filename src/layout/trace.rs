@@ -1,18 +1,18 @@
-//! What agents meet on their search, for `explain`. Where nobody listens it costs a look at a field for each
-//! refused place, and nothing for those that are free.
+//! The record of a search, for `explain`: how many places each agent tried, and what was in the way there. Without `explain` a
+//! refused place costs one look at a field, a free place nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::furnished::RemovalReason;
 use super::place::AgentIndex;
 
-/// What all agents of an attempt met.
+/// The records of all agents of an attempt.
 pub(crate) struct Trace {
     /// By agent.
     records: Vec<Record>,
 }
 
-/// What one agent met, over all its searches.
+/// The record of one agent, over all its searches.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Record {
     /// How often it searched, in any size.
@@ -30,7 +30,7 @@ pub(crate) struct Record {
 pub(crate) struct Refused {
     /// How many, by reason.
     pub(crate) by_reason: BTreeMap<RemovalReason, u32>,
-    /// What stood in the way; a place may be refused because of several things.
+    /// The obstacles; one place may have several.
     pub(crate) obstacles: BTreeMap<(RemovalReason, Obstacle), u32>,
 }
 
@@ -89,7 +89,7 @@ impl Trace {
         Self { records: vec![Record::default(); agent_count] }
     }
 
-    /// What an agent met.
+    /// The record of an agent.
     pub(crate) fn record(&self, agent: AgentIndex) -> &Record {
         &self.records[agent]
     }

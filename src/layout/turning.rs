@@ -52,8 +52,9 @@ fn floor(environment: &Environment<'_>, is_furnished: bool) -> Option<Floor> {
     )
 }
 
-/// Who stands where a wheelchair would turn; `None` where the room cannot do without one of them.
+/// The agents where a wheelchair would turn; `None` where the room cannot do without one of them.
 fn dispensable(environment: &Environment<'_>, place: Point) -> Option<Vec<AgentIndex>> {
+    // What touches the edge of the circle may stay.
     let reach = environment.brief.catalog.audit.access.turning / 2.0 - CONTACT_TOLERANCE;
     let going: Vec<AgentIndex> = who_is_near(environment, place, reach).into_keys().collect();
     (!going.iter().any(|&agent| environment.has_required(agent) || is_locked(environment, agent)))

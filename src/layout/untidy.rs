@@ -44,9 +44,11 @@ fn offset(
     stream: &mut Stream,
 ) -> Option<Pose> {
     let angle = rest.pose.angle + untidiness.turn * stream.signed();
+    // Away from the parent only: nothing is pushed into its wall or table.
     let distance = untidiness.distance * stream.unit();
     let away = match rest.parent {
         ParentPart::Ceiling | ParentPart::Opening(_) => return None,
+        // What hangs is fixed to the wall.
         ParentPart::Wall(_) if rest.pose.elevation > 0.0 => return None,
         ParentPart::Wall(wall) => environment.brief.surroundings.room.walls[wall].normal(),
         ParentPart::Floor | ParentPart::Column(_) => Point::ZERO,

@@ -1,5 +1,5 @@
-//! What is there to carry something and carries nothing is given back: an empty television stand. So is what needs another
-//! beside it in its row and stands alone: a seat of an auditorium. Not in the paper.
+//! Takes away pieces that have lost their use: a television stand that carries nothing (`carries` of its class), a seat of an
+//! auditorium that stands alone in its row (`company`). Not in the paper.
 
 use crate::catalog::Class;
 

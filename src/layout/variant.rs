@@ -28,6 +28,7 @@ impl Variants<'_> {
             Variety::None => size() * class.looks + self.shared(class, class.looks),
             Variety::Details => {
                 let shape = self.shared(class, SHAPES.min(class.looks));
+                // Looks with equal numbers modulo SHAPES have one shape: the room draws the shape, each piece its contents.
                 let fillings = (class.looks - shape).div_ceil(SHAPES);
                 let mut own = self.key.stream(Purpose::Variant, &class.id, number);
                 size() * class.looks + shape + SHAPES * own.count(0, fillings - 1)
@@ -48,6 +49,7 @@ impl Variants<'_> {
     /// The variant of a kind of the level: each kind draws from a part of them of its own.
     fn kind(&self, class: &Class, kind: u32, kinds: u32) -> u32 {
         let count = class.usual_variant_count();
+        // No two kinds share a part, so that no two of them can come out alike.
         let (from, to) = (kind * count / kinds, (kind + 1) * count / kinds);
         from + (self.series.kind(class, kind, self.seed) * f64::from(to - from)) as u32
     }

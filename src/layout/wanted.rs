@@ -27,6 +27,7 @@ pub(crate) fn has_stand_in(environment: &Environment<'_>, agent: AgentIndex) -> 
 /// replaced only where the alternative says so: another arrangement may have a place for them.
 pub(crate) fn next_substitute(environment: &Environment<'_>, agent: AgentIndex) -> Option<AgentIndex> {
     let is_required = environment.agents[agent].piece.is_required;
+    // An optional piece has its stand-in at once: no further attempt is made for it alone.
     let may_replace = !is_required || environment.brief.alternative.takes_substitutes;
     substitute(environment, agent)
         .filter(|&other| may_replace && environment.agents[other].state == State::Unasked)
@@ -89,7 +90,7 @@ fn steps_down(environment: &Environment<'_>, agent: AgentIndex) -> u32 {
     0
 }
 
-/// What is there to carry an agent and may look for another place: it did so once at most, and nothing that the room cannot do
+/// The piece that is there to carry an agent and may search for another place: it did so once at most, and nothing that the room cannot do
 /// without belongs to it.
 pub(crate) fn movable_carrier(environment: &Environment<'_>, agent: AgentIndex) -> Option<AgentIndex> {
     let class = environment.agents[agent].piece.class;

@@ -70,7 +70,7 @@ fn leave_out(environment: &mut Environment<'_>, closed_ways: &[ClosedWay], key: 
     }
 }
 
-/// Whom the ways ask to go, without those that the room cannot do without.
+/// The agents that should leave the ways, without those that the room cannot do without.
 fn who_can_be_missed(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
     let mut going = who_goes(environment, ways);
     going.retain(|&agent| !environment.has_required(agent));
@@ -80,7 +80,7 @@ fn who_can_be_missed(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<A
 /// A way that resting agents close.
 struct ClosedWay {
     way: Way,
-    /// Whose side it leads to; nobody's if it leads to a door.
+    /// The agent to whose side it leads; none if it leads to a door.
     owner: Option<AgentIndex>,
 }
 
@@ -92,6 +92,7 @@ fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
     let empty = || Floor::new(at, &rules.walking, core::iter::empty());
     let mut ways = closed_ways(environment, &rules.walking, floor, empty);
     if environment.brief.style.access == Access::Wheelchair {
+        // Where the plan is too narrow for a wheelchair, the width of a person is asked for.
         let wheelchair = WalkingRules {
             person: rules.access.walkway,
             narrow_person: rules.walking.person,
@@ -120,6 +121,7 @@ fn closed_ways(
     let doors = floor.doors().map(|door| (None, Goal::Door(door)));
     let (owners, goals): (Vec<Option<AgentIndex>>, Vec<Goal<'_>>) = doors.chain(areas).unzip();
     let empty = || empty().expect("a door of the furnished room is one of the empty room");
+    // The floor without furniture is made where a way is closed only: most rooms never need it.
     let ways = blocked_ways(&floor, empty, rules, &goals);
     if !ways.is_empty() {
         environment.count_steps(cells / CELLS_OF_WAYS_A_STEP);
@@ -127,7 +129,7 @@ fn closed_ways(
     ways.into_iter().map(|way| ClosedWay { owner: owners[way.goal], way }).collect()
 }
 
-/// Whom the ways ask to go: at each narrow place the agent that reaches farthest into it, unless one that goes
+/// The agents that should leave the ways: at each narrow place the agent that reaches farthest into it, unless one that goes
 /// already was in its way. Where only pieces at suggested places are in the way to somebody's side, that one goes: they
 /// leave all ways open that the room cannot do without.
 fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
@@ -176,6 +178,7 @@ pub(crate) fn who_is_near(
     let rules = &environment.brief.catalog.audit.walking;
     let mut near: BTreeMap<AgentIndex, f64> = BTreeMap::new();
     environment.each_part_near(place, reach, |agent, solid| {
+        // Zero for an agent that stands on the place.
         let distance = distance_to_convex(solid.footprint(), place);
         if is_in_the_way(rules, solid) && distance < reach {
             let known = near.entry(agent).or_insert(distance);

@@ -1,4 +1,4 @@
-//! What judgements of a room asked about it, and the answers.
+//! The questions of the audit about a room, with the answers that were found.
 
 use crate::audit::{Held, Question};
 use crate::catalog::ClassIndex;

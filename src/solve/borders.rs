@@ -18,6 +18,7 @@ pub(super) struct Borders {
 impl Borders {
     pub(super) fn new(empty: &EmptyRoom<'_>) -> Self {
         let columns = empty.at.room.obstacles.iter().flat_map(|column| column.outline.edges());
+        // Columns bound the floor from inside as the outline does from outside: a piece crosses neither.
         let edges: Vec<Segment> = empty.at.room.region.borders().chain(columns).collect();
         let grid = (edges.len() > MANY).then(|| {
             let mut grid = Grid::new(empty.at.room.region.outline.bounds());
@@ -40,6 +41,7 @@ impl Borders {
         let to_edge = |edge: &Segment| edge.distance_squared(point);
         let Some(grid) = &self.grid else {
             let nearest = self.edges.iter().map(to_edge).fold(f64::INFINITY, f64::min);
+            // Squares are compared, and one root is taken of the least.
             return (nearest.sqrt(), self.edges.len() as u64);
         };
         let (mut nearest, mut looked_at) = (REACH * REACH, 0);
@@ -58,6 +60,7 @@ impl Borders {
         margin: f64,
         question: impl Fn(Segment) -> bool,
     ) -> (bool, u64) {
+        // Boxes overlap by more than a negative length where they come nearer than that length.
         let is_it = |edge: Segment| edge.bounds().overlaps(bounds, -margin) && question(edge);
         let Some(grid) = &self.grid else {
             return (self.edges.iter().any(|&edge| is_it(edge)), self.edges.len() as u64);

@@ -35,6 +35,8 @@ impl Budget {
         if steps > left {
             self.is_overdrawn.set(true);
         }
+        // Once overdrawn it stays so, even for free steps: a small search must not succeed after a large one that gave up, or
+        // answers would depend on the order of the questions.
         !self.is_overdrawn.get()
     }
 

@@ -11,7 +11,7 @@ pub(crate) struct EmptyRoom<'a> {
     pub(crate) at: RoomRef<'a>,
     /// Classes and thresholds.
     pub(crate) catalog: &'a Catalog,
-    /// What the judgement may still spend.
+    /// The steps that the judgement may still make.
     pub(crate) budget: Budget,
 }
 

@@ -1,4 +1,4 @@
-//! What a piece and its clearances take of the floor.
+//! The floor that a piece and its clearances take.
 
 use crate::catalog::{Class, Clearance, ParentName, Side, Size};
 use crate::geometry::{Bounds, Point, direction, edges};
@@ -20,6 +20,7 @@ impl Footprint {
 
 /// Metres above the floor of the underside of a piece hung as low as its class allows.
 pub(super) fn lowest_underside(class: &Class) -> f64 {
+    // On another piece it stands as high as that piece, which the empty room does not have.
     let on_parts = class.parents.iter().filter(|rule| !matches!(rule.parent, ParentName::Classes(_)));
     let lowest = on_parts.map(|rule| rule.elevation.0).fold(f64::INFINITY, f64::min);
     if lowest.is_finite() { lowest } else { 0.0 }
@@ -36,6 +37,7 @@ pub(super) fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearan
             Side::Back => (low.y, high.y) = (half.y, half.y + depth),
             Side::Left => (low.x, high.x) = (-half.x - depth, -half.x),
             Side::Right => (low.x, high.x) = (half.x, half.x + depth),
+            // What must stay free over or under a piece takes no floor.
             Side::Above | Side::Below => continue,
         }
         match clearance.side {
@@ -46,6 +48,7 @@ pub(super) fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearan
         }
         boxes.push(Bounds::new(low, high));
     }
+    // A clearance without depth takes none either; what follows counts on boxes with four corners.
     boxes.retain(|one| one.low.cmplt(one.high).all());
     boxes
 }
@@ -77,6 +80,7 @@ pub(super) struct Turned<'b> {
 
 impl<'b> Turned<'b> {
     pub(super) fn new(boxes: &'b [Bounds]) -> Self {
+        // No angle equals it: the first that is asked for is worked out.
         Self { boxes, angle: f64::NAN, parts: Vec::new() }
     }
 

@@ -1,4 +1,4 @@
-//! Whether an empty room could hold a piece: what separates a fault of the layout from a room too small.
+//! Whether an empty room could hold a piece. A piece that is missing is a fault of the layout only if it could.
 //!
 //! All of it is paid from the budget of the judgement ([`super::budget`]): where that is spent, an answer means nothing.
 
@@ -73,6 +73,7 @@ pub(crate) fn free_stands(empty: &EmptyRoom<'_>, class: ClassIndex) -> Stands {
 /// The size of a class that takes least floor.
 pub(crate) fn smallest_size(class: &Class) -> Size {
     let area = |size: &&Size| size.width * size.depth;
+    // Of equal areas the first of the class's list: `min_by` keeps it.
     let smallest = class.sizes.iter().min_by(|a, b| area(a).total_cmp(&area(b)));
     *smallest.expect("a class has a size")
 }
@@ -86,7 +87,9 @@ impl Space<'_, '_> {
 
     fn free_stands(&self, class: &Class, size: Size) -> Stands {
         let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
+        // One half of the budget lists the places, the other compares them with those of other pieces.
         let most = MOST_SPOTS.min((MOST_STEPS / 2 / self.steps_a_spot(boxes.len())) as f64);
+        // Whole multiples of the usual step. Places on a net are as many as the square of its fineness, therefore the root.
         let coarseness = (self.spot_count(class) / most).sqrt().ceil().max(1.0);
         let trial = Trial { class, size, boxes: &boxes, step: FIT_STEP * coarseness };
         let stands = self.stands_of(&trial);
@@ -104,6 +107,7 @@ impl Space<'_, '_> {
             let parts: Vec<Footprint> =
                 parts.iter().map(|part| part.footprint.moved(spot.position)).collect();
             let bounds = Bounds::around(parts.iter().flat_map(|part| part.corners));
+            // All places are wanted: the search is told of each that it is not the one it looks for.
             stands.push(Stand { spot, bounds, parts });
             false
         });

@@ -36,6 +36,8 @@ impl<K: Ord, V: Clone> Known<K, V> {
         match known {
             Some(Answer::Found(answer, steps)) => return budget.charge(steps).then_some(answer),
             Some(Answer::Beyond(steps)) if budget.left() <= steps => {
+                // An earlier search gave up with as many steps as are left now. This one would too: the budget is overdrawn as by
+                // it.
                 budget.charge(u64::MAX);
                 return None;
             }

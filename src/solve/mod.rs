@@ -1,4 +1,4 @@
-//! What an empty room could hold, and where: the search for places, between `audit` and `best`.
+//! The search for places in an empty room: which pieces it could hold, and where. A stage between `audit` and `best`.
 //!
 //! The audit judges what stands and asks, of what does not, whether the plan leaves a place for it
 //! ([`crate::audit::Question`]). The solver answers by search, and gives the places it found to the next
@@ -82,6 +82,7 @@ impl<'a> RoomSolver<'a> {
     pub fn suggest_places(&self, furnished: &Furnished) -> Vec<Suggestion> {
         let missing = audit::missing_pieces(self.at, furnished, self.catalog);
         self.search(|room| {
+            // In the order of the missing pieces: the first list of which all pieces find places together.
             let mut places = missing.iter().map(|classes| self.answers.places_together(room, classes));
             places.find_map(|places| places).unwrap_or_default()
         })

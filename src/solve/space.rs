@@ -29,7 +29,7 @@ pub(crate) struct Space<'s, 'a> {
     line: Option<Line>,
 }
 
-/// What the frames of doors and passages take of the floor.
+/// The floor under the frames of doors and passages.
 fn frames(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
     let kind = |place: &RoomOpening| empty.at.level.openings[place.opening].kind;
     empty.at.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
@@ -46,7 +46,7 @@ fn with_bounds(zone: Vec<Point>) -> (Vec<Point>, Bounds) {
     (zone, bounds)
 }
 
-/// What leaves that stand open in the room take beside the ways through their doors.
+/// The floor under leaves that stand open in the room, beside the ways through their doors.
 fn open_leaves(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
     empty.at.room.openings.iter().flat_map(move |place| {
         let normal = empty.at.room.walls[place.wall].normal();

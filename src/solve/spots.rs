@@ -94,6 +94,7 @@ impl Space<'_, '_> {
     /// How many places [`Space::any_free`] asks for at most, at [`FIT_STEP`].
     pub(super) fn spot_count(&self, class: &Class) -> f64 {
         let size = self.empty.at.room.region.outline.bounds().size();
+        // Four quarter turns of each direction.
         let inside = (size / FIT_STEP).element_product() * 4.0 * self.directions().len() as f64;
         let along_walls: f64 = self.empty.at.room.walls.iter().map(|wall| wall.length() / FIT_STEP).sum();
         if needs_wall(class) { along_walls } else { inside + along_walls }
@@ -117,7 +118,9 @@ impl Space<'_, '_> {
     fn spots_at_wall(&self, trial: &Trial<'_>, number: usize) -> impl Iterator<Item = Spot> {
         let (size, empty) = (trial.size, self.empty);
         let wall = &empty.at.room.walls[number];
+        // Walls run counter-clockwise around the room: a piece whose x axis runs the other way has its back to the wall.
         let angle = libm::atan2(wall.direction().y, wall.direction().x) + core::f64::consts::PI;
+        // As far off the wall as the audit rounds off: contact is then no overlap on either side of rounding.
         let off_wall = wall.normal() * (size.depth / 2.0 + ROUNDING);
         let (start, along) = (wall.start, wall.direction());
         let is_solid = move |&along: &f64| {

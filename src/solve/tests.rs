@@ -1,4 +1,4 @@
-//! What searching costs, in steps: bounded in large rooms, and whatever was asked before.
+//! The cost of searches in steps: bounded in large rooms, and independent of earlier questions.
 
 use crate::audit::testing::{TestRoom, required};
 use crate::audit::{Code, Held, Question, Severity, judge};

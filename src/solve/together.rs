@@ -21,7 +21,7 @@ const CELLS_A_STEP: u64 = 8;
 /// The share of the places to go on by: the golden section meets all parts of a list early.
 const STRIDE: f64 = 0.618_033_988_749_894_9;
 
-/// What is known about pieces in an empty room.
+/// The answer about several pieces in an empty room.
 #[derive(Clone, Debug)]
 pub(crate) enum Together {
     /// They fit, each at its place; ways to doors and to all used sides stay open.
@@ -185,6 +185,7 @@ impl<'s, 'a> Search<'s, 'a> {
             }
             let others = open.iter().enumerate().filter(|&(index, _)| index != next);
             let left: Vec<Open<'s>> = others.map(|(_, other)| self.left_beside(other, stand)).collect();
+            // Forward checking: a piece that keeps no place is a dead end, seen before any of the others is placed.
             if left.iter().all(|other| !other.stands.is_empty()) {
                 self.placed.push((open[next].choice, stand));
                 if self.place_next(&left) {
@@ -220,6 +221,7 @@ impl<'s, 'a> Search<'s, 'a> {
         self.empty.budget.spend(floor.cell_count() as u64 / CELLS_A_STEP);
         let sides = self.placed.iter().flat_map(|(choice, stand)| {
             let clearances = choice.class.clearances.iter().zip(&stand.parts[1..]);
+            // Narrower strips are elbow room that nobody stands in: the audit asks for no way to them either.
             clearances.filter(|(clearance, _)| clearance.minimum >= rules.narrow_person).map(|(_, part)| part)
         });
         let sides = sides.map(|part| Goal::Area(&part.corners));

@@ -39,7 +39,7 @@ impl DoorDepth {
     }
 }
 
-/// What people walk to.
+/// A goal that people walk to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Goal<'g> {
     /// A door, by index into the level's openings.
@@ -243,6 +243,7 @@ impl Walk<'_> {
     /// openings.
     pub(crate) fn main_door(&self) -> usize {
         let doors_of = |group: Group| self.doors.iter().filter(|&&other| other == group).count();
+        // Of groups with equally many doors the one with most floor: a closet is then what is missed, not the room.
         let rank =
             |&(_, group): &(usize, Group)| (Reverse(doors_of(group)), Reverse(self.size(group)), group);
         let best = self.doors().min_by_key(rank);

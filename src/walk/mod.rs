@@ -1,9 +1,9 @@
-//! Where people get to on the floor of a room: level, room and solids to groups of places that are reached from
-//! each other. Never decides what that means: the layout clears the ways that it closed, the audit judges.
+//! Where people can walk in a room: level, room and solids to groups of places that can be reached from each other. The layout
+//! uses it to clear the ways that furniture closes, the audit to judge them.
 //!
-//! A person is a disc on a grid of 5 cm, in rooms whose box has more than 28,000 m² of 10 or 15, which bounds memory and
-//! time: passages there are known to a cell only, and what is thinner than one may be missed. Distances are exact, tested
-//! against asking every cell.
+//! A person is a disc on a grid of cells. Cells are 5 cm wide; in rooms whose box has more than 28,000 m² they are 10 or 15 cm
+//! wide, which bounds memory and time. A passage is known to one cell, and a body thinner than a cell may be missed. Distances
+//! between cells are exact.
 
 mod floor;
 mod queue;

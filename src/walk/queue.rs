@@ -40,6 +40,7 @@ impl CellQueue {
         if cost == self.cost {
             self.insert(cell);
         } else {
+            // Costs that wait at the same time differ by less than the number of lists: no two of them share one.
             let list = cost as usize % self.later.len();
             self.later[list].push(u32::try_from(cell).expect("floors have fewer than 2^32 cells"));
             self.later_count += 1;

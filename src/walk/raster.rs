@@ -120,7 +120,7 @@ impl Raster {
         squares
     }
 
-    /// What becomes of [`Raster::distances`] when the cells of some spans are blocked too.
+    /// Updates [`Raster::distances`] after the cells of some spans are blocked too.
     pub(crate) fn lower_distances(&self, distances: &mut [u16], blocked: &[Range<usize>], reach: u16) {
         let (rows, columns) = (self.len() / self.columns, self.columns);
         for span in blocked {

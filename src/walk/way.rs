@@ -42,6 +42,7 @@ pub(crate) fn blocked_ways(
     let way = |&(index, goal): &(usize, Goal<'_>)| {
         // The plan may itself be too narrow for a person: then a narrow person must get through.
         let passage = if wide.is_possible(goal) { &wide } else { &*narrow };
+        // A goal that the plan itself closes to both widths asks nothing of the furniture.
         (passage.is_possible(goal) && !passage.is_open(goal)).then(|| passage.way_to(index, goal))
     };
     missed.iter().filter_map(way).collect()
@@ -88,9 +89,9 @@ impl<'f> EmptyWalks<'f> {
 
 /// Where people of one width get to from a door.
 struct Passage<'f> {
-    /// What the empty room allows.
+    /// The walk in the empty room.
     empty: Walk<'f>,
-    /// What the furnished room allows.
+    /// The walk in the furnished room.
     walk: Walk<'f>,
     home: usize,
     /// The least distance of cells where the disc may be.
@@ -105,7 +106,7 @@ struct Routes {
     waiting: CellQueue,
     /// All ways that lack so much at most are known.
     known: u32,
-    /// What the way to a cell lacks, by cell; beyond all others where no way leads.
+    /// The width that the way to a cell lacks, by cell, summed over its cells in squared cells; the largest number where no way leads.
     costs: Vec<u32>,
     /// The cell before, or [`NOWHERE`] at the door.
     came_from: Vec<u32>,
@@ -196,7 +197,7 @@ impl<'f> Passage<'f> {
         [before - 1, before, before + 1, cell - 1, cell + 1, after - 1, after, after + 1]
     }
 
-    /// What of its distance a cell lacks.
+    /// The distance that a cell lacks to let the disc pass.
     fn cost(&self, cell: usize) -> u32 {
         // In squared cells, as distances are: zero where the disc may be, `least` inside a body.
         u32::from(self.least.saturating_sub(self.walk.floor.distances[cell]))

@@ -17,6 +17,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let (carrying, empty): (Vec<_>, Vec<_>) = surfaces.partition(|&(surface, _)| carries(surface));
     let all = carrying.len() + empty.len();
     let limit = subject.rules().fulfilment.carrying;
+    // Surfaces count once each, whatever their size: a long worktop with one kettle is not bare.
     let share = carrying.len() as f64 / all.max(1) as f64;
     if all == 0 || share >= limit - ROUNDING {
         return Vec::new();

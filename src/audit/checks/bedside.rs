@@ -35,7 +35,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     faults
 }
 
-/// What is kept free at the two sides of a bed.
+/// The regions that stay free at the two sides of a bed.
 fn sides_of(bed: &Body<'_>) -> Vec<FloorRegion> {
     let is_side = |clearance: &Clearance| matches!(clearance.side, Side::Left | Side::Right);
     clearance_regions(bed, false, is_side)

@@ -31,6 +31,7 @@ pub(crate) fn deepest(a: &[Solid], b: &[Solid]) -> f64 {
 
 /// How far one prism must move, sideways or upright, for the two to part.
 pub(crate) fn solid_penetration(a: &Solid, b: &Solid) -> f64 {
+    // The shortest way apart counts: a lamp sunk 2 mm into its table is 2 mm deep, not as deep as it is wide.
     let upright = (a.high - b.low).min(b.high - a.low);
     if upright <= 0.0 { upright } else { upright.min(penetration(a.footprint(), b.footprint())) }
 }

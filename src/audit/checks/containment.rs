@@ -57,9 +57,11 @@ fn protrusion(solid: &Solid, limit: f64, borders: &[Segment], is_allowed: impl F
     if is_allowed(footprint[0]) && !borders.iter().any(|border| passes(&border)) {
         return 0.0;
     }
+    // A corner outside is as far out as the nearest border is away.
     let outside = footprint.iter().filter(|&&corner| !is_allowed(corner));
     let by_corner = outside.map(|&corner| distance_to(borders, corner)).fold(0.0, f64::max);
     let near = borders.iter().filter(passes);
+    // Borders that run less deep than the limit are cut away before the search for the deepest point, which costs most.
     let inside = near.filter_map(|&border| clip_segment(footprint, border, limit));
     inside.map(|segment| deepest_on(footprint, segment)).fold(by_corner, f64::max)
 }

@@ -34,7 +34,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     faults
 }
 
-/// What a seat stands at, by index, if that is a table or desk.
+/// The table or desk that a seat stands at, by index.
 fn table_of(subject: &Subject<'_>, seat: &Body<'_>) -> Option<usize> {
     let Parent::Object(parent) = seat.placement.parent else { return None };
     let is_beside = !matches!(seat.placement.side, Side::Above | Side::Below);
@@ -50,6 +50,7 @@ fn off_table(seat: &Body<'_>, table: &Body<'_>) -> f64 {
         Side::Left => -table.front().perp(),
         _ => table.front().perp(),
     };
+    // Either direction will do: the smaller of the two angles is judged.
     let to_middle = (table.placement.position - seat.placement.position).normalize_or(inward);
     [inward, to_middle]
         .map(|towards| seat.front().angle_to(towards).abs())
@@ -63,6 +64,7 @@ fn is_used_from_behind(subject: &Subject<'_>, index: usize) -> bool {
     let used = |side: Side| desk.class.clearances.iter().any(|one| one.side == side && one.allows_children);
     let children = subject.children(index).map(|child| &subject.bodies[child]);
     let mut seats = children.filter(|body| body.is_in(SEAT)).peekable();
+    // One seat at a used side is enough: a visitor's chair may stand opposite.
     seats.peek().is_some() && !seats.any(|seat| used(seat.placement.side))
 }
 

@@ -44,6 +44,7 @@ type Standing<'s> = (usize, &'s Body<'s>);
 fn crowd(subject: &Subject<'_>, standing: &[Standing<'_>], line: Line) -> Option<(f64, usize)> {
     let limit = subject.rules().balance.share;
     let all: f64 = standing.iter().map(|(_, body)| box_area(body)).sum();
+    // A piece on the line counts in both halves, by its share of each.
     let right: f64 = standing.iter().map(|(_, body)| box_area(body) * share_right_of(body, line)).sum();
     let share = right / all;
     if all == 0.0 || share <= limit {
@@ -51,6 +52,7 @@ fn crowd(subject: &Subject<'_>, standing: &[Standing<'_>], line: Line) -> Option
     }
     let on_right = standing.iter().filter(|(_, body)| share_right_of(body, line) >= 1.0);
     let by_area = |(_, a): &&Standing<'_>, (_, b): &&Standing<'_>| {
+        // Of equal areas the first id, whatever the order of the placements.
         box_area(a).total_cmp(&box_area(b)).then(b.id.cmp(&a.id))
     };
     let &(index, largest) = on_right.max_by(by_area)?;

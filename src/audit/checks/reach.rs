@@ -15,7 +15,7 @@ use crate::audit::subject::Subject;
 use crate::audit::taking::clearance_regions;
 use crate::audit::zone::{Purpose, Zone};
 
-/// What must be walked to.
+/// A goal of the people in a room.
 #[derive(Clone, Copy)]
 pub(crate) enum Target<'z> {
     /// A door, by index into the level's openings.
@@ -33,7 +33,7 @@ impl<'z> Target<'z> {
     }
 }
 
-/// What share of the floor is walked to from a door, by index into the level's openings.
+/// The share of the floor that people reach from a door, by index into the level's openings.
 pub(crate) type Rates = Vec<(usize, f64)>;
 
 /// The floor that people walk on; `None` without doors or without bodies in the way, where there is nothing to
@@ -131,7 +131,7 @@ pub(crate) fn widest(floor: &Floor, home: usize, goals: &[Target<'_>], missed_by
     widths
 }
 
-/// What a target is.
+/// The element that a target is.
 pub(crate) fn named(subject: &Subject<'_>, target: Target<'_>) -> Named {
     match target {
         Target::Door(door) => subject.opening(door),

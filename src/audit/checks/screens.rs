@@ -65,6 +65,7 @@ fn sees(subject: &Subject<'_>, viewer: usize, screen: usize) -> bool {
         let sight = eye - target.placement.position;
         let distance = sight.length() / diagonal;
         let is_near_axis = sight.angle_to(target.front()).abs() <= rules.angle;
+        // Within a quarter of a turn to either side: people turn their heads.
         let is_turned_to = body.front().dot(-sight) > 0.0;
         (rules.nearest..=rules.farthest).contains(&distance)
             && is_near_axis
@@ -86,6 +87,7 @@ fn is_hidden(subject: &Subject<'_>, viewer: usize, eye: Point, screen: usize) ->
     let rules = subject.rules().screens;
     let sight = Segment::new(eye, subject.bodies[screen].placement.position);
     let is_part = |body: usize| {
+        // What carries the screen or lies on the seat is no third body.
         [viewer, screen]
             .iter()
             .any(|&end| subject.descends_from(body, end) || subject.descends_from(end, body))

@@ -71,8 +71,10 @@ fn may_hang(body: &Body<'_>, contact: f64) -> bool {
 fn gap_above(parent: &Body<'_>, body: &Body<'_>, contact: f64) -> f64 {
     let is_under = |part: &&Solid| {
         let overlaps = |solid: &Solid| penetration(part.footprint(), solid.footprint()) > 0.0;
+        // Parts that reach higher stand beside it and carry nothing of it.
         part.high <= body.low() + contact && body.solids.iter().any(overlaps)
     };
+    // Without a part under it the gap is that to the floor.
     body.low() - parent.solids.iter().filter(is_under).map(|part| part.high).fold(0.0, f64::max)
 }
 
@@ -122,6 +124,7 @@ fn solid_stretches(subject: &Subject<'_>, wall: usize, hung_on: Option<usize>, b
     for place in subject.at.room.openings.iter().filter(|place| place.wall == wall) {
         let opening = &subject.at.level.openings[place.opening];
         let has_frame = opening.kind != OpeningKind::OpenBoundary && hung_on == Some(place.opening);
+        // Only an opening over its whole height leaves it nothing to hang on: a shelf over a door has wall behind it.
         let covers = opening.bottom <= body.low() + ROUNDING && opening.top + ROUNDING >= body.high();
         if covers && !has_frame {
             stretches.subtract(place.from, place.to);
@@ -147,6 +150,7 @@ fn overhang(subject: &Subject<'_>, body: &Body<'_>) -> Option<(usize, f64)> {
         return None;
     }
     let rests_on = |solid: &Solid| support.iter().any(|part| is_within(part.footprint(), solid.footprint()));
+    // Nearly always. Unions of polygons, the slow way, are made for what reaches over an edge only.
     if body.solids.iter().all(rests_on) {
         return None;
     }

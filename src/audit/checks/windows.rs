@@ -16,6 +16,7 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
     let rules = subject.rules().windows;
     let zones = subject.at.room.openings.iter().filter_map(|place| {
         let opening = &subject.at.level.openings[place.opening];
+        // The higher of both, so that low pieces may stand before windows that go down to the floor.
         let from = (opening.bottom + rules.over_sill).max(rules.low_piece);
         if opening.kind != OpeningKind::Window || from >= opening.top {
             return None;

@@ -57,6 +57,7 @@ impl Environment<'_> {
         resting.flat_map(move |agent| {
             let clearances = self.class(agent).clearances.iter();
             let regions = &self.clearances[self.agents[agent].clearances.clone()];
+            // Both figures are those of the audit: what it wants to be reached is what ways are kept open to.
             let is_used =
                 move |clearance: &Clearance, region: &Solid| clearance.minimum >= depth && region.low < most;
             let pairs = clearances.zip(regions).map(|(clearance, region)| (clearance, &region.solid));
@@ -167,7 +168,9 @@ impl Environment<'_> {
                 let other = &self.clearances[index as usize];
                 let needed = match (own_seat, other.seat) {
                     (None, None) => return false,
+                    // Somebody who sits here takes of the space that others need to pass.
                     (Some(_), None) => &other.solid,
+                    // The other's seat may meet neither the own seat nor, without one, the own clearance.
                     (_, Some(_)) => other.seat.as_ref().expect("just matched"),
                 };
                 other.owner != agent
@@ -210,6 +213,7 @@ impl Environment<'_> {
     /// Whether an agent would have less room at a place than is good.
     pub(crate) fn lacks_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
         let mut clearances = self.class(agent).clearances.iter();
+        // Cheap, and enough for most classes: their good depth is the minimum, which was tested already.
         clearances.any(|clearance| clearance.good > clearance.minimum)
             && !self.has_clearances(agent, place, true, &mut ())
     }
@@ -238,6 +242,7 @@ impl Environment<'_> {
 
     /// Whether something would stand under a table that it does not belong to, or a table over it.
     pub(super) fn slides_under_a_stranger<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
+        // A rug neither stands under a table nor fills the space there.
         let stands = |solid: &Solid| solid.low < RUG_HEIGHT && solid.high > RUG_HEIGHT;
         if !stands(&probe.whole) {
             return false;

@@ -1,4 +1,4 @@
-//! What lies on the floor so flat that others stand on it, and the floor that it may cover.
+//! The floor that rugs may cover. They lie so flat that other pieces stand on them.
 
 use crate::geometry::Solid;
 use crate::layout::constants::CONTACT_TOLERANCE;

@@ -1,4 +1,4 @@
-//! What hangs over or beside an object, or goes on with a built-in run, needs a wall behind it.
+//! Pieces that hang over or beside an object, or continue a built-in run, need a wall behind them.
 
 use crate::catalog::{Side, Size};
 use crate::geometry::Point;
@@ -37,6 +37,7 @@ impl Environment<'_> {
             let at = (back - wall.start).dot(wall.direction());
             let (from, to) = (at - size.width / 2.0, at + size.width / 2.0);
             let is_behind = (back - wall.start).dot(wall.normal()).abs() <= HANGING_GAP
+                // A cosine: the front faces within 7 degrees of straight out of the wall.
                 && wall.normal().dot(pose.front()) > 1.0 - HANGING_GAP
                 && from >= -HANGING_GAP
                 && to <= wall.length() + HANGING_GAP;

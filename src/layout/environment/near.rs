@@ -1,4 +1,4 @@
-//! What is near a region: bodies, borders and what is kept free, for those who weigh a place.
+//! Bodies, borders and regions that are kept free, near a region: for the rules that weigh a place.
 
 use crate::geometry::{Bounds, Point, Solid};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE};
@@ -65,6 +65,7 @@ impl Environment<'_> {
     pub(crate) fn each_part_near(&self, place: Point, reach: f64, mut visit: impl FnMut(AgentIndex, &Solid)) {
         self.body_grid.each(Bounds::around_point(place, reach), |index| {
             let body = &self.bodies[index as usize];
+            // Columns go nowhere: only agents can be sent away from a way.
             if body.owner != ROOM {
                 visit(body.owner, &body.solid);
             }

@@ -1,4 +1,4 @@
-//! What agents meet on their search, noted where somebody wants to know.
+//! Notes of the search for an explanation: the places that an agent tried, and the obstacles there.
 
 use std::collections::BTreeSet;
 
@@ -34,6 +34,7 @@ impl Environment<'_> {
 
     /// Why an agent cannot or will not stand at a place; what is in the way is noted.
     pub(crate) fn refusal(&self, agent: AgentIndex, place: &Place) -> Option<RemovalReason> {
+        // The usual case, in every search: the compiler leaves out all that would record.
         if self.trace.is_none() {
             return self.refusal_by(agent, place, &mut ());
         }

@@ -77,6 +77,7 @@ fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory
                     (takes, "takes of the space that is good for others"),
                     (lacks, "has less space than is good"),
                 ];
+                // One factor with the points of both: each line shows its share, so that the lines add up to the score.
                 let each = points / faults.iter().filter(|(is_so, _)| *is_so).count() as f64;
                 let faults = faults.iter().filter(|(is_so, _)| *is_so);
                 wishes.extend(faults.map(|(_, about)| fault(about, each)));
@@ -152,6 +153,7 @@ fn refusals(environment: &Environment<'_>, agent: AgentIndex, refused: &Refused)
                 places,
             })
             .collect();
+        // The most frequent first; of equals by name, whatever the order of the search.
         stories.sort_by(|a, b| b.places.cmp(&a.places).then_with(|| a.name.cmp(&b.name)));
         stories
     };
@@ -174,6 +176,7 @@ fn parents(environment: &Environment<'_>, agent: AgentIndex) -> Vec<ParentStory>
             for &side in &rule.sides {
                 let places = environment.class(parent).offer(side).places;
                 let taken = environment.agents[parent].taken[side.index()];
+                // A side without places is no answer to "why not there": the class offers none.
                 if places > 0 {
                     stories.push(ParentStory { id: id(environment, parent), side, taken, places });
                 }

@@ -1,4 +1,4 @@
-//! What agents, room parts and wishes are called.
+//! Names of agents, room parts and wishes, for explanations.
 
 use crate::catalog::{ParentName, RelationKind};
 use crate::layout::environment::Environment;

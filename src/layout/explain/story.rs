@@ -1,11 +1,11 @@
-//! What an explanation consists of.
+//! The parts of an explanation.
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::catalog::Side;
 
-/// What is to be said about a furnished room.
+/// The explanation of a furnished room.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Explanation {
     /// How often the room was furnished; more than once where something important was missing.
@@ -25,7 +25,7 @@ pub struct ObjectStory {
     pub id: String,
     /// The sum of the points of its wishes.
     pub score: f64,
-    /// What speaks for and against its place.
+    /// The points for and against its place.
     pub wishes: Vec<Wish>,
     /// How it was found.
     pub search: SearchStory,
@@ -42,7 +42,7 @@ pub struct MissingStory {
     pub is_required: bool,
     /// How it searched.
     pub search: SearchStory,
-    /// What stands along the walls, for pieces that go there.
+    /// The pieces along the walls, for pieces that go there.
     pub walls: Option<WallStory>,
     /// Objects that it could stand on or beside, and how full their sides are.
     pub parents: Vec<ParentStory>,
@@ -92,7 +92,7 @@ pub struct Wish {
     pub points: f64,
 }
 
-/// What an agent met on its search.
+/// The record of an agent's search.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct SearchStory {
     /// How often it searched: once in each size that it tried, and again each time that it lost its parent.
@@ -114,7 +114,7 @@ pub struct Refusal {
     pub reason: &'static str,
     /// How many.
     pub places: u32,
-    /// What stood in the way, the most frequent first; several things may refuse one place.
+    /// The obstacles, the most frequent first; one place may have several.
     pub obstacles: Vec<ObstacleStory>,
 }
 

@@ -1,5 +1,5 @@
-//! What stands along the walls, for `explain`: the search knows the free stretches of a wall and does not try the
-//! others, so that a piece for which no stretch is long enough has no refused place to report.
+//! The pieces along the walls, for `explain`. The search tries places in the free stretches of a wall only, so that a piece for
+//! which no stretch is long enough has no refused place to report; this survey names what takes the wall.
 
 use std::collections::BTreeSet;
 

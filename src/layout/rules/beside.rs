@@ -69,6 +69,7 @@ pub(super) fn propose_at_column(view: &View<'_>, column: usize, stream: &mut Str
         length: 2.0 * half.dot(out.perp().abs()),
         base: 0.0,
         parent_center: center,
+        // A column has no front: children turn to it as to a piece whose front is on their side.
         parent_angle: turn::angle_of_front(out),
         places: (1, 0),
     };
@@ -81,6 +82,7 @@ fn propose(view: &View<'_>, face: &Face, stream: &mut Stream, poses: &mut Vec<Po
     for trial in 0..trials(rule.along, face) {
         let angle = turn::angle(&rule.orientation, &bearing, stream);
         let right = crate::geometry::direction(angle);
+        // Half of what the side leaves free. A child that is longer than the side sits at its middle.
         let room = (face.length / 2.0 - Agent::half_extent(view.size, right, along)).max(0.0);
         let at = match rule.along {
             Along::Center => 0.0,
@@ -93,6 +95,7 @@ fn propose(view: &View<'_>, face: &Face, stream: &mut Stream, poses: &mut Vec<Po
             Along::Front => -room * towards_back(face, along),
             Along::Random => room * stream.signed(),
         };
+        // Drawn for each trial, also where the rule leaves no choice: the numbers after it stay the same.
         let gap = stream.between(rule.gap.0, rule.gap.1);
         let reach = Agent::half_extent(view.size, right, face.outward);
         let position = face.center + face.outward * (reach + gap) + along * at;

@@ -63,7 +63,7 @@ pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, pose
     }
 }
 
-/// Whatever the room cannot do without is also tried at every quarter turn of every wall.
+/// Pieces that the room cannot do without are also tried at every quarter turn of every wall.
 fn add_all_turns(view: &View<'_>, poses: &mut Vec<Pose>) {
     let surroundings = &view.environment.brief.surroundings;
     let mut turns = vec![surroundings.main_angle];

@@ -67,7 +67,7 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     });
 }
 
-/// Who stands at a place of the lattice.
+/// The agent at a place of the lattice.
 struct Member {
     /// From the place, in the frame of the lattice.
     offset: Point,
@@ -175,7 +175,7 @@ impl Axis {
     }
 }
 
-/// What the margins of a grid leave of the room. Along an axis where no piece would fit they are given up.
+/// The part of the room inside the margins of a grid. Along an axis where no piece would fit, the margins are dropped.
 fn within_margins(view: &View<'_>, grid: &Grid, room: Bounds) -> Bounds {
     let [left, front, right, back] = grid.margin;
     let inner = Bounds::new(room.low + Point::new(left, front), room.high - Point::new(right, back));

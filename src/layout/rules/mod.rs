@@ -1,5 +1,5 @@
-//! What agents want: each file is one rule, a pure function from what an agent sees to the poses that it
-//! would like, best first. Whether a pose is free is not asked here.
+//! The wishes of agents: each file is one rule, a pure function from what an agent sees to the poses that it
+//! would like, best first. `environment` tests whether a pose is free.
 
 mod beside;
 mod floor;
@@ -21,7 +21,7 @@ use super::environment::Environment;
 use super::place::{AgentIndex, ParentPart};
 use super::seed::{RoomKey, Stream};
 
-/// What an agent sees when it considers a side of a parent.
+/// The view of an agent that considers a side of a parent.
 #[derive(Clone, Copy)]
 pub(crate) struct View<'a> {
     /// The room and all agents.

@@ -44,7 +44,7 @@ pub(crate) fn score(environment: &Environment<'_>, agent: AgentIndex, place: &Pl
     Score { value, is_spoilt, is_tight }
 }
 
-/// What counts for or against a place.
+/// A reason for or against a place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Factor<'a> {
     /// A wish of the class.
@@ -73,6 +73,7 @@ pub(crate) fn weigh<'a>(
     let is_before_window = stands_before_window(environment, agent, place);
     for relation in &class.relations {
         let value = match relation.kind {
+            // All or nothing: a body is in the light or it is not.
             RelationKind::NotBefore => f64::from(u8::from(!is_before_window)),
             _ => fulfilment(environment, agent, place, relation),
         };
@@ -96,6 +97,7 @@ pub(crate) fn weigh<'a>(
     let (takes, lacks) =
         (environment.takes_comfort(agent, place, &mut ()), environment.lacks_comfort(agent, place));
     if takes || lacks {
+        // Points for each of the two, not for each object that is concerned: a row of chairs does not count five times.
         visit(Factor::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
     }
     (is_before_window || takes_a_seat, takes || lacks)
@@ -113,6 +115,7 @@ fn liking(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f6
     let is_here = |other: AgentIndex| {
         environment.agents[other].rest().is_some_and(|rest| rest.parent == ParentPart::Wall(index))
     };
+    // Once for each line, however many pieces of it stand there.
     let of_others = with.iter().filter(|(classes, _)| environment.resting_of(classes).any(is_here));
     of_tags.sum::<f64>()
         + of_others.map(|(_, points)| points).sum::<f64>()
@@ -130,8 +133,10 @@ fn suits_wall(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -
     let length = environment.brief.surroundings.room.walls[wall].length();
     let joins = [Side::Left, Side::Right].iter().any(|&side| class.offer(side).places > 0);
     if joins {
+        // In proportion up to RUN_LENGTH: a longer wall holds the run no better.
         (length / RUN_LENGTH).min(1.0)
     } else if size.width >= LONG_PIECE * size.depth {
+        // 1 where it fills the wall, 0 where it takes half of it or less.
         (2.0 * size.width / length - 1.0).clamp(0.0, 1.0)
     } else {
         0.0
@@ -150,10 +155,12 @@ pub(crate) fn unmet_need(environment: &Environment<'_>, agent: AgentIndex, place
         RelationKind::NotBefore => !stands_before_window(environment, agent, place),
         RelationKind::AwayFrom => {
             let own = Target::own(environment, agent, place);
+            // From all of them, while one is enough to be near to.
             targets(environment, &relation.target).all(|target| way_to(own, target).0 >= relation.distance.0)
         }
         _ => {
             let own = Target::own(environment, agent, place);
+            // Met in full: inside the range of distance and of angle, without the fade that a mere wish has.
             targets(environment, &relation.target).any(|target| value(relation, own, target) >= 1.0)
         }
     };
@@ -174,7 +181,7 @@ pub(crate) struct Measured {
     pub(crate) value: f64,
 }
 
-/// What decides about a wish at a place, or nothing where there is nothing to relate to.
+/// The values that decide about a wish at a place; none where the room has no target for it.
 pub(crate) fn measure(
     environment: &Environment<'_>,
     agent: AgentIndex,
@@ -208,6 +215,7 @@ pub(super) fn best_quarter(
         wishes.iter().map(|&(relation, target)| relation.weight * value(relation, own, target)).sum()
     };
     let quarters = (0..4).map(|quarter| angle + FRAC_PI_2 * f64::from(quarter));
+    // Of equals the first: no turn.
     let best = quarters.reduce(|best, next| if fulfilment(next) > fulfilment(best) { next } else { best });
     best.filter(|_| !wishes.is_empty())
 }
@@ -235,7 +243,7 @@ fn facing<'a>(
         .flat_map(|relation| targets(environment, &relation.target).map(move |target| (relation, target)))
 }
 
-/// What an agent looks at: a point, the direction it faces, and half of its smaller side.
+/// The target of a wish: a point, the direction it faces, and half of its smaller side.
 #[derive(Clone, Copy)]
 struct Target {
     position: Point,
@@ -263,6 +271,7 @@ fn fulfilment(environment: &Environment<'_>, agent: AgentIndex, place: &Place, r
 /// Metres between two things, and the direction from one to the other.
 fn way_to(own: Target, other: Target) -> (f64, Point) {
     let between = other.position - own.position;
+    // About what is between the two: half of the smaller side is taken for each, whichever way it is turned.
     let distance = (between.length() - own.radius - other.radius).max(0.0);
     (distance, between.normalize_or(own.front))
 }
@@ -272,6 +281,7 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
     let (distance, towards) = way_to(own, other);
     let faces = |front: Point, direction: Point| {
         let off = libm::acos(front.dot(direction).clamp(-1.0, 1.0));
+        // Linear, and nothing from ANGLE_FADE on: somebody who looks away sees no more of it.
         1.0 - ((off - relation.angle).max(0.0) / ANGLE_FADE).min(1.0)
     };
     match relation.kind {
@@ -292,6 +302,7 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
 /// 1 inside the range, a half at the fade's distance outside it, and so on.
 fn within(distance: f64, (least, most): (f64, f64)) -> f64 {
     let off = (least - distance).max(distance - most).max(0.0);
+    // Never nothing: also far outside of the range a nearer place is the better one.
     1.0 / (1.0 + off / DISTANCE_FADE)
 }
 
@@ -331,6 +342,7 @@ fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place:
         return false;
     }
     let size = environment.agents[agent].size;
+    // As the audit: a slim piece leaves enough of the light.
     if size.width.max(size.depth) < environment.brief.catalog.audit.windows.slim_width {
         return false;
     }

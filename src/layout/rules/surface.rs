@@ -60,8 +60,10 @@ pub(super) fn propose(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, 
             Turn::TowardsCenter => turn::towards(orientation, position, rest.pose.position, stream),
             _ => angle,
         };
+        // Drawn for each trial, also where the rule leaves no choice: the numbers after it stay the same.
         let lift = stream.between(view.rule.elevation.0, view.rule.elevation.1);
         poses.push(Pose::new(position, elevation + lift, angle));
+        // There is one middle: further trials would propose it again.
         if view.rule.along == Along::Center {
             return;
         }
@@ -81,6 +83,7 @@ pub(super) fn scan(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, pos
     if least.cmpgt(most).any() {
         return;
     }
+    // At least one step each way, so that both ends are tried on a small surface too.
     let steps = ((most - least) / SURFACE_STEP).ceil().max(Point::ONE);
     let rows = match view.rule.along {
         Along::Random => 0..=steps.y as u32,
@@ -117,6 +120,7 @@ fn position(
     stream: &mut Stream,
 ) -> Option<Point> {
     let (least, most) = (surface.bounds.low + extent, surface.bounds.high - extent);
+    // A child as large as the surface fits it, whatever rounding says.
     if least.cmpgt(most + Point::splat(1e-9)).any() {
         return None;
     }
@@ -124,6 +128,7 @@ fn position(
     Some(match along {
         Along::Center => middle,
         Along::Even => {
+            // The next of the even places first, then those after it.
             let index = (surface.taken + trial) % surface.places;
             let share = (index as f64 + 0.5) / surface.places as f64;
             let x = surface.bounds.low.x + surface.bounds.size().x * share;

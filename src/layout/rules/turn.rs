@@ -6,7 +6,7 @@ use crate::catalog::{Orientation, Turn};
 use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
-/// What turning depends on.
+/// The facts that a turn depends on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bearing {
     /// The parent's angle.
