@@ -80,7 +80,7 @@ pub use gltf::GltfError;
 pub use output::LevelOptions;
 pub use project::{EditsChoice, FinishedRoom, Project, ProjectPaths, Rooms, UnknownRoom};
 
-/// What [`LevelOptions`] and [`BakeOptions`] are made of.
+/// The types of the fields of [`LevelOptions`] and [`BakeOptions`].
 pub mod options {
     pub use crate::batch::{Shard, Unplanned};
     pub use crate::cache::Cache;
@@ -91,7 +91,7 @@ pub mod options {
     pub use crate::texture::TextureSize;
 }
 
-/// Plans as they were read: what [`Project::plan`] is made of.
+/// Plans as they were read: the types of [`Project::plan`].
 pub mod building {
     pub use crate::geometry::{Bounds, Point, Polygon, Region, Segment};
     pub use crate::plan::{
@@ -100,14 +100,14 @@ pub mod building {
     };
 }
 
-/// Furniture: what exists ([`Project::catalog`]), and what stands in a room ([`FinishedRoom::furnished`]).
+/// Furniture: the catalogue ([`Project::catalog`]) and the pieces of a room ([`FinishedRoom::furnished`]).
 pub mod furniture {
     pub use crate::catalog::{Catalog, Class, ClassIndex, Side};
     pub use crate::geometry::Size;
     pub use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
 }
 
-/// What the audit says of a room ([`FinishedRoom::verdict`]).
+/// The verdict of the audit on a room ([`FinishedRoom::verdict`]).
 pub mod judgement {
     pub use crate::audit::{Code, Finding, Grade, Quantity, Score, Severity, Unit, Verdict};
     pub use crate::edits::Misfit;
@@ -116,8 +116,7 @@ pub mod judgement {
 #[doc(hidden)]
 pub use cli::run as run_command;
 
-/// What the tests, benches, examples and fuzz targets of this package use of its inside. No part of the interface: it changes
-/// without notice. A name that none of them uses any more is taken out here, and the compiler says whether anything else
-/// still needs it.
+/// Internal names for the tests, benches, examples and fuzz targets of this package; no part of the interface, and changed without
+/// notice. To find dead code, take out a name that none of them uses: the compiler says whether anything else needs it.
 #[doc(hidden)]
 pub mod internals;

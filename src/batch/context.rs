@@ -17,7 +17,7 @@ pub(crate) struct Context<'a> {
     pub(crate) models: &'a ModelLibrary,
     /// Models whose plain parts share a material; none where every slot keeps its material.
     pub(crate) swatched: Option<SwatchedModels>,
-    /// What writes levels.
+    /// The output format in this run.
     pub(crate) output: Box<dyn Output + 'a>,
     pub(crate) textures: Option<TextureLibrary>,
     pub(crate) shared: SharedFiles,

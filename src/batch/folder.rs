@@ -23,7 +23,7 @@ use std::time::SystemTime;
 use super::fault::{FaultCode, OutputFault};
 use super::journal::{Journal, JournalLine};
 use super::record::{FileRecord, LevelKey, LevelRecord};
-use super::sources::{Found, RecordHead, Sources, Written, manifest_paths};
+use super::sources::{FoundRecord, RecordHead, Sources, Written, manifest_paths};
 use super::state::{
     JOURNAL_NAME, Runs, check_state, create_state, drop_temporary_files, find_runs, lock_state, start_run,
 };
@@ -141,7 +141,7 @@ impl Known {
         let recorded = manifests.iter().filter_map(written_at).min();
         let sources = Sources::read(&manifests, &runs.journals())?;
         let contents = sources.contents(is_forced)?;
-        let newest = |(key, mut found): (LevelKey, Vec<Found<'_>>)| {
+        let newest = |(key, mut found): (LevelKey, Vec<FoundRecord<'_>>)| {
             let last = found.pop()?;
             Some((key, (last.program, last.head)))
         };

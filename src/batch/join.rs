@@ -11,7 +11,7 @@ use super::manifest::{Listed, MANIFEST_NAME, without_own_program, write_manifest
 use super::options::Shard;
 use super::options::Unplanned;
 use super::record::{LevelKey, LevelRecord, Totals};
-use super::sources::{Contents, Found, Sources, manifest_paths};
+use super::sources::{Contents, FoundRecord, Sources, manifest_paths};
 use super::state::{
     JOINING_PREFIX, Runs, check_state, create_state, find_runs, lock_state, remove_runs, state_folder,
 };
@@ -171,16 +171,16 @@ fn write_joined(
     let temporary = new_temporary(&state_folder(root), JOINING_PREFIX).map_err(fault)?;
     let (former, current): (Vec<_>, Vec<_>) =
         contents.levels.iter().partition(|(key, _)| apart.levels.contains(*key));
-    let read = |found: &[Found<'_>]| found.iter().map(Found::read).next_back();
+    let read = |found: &[FoundRecord<'_>]| found.iter().map(FoundRecord::read).next_back();
     let former: io::Result<Vec<LevelRecord>> =
         former.into_iter().filter_map(|(_, found)| read(found)).collect();
     let former_levels = former.map_err(fault)?.into_iter().map(without_own_program).collect();
     let listed =
         Listed { library: &contents.library, former_levels, former_files: apart.files.iter().collect() };
-    let is_whole = |found: &&Found<'_>| found.head.files.iter().all(|file| is_there(root, file));
+    let is_whole = |found: &&FoundRecord<'_>| found.head.files.iter().all(|file| is_there(root, file));
     let in_place = current.into_iter().filter_map(|(_, found)| found.last()).filter(is_whole);
     let mut out = BufWriter::new(temporary);
-    let totals = write_manifest(&mut out, in_place.map(Found::read), &listed).map_err(fault)?;
+    let totals = write_manifest(&mut out, in_place.map(FoundRecord::read), &listed).map_err(fault)?;
     out.flush().map_err(fault)?;
     let temporary = out.into_inner().map_err(|error| fault(error.into_error()))?;
     temporary.persist(target).map_err(|failed| fault(failed.error))?;

@@ -6,7 +6,7 @@ use crate::output::LevelOptions;
 /// How a bake goes. Beside `level`, nothing changes a byte of a level.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BakeOptions {
-    /// What the files of levels depend on.
+    /// The options that the files of levels depend on.
     pub level: LevelOptions,
     /// Threads; more bake faster and hold more levels in memory. Default 1.
     pub threads: usize,

@@ -32,7 +32,7 @@ type ManifestBytes = Result<Vec<u8>, String>;
 #[derive(Default)]
 pub(crate) struct Contents<'a> {
     /// The records of each level, oldest first, each with the program that wrote it; never none.
-    pub(crate) levels: BTreeMap<LevelKey, Vec<Found<'a>>>,
+    pub(crate) levels: BTreeMap<LevelKey, Vec<FoundRecord<'a>>>,
     /// Every content that this program wrote or was about to write, by path.
     pub(crate) written: Written,
     /// Shared geometry by path.
@@ -60,7 +60,7 @@ pub(crate) struct Content {
 }
 
 /// A record as text.
-pub(crate) struct Found<'a> {
+pub(crate) struct FoundRecord<'a> {
     /// The run or shard that wrote it.
     pub(crate) program: String,
     /// Its deciding part.
@@ -82,7 +82,7 @@ pub(crate) struct RecordHead {
     pub(crate) totals: Totals,
 }
 
-impl Found<'_> {
+impl FoundRecord<'_> {
     /// The whole record, which names its program.
     ///
     /// # Errors
@@ -215,7 +215,7 @@ impl<'a> Contents<'a> {
         let LevelRecord { inputs, files, library, totals, .. } = record;
         let head = RecordHead { inputs, files, library, totals };
         let program = record.program.unwrap_or_else(|| program.to_owned());
-        self.levels.entry(key.clone()).or_default().push(Found { program, head, text });
+        self.levels.entry(key.clone()).or_default().push(FoundRecord { program, head, text });
         Ok(key)
     }
 
@@ -243,7 +243,7 @@ impl<'a> Contents<'a> {
 
 /// The position of the record of what lies on the disk: normally the newest. Where runs with different inputs wrote the same
 /// level at the same time, the files say who came last.
-fn choose(root: &Path, found: &[Found<'_>]) -> usize {
+fn choose(root: &Path, found: &[FoundRecord<'_>]) -> usize {
     let newest = found.len().saturating_sub(1);
     if found.iter().all(|other| other.head.files == found[newest].head.files) {
         return newest;

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::fault::OutputFault;
 use super::in_place::is_in_place;
 use super::record::{FileRecord, LevelKey};
-use super::sources::{Contents, Found};
+use super::sources::{Contents, FoundRecord};
 use crate::disk::look_inside;
 
 /// The leftovers of earlier bakes, and their treatment. All lists are sorted.
@@ -136,7 +136,7 @@ fn used_paths<'a>(contents: &'a Contents<'_>, is_used: impl Fn(&LevelKey) -> boo
     used.flat_map(|found| own_paths(found).chain(found.head.library.iter().map(String::as_str))).collect()
 }
 
-fn own_paths<'a>(found: &'a Found<'_>) -> impl Iterator<Item = &'a str> {
+fn own_paths<'a>(found: &'a FoundRecord<'_>) -> impl Iterator<Item = &'a str> {
     found.head.files.iter().map(|file| file.path.as_str())
 }
 

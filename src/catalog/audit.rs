@@ -12,7 +12,7 @@ use crate::document::Source;
 /// The file in a folder of configuration, without its extension.
 pub(crate) const AUDIT_FILE: &str = "audit";
 
-/// What a threshold measures; in the file degrees, in memory radians.
+/// The measure of a threshold. Angles are degrees in the file and radians in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unit {
     /// Metres.

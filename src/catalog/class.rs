@@ -69,7 +69,7 @@ pub struct Class {
     pub shape: Shape,
     /// Where it may stand, best first.
     pub parents: Vec<ParentRule>,
-    /// What its own sides offer to children, by [`Side::index`].
+    /// The places that its own sides offer to children, by [`Side::index`].
     pub sides: [SideOffer; 6],
     /// Regions before its sides that no body may enter.
     pub clearances: Vec<Clearance>,
@@ -89,7 +89,7 @@ pub struct Class {
     pub is_joint: bool,
     /// The walls that it likes.
     pub walls: WallWishes,
-    /// What is given up first when room is short: lower goes first.
+    /// Pieces with a lower number are given up first when room is short.
     pub priority: i32,
     /// The eras whose styles it is drawn in; empty for any.
     pub eras: Vec<Era>,
@@ -157,7 +157,7 @@ impl Class {
         self.sizes[(variant / self.looks) as usize]
     }
 
-    /// What a side offers.
+    /// The places of a side.
     #[must_use]
     pub fn offer(&self, side: Side) -> &SideOffer {
         &self.sides[side.index()]
@@ -167,7 +167,7 @@ impl Class {
 /// One way to stand somewhere.
 #[derive(Clone, Debug)]
 pub struct ParentRule {
-    /// What to stand on or beside.
+    /// The parent to stand on or beside.
     pub parent: ParentName,
     /// The parent's sides that will do, best first.
     pub sides: Vec<Side>,
@@ -187,7 +187,7 @@ pub struct ParentRule {
     pub above_head: Option<f64>,
 }
 
-/// What a class may name as its parent.
+/// A parent as a class may name it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParentName {
     /// The floor of the room.
@@ -254,7 +254,7 @@ pub enum Along {
     Front,
 }
 
-/// What one side of a class offers to children.
+/// The places that one side of a class offers to children.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideOffer {
     /// How many children; zero for none.
@@ -300,7 +300,7 @@ impl Clearance {
 /// A wish about another object, scored when candidates are compared.
 #[derive(Clone, Debug)]
 pub struct Relation {
-    /// What is wished.
+    /// The kind of wish.
     pub kind: RelationKind,
     /// Of what: classes by sorted index, or a room part.
     pub target: ParentName,

@@ -55,7 +55,7 @@ pub(crate) const BUILTIN_LAYER: usize = 0;
 
 /// One file and where it belongs.
 #[derive(Debug)]
-struct Place {
+struct FilePlace {
     kind: FileKind,
     layer: usize,
     /// Its path below the folder, with `/`: the same wherever the folder stands.
@@ -65,7 +65,7 @@ struct Place {
 /// The files of all folders in order: built-in first, then each folder's by path.
 #[derive(Debug, Default)]
 pub(crate) struct Files {
-    places: Vec<Place>,
+    places: Vec<FilePlace>,
     /// The texts, in the same order.
     pub(crate) sources: Vec<Source>,
     /// Files that could not be read.
@@ -99,7 +99,7 @@ impl Files {
         for file in builtin_files() {
             if let Some(kind) = kind_of(file.path) {
                 self.sources.push(Source::new(&Path::new(BUILTIN_FOLDER).join(file.path), file.text));
-                self.places.push(Place { kind, layer, key: file.path.to_owned() });
+                self.places.push(FilePlace { kind, layer, key: file.path.to_owned() });
             }
         }
     }
@@ -124,7 +124,7 @@ impl Files {
             match Source::read(&folder.join(&key)) {
                 Ok(source) => {
                     self.sources.push(source);
-                    self.places.push(Place { kind, layer, key });
+                    self.places.push(FilePlace { kind, layer, key });
                 }
                 Err(faults) => self.faults.merge(faults),
             }

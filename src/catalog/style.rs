@@ -134,23 +134,23 @@ pub struct Style {
     pub programmes: BTreeMap<String, Vec<Request>>,
     /// Lines added to the programme, by room type.
     pub additions: BTreeMap<String, Vec<Request>>,
-    /// What its furniture is shaped like.
+    /// The shapes of its furniture.
     pub geometry: GeometrySet,
-    /// What its materials look like.
+    /// The look of its materials.
     pub palette: PaletteRef,
     /// How untidy.
     pub untidiness: Untidiness,
     /// Factor on the counts of lines that are not required; 1 is as written.
     pub density: f64,
-    /// Who gets about in the rooms.
+    /// The people who move about in its rooms.
     pub access: Access,
     /// When the furniture is from, if that matters.
     pub era: Option<Era>,
-    /// What it may cost, from [`WEALTH`], if that matters.
+    /// The cost of its furniture, from [`WEALTH`], if that matters.
     pub wealth: Option<u32>,
 }
 
-/// What furniture costs, lowest and highest: 1 is cheap, 2 usual, 3 dear.
+/// Lowest and highest cost of furniture: 1 is cheap, 2 usual, 3 expensive.
 pub const WEALTH: (u32, u32) = (1, 3);
 
 /// How people move in a room.

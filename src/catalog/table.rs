@@ -51,7 +51,7 @@ impl<T> Clone for Chain<'_, T> {
 }
 
 /// A value with the definition that it is written in.
-pub(crate) struct Found<'a, T, V: ?Sized> {
+pub(crate) struct FoundValue<'a, T, V: ?Sized> {
     /// The value.
     pub(crate) value: &'a V,
     /// Where it is written.
@@ -71,9 +71,13 @@ impl<'a, T> Chain<'a, T> {
         &self,
         key: &str,
         get: impl Fn(&'a T) -> Option<&'a V>,
-    ) -> Option<Found<'a, T, V>> {
+    ) -> Option<FoundValue<'a, T, V>> {
         self.0.iter().find_map(|&definition| {
-            get(&definition.entry).map(|value| Found { value, spot: definition.spot.key(key), definition })
+            get(&definition.entry).map(|value| FoundValue {
+                value,
+                spot: definition.spot.key(key),
+                definition,
+            })
         })
     }
 }

@@ -1,4 +1,4 @@
-//! What commands answer with `--json`. The JSON Schemas of these types are published in `configs/schema/answers/`.
+//! The answers of commands with `--json`. The JSON Schemas of these types are published in `configs/schema/answers/`.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -342,7 +342,7 @@ pub(crate) struct ExplainedObject<'a> {
     pub(crate) story: &'a ObjectStory,
     /// Class id.
     pub(crate) class: &'a str,
-    /// What it stands on or belongs to.
+    /// The object or room part that it stands on or belongs to.
     pub(crate) parent: ElementId,
     /// The parent's side that it touches.
     pub(crate) side: Side,

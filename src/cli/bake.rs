@@ -305,10 +305,10 @@ fn show_misfits(report: &BakeReport, screen: Screen) {
 /// Commands to try after the demo.
 const NEXT_STEPS: &str = "\
 Open a .glb in Blender or any glTF viewer, or try next:
-  roomwright draw --out drawings     the same levels as SVG
-  roomwright bake --seed 2 --out out2     other rooms
-  roomwright bake PLAN.yaml --out out     your own plan; `roomwright check PLAN.yaml` explains its faults
-  roomwright catalog rooms     what rooms there are and what they hold";
+  roomwright draw --out drawings         the same levels as SVG
+  roomwright bake --seed 2 --out out2    the same plans with other arrangements
+  roomwright bake PLAN.yaml --out out    your own plan; `roomwright check PLAN.yaml` reports its faults
+  roomwright catalog rooms               the room types and their furniture";
 
 fn outcome(run: &Run, report: &BakeReport) -> Outcome {
     let nothing_done = report.baked + report.kept == 0 && !report.failures.is_empty();

@@ -22,7 +22,7 @@ use crate::plan::{PlanReading, project_settings};
 use crate::read_back::{Survey, parse_survey, read_bytes};
 
 /// New edits, where they go, and what else is to be said.
-struct Found {
+struct NewEdits {
     file: PathBuf,
     entries: Vec<RoomEntry>,
     notes: Faults,
@@ -42,25 +42,25 @@ pub(crate) fn run(command: EditsCommand, screen: Screen) -> Outcome {
     })
 }
 
-fn find(command: EditsCommand) -> Result<Found, Faults> {
+fn find(command: EditsCommand) -> Result<NewEdits, Faults> {
     match command {
         EditsCommand::Capture { old, edited, edits, cache, catalog } => {
             let catalog = load_catalog(&catalog)?.value;
             let (before, after) = (survey(&old)?, survey(&edited)?);
             let Captured { entries, notes } = capture(&before, &after, &catalog, &edited)?;
-            Ok(Found { file: file_of(edits, cache, &old, &after)?, entries, notes })
+            Ok(NewEdits { file: file_of(edits, cache, &old, &after)?, entries, notes })
         }
         EditsCommand::Lock { floor, room, objects, edits, cache } => {
             let survey = survey(&floor)?;
             let entry =
                 lock_objects(&survey, &room, &objects).map_err(|message| Fault::of_file(&floor, message))?;
             let file = file_of(edits, cache, &floor, &survey)?;
-            Ok(Found { file, entries: vec![entry], notes: Faults::default() })
+            Ok(NewEdits { file, entries: vec![entry], notes: Faults::default() })
         }
         EditsCommand::Reroll { plan, room, to, edits, catalog } => {
             let file = edits.unwrap_or_else(|| edits_path(&plan));
             let entry = rolled(&plan, catalog, &file, &room, to)?;
-            Ok(Found { file, entries: vec![entry], notes: Faults::default() })
+            Ok(NewEdits { file, entries: vec![entry], notes: Faults::default() })
         }
     }
 }
@@ -123,7 +123,7 @@ fn file_of(
 }
 
 /// Adds the edits to what the file says already.
-fn write(found: &Found) -> Result<(), Faults> {
+fn write(found: &NewEdits) -> Result<(), Faults> {
     if found.entries.is_empty() {
         return Ok(());
     }
@@ -136,8 +136,8 @@ fn write(found: &Found) -> Result<(), Faults> {
     })
 }
 
-fn report(found: &Found, screen: Screen) {
-    let Found { file, entries, notes } = found;
+fn report(found: &NewEdits, screen: Screen) {
+    let NewEdits { file, entries, notes } = found;
     if screen.is_json {
         let notes = notes.0.iter().map(|note| note.message.clone()).collect();
         return screen.json(&EditsAnswer { file: file.display().to_string(), edits: entries, notes });

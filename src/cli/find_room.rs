@@ -23,14 +23,14 @@ pub(crate) struct Wanted<'w> {
 
 /// A room in its building.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Found<'a> {
+pub(crate) struct FoundRoom<'a> {
     /// The building.
     pub(crate) placed: &'a PlacedBuilding,
     /// The room.
     pub(crate) at: RoomRef<'a>,
 }
 
-impl<'a> Found<'a> {
+impl<'a> FoundRoom<'a> {
     /// Ids of building, level and room.
     pub(crate) fn ids(&self) -> [&'a str; 3] {
         [&self.placed.id, &self.at.level.id, &self.at.room.id]
@@ -50,7 +50,7 @@ impl<'a> Found<'a> {
 pub(crate) fn find_room<'a>(
     buildings: &'a [PlacedBuilding],
     wanted: Wanted<'_>,
-) -> Result<Found<'a>, Faults> {
+) -> Result<FoundRoom<'a>, Faults> {
     let is_wanted = |wanted: Option<&str>, id: &str| wanted.is_none_or(|wanted| wanted == id);
     let in_buildings: Vec<&PlacedBuilding> =
         buildings.iter().filter(|placed| is_wanted(wanted.building, &placed.id)).collect();
@@ -65,15 +65,15 @@ pub(crate) fn find_room<'a>(
         return Err(unknown("level", id, levels.iter().map(|(_, level)| level.id.clone()).collect()));
     }
     let of_level = |&(placed, level): &(&'a PlacedBuilding, &'a Level)| {
-        (0..level.rooms.len()).map(move |room| Found { placed, at: level.room(room) })
+        (0..level.rooms.len()).map(move |room| FoundRoom { placed, at: level.room(room) })
     };
-    let all: Vec<Found<'a>> = in_levels.into_iter().flat_map(of_level).collect();
+    let all: Vec<FoundRoom<'a>> = in_levels.into_iter().flat_map(of_level).collect();
     choose(wanted, &all)
 }
 
-fn choose<'a>(wanted: Wanted<'_>, all: &[Found<'a>]) -> Result<Found<'a>, Faults> {
+fn choose<'a>(wanted: Wanted<'_>, all: &[FoundRoom<'a>]) -> Result<FoundRoom<'a>, Faults> {
     let words = wanted.room;
-    let mut found: Vec<&Found<'a>> = all.iter().filter(|found| found.is_called(words)).collect();
+    let mut found: Vec<&FoundRoom<'a>> = all.iter().filter(|found| found.is_called(words)).collect();
     if found.is_empty() {
         found = all.iter().filter(|found| found.at.room.name.as_deref() == Some(words)).collect();
     }
@@ -91,7 +91,7 @@ fn choose<'a>(wanted: Wanted<'_>, all: &[Found<'a>]) -> Result<Found<'a>, Faults
 }
 
 /// Suggests a room of similar id or name, or names all by their shortest ids if they are few.
-fn no_room(wanted: Wanted<'_>, all: &[Found<'_>]) -> Fault {
+fn no_room(wanted: Wanted<'_>, all: &[FoundRoom<'_>]) -> Fault {
     let message = match wanted.room {
         "" => "which room?".to_owned(),
         words => format!("no room \"{words}\""),

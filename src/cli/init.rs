@@ -66,7 +66,7 @@ fn start_files(folder: &Path) -> Vec<StartFile> {
     });
     let schemas = SCHEMAS.map(|path| StartFile {
         path: folder.join(path),
-        about: "the keys of such a file; editors complete and check by it",
+        about: "a JSON Schema, by which editors complete and check such files",
         text: text(path),
     });
     start.into_iter().chain(schemas).collect()

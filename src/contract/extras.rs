@@ -132,7 +132,7 @@ impl Closure {
 }
 
 impl OpeningExtras {
-    /// What `parent` and findings call it, and the name of its node.
+    /// Its id in `parent` and in findings, and the name of its node.
     #[must_use]
     pub fn element(&self) -> ElementId {
         ElementId::opening(&self.id, self.closure == Closure::Window)
@@ -196,7 +196,7 @@ pub struct RoomExtras {
     /// The audit's score from 0 to 1; none if no piece was requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<f64>,
-    /// What the audit found when the floor was baked. Those that cannot be read are none: an audit of today judges anew.
+    /// The findings of the audit when the floor was baked. Findings that cannot be read are dropped: a new audit judges again.
     #[serde(default, deserialize_with = "or_default")]
     pub findings: Vec<FindingExtras>,
 }
@@ -216,7 +216,7 @@ pub struct RemovedExtras {
 /// The findings of the audit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FindingExtras {
-    /// What kind.
+    /// Its kind.
     pub code: Word,
     /// `given`, `minor` or `failed`.
     #[serde(default)]
@@ -334,7 +334,7 @@ fn seed_if_any<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<u64>
     Ok(seed(Value::deserialize(deserializer)?).ok())
 }
 
-/// What can be read, else nothing.
+/// The value if it can be read, else nothing.
 fn or_default<'de, T, D>(deserializer: D) -> Result<T, D::Error>
 where
     T: DeserializeOwned + Default,

@@ -94,7 +94,7 @@ impl ElementId {
         if is_window { Self::Window(id.to_owned()) } else { Self::Door(id.to_owned()) }
     }
 
-    /// What kind of element it is: the word before the number or the id; of objects, the class.
+    /// The kind of element: the word before the number or the id; for objects, the class.
     #[must_use]
     pub fn kind(&self) -> &str {
         match self {
@@ -170,7 +170,7 @@ impl FromStr for ElementId {
     }
 }
 
-/// What stands before the last dot, and the number after it.
+/// The text before the last dot, and the number after it.
 fn split(text: &str) -> Result<(&str, usize), IdProblem> {
     let parts = text.rsplit_once('.').filter(|(word, _)| !word.is_empty());
     let found = parts.and_then(|(word, number)| Some((word, number.parse().ok()?)));

@@ -9,7 +9,7 @@ use super::tolerance::{round_degrees, round_metres};
 /// One difference of a room, a level or an object.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Change {
-    /// What kind.
+    /// Its kind.
     pub kind: Kind,
     /// The subject: an object's or opening's id, a class, a code of the audit; empty for the room or level.
     pub id: String,

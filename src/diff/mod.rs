@@ -92,12 +92,12 @@ pub fn compare(old: &Path, new: &Path, options: &DiffOptions<'_>) -> Result<(Rep
 
 /// The result for one pair of levels; no difference if both are the same.
 #[derive(Default)]
-struct Found {
+struct ComparedLevel {
     diff: Option<LevelDiff>,
     faults: Vec<Fault>,
 }
 
-fn finish(mut report: Report, found: Vec<Found>) -> (Report, Faults) {
+fn finish(mut report: Report, found: Vec<ComparedLevel>) -> (Report, Faults) {
     let identical = found.iter().filter(|level| level.diff.is_none()).count();
     let mut faults = Vec::new();
     for level in found {
@@ -117,7 +117,7 @@ fn finish(mut report: Report, found: Vec<Found>) -> (Report, Faults) {
 }
 
 /// One pair a thread, collected in the order of building and level.
-fn compare_folders(old: &Folder, new: &Folder, options: &DiffOptions<'_>) -> Vec<Found> {
+fn compare_folders(old: &Folder, new: &Folder, options: &DiffOptions<'_>) -> Vec<ComparedLevel> {
     let pairs = pair_up(&old.levels, &new.levels);
     let (done, all) = (AtomicUsize::new(0), pairs.len());
     let compare = |pair: &Pair<'_>| {
@@ -133,7 +133,7 @@ fn compare_folders(old: &Folder, new: &Folder, options: &DiffOptions<'_>) -> Vec
 }
 
 /// A level on one side only: reported from its record, not opened.
-fn lone_level(entry: &Entry, state: Presence) -> Found {
+fn lone_level(entry: &Entry, state: Presence) -> ComparedLevel {
     let file = entry.files.first().map(|file| file.path.clone());
     let worth = Worth::Numbers(vec![entry.totals.rooms as f64, entry.totals.placed as f64]);
     let (old, new) = if state == Presence::Removed { (Some(worth), None) } else { (None, Some(worth)) };
@@ -151,7 +151,7 @@ fn lone_level(entry: &Entry, state: Presence) -> Found {
         changes,
         rooms: Vec::new(),
     };
-    Found { diff: Some(diff), faults: Vec::new() }
+    ComparedLevel { diff: Some(diff), faults: Vec::new() }
 }
 
 /// A level of both folders.
@@ -161,7 +161,7 @@ fn compare_entries(
     new: &Folder,
     after: &Entry,
     options: &DiffOptions<'_>,
-) -> Found {
+) -> ComparedLevel {
     let frame = LevelDiff {
         building: after.building.clone(),
         level: after.level.clone(),
@@ -176,7 +176,7 @@ fn compare_entries(
         (before, after) => return unreadable(frame, [before.err(), after.err()]),
     };
     if current.0.hashes == current.1.hashes {
-        return Found::default();
+        return ComparedLevel::default();
     }
     match (old.main_file(before), new.main_file(after)) {
         (Ok(before), Ok(after)) => {
@@ -189,7 +189,7 @@ fn compare_entries(
 }
 
 /// Two single files: nothing says whether they are as they were baked, so both are judged as they are now.
-fn compare_files(old: &Path, new: &Path, options: &DiffOptions<'_>) -> Found {
+fn compare_files(old: &Path, new: &Path, options: &DiffOptions<'_>) -> ComparedLevel {
     let frame = LevelDiff {
         building: String::new(),
         level: String::new(),
@@ -201,7 +201,7 @@ fn compare_files(old: &Path, new: &Path, options: &DiffOptions<'_>) -> Found {
     };
     let is_same = read::is_same_content(old, new);
     let found = match is_same {
-        Ok(true) => Found::default(),
+        Ok(true) => ComparedLevel::default(),
         Ok(false) => {
             let [old, new] = [old, new].map(|path| LevelFile { path, is_edited: true });
             compare_paths(frame, old, new, options)
@@ -212,9 +212,9 @@ fn compare_files(old: &Path, new: &Path, options: &DiffOptions<'_>) -> Found {
     found
 }
 
-fn unreadable(frame: LevelDiff, faults: [Option<Fault>; 2]) -> Found {
+fn unreadable(frame: LevelDiff, faults: [Option<Fault>; 2]) -> ComparedLevel {
     let diff = LevelDiff { state: Presence::Unreadable, ..frame };
-    Found { diff: Some(diff), faults: faults.into_iter().flatten().collect() }
+    ComparedLevel { diff: Some(diff), faults: faults.into_iter().flatten().collect() }
 }
 
 /// A file to compare.
@@ -230,7 +230,7 @@ fn compare_paths(
     old: LevelFile<'_>,
     new: LevelFile<'_>,
     options: &DiffOptions<'_>,
-) -> Found {
+) -> ComparedLevel {
     let (before, after) = match [old, new].map(|file| read::read(file.path, file.is_edited, options.catalog))
     {
         [Ok(before), Ok(after)] => (before, after),
@@ -244,7 +244,7 @@ fn compare_paths(
         rooms: differences.rooms,
         ..frame
     };
-    Found { diff: Some(diff), faults: before.faults.into_iter().chain(after.faults).collect() }
+    ComparedLevel { diff: Some(diff), faults: before.faults.into_iter().chain(after.faults).collect() }
 }
 
 /// A path as reports show it: with `/` on every system.

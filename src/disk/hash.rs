@@ -20,7 +20,7 @@ pub(crate) fn content_hash(bytes: &[u8]) -> String {
 /// [`content_hash`] of what a file holds, however long it is, in the memory of one piece.
 ///
 /// # Errors
-/// What the system says.
+/// The message of the system.
 pub(crate) fn file_hash(mut file: File) -> io::Result<String> {
     const PIECE: usize = 1 << 16;
     let mut hash = Sha256::new();

@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::fault::PathStep;
 use super::schema::{JsonType, SchemaFault, SchemaProblem};
 
-/// What is wrong with a value that fits none of several alternatives.
+/// The problems of a value that fits none of several alternatives.
 pub(super) enum Choice<'a> {
     /// The value is no alternative's type; the types that would do.
     Types(Vec<JsonType>),

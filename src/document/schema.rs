@@ -13,11 +13,11 @@ use super::fault::PathStep;
 pub(super) struct SchemaFault {
     /// The value, from the root of the document.
     pub(super) path: Vec<PathStep>,
-    /// What is wrong with it.
+    /// Its problem.
     pub(super) problem: SchemaProblem,
 }
 
-/// What is wrong with a value.
+/// The problem of a value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum SchemaProblem {
     /// A mapping has a key that the schema does not know.

@@ -285,7 +285,7 @@ const UPRIGHT_HINT: &str = "furniture is moved, and turned about the vertical";
 
 const MESH_HINT: &str = "move objects, not their vertices, and do not apply transforms (Ctrl+A)";
 
-/// What the extras of an object say that it is.
+/// The class, number and variant in the extras of an object.
 fn said_variant(object: &SurveyedObject) -> VariantId {
     VariantId { class: object.class.clone(), number: object.variant }
 }

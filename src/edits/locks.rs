@@ -1,7 +1,7 @@
 //! Prepares locked objects for the layout.
 
 use super::book::RoomEdits;
-use super::tree::{Place, usual_place, usual_side};
+use super::tree::{ObjectPlace, usual_place, usual_side};
 use crate::catalog::Catalog;
 use crate::contract::{ElementId, ObjectId};
 use crate::layout::{Lock, LockSupport, Parent};
@@ -25,7 +25,7 @@ pub(super) fn locks(at: RoomRef<'_>, edits: &RoomEdits, catalog: &Catalog) -> Ve
             _ => return None,
         };
         let usual = usual_place(part.unwrap_or(Parent::Floor), size, at.room);
-        let Place { position, elevation, angle } = usual.edited(entry);
+        let ObjectPlace { position, elevation, angle } = usual.edited(entry);
         let says_height = part.is_some() || entry.at.as_ref().is_some_and(|at| at.len() == 3);
         Some(Lock {
             class,

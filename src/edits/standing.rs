@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::tree::Place;
+use super::tree::ObjectPlace;
 use crate::contract::{ElementId, ObjectId};
 use crate::geometry::Point;
 use crate::read_back::{Survey, SurveyedObject, SurveyedPlace};
@@ -52,7 +52,7 @@ impl<'a> Floor<'a> {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Standing {
     pub(super) parent: String,
-    pub(super) place: Place,
+    pub(super) place: ObjectPlace,
 }
 
 /// Room and id of each object of a level as it was baked.
@@ -60,13 +60,13 @@ pub(super) fn own_keys(survey: &Survey) -> Vec<Option<Key>> {
     survey.objects.iter().map(|object| Some((object.room.clone()?, object.id.clone()))).collect()
 }
 
-fn level_place(place: &SurveyedPlace) -> Place {
+fn level_place(place: &SurveyedPlace) -> ObjectPlace {
     let DVec3 { x, y, z } = place.position;
-    Place { position: Point::new(x, y), elevation: z, angle: place.angle }
+    ObjectPlace { position: Point::new(x, y), elevation: z, angle: place.angle }
 }
 
 /// Where it stands now, if that is elsewhere.
-pub(super) fn moved(was: Option<&Standing>, is: &Place) -> Option<Vec<f64>> {
+pub(super) fn moved(was: Option<&Standing>, is: &ObjectPlace) -> Option<Vec<f64>> {
     let place = |elevation: bool| {
         let height = elevation.then_some(is.elevation);
         [is.position.x, is.position.y].into_iter().chain(height).map(round).collect()
@@ -77,7 +77,7 @@ pub(super) fn moved(was: Option<&Standing>, is: &Place) -> Option<Vec<f64>> {
 }
 
 /// How it is turned now, if that is another way; degrees.
-pub(super) fn turned(was: Option<&Standing>, is: &Place) -> Option<f64> {
+pub(super) fn turned(was: Option<&Standing>, is: &ObjectPlace) -> Option<f64> {
     let degrees = wrapped(is.angle.to_degrees());
     let by = was.map_or(f64::INFINITY, |was| wrapped(was.place.angle.to_degrees() - degrees).abs());
     (by > SAME_TURN).then(|| round(degrees))

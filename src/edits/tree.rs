@@ -25,9 +25,9 @@ pub(super) struct Object {
     pub(super) on: Parent,
     pub(super) side: Side,
     /// In the frame of the object that it stands on, else in that of the level.
-    pub(super) place: Place,
+    pub(super) place: ObjectPlace,
     /// Where it was arranged, in the level, unless it was moved.
-    pub(super) arranged: Option<Place>,
+    pub(super) arranged: Option<ObjectPlace>,
     pub(super) variant: u32,
     pub(super) size: Size,
     pub(super) is_gone: bool,
@@ -35,7 +35,7 @@ pub(super) struct Object {
 
 /// Where an object is, in some frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct ObjectPlace {
     /// Metres.
     pub(super) position: Point,
     /// Metres above the frame's origin.
@@ -44,7 +44,7 @@ pub(super) struct Place {
     pub(super) angle: f64,
 }
 
-impl Place {
+impl ObjectPlace {
     /// As seen from a frame.
     pub(super) fn seen_from(&self, frame: &Self) -> Self {
         let (across, offset) = (direction(frame.angle), self.position - frame.position);
@@ -86,9 +86,9 @@ impl Tree {
     pub(super) fn new(furnished: &Furnished) -> Self {
         let placements = &furnished.placements;
         let object = |placement: &Placement| {
-            let arranged = Place::of(placement);
+            let arranged = ObjectPlace::of(placement);
             let place = match placement.parent {
-                Parent::Object(parent) => arranged.seen_from(&Place::of(&placements[parent])),
+                Parent::Object(parent) => arranged.seen_from(&ObjectPlace::of(&placements[parent])),
                 _ => arranged,
             };
             Object {
@@ -174,7 +174,7 @@ impl Tree {
     }
 
     /// The place of an object in the level: exactly where it was arranged, unless it was moved.
-    pub(super) fn place_in_level(&self, object: usize) -> Place {
+    pub(super) fn place_in_level(&self, object: usize) -> ObjectPlace {
         let Object { on, place, arranged, .. } = &self.objects[object];
         match *on {
             Parent::Object(parent) => match arranged.filter(|_| self.stays(parent)) {
@@ -204,7 +204,7 @@ impl Tree {
         }
         let placement = |&object: &usize| {
             let Object { class, number, on, side, variant, size, .. } = self.objects[object].clone();
-            let Place { position, elevation, angle } = self.place_in_level(object);
+            let ObjectPlace { position, elevation, angle } = self.place_in_level(object);
             let parent = match on {
                 Parent::Object(parent) => Parent::Object(index_of[parent].expect("parents come first")),
                 part => part,
@@ -227,14 +227,14 @@ impl Tree {
 }
 
 /// The height and turn of an object on a room part, for edits that name neither.
-pub(super) fn usual_place(on: Parent, size: Size, room: &Room) -> Place {
-    let floor = Place { position: Point::ZERO, elevation: 0.0, angle: 0.0 };
+pub(super) fn usual_place(on: Parent, size: Size, room: &Room) -> ObjectPlace {
+    let floor = ObjectPlace { position: Point::ZERO, elevation: 0.0, angle: 0.0 };
     match on {
-        Parent::Ceiling => Place { elevation: room.height - size.height, ..floor },
+        Parent::Ceiling => ObjectPlace { elevation: room.height - size.height, ..floor },
         Parent::Wall(wall) => {
             // With the back to it.
             let normal = room.walls[wall].normal();
-            Place { angle: libm::atan2(normal.x + 0.0, -normal.y), ..floor }
+            ObjectPlace { angle: libm::atan2(normal.x + 0.0, -normal.y), ..floor }
         }
         Parent::Floor | Parent::Opening(_) | Parent::Column(_) | Parent::Object(_) => floor,
     }

@@ -32,7 +32,7 @@ pub(crate) const GLTF: OutputFormat = OutputFormat {
     begin: |catalog, options| Box::new(GltfOutput::new(catalog, options, Container::Json)),
 };
 
-/// What holds the arrays.
+/// The container of the arrays.
 #[derive(Clone, Copy)]
 enum Container {
     Binary,
@@ -43,7 +43,7 @@ enum Container {
 struct GltfOutput<'a> {
     options: &'a LevelOptions,
     container: Container,
-    /// What other levels made of catalogue models.
+    /// Catalogue models that other levels have encoded.
     encoded: EncodedModels,
     /// None where each level carries its models.
     library: Option<GeometryLibrary<'a>>,

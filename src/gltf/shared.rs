@@ -54,7 +54,7 @@ fn file_name(key: &ModelKey, bytes: &[u8]) -> String {
     format!("{SHARED_GEOMETRY}/{}.{}.bin", key.variant, &hash[..NAME_DIGITS])
 }
 
-/// What is painted on a material, in any palette.
+/// The painting of a material, over all palettes.
 fn painting(catalog: &Catalog, material: &ModelMaterial, options: &LevelOptions) -> Painting {
     let has_textures = options.textures.size.is_some();
     let lacks_flat_normals = options.flat_normals == FlatNormals::Implied;

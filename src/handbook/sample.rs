@@ -50,7 +50,7 @@ const VEHICLE: &str = "vehicle";
 
 /// The facts that decide the shape of a sample and its openings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Place {
+enum SampleKind {
     /// A room with one door.
     Room,
     /// A room between two doors, that people pass through.
@@ -93,7 +93,7 @@ fn sample_level(catalog: &Catalog, room_type: &RoomType) -> Option<Level> {
     let size = size_of(room_type, place);
     let outline = [(0.0, 0.0), (size.x, 0.0), (size.x, size.y), (0.0, size.y)];
     let outline: Vec<Point> = outline.into_iter().map(|(x, y)| Point::new(x, y)).collect();
-    let railings = if place == Place::Outdoors { vec![railing(size)] } else { Vec::new() };
+    let railings = if place == SampleKind::Outdoors { vec![railing(size)] } else { Vec::new() };
     let draft = LevelDraft {
         id: room_type.id.clone(),
         name: room_type.label.clone(),
@@ -124,25 +124,25 @@ fn railing(size: Point) -> Vec<Point> {
     outer.into_iter().chain(inner).map(|(x, y)| Point::new(x, y)).collect()
 }
 
-fn place_of(catalog: &Catalog, room_type: &RoomType) -> Place {
+fn place_of(catalog: &Catalog, room_type: &RoomType) -> SampleKind {
     let mut classes = room_type.programme.iter().flat_map(|request| &request.classes);
     let hangs =
         |&class: &usize| catalog.classes[class].parents.iter().any(|rule| rule.parent == ParentName::Ceiling);
     if !classes.any(hangs) {
         // Whatever is furnished below a ceiling has a lamp.
-        return Place::Outdoors;
+        return SampleKind::Outdoors;
     }
     let excludes_work = room_type.excludes.iter().any(|group| group == WORK);
-    if excludes_work && room_type.density.1 <= WAY_DENSITY { Place::Way } else { Place::Room }
+    if excludes_work && room_type.density.1 <= WAY_DENSITY { SampleKind::Way } else { SampleKind::Room }
 }
 
 /// Metres from west to east and from south to north.
-fn size_of(room_type: &RoomType, place: Place) -> Point {
+fn size_of(room_type: &RoomType, place: SampleKind) -> Point {
     let (least, most) = room_type.area;
     let mean = if least > 0.0 { (least * most).sqrt() } else { USUAL };
     let area = mean.min(LARGEST).clamp(least, most);
     let proportion = match place {
-        Place::Way => PROPORTIONS.1,
+        SampleKind::Way => PROPORTIONS.1,
         _ if area < DOOR_AREAS.0 => PROPORTIONS.0.recip(),
         _ => PROPORTIONS.0,
     };
@@ -152,7 +152,7 @@ fn size_of(room_type: &RoomType, place: Place) -> Point {
 }
 
 /// The openings. Edges of the outline go around from the south wall: south, east, north, west.
-fn openings(catalog: &Catalog, room_type: &RoomType, place: Place, size: Point) -> Vec<OpeningDraft> {
+fn openings(catalog: &Catalog, room_type: &RoomType, place: SampleKind, size: Point) -> Vec<OpeningDraft> {
     const SOUTH: usize = 0;
     const EAST: usize = 1;
     const NORTH: usize = 2;
@@ -161,10 +161,10 @@ fn openings(catalog: &Catalog, room_type: &RoomType, place: Place, size: Point) 
     let edge = |index, length| Edge { index, length };
     let area = size.x * size.y;
     let mut openings = match place {
-        Place::Way => {
+        SampleKind::Way => {
             vec![door(names("west"), edge(WEST, size.y), area), door(names("east"), edge(EAST, size.y), area)]
         }
-        Place::Room | Place::Outdoors => vec![door(names("door"), edge(SOUTH, size.x), area)],
+        SampleKind::Room | SampleKind::Outdoors => vec![door(names("door"), edge(SOUTH, size.x), area)],
     };
     if holds(catalog, room_type, VEHICLE) {
         openings.push(gate(names("gate"), edge(EAST, size.y)));
@@ -176,13 +176,13 @@ fn openings(catalog: &Catalog, room_type: &RoomType, place: Place, size: Point) 
 }
 
 /// Whether people sit there, other than in a hall that is filled with seats.
-fn has_window(catalog: &Catalog, room_type: &RoomType, place: Place) -> bool {
+fn has_window(catalog: &Catalog, room_type: &RoomType, place: SampleKind) -> bool {
     let is_seat = |&class: &ClassIndex| catalog.classes[class].groups.iter().any(|group| group == SEAT);
     let is_filled = room_type
         .programme
         .iter()
         .any(|request| matches!(request.count, Count::Fill(_)) && request.classes.iter().any(is_seat));
-    place == Place::Room && !is_filled && holds(catalog, room_type, SEAT)
+    place == SampleKind::Room && !is_filled && holds(catalog, room_type, SEAT)
 }
 
 /// Whether a room of the type may hold something of a group.
@@ -270,7 +270,7 @@ mod tests {
             assert!(area > least * 0.95 && area < most * 1.05, "{}: {area}", room_type.id);
             let place = place_of(&catalog, room_type);
             let has_window = has_window(&catalog, room_type, place);
-            let has_two_ways = place == Place::Way || holds(&catalog, room_type, VEHICLE);
+            let has_two_ways = place == SampleKind::Way || holds(&catalog, room_type, VEHICLE);
             let count = 1 + usize::from(has_window) + usize::from(has_two_ways);
             assert_eq!(level.openings.len(), count, "{}", room_type.id);
         }
@@ -301,9 +301,9 @@ mod tests {
     fn the_kind_of_a_sample_follows_from_its_programme() {
         let catalog = load_catalog(&[]).unwrap().value;
         let place = |id: &str| place_of(&catalog, &catalog.room_types[id]);
-        assert_eq!(place("bedroom"), Place::Room);
-        assert_eq!(place("corridor"), Place::Way);
-        assert_eq!(place("ticket_hall"), Place::Room);
-        assert_eq!(place("balcony"), Place::Outdoors);
+        assert_eq!(place("bedroom"), SampleKind::Room);
+        assert_eq!(place("corridor"), SampleKind::Way);
+        assert_eq!(place("ticket_hall"), SampleKind::Room);
+        assert_eq!(place("balcony"), SampleKind::Outdoors);
     }
 }

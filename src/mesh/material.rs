@@ -1,4 +1,4 @@
-//! What a surface looks like.
+//! The look of a surface.
 
 /// A glTF metallic-roughness material.
 #[derive(Clone, Debug, PartialEq)]

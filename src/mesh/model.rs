@@ -21,7 +21,7 @@ pub struct Model {
 /// Triangles of one material; counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Primitive {
-    /// What it is made of.
+    /// Its material.
     pub material: ModelMaterial,
     /// Corners.
     pub positions: Vec<[f32; 3]>,
@@ -90,7 +90,7 @@ pub struct OwnMaterial {
     pub material: Material,
     /// Seen from both sides.
     pub is_double_sided: bool,
-    /// What its opacity means.
+    /// The meaning of its opacity.
     pub transparency: Transparency,
     /// Textures by use.
     pub textures: Vec<(TextureUse, Texture)>,
@@ -104,7 +104,7 @@ impl OwnMaterial {
     }
 }
 
-/// What the opacity of an [`OwnMaterial`] means.
+/// The meaning of the opacity of an [`OwnMaterial`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Transparency {
     /// Nothing (`OPAQUE`).
@@ -150,7 +150,7 @@ pub struct TextureSampler {
     pub minification: Option<MinFilter>,
 }
 
-/// What an image of an [`OwnMaterial`] is for.
+/// The use of an image of an [`OwnMaterial`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum TextureUse {
     /// Base colour and opacity.
@@ -168,7 +168,7 @@ pub enum TextureUse {
 /// An encoded image.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
-    /// What is in it, for people; users' images keep their file's.
+    /// A name for people; users' images keep that of their file.
     pub name: Option<String>,
     /// `image/png` or `image/jpeg`.
     pub mime_type: String,

@@ -1,6 +1,6 @@
 //! Class and variant to a mesh with materials: from the recipe of the class, or from a user's glTF.
 //!
-//! What later stages may rely on: a [`ModelLibrary`] gives a [`Model`] for every class, variant and geometry set;
+//! Later stages may rely on this: a [`ModelLibrary`] gives a [`Model`] for every class, variant and geometry set;
 //! the model's box is the class's box to 1 mm, its normals are unit vectors, its indices are valid, and equal
 //! requests give the same [`std::sync::Arc`].
 

@@ -23,7 +23,7 @@ pub(super) struct Container {
     pub(super) resources: Resources,
 }
 
-/// What a document says of extensions, read before the rest because some change what is required elsewhere.
+/// The extensions of a document, read before the rest because some change what is required elsewhere.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 #[derive(Default)]

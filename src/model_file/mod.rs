@@ -1,9 +1,10 @@
 //! Users' `.glb` and `.gltf` files to models.
 //!
-//! What is taken: triangles of the default scene with all node transforms applied, positions, normals (flat ones
+//! Taken are triangles of the default scene with all node transforms applied, positions, normals (flat ones
 //! where the file has none), texture coordinates with the transforms of the images that use them, the first set of vertex
-//! colours, materials with their five kinds of images and how those are sampled. What is left out: cameras, lights, points, lines, tangents, further sets
-//! of colours. What is refused, with a fault that names it: motion, compression, and whatever else would look wrong if it were left out.
+//! colours, materials with their five kinds of images and how those are sampled. Left out are cameras, lights, points, lines,
+//! tangents and further sets of colours. Rejected, with a fault that names it, is all that would look wrong if it were left out,
+//! such as motion and compression.
 
 mod accessor;
 mod container;

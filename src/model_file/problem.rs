@@ -1,4 +1,4 @@
-//! What is wrong with a user's model file, before the file is named.
+//! Problems of a user's model file, before the file is named.
 
 use std::path::Path;
 

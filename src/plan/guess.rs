@@ -17,7 +17,7 @@ use stack::Stack;
 
 /// Guesses of an input that are reported one by one; of the others, the level reports counts by type.
 const TOLD_GUESSES: usize = 20;
-/// What is said with every guess.
+/// The hint of every guess.
 const HINT: &str = "guessed by shape and neighbours: name the type if it is another";
 
 /// When a room without a known word is taken to be of a type. Ranges include their ends; what is left out may be anything.

@@ -1,8 +1,8 @@
-//! What furniture of a style is shaped like.
+//! Geometry sets: families of shapes, of which a style chooses one.
 
 use std::fmt;
 
-/// What furniture of a style is shaped like. Sets differ in shapes and construction; colours come from palettes.
+/// A family of shapes. Sets differ in shapes and construction; colours come from palettes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum GeometrySet {
     /// Bought cheaply: thin laminated boards, tubular steel, moulded plastic, no ornament.

@@ -1,10 +1,10 @@
-//! What a recipe is asked for.
+//! The input of a recipe, and the view of it that a form has.
 
 use super::geometry_set::GeometrySet;
 use super::kit::Sampler;
 use crate::geometry::Size;
 
-/// What a recipe is asked for.
+/// The request for a model.
 #[derive(Clone, Copy, Debug)]
 pub struct RecipeInput<'a> {
     /// Size of the box to fill, in metres.
@@ -26,7 +26,7 @@ pub(crate) struct Draft<'a> {
     pub(super) defaults: &'static [(&'static str, f64)],
     /// The geometry set that it serves with the form that is built.
     pub(super) set: GeometrySet,
-    /// What it is asked for.
+    /// The request.
     pub(crate) input: &'a RecipeInput<'a>,
 }
 

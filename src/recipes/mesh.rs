@@ -1,4 +1,4 @@
-//! What a recipe makes.
+//! The result of a recipe: triangles by material slot.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ pub struct Mesh {
 /// Triangles of one material slot; counter-clockwise seen from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeshPart {
-    /// What it is made of, as far as a recipe knows: palettes say what the slot looks like.
+    /// Its material, as far as a recipe knows: palettes say what the slot looks like.
     pub slot: Slot,
     /// Corners.
     pub positions: Vec<[f32; 3]>,

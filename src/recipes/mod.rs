@@ -1,6 +1,6 @@
 //! Furniture that is modelled by code: one recipe for each kind, known to the rest by a small interface.
 //!
-//! What callers may rely on: a recipe builds for any positive size, its model touches all six sides of the
+//! Callers may rely on this: a recipe builds for any positive size, its model touches all six sides of the
 //! box, every part is closed and faces outwards, and the same request gives the same bytes.
 //!
 //! ```text

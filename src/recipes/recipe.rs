@@ -125,7 +125,7 @@ impl Recipe {
     }
 }
 
-/// What the engine asks a recipe for.
+/// The interface for the engine.
 impl Recipe {
     /// The word in `model:` of a class.
     #[must_use]
@@ -188,7 +188,7 @@ impl Recipe {
         builder
     }
 
-    /// What its form is given.
+    /// The argument of its form.
     pub(super) fn draft<'a>(&self, input: &'a RecipeInput<'a>) -> Draft<'a> {
         Draft { name: self.name, defaults: self.parameters, set: self.served(input.geometry), input }
     }

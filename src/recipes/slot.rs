@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// The enum, the list of all slots and their words, from one list.
 macro_rules! slots {
     ($($slot:ident = $word:literal,)*) => {
-        /// What a part is made of, as far as recipes and the shells of rooms know: palettes say what each slot looks like.
+        /// The material of a part, as far as recipes and the shells of rooms know: palettes say what each slot looks like.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
         pub enum Slot {
             $(#[doc = concat!("`", $word, "`.")] $slot,)*

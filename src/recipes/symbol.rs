@@ -2,7 +2,7 @@
 
 use crate::geometry::Point;
 
-/// What is drawn inside the outline of a piece. A recipe names its symbol; `draw/symbols.rs` draws the lines.
+/// The lines inside the outline of a piece. A recipe names its symbol; `draw/symbols.rs` draws the lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Symbol {
     /// Pillows, and a blanket that is turned back.
@@ -69,7 +69,7 @@ impl Symbol {
         Self::Rug,
     ];
 
-    /// What it stands for.
+    /// The pieces that it stands for.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {

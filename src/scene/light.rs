@@ -20,7 +20,7 @@ pub(crate) fn scene_light(light: &Light) -> SceneLight {
     }
 }
 
-/// Whose light it is.
+/// The owner of a light.
 #[derive(Clone, Copy)]
 pub(crate) struct Owner<'a> {
     /// The lamp.

@@ -218,7 +218,7 @@ pub(crate) struct SidesEntry {
 }
 
 impl SidesEntry {
-    /// What is written for a side.
+    /// The keys of a side.
     pub(crate) fn get(&self, side: Side) -> Option<&SideEntry> {
         match side {
             Side::Front => self.front.as_ref(),

@@ -19,7 +19,7 @@ pub(crate) enum ExtentFault {
 /// Reads a coordinate.
 ///
 /// # Errors
-/// What is wrong with the text; whether the coordinate lies in the box depends on the box.
+/// The problem of the text. Whether the coordinate lies in the box is checked with the box.
 pub(crate) fn read_extent(text: &ExtentText) -> Result<Extent, ExtentFault> {
     let extent = match text {
         ExtentText::Metres(offset) => Extent { share: 0.0, offset: *offset },

@@ -30,7 +30,7 @@ pub(crate) use words::WordsFile;
 #[serde(try_from = "u32")]
 pub(crate) struct FormatVersion;
 
-/// What the first key of every file says.
+/// The value of the first key of every file.
 const FORMAT_VERSION: u32 = 1;
 
 impl TryFrom<u32> for FormatVersion {

@@ -7,7 +7,7 @@ use crate::catalog::Size;
 use crate::catalog::file::{ClassEntry, ModelEntry, ModelFields};
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
-use crate::catalog::table::{Chain, Found};
+use crate::catalog::table::{Chain, FoundValue};
 use crate::model_file::model_file_size;
 
 /// Sizes are kept to a tenth of a millimetre, whatever the arithmetic of the model's file gives.
@@ -62,7 +62,9 @@ pub(super) fn resolve_spare_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Re
 
 /// The model of the nearest definition that has one. A model that gives its size is that of its own definition and of
 /// those that do not write sizes: a new model for `desk` is not meant for `small_desk`.
-pub(super) fn find_model<'a>(chain: &Chain<'a, ClassEntry>) -> Option<Found<'a, ClassEntry, ModelEntry>> {
+pub(super) fn find_model<'a>(
+    chain: &Chain<'a, ClassEntry>,
+) -> Option<FoundValue<'a, ClassEntry, ModelEntry>> {
     let gives_sizes = chain.find("sizes", sized).map(|found| found.value);
     chain.find("model", |entry| {
         let is_of_other_size =

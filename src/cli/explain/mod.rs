@@ -6,7 +6,7 @@ mod text;
 use super::arguments::{ExplainArguments, SourceArguments};
 use super::bake::DEFAULT_SEED;
 use super::exit::Outcome;
-use super::find_room::{Found, Wanted, find_room};
+use super::find_room::{FoundRoom, Wanted, find_room};
 use super::screen::Screen;
 use super::sources::{read_sources, run_style};
 use crate::audit::Finding;
@@ -18,7 +18,7 @@ use crate::project::Project;
 /// A room in its building, and all that is to be said about it.
 struct Subject<'a> {
     sources: &'a Project,
-    found: Found<'a>,
+    found: FoundRoom<'a>,
     seed: u64,
     /// Which of the alternatives of `--effort` it is, from 0.
     alternative: u32,
@@ -61,7 +61,7 @@ pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
 fn subject<'a>(
     arguments: &ExplainArguments,
     sources: &'a Project,
-    found: Found<'a>,
+    found: FoundRoom<'a>,
     style: Option<&str>,
 ) -> Subject<'a> {
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);

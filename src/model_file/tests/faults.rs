@@ -1,4 +1,4 @@
-//! What is refused, and bytes that make no sense.
+//! Files that are rejected, and bytes that make no sense.
 
 use std::path::PathBuf;
 

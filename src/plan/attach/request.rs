@@ -167,14 +167,14 @@ fn named_rooms(
         .collect()
 }
 
-type Place = (Point, Option<Point>);
+type PlaceOnWall = (Point, Option<Point>);
 
 fn on_edge(
     opening: &OpeningDraft,
     assembly: &Assembly<'_>,
     edge: usize,
     at: f64,
-) -> Result<Place, (String, Option<String>)> {
+) -> Result<PlaceOnWall, (String, Option<String>)> {
     let id = &opening.id;
     let room = opening.rooms.first().ok_or_else(|| {
         (format!("opening \"{id}\" names an edge but no room"), Some("name the room of the edge".to_owned()))

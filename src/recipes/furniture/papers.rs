@@ -1,4 +1,4 @@
-//! What lies on desks: A4 sheets of 0.21 by 0.297 m, folders, pads, rolled plans.
+//! Papers on desks: A4 sheets of 0.21 by 0.297 m, folders, pads, rolled plans.
 
 use glam::DVec3;
 

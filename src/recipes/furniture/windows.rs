@@ -1,4 +1,4 @@
-//! What hangs before windows.
+//! Curtains and blinds, which hang before windows.
 
 use glam::{DVec2, DVec3};
 

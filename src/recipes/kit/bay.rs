@@ -72,7 +72,7 @@ impl Bay {
         piece
     }
 
-    /// What is left after taking a slab away from one side; a negative thickness grows the bay.
+    /// The rest of the bay without a slab at one side; a negative thickness grows the bay.
     pub(crate) fn without(self, side: Side, thickness: f64) -> Self {
         let mut rest = self;
         match side {

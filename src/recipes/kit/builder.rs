@@ -26,7 +26,7 @@ struct Part {
     solid: Solid,
 }
 
-/// What stands in for a model of which nothing thick enough remains.
+/// The slot of the box that replaces a model of which nothing thick enough remains.
 const PLAIN_SLOT: Slot = Slot::Painted;
 
 impl Builder {

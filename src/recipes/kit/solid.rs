@@ -206,7 +206,7 @@ mod tests {
     }
 }
 
-/// What every solid of the kit is held to.
+/// The requirements on every solid of the kit.
 #[cfg(test)]
 pub(crate) mod checks {
     use super::*;

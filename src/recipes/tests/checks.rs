@@ -1,4 +1,4 @@
-//! What every recipe is held to, for tests.
+//! The requirements that every recipe is tested against.
 
 use std::collections::BTreeMap;
 

@@ -50,12 +50,12 @@ const SLACK: f64 = 5e-4;
 /// The outer face of a wall from its start to its end, never farther than halfway to a room behind it; none where the
 /// corners alone limit it.
 pub(super) fn clipped(storey: &Storey<'_>, wall: &Wall, quad: Quad) -> Option<Vec<Behind>> {
-    let ground = Ground::behind(storey, wall, quad);
+    let neighbourhood = Neighbourhood::behind(storey, wall, quad);
     let sectors = quad.sectors();
-    if !sectors.iter().any(|sector| ground.limits(sector)) {
+    if !sectors.iter().any(|sector| neighbourhood.limits(sector)) {
         return None;
     }
-    let mut profiles = sectors.map(|sector| ground.profile(&sector));
+    let mut profiles = sectors.map(|sector| neighbourhood.profile(&sector));
     join(&mut profiles);
     let points = sectors.iter().zip(&profiles).flat_map(|(sector, profile)| {
         profile.iter().map(|&[at, depth]| Behind { inner: sector.inner(at), outer: sector.point(at, depth) })
@@ -91,9 +91,9 @@ fn is_bulge([one, two, three]: [&Behind; 3]) -> bool {
 /// The least depth of a wall between two places along it: at most `thickness`.
 pub(super) fn least_depth(storey: &Storey<'_>, wall: &Wall, stretch: [f64; 2], thickness: f64) -> f64 {
     let quad = Quad { length: wall.length(), outer: stretch, thickness };
-    let ground = Ground::behind(storey, wall, quad);
+    let neighbourhood = Neighbourhood::behind(storey, wall, quad);
     let sector = Sector { corner: None, from: stretch[0], to: stretch[1], thickness };
-    ground.profile(&sector).iter().map(|&[_, depth]| depth).fold(thickness, f64::min)
+    neighbourhood.profile(&sector).iter().map(|&[_, depth]| depth).fold(thickness, f64::min)
 }
 
 impl Quad {
@@ -119,8 +119,8 @@ impl Quad {
     }
 }
 
-/// What lies behind a wall.
-struct Ground<'s, 'l> {
+/// The room or open air behind a wall.
+struct Neighbourhood<'s, 'l> {
     storey: &'s Storey<'l>,
     wall: &'s Wall,
     /// Borders through which a ray may enter a room or doorway.
@@ -130,7 +130,7 @@ struct Ground<'s, 'l> {
     mitres: Vec<Line>,
 }
 
-impl<'s, 'l> Ground<'s, 'l> {
+impl<'s, 'l> Neighbourhood<'s, 'l> {
     fn behind(storey: &'s Storey<'l>, wall: &'s Wall, quad: Quad) -> Self {
         let (along, outward) = (wall.direction(), -wall.normal());
         let local =
@@ -198,7 +198,7 @@ impl<'s, 'l> Ground<'s, 'l> {
         deepest.map_or_else(|| vec![whole], |at| vec![step([from, at]), step([at, to])])
     }
 
-    /// What limits the rays beside one of them.
+    /// The limits of the rays beside one of them.
     fn limits_at(&self, sector: &Sector, at: f64) -> Limits<'_> {
         let is_met = |line: &&Line| {
             let [low, high] = line.rays(sector);

@@ -77,13 +77,13 @@ fn footprint(storey: &Storey<'_>, wall: &Wall, quad: Quad) -> Footprint {
 
 /// The bodies of a room's walls, by wall, as their corners make them.
 fn quads(room: &Room) -> Vec<Quad> {
-    let bodies: Vec<Body<'_>> = room
+    let bodies: Vec<WallBody<'_>> = room
         .walls
         .iter()
         .map(|wall| {
             // Real outlines fold back on themselves without any gap: even there a wall has a body.
             let clear = clear_depth(wall, &room.walls).max(THIN_SHEET);
-            Body { wall, thickness: built_thickness(wall).min(clear) }
+            WallBody { wall, thickness: built_thickness(wall).min(clear) }
         })
         .collect();
     let mut quads = Vec::with_capacity(bodies.len());
@@ -103,7 +103,7 @@ fn quads(room: &Room) -> Vec<Quad> {
 
 /// A wall with the thickness that is built.
 #[derive(Clone, Copy)]
-struct Body<'r> {
+struct WallBody<'r> {
     wall: &'r Wall,
     thickness: f64,
 }
@@ -144,9 +144,9 @@ fn ring_lengths(region: &Region) -> impl Iterator<Item = (bool, usize)> {
     std::iter::once((false, count(&region.outline))).chain(holes)
 }
 
-fn quad(before: &Body<'_>, body: &Body<'_>, after: &Body<'_>) -> Quad {
+fn quad(before: &WallBody<'_>, body: &WallBody<'_>, after: &WallBody<'_>) -> Quad {
     let (length, thickness) = (body.wall.length(), body.thickness);
-    let corner_at = |one: &Body<'_>, two: &Body<'_>, other: &Body<'_>| {
+    let corner_at = |one: &WallBody<'_>, two: &WallBody<'_>, other: &WallBody<'_>| {
         reach_round_corner(one.wall.direction(), two.wall.direction(), [thickness, other.thickness])
     };
     let outer_from = -corner_at(before, body, before);

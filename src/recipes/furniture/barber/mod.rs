@@ -1,4 +1,4 @@
-//! What barbers work with.
+//! The furniture of barbers.
 
 mod chair;
 mod station;

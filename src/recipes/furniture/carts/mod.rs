@@ -1,4 +1,4 @@
-//! What stands on castors: trolleys, drip stands.
+//! Pieces on castors: trolleys, drip stands.
 
 mod drip_stand;
 mod luggage_trolley;

@@ -1,4 +1,4 @@
-//! What one trains and plays on.
+//! Pieces to train and play on.
 
 mod dumbbell_rack;
 mod exercise_bench;

@@ -1,4 +1,4 @@
-//! What rugs look like from above.
+//! Rugs as they look from above.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! What tall and wide pieces stand on, and what crowns them.
+//! Plinths and feet of tall and wide pieces, and the boards on top of them.
 
 use super::{CORNICE, CORNICE_OVERHANG, PLINTH, REACH};
 use crate::geometry::Side;

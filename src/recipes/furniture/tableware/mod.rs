@@ -1,4 +1,4 @@
-//! What stands on tables, and what one carries things in. Each geometry set has shapes of its own.
+//! Things that stand on tables, and vessels to carry things in. Each geometry set has shapes of its own.
 
 mod carrying;
 mod drinking;

@@ -80,7 +80,7 @@ impl Line {
     }
 }
 
-/// What limits the depth of some rays beside each other.
+/// The limit of the depth of some neighbouring rays.
 pub(super) struct Limits<'g> {
     pub(super) rooms: Vec<&'g Line>,
     pub(super) mitres: Vec<&'g Line>,
