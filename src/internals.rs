@@ -27,6 +27,9 @@ pub mod document {
 pub mod draw {
     pub use crate::draw::{Drawing, draw_level};
 }
+pub mod dwelling {
+    pub use crate::dwelling::{Occupancy, occupied};
+}
 pub mod edits {
     pub use crate::edits::{EditBook, read_edits};
 }

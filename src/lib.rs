@@ -53,6 +53,7 @@ mod diff;
 mod disk;
 mod document;
 mod draw;
+mod dwelling;
 mod edits;
 mod geometry;
 mod gltf;

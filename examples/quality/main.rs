@@ -276,18 +276,20 @@ fn draw_random(
 /// All rooms of a plan over all seeds; storeys that repeat count once.
 fn measure(plan: &PathBuf, catalog: &Catalog, arguments: &Arguments) -> Tally {
     let reading = read_plans(std::slice::from_ref(plan), &PlanOptions { words: &catalog.room_words });
-    let levels = reading.plan.buildings.iter().flat_map(|placed| {
-        let id = placed.id.as_str();
-        placed.building.levels.iter().map(move |level| (id, level))
+    // With each seed, other people live there.
+    let plans: Vec<(u64, Plan)> =
+        (0..arguments.seeds).map(|seed| (seed, occupied(&reading.plan, catalog, seed))).collect();
+    let levels = plans.iter().flat_map(|(seed, plan)| {
+        let buildings = plan.buildings.iter().map(|placed| (placed.id.as_str(), &placed.building.levels));
+        buildings.flat_map(move |(id, levels)| levels.iter().map(move |level| (*seed, id, level)))
     });
-    let rooms: Vec<(&str, &Level, usize)> = levels
-        .flat_map(|(id, level)| (0..level.rooms.len()).map(move |room| (id, level, room)))
-        .filter(|&(_, level, room)| arguments.wants(level, room))
+    let rooms: Vec<(u64, &str, &Level, usize)> = levels
+        .flat_map(|(seed, id, level)| (0..level.rooms.len()).map(move |room| (seed, id, level, room)))
+        .filter(|&(_, _, level, room)| arguments.wants(level, room))
         .collect();
-    let seeds = arguments.seeds;
-    let tasks = rooms.par_iter().flat_map(|room| (0..seeds).into_par_iter().map(move |seed| (room, seed)));
-    tasks
-        .map(|(&(building, level, room), seed)| {
+    rooms
+        .par_iter()
+        .map(|&(seed, building, level, room)| {
             let options = FurnishOptions::new(seed, building).with_style(arguments.style.as_deref());
             Tally::of(level, room, catalog, &options, arguments)
         })

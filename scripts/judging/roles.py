@@ -33,6 +33,7 @@ BOOKCASES = {"bookshelf", "low_bookshelf", "plank_shelf"}
 DOUBLE_BEDS = {"double_bed", "king_bed"}
 SINGLE_BEDS = {"single_bed"}
 BEDS = DOUBLE_BEDS | SINGLE_BEDS | {"bunk_bed"}
+CHILDRENS_THINGS = {"toy", "floor_toy", "crib", "bunk_bed", "play_rug", "child_table", "child_chair"}
 WARDROBES = {"wardrobe", "large_wardrobe", "tall_clothes_press"}
 DESKS = {"desk", "team_desk", "small_desk", "executive_desk", "teacher_desk", "lecture_desk"}
 OFFICE_CHAIRS = {"office_chair"}
@@ -54,12 +55,15 @@ COFFEE_TABLES = {"coffee_table", "lounge_table"}
 VIEWERS = SOFAS | EASY_CHAIRS | BEDS
 DRESSING = {"dressing_table", "dresser", "console_table", "sideboard", "shoe_cabinet", "desk", "small_desk", "lowboard"}
 
-LIVING_ROOMS = {"living_room", "living_dining", "living_kitchen"}
-BEDROOMS = {"bedroom", "room"}
+LIVING_ROOMS = {"living_room", "living_dining", "living_kitchen", "studio"}
+# A room whose plan leaves open what it is.
+OPEN_KINDS = {"room"}
+BEDROOMS = {"bedroom", "room", "main_bedroom", "guest_bedroom", "elders_bedroom", "shared_room", "studio"}
 KITCHENS = {"kitchen", "kitchen_dining", "living_kitchen"}
 BATHROOMS = {"bathroom", "toilet"}
 HALLS = {"corridor", "walkway", "foyer"}
-HOME_ROOMS = LIVING_ROOMS | BEDROOMS | KITCHENS | {"childrens_room", "dining_room", "study"}
+HOME_ROOMS = LIVING_ROOMS | BEDROOMS | KITCHENS | {"childrens_room", "shared_childrens_room", "sitting_room",
+                                                       "dining_room", "study"}
 OUTDOOR = {"balcony", "loggia", "terrace"}
 # Rooms that join dwellings, and are in none.
 SHARED_WAYS = {"stairs", "elevator", "staircase", "walkway", "foyer", "shaft", "void"} | OUTDOOR

@@ -170,6 +170,7 @@ fn line(catalog: &Catalog, class: &str, count: Count) -> Request {
         is_required: true,
         chance: 1.0,
         needs_window: false,
+        for_whom: crate::catalog::ForWhom::default(),
     }
 }
 

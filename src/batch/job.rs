@@ -3,6 +3,7 @@
 use sha2::{Digest, Sha256};
 
 use crate::catalog::Catalog;
+use crate::dwelling::{LevelHomes, Occupancy};
 use crate::edits::{EditBook, LevelEdits};
 use crate::output::LevelOptions;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
@@ -20,6 +21,8 @@ pub(crate) struct Job<'a> {
     pub(crate) level: &'a Level,
     /// `<building>/<level>` in the output folder, without extension.
     pub(crate) path: String,
+    /// Who lives there; `level` is as the plan has it.
+    pub(crate) homes: LevelHomes,
     /// The edits of its rooms.
     pub(crate) edits: Option<&'a LevelEdits>,
     /// Hash of all that the level is made from, the program excepted.
@@ -48,19 +51,23 @@ pub(crate) fn list_jobs<'a>(
     let common = common_hash(catalog, options);
     let mut jobs = Vec::new();
     for (placed, folder) in buildings.into_iter().zip(folders) {
-        for (level, name) in sorted_levels(&placed.building) {
+        let occupancy = Occupancy::new(&placed.building, &placed.id, &catalog.households, options.seed);
+        for (index, name) in sorted_levels(&placed.building) {
+            let (level, homes) = (&placed.building.levels[index], occupancy.level(index).clone());
             let edits = edits.level(&placed.id, &level.id);
-            let inputs = input_hash(&common, placed, level, edits);
-            jobs.push(Job { placed, level, path: format!("{folder}/{name}"), edits, inputs });
+            let inputs = input_hash(&common, placed, (level, &homes), edits);
+            jobs.push(Job { placed, level, path: format!("{folder}/{name}"), homes, edits, inputs });
         }
     }
     jobs
 }
 
-fn sorted_levels(building: &Building) -> Vec<(&Level, String)> {
-    let mut levels: Vec<&Level> = building.levels.iter().collect();
-    levels.sort_by(|one, other| one.id.cmp(&other.id));
-    let ids: Vec<&str> = levels.iter().map(|level| level.id.as_str()).collect();
+/// The indices of the levels, with their names in the output.
+fn sorted_levels(building: &Building) -> Vec<(usize, String)> {
+    let id = |&level: &usize| building.levels[level].id.as_str();
+    let mut levels: Vec<usize> = (0..building.levels.len()).collect();
+    levels.sort_by(|one, other| id(one).cmp(id(other)));
+    let ids: Vec<&str> = levels.iter().map(id).collect();
     let names = distinct_names(&ids);
     levels.into_iter().zip(names).collect()
 }
@@ -76,12 +83,14 @@ fn common_hash(catalog: &Catalog, options: &LevelOptions) -> [u8; 32] {
 fn input_hash(
     common: &[u8; 32],
     placed: &PlacedBuilding,
-    level: &Level,
+    (level, homes): (&Level, &LevelHomes),
     edits: Option<&LevelEdits>,
 ) -> String {
     let site = placed.site;
     let mut hash = FieldHash::new("level");
     hash.field(common).field(&level.digest).field(placed.id.as_bytes()).field(level.id.as_bytes());
+    // They may depend on other levels of the building.
+    hash.field(homes.fingerprint().as_bytes());
     // It is part of the manifest: a level from which another part was left out is no longer the same.
     for message in &level.left_out {
         hash.field(message.as_bytes());

@@ -45,6 +45,8 @@ struct BakedRoom {
 /// # Errors
 /// Why the level is not in place.
 pub(crate) fn bake_level(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
+    let level = job.homes.apply(job.level);
+    let job = &Job { level: &level, ..job.clone() };
     // Rooms in parallel, collected in the plan's order: the file does not depend on which room is finished first.
     let rooms: Vec<BakedRoom> =
         (0..job.level.rooms.len()).into_par_iter().map(|room| bake_room(context, job, room)).collect();

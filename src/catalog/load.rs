@@ -9,7 +9,7 @@ use super::read::{Definitions, Files};
 use super::report::{Promised, Report};
 use super::resolve::{
     BuildingStyleWorld, Names, StyleWorld, resolve_audit, resolve_building_styles, resolve_classes,
-    resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
+    resolve_households, resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
 };
 use super::table::{Extends, Table};
 use super::{BuildingStyle, ById, Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin, Palette, Style};
@@ -17,7 +17,7 @@ use crate::document::{Fault, Faults, Warned};
 use crate::plan::GENERIC_ROOM_TYPE;
 
 /// Reads the built-in configuration and then the users' folders, each of which may hold `classes/`,
-/// `rooms/`, `styles/`, `palettes/`, `room_words.yaml` and `audit.yaml`.
+/// `rooms/`, `styles/`, `palettes/`, `room_words.yaml`, `households.yaml` and `audit.yaml`.
 ///
 /// A definition replaces the one of the same id in an earlier folder whole, unless it `extends` itself.
 /// Definitions that extend or name an id use its last definition. Room words are merged word by word,
@@ -67,7 +67,9 @@ pub(super) fn load_files(files: &Files) -> Result<Warned<Catalog>, Faults> {
 /// The catalogue as far as it is without faults.
 fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) -> Catalog {
     let class_chains = definitions.classes.chains(report);
-    let names = Names::new(&definitions.classes, &class_chains, report);
+    let mut names = Names::new(&definitions.classes, &class_chains, report);
+    let of_files = definitions.households.iter().flat_map(|(_, file)| file.households.keys());
+    names.households = of_files.map(String::as_str).collect();
     let mut classes = resolve_classes(&class_chains, &names, files, report);
     // A class that is missing for a fault of its own would take its children with it.
     if classes.len() == names.class_count() && !report.faults.has_errors() {
@@ -87,7 +89,9 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
     let styles: ById<Style> = styles.into_iter().map(|resolved| resolved.style).collect();
     let building_styles = building_styles(definitions, &styles, report);
     let style_words = definitions.styles.ids().chain(definitions.building_styles.ids());
-    let room_words = resolve_words(&definitions.words, &definitions.room_types, style_words, report);
+    let households = resolve_households(&definitions.households, &definitions.room_types, report);
+    let mut room_words = resolve_words(&definitions.words, &definitions.room_types, style_words, report);
+    room_words.households = households.kinds.keys().cloned().collect();
     let audit = resolve_audit(&definitions.audit, report);
     check_indispensable(definitions, report);
 
@@ -102,6 +106,7 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
         building_styles: by_id(building_styles, |one| &one.id),
         palettes,
         room_words,
+        households,
         audit,
         origins: find_origins(definitions, files),
     }

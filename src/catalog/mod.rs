@@ -18,6 +18,7 @@ mod class;
 mod describe;
 mod digest;
 mod file;
+mod households;
 mod light;
 mod load;
 mod palette;
@@ -46,14 +47,17 @@ pub use class::{
 };
 pub use describe::{Description, describe, style_differences};
 #[cfg(test)]
-pub(crate) use file::{ClassFile, PaletteFile, RoomFile, StyleFile, WordsFile};
+pub(crate) use file::{ClassFile, HouseholdsFile, PaletteFile, RoomFile, StyleFile, WordsFile};
+pub use households::{Claim, Homes, Household, Households, Role};
 pub use light::{Light, LightSide};
 pub use load::load_catalog;
 pub(crate) use load::load_catalog_so_far;
 pub use palette::{Palette, SURFACES};
 pub(crate) use resolve::{srgb_encoded, srgb_linear};
 pub use shape::{Extent, PrismRule, Shape};
-pub use style::{Access, Count, Dado, Era, Finish, Plausible, Request, RoomType, Style, Untidiness, WEALTH};
+pub use style::{
+    Access, Count, Dado, Era, Finish, ForWhom, Plausible, Request, RoomType, Style, Untidiness, WEALTH,
+};
 pub(crate) use variety::KINDS;
 pub use variety::{SHAPES, Variety};
 
@@ -78,6 +82,8 @@ pub struct Catalog {
     pub palettes: ById<Palette>,
     /// The room words of plan formats.
     pub room_words: RoomWords,
+    /// Who lives in dwellings, and what their rooms are then.
+    pub households: Households,
     /// The thresholds of the audit.
     pub audit: AuditRules,
     /// Where each definition is written: the last place where later folders replace earlier ones.

@@ -8,7 +8,8 @@ use sha2::{Digest, Sha256};
 use super::audit::{AUDIT_FILE, AuditFile};
 use super::builtin::{BUILTIN_FOLDER, builtin_files};
 use super::file::{
-    BuildingStyleEntry, ClassEntry, ClassFile, PaletteEntry, PaletteFile, RoomFile, RoomTypeEntry, StyleEntry,
+    BuildingStyleEntry, ClassEntry, ClassFile, HouseholdsFile, PaletteEntry, PaletteFile, RoomFile,
+    RoomTypeEntry, StyleEntry,
 };
 use super::file::{StyleFile, WordsFile};
 use super::report::{Promised, Report, Spot};
@@ -23,6 +24,7 @@ enum FileKind {
     Styles,
     Palettes,
     Words,
+    Households,
     Audit,
 }
 
@@ -48,6 +50,8 @@ const MISNAMED_FOLDERS: [(&str, &str); 8] = [
 const GROUPS_KEY: &str = "groups";
 /// The file of room words, whatever its extension.
 const WORDS_FILE: &str = "room_words";
+/// The file of households, whatever its extension.
+const HOUSEHOLDS_FILE: &str = "households";
 /// The extensions that are read; everything else below the folders is left alone.
 const EXTENSIONS: [&str; 3] = ["yaml", "yml", "json"];
 /// The layer of the files in the binary.
@@ -88,6 +92,8 @@ pub(crate) struct Definitions {
     pub(crate) palettes: Table<PaletteEntry>,
     /// The room words of each file, with its index.
     pub(crate) words: Vec<(usize, WordsFile)>,
+    /// The households of each file, with its index.
+    pub(crate) households: Vec<(usize, HouseholdsFile)>,
     /// The thresholds of each file, with its index.
     pub(crate) audit: Vec<(usize, AuditFile)>,
 }
@@ -203,7 +209,7 @@ fn nothing_found(folder: &Path) -> Fault {
         return fault.with_hint("name the folder that it lies in");
     }
     fault.with_hint(
-        "definitions stand in YAML or JSON files below classes/, rooms/, styles/ and palettes/, in room_words.yaml and audit.yaml",
+        "definitions stand in YAML or JSON files below classes/, rooms/, styles/ and palettes/, in room_words.yaml, households.yaml and audit.yaml",
     )
 }
 
@@ -215,6 +221,7 @@ fn kind_of(key: &str) -> Option<FileKind> {
     }
     match stem {
         WORDS_FILE => return Some(FileKind::Words),
+        HOUSEHOLDS_FILE => return Some(FileKind::Households),
         AUDIT_FILE => return Some(FileKind::Audit),
         _ => {}
     }
@@ -258,6 +265,7 @@ enum Parsed {
     Styles(StyleFile),
     Palettes(PaletteFile),
     Words(WordsFile),
+    Households(Box<HouseholdsFile>),
     Audit(Box<AuditFile>),
 }
 
@@ -268,6 +276,7 @@ fn parse(kind: FileKind, source: &Source) -> Result<Parsed, Faults> {
         FileKind::Styles => Parsed::Styles(source.parse()?),
         FileKind::Palettes => Parsed::Palettes(source.parse()?),
         FileKind::Words => Parsed::Words(source.parse()?),
+        FileKind::Households => Parsed::Households(Box::new(source.parse()?)),
         FileKind::Audit => Parsed::Audit(Box::new(source.parse()?)),
     })
 }
@@ -283,6 +292,7 @@ impl Definitions {
             }
             Parsed::Palettes(file) => add_all(&mut self.palettes, file.palettes, origin, report),
             Parsed::Words(file) => self.words.push((origin.source, file)),
+            Parsed::Households(file) => self.households.push((origin.source, *file)),
             Parsed::Audit(file) => self.audit.push((origin.source, *file)),
         }
     }

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::building_style::Share;
 use super::by_id::PaletteRef;
 use super::class::{Class, ClassIndex};
+use crate::plan::Home;
 use crate::recipes::{GeometrySet, Slot};
 
 /// A kind of room and its programme.
@@ -94,6 +95,44 @@ pub struct Request {
     pub chance: f64,
     /// Only where the room has a window.
     pub needs_window: bool,
+    /// The people that it is for.
+    pub for_whom: ForWhom,
+}
+
+/// The people that a line of a programme is for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForWhom {
+    /// Ids of households; empty for everybody.
+    pub households: Vec<String>,
+    /// The sizes of households, least and most. A room of no dwelling has nobody.
+    pub persons: (u32, u32),
+    /// Of a count by piece: so many seats more than people, and no more than that.
+    pub guests: Option<u32>,
+}
+
+impl Default for ForWhom {
+    /// Everybody and nobody.
+    fn default() -> Self {
+        Self { households: Vec::new(), persons: (0, u32::MAX), guests: None }
+    }
+}
+
+impl ForWhom {
+    /// Whether a room of a household, or of none, gets the line.
+    #[must_use]
+    pub fn includes(&self, home: Option<&Home>) -> bool {
+        let persons = home.map_or(0, |home| home.persons);
+        let is_named = |home: &Home| self.households.contains(&home.household);
+        (self.persons.0..=self.persons.1).contains(&persons)
+            && (self.households.is_empty() || home.is_some_and(is_named))
+    }
+
+    /// How many pieces of a line that counts by piece people have use for: an even number of seats.
+    #[must_use]
+    pub fn most(&self, home: Option<&Home>) -> Option<u32> {
+        let (guests, home) = (self.guests?, home?);
+        Some((home.persons + guests).max(home.bedrooms).next_multiple_of(2))
+    }
 }
 
 impl Request {

@@ -308,6 +308,12 @@ pub(crate) struct ExplainAnswer<'a> {
     /// Room type.
     #[serde(rename = "type")]
     pub(crate) room_type: &'a str,
+    /// Its type in the plan, where `type` is its role in its dwelling instead.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) planned_type: Option<&'a str>,
+    /// Who lives in its dwelling.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) household: Option<&'a str>,
     /// Square metres of floor.
     pub(crate) area: f64,
     /// The seed of the run.

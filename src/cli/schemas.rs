@@ -9,7 +9,7 @@ use schemars::{JsonSchema, Schema, schema_for};
 
 use super::answer::answer_schemas;
 use crate::batch::Manifest;
-use crate::catalog::{AuditFile, ClassFile, PaletteFile, RoomFile, StyleFile, WordsFile};
+use crate::catalog::{AuditFile, ClassFile, HouseholdsFile, PaletteFile, RoomFile, StyleFile, WordsFile};
 use crate::contract::Extras;
 use crate::diff::Report;
 use crate::edits::EditsFile;
@@ -26,6 +26,7 @@ fn schemas() -> Vec<(String, Schema)> {
         schema::<ClassFile>("classes"),
         schema::<EditsFile>("edits"),
         schema::<Extras>("extras"),
+        schema::<HouseholdsFile>("households"),
         schema::<Manifest>("manifest"),
         schema::<PlanFile>("plan"),
         schema::<PaletteFile>("palettes"),

@@ -168,9 +168,15 @@ pub struct LeafExtras {
 pub struct RoomExtras {
     /// Room id.
     pub room: String,
-    /// Room type.
+    /// The room type by which it is furnished: that of the plan, or its role in its dwelling.
     #[serde(rename = "type")]
     pub room_type: String,
+    /// Its type in the plan, where `type` is its role in its dwelling instead.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub planned_type: Option<String>,
+    /// Who lives in its dwelling.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub household: Option<HouseholdExtras>,
     /// Style used.
     pub style: String,
     /// Seed that repeats the room; a text in the file, for most readers of JSON keep 53 bits of a number.
@@ -199,6 +205,17 @@ pub struct RoomExtras {
     /// The findings of the audit when the floor was baked. Findings that cannot be read are dropped: a new audit judges again.
     #[serde(default, deserialize_with = "or_default")]
     pub findings: Vec<FindingExtras>,
+}
+
+/// The people of a dwelling.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct HouseholdExtras {
+    /// Household id.
+    pub id: String,
+    /// How many they are.
+    pub persons: u32,
+    /// The rooms of the dwelling in which somebody sleeps.
+    pub bedrooms: u32,
 }
 
 /// A missing piece.

@@ -16,8 +16,9 @@ mod name;
 mod part;
 
 pub use extras::{
-    Closure, Corner, Extras, FindingExtras, FurnitureExtras, LeafExtras, LevelExtras, LightExtras,
-    OpeningExtras, OpeningWord, PartExtras, RemovedExtras, RoomExtras, SideExtras, SiteExtras, Word,
+    Closure, Corner, Extras, FindingExtras, FurnitureExtras, HouseholdExtras, LeafExtras, LevelExtras,
+    LightExtras, OpeningExtras, OpeningWord, PartExtras, RemovedExtras, RoomExtras, SideExtras, SiteExtras,
+    Word,
 };
 pub use id::{ElementId, ObjectId, RoomId, VariantId};
 pub use name::{level_name, model_in_name, model_name, owned_name, owner_in_name, room_in_name, room_name};

@@ -115,6 +115,7 @@ mod tests {
             is_required: false,
             chance: 1.0,
             needs_window: false,
+            for_whom: crate::catalog::ForWhom::default(),
         }
     }
 

@@ -105,10 +105,10 @@ impl<'a> RoomBrief<'a> {
     }
 }
 
-fn site(at: RoomRef<'_>) -> Site {
+fn site(at: RoomRef<'_>) -> Site<'_> {
     let RoomRef { level, room, .. } = at;
     let is_window = |side: &&RoomOpening| level.openings[side.opening].kind == OpeningKind::Window;
     let windows = room.openings.iter().filter(is_window).count();
     let window_count = u32::try_from(windows).expect("a room has fewer than 2^32 windows");
-    Site { area: room.region.area(), window_count }
+    Site { area: room.region.area(), window_count, home: room.home.as_ref() }
 }

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use super::options::FurnishOptions;
-use super::seed::shared_draw;
 use crate::catalog::{BuildingStyle, Catalog, Class, Share, StyleRef};
+use crate::dwelling::shared_draw;
 use crate::plan::RoomRef;
 
 /// The style of a room: its own, else the run's if that is made for such rooms, else the default. A building style

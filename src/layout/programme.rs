@@ -2,6 +2,8 @@
 
 use crate::catalog::{Catalog, Class, ClassIndex, Count, ParentName, Request, RoomType, Style};
 
+use crate::plan::Home;
+
 use super::lock::Lock;
 use super::seed::{Purpose, Stream};
 use super::variant::Variants;
@@ -27,11 +29,13 @@ pub(crate) struct Piece {
 
 /// The facts about a room that its programme depends on.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Site {
+pub(crate) struct Site<'a> {
     /// Square metres of floor.
     pub(crate) area: f64,
     /// Windows of the room.
     pub(crate) window_count: u32,
+    /// The people that it is for, if it is part of a dwelling.
+    pub(crate) home: Option<&'a Home>,
 }
 
 /// Draws the pieces of a room, in the order of the programme; then those that stand in for them, each list behind the piece
@@ -40,7 +44,7 @@ pub(crate) fn pieces(
     catalog: &Catalog,
     style: &Style,
     room_type: &RoomType,
-    site: Site,
+    site: Site<'_>,
     variants: &Variants<'_>,
 ) -> Vec<Piece> {
     let counts = Counts { drawn: vec![0; catalog.classes.len()], asked: vec![0; catalog.classes.len()] };
@@ -81,7 +85,7 @@ fn stands_by_itself(class: &Class) -> bool {
 struct Draft<'a> {
     catalog: &'a Catalog,
     style: &'a Style,
-    site: Site,
+    site: Site<'a>,
     variants: &'a Variants<'a>,
     counts: Counts,
     pieces: Vec<Piece>,
@@ -204,17 +208,18 @@ impl Counts {
     }
 }
 
-fn applies(request: &Request, site: Site, stream: &mut Stream) -> bool {
+fn applies(request: &Request, site: Site<'_>, stream: &mut Stream) -> bool {
     // Drawn even where the line does not apply: the numbers after it stay the same.
     let is_lucky = stream.unit() < request.chance;
     let (least, most) = request.area;
-    is_lucky && site.area >= least && site.area < most && (site.window_count > 0 || !request.needs_window)
+    let is_light = site.window_count > 0 || !request.needs_window;
+    is_lucky && site.area >= least && site.area < most && is_light && request.for_whom.includes(site.home)
 }
 
 fn count(
     request: &Request,
     density: f64,
-    site: Site,
+    site: Site<'_>,
     asked: impl Fn(ClassIndex) -> u32,
     stream: &mut Stream,
 ) -> u32 {
@@ -229,8 +234,9 @@ fn count(
     };
     // A thin style leaves out what a room can do without; a bathroom keeps its toilet.
     let factor = if request.is_required { 1.0 } else { density };
+    let most = request.for_whom.most(site.home).map_or(f64::INFINITY, f64::from);
     // Rounded, not drawn: rooms of a size and style ask for the same, so that a hotel has no odd rooms.
-    (base * factor).round().max(0.0) as u32
+    (base * factor).round().clamp(0.0, most) as u32
 }
 
 #[cfg(test)]
@@ -265,7 +271,8 @@ mod tests {
         let options = FurnishOptions::new(1, "b");
         let series = Series { at: level.room(0), options: &options, share: Share::Building };
         let variants = Variants { seed: 1, series, key: &key };
-        let pieces = pieces(&catalog, style, room_type, Site { area: 16.0, window_count: 0 }, &variants);
+        let pieces =
+            pieces(&catalog, style, room_type, Site { area: 16.0, window_count: 0, home: None }, &variants);
         pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()
     }
 

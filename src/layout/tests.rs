@@ -70,6 +70,7 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         is_required: false,
         chance: 1.0,
         needs_window: false,
+        for_whom: crate::catalog::ForWhom::default(),
     };
     let finish = Finish {
         floor: Slot::Carpet,

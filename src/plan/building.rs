@@ -91,6 +91,10 @@ pub struct Room {
     pub style: Option<String>,
     /// The flat or other unit that it is part of, if the plan says: equal for rooms of a level that belong together.
     pub dwelling: Option<String>,
+    /// Id of the household of its dwelling, if the plan asks for one.
+    pub household: Option<String>,
+    /// Who lives in its dwelling. Plans do not say it: `dwelling::Occupancy` does, and finished files.
+    pub home: Option<Home>,
     /// The free floor between the inner faces of the walls.
     pub region: Region,
     /// Metres from floor to ceiling.
@@ -101,6 +105,19 @@ pub struct Room {
     pub obstacles: Vec<Obstacle>,
     /// The openings in this room's walls, by wall, then along it.
     pub openings: Vec<RoomOpening>,
+}
+
+/// The people that a room is furnished for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Home {
+    /// Id of their household.
+    pub household: String,
+    /// How many they are.
+    pub persons: u32,
+    /// The rooms of their dwelling in which somebody sleeps.
+    pub bedrooms: u32,
+    /// The room's type in the plan, where [`Room::room_type`] is the role that it has in the dwelling instead.
+    pub planned_type: Option<String>,
 }
 
 /// One straight wall of a room, with the room on its left.
@@ -169,6 +186,8 @@ impl Room {
             room_type: room_type.to_owned(),
             style: None,
             dwelling: None,
+            household: None,
+            home: None,
             walls: region.borders().map(wall).collect(),
             region,
             height,

@@ -6,7 +6,7 @@ use super::{Level, Obstacle, Opening, Room, Wall, WallKind};
 use crate::geometry::{Point, Polygon};
 
 /// Changes whenever the byte form below does, so that old fingerprints never match by chance.
-const FORM: &str = "roomwright level 2";
+const FORM: &str = "roomwright level 3";
 
 /// SHA-256 of everything in the level but its `digest` and what was left out of it.
 ///
@@ -68,6 +68,7 @@ impl Form {
         self.text(&room.room_type);
         self.optional(room.style.as_deref());
         self.optional(room.dwelling.as_deref());
+        self.optional(room.household.as_deref());
         self.polygon(&room.region.outline);
         self.list(&room.region.holes, Self::polygon);
         self.number(room.height);

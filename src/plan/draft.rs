@@ -77,6 +77,8 @@ pub struct RoomDraft {
     pub style: Option<String>,
     /// The flat or other unit that it is part of, if the plan says: equal for rooms of a level that belong together.
     pub dwelling: Option<String>,
+    /// Id of the household of its dwelling, if the plan asks for one.
+    pub household: Option<String>,
     /// Corners as found.
     pub outline: Vec<Point>,
     /// Corners of each hole as found.

@@ -31,7 +31,7 @@ mod write_native;
 
 pub use assemble::assemble_level;
 pub use building::{
-    Building, FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Leaf, Level, Obstacle, Opening, OpeningKind,
+    Building, FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Home, Leaf, Level, Obstacle, Opening, OpeningKind,
     OpeningSide, PlacedBuilding, Plan, PlanSource, Room, RoomOpening, SitePlacement, Wall, WallKind,
 };
 #[cfg(test)]

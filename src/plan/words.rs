@@ -12,6 +12,8 @@ pub struct RoomWords {
     pub known: BTreeSet<String>,
     /// Every style and building style that exists, for checking native plans and projects; with none every style is taken.
     pub styles: BTreeSet<String>,
+    /// Every household that exists, for checking native plans; with none every household is taken.
+    pub households: BTreeSet<String>,
     /// format → word (lower case) → room type.
     pub words: BTreeMap<String, BTreeMap<String, String>>,
     /// Guesses for rooms with other words, by their looks: the first rule that fits counts.
@@ -28,11 +30,17 @@ impl RoomWords {
     pub(crate) fn accept_everything(&mut self) {
         self.known.clear();
         self.styles.clear();
+        self.households.clear();
     }
 
     /// Whether rooms can be furnished in a style.
     pub(crate) fn has_style(&self, style: &str) -> bool {
         self.styles.is_empty() || self.styles.contains(style)
+    }
+
+    /// Whether a household may live in a dwelling.
+    pub(crate) fn has_household(&self, household: &str) -> bool {
+        self.households.is_empty() || self.households.contains(household)
     }
 
     /// The room type that a word stands for in any format: `hallway` is a corridor.

@@ -74,6 +74,7 @@ fn room(room: &Room) -> OutRoom {
         room_type: room.room_type.clone(),
         style: room.style.clone(),
         dwelling: room.dwelling.clone(),
+        household: room.household.clone(),
         number: (room.number != number_of_id(&room.id)).then_some(room.number),
         height: Number(room.height),
         outline: ring(&room.region.outline),

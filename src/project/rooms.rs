@@ -1,10 +1,12 @@
 //! Furnishes, judges, builds and writes one room on demand, without the other rooms of its level.
 
 use std::fmt;
+use std::sync::OnceLock;
 
 use super::read::Project;
 use crate::audit::Verdict;
 use crate::contract::RoomId;
+use crate::dwelling::Occupancy;
 use crate::edits::{Finished, Misfit, furnish_edited};
 use crate::gltf::{EncodedModels, GltfError, WriteOptions, write_glb_with};
 use crate::layout::{FurnishOptions, Furnished};
@@ -45,6 +47,8 @@ pub struct FinishedRoom<'a> {
 /// share (textures, models), but no room.
 pub struct Rooms<'a> {
     project: &'a Project,
+    /// The buildings with people in them, each when it is first asked for.
+    occupied: Vec<OnceLock<PlacedBuilding>>,
     options: &'a LevelOptions,
     textures: Option<TextureLibrary>,
     swatches: Option<SwatchedModels>,
@@ -58,6 +62,7 @@ impl<'a> Rooms<'a> {
         let alone = LevelOptions { textures, ..options.clone() };
         Self {
             project,
+            occupied: project.plan.buildings.iter().map(|_| OnceLock::new()).collect(),
             options,
             textures: alone.texture_library(None),
             swatches: options.swatches(&project.catalog),
@@ -69,15 +74,29 @@ impl<'a> Rooms<'a> {
     ///
     /// # Errors
     /// If the plan has no such room.
-    pub fn furnish(&self, id: &RoomId) -> Result<FinishedRoom<'a>, UnknownRoom> {
-        let Project { plan, edits, catalog, .. } = self.project;
-        let (building, level, room) = find(&plan.buildings, id).ok_or_else(|| UnknownRoom(id.clone()))?;
+    pub fn furnish(&self, id: &RoomId) -> Result<FinishedRoom<'_>, UnknownRoom> {
+        let Project { edits, catalog, .. } = self.project;
+        let (building, level, room) = self.find(id).ok_or_else(|| UnknownRoom(id.clone()))?;
         let run = FurnishOptions::new(self.options.seed, &building.id);
         let run = run.with_style(self.options.style.as_deref());
         let edits = edits.level(&building.id, &level.id);
         let Finished { judged, misfits } =
             furnish_edited(level.room(room), catalog, &run, self.options.effort, edits);
         Ok(FinishedRoom { building, level, furnished: judged.furnished, verdict: judged.verdict, misfits })
+    }
+
+    fn find(&self, id: &RoomId) -> Option<(&PlacedBuilding, &Level, usize)> {
+        let buildings = &self.project.plan.buildings;
+        let index = buildings.iter().position(|placed| placed.id == id.building)?;
+        let building = self.occupied[index].get_or_init(|| {
+            let placed = &buildings[index];
+            let households = &self.project.catalog.households;
+            let people = Occupancy::new(&placed.building, &placed.id, households, self.options.seed);
+            PlacedBuilding { building: people.apply(&placed.building), ..placed.clone() }
+        });
+        let level = building.building.levels.iter().find(|level| level.id == id.level)?;
+        let room = level.rooms.iter().position(|room| room.id == id.room)?;
+        Some((building, level, room))
     }
 
     /// The tree of nodes of a room: its level, its openings, its shell and its furniture, with the names that they have in the
@@ -116,13 +135,6 @@ impl<'a> Rooms<'a> {
     }
 }
 
-fn find<'a>(buildings: &'a [PlacedBuilding], id: &RoomId) -> Option<(&'a PlacedBuilding, &'a Level, usize)> {
-    let building = buildings.iter().find(|placed| placed.id == id.building)?;
-    let level = building.building.levels.iter().find(|level| level.id == id.level)?;
-    let room = level.rooms.iter().position(|room| room.id == id.room)?;
-    Some((building, level, room))
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
@@ -130,6 +142,7 @@ mod tests {
 
     use super::super::ProjectPaths;
     use super::*;
+    use crate::dwelling::occupied;
     use crate::scene::Node;
 
     fn house() -> Project {
@@ -156,7 +169,8 @@ mod tests {
         let (project, options) = (house(), plain());
         let rooms = project.rooms(&options);
         let placed = &project.plan.buildings[0];
-        let level = &placed.building.levels[0];
+        let people = occupied(&project.plan, &project.catalog, options.seed);
+        let level = &people.buildings[0].building.levels[0];
         let of =
             |room: &crate::plan::Room| rooms.furnish(&RoomId::new(&placed.id, &level.id, &room.id)).unwrap();
         let all: Vec<FinishedRoom<'_>> = level.rooms.iter().map(of).collect();

@@ -9,7 +9,7 @@ use super::tree::Node;
 use crate::contract::{Extras, LevelExtras, Part, PartExtras, PartId, RoomExtras};
 use crate::geometry::Region;
 use crate::plan::limits::STOREY_HEIGHT;
-use crate::plan::{Level, Obstacle, Room, RoomRef};
+use crate::plan::{Home, Level, Obstacle, Room, RoomRef};
 
 /// A level and where its rooms are in the file.
 pub(super) struct EmptyLevel {
@@ -113,7 +113,13 @@ fn read_room(extras: &RoomExtras, number: usize) -> Result<Room, String> {
     let number = u32::try_from(number).map_err(|_| "is one room too many".to_owned())?;
     // The audit needs only the places of walls; the rest is not in the file.
     let bare = Room::bare(&extras.room, &extras.room_type, region, extras.height, 0.0);
-    Ok(Room { number, style: Some(extras.style.clone()), ..bare })
+    let home = extras.household.as_ref().map(|household| Home {
+        household: household.id.clone(),
+        persons: household.persons,
+        bedrooms: household.bedrooms,
+        planned_type: extras.planned_type.clone(),
+    });
+    Ok(Room { number, style: Some(extras.style.clone()), home, ..bare })
 }
 
 /// By room and number.

@@ -4,12 +4,12 @@ use super::input::SceneInput;
 use crate::audit::{Finding, Verdict};
 use crate::catalog::{Catalog, Side};
 use crate::contract::{
-    Closure, Corner, Extras, FurnitureExtras, LeafExtras, LevelExtras, OpeningExtras, OpeningWord,
-    RemovedExtras, RoomExtras, SideExtras, SiteExtras, Word,
+    Closure, Corner, Extras, FurnitureExtras, HouseholdExtras, LeafExtras, LevelExtras, OpeningExtras,
+    OpeningWord, RemovedExtras, RoomExtras, SideExtras, SiteExtras, Word,
 };
 use crate::geometry::{Point, Polygon};
 use crate::layout::{Furnished, Placement, object_id, parent_id};
-use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Room, SitePlacement};
+use crate::plan::{Home, Leaf, Level, Opening, OpeningKind, OpeningSide, Room, SitePlacement};
 
 /// Parts of a metre (or radian) that extras keep: what is smaller is rounding errors of the reader.
 const PER_UNIT: f64 = 1e6;
@@ -71,6 +71,8 @@ pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, 
     Extras::Room(RoomExtras {
         room: room.id.clone(),
         room_type: room.room_type.clone(),
+        planned_type: room.home.as_ref().and_then(|home| home.planned_type.clone()),
+        household: room.home.as_ref().map(household_extras),
         style: catalog.styles[furnished.style].id.clone(),
         seed: furnished.seed,
         outline: corners(&room.region.outline),
@@ -83,6 +85,10 @@ pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, 
         score: verdict.score.map(|score| score.value),
         findings: verdict.findings.iter().map(Finding::extras).collect(),
     })
+}
+
+fn household_extras(home: &Home) -> HouseholdExtras {
+    HouseholdExtras { id: home.household.clone(), persons: home.persons, bedrooms: home.bedrooms }
 }
 
 pub(crate) fn furniture_extras(

@@ -79,6 +79,28 @@ def hall(width: float, cabinets: int) -> Judged:
     return made
 
 
+HOUSEHOLDS = {"couple": 2, "single": 1, "family_2": 4, "shared_flat": 2}
+DOUBLE, SINGLE = ("double_bed", (1.6, 2.0, 0.6)), ("single_bed", (0.9, 2.0, 0.6))
+
+
+def dwelling(household: str, beds: tuple, *pieces: tuple, other: str = "living_room") -> Judged:
+    """A kitchen (101), a bedroom of 16 m² (102) with beds and a living room (103), joined by doors."""
+    who = {"household": {"id": household, "persons": HOUSEHOLDS[household], "bedrooms": 1}}
+    made = house("kitchen", 4.0, 3.0, **who).room("102", "main_bedroom", 4.0, 4.0, 4.2, **who).room("103", other, 5.0, 4.0, 8.4, **who)
+    made.opening("d", "door", "passage", [("101", 1, 1.0, 1.9), ("102", 3, 1.0, 1.9)])
+    made.opening("e", "door", "passage", [("102", 1, 1.0, 1.9), ("103", 3, 1.0, 1.9)])
+    for number, (kind, size) in enumerate(beds):
+        made.piece(kind, 5.0 + 2 * number, 1.0, "north", size, room="102")
+    for kind, room, size in pieces:
+        made.piece(kind, {"101": 2.0, "102": 5.0, "103": 10.0}[room], 3.5, "south", size, room=room)
+    return made
+
+
+def seated(chairs: int) -> Judged:
+    chair = ("dining_chair", "103", (0.45, 0.5, 0.9))
+    return dwelling("couple", [DOUBLE], ("dining_table", "103", (1.6, 0.9, 0.75)), *[chair] * chairs)
+
+
 # By code: a room that passes, and one that fails.
 CASES = {
     "kitchen_runs": (kitchen(*RUN), kitchen(("fridge", 0.3, 0.3), ("sink_unit", 2.0, 0.3), ("cooker", 3.7, 0.3))),
@@ -95,6 +117,12 @@ CASES = {
     "single_in_larger_bedroom": (flat("double_bed", "single_bed"), flat("single_bed", "double_bed")),
     "bedroom_without_wardrobe": (bedroom(3.0, 4.0).piece("wardrobe", 0.6, 3.7, "south", (1.2, 0.6, 2.0)), bedroom(3.0, 4.0)),
     "bedroom_without_bed": (bedroom(3.0, 4.0), house("bedroom", 3.0, 4.0)),
+    "dwelling_living_room": (dwelling("couple", [DOUBLE], ("tv", "103", TV)), dwelling("couple", [DOUBLE])),
+    "dwelling_double_bed": (dwelling("single", [DOUBLE]), dwelling("single", [SINGLE])),
+    "dwelling_beds": (dwelling("couple", [SINGLE, SINGLE]), dwelling("family_2", [SINGLE, SINGLE])),
+    "dwelling_children": (dwelling("family_2", [DOUBLE], ("toy", "103", UNIT)), dwelling("couple", [DOUBLE], ("toy", "103", UNIT))),
+    "dwelling_chairs": (seated(2), seated(1)),
+    "dwelling_desks": (dwelling("shared_flat", [SINGLE], ("small_desk", "102", UNIT)), dwelling("shared_flat", [SINGLE])),
     "bed_at_swing": (swinging(3.0), swinging(2.2)),
     "bed_before_door": (swinging(2.0), swinging(1.5)),
     "bare_wall": (house("bedroom", 2.9, 2.9), house("bedroom", 3.5, 2.0)),
@@ -125,6 +153,15 @@ def test_worktop_between_sink_and_cooker_is_measured_around_a_corner(tmp_path):
     made = kitchen(("sink_unit", 0.9, 0.3), ("corner_unit", 0.3, 0.3)).piece("worktop", 0.3, 0.9, "east", UNIT)
     room = made.piece("cooker", 0.3, 1.5, "east", UNIT).read(tmp_path)
     assert MEASURES["kitchen_worktop"].judge(room).value == pytest.approx(1.2)
+
+
+def test_a_dwelling_whose_plan_names_no_living_room_is_not_asked_for_one(tmp_path):
+    judge = MEASURES["dwelling_living_room"].judge
+    assert judge(dwelling("couple", [DOUBLE], other="bedroom").read(tmp_path)) is None
+    assert judge(dwelling("couple", [DOUBLE], other="room").read(tmp_path)).faults != ()
+    two = dwelling("couple", [DOUBLE], ("tv", "103", TV)).room("104", "living_room", 4.0, 4.0, 13.6)
+    two.opening("f", "door", "passage", [("103", 1, 1.0, 1.9), ("104", 3, 1.0, 1.9)]).piece("tv", 15.0, 3.5, "south", TV, room="104")
+    assert judge(two.read(tmp_path)).faults != ()
 
 
 def test_a_hall_is_judged_by_its_width(tmp_path):

@@ -8,7 +8,7 @@ import shapely
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
-from ..roles import (BASINS, BEDS, COOKERS, DESKS, DOUBLE_BEDS, DRESSING, FRIDGES, HALLS, HOME_ROOMS, KITCHENS, LIVING_ROOMS,
+from ..roles import (BASINS, BEDROOMS, BEDS, COOKERS, DESKS, DOUBLE_BEDS, DRESSING, FRIDGES, HALLS, HOME_ROOMS, KITCHENS, LIVING_ROOMS,
                      MIRRORS, OFFICE_CHAIRS, SINKS, SOFAS, STORAGE, TOILETS, TUBS, TV_STANDS)
 from ..shapes import angle_between, pieces_of_area, width_of
 
@@ -155,11 +155,11 @@ def judge_crooked(room: Room) -> Answer | None:
 
 
 UNITS = {"sink": SINKS, "cooker": COOKERS, "fridge": FRIDGES}
-REQUIRED = {"bedroom": {"bed": BEDS}, "room": {"bed": BEDS}, "bathroom": {"toilet": TOILETS}, "toilet": {"toilet": TOILETS},
+REQUIRED = dict.fromkeys(BEDROOMS, {"bed": BEDS}) | {"bathroom": {"toilet": TOILETS}, "toilet": {"toilet": TOILETS},
             "kitchen": UNITS, "kitchen_dining": UNITS, "living_kitchen": UNITS | {"sofa": SOFAS},
             "living_room": {"sofa": SOFAS}, "living_dining": {"sofa": SOFAS}}
 # Square metres from which an empty room of a kind can hold what it requires, whatever its doors.
-REQUIRED_AREA = {"bedroom": 8.0, "room": 8.0, "bathroom": 2.0, "toilet": 1.4} | dict.fromkeys(KITCHENS | LIVING_ROOMS, 6.0)
+REQUIRED_AREA = dict.fromkeys(BEDROOMS, 8.0) | {"bathroom": 2.0, "toilet": 1.4} | dict.fromkeys(KITCHENS | LIVING_ROOMS, 6.0)
 
 
 def judge_required(room: Room) -> Answer | None:

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::lines::{class_names, range, rounded};
-use crate::catalog::{Catalog, Count, Request};
+use crate::catalog::{Catalog, Count, ForWhom, Request};
 
 /// Square metres from which on an upper bound is none.
 const UNBOUNDED_AREA: f64 = 1e6;
@@ -29,12 +29,27 @@ pub(super) fn show_request(catalog: &Catalog, request: &Request) -> String {
     if request.needs_window {
         terms.push("with a window".to_owned());
     }
+    terms.extend(show_for_whom(&request.for_whom));
     let terms = if terms.is_empty() { String::new() } else { format!(" ({})", terms.join(", ")) };
     format!(
         "{} {}{terms}",
         show_count(catalog, request.count),
         class_names(catalog, &request.classes).join(" or ")
     )
+}
+
+/// Who gets the line, if not everybody.
+fn show_for_whom(for_whom: &ForWhom) -> Vec<String> {
+    let everybody = ForWhom::default();
+    let households =
+        (!for_whom.households.is_empty()).then(|| format!("for {}", for_whom.households.join(", ")));
+    let persons = match (for_whom.persons, everybody.persons.1) {
+        (persons, _) if persons == everybody.persons => None,
+        ((least, most), unbounded) if most < unbounded => Some(format!("{least} to {most} people")),
+        ((least, _), _) => Some(format!("from {least} people")),
+    };
+    let guests = for_whom.guests.map(|guests| format!("at most people and {guests} guests"));
+    [households, persons, guests].into_iter().flatten().collect()
 }
 
 fn show_count(catalog: &Catalog, count: Count) -> String {
@@ -66,6 +81,9 @@ pub(super) fn value_of_request(catalog: &Catalog, request: &Request) -> Value {
         "required": request.is_required,
         "chance": request.chance,
         "window": request.needs_window,
+        "household": request.for_whom.households,
+        "persons": [request.for_whom.persons.0, request.for_whom.persons.1],
+        "guests": request.for_whom.guests,
     })
 }
 

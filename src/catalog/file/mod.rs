@@ -5,6 +5,7 @@
 mod building_style;
 mod class;
 mod extent;
+mod households;
 mod palette;
 mod room;
 mod style;
@@ -19,6 +20,9 @@ pub(crate) use class::{
     RelationEntry, ShapeEntry, SideEntry, WallsEntry,
 };
 pub(crate) use extent::{ExtentFault, read_extent};
+pub(crate) use households::{
+    ClaimEntry, HomesEntry, HouseholdEntry, HouseholdsFile, LivingEntry, PickWord, RoleEntry,
+};
 pub(crate) use palette::{MaterialEntry, PaletteEntry, PaletteFile};
 pub(crate) use room::{CountEntry, CountFields, RequestEntry, RoomFile, RoomTypeEntry};
 pub(crate) use style::{StyleEntry, StyleFile};

@@ -119,6 +119,10 @@ pub(crate) struct RequestEntry {
     /// Only where the room has a window; default false.
     #[serde(default)]
     pub(crate) window: bool,
+    /// Only in dwellings of these households.
+    pub(crate) household: Option<OneOrMany<String>>,
+    /// Only where so many people live, least and most; one number is the least. Nobody lives in a room of no dwelling.
+    pub(crate) persons: Option<Pair>,
 }
 
 /// How many pieces.
@@ -141,6 +145,8 @@ pub(crate) struct CountFields {
     pub(crate) per: Option<String>,
     /// With `per`: how many for each.
     pub(crate) each: Option<f64>,
+    /// With `per`: in a dwelling, at most so many more than people.
+    pub(crate) guests: Option<i64>,
     /// Pieces per square metre.
     pub(crate) per_area: Option<f64>,
     /// With `per_area`: at least.
@@ -166,6 +172,7 @@ impl JsonSchema for CountEntry {
             "properties": {
                 "per": {"type": "string", "description": "So many for each piece of this class that was asked for, or for each window of the room."},
                 "each": {"type": "number", "description": "With per: how many for each piece; default 1."},
+                "guests": {"type": "integer", "description": "With per, in a dwelling: no more than its people and so many guests, and a place for each bedroom."},
                 "per_area": {"type": "number", "description": "Pieces per square metre of floor."},
                 "least": {"type": "integer", "description": "With per_area: at least; default 0."},
                 "most": {"type": "integer", "description": "With per_area: at most."},

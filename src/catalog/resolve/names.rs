@@ -28,6 +28,8 @@ pub(crate) struct Names<'a> {
     groups: Vec<Vec<String>>,
     words: BTreeMap<&'a str, Vec<ClassIndex>>,
     abstract_ids: BTreeSet<&'a str>,
+    /// The households that lines of programmes may be for.
+    pub(crate) households: BTreeSet<&'a str>,
 }
 
 /// A word and the classes that it means, sorted.
@@ -53,6 +55,7 @@ impl<'a> Names<'a> {
             groups: Vec::new(),
             words: BTreeMap::new(),
             abstract_ids: BTreeSet::new(),
+            households: BTreeSet::new(),
         };
         for id in table.ids() {
             let definition = table.get(id).expect("the id comes from the table");

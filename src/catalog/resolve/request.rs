@@ -1,10 +1,10 @@
 //! Resolves the lines of a programme.
 
 use super::names::{NamedClasses, Names};
-use super::number::{AREA, FACTOR, Quantity, SHARE, check_count};
+use super::number::{AREA, COUNT, FACTOR, Quantity, SHARE, check_count};
 use crate::catalog::file::{CountEntry, CountFields, RequestEntry};
 use crate::catalog::report::{Report, Spot};
-use crate::catalog::{ClassIndex, Count, Request};
+use crate::catalog::{ClassIndex, Count, ForWhom, Request};
 
 /// Pieces for each piece of another class where the file says nothing.
 const DEFAULT_EACH: f64 = 1.0;
@@ -56,11 +56,38 @@ pub(super) fn resolve_programme(
             is_required: entry.required,
             chance,
             needs_window: entry.window,
+            for_whom: resolve_for_whom(entry, &spot, names, report),
         });
         programme.requests.extend(request.filter(|request| !request.classes.is_empty()));
         programme.named.extend(named.into_iter().chain(named_substitutes));
     }
     programme
+}
+
+fn resolve_for_whom(
+    entry: &RequestEntry,
+    spot: &Spot,
+    names: &Names<'_>,
+    report: &mut Report<'_>,
+) -> ForWhom {
+    let most = *COUNT.end() as f64;
+    let persons = entry.persons.map_or((0.0, f64::from(u32::MAX)), |pair| {
+        let quantity = Quantity::plain("persons", 0.0..=most);
+        quantity.check_pair(pair.with_highest(most), &spot.key("persons"), report)
+    });
+    let words = || entry.household.iter().flat_map(|words| words.items());
+    for (place, unknown) in words().filter(|(_, word)| !names.households.contains(word.as_str())) {
+        let candidates = names.households.iter().copied();
+        report.unknown(&spot.key("household").item(place), "household", unknown, candidates);
+    }
+    let households = words().map(|(_, word)| word.clone());
+    let guests = match &entry.count {
+        Some(CountEntry::Fields(CountFields { guests: Some(guests), .. })) => {
+            Some(check_count("guests", *guests, &spot.key("count").key("guests"), report))
+        }
+        _ => None,
+    };
+    ForWhom { households: households.collect(), persons: (persons.0 as u32, persons.1 as u32), guests }
 }
 
 /// Each class once; of a word first the class of that id, then those of its group by id.
@@ -138,6 +165,7 @@ fn resolve_fields(
 fn check_companions(fields: &CountFields, spot: &Spot, report: &mut Report<'_>) {
     let companions = [
         ("each", fields.each.is_some(), "per", fields.per.is_some()),
+        ("guests", fields.guests.is_some(), "per", fields.per.is_some()),
         ("least", fields.least.is_some(), "per_area", fields.per_area.is_some()),
         ("most", fields.most.is_some(), "per_area", fields.per_area.is_some()),
     ];

@@ -9,7 +9,7 @@ use super::cases::load_above_base;
 use crate::catalog::load::load_files;
 use crate::catalog::read::Files;
 use crate::catalog::{
-    Along, Catalog, Class, Count, Dado, Extent, ModelSource, ParentName, RelationKind, Request, Shape, Side,
+    Along, Catalog, Class, Count, Dado, Extent, ForWhom, ModelSource, ParentName, RelationKind, Request, Shape, Side,
     Turn,
 };
 use crate::document::Faults;
@@ -205,6 +205,7 @@ room_types:
         is_required: true,
         chance: 0.5,
         needs_window: true,
+        for_whom: ForWhom::default(),
     };
     assert_eq!(bath.programme[1], second);
     let counts: Vec<Count> = bath.programme.iter().map(|request| request.count).collect();

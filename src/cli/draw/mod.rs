@@ -8,11 +8,13 @@ mod target;
 use std::path::PathBuf;
 
 use super::arguments::DrawArguments;
+use super::bake::DEFAULT_SEED;
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
 use super::screen::Screen;
 use super::sources::{read_sources, run_style};
 use crate::document::{Faults, printable};
+use crate::dwelling::occupied;
 use crate::edits::distinct_misfits;
 use chosen::{chosen_levels, pages};
 use page::draw_page;
@@ -29,7 +31,9 @@ pub(crate) fn run(arguments: &DrawArguments, screen: Screen) -> Outcome {
 
 fn prepare_and_draw(arguments: &DrawArguments, screen: Screen) -> Result<Outcome, Faults> {
     let target = target(arguments)?;
-    let sources = read_sources(&arguments.sources)?;
+    let mut sources = read_sources(&arguments.sources)?;
+    let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
+    sources.plan = occupied(&sources.plan, &sources.catalog, seed);
     let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
     screen.faults(&sources.faults);
     let levels = chosen_levels(arguments, &sources)?;

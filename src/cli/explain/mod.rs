@@ -11,6 +11,7 @@ use super::screen::Screen;
 use super::sources::{read_sources, run_style};
 use crate::audit::Finding;
 use crate::best::furnish_best;
+use crate::dwelling::occupied;
 use crate::edits::RoomEdits;
 use crate::layout::{Explanation, FurnishOptions, Furnished, RoomLayout};
 use crate::project::Project;
@@ -33,7 +34,9 @@ struct Subject<'a> {
 pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
     let ExplainArguments { plan, catalog, edits, .. } = arguments.clone();
     let sources = SourceArguments { paths: vec![plan], catalog, edits };
-    let told = read_sources(&sources).and_then(|sources| {
+    let told = read_sources(&sources).and_then(|mut sources| {
+        let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
+        sources.plan = occupied(&sources.plan, &sources.catalog, seed);
         screen.faults(&sources.faults);
         let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
         let wanted = Wanted {

@@ -25,6 +25,8 @@ pub(super) fn report<'a>(subject: &'a Subject<'_>) -> ExplainAnswer<'a> {
         level: &found.at.level.id,
         room: &room.id,
         room_type: &room.room_type,
+        planned_type: room.home.as_ref().and_then(|home| home.planned_type.as_deref()),
+        household: room.home.as_ref().map(|home| home.household.as_str()),
         area: room.region.area(),
         seed: subject.seed,
         style: &subject.sources.catalog.styles[subject.furnished.style].id,

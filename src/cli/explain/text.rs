@@ -41,6 +41,7 @@ fn heading(subject: &Subject<'_>) -> String {
     let area = room.region.area();
     let style = &subject.sources.catalog.styles[furnished.style].id;
     let mut text = format!("{name}, {area:.1} m²\n  seed {}, style {style}\n", subject.seed);
+    text += &home(subject);
     let explanation = &subject.explanation;
     if explanation.attempts == 0 {
         return text + "  rooms of this type are not furnished\n";
@@ -61,6 +62,18 @@ fn heading(subject: &Subject<'_>) -> String {
         let _ = writeln!(text, "  found: {}", show_finding(finding, ""));
     }
     text
+}
+
+/// Who lives there, and what the plan calls the room.
+fn home(subject: &Subject<'_>) -> String {
+    let catalog = &subject.sources.catalog;
+    let Some(home) = &subject.found.at.room.home else { return String::new() };
+    let kind = catalog.households.kinds.get(&home.household);
+    let household = kind.map_or(home.household.as_str(), |kind| &kind.label);
+    let label =
+        |id: &String| catalog.room_types.get(id).map_or(id.clone(), |room_type| room_type.label.clone());
+    let planned = home.planned_type.as_ref().map(|id| format!("; the plan says: {}", label(id)));
+    printable(&format!("  household: {household}, {}{}", home.persons, planned.unwrap_or_default())) + "\n"
 }
 
 fn object(subject: &Subject<'_>, story: &ObjectStory, placement: &Placement) -> String {

@@ -142,6 +142,8 @@ fn build_room(assembly: &mut Assembly<'_>, source: usize, border: CenterRoom, nu
         room_type: draft.room_type.clone(),
         style: draft.style.clone(),
         dwelling: draft.dwelling.clone(),
+        household: draft.household.clone(),
+        home: None,
         region,
         height,
         walls,

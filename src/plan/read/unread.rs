@@ -195,8 +195,16 @@ fn is_image(file: &Sample) -> bool {
 }
 
 fn is_catalogue(file: &Sample) -> bool {
-    const KEYS: [&str; 7] =
-        ["classes", "room_types", "styles", "building_styles", "palettes", "formats", "thresholds"];
+    const KEYS: [&str; 8] = [
+        "households",
+        "classes",
+        "room_types",
+        "styles",
+        "building_styles",
+        "palettes",
+        "formats",
+        "thresholds",
+    ];
     !file.has(&["levels"]) && KEYS.iter().any(|key| file.has(&[key]))
 }
 

@@ -85,6 +85,8 @@ pub(super) struct OutRoom {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) dwelling: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) household: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) number: Option<u32>,
     pub(super) height: Number,
     pub(super) outline: FlowSeq<Vec<OutPoint>>,

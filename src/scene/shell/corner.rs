@@ -203,6 +203,8 @@ mod tests {
             room_type: "room".to_owned(),
             style: None,
             dwelling: None,
+            household: None,
+            home: None,
             walls: walls.collect(),
             region,
             height: 2.5,

@@ -143,6 +143,7 @@ impl<'a> Expansion<'a, '_> {
             units,
             level: self.next_number,
             style: level.style.as_ref().or(self.file.style.as_ref()),
+            household: level.household.as_ref(),
             motion: Motion::NONE,
             path: path.to_vec(),
             instance: None,

@@ -94,6 +94,8 @@ pub(crate) struct LevelFile {
     pub(crate) height: Option<f64>,
     /// Style of rooms that name none.
     pub(crate) style: Option<String>,
+    /// Household of rooms that name none.
+    pub(crate) household: Option<String>,
     /// Rooms.
     #[serde(default)]
     pub(crate) rooms: Vec<RoomFile>,
@@ -141,6 +143,8 @@ pub(crate) struct RoomFile {
     /// The flat or other unit that it is part of; rooms of a level with the same word belong together. A copy of a
     /// prototype is one of its own where absent.
     pub(crate) dwelling: Option<String>,
+    /// Who lives in its dwelling: a household of the catalogue; drawn where absent.
+    pub(crate) household: Option<String>,
     /// Number for the room's seed, unique in the level; made from the id where absent.
     pub(crate) number: Option<u32>,
     /// Properties of its walls.

@@ -62,6 +62,7 @@ impl Scope<'_> {
             fixtures: BTreeSet::new(),
             style: room.style.as_ref().or(self.style).cloned(),
             dwelling: room.dwelling.as_deref().or(self.instance_id()).map(str::to_owned),
+            household: room.household.as_ref().or(self.household).cloned(),
             outline: self.outline(room.outline.as_deref(), room.rectangle),
             holes: room.holes.iter().map(|hole| self.moved(hole)).collect(),
             height: room.height.map(|height| self.units.to_metres(height)),

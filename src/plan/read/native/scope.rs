@@ -16,6 +16,8 @@ pub(super) struct Scope<'a> {
     pub(super) level: i64,
     /// Style of rooms that name none.
     pub(super) style: Option<&'a String>,
+    /// Household of rooms that name none.
+    pub(super) household: Option<&'a String>,
     pub(super) motion: Motion,
     /// Document path of what holds the lists of parts.
     pub(super) path: Vec<PathStep>,

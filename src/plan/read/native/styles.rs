@@ -1,4 +1,4 @@
-//! Checks the styles that a plan or a project names.
+//! Checks the styles and households that a plan or a project names.
 
 use super::file::{PlanFile, RoomFile};
 use super::report::{Report, item, step};
@@ -16,13 +16,16 @@ pub(super) fn check_styles(file: &PlanFile, words: &RoomWords, report: &mut Repo
     for (index, level) in file.levels.iter().enumerate() {
         let path = ["levels".into(), index.into()];
         check_style(&path, level.style.as_ref(), words, report);
+        check_household(&path, level.household.as_ref(), words, report);
         check_rooms(&path, &level.rooms, words, report);
     }
 }
 
 fn check_rooms(path: &[PathStep], rooms: &[RoomFile], words: &RoomWords, report: &mut Report<'_>) {
     for (index, room) in rooms.iter().enumerate() {
-        check_style(&item(path, "rooms", index), room.style.as_ref(), words, report);
+        let path = item(path, "rooms", index);
+        check_style(&path, room.style.as_ref(), words, report);
+        check_household(&path, room.household.as_ref(), words, report);
     }
 }
 
@@ -40,9 +43,24 @@ pub(crate) fn check_style(
     false
 }
 
-/// Takes the styles away that do not exist, so that no later stage meets them.
+/// Reports the `household` of the value at a document path if it does not exist.
+fn check_household(
+    path: &[PathStep],
+    household: Option<&String>,
+    words: &RoomWords,
+    report: &mut Report<'_>,
+) {
+    if let Some(unknown) = household.filter(|household| !words.has_household(household)) {
+        let known = words.households.iter().map(String::as_str).collect::<Vec<_>>().join(", ");
+        let hint = did_you_mean(unknown, &words.households).unwrap_or_else(|| format!("there are {known}"));
+        report.error(&step(path, "household"), format!("unknown household \"{unknown}\""), Some(hint));
+    }
+}
+
+/// Takes the styles and households away that do not exist, so that no later stage meets them.
 pub(super) fn drop_unknown(draft: &mut BuildingDraft, words: &RoomWords) {
     for room in draft.levels.iter_mut().flat_map(|level| &mut level.rooms) {
         room.style = room.style.take().filter(|style| words.has_style(style));
+        room.household = room.household.take().filter(|household| words.has_household(household));
     }
 }
