@@ -51,8 +51,8 @@ pub struct Role {
     pub of: BTreeSet<String>,
     /// Square metres, least and most.
     pub area: (f64, f64),
-    /// Whether it needs a window where any room of the dwelling has one.
-    pub needs_window: bool,
+    /// Whether it takes a room without daylight only where no other is left.
+    pub wants_window: bool,
     /// Whether somebody sleeps there.
     pub sleeps: bool,
     /// Whether it takes the smallest room that suits it, not the largest.

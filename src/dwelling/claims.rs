@@ -129,8 +129,12 @@ impl<'a> Rooms<'a> {
         let sign = if role.takes_smallest { -1.0 } else { 1.0 };
         while taken < claim.count {
             let suits = |room: &usize| self.is_open(room) && self.chambers[*room].suits(role);
-            let fitting = (0..self.chambers.len()).filter(suits);
-            let Some(room) = best(fitting, |room| sign * self.chambers[room].area) else { break };
+            let is_light = |room: &usize| suits(room) && self.chambers[*room].is_light;
+            let all = 0..self.chambers.len();
+            let light = all.clone().filter(|room| role.wants_window && is_light(room));
+            let area = |room: usize| sign * self.chambers[room].area;
+            let found = best(light, area).or_else(|| best(all.filter(suits), area));
+            let Some(room) = found else { break };
             self.roles[room] = Some(claim.role.clone());
             taken += 1;
         }

@@ -15,30 +15,36 @@ pub(super) fn living_rooms(chambers: &[Chamber<'_>], households: &Households) ->
     let homes = &households.homes;
     let is_living = |index: &usize| homes.living.contains(&chambers[*index].room.room_type);
     let named: Vec<usize> = (0..chambers.len()).filter(is_living).collect();
+    let Some(first) = best(named.iter().copied(), |index| chambers[index].area) else {
+        return open_living_room(chambers, households).into_iter().collect();
+    };
+    let second = slice::from_ref(&homes.second_living);
+    let others = named.into_iter().filter(|&index| index != first);
+    others.filter_map(|index| role_of(chambers, index, second, households)).collect()
+}
+
+/// The living room of a plan that names none.
+fn open_living_room(chambers: &[Chamber<'_>], households: &Households) -> Option<Choice> {
+    let homes = &households.homes;
     let has =
         |types: &BTreeSet<String>| chambers.iter().any(|chamber| types.contains(&chamber.room.room_type));
-    if let Some(first) = best(named.iter().copied(), |index| chambers[index].area) {
-        let others = named.into_iter().filter(|&index| index != first);
-        return others
-            .filter_map(|index| role_of(chambers, index, slice::from_ref(&homes.second_living), households))
-            .collect();
-    }
     // A floor without a kitchen is part of a dwelling that goes on elsewhere.
     if !has(&homes.kitchens) {
-        return Vec::new();
+        return None;
     }
     let is_there = has_table(chambers, households);
     let roles = if is_there { &homes.living_without_table } else { &homes.living_with_table };
     let suits = |index: &usize| role_of(chambers, *index, roles, households).is_some();
-    let Some(first) = best((0..chambers.len()).filter(suits), |index| chambers[index].living_score) else {
-        return Vec::new();
-    };
-    let sleeps_elsewhere = |index: usize| index != first && chambers[index].may_sleep(households);
+    let sleeps = |index: usize| chambers[index].may_sleep(households);
+    let leaves_a_bedroom =
+        |living: &usize| (0..chambers.len()).any(|other| other != *living && sleeps(other));
+    let score = |index: usize| chambers[index].living_score;
+    let all = || (0..chambers.len()).filter(suits);
+    let first = best(all().filter(leaves_a_bedroom), score).or_else(|| best(all(), score))?;
     // Where there is no bath, people sleep on another floor.
-    let is_only = has(&homes.bathrooms) && !(0..chambers.len()).any(sleeps_elsewhere);
-    let only =
-        is_only.then(|| role_of(chambers, first, slice::from_ref(&homes.only_room), households)).flatten();
-    only.or_else(|| role_of(chambers, first, roles, households)).into_iter().collect()
+    let is_only = has(&homes.bathrooms) && !leaves_a_bedroom(&first);
+    let only = is_only.then(|| role_of(chambers, first, slice::from_ref(&homes.only_room), households));
+    only.flatten().or_else(|| role_of(chambers, first, roles, households))
 }
 
 /// Whether the plan names a room with a table for meals.

@@ -28,7 +28,7 @@ pub(super) struct Chamber<'a> {
     pub(super) room: &'a Room,
     /// Square metres.
     pub(super) area: f64,
-    /// Whether its size and light are such that a role that needs a window may take it.
+    /// Whether it has daylight; in a dwelling that is dark everywhere each room has.
     pub(super) is_light: bool,
     /// Square metres times what speaks for a living room.
     pub(super) living_score: f64,
@@ -56,19 +56,17 @@ pub(super) fn chambers<'a>(
 }
 
 impl Chamber<'_> {
-    /// Whether the plan, the size and the light leave it open for a role.
+    /// Whether the plan and the size leave it open for a role.
     pub(super) fn suits(&self, role: &Role) -> bool {
         let (least, most) = role.area;
-        role.of.contains(&self.room.room_type)
-            && (least..=most).contains(&self.area)
-            && (self.is_light || !role.needs_window)
+        role.of.contains(&self.room.room_type) && (least..=most).contains(&self.area)
     }
 
     /// Whether somebody may sleep there.
     pub(super) fn may_sleep(&self, households: &Households) -> bool {
         let named = households.roles.get(&self.room.room_type);
         let is_named = named.is_some_and(|role| role.sleeps);
-        is_named || households.roles.values().any(|role| role.sleeps && role.needs_window && self.suits(role))
+        is_named || households.roles.values().any(|role| role.sleeps && role.wants_window && self.suits(role))
     }
 }
 

@@ -72,7 +72,7 @@ pub(crate) struct RoleEntry {
     pub(crate) of: Vec<String>,
     /// Square metres, least and most; one number is the least.
     pub(crate) area: Option<Pair>,
-    /// Whether it needs a window where any room of the dwelling has one; default false.
+    /// Whether it takes a room without daylight only where no other is left; default false.
     #[serde(default)]
     pub(crate) window: bool,
     /// Whether somebody sleeps there; default false.

@@ -99,7 +99,7 @@ impl Check<'_, '_, '_> {
         Role {
             of: self.types(&entry.of, &spot.key("of")),
             area: quantity.check_pair(area, &spot.key("area"), self.report),
-            needs_window: entry.window,
+            wants_window: entry.window,
             sleeps: entry.sleeps,
             takes_smallest: entry.pick == PickWord::Smallest,
         }

@@ -9,8 +9,8 @@ use super::cases::load_above_base;
 use crate::catalog::load::load_files;
 use crate::catalog::read::Files;
 use crate::catalog::{
-    Along, Catalog, Class, Count, Dado, Extent, ForWhom, ModelSource, ParentName, RelationKind, Request, Shape, Side,
-    Turn,
+    Along, Catalog, Class, Count, Dado, Extent, ForWhom, ModelSource, ParentName, RelationKind, Request,
+    Shape, Side, Turn,
 };
 use crate::document::Faults;
 use crate::recipes::{Slot, find};
