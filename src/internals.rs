@@ -22,7 +22,7 @@ pub mod diff {
     pub use crate::diff::{DiffOptions, Tolerance, compare, text};
 }
 pub mod document {
-    pub use crate::document::{Fault, FaultSeverity, Faults};
+    pub use crate::document::{Fault, FaultSeverity, Faults, Source};
 }
 pub mod draw {
     pub use crate::draw::{Drawing, draw_level};

@@ -1,6 +1,5 @@
-//! Finds all faults of a document that serde rejected, with the JSON Schema of its type.
+//! Finds all faults of a document that is not of its type, with the JSON Schema of the type.
 
-use schemars::JsonSchema;
 use serde_json::Value;
 
 use super::choice::{Choice, condense};
@@ -8,10 +7,10 @@ use super::fault::{Fault, FaultSeverity, PathStep};
 use super::faults::Faults;
 use super::format::{Format, Refusal};
 use super::limits::FAULT_LIMIT;
+use super::node::{Content, Node, Spelling};
 use super::schema::{JsonType, SchemaFault, SchemaProblem, schema_faults};
 use super::source::Source;
 use super::suggest::did_you_mean;
-use super::tree::{Content, Node};
 
 /// How people write the units that files may name, the file's word first.
 const UNITS: [&[&str]; 5] = [
@@ -25,16 +24,15 @@ const UNITS: [&[&str]; 5] = [
 /// Everything that is wrong with the text, with places; at least one fault.
 ///
 /// Order: by place. Faults of syntax stand alone, for what follows them is guesswork.
-pub(super) fn diagnose<T: JsonSchema>(source: &Source, refusal: &Refusal) -> Faults {
+pub(super) fn diagnose(source: &Source, refusal: &Refusal, schema: &dyn Fn() -> Value) -> Faults {
     let is_json = Format::of(source.file()) == Format::Json;
     let tree = match source.tree() {
         Ok(tree) if !(is_json && refusal.is_syntax) => tree,
         Err(flaw) if !is_json => return source.fault_of_flaw(flaw).into(),
         _ => return fault_of_refusal(source, refusal).into(),
     };
-    let schema = schemars::schema_for!(T).to_value();
     let mut faults = source.flaws();
-    faults.merge(departures(source, &tree.root, &schema));
+    faults.merge(departures(source, &tree.root, &schema()));
     if faults.is_empty() {
         faults.push(fault_of_refusal(source, refusal));
     }
@@ -104,7 +102,7 @@ impl Diagnosis<'_> {
         let Some(node) = self.root.find(path) else { return };
         let found = match &node.content {
             // YAML lets an unquoted number stand where a text is asked for, and so does serde.
-            Content::Scalar { value, plain: Some(_) }
+            Content::Scalar { value, spelling: Spelling::Word(_) }
                 if expected.contains(&JsonType::String) && !value.is_null() && self.is_yaml() =>
             {
                 return;

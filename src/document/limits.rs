@@ -8,12 +8,9 @@ pub const FILE_SIZE_LIMIT: u64 = 512 * 1024 * 1024;
 /// takes up to 22 kB of stack, of which threads have 2 MB.
 pub(super) const DEPTH_LIMIT: usize = 48;
 
-/// Values of a document after aliases are copied out, in the tree that locates faults and in YAML. Above
-/// it a file's first fault is reported alone. A value of the tree takes about 100 bytes.
+/// Values of a document after aliases are copied out, in YAML and where the faults of JSON are located. Above
+/// it a file's first fault is reported alone. A value takes about 100 bytes.
 pub(super) const VALUE_LIMIT: usize = 4_000_000;
-
-/// Anchors and aliases of a YAML document: people write a handful.
-pub(super) const ALIAS_LIMIT: usize = 10_000;
 
 /// Faults listed for one file: beyond, a file has the wrong format rather than so many mistakes.
 pub(super) const FAULT_LIMIT: usize = 100;

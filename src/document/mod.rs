@@ -1,8 +1,8 @@
 //! Reads YAML and JSON files into typed values, and reports all faults of a file at once.
 //!
-//! `plan/` and `catalog/` share this stage and interpret the values. Serde reads a good file straight into its type. If
-//! this fails, the file is read again into a `tree` that knows the place of every value, and checked against the JSON
-//! Schema of the type. Thus every fault is found with its place, and files without faults cost no time for places.
+//! `plan/` and `catalog/` share this stage and interpret the values. A file is read into a tree, for YAML one that knows the
+//! place of every value, and its type is read from the tree (`typed`). If this fails, the tree is checked against the JSON
+//! Schema of the type; JSON is read again for it, with places. Thus every fault is found with its place.
 
 mod choice;
 mod diagnose;
@@ -10,14 +10,18 @@ mod excerpt;
 mod fault;
 mod faults;
 mod format;
+mod json;
 mod keys;
 mod limits;
+mod node;
 mod scalar;
 mod schema;
 mod source;
 mod suggest;
 mod text;
 mod tree;
+mod typed;
+mod unique;
 mod xml;
 
 #[cfg(test)]

@@ -12,10 +12,12 @@ use super::diagnose::diagnose;
 use super::excerpt::Lines;
 use super::fault::{Fault, FaultSeverity, PathStep};
 use super::faults::Faults;
-use super::format::{Format, may_be_infinite};
+use super::format::{Format, Refusal};
+use super::json::parse_json;
 use super::keys::top_keys;
 use super::limits::FILE_SIZE_LIMIT;
 use super::tree::{Flaw, Tree};
+use super::typed::typed;
 use crate::disk::open_regular;
 
 /// The text of a file, kept while its meaning is checked. The places of its values are worked out when
@@ -79,15 +81,27 @@ impl Source {
     /// # Errors
     /// All faults of the text.
     pub fn parse<T: DeserializeOwned + JsonSchema>(&self) -> Result<T, Faults> {
-        let format = Format::of(&self.file);
-        match format.parse(&self.text) {
-            Ok(value) if format == Format::Json || !may_be_infinite(&self.text) => Ok(value),
-            Ok(value) => match self.flaws() {
-                flaws if flaws.is_empty() => Ok(value),
-                flaws => Err(flaws),
-            },
-            Err(refusal) => Err(diagnose::<T>(self, &refusal)),
+        match self.read_typed() {
+            Ok(value) if self.is_json() || self.flaws().is_empty() => Ok(value),
+            Ok(_) => Err(self.flaws()),
+            Err(refusal) => Err(diagnose(self, &refusal, &|| schemars::schema_for!(T).to_value())),
         }
+    }
+
+    fn read_typed<T: DeserializeOwned>(&self) -> Result<T, Refusal> {
+        let of_type = |mismatch| Refusal::of_type(mismatch, self.tree().as_ref().ok().map(|tree| &tree.root));
+        if self.is_json() {
+            return typed(&parse_json(&self.text).map_err(|error| Refusal::of_json(&error))?)
+                .map_err(of_type);
+        }
+        match self.tree() {
+            Ok(tree) => typed(&tree.root).map_err(of_type),
+            Err(flaw) => Err(Refusal::of_flaw(flaw)),
+        }
+    }
+
+    fn is_json(&self) -> bool {
+        Format::of(&self.file) == Format::Json
     }
 
     /// The keys of the outermost mapping, as far as they can be found without reading the values; for a text

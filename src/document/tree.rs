@@ -1,52 +1,15 @@
-//! A document as a tree that knows the place of every key and value. JSON is read as YAML, of which it is a part.
+//! Reads a document into a tree that knows the place of every key and value. JSON is read as YAML, of which it is a part.
 
 use std::collections::BTreeMap;
 
+use granit_parser::{Event, Marker, Options, Parser, ScalarStyle, StructureStyle};
 use serde_json::Value;
-use serde_saphyr::granit_parser::{Event, Marker, Options, Parser, ScalarStyle, StructureStyle};
 
 use super::fault::PathStep;
 use super::limits::{DEPTH_LIMIT, VALUE_LIMIT};
+use super::node::{Content, Entry, Node, Position, Spelling};
 use super::scalar::{Plain, resolve};
-
-/// Line and column, both from 1.
-pub(super) type Position = (usize, usize);
-
-/// One value and its place.
-#[derive(Clone, Debug)]
-pub(super) struct Node {
-    /// Its first letter; that of the first key for a mapping without braces.
-    pub(super) position: Position,
-    /// The content.
-    pub(super) content: Content,
-}
-
-/// The content of a [`Node`].
-#[derive(Clone, Debug)]
-pub(super) enum Content {
-    /// A single value.
-    Scalar {
-        /// The value.
-        value: Value,
-        /// The text of an unquoted word, which YAML lets stand for a text as well.
-        plain: Option<String>,
-    },
-    /// A list.
-    Sequence(Vec<Node>),
-    /// A mapping, in the order of the file.
-    Mapping(Vec<Entry>),
-}
-
-/// A key and its value.
-#[derive(Clone, Debug)]
-pub(super) struct Entry {
-    /// The key.
-    pub(super) key: String,
-    /// Where the key stands.
-    pub(super) key_position: Position,
-    /// The value.
-    pub(super) value: Node,
-}
+use super::unique::UniqueKeys;
 
 /// Something wrong with a document whatever it is to mean: a key named twice, an infinite number.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,64 +52,9 @@ impl Tree {
             })?;
             builder.take(event, place(&span.start))?;
         }
-        let empty = Node { position: (1, 1), content: Content::Scalar { value: Value::Null, plain: None } };
+        let nothing = Content::Scalar { value: Value::Null, spelling: Spelling::Word("".into()) };
+        let empty = Node { position: (1, 1), content: nothing };
         Ok(Self { root: builder.root.unwrap_or(empty), flaws: builder.flaws })
-    }
-}
-
-impl Node {
-    /// The value without places. Not deeper than [`DEPTH_LIMIT`], for the tree is not.
-    pub(super) fn to_value(&self) -> Value {
-        match &self.content {
-            Content::Scalar { value, .. } => value.clone(),
-            Content::Sequence(items) => Value::Array(items.iter().map(Self::to_value).collect()),
-            Content::Mapping(entries) => Value::Object(
-                entries.iter().map(|entry| (entry.key.clone(), entry.value.to_value())).collect(),
-            ),
-        }
-    }
-
-    /// The value at a path, if it exists.
-    pub(super) fn find(&self, path: &[PathStep]) -> Option<&Self> {
-        path.iter().try_fold(self, |node, step| node.child(step).map(|(_, child)| child))
-    }
-
-    /// Where to point for a path: at its value if that begins on the line of its key, else at the key; at
-    /// the nearest value around it if there is nothing at the path.
-    pub(super) fn locate(&self, path: &[PathStep]) -> Position {
-        let (mut node, mut position) = (self, self.position);
-        for step in path {
-            let Some((key_position, child)) = node.child(step) else { break };
-            let same_line = key_position.is_none_or(|key| key.0 == child.position.0);
-            position = if same_line { child.position } else { key_position.unwrap_or(child.position) };
-            node = child;
-        }
-        position
-    }
-
-    /// Where the key at the end of a path stands, if the path exists and ends with a key.
-    pub(super) fn locate_key(&self, path: &[PathStep]) -> Option<Position> {
-        let (last, parents) = path.split_last()?;
-        self.find(parents)?.child(last)?.0
-    }
-
-    fn child(&self, step: &PathStep) -> Option<(Option<Position>, &Self)> {
-        match (&self.content, step) {
-            (Content::Sequence(items), PathStep::Index(index)) => items.get(*index).map(|item| (None, item)),
-            (Content::Mapping(entries), PathStep::Key(key)) => {
-                let entry = entries.iter().find(|entry| entry.key == *key)?;
-                Some((Some(entry.key_position), &entry.value))
-            }
-            _ => None,
-        }
-    }
-
-    fn count(&self) -> usize {
-        1 + match &self.content {
-            Content::Scalar { .. } => 0,
-            Content::Sequence(items) => items.iter().map(Self::count).sum(),
-            Content::Mapping(entries) => entries.iter().map(|entry| entry.value.count()).sum(),
-        }
     }
 }
 
@@ -167,8 +75,8 @@ struct Frame {
     content: Content,
     /// The key that waits for its value, in a mapping.
     key: Option<(String, Position)>,
-    /// The line of each key so far, in a mapping.
-    lines: BTreeMap<String, usize>,
+    /// The keys so far, in a mapping.
+    keys: UniqueKeys,
 }
 
 #[derive(Default)]
@@ -217,29 +125,25 @@ impl Builder {
     }
 
     fn scalar(&mut self, text: &str, style: ScalarStyle, position: Position) -> Node {
-        let content = if style != ScalarStyle::Plain {
-            Content::Scalar { value: Value::String(text.to_owned()), plain: None }
-        } else if self.awaits_key() {
-            Content::Scalar { value: Value::String(text.to_owned()), plain: Some(text.to_owned()) }
-        } else {
-            let value = match resolve(text) {
-                Plain::Value(value) => value,
-                Plain::NotFinite => {
-                    let flaw = self.flaw(position, format!("{text} is not a finite number"));
-                    self.flaws.push(flaw);
-                    Value::from(0.0)
-                }
-            };
-            Content::Scalar { value, plain: Some(text.to_owned()) }
+        let is_text = style != ScalarStyle::Plain || self.awaits_key();
+        let resolved = if is_text { Plain::Value(Value::String(text.to_owned())) } else { resolve(text) };
+        let value = match resolved {
+            Plain::Value(value) => value,
+            Plain::NotFinite => {
+                let flaw = self.flaw(position, format!("{text} is not a finite number"));
+                self.flaws.push(flaw);
+                Value::from(0.0)
+            }
         };
-        Node { position, content }
+        let spelling = if value.is_string() { Spelling::Text } else { Spelling::Word(text.into()) };
+        Node { position, content: Content::Scalar { value, spelling } }
     }
 
     fn open(&mut self, content: Content, anchor: usize, position: Position) -> Result<(), Flaw> {
         if self.frames.len() >= DEPTH_LIMIT {
             return Err(self.flaw(position, format!("nested deeper than {DEPTH_LIMIT} levels")));
         }
-        self.frames.push(Frame { position, anchor, content, key: None, lines: BTreeMap::new() });
+        self.frames.push(Frame { position, anchor, content, key: None, keys: UniqueKeys::default() });
         Ok(())
     }
 
@@ -269,29 +173,32 @@ impl Builder {
     }
 
     fn take_key(&mut self, node: Node) {
-        let key = match &node.content {
-            Content::Scalar { value: Value::String(key), .. } => key.clone(),
-            _ => {
-                let flaw = self.flaw(node.position, "a key must be a word".to_owned());
-                self.flaws.push(flaw);
-                String::from("?")
-            }
+        let Content::Scalar { value: Value::String(key), .. } = node.content else {
+            let flaw = self.flaw(node.position, "a key must be a word".to_owned());
+            self.flaws.push(flaw);
+            return self.take_word("?".to_owned(), node.position);
         };
-        let frame = self.frames.last_mut().expect("a key stands in a mapping");
-        let earlier = frame.lines.get(&key).copied();
-        frame.lines.entry(key.clone()).or_insert(node.position.0);
-        if let Some(line) = earlier {
-            let mut flaw = self.flaw(node.position, format!("duplicate key \"{key}\", first in line {line}"));
+        self.take_word(key, node.position);
+    }
+
+    fn take_word(&mut self, key: String, position: Position) {
+        let Some(Frame { content: Content::Mapping(entries), keys, .. }) = self.frames.last_mut() else {
+            return;
+        };
+        if !keys.insert(entries, &key) {
+            let earlier = entries.iter().find(|entry| entry.key == key);
+            let line = earlier.map_or(position.0, |entry| entry.key_position.0);
+            let mut flaw = self.flaw(position, format!("duplicate key \"{key}\", first in line {line}"));
             flaw.hint = Some("keep one of them");
             self.flaws.push(flaw);
         }
         if key == "<<" {
-            let mut flaw = self.flaw(node.position, "merge keys (<<) are not supported".to_owned());
+            let mut flaw = self.flaw(position, "merge keys (<<) are not supported".to_owned());
             flaw.hint = Some("write the keys out, or use what the format has for it (extends, prototypes)");
             self.flaws.push(flaw);
         }
         let frame = self.frames.last_mut().expect("a key stands in a mapping");
-        frame.key = Some((key, node.position));
+        frame.key = Some((key, position));
     }
 
     fn awaits_key(&self) -> bool {

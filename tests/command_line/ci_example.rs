@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use roomwright::internals::document::Source;
 use serde_json::Value;
 
 use super::world::{World, plan};
@@ -11,7 +12,7 @@ const EXAMPLE: &str = include_str!("../../docs/examples/roomwright.yml");
 
 /// The steps of the only job.
 fn steps() -> Vec<Value> {
-    let workflow: Value = serde_saphyr::from_str(EXAMPLE).unwrap();
+    let workflow: Value = Source::new("text.yaml".as_ref(), EXAMPLE).parse().unwrap();
     let jobs = workflow["jobs"].as_object().unwrap();
     assert_eq!(jobs.len(), 1);
     jobs.values().next().unwrap()["steps"].as_array().unwrap().clone()

@@ -1,5 +1,6 @@
 //! Names with a meaning for file systems, terminals, SVG, HTML and JSON, and manifests with random damage.
 
+use roomwright::internals::document::Source;
 use serde_json::{Value, json};
 
 use super::mutate::{Draw, made};
@@ -32,7 +33,7 @@ const NAMES: [&str; 22] = [
 
 /// A plan whose building, level and rooms have this name.
 fn named(name: &str) -> String {
-    let mut document: Value = serde_saphyr::from_str(&plan("alpha", 1)).unwrap();
+    let mut document: Value = Source::new("text.yaml".as_ref(), &plan("alpha", 1)).parse().unwrap();
     document["id"] = json!(name);
     document["name"] = json!(name);
     let level = &mut document["levels"][0];

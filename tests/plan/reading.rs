@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use roomwright::internals::document::Source;
+
 use super::support::{read, read_text, summary};
 
 const ROOM: &str = "version: 1\nlevels:\n- id: a\n  rooms:\n  - {id: r, type: office, rectangle: [0, 0, 4, 3]}\n  openings:\n  - {kind: door, at: [1, 0], hinge: left, opens_into: r}\n";
@@ -37,7 +39,7 @@ fn the_order_of_paths_does_not_matter() {
 }
 
 fn to_json(yaml: &str) -> String {
-    let value: serde_json::Value = serde_saphyr::from_str(yaml).unwrap();
+    let value: serde_json::Value = Source::new("text.yaml".as_ref(), yaml).parse().unwrap();
     serde_json::to_string_pretty(&value).unwrap()
 }
 

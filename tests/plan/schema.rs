@@ -1,5 +1,7 @@
 //! The plans in `configs/` obey the published JSON Schemas.
 
+use roomwright::internals::document::Source;
+
 use super::support::{files, repository};
 
 #[test]
@@ -18,7 +20,7 @@ fn ready_plans_name_their_schema_and_obey_it() {
                 continue;
             }
             assert!(text.lines().next().unwrap().ends_with(mark), "{}", plan.display());
-            let value: serde_json::Value = serde_saphyr::from_str(&text).unwrap();
+            let value: serde_json::Value = Source::new("text.yaml".as_ref(), &text).parse().unwrap();
             let errors: Vec<String> = validator.iter_errors(&value).map(|error| error.to_string()).collect();
             assert!(errors.is_empty(), "{}: {errors:?}", plan.display());
         }
