@@ -4,8 +4,8 @@
 //! the building and the level join in, so that no two rooms of a city share one.
 
 use crate::geometry::Bounds;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
 
 use crate::plan::RoomRef;
@@ -83,7 +83,7 @@ fn stream_number(purpose: Purpose, name: &str, number: u32) -> u64 {
 }
 
 /// A stream of random numbers. Draws 32 bits at a time: `usize` differs between machines.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Stream(ChaCha8Rng);
 
 impl Stream {

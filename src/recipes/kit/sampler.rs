@@ -1,11 +1,11 @@
 //! The random stream of one look of one recipe.
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
 
 /// Draws proportions and counts; the same recipe and look draw the same, whatever the size or the class.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct Sampler {
     stream: ChaCha8Rng,
 }

@@ -1,5 +1,5 @@
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
 
 use super::super::corner::{Footprint, footprints};
 use super::super::storey::Storey;
