@@ -85,7 +85,7 @@ fn slacks<'e>(evidence: &'e Evidence<'_, '_>) -> impl Iterator<Item = f64> + 'e 
     }
     evidence.zones.iter().filter_map(move |zone| {
         let Purpose::Comfort(owner, number) = zone.purpose else { return None };
-        let clearance = &subject.bodies[owner].class.clearances[number];
+        let clearance = subject.bodies[owner].class.clearance(number);
         // What is tolerated is free: a millimetre less does not make the score jump.
         let free = free.get(&(owner, number)).map_or(clearance.good, |free| free + tolerated);
         // Space beyond the good depth makes no room better.

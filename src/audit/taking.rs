@@ -17,7 +17,7 @@ use super::zone::{NearPair, Purpose, Zone};
 pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
     let mut zones = Vec::new();
     for (owner, body) in subject.bodies.iter().enumerate() {
-        for (number, clearance) in body.class.clearances.iter().enumerate() {
+        for (number, clearance) in body.class.all_clearances().enumerate() {
             if clearance.minimum > 0.0 {
                 zones.push(zone(body, clearance, clearance.minimum, Purpose::Using(owner, number)));
             }
@@ -71,8 +71,9 @@ impl Taking {
     /// The clearance that is taken, as deep as its minimum or its good figure.
     pub(crate) fn region(&self, subject: &Subject<'_>, is_good: bool) -> FloorRegion {
         let owner = &subject.bodies[self.owner];
-        let (_, solid) = &clearance_solids(owner.class, owner.placement, is_good)[self.number];
-        solid.base.corners().to_vec()
+        let clearance = owner.class.clearance(self.number);
+        let depth = if is_good { clearance.good } else { clearance.minimum };
+        zone(owner, clearance, depth, Purpose::Using(self.owner, self.number)).base
     }
 }
 
@@ -133,6 +134,28 @@ pub(crate) fn takings(
             }));
         }
     }
+    without_spare_sides(subject, takings)
+}
+
+/// The same without what takes a side of which another is enough and free; where all of them are taken, what takes the one
+/// that has most.
+fn without_spare_sides(subject: &Subject<'_>, mut takings: Vec<Taking>) -> Vec<Taking> {
+    let mut free: BTreeMap<usize, BTreeMap<usize, f64>> = BTreeMap::new();
+    for taking in takings.iter().filter(|taking| subject.bodies[taking.owner].class.is_either(taking.number))
+    {
+        let free = free.entry(taking.owner).or_default().entry(taking.number).or_insert(f64::INFINITY);
+        *free = free.min(taking.free);
+    }
+    let best = |owner: usize| {
+        let sides = &free[&owner];
+        let are_all_taken = sides.len() == subject.bodies[owner].class.either.len();
+        let most = sides.iter().reduce(|most, side| if side.1 > most.1 { side } else { most });
+        most.filter(|_| are_all_taken).map(|(&number, _)| number)
+    };
+    takings.retain(|taking| {
+        !subject.bodies[taking.owner].class.is_either(taking.number)
+            || best(taking.owner) == Some(taking.number)
+    });
     takings
 }
 
@@ -147,7 +170,7 @@ pub(crate) fn comfort_takings(subject: &Subject<'_>, zones: &[Zone], hits: &[Nea
 /// Whether a body may be in a clearance: it belongs to its object, and the side takes children or it lies
 /// below in the hierarchy.
 fn is_welcome(subject: &Subject<'_>, owner: usize, number: usize, body: usize) -> bool {
-    let clearance = &subject.bodies[owner].class.clearances[number];
+    let clearance = subject.bodies[owner].class.clearance(number);
     // Parents come before their children in the placements: a body of a lower index is the owner or what that belongs to.
     is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner)
 }

@@ -149,6 +149,8 @@ thresholds! {
         low_piece: Metres,
         /// Plants and small objects narrower than this may stand there.
         slim_width: Metres,
+        /// So may a piece of which no part as wide as this rises so far: a sink with its tap.
+        slim_part: Metres,
     }
     /// The view of a screen.
     screens: ScreenRules {

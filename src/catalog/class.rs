@@ -73,6 +73,8 @@ pub struct Class {
     pub sides: [SideOffer; 6],
     /// Regions before its sides that no body may enter.
     pub clearances: Vec<Clearance>,
+    /// Further regions of which one is enough: people get into a bed by one of its sides.
+    pub either: Vec<Clearance>,
     /// Wishes about other objects that are not its parent.
     pub relations: Vec<Relation>,
     /// Under whom it lies on the floor, best first; empty for what is no rug.
@@ -122,6 +124,7 @@ impl Class {
             parents: Vec::new(),
             sides: [SideOffer::NONE; 6],
             clearances: Vec::new(),
+            either: Vec::new(),
             relations: Vec::new(),
             covers: Vec::new(),
             carries: Vec::new(),
@@ -137,6 +140,26 @@ impl Class {
             model: ModelSource::Recipe { recipe, parameters: Vec::new() },
             depth: 0,
         }
+    }
+
+    /// All regions before its sides: those that it needs, then those of which one is enough.
+    pub fn all_clearances(&self) -> impl Iterator<Item = &Clearance> {
+        self.clearances.iter().chain(&self.either)
+    }
+
+    /// One of [`Class::all_clearances`].
+    ///
+    /// # Panics
+    /// If the class has fewer.
+    #[must_use]
+    pub fn clearance(&self, number: usize) -> &Clearance {
+        self.all_clearances().nth(number).expect("clearances are numbered by their class")
+    }
+
+    /// Whether one of [`Class::all_clearances`] may be missing if another is there.
+    #[must_use]
+    pub fn is_either(&self, number: usize) -> bool {
+        number >= self.clearances.len()
     }
 
     /// Number of variants: sizes times looks.

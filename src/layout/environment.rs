@@ -214,7 +214,7 @@ impl<'a> Environment<'a> {
             self.push_body(OwnedSolid { solid, owner: agent, is_flat });
         }
         let first_clearance = self.clearances.len();
-        for clearance in &class.clearances {
+        for clearance in class.clearances.iter().chain(self.chosen_clearance(agent, place)) {
             // Two depths (metres): where another may not stand, and where it had better not (`TIGHT_PENALTY`).
             let solid = clearance_solid(clearance, size, &place.pose, clearance.minimum);
             let comfort =

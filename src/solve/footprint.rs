@@ -26,11 +26,30 @@ pub(super) fn lowest_underside(class: &Class) -> f64 {
     if lowest.is_finite() { lowest } else { 0.0 }
 }
 
-/// The boxes of the piece itself and of its clearances, in the class's frame.
-pub(super) fn needed_boxes(class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> Vec<Bounds> {
+/// The boxes of the piece itself and of its clearances, in the class's frame; one list for each of those of which one is
+/// enough.
+pub(super) fn needed_boxes(
+    class: &Class,
+    size: Size,
+    depth_of: impl Fn(&Clearance) -> f64,
+) -> Vec<Vec<Bounds>> {
+    let needed = |one: Option<&Clearance>| boxes_of(class.clearances.iter().chain(one), size, &depth_of);
+    if class.either.is_empty() {
+        vec![needed(None)]
+    } else {
+        class.either.iter().map(|one| needed(Some(one))).collect()
+    }
+}
+
+/// The boxes of a piece of a size and of some clearances.
+fn boxes_of<'c>(
+    clearances: impl Iterator<Item = &'c Clearance>,
+    size: Size,
+    depth_of: impl Fn(&Clearance) -> f64,
+) -> Vec<Bounds> {
     let half = Point::new(size.width, size.depth) / 2.0;
     let mut boxes = vec![Bounds::new(-half, half)];
-    for clearance in &class.clearances {
+    for clearance in clearances {
         let (mut low, mut high, depth) = (-half, half, depth_of(clearance));
         match clearance.side {
             Side::Front => (low.y, high.y) = (-half.y - depth, -half.y),

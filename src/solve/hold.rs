@@ -19,7 +19,7 @@ use super::spots::{Spot, Trial};
 const MOST_SPOTS: f64 = 400_000.0;
 
 /// A piece where it could stand.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Stand {
     /// Where.
     pub(crate) spot: Spot,
@@ -80,18 +80,33 @@ pub(crate) fn smallest_size(class: &Class) -> Size {
 
 impl Space<'_, '_> {
     fn holds(&self, class: &Class, size: Size, depth_of: impl Fn(&Clearance) -> f64) -> bool {
-        let boxes = needed_boxes(class, size, depth_of);
+        let mut either = needed_boxes(class, size, depth_of).into_iter();
         lowest_underside(class) + size.height <= self.empty.at.room.height
-            && self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP }, |_, _| true)
+            && either.any(|boxes| {
+                self.any_free(&Trial { class, size, boxes: &boxes, step: FIT_STEP }, |_, _| true)
+            })
     }
 
     fn free_stands(&self, class: &Class, size: Size) -> Stands {
-        let boxes = needed_boxes(class, size, |clearance| clearance.minimum);
+        let either = needed_boxes(class, size, |clearance| clearance.minimum);
+        let all: Vec<Stands> = either.iter().map(|boxes| self.free_stands_of(class, size, boxes)).collect();
+        let are_all = all.iter().all(|stands| stands.are_all);
+        match <[Stands; 1]>::try_from(all) {
+            Ok([stands]) => stands,
+            Err(all) => {
+                let stands = all.into_iter().flat_map(|stands| Rc::unwrap_or_clone(stands.stands));
+                Stands { stands: Rc::new(stands.collect()), are_all }
+            }
+        }
+    }
+
+    /// The free places for boxes of a piece and its clearances.
+    fn free_stands_of(&self, class: &Class, size: Size, boxes: &[Bounds]) -> Stands {
         // One half of the budget lists the places, the other compares them with those of other pieces.
         let most = MOST_SPOTS.min((MOST_STEPS / 2 / self.steps_a_spot(boxes.len())) as f64);
         // Whole multiples of the usual step. Places on a net are as many as the square of its fineness, therefore the root.
         let coarseness = (self.spot_count(class) / most).sqrt().ceil().max(1.0);
-        let trial = Trial { class, size, boxes: &boxes, step: FIT_STEP * coarseness };
+        let trial = Trial { class, size, boxes, step: FIT_STEP * coarseness };
         let stands = self.stands_of(&trial);
         // Places that a coarse net misses are few.
         if stands.is_empty() && coarseness > 1.0 {
@@ -153,6 +168,20 @@ mod tests {
         let mut wide = TestRoom::rectangle(1.7, 2.0);
         wide.catalog = room.catalog;
         assert!(holds(&wide, "chest"));
+    }
+
+    #[test]
+    fn of_sides_of_which_one_is_enough_one_needs_room() {
+        let mut room = TestRoom::rectangle(1.4, 1.1);
+        let (chest, desk) =
+            (room.catalog.class_index("chest").unwrap(), room.catalog.class_index("desk").unwrap());
+        let beside = Clearance { minimum: 0.35, ..room.catalog.classes[desk].clearances[0] };
+        let sides = vec![Clearance { side: Side::Left, ..beside }, Clearance { side: Side::Right, ..beside }];
+        room.catalog.classes[chest].clearances.clone_from(&sides);
+        assert!(!holds(&room, "chest"));
+        room.catalog.classes[chest].clearances.clear();
+        room.catalog.classes[chest].either = sides;
+        assert!(holds(&room, "chest"));
     }
 
     #[test]

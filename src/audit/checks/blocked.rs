@@ -14,7 +14,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         _ => None,
     });
     let fault = |taking: &Taking| {
-        let minimum = subject.bodies[taking.owner].class.clearances[taking.number].minimum;
+        let minimum = subject.bodies[taking.owner].class.clearance(taking.number).minimum;
         let subjects = vec![subject.object(taking.owner), taking.blocker.clone()];
         let fault = Fault::new(Quantity::FreeDepth, subjects, taking.free, minimum);
         fault.about(vec![taking.region(subject, false)])

@@ -72,7 +72,8 @@ pub(crate) fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor)
     let rules = subject.rules().walking;
     let sides = zones.iter().filter_map(|zone| {
         let Purpose::Using(owner, number) = zone.purpose else { return None };
-        let clearance = &subject.bodies[owner].class.clearances[number];
+        // One of several sides is enough, and a bed is got into by its foot as well.
+        let clearance = subject.bodies[owner].class.clearances.get(number)?;
         let is_stood_in = clearance.minimum >= rules.narrow_person && zone.heights.0 < rules.body_height;
         is_stood_in.then_some(Target::Side(zone, owner))
     });

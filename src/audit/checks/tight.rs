@@ -18,7 +18,7 @@ const SAME_DEPTH: f64 = 1e-5;
 pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, comfort, ask, .. } = *evidence;
     let slack = subject.rules().clearances.intrusion + ROUNDING;
-    let clearance = |taking: &Taking| &subject.bodies[taking.owner].class.clearances[taking.number];
+    let clearance = |taking: &Taking| subject.bodies[taking.owner].class.clearance(taking.number);
     let lacks = |taking: &Taking| clearance(taking).good - taking.free;
     let mut tightest: BTreeMap<usize, &Taking> = BTreeMap::new();
     for taking in narrowest(comfort).into_values() {
@@ -45,6 +45,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 mod tests {
     use crate::audit::testing::{TestRoom, at};
     use crate::audit::{Code, Element, Severity};
+    use crate::catalog::{Clearance, Side};
 
     #[test]
     fn between_minimum_and_good_a_side_is_tight() {
@@ -78,6 +79,26 @@ mod tests {
             assert_eq!((findings[0].code, findings.len()), (Code::TightUse, 1));
             assert_eq!((findings[0].severity, &findings[0].objects[1][..]), (severity, "wall.0"));
         }
+    }
+
+    #[test]
+    fn of_sides_of_which_one_is_enough_the_one_with_most_room_counts() {
+        // A chest of a metre with so much left and right of it.
+        let tight = |left: f64, right: f64| {
+            let mut room = TestRoom::rectangle(left + 1.0 + right, 4.0);
+            let chest = room.catalog.class_index("chest").unwrap();
+            let beside = |side| Clearance { side, good: 1.0, minimum: 0.5, ..Clearance::SEAT };
+            room.catalog.classes[chest].either = vec![beside(Side::Left), beside(Side::Right)];
+            room.stand("chest", at(left + 0.5, 2.0));
+            room.audit().into_iter().map(|finding| (finding.code, finding.measured)).collect::<Vec<_>>()
+        };
+        assert_eq!(tight(0.1, 1.1), []);
+        assert_eq!(tight(1.1, 0.1), []);
+        let findings = tight(0.6, 0.8);
+        assert_eq!((findings.len(), findings[0].0), (1, Code::TightUse));
+        assert!((findings[0].1 - 0.8).abs() < 1e-9, "{findings:?}");
+        let findings = tight(0.3, 0.4);
+        assert_eq!((findings.len(), findings[0].0), (1, Code::BlockedUse), "{findings:?}");
     }
 
     #[test]

@@ -42,7 +42,8 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         let Purpose::Light(window) = zone.purpose else { continue };
         let body = &subject.bodies[index];
         // A screen before a window is judged as a screen.
-        if body.is_in(SCREEN) || lets_light_through(subject, body) || !is_before(subject, zone, body) {
+        let is_clear = lets_light_through(subject, body) || rises_slimly(subject, zone, body);
+        if body.is_in(SCREEN) || is_clear || !is_before(subject, zone, body) {
             continue;
         }
         let subjects = vec![subject.object(index), subject.opening(window)];
@@ -66,6 +67,13 @@ fn lets_light_through(subject: &Subject<'_>, body: &Body<'_>) -> bool {
         || body.is_in(LIGHT)
         || body.is_in(MOVABLE)
         || (is_slim && (body.is_in(PLANT) || body.is_in(SMALL)))
+}
+
+/// Whether what reaches into the light is slim, whatever stands below: the tap of a sink.
+fn rises_slimly(subject: &Subject<'_>, zone: &Zone, body: &Body<'_>) -> bool {
+    let rules = &subject.rules().windows;
+    let high = body.solids.iter().filter(|solid| solid.high > zone.heights.0 && solid.low < zone.heights.1);
+    high.map(|solid| solid.bounds.size().max_element()).fold(0.0, f64::max) < rules.slim_part
 }
 
 #[cfg(test)]
@@ -121,5 +129,25 @@ mod tests {
         assert_eq!(room.count(Code::WindowBlocked), 1);
         room.group("chest", "greenery");
         assert_eq!(room.count(Code::WindowBlocked), 0);
+    }
+
+    #[test]
+    fn what_rises_slimly_over_a_low_piece_may_stand_there() {
+        use crate::catalog::{Extent, PrismRule, Shape};
+        let extent = |share: f64, offset: f64| Extent { share, offset };
+        let (none, all) = (extent(0.0, 0.0), extent(1.0, 0.0));
+        // A chest 0.9 m high with something on it, in the middle and as high as its box.
+        let high = |width: f64| {
+            let mut room = chest_before_window(0.0);
+            let chest = room.catalog.class_index("chest").unwrap();
+            let (from, to) = (extent(0.5, -width / 2.0), extent(0.5, width / 2.0));
+            let part = |low, high| PrismRule { low, high, is_disc: false };
+            let body = part([none, none, none], [all, all, extent(0.0, 0.9)]);
+            let top = part([from, from, extent(0.0, 0.9)], [to, to, all]);
+            room.catalog.classes[chest].shape = Shape::Prisms(vec![body, top]);
+            room.placements[0].position.y = 0.4;
+            room.count(Code::WindowBlocked)
+        };
+        assert_eq!([high(0.15), high(0.3)], [0, 1]);
     }
 }

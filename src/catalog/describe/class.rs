@@ -4,8 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::lines::{Lines, class_names, degrees, parent_names, range, rounded};
 use crate::catalog::{
-    Catalog, Class, ClassIndex, Extent, FittedPart, Light, ModelSource, ParentName, ParentRule, Relation,
-    Shape, Share, Side, Size, Variety, WallWishes,
+    Catalog, Class, ClassIndex, Clearance, Extent, FittedPart, Light, ModelSource, ParentName, ParentRule,
+    Relation, Shape, Share, Side, Size, Variety, WallWishes,
 };
 
 /// The label, and the size of the first variant.
@@ -33,11 +33,11 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     lines.add("offers", &show_offers(class));
     lines.add_all(
         "keeps free",
-        class.clearances.iter().map(|clearance| {
-            let (minimum, good) = (rounded(clearance.minimum), rounded(clearance.good));
-            format!("{} {minimum} m, better {good} m", clearance.side.name())
-        }),
+        class.clearances.iter().map(|clearance| show_clearance(clearance.side.name(), clearance)),
     );
+    let sides: Vec<&str> = class.either.iter().map(|clearance| clearance.side.name()).collect();
+    let either = class.either.first().map(|clearance| show_clearance(&sides.join(" or "), clearance));
+    lines.add_all("keeps free", either.into_iter());
     lines.add_all("wishes", class.relations.iter().map(|relation| show_relation(catalog, relation)));
     lines.add("likes walls", &show_walls(catalog, &class.walls));
     lines.add("lies under", &class_names(catalog, &class.covers).join(", "));
@@ -190,7 +190,7 @@ fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_type
         "shape": value_of_shape(&class.shape),
         "parents": parents,
         "sides": value_of_sides(class),
-        "clearances": class.clearances.iter().map(value_of_clearance).collect::<Vec<_>>(),
+        "clearances": clearances(class),
         "relations": relations,
         "covers": class_names(catalog, &class.covers),
         "carries": class_names(catalog, &class.carries),
@@ -263,7 +263,16 @@ fn value_of_sides(class: &Class) -> Value {
     Value::Object(sides)
 }
 
-fn value_of_clearance(clearance: &crate::catalog::Clearance) -> Value {
+fn clearances(class: &Class) -> Vec<Value> {
+    let all = class.all_clearances().enumerate();
+    all.map(|(number, clearance)| value_of_clearance(clearance, class.is_either(number))).collect()
+}
+
+fn show_clearance(sides: &str, clearance: &Clearance) -> String {
+    format!("{sides} {} m, better {} m", rounded(clearance.minimum), rounded(clearance.good))
+}
+
+fn value_of_clearance(clearance: &Clearance, is_either: bool) -> Value {
     json!({
         "side": clearance.side,
         "minimum": clearance.minimum,
@@ -271,6 +280,7 @@ fn value_of_clearance(clearance: &crate::catalog::Clearance) -> Value {
         "margin": clearance.margin,
         "height": clearance.height,
         "children": clearance.allows_children,
+        "either": is_either,
     })
 }
 

@@ -262,6 +262,9 @@ pub(crate) struct ClearanceEntry {
     /// Whether children of that side may stand in it (the chair before a desk); default false.
     #[serde(default)]
     pub(crate) children: bool,
+    /// Whether one of the sides is enough (the side by which people get into a bed); default false: all of them.
+    #[serde(default)]
+    pub(crate) either: bool,
 }
 
 /// A wish about another object: exactly one of the kinds, with what it is about (classes, groups, or

@@ -64,7 +64,7 @@ fn resolve_class(
     let shape = resolve_shape(chain, &sizes, report);
     let parents = resolve_parents(chain, names, report);
     let sides = resolve_sides(chain, &sizes, report);
-    let clearances = resolve_clearances(chain, report);
+    let (clearances, either) = resolve_clearances(chain, report);
     let relations = resolve_relations(chain, names, report);
     let looks = resolve_looks(chain, report);
     let covers = resolve_covers(chain, names, &sizes, report);
@@ -88,6 +88,7 @@ fn resolve_class(
         parents: parents.iter().map(|parent| parent.rule.clone()).collect(),
         sides,
         clearances,
+        either,
         relations,
         covers,
         carries,

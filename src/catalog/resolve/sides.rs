@@ -72,22 +72,32 @@ fn check_surface(entry: &SideEntry, offer: &SideOffer, spot: &Spot, sizes: &[Siz
     }
 }
 
-/// The clearances, one for each side that is named.
-pub(super) fn resolve_clearances(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Clearance> {
-    let Some(found) = chain.find("clearances", |entry| entry.clearances.as_ref()) else { return Vec::new() };
-    let mut clearances = Vec::new();
+/// The clearances, one for each side that is named: those that are needed, and those of which one is enough.
+pub(super) fn resolve_clearances(
+    chain: &Chain<'_, ClassEntry>,
+    report: &mut Report<'_>,
+) -> (Vec<Clearance>, Vec<Clearance>) {
+    let (mut clearances, mut either) = (Vec::new(), Vec::new());
+    let Some(found) = chain.find("clearances", |entry| entry.clearances.as_ref()) else {
+        return (clearances, either);
+    };
     for (place, entry) in found.value.items() {
         let spot = found.spot.item(place);
+        if entry.either && (entry.side.items().count() < 2 || !either.is_empty()) {
+            let message = "`either` is for one line that names several sides";
+            report.error_with_hint(&spot.key("either"), message.to_owned(), "as in `side: [left, right]`");
+        }
         for (place, &side) in entry.side.items() {
             if matches!(side, Side::Above | Side::Below) {
                 let message = format!("there is no clearance {} a class", side.name());
                 let hint = "possible here: front, back, left, right";
                 report.error_with_hint(&spot.key("side").item(place), message, hint);
             }
-            clearances.push(resolve_clearance(entry, side, &spot, report));
+            let those = if entry.either { &mut either } else { &mut clearances };
+            those.push(resolve_clearance(entry, side, &spot, report));
         }
     }
-    clearances
+    (clearances, either)
 }
 
 fn resolve_clearance(entry: &ClearanceEntry, side: Side, spot: &Spot, report: &mut Report<'_>) -> Clearance {

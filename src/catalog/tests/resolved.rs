@@ -132,6 +132,24 @@ fn depth_is_the_shortest_way_to_a_room_part() {
 }
 
 #[test]
+fn sides_of_which_one_is_enough_are_clearances_apart() {
+    let bed = |clearances: &str| {
+        let parents = "parents: {on: floor}, model: bed, sizes: [[1.6, 2.0, 0.6]]";
+        load_classes(&format!("  bed: {{{parents}, clearances: {clearances}}}\n"))
+    };
+    let catalog =
+        bed("[{side: front, minimum: 0.5}, {side: [left, right], minimum: 0.6, good: 1, either: true}]");
+    let bed = class(&catalog, "bed");
+    let sides =
+        |clearances: &[crate::catalog::Clearance]| clearances.iter().map(|one| one.side).collect::<Vec<_>>();
+    assert_eq!(
+        (sides(&bed.clearances), sides(&bed.either)),
+        (vec![Side::Front], vec![Side::Left, Side::Right])
+    );
+    assert_eq!((bed.clearance(1).side, bed.is_either(0), bed.is_either(1)), (Side::Left, false, true));
+}
+
+#[test]
 fn shapes_clearances_relations_and_grids_are_read() {
     let catalog = load_classes(
         "  desk:

@@ -20,7 +20,7 @@ struct OwnClearance<'a> {
     depth: f64,
 }
 
-impl Environment<'_> {
+impl<'a> Environment<'a> {
     /// Whether a body would stand in a door's way or in another object's clearance.
     pub(super) fn blocks_a_way<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
         let bounds = probe.whole.bounds;
@@ -91,15 +91,39 @@ impl Environment<'_> {
         is_good: bool,
         recorder: &mut R,
     ) -> bool {
+        let own = |clearance: &'a Clearance| OwnClearance {
+            agent,
+            place,
+            clearance,
+            depth: if is_good { clearance.good } else { clearance.minimum },
+        };
+        let class = self.class(agent);
         let mut is_free = true;
-        for clearance in &self.class(agent).clearances {
-            let depth = if is_good { clearance.good } else { clearance.minimum };
-            is_free &= self.is_clearance_free(&OwnClearance { agent, place, clearance, depth }, recorder);
+        for clearance in &class.clearances {
+            is_free &= self.is_clearance_free(&own(clearance), recorder);
             if !is_free && R::FIRST_IS_ENOUGH {
                 return false;
             }
         }
-        is_free
+        // Of those of which one is enough, the first stands for all that are taken.
+        let mut either = class.either.iter();
+        let is_taken = |first: &'a Clearance| {
+            !either.any(|other| self.is_clearance_free(&own(other), &mut ()))
+                && !self.is_clearance_free(&own(first), recorder)
+        };
+        is_free && !class.either.first().is_some_and(is_taken)
+    }
+
+    /// Of the clearances of which one is enough, the one that an agent keeps free at a place: the first that is as deep as is
+    /// good, else as is needed.
+    pub(super) fn chosen_clearance(&self, agent: AgentIndex, place: &Place) -> Option<&'a Clearance> {
+        let either = &self.class(agent).either;
+        let is_free = |clearance: &Clearance, depth: f64| {
+            self.is_clearance_free(&OwnClearance { agent, place, clearance, depth }, &mut ())
+        };
+        let good = either.iter().find(|clearance| is_free(clearance, clearance.good));
+        good.or_else(|| either.iter().find(|clearance| is_free(clearance, clearance.minimum)))
+            .or(either.first())
     }
 
     /// Whether a clearance is free of walls and bodies, as deep as some metres.
@@ -212,7 +236,7 @@ impl Environment<'_> {
 
     /// Whether an agent would have less room at a place than is good.
     pub(crate) fn lacks_comfort(&self, agent: AgentIndex, place: &Place) -> bool {
-        let mut clearances = self.class(agent).clearances.iter();
+        let mut clearances = self.class(agent).all_clearances();
         // Cheap, and enough for most classes: their good depth is the minimum, which was tested already.
         clearances.any(|clearance| clearance.good > clearance.minimum)
             && !self.has_clearances(agent, place, true, &mut ())
