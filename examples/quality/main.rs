@@ -20,9 +20,10 @@ use roomwright::internals::audit::{Finding, Grade, Severity};
 use roomwright::internals::best::{DEFAULT_EFFORT, furnish_best};
 use roomwright::internals::catalog::{Catalog, load_catalog};
 use roomwright::internals::draw::{Drawing, draw_level};
+use roomwright::internals::dwelling::occupied;
 use roomwright::internals::geometry::{Convex, Point, direction};
 use roomwright::internals::layout::{FurnishOptions, Furnished, Placement};
-use roomwright::internals::plan::{Level, PlanOptions, SitePlacement, read_plans};
+use roomwright::internals::plan::{Level, Plan, PlanOptions, SitePlacement, read_plans};
 
 use slowest::Slowest;
 

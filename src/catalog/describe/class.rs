@@ -37,7 +37,7 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     );
     let sides: Vec<&str> = class.either.iter().map(|clearance| clearance.side.name()).collect();
     let either = class.either.first().map(|clearance| show_clearance(&sides.join(" or "), clearance));
-    lines.add_all("keeps free", either.into_iter());
+    lines.add_all("keeps free", either);
     lines.add_all("wishes", class.relations.iter().map(|relation| show_relation(catalog, relation)));
     lines.add("likes walls", &show_walls(catalog, &class.walls));
     lines.add("lies under", &class_names(catalog, &class.covers).join(", "));
