@@ -119,7 +119,7 @@ fn rooms_follow_from_who_lives_there() {
     assert_eq!(roles("old_couple"), ["guest_bedroom", "living_dining", "elders_bedroom", "guest_bedroom"]);
     let small = [
         ("corridor", 8.0),
-        ("kitchen", 12.0),
+        ("kitchen", 14.0),
         ("bathroom", 5.0),
         ("room", 20.0),
         ("room", 16.0),
