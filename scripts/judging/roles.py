@@ -28,10 +28,10 @@ TV_STANDS = {"tv_stand", "wide_tv_stand", "lowboard"}
 SOFAS = {"sofa", "lounge_sofa", "loveseat", "lounge_loveseat", "sofa_bed", "settee"}
 EASY_CHAIRS = {"armchair", "club_chair", "corner_chair", "wing_chair", "shell_chair"}
 READING_LAMPS = {"floor_lamp", "corner_lamp", "table_lamp"}
-BOOKCASES = {"bookshelf", "low_bookshelf", "plank_shelf"}
+BOOKCASES = {"bookshelf", "low_bookshelf", "corner_shelf", "plank_shelf"}
 
 DOUBLE_BEDS = {"double_bed", "king_bed"}
-SINGLE_BEDS = {"single_bed"}
+SINGLE_BEDS = {"single_bed", "day_bed"}
 BEDS = DOUBLE_BEDS | SINGLE_BEDS | {"bunk_bed"}
 CHILDRENS_THINGS = {"toy", "floor_toy", "crib", "bunk_bed", "play_rug", "child_table", "child_chair"}
 WARDROBES = {"wardrobe", "large_wardrobe", "tall_clothes_press"}
