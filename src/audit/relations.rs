@@ -5,12 +5,12 @@
 
 use std::collections::BTreeSet;
 
-use super::checks::is_before;
+use super::checks::{is_before, swings};
 use super::mean::weighted_mean;
 use super::subject::{Body, Subject};
 use super::zone::{NearPair, Purpose};
 use crate::catalog::{ParentName, Relation, RelationKind};
-use crate::geometry::Point;
+use crate::geometry::{Point, distance_of_convex};
 use crate::plan::{OpeningKind, RoomRef};
 
 /// Metres outside the good distances, or radians off the good angle, over which a wish fades to unmet.
@@ -53,17 +53,31 @@ struct Known<'s, 'a> {
     subject: &'s Subject<'a>,
     /// Indices of the bodies that take the light of a window.
     before_windows: BTreeSet<usize>,
+    /// Where the leaves of the room's doors swing.
+    swings: Vec<Vec<Point>>,
 }
 
 impl<'s, 'a> Known<'s, 'a> {
     fn new(subject: &'s Subject<'a>, hits: &[NearPair<'_>]) -> Self {
         let lit = hits.iter().filter(|(zone, _)| matches!(zone.purpose, Purpose::Light(_)));
         let before = lit.filter(|(zone, body)| is_before(subject, zone, &subject.bodies[*body]));
-        Self { subject, before_windows: before.map(|&(_, body)| body).collect() }
+        let swings = swings(subject.at, subject.rules().doors).collect();
+        Self { subject, before_windows: before.map(|&(_, body)| body).collect(), swings }
+    }
+
+    /// How far a body keeps away from where leaves swing, from 0 to 1; `None` where none swings into the room.
+    fn clear_of_swings(&self, index: usize, least: f64) -> Option<f64> {
+        let solids = self.subject.bodies[index].solids.iter();
+        let distances = solids
+            .flat_map(|solid| self.swings.iter().map(|swing| distance_of_convex(solid.footprint(), swing)));
+        distances.reduce(f64::min).map(|distance| (1.0 - (least - distance) / least).clamp(0.0, 1.0))
     }
 
     /// How far a wish of a body is met, from 0 to 1; `None` where what it is about is not there.
     fn met(&self, index: usize, relation: &Relation) -> Option<f64> {
+        if relation.kind == RelationKind::ClearOf {
+            return self.clear_of_swings(index, relation.distance.0);
+        }
         let own = Target::of_body(&self.subject.bodies[index]);
         let (mut least, mut most) = (None, None);
         self.each_target(index, &relation.target, own.position, |thing| {
@@ -138,7 +152,8 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
         RelationKind::AlignedWith => {
             within(between.dot(own.front).abs().min(between.perp_dot(own.front).abs()))
         }
-        RelationKind::NotBefore => 1.0,
+        // Asked of the room as a whole.
+        RelationKind::NotBefore | RelationKind::ClearOf => 1.0,
     }
 }
 
@@ -148,7 +163,8 @@ mod tests {
 
     use crate::audit::testing::{TestRoom, at};
     use crate::catalog::{ParentName, Relation, RelationKind};
-    use crate::plan::OpeningKind;
+    use crate::geometry::Point;
+    use crate::plan::{Leaf, OpeningKind};
 
     /// A room whose stool (radius 0.2) wishes something of desks (radius 0.375), in metres.
     fn room(kind: RelationKind, distance: (f64, f64)) -> TestRoom {
@@ -193,6 +209,24 @@ mod tests {
         assert!(is_near(near(0.9), 1.0) && is_near(near(1.3), 0.7) && is_near(near(3.0), 0.0));
         let away = |gap| met(&with_desk(room(RelationKind::AwayFrom, (2.0, 100.0)), gap));
         assert!(is_near(away(2.1), 1.0) && is_near(away(1.3), 0.3) && is_near(away(0.5), 0.0));
+    }
+
+    #[test]
+    fn who_is_to_be_clear_of_doors_is_measured_from_where_the_leaf_swings() {
+        let clear = |x: f64| {
+            let mut room = TestRoom::rectangle(8.0, 6.0);
+            room.open(0, OpeningKind::Door, (2.0, 2.9), (0.0, 2.0));
+            let hinge = Point::new(2.0, 0.0);
+            let leaf = Leaf { hinge, closed_tip: hinge + 0.9 * Point::X, open_tip: hinge + 0.9 * Point::Y };
+            room.level.openings[0].leaves = vec![leaf];
+            wish(&mut room, RelationKind::ClearOf, ParentName::Door, (1.0, 100.0));
+            room.stand("stool", at(x, 0.3));
+            room.requested = Some(1);
+            met(&room)
+        };
+        assert!(is_near(clear(5.0), 1.0));
+        let beside = clear(3.5).unwrap();
+        assert!(beside > 0.3 && beside < 0.7, "0.4 m to the arc: {beside}");
     }
 
     #[test]

@@ -355,6 +355,8 @@ pub enum RelationKind {
     Beside,
     /// Fronts or backs on one line.
     AlignedWith,
+    /// The body is at least the lower distance away from where the leaves of the target (a door) swing.
+    ClearOf,
 }
 
 /// The walls that a piece likes at its back or side, as points of the score that places are compared by. A wish of weight 1 that

@@ -20,7 +20,7 @@ pub use extent::{Side, Size};
 pub use grid::Grid;
 pub use interval::Intervals;
 pub use polygon::{CORNER_TOLERANCE, Polygon, PolygonFault, Region};
-pub use segment::{Line, Segment, distance_to_convex, edges};
+pub use segment::{Line, Segment, distance_of_convex, distance_to_convex, edges};
 pub use solid::Solid;
 
 /// A point or direction in the plan frame: metres, x east, y north. Scene points are [`glam::Vec3`]

@@ -135,9 +135,29 @@ pub fn distance_to_convex(ring: &[Point], point: Point) -> f64 {
     to_edge.fold(f64::INFINITY, f64::min).sqrt()
 }
 
+/// Metres between two convex rings of corners, counter-clockwise; zero where a corner of one is in the other.
+#[must_use]
+pub fn distance_of_convex(ring: &[Point], other: &[Point]) -> f64 {
+    let least = |ring: &[Point], corners: &[Point]| {
+        corners.iter().map(|&corner| distance_to_convex(ring, corner)).fold(f64::INFINITY, f64::min)
+    };
+    // The nearest two points of polygons that are apart include a corner of one of them.
+    least(ring, other).min(least(other, ring))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_distance_of_two_rings_is_that_of_their_nearest_points() {
+        let square = |x: f64, y: f64| {
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(a, b)| Point::new(a + x, b + y))
+        };
+        assert_eq!(distance_of_convex(&square(0.0, 0.0), &square(3.0, 0.25)), 2.0);
+        assert_eq!(distance_of_convex(&square(0.0, 0.0), &square(4.0, 5.0)), 5.0);
+        assert_eq!(distance_of_convex(&square(0.0, 0.0), &square(0.5, 0.5)), 0.0);
+    }
 
     #[test]
     fn the_nearest_point_of_a_segment_is_on_it_or_one_of_its_ends() {

@@ -6,7 +6,7 @@ use crate::plan::OpeningKind;
 use super::body::Pose;
 use super::constants::{
     CANDIDATES_BUILT_IN, CANDIDATES_WITH_CLEARANCES, CANDIDATES_WITH_RELATIONS, CONTACT_TOLERANCE,
-    STEPS_A_PROPOSAL,
+    STEPS_A_PROPOSAL, TASTE,
 };
 use super::environment::Environment;
 use super::furnished::RemovalReason;
@@ -18,8 +18,8 @@ use super::seed::{Purpose, RoomKey, Stream};
 ///
 /// The lines of its description are taken in order; within a line, the parents that have fewest children of
 /// its class come first. The first place that is free is taken, or, where the agent has wishes, the best of
-/// a few. A place that makes the room tight, darkens a window or takes a seat is kept in hand while the search goes
-/// on.
+/// a few, to which the seed adds its taste. A place that makes the room tight, darkens a window, is at a door's swing or
+/// takes a seat is kept in hand while the search goes on.
 pub(crate) fn search(
     environment: &Environment<'_>,
     agent: AgentIndex,
@@ -46,6 +46,7 @@ pub(crate) fn search(
             let view =
                 View { environment, agent, class, size: environment.agents[agent].size, rule, parent, side };
             poses.clear();
+            choice.taste = TASTE * stream.unit();
             rules::propose(&view, key, &mut stream, &mut poses);
             choice.consider(&view, &poses, &mut failures);
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
@@ -95,6 +96,8 @@ struct Choice {
     is_first_best: bool,
     /// Whether the agent is there only where nobody has less room or light for it.
     is_guest: bool,
+    /// Points by which the seed likes the parent that is looked at.
+    taste: f64,
 }
 
 impl Choice {
@@ -109,7 +112,13 @@ impl Choice {
         } else {
             CANDIDATES_WITH_CLEARANCES
         };
-        Self { best: None, left, is_first_best: left == 1, is_guest: is_guest(environment, agent, rule) }
+        Self {
+            best: None,
+            left,
+            is_first_best: left == 1,
+            is_guest: is_guest(environment, agent, rule),
+            taste: 0.0,
+        }
     }
 
     /// Tests poses until enough are free; ties go to the earlier one.
@@ -137,6 +146,8 @@ impl Choice {
             view.environment.note_free(view.agent);
             // Poor places are compared but not counted, so that the search goes on for a good one.
             self.left -= usize::from(!score.is_poor());
+            // Of parents that are nearly as good as each other the seed chooses one.
+            let score = Score { value: score.value + self.taste, ..score };
             // More points, not as many: of equals the place that was proposed first is taken.
             if self.best.is_none_or(|(best, _)| score.value > best.value) {
                 self.best = Some((score, place));
@@ -327,10 +338,38 @@ fn has_place(environment: &Environment<'_>, agent: AgentIndex, parent: AgentInde
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
+    use super::TASTE;
     use crate::catalog::{
         Along, Count, ParentName, ParentRule, Relation, RelationKind, Side, Turn, Untidiness,
     };
     use crate::layout::tests::{WIDE, catalog, level, rule, run};
+
+    #[test]
+    fn of_walls_that_are_nearly_as_good_the_seed_chooses_and_of_others_the_better_is_taken() {
+        let walls = |points: f64| -> BTreeSet<String> {
+            let mut catalog = catalog(&[(4, Count::Fixed(1))], Untidiness::default());
+            let shelf = &mut catalog.classes[4];
+            shelf.walls.tags = vec![("liked".to_owned(), points)];
+            // A wish that all places meet: with it several are compared.
+            let near = RelationKind::Near;
+            shelf.relations = vec![Relation {
+                kind: near,
+                target: ParentName::Door,
+                distance: (0.0, 99.0),
+                angle: 1.0,
+                weight: 1.0,
+                is_needed: false,
+            }];
+            let mut level = level(WIDE);
+            level.rooms[0].walls[2].tags = vec!["liked".to_owned()];
+            let parent = |seed| format!("{:?}", run(&level, &catalog, seed).placements[0].parent);
+            (0..24).map(parent).collect()
+        };
+        assert!(walls(TASTE / 4.0).len() > 1);
+        assert_eq!(walls(2.0 * TASTE).len(), 1);
+    }
 
     #[test]
     fn who_turns_to_a_wall_takes_that_of_what_it_faces() {

@@ -68,6 +68,8 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) kept_free: Vec<KeptFree>,
     /// They by number.
     pub(crate) kept_free_grid: Grid,
+    /// Where leaves swing in the room: no body enters (they are in `kept_free`), and some keep farther away.
+    pub(crate) swings: Vec<Convex>,
     /// Convex pieces of the columns.
     pub(crate) columns: Vec<Solid>,
     /// Metres between the points of a scan along walls.
@@ -89,6 +91,7 @@ impl<'a> Surroundings<'a> {
             border_grid: Grid::new(bounds),
             kept_free: Vec::new(),
             kept_free_grid: Grid::new(bounds),
+            swings: Vec::new(),
             columns: room
                 .obstacles
                 .iter()
@@ -103,6 +106,8 @@ impl<'a> Surroundings<'a> {
             let regions = surroundings.regions_of(opening, side, rules, swings);
             let cause = Cause::Opening(side.opening);
             surroundings.kept_free.extend(regions.into_iter().map(|solid| KeptFree { solid, cause }));
+            let leaves = leaves_inward(opening, &room.walls[side.wall]);
+            surroundings.swings.extend(leaves.flat_map(|leaf| swept(leaf, Swings::Simple)));
             if opening.kind == OpeningKind::Window {
                 let from = opening.bottom + rules.windows.over_sill;
                 // No region that must stay free: a strip before a window costs points (`WINDOW_PENALTY`), no place.
@@ -156,10 +161,7 @@ impl<'a> Surroundings<'a> {
                 // As the audit measures it: no deeper than the door is wide. Deeper would empty small bathrooms.
                 let depth = rules.doors.approach_depth.min(side.to - side.from);
                 let mut regions = vec![strip(depth, 0.0), strip(FRAME_DEPTH, FRAME_WIDTH)];
-                let wall = &self.room.walls[side.wall];
-                let opens_inward = |leaf: &&Leaf| (leaf.open_tip - leaf.hinge).dot(wall.normal()) > 0.0;
-                let leaves = opening.leaves.iter().filter(opens_inward);
-                for leaf in leaves {
+                for leaf in leaves_inward(opening, &self.room.walls[side.wall]) {
                     let sectors = swept(leaf, swings).into_iter();
                     regions.extend(sectors.map(|base| Solid::new(base, 0.0, opening.top)));
                     regions.extend(standing_open(leaf, opening.top));
@@ -168,6 +170,12 @@ impl<'a> Surroundings<'a> {
             }
         }
     }
+}
+
+/// The leaves of an opening that open into the room of a wall.
+fn leaves_inward<'a>(opening: &'a Opening, wall: &Wall) -> impl Iterator<Item = &'a Leaf> {
+    let inward = wall.normal();
+    opening.leaves.iter().filter(move |leaf| (leaf.open_tip - leaf.hinge).dot(inward) > 0.0)
 }
 
 /// Adds boxes to a grid by number.

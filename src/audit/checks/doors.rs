@@ -14,6 +14,8 @@ use crate::audit::zone::{Purpose, Zone};
 
 /// Corners of the arc of each eighth of a turn; the chords then stay within 1.1 mm of a 0.9 m leaf's arc.
 const ARC_CORNERS: u32 = 8;
+/// Corners of the box before an opening.
+const APPROACH_CORNERS: usize = 4;
 
 /// The zones of all openings that people walk through, on the room's side.
 pub(crate) fn zones(at: RoomRef<'_>, rules: DoorRules) -> Vec<Zone> {
@@ -31,6 +33,13 @@ pub(crate) fn zones(at: RoomRef<'_>, rules: DoorRules) -> Vec<Zone> {
         }
     }
     zones
+}
+
+/// The sectors that the leaves of a room's doors sweep inside it, in convex pieces.
+pub(crate) fn swings(at: RoomRef<'_>, rules: DoorRules) -> impl Iterator<Item = Vec<Point>> {
+    // An approach has four corners; the pieces of a swing have those of an arc.
+    let is_swing = |zone: &Zone| zone.base.len() > APPROACH_CORNERS;
+    zones(at, rules).into_iter().filter(is_swing).map(|zone| zone.base)
 }
 
 /// The box before an opening: as deep as the opening is wide, at most the rule's depth.
@@ -115,8 +124,8 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
 
 /// The floor before an opening, of which the swing of its leaf is a part.
 fn approaches(zones: &[Zone], opening: usize) -> Vec<FloorRegion> {
-    // An approach has four corners; the pieces of a swing have those of an arc.
-    let is_approach = |zone: &&Zone| zone.purpose == Purpose::Passing(opening) && zone.base.len() == 4;
+    let is_approach =
+        |zone: &&Zone| zone.purpose == Purpose::Passing(opening) && zone.base.len() == APPROACH_CORNERS;
     zones.iter().filter(is_approach).map(|zone| zone.base.clone()).collect()
 }
 

@@ -39,7 +39,7 @@ mod wet_room;
 mod windows;
 
 pub(crate) use crooked::{angle_off, stands_straight};
-pub(crate) use doors::zones as door_zones;
+pub(crate) use doors::{swings, zones as door_zones};
 pub(crate) use halves::middle_of;
 pub(crate) use programme::missing_pieces;
 pub(crate) use reach::{Rates, floor, rates};

@@ -286,8 +286,10 @@ pub(crate) struct RelationEntry {
     pub(crate) beside: Option<OneOrMany<String>>,
     /// Fronts or backs on one line.
     pub(crate) aligned_with: Option<OneOrMany<String>>,
+    /// The body is at least the lowest distance away from where the leaves of the target (`door`) swing.
+    pub(crate) clear_of: Option<OneOrMany<String>>,
     /// Metres that are good, [lowest, highest]; one number is the highest, from 0, but the lowest of
-    /// `away_from`.
+    /// `away_from` and `clear_of`.
     pub(crate) distance: Option<Pair>,
     /// Degrees off the axis that are good; default 30.
     pub(crate) angle: Option<f64>,

@@ -23,6 +23,8 @@ fn default_distance(kind: RelationKind) -> (f64, f64) {
         RelationKind::NotBefore => (0.0, 1.0),
         RelationKind::Beside => (0.0, 0.3),
         RelationKind::AlignedWith => (0.0, FAR),
+        // Who comes in carries something past it.
+        RelationKind::ClearOf => (0.75, FAR),
     }
 }
 
@@ -53,7 +55,7 @@ fn resolve_relation(
     let distance = entry.distance.map_or_else(
         || default_distance(kind),
         |pair| {
-            let away = kind == RelationKind::AwayFrom;
+            let away = matches!(kind, RelationKind::AwayFrom | RelationKind::ClearOf);
             let both = if away { pair.with_highest(FAR) } else { pair.with_lowest(0.0) };
             Quantity::metres("distance", RANGE).check_pair(both, &spot.key("distance"), report)
         },
@@ -76,6 +78,7 @@ fn only_kind<'e>(
         ("not_before", RelationKind::NotBefore, &entry.not_before),
         ("beside", RelationKind::Beside, &entry.beside),
         ("aligned_with", RelationKind::AlignedWith, &entry.aligned_with),
+        ("clear_of", RelationKind::ClearOf, &entry.clear_of),
     ];
     let all = kinds.map(|(key, ..)| key).join(", ");
     let mut written = kinds.into_iter().filter_map(|(key, kind, target)| Some((key, kind, target.as_ref()?)));

@@ -110,7 +110,7 @@ fn wish(
     points: f64,
 ) -> Wish {
     let measured = match relation.kind {
-        RelationKind::NotBefore => None,
+        RelationKind::NotBefore | RelationKind::ClearOf => None,
         _ => measure(environment, agent, place, relation),
     };
     let has_direction = matches!(relation.kind, RelationKind::Faces | RelationKind::Opposite);

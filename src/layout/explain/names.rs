@@ -17,6 +17,7 @@ pub(super) fn relation_word(kind: RelationKind) -> &'static str {
         RelationKind::NotBefore => "not before",
         RelationKind::Beside => "beside",
         RelationKind::AlignedWith => "aligned with",
+        RelationKind::ClearOf => "clear of",
     }
 }
 

@@ -6,6 +6,7 @@ mod floor;
 mod grid;
 mod relation;
 mod surface;
+mod swing;
 mod turn;
 mod wall;
 

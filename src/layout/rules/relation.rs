@@ -12,6 +12,8 @@ use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::plan::OpeningKind;
 
+use super::swing::clearness;
+
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
 const ANGLE_FADE: f64 = 1.0;
 /// Metres beyond the good distance over which a wish about distance fades to half.
@@ -24,7 +26,7 @@ const LONG_WALL: f64 = 4.0;
 pub(crate) struct Score {
     /// More is better, zero is indifferent.
     pub(crate) value: f64,
-    /// Whether it darkens a window or takes the place of a seat: the agent looks further.
+    /// Whether it darkens a window, is at a door's swing or takes the place of a seat: the agent looks further.
     pub(crate) is_spoilt: bool,
     /// Whether somebody has less room than is good because of it.
     pub(crate) is_tight: bool,
@@ -71,10 +73,17 @@ pub(crate) fn weigh<'a>(
 ) -> (bool, bool) {
     let class = environment.class(agent);
     let is_before_window = stands_before_window(environment, agent, place);
+    let mut is_at_swing = false;
     for relation in &class.relations {
         let value = match relation.kind {
             // All or nothing: a body is in the light or it is not.
             RelationKind::NotBefore => f64::from(u8::from(!is_before_window)),
+            RelationKind::ClearOf => {
+                let clear = clearness(environment, agent, place, relation.distance.0);
+                // What nobody misses is not refused for it, as it is where it darkens a window.
+                is_at_swing |= clear < 1.0 && environment.agents[agent].piece.is_required;
+                clear
+            }
             _ => fulfilment(environment, agent, place, relation),
         };
         visit(Factor::Wish(relation), relation.weight * value);
@@ -100,7 +109,7 @@ pub(crate) fn weigh<'a>(
         // Points for each of the two, not for each object that is concerned: a row of chairs does not count five times.
         visit(Factor::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
     }
-    (is_before_window || takes_a_seat, takes || lacks)
+    (is_before_window || is_at_swing || takes_a_seat, takes || lacks)
 }
 
 /// The points of the wall that a place is at.
@@ -153,6 +162,7 @@ pub(crate) fn meets_needs(environment: &Environment<'_>, agent: AgentIndex, plac
 pub(crate) fn unmet_need(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> Option<usize> {
     let is_met = |relation: &Relation| match relation.kind {
         RelationKind::NotBefore => !stands_before_window(environment, agent, place),
+        RelationKind::ClearOf => clearness(environment, agent, place, relation.distance.0) >= 1.0,
         RelationKind::AwayFrom => {
             let own = Target::own(environment, agent, place);
             // From all of them, while one is enough to be near to.
@@ -295,7 +305,8 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
             let offset = between.dot(own.front).abs().min(between.perp_dot(own.front).abs());
             within(offset, relation.distance)
         }
-        RelationKind::NotBefore => 1.0,
+        // Asked of the room as a whole.
+        RelationKind::NotBefore | RelationKind::ClearOf => 1.0,
     }
 }
 

@@ -16,6 +16,7 @@ use crate::plan::{OpeningKind, Wall, WallKind};
 
 use super::View;
 use super::relation::facing_targets;
+use super::swing::wished_distance;
 use super::turn::{self, Bearing, angle_of_front};
 
 /// Poses along a wall.
@@ -185,9 +186,26 @@ impl<'a> Strip<'a> {
                 free = spacious;
             }
         }
+        let clear = self.without_swings(free.clone());
+        if !clear.as_slice().is_empty() {
+            free = clear;
+        }
         // Stretches that take space from others are used only where there are no others.
         let comfortable = self.without_comfort(free.clone(), &region);
         if comfortable.as_slice().is_empty() { free } else { comfortable }
+    }
+
+    /// The free stretches less those where the box would be nearer to the swing of a leaf than its class wishes.
+    fn without_swings(&self, mut free: Intervals) -> Intervals {
+        let least = wished_distance(self.view);
+        let near = self.region(self.from - least, self.depth + 2.0 * least, self.high);
+        for swing in self.view.environment.brief.surroundings.swings.iter().filter(|_| least > 0.0) {
+            let swing = Solid::new(*swing, self.low, self.high);
+            if near.overlaps(&swing, CONTACT_TOLERANCE) {
+                self.block_grown(&mut free, &swing, least);
+            }
+        }
+        free
     }
 
     /// The free stretches less those where the box would take what others have beyond their need.
@@ -231,10 +249,16 @@ impl<'a> Strip<'a> {
     }
 
     fn block(&self, free: &mut Intervals, solid: &Solid) {
+        self.block_grown(free, solid, 0.0);
+    }
+
+    /// Blocks where the box would come nearer to a solid than so many metres, along the wall.
+    fn block_grown(&self, free: &mut Intervals, solid: &Solid, metres: f64) {
         let (low, high) = solid.base.project(self.wall.direction());
         let start = self.wall.start.dot(self.wall.direction());
         // The stretches hold the middle of the box: half of it is blocked beyond each end.
-        free.subtract(low - start - self.half, high - start + self.half);
+        let reach = self.half + metres;
+        free.subtract(low - start - reach, high - start + reach);
     }
 
     /// Other walls that come into the region: concave corners, slanted neighbours.
