@@ -33,6 +33,7 @@ pub(crate) fn search(
     let number = piece.number + (environment.agents[agent].searches << 20);
     // Shifted beyond all numbers of pieces, of which a room has far below a million: no two searches share a stream.
     let mut stream = key.stream(Purpose::Placement, &class.id, number);
+    let mut taste = key.stream(Purpose::Taste, &class.id, number);
     let mut failures = Failures::default();
     let mut poses = Vec::new();
     let mut fallback: Option<(f64, Place)> = None;
@@ -46,7 +47,8 @@ pub(crate) fn search(
             let view =
                 View { environment, agent, class, size: environment.agents[agent].size, rule, parent, side };
             poses.clear();
-            choice.taste = TASTE * stream.unit();
+            // What turns to something takes the wall of what it faces: its parents are in that order.
+            choice.taste = if rule.orientation.turn == Turn::Facing { 0.0 } else { TASTE * taste.unit() };
             rules::propose(&view, key, &mut stream, &mut poses);
             choice.consider(&view, &poses, &mut failures);
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {

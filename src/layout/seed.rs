@@ -71,6 +71,8 @@ pub(crate) enum Purpose {
     Placement,
     /// How far an object is off its place.
     Untidiness,
+    /// Which of several parents that are nearly as good an agent takes.
+    Taste,
 }
 
 /// FNV-1a, 64 bit (Fowler, Noll, Vo): fixed for all time, unlike the standard library's hasher.

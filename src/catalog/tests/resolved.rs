@@ -135,11 +135,11 @@ fn depth_is_the_shortest_way_to_a_room_part() {
 fn sides_of_which_one_is_enough_are_clearances_apart() {
     let bed = |clearances: &str| {
         let parents = "parents: {on: floor}, model: bed, sizes: [[1.6, 2.0, 0.6]]";
-        load_classes(&format!("  bed: {{{parents}, clearances: {clearances}}}\n"))
+        load_classes(&format!("  wide_bed: {{{parents}, clearances: {clearances}}}\n"))
     };
     let catalog =
         bed("[{side: front, minimum: 0.5}, {side: [left, right], minimum: 0.6, good: 1, either: true}]");
-    let bed = class(&catalog, "bed");
+    let bed = class(&catalog, "wide_bed");
     let sides =
         |clearances: &[crate::catalog::Clearance]| clearances.iter().map(|one| one.side).collect::<Vec<_>>();
     assert_eq!(
