@@ -55,7 +55,7 @@ pub(super) struct Entry {
 }
 
 impl Node {
-    /// The value without places. Not deeper than [`DEPTH_LIMIT`], for the tree is not.
+    /// The value without places. Not deeper than the limit on depth, for the tree is not.
     pub(super) fn to_value(&self) -> Value {
         match &self.content {
             Content::Scalar { value, .. } => value.clone(),
