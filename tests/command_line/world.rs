@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -113,15 +114,21 @@ impl World {
     }
 }
 
+/// What a process that still writes takes away between the look into its folder and the look into the file is left out.
 fn collect(root: &Path, folder: &Path, files: &mut BTreeMap<String, Vec<u8>>) {
     let Ok(list) = fs::read_dir(folder) else { return };
     for entry in list {
         let path = entry.unwrap().path();
         if path.is_dir() {
             collect(root, &path, files);
-        } else {
-            let name = path.strip_prefix(root).unwrap().to_str().unwrap().replace('\\', "/");
-            files.insert(name, fs::read(&path).unwrap());
+            continue;
         }
+        let bytes = match fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == ErrorKind::NotFound => continue,
+            Err(error) => panic!("{}: {error}", path.display()),
+        };
+        let name = path.strip_prefix(root).unwrap().to_str().unwrap().replace('\\', "/");
+        files.insert(name, bytes);
     }
 }
