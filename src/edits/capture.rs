@@ -93,7 +93,7 @@ struct Capturing<'a> {
 }
 
 impl Capturing<'_> {
-    /// Finds the new object of each old one, then ids for the others.
+    /// Finds the new object of each old one, then ids for the others, and where all of them will be.
     fn pair(&mut self) {
         let mut is_twin = vec![false; self.new.objects.len()];
         for index in 0..self.old.objects.len() {
@@ -115,6 +115,12 @@ impl Capturing<'_> {
             keys.push(Some(key));
         }
         self.new.keys = keys;
+        let mut former = vec![None; self.new.objects.len()];
+        for (index, twin) in self.twins.iter().enumerate() {
+            let stays = twin.filter(|&twin| self.new.room(twin) == self.old.room(index));
+            stays.into_iter().for_each(|twin| former[twin] = Some(index));
+        }
+        self.new.settle(&self.old, &former);
     }
 
     /// The new object that an old one is.

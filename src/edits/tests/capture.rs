@@ -108,6 +108,19 @@ fn objects_on_a_moved_object_need_no_edit_of_their_own() {
 }
 
 #[test]
+fn roundings_do_not_add_up_from_an_object_to_what_stands_on_it() {
+    let added = piece("desk_lamp.2@a", "desk.1", [-0.29996, 0.10004, 0.74]);
+    let moved = desk([1.50004, 0.40004, 0.0], vec![lamp(), added]);
+    let after = floor(vec![moved, chair(1, 1.0), chair(2, 3.0)], Vec::new());
+    let expected = [
+        "desk.1: {at: [1.5, 0.4]}",
+        // In the level it is at 1.20008, 0.50008, and the desk will be at 1.5, 0.4.
+        "desk_lamp.2: {add: true, variant: 0, parent: desk.1, side: above, at: [-0.2999, 0.1001, 0.74], turn: 0.0}",
+    ];
+    assert_eq!(lines(&after), expected);
+}
+
+#[test]
 fn children_go_with_their_parent_and_copies_come_with_the_next_number() {
     let copy = with(chair(1, 2.2), "name", json!("chair.1@a.001"));
     let after = floor(vec![copy, chair(1, 1.0), chair(2, 3.0)], Vec::new());
