@@ -11,8 +11,9 @@ pub mod best {
 }
 pub mod catalog {
     pub use crate::catalog::{
-        Access, ById, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, Material, Palette, PaletteRef,
-        Plausible, RoomType, Share, Side, Size, Style, StyleRef, Untidiness, VariantRef, load_catalog,
+        Access, ById, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, FittedPart, Material, Palette,
+        PaletteRef, Plausible, RoomType, Share, Side, Size, Style, StyleRef, Untidiness, VariantRef,
+        load_catalog,
     };
 }
 pub mod contract {

@@ -158,6 +158,16 @@ pub enum Count {
     PerWindow(f64),
     /// As many as fit, at most.
     Fill(u32),
+    /// As many as fit, at most so many per square metre of floor, and at most.
+    FillPerArea(f64, u32),
+}
+
+impl Count {
+    /// Whether its pieces only fill what room is left and are not missed.
+    #[must_use]
+    pub fn is_fill(self) -> bool {
+        matches!(self, Self::Fill(_) | Self::FillPerArea(..))
+    }
 }
 
 /// A style, all inheritance resolved.

@@ -97,7 +97,7 @@ fn show_count(catalog: &Catalog, count: Count) -> Option<String> {
             Some(format!("{} for each {}", number(each), catalog.classes[class].label))
         }
         Count::PerWindow(each) => Some(format!("{} for each window", number(each))),
-        Count::Fill(_) => Some("as many as fit".to_owned()),
+        Count::Fill(_) | Count::FillPerArea(..) => Some("as many as fit".to_owned()),
     }
 }
 

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use rayon::prelude::*;
 
 use crate::best::{DEFAULT_EFFORT, furnish_best};
-use crate::catalog::{Catalog, ClassIndex, Count, ParentName, RoomType};
+use crate::catalog::{Catalog, ClassIndex, ParentName, RoomType};
 use crate::draw::{Drawing, draw_level};
 use crate::geometry::Point;
 use crate::layout::FurnishOptions;
@@ -181,7 +181,7 @@ fn has_window(catalog: &Catalog, room_type: &RoomType, place: SampleKind) -> boo
     let is_filled = room_type
         .programme
         .iter()
-        .any(|request| matches!(request.count, Count::Fill(_)) && request.classes.iter().any(is_seat));
+        .any(|request| request.count.is_fill() && request.classes.iter().any(is_seat));
     place == SampleKind::Room && !is_filled && holds(catalog, room_type, SEAT)
 }
 

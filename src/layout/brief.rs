@@ -3,6 +3,7 @@
 use core::cell::OnceCell;
 
 use crate::catalog::{Catalog, Style, StyleRef};
+use crate::geometry::{Bounds, Point, direction};
 use crate::plan::{OpeningKind, RoomOpening, RoomRef};
 
 use super::choice::{Series, room_style};
@@ -12,7 +13,7 @@ use super::options::FurnishOptions;
 use super::programme::{self, Piece, Site};
 use super::seed::RoomKey;
 use super::suggestion::Alternative;
-use super::surroundings::{Surroundings, Swings};
+use super::surroundings::{Surroundings, Swings, main_angle};
 use super::variant::Variants;
 
 /// The data that is fixed for a room in all of its alternatives.
@@ -110,5 +111,8 @@ fn site(at: RoomRef<'_>) -> Site<'_> {
     let is_window = |side: &&RoomOpening| level.openings[side.opening].kind == OpeningKind::Window;
     let windows = room.openings.iter().filter(is_window).count();
     let window_count = u32::try_from(windows).expect("a room has fewer than 2^32 windows");
-    Site { area: room.region.area(), window_count, home: room.home.as_ref() }
+    let along = direction(main_angle(room));
+    let local = |corner: &Point| Point::new(corner.dot(along), corner.dot(along.perp()));
+    let extent = Bounds::around(room.region.outline.corners().iter().map(local)).size();
+    Site { area: room.region.area(), window_count, home: room.home.as_ref(), extent }
 }

@@ -34,6 +34,8 @@ pub(crate) const SCAN_POINTS: f64 = 1500.0;
 pub(crate) const SCAN_DIRECTIONS: usize = 4;
 /// Sine of the angle below which two walls have the same direction.
 pub(crate) const SAME_DIRECTION: f64 = 0.02;
+/// Metres between the points of a scan along the rows of a lattice.
+pub(crate) const LINE_STEP: f64 = 0.1;
 /// Metres between the points of a scan along a wall.
 pub(crate) const WALL_STEP: f64 = 0.03;
 /// Points of such a scan along all walls of a room at most; from 300 m of wall on they lie farther apart.
@@ -75,6 +77,9 @@ pub(crate) const LONG_PIECE: f64 = 2.0;
 pub(crate) const CANDIDATES_BUILT_IN: usize = 24;
 /// Metres by which agents are pushed to have more room, tried in this order: of equally good places the nearest is taken.
 pub(crate) const PUSH_DISTANCES: [f64; 10] = [0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.9, 1.2, 1.6];
+/// Metres by which the middles of two pieces may be out of line and still stand in one: less than people see. Larger: more
+/// pieces are pushed along the line only, and fewer `tight_use` findings are mended.
+pub(crate) const LINE_WIDTH: f64 = 0.02;
 /// Points by which a place must be better to be pushed to: a twentieth of a usual wish, so that nobody is moved for rounding.
 /// Larger: fewer groups move, and more `tight_use` findings remain.
 pub(crate) const PUSH_GAIN: f64 = 0.05;

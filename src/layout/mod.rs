@@ -29,6 +29,7 @@ mod fitted;
 mod furnished;
 mod ids;
 mod jointly;
+mod lattice;
 mod lock;
 mod locked;
 mod movement;

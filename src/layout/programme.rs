@@ -1,9 +1,11 @@
 //! The programme of a room: which pieces it asks for (sections 4.2 and 6.2: counts depend on room size).
 
 use crate::catalog::{Catalog, Class, ClassIndex, Count, ParentName, Request, RoomType, Style};
+use crate::geometry::Point;
 
 use crate::plan::Home;
 
+use super::lattice::full_number;
 use super::lock::Lock;
 use super::seed::{Purpose, Stream};
 use super::variant::Variants;
@@ -36,6 +38,8 @@ pub(crate) struct Site<'a> {
     pub(crate) window_count: u32,
     /// The people that it is for, if it is part of a dwelling.
     pub(crate) home: Option<&'a Home>,
+    /// Metres along its longest wall and across.
+    pub(crate) extent: Point,
 }
 
 /// Draws the pieces of a room, in the order of the programme; then those that stand in for them, each list behind the piece
@@ -109,6 +113,7 @@ impl Draft<'_> {
         let class = fitting[stream.below(fitting.len())];
         let asked = |class: ClassIndex| companion.map_or(self.counts.asked[class], |_| 1);
         let count = count(request, self.style.density, self.site, asked, &mut stream);
+        let count = self.in_full_rows(class, request, count);
         let of_line = match request.count {
             Count::PerPiece(counted, _) if !stands_by_itself(&self.catalog.classes[class]) => Some(counted),
             _ => None,
@@ -116,6 +121,20 @@ impl Draft<'_> {
         for _ in 0..count {
             let piece = self.piece(class, request);
             self.pieces.push(Piece { companion: companion.or(of_line), ..piece });
+        }
+    }
+
+    /// As many lamps as make full rows at the ceiling, where their number goes with the area: five would leave a gap.
+    fn in_full_rows(&self, class: ClassIndex, request: &Request, count: u32) -> u32 {
+        let class = &self.catalog.classes[class];
+        let hangs = class.parents.iter().all(|rule| rule.parent == ParentName::Ceiling);
+        match (&class.grid, request.count) {
+            (Some(grid), Count::PerArea(_, _, most)) if hangs && count > 1 => {
+                let size = class.sizes[0];
+                let room = self.site.extent - Point::new(size.width, size.depth);
+                full_number(count, grid, room.max(Point::ZERO)).min(most)
+            }
+            _ => count,
         }
     }
 
@@ -157,7 +176,7 @@ impl Draft<'_> {
             number,
             variant: self.variants.draw(&self.catalog.classes[class], number),
             is_required: request.is_required,
-            is_fill: matches!(request.count, Count::Fill(_)),
+            is_fill: request.count.is_fill(),
             substitute_for: None,
             companion: None,
         }
@@ -229,6 +248,7 @@ fn count(
         Count::PerArea(per_area, least, most) => {
             (site.area * per_area).round().clamp(f64::from(least), f64::from(most))
         }
+        Count::FillPerArea(per_area, most) => (site.area * per_area).min(f64::from(most)),
         Count::PerPiece(class, each) => f64::from(asked(class)) * each,
         Count::PerWindow(each) => f64::from(site.window_count) * each,
     };
@@ -271,8 +291,8 @@ mod tests {
         let options = FurnishOptions::new(1, "b");
         let series = Series { at: level.room(0), options: &options, share: Share::Building };
         let variants = Variants { seed: 1, series, key: &key };
-        let pieces =
-            pieces(&catalog, style, room_type, Site { area: 16.0, window_count: 0, home: None }, &variants);
+        let site = Site { area: 16.0, window_count: 0, home: None, extent: Point::splat(4.0) };
+        let pieces = pieces(&catalog, style, room_type, site, &variants);
         pieces.iter().map(|piece| catalog.classes[piece.class].id.clone()).collect()
     }
 

@@ -7,7 +7,7 @@ use crate::geometry::Point;
 
 use super::agent::Rest;
 use super::body::Pose;
-use super::constants::{PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS};
+use super::constants::{LINE_WIDTH, PUSH_DISTANCES, PUSH_GAIN, PUSH_ROUNDS, SAME_DIRECTION};
 use super::environment::Environment;
 use super::locked::is_locked;
 use super::movement::lift;
@@ -36,6 +36,20 @@ fn tight_roots(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
     };
     let roots = (0..environment.agents.len()).filter(is_tight).map(|agent| root(environment, agent));
     roots.filter(|&root| can_slide(environment, root)).collect()
+}
+
+/// The direction of the line in which an agent on the floor stands with another of its class: beside it or behind it, turned
+/// the same way or the other. Who slides along it leaves no line.
+fn line_of(environment: &Environment<'_>, agent: AgentIndex, rest: &Rest) -> Option<Point> {
+    let along = [rest.pose.right, rest.pose.right.perp()];
+    let others = environment.resting[environment.agents[agent].piece.class].iter();
+    let poses = others.filter(|&&other| other != agent).filter_map(|&other| environment.agents[other].rest());
+    let in_line = |other: &Rest, along: Point| {
+        let offset = other.pose.position - rest.pose.position;
+        let is_parallel = other.pose.right.perp_dot(rest.pose.right).abs() < SAME_DIRECTION;
+        is_parallel && offset.perp_dot(along).abs() < LINE_WIDTH
+    };
+    poses.flat_map(|other| along.into_iter().filter(move |&along| in_line(other, along))).next()
 }
 
 /// Whether an agent takes of the room that is good for others, or has less than is good itself.
@@ -70,7 +84,7 @@ fn push(environment: &mut Environment<'_>, root: AgentIndex) -> bool {
     let old = group.head().place();
     let least = score(environment, root, &old).value + PUSH_GAIN;
     let mut better: Vec<(f64, Place)> = Vec::new();
-    for pose in slides(environment, group.head()) {
+    for pose in slides(environment, root, group.head()) {
         let place = Place { pose, ..old };
         if environment.is_free(root, &place) && meets_needs(environment, root, &place) {
             let value = score(environment, root, &place).value;
@@ -91,17 +105,20 @@ fn push(environment: &mut Environment<'_>, root: AgentIndex) -> bool {
     false
 }
 
-/// The poses that an agent can slide to, nearest first.
-fn slides(environment: &Environment<'_>, rest: &Rest) -> Vec<Pose> {
+/// The poses that an agent can slide to, nearest first: along its wall, or the line in which it stands with others of its class.
+fn slides(environment: &Environment<'_>, agent: AgentIndex, rest: &Rest) -> Vec<Pose> {
     let directions: Vec<Point> = match rest.parent {
         ParentPart::Wall(wall) => {
             let along = environment.brief.surroundings.room.walls[wall].direction();
             vec![along, -along]
         }
-        _ => {
-            let right = rest.pose.right;
-            vec![right, right.perp(), -right, -right.perp()]
-        }
+        _ => match line_of(environment, agent, rest) {
+            Some(along) => vec![along, -along],
+            None => {
+                let right = rest.pose.right;
+                vec![right, right.perp(), -right, -right.perp()]
+            }
+        },
     };
     let slide = |(distance, direction): (f64, Point)| Pose {
         position: rest.pose.position + direction * distance,

@@ -53,6 +53,11 @@ pub(crate) fn search(
             choice.consider(&view, &poses, &mut failures);
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
                 poses.clear();
+                rules::propose_rows(&view, key, &mut poses);
+                choice.consider(&view, &poses, &mut failures);
+            }
+            if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
+                poses.clear();
                 rules::propose_scan(&view, care == Care::Thorough, &mut stream, &mut poses);
                 choice.consider(&view, &poses, &mut failures);
             }

@@ -292,7 +292,8 @@ fn convex_parts(outline: &Polygon, height: f64) -> Vec<Solid> {
     triangles.collect()
 }
 
-fn main_angle(room: &Room) -> f64 {
+/// Angle of the longest wall.
+pub(crate) fn main_angle(room: &Room) -> f64 {
     let longest = room.walls.iter().max_by(|a, b| a.length().total_cmp(&b.length()));
     longest.map_or(0.0, |wall| {
         let along = wall.direction();

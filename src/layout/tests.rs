@@ -235,7 +235,7 @@ fn chairs_face_their_desks_and_lamps_stand_on_them() {
 }
 
 #[test]
-fn lights_hang_in_a_centred_grid() {
+fn each_light_hangs_in_the_middle_of_its_share_of_the_room() {
     let (level, catalog) = (level(WIDE), catalog(&[(3, Count::Fixed(6))], Untidiness::default()));
     let room = run(&level, &catalog, 1);
     let mut positions: Vec<(i64, i64)> = room
@@ -246,7 +246,7 @@ fn lights_hang_in_a_centred_grid() {
     positions.sort_unstable();
     assert_eq!(
         positions,
-        [(1000, 1500), (1000, 3500), (3000, 1500), (3000, 3500), (5000, 1500), (5000, 3500)]
+        [(1000, 1250), (1000, 3750), (3000, 1250), (3000, 3750), (5000, 1250), (5000, 3750)]
     );
 }
 

@@ -8,10 +8,11 @@ use super::light::{Owner, light_node};
 use super::meshes::{Look, MeshTable};
 use super::node::Node;
 use super::options::{Lights, Parts};
-use super::shell::{RoomFinish, Storey, room_parts};
+use super::shell::{Equipment, RoomFinish, Storey, room_parts};
 use super::tint::Tint;
-use crate::catalog::VariantRef;
+use crate::catalog::{Catalog, FittedPart, VariantRef};
 use crate::contract::{Extras, FurnitureExtras, owned_name, room_name};
+use crate::geometry::{Convex, Point, direction};
 use crate::layout::{Furnished, Parent, Placement};
 
 /// The node of a room: shell parts first, then furniture in the order of its placement.
@@ -29,13 +30,28 @@ pub(crate) fn room_node<'a>(
     let extras = room_extras(room, furnished, verdict, input.catalog);
     let mut node = Node::at(room_name(&room.id), &ROOM_POSE, None, extras);
     let is_merged = input.options.parts == Parts::Merged;
-    node.children = room_parts(storey, room, finish, (look, is_merged), meshes);
+    let worktops = worktops(input.catalog, furnished);
+    node.children =
+        room_parts(storey, room, finish, &Equipment { look, is_merged, worktops: &worktops }, meshes);
     node.children.extend(furniture(input, furnished, &room.id, look, meshes));
     node
 }
 
+/// The footprints of what people set things down on in fitted rows: there sockets are above it.
+fn worktops(catalog: &Catalog, furnished: &Furnished) -> Vec<Convex> {
+    let is_worktop = |placement: &&Placement| {
+        let part = catalog.classes[placement.class].fitted;
+        matches!(part, Some(FittedPart::Worktop | FittedPart::Corner | FittedPart::BesideSink))
+    };
+    let footprint = |placement: &Placement| {
+        let half = Point::new(placement.size.width, placement.size.depth) / 2.0;
+        Convex::rectangle(placement.position, half, direction(placement.angle))
+    };
+    furnished.placements.iter().filter(is_worktop).map(footprint).collect()
+}
+
 /// Rooms stand at the level's origin: outlines and placements are in the level's frame.
-const ROOM_POSE: Pose = Pose { position: crate::geometry::Point::ZERO, elevation: 0.0, angle: 0.0 };
+const ROOM_POSE: Pose = Pose { position: Point::ZERO, elevation: 0.0, angle: 0.0 };
 
 fn pose(placement: &Placement) -> Pose {
     Pose { position: placement.position, elevation: placement.elevation, angle: placement.angle }

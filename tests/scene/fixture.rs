@@ -336,6 +336,11 @@ pub(crate) fn column(center: Point, half: f64, height: f64) -> Obstacle {
     Obstacle { outline: Polygon::rectangle(low, Point::splat(2.0 * half)), height }
 }
 
+/// The scene of a level with furniture, by another catalogue.
+pub(crate) fn furnished_scene(level: &Level, catalog: &Catalog, furnished: &[Furnished]) -> Scene {
+    scene_by(catalog.clone(), level, furnished, Parts::Separate)
+}
+
 /// The scene of a level without furniture, by another catalogue.
 pub(crate) fn scene_of(level: &Level, catalog: &Catalog) -> Scene {
     scene_by(catalog.clone(), level, &empty(level), Parts::Separate)

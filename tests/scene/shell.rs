@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
-use roomwright::internals::catalog::Dado;
+use roomwright::internals::catalog::{Catalog, Dado, FittedPart};
 use roomwright::internals::geometry::{Bounds, Point};
+use roomwright::internals::layout::{Parent, Placement};
 use roomwright::internals::model::{Model, ModelMaterial, Primitive};
 use roomwright::internals::plan::{Level, Opening, OpeningKind, Room, RoomOpening, WallKind};
 use roomwright::internals::recipes::Slot;
@@ -382,6 +383,26 @@ fn sockets_follow_the_walls_but_not_the_doors() {
     (finish.sockets, finish.has_switches) = (None, false);
     let scene = scene_of(&level, &bare);
     assert!(of_room(&scene).is_empty() && middles(&scene, "switch").is_empty());
+}
+
+#[test]
+fn sockets_are_over_worktops() {
+    let level = two_rooms();
+    let mut catalog = catalog();
+    let desk = catalog.class_index("desk").unwrap();
+    let heights_in_the_north = |catalog: &Catalog| {
+        let place =
+            Placement { position: Point::new(3.0, 2.6), ..placement(catalog, "desk", 1, Parent::Wall(2)) };
+        let rooms = [furnished(0, vec![place]), furnished(1, Vec::new())];
+        let found = middles(&furnished_scene(&level, catalog, &rooms), "socket");
+        let in_the_north = found.into_iter().filter(|(name, _)| name.starts_with("socket.2."));
+        in_the_north.map(|(_, middle)| (middle.y * 100.0).round() as i32).collect::<Vec<_>>()
+    };
+    assert_eq!(heights_in_the_north(&catalog), [30, 30], "behind a desk, in both rooms");
+    catalog.classes[desk].fitted = Some(FittedPart::Worktop);
+    let mut heights = heights_in_the_north(&catalog);
+    heights.sort_unstable();
+    assert_eq!(heights, [30, 115]);
 }
 
 #[test]

@@ -60,6 +60,7 @@ fn show_count(catalog: &Catalog, count: Count) -> String {
         Count::PerPiece(class, each) => format!("{} per {}:", rounded(each), catalog.classes[class].id),
         Count::PerWindow(each) => format!("{} per window:", rounded(each)),
         Count::Fill(most) => format!("up to {most}"),
+        Count::FillPerArea(pieces, most) => format!("up to {} per m², up to {most},", rounded(pieces)),
     }
 }
 
@@ -72,6 +73,7 @@ pub(super) fn value_of_request(catalog: &Catalog, request: &Request) -> Value {
         Count::PerPiece(class, each) => json!({"per": catalog.classes[class].id, "each": each}),
         Count::PerWindow(each) => json!({"per": "window", "each": each}),
         Count::Fill(most) => json!({"fill": most}),
+        Count::FillPerArea(pieces, most) => json!({"fill": most, "per_area": pieces}),
     };
     json!({
         "class": class_names(catalog, &request.classes),

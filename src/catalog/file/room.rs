@@ -137,7 +137,7 @@ pub(crate) enum CountEntry {
     Fields(CountFields),
 }
 
-/// The long forms of a count: exactly one of `per`, `per_area`, `fill`.
+/// The long forms of a count: exactly one of `per`, `per_area`, `fill`, or the last two.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct CountFields {
@@ -153,7 +153,7 @@ pub(crate) struct CountFields {
     pub(crate) least: Option<i64>,
     /// With `per_area`: at most.
     pub(crate) most: Option<i64>,
-    /// As many as fit, at most this many.
+    /// As many as fit, at most this many; with `per_area`, at most so many per square metre too.
     pub(crate) fill: Option<i64>,
 }
 
@@ -164,7 +164,7 @@ impl JsonSchema for CountEntry {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({
-            "description": "A number, [least, most], {per: class or window, each: n}, {per_area: n, least: n, most: n} or {fill: n}.",
+            "description": "A number, [least, most], {per: class or window, each: n}, {per_area: n, least: n, most: n}, {fill: n} or {fill: n, per_area: n}.",
             "type": ["integer", "array", "object"],
             "items": {"type": "integer"},
             "minItems": 2,
@@ -176,7 +176,7 @@ impl JsonSchema for CountEntry {
                 "per_area": {"type": "number", "description": "Pieces per square metre of floor."},
                 "least": {"type": "integer", "description": "With per_area: at least; default 0."},
                 "most": {"type": "integer", "description": "With per_area: at most."},
-                "fill": {"type": "integer", "description": "As many as fit, at most this many."}
+                "fill": {"type": "integer", "description": "As many as fit, at most this many; with per_area, at most so many per square metre too."}
             },
             "additionalProperties": false
         })

@@ -151,23 +151,30 @@ fn resolve_fields(
             let least = check_count("least", least, &spot.key("least"), report);
             Some(Count::PerArea(per_area, least, check_count("most", most, &spot.key("most"), report)))
         }
-        (None, None, Some(fill)) => Some(Count::Fill(check_count("fill", fill, &spot.key("fill"), report))),
+        (None, per_area, Some(fill)) => {
+            let fill = check_count("fill", fill, &spot.key("fill"), report);
+            let per_area_spot = spot.key("per_area");
+            let per_area =
+                per_area.map(|n| Quantity::plain("per_area", FACTOR).check(n, &per_area_spot, report));
+            Some(per_area.map_or(Count::Fill(fill), |per_area| Count::FillPerArea(per_area, fill)))
+        }
         _ => {
-            let hint =
-                "write a number, [least, most], {per: class or window, each: n}, {per_area: n} or {fill: n}";
+            let hint = "write a number, [least, most], {per: class or window, each: n}, {per_area: n}, {fill: n} or \
+                        {fill: n, per_area: n}";
             report.error_with_hint(spot, "the count needs exactly one of `per`, `per_area` and `fill`", hint);
             None
         }
     }
 }
 
-/// `each` goes with `per`, `least` and `most` go with `per_area`.
+/// `each` goes with `per`, `least` and `most` go with `per_area` without `fill`.
 fn check_companions(fields: &CountFields, spot: &Spot, report: &mut Report<'_>) {
+    let goes_with_area = fields.per_area.is_some() && fields.fill.is_none();
     let companions = [
         ("each", fields.each.is_some(), "per", fields.per.is_some()),
         ("guests", fields.guests.is_some(), "per", fields.per.is_some()),
-        ("least", fields.least.is_some(), "per_area", fields.per_area.is_some()),
-        ("most", fields.most.is_some(), "per_area", fields.per_area.is_some()),
+        ("least", fields.least.is_some(), "per_area", goes_with_area),
+        ("most", fields.most.is_some(), "per_area", goes_with_area),
     ];
     for (key, is_written, other, is_other_written) in companions {
         if is_written && !is_other_written {

@@ -203,6 +203,7 @@ room_types:
       - {class: table, count: {per: table, each: 4}}
       - {class: table, count: {per_area: 0.2, least: 1}}
       - {class: table, count: {fill: 10}, area: [4, 9]}
+      - {class: table, count: {fill: 10, per_area: 0.5}}
 ";
     let catalog = load(&[("rooms/a.yaml", rooms)]);
     let (bath, index) = (&catalog.room_types["bath"], |id| catalog.class_index(id).unwrap());
@@ -228,7 +229,8 @@ room_types:
     assert_eq!(bath.programme[1], second);
     let counts: Vec<Count> = bath.programme.iter().map(|request| request.count).collect();
     let (per_piece, per_area) = (Count::PerPiece(index("table"), 4.0), Count::PerArea(0.2, 1, 1000));
-    assert_eq!(counts, [Count::Fixed(1), second.count, per_piece, per_area, Count::Fill(10)]);
+    let fill_per_area = Count::FillPerArea(0.5, 10);
+    assert_eq!(counts, [Count::Fixed(1), second.count, per_piece, per_area, Count::Fill(10), fill_per_area]);
     assert_eq!(bath.programme[4].area, (4.0, 9.0));
 }
 

@@ -4,9 +4,10 @@ use crate::catalog::{Along, Side, Turn};
 use crate::geometry::Point;
 use crate::layout::agent::Agent;
 use crate::layout::body::{Pose, outward};
-use crate::layout::constants::TRIALS_PER_SIDE;
-use crate::layout::place::AgentIndex;
+use crate::layout::constants::{CONTACT_TOLERANCE, TRIALS_PER_SIDE};
+use crate::layout::place::{AgentIndex, ParentPart};
 use crate::layout::seed::Stream;
+use crate::plan::Wall;
 
 use super::View;
 use super::turn::{self, Bearing};
@@ -55,7 +56,66 @@ pub(super) fn propose_at_agent(
         parent_angle: rest.pose.angle,
         places: (offer.places, agent.taken[view.side.index()]),
     };
+    let before = poses.len();
     propose(view, &face, stream, poses);
+    if let Some(wall) = run_along(view, parent) {
+        let ends = ends_of_wall(view, wall);
+        let mut index = 0;
+        poses.retain(|pose| {
+            index += 1;
+            index <= before || is_within(view, pose, ends, wall)
+        });
+    }
+}
+
+/// The wall along which an agent and its parent would make a run: both of one kind, with their backs to it.
+fn run_along(view: &View<'_>, mut parent: AgentIndex) -> Option<usize> {
+    let environment = view.environment;
+    let own = environment.agents[view.agent].piece.class;
+    let is_run = environment.agents[parent].piece.class == own
+        && view.rule.orientation.turn == Turn::Parallel
+        && matches!(view.side, Side::Left | Side::Right);
+    loop {
+        match environment.agents[parent].rest().filter(|_| is_run)?.parent {
+            ParentPart::Wall(wall) => return Some(wall),
+            ParentPart::Agent(next) if environment.agents[next].piece.class == own => parent = next,
+            _ => return None,
+        }
+    }
+}
+
+/// Where a wall begins and ends, in metres from its start, with the walls that go on in the same line.
+fn ends_of_wall(view: &View<'_>, wall: usize) -> (f64, f64) {
+    let walls = &view.environment.brief.surroundings.room.walls;
+    let (start, along) = (walls[wall].start, walls[wall].direction());
+    let goes_on = |other: &&Wall| {
+        let off = |point: Point| (point - start).perp_dot(along).abs();
+        off(other.start).max(off(other.end)) < CONTACT_TOLERANCE && other.direction().dot(along) > 0.0
+    };
+    let reach = |wall: &Wall| [(wall.start - start).dot(along), (wall.end - start).dot(along)];
+    let mut ends = (0.0, walls[wall].length());
+    // Each pass adds the walls that touch what is known so far; a line has few.
+    for _ in 0..walls.len() {
+        let known = ends;
+        for [from, to] in walls.iter().filter(goes_on).map(reach) {
+            if from <= ends.1 + CONTACT_TOLERANCE && to >= ends.0 - CONTACT_TOLERANCE {
+                ends = (ends.0.min(from), ends.1.max(to));
+            }
+        }
+        if ends == known {
+            break;
+        }
+    }
+    ends
+}
+
+/// Whether a piece at a pose has its wall behind it from end to end.
+fn is_within(view: &View<'_>, pose: &Pose, (from, to): (f64, f64), wall: usize) -> bool {
+    let wall = &view.environment.brief.surroundings.room.walls[wall];
+    let along = wall.direction();
+    let at = (pose.position - wall.start).dot(along);
+    let half = Agent::half_extent(view.size, pose.right, along) - CONTACT_TOLERANCE;
+    at - half >= from && at + half <= to
 }
 
 /// Poses at a side of the box around a column.
@@ -128,4 +188,30 @@ fn even(face: &Face, trial: usize) -> f64 {
 /// Which end of `along` is the parent's back: 1 or −1, and 0 on the front and back themselves.
 fn towards_back(face: &Face, along: Point) -> f64 {
     Pose::new(face.parent_center, 0.0, face.parent_angle).turn(Point::Y).dot(along).round()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalog::{Along, Count, ParentName, Side, Turn, Untidiness};
+    use crate::layout::tests::{catalog, level, rule, run};
+
+    const SHELF: usize = 4;
+
+    #[test]
+    fn a_run_ends_where_its_wall_does() {
+        let mut catalog = catalog(&[(SHELF, Count::Fixed(9))], Untidiness::default());
+        let shelf = &mut catalog.classes[SHELF];
+        let sides = [Side::Left, Side::Right];
+        let own = ParentName::Classes(vec![SHELF]);
+        shelf.parents.insert(0, rule(own, &sides, Turn::Parallel, Along::Back));
+        for side in sides {
+            shelf.sides[side.index()].places = 1;
+        }
+        // The wall from (6, 2) to (3, 2) ends where the room goes on to the north.
+        let level = level(&[(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (3.0, 2.0), (3.0, 5.0), (0.0, 5.0)]);
+        let placements = (1..20).flat_map(|seed| run(&level, &catalog, seed).placements);
+        let at_wall = placements.filter(|one| (one.position.y - 1.8).abs() < 0.01 && one.angle.abs() < 0.1);
+        let ends: Vec<f64> = at_wall.map(|one| one.position.x - one.size.width / 2.0).collect();
+        assert!(ends.len() > 9 && ends.iter().all(|&end| end > 3.0 - 1e-3), "{ends:?}");
+    }
 }

@@ -61,6 +61,13 @@ pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses
     }
 }
 
+/// Appends a scan along the rows in which the agent's class stands, if any: who found no place of its own stays in line.
+pub(crate) fn propose_rows(view: &View<'_>, key: &RoomKey, poses: &mut Vec<Pose>) {
+    if let (Some(grid), ParentPart::Floor | ParentPart::Ceiling) = (&view.class.grid, view.parent) {
+        grid::scan(view, grid, key, poses);
+    }
+}
+
 /// Appends a regular scan of a floor, ceiling or top for an agent that found no good place at random; a thorough one
 /// is finer, tries every turn and walls too: for what has no place at all and cannot be missed.
 pub(crate) fn propose_scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, poses: &mut Vec<Pose>) {

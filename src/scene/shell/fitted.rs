@@ -4,7 +4,7 @@ use super::fitting::{Fitting, PLATE};
 use super::opening_size::{casing, opening_heights};
 use super::skirting::between;
 use super::ticks::Ticks;
-use crate::geometry::Point;
+use crate::geometry::{Convex, Point, distance_to_convex};
 use crate::plan::{Level, Opening, OpeningKind, Room, RoomOpening, Wall, WallKind};
 
 /// A fitting in a wall.
@@ -22,6 +22,10 @@ pub(super) struct Fitted {
 /// Metres of the middle of switches and sockets above the floor (DIN 18015-3).
 const SWITCH_HEIGHT: f64 = 1.05;
 const SOCKET_HEIGHT: f64 = 0.30;
+/// The same of sockets over worktops.
+const WORKTOP_SOCKET_HEIGHT: f64 = 1.15;
+/// Metres before a wall at which a worktop along it is looked for: gaps behind furniture are smaller, worktops deeper.
+const BEFORE_WALL: f64 = 0.2;
 /// Metres from the boards around a door to the middle of its switch.
 const BESIDE_DOOR: f64 = 0.12;
 /// Metres from the ends of a stretch of wall to the middle of its outer sockets.
@@ -48,8 +52,9 @@ pub(super) fn switches(level: &Level, room: &Room) -> Vec<Fitted> {
     room.openings.iter().filter_map(beside).collect()
 }
 
-/// The sockets of a room: on each stretch of wall one for so many metres, the outer ones near its ends.
-pub(super) fn sockets(level: &Level, room: &Room, interval: f64) -> Vec<Fitted> {
+/// The sockets of a room: on each stretch of wall one for so many metres, the outer ones near its ends, over the worktops that
+/// stand before them.
+pub(super) fn sockets(level: &Level, room: &Room, interval: f64, worktops: &[Convex]) -> Vec<Fitted> {
     let mut found = Vec::new();
     let solid = room.walls.iter().enumerate().filter(|(_, wall)| wall.kind == WallKind::Solid);
     for (index, wall) in solid {
@@ -62,10 +67,20 @@ pub(super) fn sockets(level: &Level, room: &Room, interval: f64) -> Vec<Fitted> 
             let count = (length / interval).round().max(1.0);
             let step = (length - 2.0 * FROM_END) / (count - 1.0).max(1.0);
             let at = |number: u32| from + FROM_END + step * f64::from(number);
-            found.extend((0..count as u32).map(|number| fitted(Fitting::Socket, room, index, at(number))));
+            let along = (0..count as u32).map(at);
+            found.extend(
+                along.map(|at| over_worktop(fitted(Fitting::Socket, room, index, at), room, worktops)),
+            );
         }
     }
     found
+}
+
+/// A socket, higher where a worktop would hide it.
+fn over_worktop(socket: Fitted, room: &Room, worktops: &[Convex]) -> Fitted {
+    let before = socket.position + room.walls[socket.wall].normal() * BEFORE_WALL;
+    let is_hidden = worktops.iter().any(|worktop| distance_to_convex(worktop.corners(), before) == 0.0);
+    if is_hidden { Fitted { elevation: WORKTOP_SOCKET_HEIGHT, ..socket } } else { socket }
 }
 
 fn fitted(fitting: Fitting, room: &Room, wall: usize, at: f64) -> Fitted {

@@ -27,7 +27,7 @@ mod window;
 
 pub(crate) use finish::RoomFinish;
 pub(crate) use opening::{OpeningLook, opening_node};
-pub(crate) use room::room_parts;
+pub(crate) use room::{Equipment, room_parts};
 pub(crate) use storey::Storey;
 
 use fitting::Fitting;

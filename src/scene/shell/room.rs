@@ -19,7 +19,7 @@ use super::wall::{Cut, Hole, WallShape};
 use super::{INSET, SLAB, Shape};
 use crate::catalog::PaletteRef;
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
-use crate::geometry::{Point, Region};
+use crate::geometry::{Convex, Point, Region};
 use crate::plan::{Level, Room, Wall, WallKind};
 use crate::recipes::{GeometrySet, Slot};
 use crate::scene::axes::{Pose, angle_facing};
@@ -35,15 +35,26 @@ const WALL_FOOT: Ticks = Ticks(INSET.0 - SLAB.0);
 const PARALLEL: f64 = 0.02;
 const ROUNDING: f64 = 1e-6;
 
+/// How the shell of a room looks, and what it goes by.
+pub(crate) struct Equipment<'p> {
+    /// The look of its style.
+    pub(crate) look: Look,
+    /// Whether its parts are one mesh.
+    pub(crate) is_merged: bool,
+    /// The footprints of worktops at its walls: sockets are above them.
+    pub(crate) worktops: &'p [Convex],
+}
+
 /// The nodes of a room's shell, in the order floor, ceiling, walls, skirting, columns, sockets, switches; where all but floor
 /// and ceiling are merged, last the one that shows them.
 pub(crate) fn room_parts<'a>(
     storey: &Storey<'_>,
     room: &Room,
     finish: RoomFinish,
-    (look, is_merged): (Look, bool),
+    equipment: &Equipment<'_>,
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
+    let Equipment { look, is_merged, worktops } = *equipment;
     let level = storey.level;
     let origin = Pose::on_floor(room.region.outline.corners()[0], 0.0);
     let merged = is_merged.then(|| Merged::at(origin));
@@ -54,7 +65,7 @@ pub(crate) fn room_parts<'a>(
     }
     parts.skirting(level, finish);
     parts.columns(finish.wall);
-    parts.fittings(level, finish, look.geometry);
+    parts.fittings(level, finish, (look.geometry, worktops));
     parts.finish()
 }
 
@@ -174,13 +185,13 @@ impl RoomParts<'_, '_, '_> {
     }
 
     /// Sockets and switches of a room indoors.
-    fn fittings(&mut self, level: &Level, finish: RoomFinish, set: GeometrySet) {
+    fn fittings(&mut self, level: &Level, finish: RoomFinish, (set, worktops): (GeometrySet, &[Convex])) {
         if self.is_outdoors() {
             return;
         }
         let slot = if set == GeometrySet::Industrial { Slot::Metal } else { Slot::Plastic };
-        let mut fitted: Vec<Fitted> =
-            finish.sockets.map(|interval| sockets(level, self.room, interval)).unwrap_or_default();
+        let sockets = finish.sockets.map(|interval| sockets(level, self.room, interval, worktops));
+        let mut fitted: Vec<Fitted> = sockets.unwrap_or_default();
         if finish.has_switches {
             fitted.extend(switches(level, self.room));
         }

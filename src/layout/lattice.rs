@@ -1,0 +1,178 @@
+//! The numbers of a lattice: how many places a length has room for, and how many columns and rows some pieces make.
+
+use crate::catalog::Grid;
+use crate::geometry::Point;
+
+/// Added before rounding down, so that a length of exactly n intervals counts n.
+const ROUNDING: f64 = 1e-9;
+
+/// One direction of a lattice: regular intervals, and aisles between blocks of as many places, or of one less.
+///
+/// ```text
+///  o--o--o----o--o----o--o     seven places, three at most in a block
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Axis {
+    /// Metres between neighbours.
+    interval: f64,
+    /// Most places in a row without an aisle; zero for no aisles.
+    block: usize,
+    /// Metres that an aisle adds to the interval.
+    aisle: f64,
+}
+
+impl Axis {
+    /// One of the two directions of a grid.
+    pub(crate) fn new(grid: &Grid, axis: usize) -> Self {
+        Self { interval: grid.interval[axis], block: grid.block[axis] as usize, aisle: grid.aisle }
+    }
+
+    /// The same with so many places spread over a length, one in the middle of each share of it, where that puts them farther
+    /// apart.
+    pub(crate) fn spread(self, count: usize, length: f64) -> Self {
+        let share = length / count.max(1) as f64;
+        if self.block == 0 { Self { interval: self.interval.max(share), ..self } } else { self }
+    }
+
+    /// Metres from the first of so many places to another; places behind the last go on in the same way.
+    pub(crate) fn offset(&self, index: usize, count: usize) -> f64 {
+        index as f64 * self.interval + self.aisles_before(index, count) as f64 * self.aisle
+    }
+
+    /// The same for places before the first too. These have no aisles: what stands there has lost its block anyway.
+    pub(crate) fn at(&self, index: i64, count: usize) -> f64 {
+        match usize::try_from(index) {
+            Ok(index) => self.offset(index, count),
+            Err(_) => index as f64 * self.interval,
+        }
+    }
+
+    /// How many places a length has room for before the first.
+    pub(crate) fn count_before(&self, length: f64) -> i64 {
+        (length / self.interval + ROUNDING).max(0.0) as i64
+    }
+
+    /// Metres from the first of so many places to the last.
+    pub(crate) fn span(&self, count: usize) -> f64 {
+        self.offset(count.max(1) - 1, count)
+    }
+
+    /// Aisles before a place. The first blocks are the larger ones.
+    fn aisles_before(&self, index: usize, count: usize) -> usize {
+        if self.block == 0 {
+            return 0;
+        }
+        let blocks = count.div_ceil(self.block).max(1);
+        let (small, large_blocks) = ((count / blocks).max(1), count % blocks);
+        let in_large = large_blocks * (small + 1);
+        match index.checked_sub(in_large) {
+            Some(behind) => large_blocks + behind / small,
+            None => index / (small + 1),
+        }
+    }
+
+    /// How many places a length has room for, one at least.
+    pub(crate) fn count(&self, length: f64) -> usize {
+        let most = (length / self.interval + ROUNDING).max(0.0) as usize + 1;
+        (1..=most).rev().find(|&count| self.span(count) <= length + ROUNDING).unwrap_or(1)
+    }
+}
+
+/// Columns and rows for `wanted` places: enough, few empty, and filling both directions alike. `most` bounds
+/// both; `intervals` is how many fit into each direction.
+pub(crate) fn columns_and_rows(wanted: usize, most: [usize; 2], intervals: Point) -> [usize; 2] {
+    let mut best = (f64::INFINITY, most);
+    for columns in 1..=most[0] {
+        let rows = wanted.max(1).div_ceil(columns);
+        if rows > most[1] {
+            continue;
+        }
+        let empty = (columns * rows - wanted) as f64 / wanted.max(1) as f64;
+        let filled = Point::new(columns as f64, rows as f64) / (intervals + Point::ONE);
+        // Both are shares: empty places of those wanted, and how unevenly the two directions are filled. They count the same.
+        let cost = empty + (filled.x - filled.y).abs();
+        if cost < best.0 {
+            best = (cost, [columns, rows]);
+        }
+    }
+    best.1
+}
+
+/// The number nearest to `wanted` whose lattice in a room of a size has no empty place, of two the larger.
+pub(crate) fn full_number(wanted: u32, grid: &Grid, room: Point) -> u32 {
+    let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
+    let most = [axes[0].count(room.x), axes[1].count(room.y)];
+    let is_full = |&number: &u32| {
+        let [columns, rows] = columns_and_rows(number as usize, most, room / grid.interval);
+        columns * rows == number as usize
+    };
+    let nearest = (0..wanted).flat_map(|off| [wanted + off, wanted - off]);
+    nearest.into_iter().find(is_full).unwrap_or(wanted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_aisle_follows_each_block() {
+        let axis = Axis { interval: 1.0, block: 2, aisle: 0.5 };
+        assert_eq!([0, 1, 2, 3, 4].map(|index| axis.offset(index, 5)), [0.0, 1.0, 2.5, 3.5, 5.0]);
+        assert_eq!([axis.count(0.9), axis.count(2.4), axis.count(2.5)], [1, 2, 3]);
+        let without = Axis { block: 0, ..axis };
+        assert_eq!((without.offset(4, 5), without.count(3.0)), (4.0, 4));
+    }
+
+    #[test]
+    fn no_block_has_a_single_place_where_another_has_three() {
+        let axis = Axis { interval: 1.0, block: 12, aisle: 1.0 };
+        let places: Vec<f64> = (0..13).map(|index| axis.offset(index, 13)).collect();
+        assert_eq!((places[6], places[7], places[12]), (6.0, 8.0, 13.0), "seven and six");
+        for (count, most) in (1..60).flat_map(|count| (1..9).map(move |most| (count, most))) {
+            let axis = Axis { block: most, ..axis };
+            let mut sizes = vec![0; count];
+            (0..count).for_each(|index| sizes[axis.aisles_before(index, count)] += 1);
+            sizes.retain(|&size| size > 0);
+            let (least, largest) = (*sizes.iter().min().unwrap(), *sizes.iter().max().unwrap());
+            assert_eq!(sizes.len(), count.div_ceil(most), "as few aisles as with full blocks");
+            assert!(largest <= most && largest - least <= 1, "{count} {most}: {sizes:?}");
+        }
+    }
+
+    #[test]
+    fn six_lamps_in_a_wide_room_make_three_by_two() {
+        assert_eq!(columns_and_rows(6, [3, 3], Point::new(2.8, 2.3)), [3, 2]);
+    }
+
+    #[test]
+    fn more_than_fit_takes_all_there_is() {
+        assert_eq!(columns_and_rows(100, [3, 4], Point::new(2.0, 3.0)), [3, 4]);
+    }
+
+    #[test]
+    fn thirty_six_in_a_hall_make_a_square() {
+        assert_eq!(columns_and_rows(36, [8, 7], Point::new(7.5, 6.5)), [6, 6]);
+    }
+
+    #[test]
+    fn lamps_are_counted_up_or_down_to_full_rows() {
+        let grid = Grid {
+            interval: Point::splat(2.2),
+            block: [0, 0],
+            aisle: 0.0,
+            is_centered: true,
+            is_back_to_back: false,
+            margin: [0.0; 4],
+        };
+        let number = |wanted: u32, x: f64, y: f64| full_number(wanted, &grid, Point::new(x, y));
+        // Eight would hang in three rows of three, with a gap.
+        assert_eq!([5, 7, 8, 11].map(|wanted| number(wanted, 7.0, 6.6)), [6, 6, 9, 12]);
+        assert_eq!(number(5, 12.0, 1.5), 5, "in a row");
+        assert_eq!(number(5, 4.4, 2.2), 6);
+        assert_eq!(
+            (number(13, 4.4, 4.4), number(1, 0.1, 0.1), number(0, 4.0, 4.0)),
+            (9, 1, 0),
+            "no more than fit"
+        );
+    }
+}
