@@ -7,7 +7,7 @@ use serde::de::{
 };
 use serde::forward_to_deserialize_any;
 
-use super::Mismatch;
+use super::{Mismatch, deserialize_named};
 use crate::document::node::{Entry, Node};
 
 /// The items of a list.
@@ -73,6 +73,12 @@ impl<'de> MapAccess<'de> for Entries<'_> {
 /// The key of a mapping, or the name of a variant.
 struct Key<'n>(&'n str);
 
+impl<'n> Key<'n> {
+    fn variant(&self) -> Result<Variant<'n>, Mismatch> {
+        Ok(Variant { name: self.0, value: None })
+    }
+}
+
 impl<'de> Deserializer<'de> for Key<'_> {
     type Error = Mismatch;
 
@@ -80,22 +86,7 @@ impl<'de> Deserializer<'de> for Key<'_> {
         visitor.visit_str(self.0)
     }
 
-    fn deserialize_newtype_struct<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        visitor.visit_newtype_struct(self)
-    }
-
-    fn deserialize_enum<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        _: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        visitor.visit_enum(Variant { name: self.0, value: None })
-    }
+    deserialize_named!();
 
     forward_to_deserialize_any! {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct seq

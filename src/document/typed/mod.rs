@@ -76,6 +76,17 @@ impl Node {
         }
     }
 
+    /// The word that the value is, or the one key of a mapping with the value behind it.
+    fn variant(&self) -> Result<Variant<'_>, Mismatch> {
+        match (&self.content, self.text()) {
+            (Content::Mapping(entries), _) if entries.len() == 1 => {
+                Ok(Variant { name: &entries[0].key, value: Some(&entries[0].value) })
+            }
+            (_, Some(name)) => Ok(Variant { name, value: None }),
+            _ => Err(self.mismatch(&"a word or a mapping of one key")),
+        }
+    }
+
     fn is_null(&self) -> bool {
         matches!(&self.content, Content::Scalar { value: Value::Null, .. })
     }
@@ -123,6 +134,29 @@ macro_rules! deserialize_untexted {
     };
 }
 
+/// Reading types with a name: a newtype is what it holds, an enum is read from the variant. For values and for keys.
+macro_rules! deserialize_named {
+    () => {
+        fn deserialize_newtype_struct<V: Visitor<'de>>(
+            self,
+            _: &'static str,
+            visitor: V,
+        ) -> Result<V::Value, Mismatch> {
+            visitor.visit_newtype_struct(self)
+        }
+
+        fn deserialize_enum<V: Visitor<'de>>(
+            self,
+            _: &'static str,
+            _: &'static [&'static str],
+            visitor: V,
+        ) -> Result<V::Value, Mismatch> {
+            visitor.visit_enum(self.variant()?)
+        }
+    };
+}
+use deserialize_named;
+
 impl<'de> Deserializer<'de> for &Node {
     type Error = Mismatch;
 
@@ -138,6 +172,8 @@ impl<'de> Deserializer<'de> for &Node {
         deserialize_bool deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_i128 deserialize_u8
         deserialize_u16 deserialize_u32 deserialize_u64 deserialize_u128 deserialize_f32 deserialize_f64
     }
+
+    deserialize_named!();
 
     fn deserialize_str<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
         match self.text() {
@@ -160,14 +196,6 @@ impl<'de> Deserializer<'de> for &Node {
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
         if self.is_null() { visitor.visit_none() } else { visitor.visit_some(self) }
-    }
-
-    fn deserialize_newtype_struct<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        visitor.visit_newtype_struct(self)
     }
 
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
@@ -204,21 +232,6 @@ impl<'de> Deserializer<'de> for &Node {
         visitor: V,
     ) -> Result<V::Value, Mismatch> {
         self.deserialize_map(visitor)
-    }
-
-    fn deserialize_enum<V: Visitor<'de>>(
-        self,
-        _: &'static str,
-        _: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        match (&self.content, self.text()) {
-            (Content::Mapping(entries), _) if entries.len() == 1 => {
-                visitor.visit_enum(Variant { name: &entries[0].key, value: Some(&entries[0].value) })
-            }
-            (_, Some(name)) => visitor.visit_enum(Variant { name, value: None }),
-            _ => Err(self.mismatch(&"a word or a mapping of one key")),
-        }
     }
 
     fn deserialize_ignored_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
