@@ -1,13 +1,22 @@
 //! The formats that levels are written in: a table, as the readers of plans are.
 //!
-//! A new format takes one folder beside `gltf/` with a type that implements [`Output`], its `mod` line in `lib.rs`, and one line in
-//! `table.rs`; `--format`, `--help`, the manifest and its checks follow from that line. `example.rs` is a complete format to copy, in
-//! ninety lines. A format is given:
-//! - a [`crate::scene::Scene`] (`scene/node.rs`): a tree of nodes in metres, Y up, each placed relative to its parent; node names are
-//!   unique in the level, mesh and material indices are valid, colours are linear ([`crate::catalog::srgb_encoded`] makes them sRGB).
-//!   The extras of a node say what it is; `docs/output.md` describes them;
-//! - with [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`); without it
-//!   each material has its own base colour, whatever textures the user asks for.
+//! To add a format:
+//! 1. Write it: a folder beside `gltf/` with a type that implements [`Output`] (`format.rs`), and its `mod` line in `lib.rs`.
+//!    `example.rs` is a complete format to copy, in ninety lines.
+//! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow.
+//! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`.
+//!
+//! A format is given a [`crate::scene::Scene`] (`scene/node.rs`, which lists all that is in it):
+//! - a tree of nodes in metres, Y up, each placed relative to its parent; node names are unique in the level, mesh and material
+//!   indices are valid. `docs/output.md`, "Nodes", says where the origin of a node is and where its front faces. A format with the
+//!   axes of plans takes [`crate::scene::plan_point`], `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
+//! - the extras of a node ([`crate::contract::Extras`]), which say what it is; outlines, hinges and sides in them are in the axes
+//!   of plans already. `docs/output.md`, "Extras", describes them;
+//! - meshes (`mesh/model.rs`) and materials: colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. With
+//!   [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`); without it each
+//!   material has its own base colour, whatever textures the user asks for;
+//! - the options of the user ([`LevelOptions`]). What they say of rooms and shapes has been done; a format that cannot do
+//!   what else they ask for (lights, variants, shared files) leaves it out.
 //!
 //! `batch` relies on this: the same scene at the same path gives the same files, whatever other levels were written before it and
 //! by however many threads.

@@ -10,8 +10,8 @@ use super::tree::Node;
 use crate::catalog::{Catalog, ClassIndex, Side, Size, StyleRef};
 use crate::contract::{Extras, FurnitureExtras, RemovedExtras};
 use crate::document::did_you_mean;
-use crate::geometry::Point;
 use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
+use crate::scene::{plan_angle, plan_point};
 
 /// Sine of the largest tilt of what counts as upright, and the largest change of size that is rounding.
 const ROUNDING: f64 = 1e-4;
@@ -190,15 +190,15 @@ fn read_piece(
         // Until all pieces are known.
         parent: Parent::Floor,
         side,
-        position: Point::new(position.x, -position.z),
-        elevation: position.y,
+        position: position.truncate(),
+        elevation: position.z,
         angle,
         variant: extras.variant,
         size: Size { width: size[0], depth: size[1], height: size[2] },
     })
 }
 
-/// Position, angle and scale (width, height, depth) in the room; `None` unless upright and finite.
+/// Position and angle in the plan's axes, and scale (width, height, depth), in the room; `None` unless upright and finite.
 pub(super) fn pose(place: &DMat4) -> Option<(DVec3, f64, DVec3)> {
     let (across, up, forth) = (place.x_axis.truncate(), place.y_axis.truncate(), place.z_axis.truncate());
     let position = place.w_axis.truncate();
@@ -211,5 +211,5 @@ pub(super) fn pose(place: &DMat4) -> Option<(DVec3, f64, DVec3)> {
     let is_mirrored = across.cross(up).dot(forth) <= 0.0;
     let exact = |factor: f64| if (factor - 1.0).abs() < ROUNDING { 1.0 } else { factor };
     let scale = DVec3::new(exact(scale.x), exact(scale.y), exact(scale.z));
-    (is_upright && !is_mirrored).then(|| (position, libm::atan2(-across.z, across.x), scale))
+    (is_upright && !is_mirrored).then(|| (plan_point(position), plan_angle(across), scale))
 }

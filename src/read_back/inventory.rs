@@ -16,6 +16,7 @@ use crate::contract::{
     ElementId, Extras, FindingExtras, FurnitureExtras, ObjectId, OpeningExtras, RoomExtras, SiteExtras,
     room_in_name,
 };
+use crate::scene::{plan_point, plan_rotation};
 
 /// A level and all that is in it. Lengths are metres in the plan frame, z up.
 #[derive(Clone, Debug, Default)]
@@ -241,16 +242,4 @@ fn object(
         variant: extras.variant,
         materials,
     })
-}
-
-/// From glTF's axes to those of plans.
-fn plan_point(point: DVec3) -> DVec3 {
-    DVec3::new(point.x, -point.z, point.y)
-}
-
-/// A turn in glTF's axes as one in those of plans.
-fn plan_rotation(rotation: DQuat) -> Option<DQuat> {
-    let axis = plan_point(DVec3::new(rotation.x, rotation.y, rotation.z));
-    let turned = DQuat::from_xyzw(axis.x, axis.y, axis.z, rotation.w);
-    (turned.length_squared() > 0.0).then(|| turned.normalize())
 }

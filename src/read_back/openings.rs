@@ -9,6 +9,7 @@ use super::tree::Node;
 use crate::contract::{Closure, Extras, LeafExtras, OpeningExtras, SideExtras};
 use crate::geometry::Point;
 use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, RoomOpening};
+use crate::scene::plan_point;
 
 /// Metres by which an opening may reach over the end of its wall: rounding.
 const OVER_END: f64 = 1e-4;
@@ -61,8 +62,7 @@ fn read_opening(
     // A side in a room that is missing from the file, or cannot be read, is a side to the open air.
     let known = extras.sides.iter().filter_map(|side| Some((side, *rooms.get(&side.room)?)));
     let sides = known.map(|(side, room)| read_side(side, room, level)).collect::<Result<Vec<_>, _>>()?;
-    let position = node.local.w_axis;
-    let center = Point::new(position.x, -position.z);
+    let center = plan_point(node.local.w_axis.truncate()).truncate();
     if !is_near(center) {
         return Err("stands nowhere: its transform is no number".to_owned());
     }

@@ -132,7 +132,7 @@ fn object(
         above: None,
         parent: extras.parent.clone(),
         place: pose(place).map(|(position, angle, scale)| SurveyedPlace {
-            position: DVec3::new(position.x, -position.z, position.y),
+            position,
             angle,
             scale: [scale.x, scale.z, scale.y],
         }),

@@ -1,9 +1,9 @@
-//! The crossing from plan axes to glTF axes: (x, y, z) becomes (x, z, −y).
+//! The crossing from plan axes to glTF axes, where (x, y, z) becomes (x, z, −y), and the way back.
 //!
 //! A turn by an angle counter-clockwise about the plan's z is a turn by the same angle about glTF's Y, so
 //! that angles cross unchanged. A front that faces −y (south) at angle zero faces +Z afterwards.
 
-use glam::{Quat, Vec3};
+use glam::{DQuat, DVec3, Quat, Vec3};
 
 use crate::geometry::Point;
 
@@ -77,6 +77,23 @@ pub(crate) fn cross(point: Point, elevation: f64) -> Vec3 {
     Vec3::new(narrow(point.x), narrow(elevation), narrow(-point.y))
 }
 
+/// A point in glTF axes as one in those of the plan, z above the floor: the way back from [`cross`].
+pub(crate) fn plan_point(point: DVec3) -> DVec3 {
+    DVec3::new(point.x, -point.z, point.y)
+}
+
+/// The angle of a node that stands upright and whose x axis, in glTF axes, is `across`: the way back from [`Pose::rotation`].
+pub(crate) fn plan_angle(across: DVec3) -> f64 {
+    angle_along(plan_point(across).truncate())
+}
+
+/// Any turn in glTF axes as the same turn in those of the plan; `None` if it is no turn.
+pub(crate) fn plan_rotation(rotation: DQuat) -> Option<DQuat> {
+    let axis = plan_point(DVec3::new(rotation.x, rotation.y, rotation.z));
+    let turned = DQuat::from_xyzw(axis.x, axis.y, axis.z, rotation.w);
+    (turned.length_squared() > 0.0).then(|| turned.normalize())
+}
+
 /// To single precision, without a negative zero.
 pub(crate) fn narrow(value: f64) -> f32 {
     value as f32 + 0.0
@@ -124,6 +141,17 @@ mod tests {
             let (east, _) = axes_at(angle);
             assert!(wrapped(angle_along(east) - angle).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn the_way_back_gives_the_pose() {
+        let pose = Pose { position: Point::new(3.0, -1.0), elevation: 0.7, angle: 2.1 };
+        assert!(plan_point(pose.translation().as_dvec3()).distance(DVec3::new(3.0, -1.0, 0.7)) < 1e-6);
+        let rotation = pose.rotation().as_dquat();
+        assert!((plan_angle(rotation * DVec3::X) - pose.angle).abs() < 1e-6);
+        let turned = plan_rotation(rotation).unwrap() * DVec3::X;
+        assert!(turned.truncate().distance(axes_at(pose.angle).0) < 1e-6 && turned.z.abs() < 1e-6);
+        assert_eq!(plan_rotation(DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0)), None);
     }
 
     #[test]

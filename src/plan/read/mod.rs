@@ -5,6 +5,7 @@ pub(crate) mod archilyse;
 mod example;
 mod finish;
 mod foreign;
+mod geojson;
 pub(crate) mod ifc;
 pub(crate) mod imdf;
 mod inputs;

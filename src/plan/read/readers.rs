@@ -1,12 +1,17 @@
 //! The table of readers of foreign formats, and how to add one.
 //!
-//! 1. Write the reader: a file or folder here with a `const FORMAT: ForeignFormat`. `example.rs` is a complete one to copy. Add
-//!    its `mod` line to `mod.rs` and its `FORMAT` to the list below. Recognition, `roomwright formats`, `import` and hints follow;
-//!    `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands` renews the table in `docs/commands.md`.
-//! 2. Add a section with its words for rooms to `configs/room_words.yaml`, if it has any and the section is not there yet.
-//! 3. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
-//!    writes what is read of it into a text beside the folder.
-//! 4. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line.
+//! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete one to
+//!    copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Add its `mod` line to `mod.rs`
+//!    and its `FORMAT` to the list below. Recognition, `roomwright formats`, `import` and hints follow.
+//! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md names the
+//!    formats, too.
+//! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The reader asks
+//!    for them by the name of the section: `words.room_type("osm", word)`. By custom it is also `about.name` of the format, the
+//!    word in the answers of `formats` and `import`; nothing in the program joins the two.
+//! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
+//!    writes what is read of it into a text beside the folder, `<folder>.txt`.
+//! 5. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line. The test
+//!    `a_format_is_read_or_not_read` fails if a word of an unread format's name is the name of a format that is read.
 //!
 //! | for | use |
 //! |---|---|
@@ -14,8 +19,11 @@
 //! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema` |
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&["rooms".into(), 3.into()], message, hint, FaultSeverity::Warning)` |
+//! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
+//! | XML, tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text |
 //! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs`, which has other units too |
-//! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `unknown_words`, `missing_parts` |
+//! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |
+//! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`; thicknesses are yours to choose |
 
 use super::reader::{ForeignFormat, ReadFormat};
 use super::{archilyse, ifc, imdf};

@@ -1,4 +1,4 @@
-//! Reads the files of an IMDF folder: GeoJSON collections of one kind of feature each.
+//! Reads the files of an IMDF folder: GeoJSON collections of features of one kind each, with the properties of that kind.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,44 +6,8 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::document::{Faults, Source};
-
-// Types of our own, not those of the `geojson` crate: that reads each object into a table of values first and makes geometries
-// from the table, so that its faults name neither line nor path, and its types have no JSON Schema, by which [`Source::parse`]
-// finds all faults of a file at once. With it, each of the faults that the tests of this reader break files for would be a
-// single one without a place; what it would save are the two types below.
-
-/// A file; keys that the plan does not need are not listed.
-#[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Collection<P> {
-    pub(super) features: Vec<Feature<P>>,
-}
-
-/// One feature.
-#[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Feature<P> {
-    pub(super) id: String,
-    pub(super) geometry: Option<Geometry>,
-    pub(super) properties: P,
-}
-
-/// Longitude and latitude in degrees, perhaps a height.
-pub(super) type Position = Vec<f64>;
-
-/// The geometries that plans are made of.
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(tag = "type")]
-pub(super) enum Geometry {
-    /// A line through places.
-    LineString { coordinates: Vec<Position> },
-    /// Outer ring, then holes.
-    Polygon { coordinates: Vec<Vec<Position>> },
-    /// Several polygons.
-    MultiPolygon { coordinates: Vec<Vec<Vec<Position>>> },
-    /// Anything else.
-    #[serde(other)]
-    Other,
-}
+use crate::document::Faults;
+use crate::plan::read::geojson::{Feature, Table, read_table};
 
 /// Text by language.
 pub(super) type Labels = BTreeMap<String, Option<String>>;
@@ -99,20 +63,12 @@ pub(super) struct OccupantProperties {
     pub(super) anchor_id: Option<String>,
 }
 
-/// A file's text and its features.
-pub(super) struct Table<P> {
-    pub(super) source: Source,
-    pub(super) features: Vec<Feature<P>>,
-}
-
 /// Reads `<name>.geojson` of a folder.
 pub(super) fn table<P>(folder: &Path, name: &str) -> Result<Table<P>, Faults>
 where
     P: for<'de> Deserialize<'de> + JsonSchema,
 {
-    let source = Source::read(&folder.join(name).with_extension("geojson"))?;
-    let collection: Collection<P> = source.parse()?;
-    Ok(Table { source, features: collection.features })
+    read_table(&folder.join(name).with_extension("geojson"))
 }
 
 /// The features of a file; none where the file is missing.

@@ -5,7 +5,6 @@
 //! outlines are centre lines of walls. The format has neither windows nor heights nor thicknesses.
 
 mod features;
-mod place;
 mod translate;
 
 #[cfg(test)]
@@ -15,11 +14,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use features::{
-    AnchorProperties, BuildingProperties, Feature, LevelProperties, OccupantProperties, OpeningProperties,
-    Table, UnitProperties, label, optional_features, table,
+    AnchorProperties, BuildingProperties, LevelProperties, OccupantProperties, OpeningProperties,
+    UnitProperties, label, optional_features, table,
 };
 
 use super::foreign::{Parts, both, head};
+use super::geojson::{Feature, Table};
 use crate::document::Faults;
 use crate::plan::RoomWords;
 use crate::plan::read::reader::{ForeignFormat, ReadFormat, ReadResult};

@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::features::{Feature, Geometry, LevelProperties, OpeningProperties, UnitProperties, label};
-use super::place::{outlines, plane_of, points};
+use super::features::{LevelProperties, OpeningProperties, UnitProperties, label};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::{TypeOfWord, slug, unknown_words};
+use crate::plan::read::geojson::{Feature, Geometry, outlines, plane_of, points};
 use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{

@@ -1,6 +1,6 @@
 //! Converts degrees to metres in the plane of a building.
 
-use super::features::{Geometry, Position};
+use super::feature::{Geometry, Position};
 use crate::geometry::{Bounds, Point};
 use crate::plan::limits::median;
 use crate::plan::units::LocalPlane;
@@ -9,13 +9,13 @@ use crate::plan::units::LocalPlane;
 const WIDEST_BUILDING: f64 = 0.5;
 
 /// An outline and its holes.
-pub(super) struct Outline {
-    pub(super) outer: Vec<Point>,
-    pub(super) holes: Vec<Vec<Point>>,
+pub(crate) struct Outline {
+    pub(crate) outer: Vec<Point>,
+    pub(crate) holes: Vec<Vec<Point>>,
 }
 
 /// The outlines of an area: one, or several where it has parts; none for what is no area.
-pub(super) fn outlines(geometry: &Geometry, plane: &LocalPlane) -> Vec<Outline> {
+pub(crate) fn outlines(geometry: &Geometry, plane: &LocalPlane) -> Vec<Outline> {
     let outline = |rings: &Vec<Vec<Position>>| {
         let mut rings = rings.iter().map(|ring| points(ring, plane));
         Outline { outer: rings.next().unwrap_or_default(), holes: rings.collect() }
@@ -28,7 +28,7 @@ pub(super) fn outlines(geometry: &Geometry, plane: &LocalPlane) -> Vec<Outline> 
 }
 
 /// A line's points on the plane.
-pub(super) fn points(line: &[Position], plane: &LocalPlane) -> Vec<Point> {
+pub(crate) fn points(line: &[Position], plane: &LocalPlane) -> Vec<Point> {
     line.iter().map(|position| point(position, plane)).collect()
 }
 
@@ -42,7 +42,7 @@ fn point(position: &[f64], plane: &LocalPlane) -> Point {
 
 /// The plane at the middle of the bounding box of some areas, or at the middle of most of their corners where one lies
 /// far off. `None` if there are none, or no degrees.
-pub(super) fn plane_of<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<LocalPlane> {
+pub(crate) fn plane_of<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<LocalPlane> {
     let corners: Vec<Point> = geometries.flat_map(corners).collect();
     let bounds = Bounds::around(corners.iter().copied());
     let middle = if bounds.size().max_element() > WIDEST_BUILDING {

@@ -1,0 +1,64 @@
+//! GeoJSON (RFC 7946) as typed values.
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::document::{Faults, Source};
+
+// Types of our own, not those of the `geojson` crate: that reads each object into a table of values first and makes geometries
+// from the table, so that its faults name neither line nor path, and its types have no JSON Schema, by which [`Source::parse`]
+// finds all faults of a file at once. With it, each of the faults that the tests of the reader of IMDF break files for would be a
+// single one without a place; what it would save are the two types below.
+
+/// A file; keys that the plan does not need are not listed.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub(crate) struct Collection<P> {
+    pub(crate) features: Vec<Feature<P>>,
+}
+
+/// One feature.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub(crate) struct Feature<P> {
+    pub(crate) id: String,
+    pub(crate) geometry: Option<Geometry>,
+    pub(crate) properties: P,
+}
+
+/// Longitude and latitude in degrees, perhaps a height.
+pub(crate) type Position = Vec<f64>;
+
+/// The geometries that plans are made of.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(tag = "type")]
+pub(crate) enum Geometry {
+    /// A line through places.
+    LineString { coordinates: Vec<Position> },
+    /// Outer ring, then holes.
+    Polygon { coordinates: Vec<Vec<Position>> },
+    /// Several polygons.
+    MultiPolygon { coordinates: Vec<Vec<Vec<Position>>> },
+    /// Anything else.
+    #[serde(other)]
+    Other,
+}
+
+/// A file's text and its features.
+pub(crate) struct Table<P> {
+    pub(crate) source: Source,
+    pub(crate) features: Vec<Feature<P>>,
+}
+
+/// Reads a file that holds a collection of features.
+///
+/// # Errors
+/// All faults of the file, each at its place.
+pub(crate) fn read_table<P>(path: &Path) -> Result<Table<P>, Faults>
+where
+    P: for<'de> Deserialize<'de> + JsonSchema,
+{
+    let source = Source::read(path)?;
+    let collection: Collection<P> = source.parse()?;
+    Ok(Table { source, features: collection.features })
+}

@@ -1,0 +1,17 @@
+//! GeoJSON in degrees, for the readers of formats that are made of it: features with the properties of the format, and their
+//! outlines in metres.
+//!
+//! ```text
+//! read_table::<Properties>(path) -> the text and its features      Properties derives Deserialize and JsonSchema
+//! plane_of(geometries) -> LocalPlane                               one plane for all levels of a building
+//! outlines(geometry, &plane) -> outer corners and holes of an area; points(line, &plane) -> the points of a line
+//! ```
+//!
+//! A fault of a feature goes to `table.source.fault(&["features".into(), index.into(), "properties".into()], ...)`. Points
+//! (`"type": "Point"`) are [`Geometry::Other`] so far, as no format that is read needs them; a reader that does adds the kind.
+
+mod feature;
+mod place;
+
+pub(super) use feature::{Feature, Geometry, Table, read_table};
+pub(super) use place::{outlines, plane_of, points};
