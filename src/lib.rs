@@ -2,7 +2,7 @@
 //!
 //! The same plan, catalogue, options and version give the same bytes, on any machine and with any number of threads. A
 //! [`Project`] holds what was read: plans of any format that `roomwright formats` lists, the edits beside them, the catalogue of
-//! furniture and its models. What could not be read is in [`Project::faults`]. A project writes whole buildings,
+//! furniture and its models. What could not be read is in [`Project::faults`]. A project writes whole buildings:
 //!
 //! ```
 //! use roomwright::{BakeOptions, LevelOptions, Project};
@@ -17,7 +17,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! or furnishes one room when it is asked for, judges it, and writes it without the others:
+//! It also furnishes one room on demand, judges it, and writes it without the others:
 //!
 //! ```
 //! use roomwright::{Project, RoomId};
@@ -35,8 +35,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Lengths are metres, angles radians counter-clockwise, x east, y north. The modules here name the types of fields: [`options`],
-//! [`building`], [`furniture`], [`judgement`]. `ARCHITECTURE.md` shows how the stages follow each other; `docs/output.md` says
+//! Lengths are metres, angles radians counter-clockwise, x east, y north. The modules [`options`], [`building`], [`furniture`] and
+//! [`judgement`] hold the types that the fields of these structs have. `ARCHITECTURE.md` shows how the stages follow each other; `docs/output.md` says
 //! what the files hold.
 
 // The documentation of the inside is for `cargo doc --document-private-items`, where its links lead somewhere.

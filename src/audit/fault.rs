@@ -1,4 +1,4 @@
-//! A fault is the result of a check. The table ([`super::checks`]) says which finding it becomes.
+//! The result of a check: what is wrong, without a code yet. The table ([`super::checks`]) says which finding it becomes.
 
 use crate::catalog::ClassIndex;
 use crate::geometry::Point;

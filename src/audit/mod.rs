@@ -1,4 +1,4 @@
-//! Judges a furnished room: level and placements to findings and a score. Never changes a layout.
+//! Judges a furnished room: from level and placements come findings and a score. Never changes a layout.
 //!
 //! - The table of all findings is `checks/mod.rs`, which says how to add one. Each check is a file beside it; the limits, with
 //!   their sources, are in `configs/audit.yaml`.

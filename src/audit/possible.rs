@@ -1,6 +1,6 @@
 //! Questions about the empty room that the audit asks to judge a furnished one; its caller answers them.
 //!
-//! A finding is a fault of the furniture only if the plan leaves another choice. Whether it does takes a search, which is
+//! A finding counts against the furniture only if the plan leaves another choice. Whether it does takes a search, which is
 //! no judgement: the answers come from outside ([`Ask`]).
 
 use crate::catalog::{ClassIndex, Size};

@@ -1,4 +1,4 @@
-//! Numeric tolerances of the audit, which decide nothing by themselves; what is a fault stands in
+//! Numeric tolerances of the audit, which decide nothing by themselves; the thresholds of findings stand in
 //! `configs/audit.yaml` ([`crate::catalog::AuditRules`]).
 
 /// Rounding that never decides: values this close to a threshold keep it.

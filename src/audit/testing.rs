@@ -24,9 +24,14 @@ pub(crate) fn given(finding: &Finding) -> Finding {
     Finding { severity: Severity::Given, ..finding.clone() }
 }
 
-/// A room 2.5 m high with hand-placed objects of the test catalogue:
-/// chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3, picture 0.6 × 0.05 × 0.5,
-/// table 1.5 × 0.75 × 0.75 with four legs, desk the same as a box with a clearance of 0.75 before it.
+/// A room 2.5 m high, of type `office` and style `default`, with objects of the test catalogue that are placed by hand. Wall 0 of
+/// a rectangle is the south wall, wall 1 the east wall; at angle 0 the front of an object faces south.
+///
+/// Classes, width × depth × height: chest 1 × 1 × 0.8, stool 0.4 × 0.4 × 0.45, lamp 0.2 × 0.2 × 0.3 (hangs from ceilings),
+/// picture 0.6 × 0.05 × 0.5 (hangs on walls), table 1.5 × 0.75 × 0.75 with four legs, desk the same as a box with a clearance of 0.75 before it.
+///
+/// [`Self::add`] puts an object at floor height, whatever its parent. To hang one, set the height of its underside: a lamp at
+/// the ceiling has `room.placements[lamp].elevation = 2.5 - 0.3`.
 pub(crate) struct TestRoom {
     pub(crate) level: Level,
     pub(crate) catalog: Catalog,

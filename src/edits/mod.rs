@@ -6,10 +6,10 @@
 //! objects that stand on an edited object follow it. Locked objects are placed first, and the others are arranged around
 //! them. An edit that cannot be applied is rejected: it is reported with its place in the file, and stays in the file.
 //!
-//! - `file`: the format; `read`: files to an [`EditBook`], checked;
-//! - `locks`: locked objects as the layout takes them; `apply`: a furnished room to the edited one; `tree`: objects in
-//!   the frames of their parents;
-//! - `capture`: a level before and after a change, to edits; `merge`: new edits into those of a file.
+//! - `file` is the format; `read` reads files as an [`EditBook`] and checks them;
+//! - `locks` gives locked objects as the layout takes them; `apply` edits a furnished room; `tree` has the objects in the frames
+//!   of their parents;
+//! - `capture` derives edits from a level before and after a change; `merge` puts new edits into those of a file.
 
 mod apply;
 mod book;

@@ -1,4 +1,4 @@
-//! Where a piece stands or hangs that has its back to a wall.
+//! Finds where a piece with its back to a wall stands or hangs.
 
 use crate::catalog::{Side, Size};
 use crate::layout::body::Pose;

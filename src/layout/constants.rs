@@ -1,5 +1,5 @@
-//! The tuning constants of the layout, in one place. What the audit calls a fault is no constant: the layout reads it from
-//! the catalogue as the audit does ([`crate::catalog::AuditRules`]).
+//! The tuning constants of the layout, in one place. The thresholds of findings are not among them: the layout reads those from
+//! the catalogue, as the audit does ([`crate::catalog::AuditRules`]).
 //!
 //! Points: free places of an agent are compared by a sum of points (`rules/relation.rs`), of equal places the earlier one
 //! is taken. A wish that is met gives its `weight` (0.3 to 6 in `configs/classes/`, 1 if none is written), one that is half met

@@ -1,4 +1,4 @@
-//! Furnishes a room: level, room, catalogue and seed to a [`Furnished`] room, by the agent system of the paper.
+//! Furnishes a room: of level, room, catalogue and seed it makes a [`Furnished`] room, by the agent system of the paper.
 //! `ARCHITECTURE.md` follows one room through these files.
 //!
 //! T. Germer, M. Schwarz, "Procedural Arrangement of Furniture for Real-Time Walkthroughs", Computer

@@ -1,4 +1,4 @@
-//! Moving what rests: children follow, and those that collide lose their parent (section 3.2, "rest").
+//! Moves agents that rest: their children follow, and children that collide lose their parent (section 3.2, "rest").
 
 use crate::geometry::Point;
 

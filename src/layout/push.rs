@@ -1,5 +1,5 @@
-//! Pushing resting agents within bounds (the paper tried it, section 6.1, and left it out for its cost): who has less room than is good, or
-//! takes it from others, slides along its wall or over the floor, with all that belongs to it.
+//! Pushes resting agents apart, within bounds: one that has less room than is good, or takes it from others, slides along its wall
+//! or over the floor, with all that belongs to it. The paper tried this (section 6.1) and left it out for its cost.
 
 use std::collections::BTreeSet;
 

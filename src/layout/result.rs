@@ -1,4 +1,4 @@
-//! From agents at rest to the [`Furnished`] room.
+//! Makes the [`Furnished`] room of the agents that rest, with a reason for each piece that is missing.
 
 use super::agent::{Agent, Rest, State};
 use super::environment::Environment;

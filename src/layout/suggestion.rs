@@ -1,4 +1,4 @@
-//! Places that somebody suggests: where an agent is sure to fit if nobody else came first.
+//! Suggested places, from `solve`: an agent is sure to fit there if it comes first.
 
 use crate::catalog::{ClassIndex, Size};
 use crate::geometry::Point;

@@ -1,5 +1,5 @@
-//! Room to turn in a wheelchair, where the style asks for it: what need not stay goes from the place where fewest pieces
-//! stand, and the place is kept free from then on.
+//! Keeps room for a wheelchair to turn, where the style asks for it: at the place where fewest pieces stand, those that need not
+//! stay are taken away, and the place is kept free from then on.
 
 use crate::geometry::{Convex, Point, Solid};
 use crate::walk::Floor;

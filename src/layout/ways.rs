@@ -1,4 +1,4 @@
-//! Ways through the room: who stands in the only way to a door or to a side that people use looks for another
+//! Keeps ways through the room: an agent that stands in the only way to a door, or to a side that people use, looks for another
 //! place (the paper keeps nothing accessible, section 6.1).
 
 use core::cmp::Reverse;

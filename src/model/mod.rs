@@ -1,4 +1,4 @@
-//! Class and variant to a mesh with materials: from the recipe of the class, or from a user's glTF.
+//! Makes the model of a class and variant, a mesh with materials: from the recipe of the class, or from a user's glTF.
 //!
 //! Later stages may rely on this: a [`ModelLibrary`] gives a [`Model`] for every class, variant and geometry set;
 //! the model's box is the class's box to 1 mm, its normals are unit vectors, its indices are valid, and equal

@@ -1,4 +1,4 @@
-//! Fitting a user's model to the box of a class.
+//! Fits a user's model to the box of a class.
 
 use glam::Vec3;
 

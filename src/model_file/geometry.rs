@@ -1,4 +1,4 @@
-//! Nodes and meshes of a document to triangles in one frame.
+//! Turns the nodes and meshes of a document into triangles in one frame.
 
 use std::collections::BTreeMap;
 

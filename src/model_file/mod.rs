@@ -1,4 +1,4 @@
-//! Users' `.glb` and `.gltf` files to models.
+//! Reads users' `.glb` and `.gltf` files as models.
 //!
 //! Taken are triangles of the default scene with all node transforms applied, positions, normals (flat ones
 //! where the file has none), texture coordinates with the transforms of the images that use them, the first set of vertex

@@ -1,4 +1,4 @@
-//! Openings to walls: which rooms an opening joins, and from where to where on each side.
+//! Attaches openings to walls: finds which rooms an opening joins, and from where to where on each side.
 //!
 //! ```text
 //!        room b           n (left of `along`)

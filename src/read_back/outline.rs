@@ -1,4 +1,4 @@
-//! Corners to polygons.
+//! Makes polygons of corners.
 
 use crate::contract::Corner;
 use crate::geometry::{Point, Polygon};

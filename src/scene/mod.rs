@@ -1,4 +1,7 @@
-//! Builds the tree of nodes of a level (Y up) from building, placements and models, and turns plan axes into glTF axes.
+//! Builds the scene of a level, a tree of nodes (Y up), from building, placements and models.
+//!
+//! `axes.rs` turns plan axes into glTF axes, and back for readers of files. The *shell* (`shell/`) is all that is no furniture: floors,
+//! ceilings, walls, columns, skirting boards, sockets and switches, doors and windows.
 //!
 //! Later stages may rely on:
 //! - node names are unique in the level;

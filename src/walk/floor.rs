@@ -1,4 +1,4 @@
-//! Where people get to on the floor of a room.
+//! Finds where people get to on the floor of a room.
 
 use core::cmp::Reverse;
 use core::ops::Range;

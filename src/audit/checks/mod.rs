@@ -1,22 +1,41 @@
-//! The table of findings: a row says the word, how bad it is, what is measured, the section of `configs/audit.yaml` with
-//! its thresholds, what it means, and which check finds it. The words are part of the output.
+//! The table of findings: a row has the meaning of a finding, its word, how bad it is, what it measures, the section of
+//! `configs/audit.yaml` with its thresholds, and the check that finds it.
 //!
-//! A check is a file of this folder. It takes the evidence and gives faults; the table makes findings of them. To add a finding:
+//! A check is a file of this folder. It takes the evidence and gives [`Fault`]s; the table makes findings of them. To add a
+//! finding:
 //!
-//! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand.
-//! 2. Add its `mod` line and its row of the table: meaning, word, severity, what it measures, section of thresholds, check.
+//! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand ([`super::testing`]).
+//! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity, quantities,
+//!    section of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. Checks that
+//!    ask about the empty room share a budget in the order of the table.
 //! 3. Add a limit of its own, if it has one: a line with the figure and its source in `configs/audit.yaml`, and a line with its
-//!    unit in `src/catalog/audit.rs`.
+//!    unit (`Metres`, `Area`, `Degrees`, `Share`, `Factor`) in the list `thresholds!` of `src/catalog/audit.rs`. A new section is
+//!    `name: NameRules { ... }` there, which makes the struct, and `name:` in the file; nothing else names it.
 //! 4. Renew `docs/audit.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit published_schemas`.
+//!    Levels whose rooms have the new finding change: `UPDATE_GOLDENS=1 cargo test --test command_line pinned`.
+//!
+//! | quantity (`quantity.rs`) | unit of the figures | is |
+//! |---|---|---|
+//! | `Depth` | metres | how far something reaches into something else |
+//! | `FreeDepth` | metres | free space between a side and the nearest body before it |
+//! | `Gap` | metres | gap between a body and its support |
+//! | `Height` | metres | top of a body above the floor |
+//! | `Width` | metres | the widest disc that gets through |
+//! | `Distance` | metres | from one thing to another |
+//! | `ScreenDistance` | diagonals of the screen | from a screen to who watches it |
+//! | `Angle` | degrees | between two directions |
+//! | `Share` | of 1 | a part of a whole |
+//! | `Count` | pieces or sides | how many |
 //!
 //! | a check needs | from |
 //! |---|---|
 //! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
-//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()`, `high()`, `is_in("seat")`, `front()`, `corners()` |
+//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in("seat")` (of a group), `front()`, `corners()` |
 //! | style, limits | `subject.style()`, `subject.rules().alignment.angle`: metres, radians, shares |
 //! | the space before sides, doors and windows, and what is in it | `evidence.zones`, `evidence.hits` |
 //! | where people get to | `evidence.floor`, which may be none: `floor.walk(diameter).reaches(door, goal)` |
 //! | whether the empty room could hold a piece | `(evidence.ask)(&Question::Class(class))`, for `Fault::if_possible` |
+//! | walls and doors of the room | `subject.at.room.walls[index]`: `start`, `end`, `direction()`, `normal()` into the room; `subject.at.level.openings` |
 //! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity |
 
 mod access;

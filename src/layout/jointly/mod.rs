@@ -3,7 +3,7 @@
 //! One after the other, a bath takes the wall that the toilet needs, and a basin gets what is left, beside the door. Together
 //! they are compared as whole arrangements: all that [`crate::catalog::Class::is_joint`] names are placed in the order of their priority, each
 //! arrangement so far in several ways, and the best arrangements go on (a beam search). Points are those of the usual search,
-//! with the walls that the classes like (docs/fixtures.md). Who has no place in the best arrangement searches by itself.
+//! with the walls that the classes like (docs/fixtures.md). A piece without a place in the best arrangement searches by itself.
 
 #[cfg(test)]
 mod tests;

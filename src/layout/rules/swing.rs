@@ -1,4 +1,4 @@
-//! Away from where the leaves of doors swing: who comes in carries things past the open leaf.
+//! Away from where the leaves of doors swing: people who come in carry things past the open leaf.
 
 use crate::catalog::RelationKind;
 use crate::geometry::{Convex, distance_of_convex};
