@@ -4,7 +4,7 @@
 //! A check is a file of this folder. It takes the evidence and gives [`Fault`]s; the table makes findings of them. To add a
 //! finding:
 //!
-//! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand ([`super::testing`]).
+//! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand (`audit/testing.rs`).
 //! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity, quantities,
 //!    section of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. Checks that
 //!    ask about the empty room share a budget in the order of the table.
