@@ -6,28 +6,41 @@ use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::rules::angle_of_front;
 
-/// The place of an agent with its back to a wall, so many metres from the wall's start and above the floor.
-pub(crate) fn place_at(
-    environment: &Environment<'_>,
-    agent: AgentIndex,
-    wall: usize,
-    from: f64,
-    elevation: f64,
-) -> Place {
-    let pose = pose_at(environment, environment.agents[agent].size, wall, from, elevation);
-    Place { pose, parent: ParentPart::Wall(wall), side: Side::Front }
+/// Where the back of a piece is, in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spot {
+    /// Index of the wall.
+    pub(crate) wall: usize,
+    /// From the wall's start to the nearer side of the piece.
+    pub(crate) from: f64,
+    /// From the wall to the back: 0 but for what stands before an open side.
+    pub(crate) before: f64,
+    /// From the floor to the underside.
+    pub(crate) elevation: f64,
 }
 
-/// The pose of what has a size, with its back to a wall.
-pub(crate) fn pose_at(
-    environment: &Environment<'_>,
-    size: Size,
-    wall: usize,
-    from: f64,
-    elevation: f64,
-) -> Pose {
-    let part = &environment.brief.surroundings.room.walls[wall];
-    let (along, normal) = (part.direction(), part.normal());
-    let position = part.start + along * (from + size.width / 2.0) + normal * (size.depth / 2.0);
-    Pose::new(position, elevation, angle_of_front(normal))
+impl Spot {
+    /// On the floor, at a wall.
+    pub(crate) fn standing(wall: usize, from: f64) -> Self {
+        Self { wall, from, before: 0.0, elevation: 0.0 }
+    }
+
+    /// The pose of what has a size there.
+    pub(crate) fn pose(&self, environment: &Environment<'_>, size: Size) -> Pose {
+        let part = &environment.brief.surroundings.room.walls[self.wall];
+        let (along, normal) = (part.direction(), part.normal());
+        let off = self.before + size.depth / 2.0;
+        let position = part.start + along * (self.from + size.width / 2.0) + normal * off;
+        Pose::new(position, self.elevation, angle_of_front(normal))
+    }
+
+    /// The place of an agent there; what stands before an open side stands on the floor.
+    pub(crate) fn place(&self, environment: &Environment<'_>, agent: AgentIndex) -> Place {
+        let pose = self.pose(environment, environment.agents[agent].size);
+        let (parent, side) = match self.before > 0.0 {
+            true => (ParentPart::Floor, Side::Above),
+            false => (ParentPart::Wall(self.wall), Side::Front),
+        };
+        Place { pose, parent, side }
+    }
 }

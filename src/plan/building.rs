@@ -138,6 +138,9 @@ pub struct Wall {
     pub tags: Vec<String>,
 }
 
+/// The tag of walls with water pipes in them.
+pub const PIPES_TAG: &str = "pipes";
+
 /// The structure on an edge of a room.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WallKind {

@@ -32,7 +32,8 @@ mod write_native;
 pub use assemble::assemble_level;
 pub use building::{
     Building, FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Home, Leaf, Level, Obstacle, Opening, OpeningKind,
-    OpeningSide, PlacedBuilding, Plan, PlanSource, Room, RoomOpening, SitePlacement, Wall, WallKind,
+    OpeningSide, PIPES_TAG, PlacedBuilding, Plan, PlanSource, Room, RoomOpening, SitePlacement, Wall,
+    WallKind,
 };
 #[cfg(test)]
 pub(crate) use building::{HANDLE_LENGTH, HANDLE_REACH, LEAF_DEPTH};

@@ -7,19 +7,19 @@ use crate::layout::environment::Environment;
 use crate::layout::place::AgentIndex;
 use crate::plan::OpeningKind;
 
-use super::forms::Leg;
+use super::legs::Leg;
 use super::rows::{ROUNDING, Row, Standing};
 use super::units::{Unit, Units};
-use crate::layout::at_wall::place_at;
+use crate::layout::at_wall::Spot;
 
 /// Hangs the wall units of a room over the low units of a row, as many as there is room for.
 pub(super) fn hang(environment: &mut Environment<'_>, units: &Units, row: &Row) {
     let mut hanging = units.of_part(FittedPart::WallUnit).map(|(_, unit)| unit);
     let Some(mut unit) = hanging.next() else { return };
     let Some(elevation) = elevation(environment, unit.agent) else { return };
-    for wall in row.walls() {
+    for (wall, _) in row.walls().into_iter().filter(|(_, is_bar)| !is_bar) {
         for &(from, to) in stretches(environment, units, row, wall, elevation).as_slice() {
-            let mut stretch = Leg { wall, from, to };
+            let mut stretch = Leg { wall, from, to, before: 0.0 };
             while let Some(end) = hang_one(environment, unit, &stretch, elevation) {
                 stretch.from = end;
                 match hanging.next() {
@@ -35,7 +35,8 @@ pub(super) fn hang(environment: &mut Environment<'_>, units: &Units, row: &Row) 
 fn hang_one(environment: &mut Environment<'_>, unit: &Unit, stretch: &Leg, elevation: f64) -> Option<f64> {
     let width = unit.width_within(stretch.length() + ROUNDING)?;
     take_size(environment, unit.agent, width.variant);
-    let place = place_at(environment, unit.agent, stretch.wall, stretch.from, elevation);
+    let place =
+        Spot { elevation, ..Spot::standing(stretch.wall, stretch.from) }.place(environment, unit.agent);
     if !environment.is_free(unit.agent, &place) {
         return None;
     }
@@ -58,14 +59,14 @@ fn stretches(
     wall: usize,
     elevation: f64,
 ) -> Intervals {
-    let here = || row.standings.iter().filter(|standing| standing.wall == wall);
+    let here = || row.standings.iter().filter(|standing| standing.spot.wall == wall && !standing.is_bar());
     let part = |standing: &Standing| units.unit(standing.unit).part;
     let low = || here().filter(|standing| part(standing) != FittedPart::Tall);
-    let from = low().map(|standing| standing.from).fold(f64::INFINITY, f64::min);
+    let from = low().map(|standing| standing.from()).fold(f64::INFINITY, f64::min);
     let to = low().map(Standing::to).fold(0.0, f64::max);
     let mut free = Intervals::new(from, to);
     let hobs = here().filter(|standing| matches!(part(standing), FittedPart::Hob | FittedPart::Tall));
-    hobs.for_each(|standing| free.subtract(standing.from, standing.to()));
+    hobs.for_each(|standing| free.subtract(standing.from(), standing.to()));
     if here().any(|standing| part(standing) == FittedPart::Corner) {
         let depth =
             units.of_part(FittedPart::WallUnit).map(|(_, unit)| environment.agents[unit.agent].size.depth);

@@ -3,7 +3,8 @@
 //! A kitchen is one thing: a fridge at the end of a row, the sink near the pipes with the dishwasher beside it, worktop
 //! between sink and hob, everything in one line. Agents that search one after the other find such rows by luck only. Here a room
 //! - takes its units from the programme (`units`): all pieces whose class has a [`crate::catalog::FittedPart`],
-//! - finds where rows could stand (`forms`): along one wall, around a corner, in two parts,
+//! - finds the stretches that are free (`legs`): of walls, and along open sides for bars,
+//! - joins them to rows (`forms`): along one wall, around one corner or two, in two parts, with a bar across the aisle,
 //! - makes rows for each (`rows`), compares them by points (`points`), and takes the best that is free of everything,
 //! - hangs the wall units over it (`hanging`).
 //!
@@ -12,6 +13,7 @@
 
 mod forms;
 mod hanging;
+mod legs;
 mod points;
 mod rows;
 
@@ -21,18 +23,19 @@ mod units;
 
 use super::agent::State;
 use super::arrange::take_size;
-use super::at_wall::place_at;
 use super::environment::Environment;
 use super::furnished::RemovalReason;
-use super::place::AgentIndex;
+use super::place::{AgentIndex, Place};
 use super::seed::{Purpose, RoomKey, Stream};
-use forms::{Form, forms_around_corners, forms_in_two_parts, straight_forms};
+use forms::{Form, forms_around_corners, forms_in_two_parts, forms_with_bars, straight_forms};
 use points::Judge;
 use rows::{Row, Standing, rows_in};
 use units::Units;
 
-/// Rows that are tried in the room, the best first; a room that refuses so many has something in the way everywhere.
+/// Rows that the room may refuse, the best first; one that refuses so many has something in the way everywhere.
 const MOST_ROWS: usize = 32;
+/// Rows along the same walls of those that are refused, before others are tried: what is in the way there is in the way of most.
+const REFUSED_ROWS: usize = 6;
 /// Rows that are free and compared by the space before their units.
 const FREE_ROWS: usize = 8;
 /// Steps that making and comparing one row counts for, each about a tenth of a microsecond.
@@ -46,8 +49,10 @@ pub(crate) fn settle_fitted(environment: &mut Environment<'_>, key: &RoomKey) {
     }
     let mut stream = key.stream(Purpose::Placement, "fitted", 0);
     let rows = rows_by_points(environment, &units, &mut stream);
-    let Some(row) = best_free(environment, &units, &rows) else { return };
-    stands(environment, &units, row);
+    let Some(row) = best_free(environment, &units, &rows) else {
+        return take_drawn_sizes(environment, &units);
+    };
+    settle_row(environment, &units, row);
     hanging::hang(environment, &units, row);
     leave_out_others(environment, &units);
 }
@@ -56,18 +61,22 @@ pub(crate) fn settle_fitted(environment: &mut Environment<'_>, key: &RoomKey) {
 /// best at other walls, for something was wrong with those before.
 fn best_free<'r>(environment: &mut Environment<'_>, units: &Units, rows: &'r [Row]) -> Option<&'r Row> {
     let mut free: Vec<(f64, &Row)> = Vec::with_capacity(FREE_ROWS);
-    for row in rows.iter().take(MOST_ROWS) {
-        if free.len() == FREE_ROWS {
+    let mut refused: Vec<Vec<(usize, bool)>> = Vec::with_capacity(MOST_ROWS);
+    for row in rows {
+        if free.len() == FREE_ROWS || refused.len() == MOST_ROWS {
             break;
         }
-        if stands(environment, units, row) {
-            free.push((row.points - points::tight_points(environment, units, row), row));
-            take_away(environment, units, &row.standings);
+        let walls = row.walls();
+        if refused.iter().filter(|other| **other == walls).count() < REFUSED_ROWS {
+            match points_if_free(environment, units, row) {
+                Some(points) => free.push((points, row)),
+                None => refused.push(walls),
+            }
         }
     }
     // Stable: of equal points the earlier row comes first.
     free.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut seen: Vec<Vec<usize>> = Vec::new();
+    let mut seen: Vec<Vec<(usize, bool)>> = Vec::new();
     free.retain(|(_, row)| {
         let is_new = !seen.contains(&row.walls());
         seen.push(row.walls());
@@ -75,13 +84,6 @@ fn best_free<'r>(environment: &mut Environment<'_>, units: &Units, rows: &'r [Ro
     });
     let turn = environment.turn.min(free.len().checked_sub(1)?);
     Some(free[turn].1)
-}
-
-/// Takes units out of the room again.
-fn take_away(environment: &mut Environment<'_>, units: &Units, standings: &[Standing]) {
-    for standing in standings.iter().rev() {
-        environment.unsettle(units.unit(standing.unit).agent);
-    }
 }
 
 /// Whether somebody knows a place for one of the units: then they search by themselves.
@@ -96,7 +98,7 @@ fn has_suggestion(environment: &Environment<'_>, units: &Units) -> bool {
 /// The rows that are possible, best first; of equal points the earlier one.
 fn rows_by_points(environment: &Environment<'_>, units: &Units, stream: &mut Stream) -> Vec<Row> {
     let judge = Judge::new(environment);
-    let legs = forms::free_legs(environment, units, stream);
+    let legs = legs::free_legs(environment, units, stream);
     let mut rows = Vec::new();
     let mut add = |forms: Vec<Form>, stream: &mut Stream| {
         for form in forms {
@@ -109,28 +111,55 @@ fn rows_by_points(environment: &Environment<'_>, units: &Units, stream: &mut Str
         rows.iter().any(|row: &Row| row.is_complete)
     };
     let is_complete = add(straight_forms(&legs), stream);
-    let turns = forms_around_corners(environment, &legs, units.corner_width());
-    if !(add(turns, stream) || is_complete) {
+    let turns = forms_around_corners(environment, &legs, &units.corner_widths());
+    let has_turns = add(turns, stream);
+    add(forms_with_bars(environment, &legs, units.depth(environment)), stream);
+    if !(has_turns || is_complete) {
         add(forms_in_two_parts(environment, &legs), stream);
     }
     rows.sort_by(|a, b| b.points.total_cmp(&a.points));
     rows
 }
 
-/// Lets the units of a row rest where it says; if one cannot, none does.
-fn stands(environment: &mut Environment<'_>, units: &Units, row: &Row) -> bool {
-    for (count, standing) in row.standings.iter().enumerate() {
-        let agent = units.unit(standing.unit).agent;
-        take_size(environment, agent, standing.variant);
-        let place = place_at(environment, agent, standing.wall, standing.from, 0.0);
-        if environment.is_free(agent, &place) {
-            environment.settle(agent, &place);
-            continue;
+/// The points of a row with those for the space before its units, if it is free. The room is as before.
+fn points_if_free(environment: &mut Environment<'_>, units: &Units, row: &Row) -> Option<f64> {
+    let mut standing = 0;
+    for one in &row.standings {
+        let place = take_place(environment, units, one);
+        if !environment.is_free(units.unit(one.unit).agent, &place) {
+            break;
         }
-        take_away(environment, units, &row.standings[..count]);
-        return false;
+        environment.settle(units.unit(one.unit).agent, &place);
+        standing += 1;
     }
-    true
+    let is_free = standing == row.standings.len();
+    let points = is_free.then(|| row.points - points::tight_points(environment, units, row));
+    for one in row.standings[..standing].iter().rev() {
+        environment.unsettle(units.unit(one.unit).agent);
+    }
+    points
+}
+
+/// Lets the units of a row that is free rest where it says.
+fn settle_row(environment: &mut Environment<'_>, units: &Units, row: &Row) {
+    for one in &row.standings {
+        let place = take_place(environment, units, one);
+        environment.settle(units.unit(one.unit).agent, &place);
+    }
+}
+
+/// Gives a unit the size that it has in its row, and answers its place there.
+fn take_place(environment: &mut Environment<'_>, units: &Units, standing: &Standing) -> Place {
+    let agent = units.unit(standing.unit).agent;
+    take_size(environment, agent, standing.variant);
+    standing.spot.place(environment, agent)
+}
+
+/// Gives units back the sizes that were drawn for them.
+fn take_drawn_sizes(environment: &mut Environment<'_>, units: &Units) {
+    for unit in units.indices().map(|index| units.unit(index)) {
+        take_size(environment, unit.agent, unit.widths[0].variant);
+    }
 }
 
 /// Units that the row has no place for do not stand elsewhere by themselves.

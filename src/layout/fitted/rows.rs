@@ -2,8 +2,10 @@
 
 use crate::catalog::FittedPart;
 
-use super::forms::{Form, Leg};
+use super::forms::{Form, Joint};
+use super::legs::Leg;
 use super::units::{Unit, Units, Width};
+use crate::layout::at_wall::Spot;
 
 /// Metres of worktop between sink and hob that are wanted where there is room: NKBA asks for 0.91 m of preparation area.
 const BETWEEN: f64 = 1.2;
@@ -15,6 +17,8 @@ const LEAST_BETWEEN: f64 = 0.3;
 const LANDING: f64 = 0.6;
 /// Metres of the second part of a row in two parts at most: a fridge with worktops.
 const SECOND_PART: f64 = 1.25;
+/// Metres between two corners that no unit is narrow enough for.
+const PANEL: f64 = 0.15;
 /// Metres by which units may be wider than their stretch together: rounding.
 pub(super) const ROUNDING: f64 = 1e-6;
 
@@ -47,25 +51,38 @@ pub(super) struct Standing {
     pub(super) unit: usize,
     /// The variant of its class.
     pub(super) variant: u32,
-    /// The wall at its back.
-    pub(super) wall: usize,
-    /// Metres from the wall's start to its nearer side.
-    pub(super) from: f64,
+    /// Where its back is.
+    pub(super) spot: Spot,
     /// Its metres along the wall.
     pub(super) width: f64,
 }
 
 impl Standing {
+    /// Metres from the wall's start to its nearer side.
+    pub(super) fn from(&self) -> f64 {
+        self.spot.from
+    }
+
     /// Metres from the wall's start to its farther side.
     pub(super) fn to(&self) -> f64 {
-        self.from + self.width
+        self.spot.from + self.width
+    }
+
+    /// Whether it stands along a leg.
+    pub(super) fn is_along(&self, leg: &Leg) -> bool {
+        self.spot.wall == leg.wall && self.is_bar() == leg.is_bar() && self.from() + 1e-6 >= leg.from
+    }
+
+    /// Whether it stands before an open side.
+    pub(super) fn is_bar(&self) -> bool {
+        self.spot.before > 0.0
     }
 }
 
 /// A row: the units of a room in one order.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
-    /// Who stands where; the unit in the corner first.
+    /// Who stands where; units in corners first.
     pub(super) standings: Vec<Standing>,
     /// Whether all units stand in it but those that only fill, with enough worktop between sink and hob.
     pub(super) is_complete: bool,
@@ -74,9 +91,10 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// The walls at the backs of its units, sorted.
-    pub(super) fn walls(&self) -> Vec<usize> {
-        let mut walls: Vec<usize> = self.standings.iter().map(|standing| standing.wall).collect();
+    /// The walls at the backs of its units and the open sides that it has bars along, sorted.
+    pub(super) fn walls(&self) -> Vec<(usize, bool)> {
+        let mut walls: Vec<(usize, bool)> =
+            self.standings.iter().map(|standing| (standing.spot.wall, standing.is_bar())).collect();
         walls.sort_unstable();
         walls.dedup();
         walls
@@ -89,12 +107,10 @@ pub(super) fn rows_in(units: &Units, form: &Form) -> Vec<Row> {
     for order in &ORDERS {
         let reversed: Vec<Slot> = order.iter().rev().copied().collect();
         for slots in [order.as_slice(), &reversed] {
-            match form {
-                Form::Straight(leg) => add_straight(units, leg, slots, &mut rows),
-                Form::AroundCorner(before, after) => {
-                    add_around_corner(units, before, after, slots, &mut rows);
-                }
-                Form::InTwoParts(first, second) => add_parts(units, first, second, slots, &mut rows),
+            match (form.legs.as_slice(), form.joint) {
+                ([leg], _) => add_straight(units, leg, slots, &mut rows),
+                ([first, second], Joint::Gap) => add_parts(units, first, second, slots, &mut rows),
+                (legs, _) => add_around_corners(units, legs, slots, &mut rows),
             }
         }
     }
@@ -110,44 +126,76 @@ fn add_straight(units: &Units, leg: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
     }
 }
 
-/// Rows that turn at each place of their order; both legs begin at the corner.
-fn add_around_corner(units: &Units, before: &Leg, after: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
-    let Some((corner, unit)) = units.corner() else { return };
-    let Width { metres, variant } = unit.narrowest();
-    let in_corner = Standing { unit: corner, variant, wall: after.wall, from: 0.0, width: metres };
-    for turn in 1..slots.len() {
-        let Some(first) = Lane::pack(units, &slots[..turn], before.length(), 0) else { continue };
-        let taken = first.worktops;
-        let Some(second) = Lane::pack(units, &slots[turn..], after.length(), taken) else { continue };
-        let is_tall = |packed: Option<&Packed>| {
-            packed.is_none_or(|packed| units.unit(packed.unit).part == FittedPart::Tall)
-        };
-        // Nothing tall in a corner: its door opens against the other leg.
-        if is_tall(first.packed.last()) || is_tall(second.packed.first()) {
-            continue;
+/// Rows that turn at each place of their order, once for each corner; legs begin at corners.
+fn add_around_corners(units: &Units, legs: &[Leg], slots: &[Slot], rows: &mut Vec<Row>) {
+    let corners: Vec<Standing> = legs[1..].iter().zip(legs).zip(units.corners()).map(in_corner).collect();
+    for first in (1..slots.len()).filter(|&turn| !parts_water(slots, turn)) {
+        let seconds = if legs.len() > 2 { first + 1..slots.len() } else { slots.len()..slots.len() + 1 };
+        for second in seconds.filter(|&turn| !parts_water(slots, turn)) {
+            let parts = [&slots[..first], &slots[first..second], &slots[second..]];
+            let Some(mut standings) = along_legs(units, legs, &parts) else { continue };
+            standings.splice(0..0, corners.iter().copied());
+            rows.extend(row(units, standings));
         }
-        let mut standings = vec![in_corner];
-        standings.extend(first.from(before, first.left));
-        standings.extend(second.from(after, 0.0));
-        rows.extend(row(units, standings));
     }
 }
 
-/// Rows whose ends stand at another wall: the fridge, or it and worktops.
+/// Whether a row that turns there has the sink on one side of the turn and what belongs beside it on the other.
+fn parts_water(slots: &[Slot], turn: usize) -> bool {
+    let is_wet = |slot: Option<&Slot>| matches!(slot, Some(Slot::Sink | Slot::Beside));
+    is_wet(slots.get(turn - 1)) && is_wet(slots.get(turn))
+}
+
+/// The unit in the corner before a leg.
+fn in_corner(((after, before), (unit, corner)): ((&Leg, &Leg), (usize, &Unit))) -> Standing {
+    let Width { metres: width, variant } = corner.narrowest();
+    let spot = Spot { before: after.before, ..Spot::standing(after.wall, before.before) };
+    Standing { unit, variant, spot, width }
+}
+
+/// The units of each part of an order along its leg; `None` if they do not fit.
+fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<Standing>> {
+    let (mut standings, mut taken) = (Vec::new(), 0);
+    let is_tall = |packed: Option<&Packed>| {
+        packed.is_none_or(|packed| units.unit(packed.unit).part == FittedPart::Tall)
+    };
+    for (place, (leg, slots)) in legs.iter().zip(parts).enumerate() {
+        let lane = Lane::pack(units, slots, leg.length(), taken)?;
+        let (is_first, is_last) = (place == 0, place + 1 == legs.len());
+        // Nothing tall in a corner: its door opens against the other leg.
+        if !is_first && is_tall(lane.packed.first()) || !is_last && is_tall(lane.packed.last()) {
+            return None;
+        }
+        // A hole between two corners belongs to nobody: a panel closes a small one.
+        if !is_first && !is_last && lane.left > PANEL {
+            return None;
+        }
+        taken = lane.worktops;
+        standings.extend(lane.from(leg, if is_first { lane.left } else { 0.0 }));
+    }
+    Some(standings)
+}
+
+/// Rows whose ends stand at another wall, the fridge or it and worktops, or are a bar.
 fn add_parts(units: &Units, first: &Leg, second: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
-    for turn in [slots.len() - 2, slots.len() - 1] {
+    let turns = [slots.len() - 2, slots.len() - 1];
+    for turn in turns.into_iter().filter(|&turn| !parts_water(slots, turn)) {
         let Some(one) = Lane::pack(units, &slots[..turn], first.length(), 0) else { continue };
-        // The second part is short: the table needs the other walls.
-        let metres = second.length().min(SECOND_PART);
+        // The second part is short, for the table needs the other walls, but a bar is no wall.
+        let most = if second.is_bar() { f64::INFINITY } else { SECOND_PART };
+        let metres = second.length().min(most);
         let Some(two) = Lane::pack(units, &slots[turn..], metres, one.worktops) else { continue };
         let left = second.length() - metres + two.left;
         if one.packed.is_empty() || two.packed.is_empty() {
             continue;
         }
+        let turned = Lane { packed: two.packed.iter().rev().copied().collect(), ..two };
         for (before, after) in [(0.0, 0.0), (one.left, 0.0), (0.0, left), (one.left, left)] {
-            let mut standings = one.from(first, before);
-            standings.extend(two.from(second, after));
-            rows.extend(row(units, standings));
+            for two in [&two, &turned] {
+                let mut standings = one.from(first, before);
+                standings.extend(two.from(second, after));
+                rows.extend(row(units, standings));
+            }
         }
     }
 }
@@ -171,7 +219,8 @@ fn row(units: &Units, standings: Vec<Standing>) -> Option<Row> {
 pub(super) fn metres_between(units: &Units, standings: &[Standing]) -> Option<f64> {
     let find = |part| standings.iter().find(|standing| units.unit(standing.unit).part == part);
     let (sink, hob) = (find(FittedPart::Sink)?, find(FittedPart::Hob)?);
-    (sink.wall == hob.wall).then(|| (sink.from - hob.to()).max(hob.from - sink.to()))
+    let is_one_leg = sink.spot.wall == hob.spot.wall && sink.is_bar() == hob.is_bar();
+    is_one_leg.then(|| (sink.from() - hob.to()).max(hob.from() - sink.to()))
 }
 
 /// A unit in the width that it has in a lane.
@@ -233,7 +282,8 @@ impl Lane {
         let mut from = leg.from + offset;
         let stand = |packed: &Packed| {
             let Width { metres: width, variant } = packed.width;
-            let standing = Standing { unit: packed.unit, variant, wall: leg.wall, from, width };
+            let spot = Spot { before: leg.before, ..Spot::standing(leg.wall, from) };
+            let standing = Standing { unit: packed.unit, variant, spot, width };
             from += width;
             standing
         };
@@ -242,25 +292,33 @@ impl Lane {
 }
 
 /// The units of some slots that are no worktops, as wide as they fit together: as drawn, else narrow, else without those
-/// beside the sink, else without the tall ones.
+/// beside the sink, else without the tall ones, else without a hob that nobody requires.
 fn fixed_units(units: &Units, slots: &[Slot], metres: f64) -> Option<Vec<Packed>> {
     let is_here = |unit: &Unit| slot_of(unit.part).is_some_and(|slot| slots.contains(&slot));
     let indices = units.indices().filter(|&index| is_here(units.unit(index)));
     let mut packed: Vec<Packed> =
         indices.map(|unit| Packed { unit, width: units.unit(unit).widths[0] }).collect();
-    let has_both = slots.contains(&Slot::Sink) && slots.contains(&Slot::Hob);
+    // At a corner, too, it begins beside the sink or the hob that is nearer.
+    let has = |slot: &Slot| slots.contains(slot);
+    let has_worktop = has(&Slot::Between) && (has(&Slot::Sink) || has(&Slot::Hob));
     let leaves = |packed: &[Packed], between: f64| {
         let used: f64 = packed.iter().map(|packed| packed.width.metres).sum();
-        used + if has_both { between } else { 0.0 } <= metres
+        used + if has_worktop { between } else { 0.0 } <= metres
     };
     if !leaves(&packed, ENOUGH_BETWEEN) {
         packed.iter_mut().for_each(|packed| packed.width = units.unit(packed.unit).narrowest());
     }
     if !leaves(&packed, ENOUGH_BETWEEN) {
-        packed.retain(|packed| !units.unit(packed.unit).is_fill);
+        packed.retain(|packed| {
+            let unit = units.unit(packed.unit);
+            unit.part != FittedPart::BesideSink || !unit.is_fill
+        });
     }
-    for part in [FittedPart::BesideSink, FittedPart::Tall] {
-        if !leaves(&packed, LEAST_BETWEEN) {
+    // A hob right at the sink is still better than none.
+    let last =
+        [(FittedPart::BesideSink, LEAST_BETWEEN), (FittedPart::Tall, LEAST_BETWEEN), (FittedPart::Hob, 0.0)];
+    for (part, between) in last {
+        if !leaves(&packed, between) {
             packed.retain(|packed| {
                 let unit = units.unit(packed.unit);
                 unit.part != part || unit.is_required

@@ -92,6 +92,65 @@ fn a_row_turns_at_a_corner_where_one_wall_is_too_short() {
     assert!(SEEDS.filter(turns).count() > 0);
 }
 
+/// A room that is open along its third wall, and along its second where people come in.
+fn open_kitchen(width: f64, depth: f64) -> Level {
+    let mut level = room("kitchen", width, depth);
+    level.openings.clear();
+    level.rooms[0].openings.clear();
+    for (opening, wall) in [1, 2].into_iter().enumerate() {
+        let segment = &level.rooms[0].walls[wall];
+        let (from, to) = (if wall == 1 { 0.8 } else { 0.0 }, segment.length());
+        level.openings.push(Opening {
+            id: opening.to_string(),
+            kind: OpeningKind::OpenBoundary,
+            center: segment.start + segment.direction() * f64::midpoint(from, to),
+            along: segment.direction(),
+            width: to - from,
+            bottom: 0.0,
+            top: 2.5,
+            leaves: Vec::new(),
+            sides: vec![OpeningSide { room: 0, wall, from, to }],
+        });
+        level.rooms[0].openings.push(RoomOpening { opening, wall, from, to });
+    }
+    level
+}
+
+#[test]
+fn a_kitchen_that_opens_to_a_room_has_a_bar_there_with_an_aisle_before_it() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let depth = 3.0;
+    let level = open_kitchen(3.0, depth);
+    let mut bars = 0;
+    for seed in SEEDS {
+        let units = units(&catalog, &run(&level, &catalog, seed));
+        let is_bar = |solid: &Solid| solid.bounds.low.y > depth / 2.0 && solid.bounds.high.x > 0.7;
+        let bar: Vec<_> = units.iter().filter(|(_, solid)| is_bar(solid)).collect();
+        bars += usize::from(bar.len() > 1);
+        assert!(runs(&units) <= 2, "seed {seed}: {} runs", runs(&units));
+        if let Some(metres) = apart(&units, FittedPart::Sink, FittedPart::BesideSink) {
+            assert!(metres < TOUCHING, "seed {seed}: the dishwasher stands {metres} m off the sink");
+        }
+        for (part, solid) in bar {
+            assert!(*part != FittedPart::Hob, "seed {seed}: no hood hangs over a bar");
+            // The floor before the open side stays free.
+            assert!(solid.bounds.high.y < depth - 0.29, "seed {seed}: {}", solid.bounds.high.y);
+        }
+    }
+    assert!(bars > 6, "{bars} bars");
+}
+
+#[test]
+fn a_small_kitchen_has_room_to_cook() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let level = room("kitchen", 1.6, 1.8);
+    for seed in SEEDS {
+        let units = units(&catalog, &run(&level, &catalog, seed));
+        let hobs = units.iter().filter(|(part, _)| *part == FittedPart::Hob).count();
+        assert_eq!((hobs, runs(&units)), (1, 1), "seed {seed}");
+    }
+}
+
 #[test]
 fn wall_units_hang_in_one_line_beside_the_hood() {
     let catalog = load_catalog(&[]).unwrap().value;

@@ -39,7 +39,8 @@ impl Unit {
 
     /// The narrowest width.
     pub(super) fn narrowest(&self) -> Width {
-        *self.widths.last().expect("a class has a size")
+        let narrowest = self.widths.iter().copied().min_by(|a, b| a.metres.total_cmp(&b.metres));
+        narrowest.expect("a class has a size")
     }
 }
 
@@ -90,14 +91,20 @@ impl Units {
         self.units.iter().enumerate().filter(move |(_, unit)| unit.part == part)
     }
 
-    /// The unit for corners, if the room has one.
-    pub(super) fn corner(&self) -> Option<(usize, &Unit)> {
-        self.of_part(FittedPart::Corner).next()
+    /// The units for corners.
+    pub(super) fn corners(&self) -> impl Iterator<Item = (usize, &Unit)> {
+        self.of_part(FittedPart::Corner)
     }
 
-    /// Its metres along both walls.
-    pub(super) fn corner_width(&self) -> Option<f64> {
-        self.corner().map(|(_, unit)| unit.narrowest().metres)
+    /// Their metres along both walls.
+    pub(super) fn corner_widths(&self) -> Vec<f64> {
+        self.corners().map(|(_, unit)| unit.narrowest().metres).collect()
+    }
+
+    /// Metres from the backs of low units to their fronts.
+    pub(super) fn depth(&self, environment: &Environment<'_>) -> f64 {
+        let low = self.units.iter().filter(|unit| unit.part != FittedPart::WallUnit);
+        low.map(|unit| environment.agents[unit.agent].size.depth).fold(0.0, f64::max)
     }
 }
 

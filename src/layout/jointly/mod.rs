@@ -10,11 +10,11 @@ mod tests;
 
 use super::agent::State;
 use super::arrange::{area, sizes_by, take_size};
-use super::at_wall::place_at;
+use super::at_wall::Spot;
 use super::environment::Environment;
 use super::locked::is_locked;
 use super::place::{AgentIndex, ParentPart, Place};
-use super::rules::{self, Score, free_wall};
+use super::rules::{self, Line, Score, free_stretches};
 use super::seed::{Purpose, RoomKey, Stream};
 use super::suggested::suggestion;
 use crate::catalog::{Along, ClassIndex, ParentName, Side};
@@ -186,9 +186,10 @@ fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream)
     let walls = &environment.brief.surroundings.room.walls;
     let mut found = Vec::new();
     for wall in (0..walls.len()).filter(|&wall| walls[wall].kind == WallKind::Solid) {
-        let stretches = free_wall(environment, agent, size, wall, stream);
+        let line = Line { agent, size, wall, before_opening: 0.0 };
+        let stretches = free_stretches(environment, &line, stream);
         let positions = stretches.into_iter().flat_map(|stretch| positions(environment, agent, stretch));
-        let places = positions.map(|from| place_at(environment, agent, wall, from, 0.0));
+        let places = positions.map(|from| Spot::standing(wall, from).place(environment, agent));
         for place in places.filter(|place| environment.refusal(agent, place).is_none()) {
             let points = points(environment, agent, &place) + CHANCE * stream.unit();
             found.push((points, Standing { agent, variant, place }));

@@ -12,7 +12,7 @@ mod wall;
 
 pub(crate) use relation::{Factor, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
 pub(crate) use turn::angle_of_front;
-pub(crate) use wall::free_wall;
+pub(crate) use wall::{Line, free_stretches};
 
 use crate::catalog::{Class, ParentRule, Side, Size};
 

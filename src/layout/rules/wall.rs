@@ -1,7 +1,7 @@
 //! At a wall, between its openings: the paper's random position along the touching side, drawn from the
 //! stretches that are really free, so that a piece that fits is not missed by bad luck.
 
-use crate::catalog::{Along, Clearance, ParentName, Side, Size};
+use crate::catalog::{Along, Clearance, ParentName, ParentRule, Side, Size};
 use crate::geometry::{Convex, Intervals, Point, Segment, Solid};
 use crate::layout::agent::Agent;
 use crate::layout::body::Pose;
@@ -37,22 +37,36 @@ pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: 
     }
 }
 
-/// The stretches of a wall that are free for an agent of a size, in metres from the wall's start; none for a class that does
-/// not stand at walls.
-pub(crate) fn free_wall(
+/// What would stand along a wall.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line {
+    /// Who.
+    pub(crate) agent: AgentIndex,
+    /// Its size.
+    pub(crate) size: Size,
+    /// Index of the wall.
+    pub(crate) wall: usize,
+    /// Metres from an open side to its back, where it stands before one; 0 at walls.
+    pub(crate) before_opening: f64,
+}
+
+/// The stretches that are free along a wall, in metres from the wall's start; none for a class that does not stand at walls.
+pub(crate) fn free_stretches(
     environment: &Environment<'_>,
-    agent: AgentIndex,
-    size: Size,
-    wall: usize,
+    line: &Line,
     stream: &mut Stream,
 ) -> Vec<(f64, f64)> {
+    let Line { agent, size, wall, before_opening } = *line;
     let class = environment.class(agent);
     let Some(rule) = class.parents.iter().find(|rule| rule.parent == ParentName::Wall) else {
         return Vec::new();
     };
+    let shifted = ParentRule { gap: (before_opening, before_opening), ..rule.clone() };
+    let rule = if before_opening > 0.0 { &shifted } else { rule };
     let view =
         View { environment, agent, class, size, rule, parent: ParentPart::Wall(wall), side: Side::Front };
-    let Some(strip) = Strip::new(&view, wall, stream) else { return Vec::new() };
+    let Some(mut strip) = Strip::new(&view, wall, stream) else { return Vec::new() };
+    strip.is_before_opening = before_opening > 0.0;
     let free = strip.free_stretches();
     free.as_slice().iter().map(|&(from, to)| (from - strip.half, to + strip.half)).collect()
 }
@@ -133,6 +147,8 @@ struct Strip<'a> {
     high: f64,
     /// The angle of the box.
     angle: f64,
+    /// Whether it stands before an open side, behind the floor that is kept free there.
+    is_before_opening: bool,
 }
 
 impl<'a> Strip<'a> {
@@ -151,7 +167,7 @@ impl<'a> Strip<'a> {
         let from = stream.between(view.rule.gap.0, view.rule.gap.1);
         let depth = 2.0 * Agent::half_extent(view.size, right, normal);
         let half = Agent::half_extent(view.size, right, wall.direction()) - CONTACT_TOLERANCE / 2.0;
-        Some(Self { view, wall, index, from, depth, half, low, high, angle })
+        Some(Self { view, wall, index, from, depth, half, low, high, angle, is_before_opening: false })
     }
 
     /// The box with its middle so far from the wall's start.
@@ -231,7 +247,11 @@ impl<'a> Strip<'a> {
         let surroundings = &self.view.environment.brief.surroundings;
         for side in surroundings.room.openings.iter().filter(|side| side.wall == self.index) {
             let opening = &surroundings.level.openings[side.opening];
-            let is_passable = opening.kind == OpeningKind::Window && self.low <= 0.0;
+            let is_passable = match opening.kind {
+                OpeningKind::Window => self.low <= 0.0,
+                OpeningKind::OpenBoundary => self.is_before_opening,
+                _ => false,
+            };
             if !is_passable && self.low < opening.top && self.high > opening.bottom {
                 free.subtract(side.from - self.half, side.to + self.half);
             }

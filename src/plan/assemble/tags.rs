@@ -2,7 +2,7 @@
 
 use super::walls::ray_hit;
 use super::{Assembly, WallIndex};
-use crate::plan::{Opening, OpeningKind, Room, Wall, WallKind};
+use crate::plan::{Opening, OpeningKind, PIPES_TAG, Room, Wall, WallKind};
 
 /// Metres that a ray to the opposite wall starts inside the room.
 const RAY_START: f64 = 0.01;
@@ -49,7 +49,7 @@ fn tag_pipes(rooms: &mut [Room]) {
     }
     for (room, wall) in found {
         let tags = &mut rooms[room].walls[wall].tags;
-        tags.push("pipes".to_owned());
+        tags.push(PIPES_TAG.to_owned());
         tags.sort_unstable();
         tags.dedup();
     }
