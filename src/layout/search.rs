@@ -112,6 +112,9 @@ impl Choice {
         let class = environment.class(agent);
         let left = if environment.is_built_in(agent) && environment.agents[agent].piece.is_required {
             CANDIDATES_BUILT_IN
+        } else if class.grid.is_some() && class.needs_company {
+            // Rows fill one after the other: who chose a better place of the lattice might stand alone there.
+            1
         } else if !class.relations.is_empty() {
             CANDIDATES_WITH_RELATIONS
         } else if class.clearances.is_empty() || class.grid.is_some() {

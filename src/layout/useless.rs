@@ -90,7 +90,9 @@ fn is_useless(environment: &Environment<'_>, agent: AgentIndex) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::catalog::{Along, Count, Grid, ParentName, Relation, RelationKind, Side, Turn, Untidiness};
+    use crate::catalog::{
+        Along, Catalog, Count, Grid, ParentName, Relation, RelationKind, Side, Turn, Untidiness,
+    };
     use crate::geometry::{Point, direction};
     use crate::layout::Placement;
     use crate::layout::tests::{WIDE, catalog, level, rule, run};
@@ -99,9 +101,9 @@ mod tests {
     const LAMP: usize = 2;
     const SHELF: usize = 4;
 
-    #[test]
-    fn a_seat_without_another_beside_it_is_left_out() {
-        let mut catalog = catalog(&[(LAMP, Count::Fill(100))], Untidiness::default());
+    /// Lamps that stand in rows on the floor.
+    fn seats(count: Count, needs_company: bool) -> Catalog {
+        let mut catalog = catalog(&[(LAMP, count)], Untidiness::default());
         let seat = &mut catalog.classes[LAMP];
         seat.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
         seat.grid = Some(Grid {
@@ -112,22 +114,53 @@ mod tests {
             is_back_to_back: false,
             margin: [0.0; 4],
         });
+        seat.needs_company = needs_company;
+        catalog
+    }
+
+    /// How many have no neighbour in their row.
+    fn lone(placements: &[Placement]) -> usize {
+        let is_beside = |one: &Placement, other: &Placement| {
+            let offset = other.position - one.position;
+            let along = offset.dot(direction(one.angle)).abs();
+            (0.1..0.75).contains(&along) && offset.length() < along + 0.1
+        };
+        let is_alone = |one: &&Placement| !placements.iter().any(|other| is_beside(one, other));
+        placements.iter().filter(is_alone).count()
+    }
+
+    #[test]
+    fn a_seat_without_another_beside_it_is_left_out() {
+        let triangle = level(&[(0.0, 0.0), (8.0, 0.0), (4.0, 6.0)]);
         let lone_seats = |needs_company: bool| {
-            let mut catalog = catalog.clone();
-            catalog.classes[LAMP].needs_company = needs_company;
-            let placements = run(&level(&[(0.0, 0.0), (8.0, 0.0), (4.0, 6.0)]), &catalog, 1).placements;
-            let is_beside = |one: &Placement, other: &Placement| {
-                let offset = other.position - one.position;
-                let along = offset.dot(direction(one.angle)).abs();
-                (0.1..0.75).contains(&along) && offset.length() < along + 0.1
-            };
-            let is_alone = |one: &&Placement| !placements.iter().any(|other| is_beside(one, other));
-            (placements.iter().filter(is_alone).count(), placements.len())
+            let placements = run(&triangle, &seats(Count::Fill(100), needs_company), 1).placements;
+            (lone(&placements), placements.len())
         };
         let (lone, all) = lone_seats(false);
         assert!(lone > 0 && all > 10, "{lone} of {all}");
         let (still_lone, kept) = lone_seats(true);
         assert_eq!((still_lone, kept), (0, all - lone));
+    }
+
+    #[test]
+    fn rows_of_what_needs_company_fill_one_after_the_other() {
+        let hall = level(&[(0.0, 0.0), (9.0, 0.0), (9.0, 8.0), (0.0, 8.0)]);
+        let apart = Relation {
+            kind: RelationKind::AwayFrom,
+            target: ParentName::Classes(vec![LAMP]),
+            distance: (3.0, 100.0),
+            angle: 0.5,
+            weight: 1.0,
+            is_needed: false,
+        };
+        let lone_seats = |needs_company: bool| {
+            let mut catalog = seats(Count::Fixed(6), needs_company);
+            catalog.classes[LAMP].relations = vec![apart.clone()];
+            let placements = run(&hall, &catalog, 1).placements;
+            (lone(&placements), placements.len())
+        };
+        assert!(lone_seats(false).0 > 0, "they would rather be apart");
+        assert_eq!(lone_seats(true), (0, 6));
     }
 
     #[test]

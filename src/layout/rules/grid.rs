@@ -9,7 +9,7 @@ use core::f64::consts::PI;
 use crate::catalog::{Clearance, Grid, Side, Turn};
 use crate::geometry::{Bounds, Point};
 use crate::layout::body::Pose;
-use crate::layout::constants::LINE_STEP;
+use crate::layout::constants::{LINE_STEP, SCAN_POINTS};
 use crate::layout::lattice::{Axis, columns_and_rows};
 use crate::layout::place::ParentPart;
 use crate::layout::seed::{Purpose, RoomKey, Stream};
@@ -47,9 +47,13 @@ pub(super) fn scan(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<
         let after = axes[axis].count(middles.high[axis] - first[axis]) as i64;
         (-before..after).map(move |index| first[axis] + axes[axis].at(index, counts[axis]))
     };
+    let lengths = (middles.high - middles.low).max(Point::ZERO);
+    // A hall gets no more points than a room, but farther apart: the time of a scan is bounded.
+    let all = lines(1).count() as f64 * lengths.x + lines(0).count() as f64 * lengths.y;
+    let step = LINE_STEP.max(all / SCAN_POINTS);
     let steps = |axis: usize| {
-        let length = (middles.high - middles.low)[axis].max(0.0);
-        (0..=(length / LINE_STEP) as usize).map(move |step| middles.low[axis] + step as f64 * LINE_STEP)
+        let count = (lengths[axis] / step) as usize;
+        (0..=count).map(move |index| middles.low[axis] + index as f64 * step)
     };
     let on_rows = lines(1).flat_map(|y| steps(0).map(move |x| Point::new(x, y)));
     let on_columns = lines(0).flat_map(|x| steps(1).map(move |y| Point::new(x, y)));
