@@ -107,9 +107,9 @@ step "Khronos validator" set_up_validator
 step "cargo fmt" checked cargo fmt --check
 step "cargo clippy" checked cargo clippy --all-targets --locked -- -D warnings
 step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --document-private-items
-# With checks of arithmetic and debug assertions, and slow: what puts many inputs through single stages, and the pinned levels.
-# Whole commands, files and kills run below, as users run them; `cargo test` alone runs everything with these checks.
-step "cargo test (debug)" counted cargo test --locked --lib --test plan --test scene --test properties --test fuzz
+# With checks of arithmetic and debug assertions, and slow: single stages, damaged inputs, and the pinned levels.
+# Whole commands, random rooms and kills run below, as users run them; `cargo test` alone runs everything with these checks.
+step "cargo test (debug)" counted cargo test --locked --lib --test plan --test scene --test fuzz
 step "cargo test (debug, pinned levels)" counted cargo test --locked --test command_line pinned
 step "cargo test (documentation)" counted cargo test --locked --doc
 # Optimised: what users run. The library's own tests ran in debug, and to build them once more takes as long as all the others.

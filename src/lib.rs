@@ -1,4 +1,5 @@
-//! Roomwright furnishes buildings: floor plans in, one glTF file for each level out.
+//! Roomwright furnishes buildings: floor plans in, one glTF file for each level out. A program that uses this library from a clone
+//! beside it has `roomwright = { path = "../roomwright" }` among its dependencies.
 //!
 //! The same plan, catalogue, options and version give the same bytes, on any machine and with any number of threads. A
 //! [`Project`] holds what was read: plans of any format that `roomwright formats` lists, the edits beside them, the catalogue of
@@ -17,7 +18,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! It also furnishes one room on demand, judges it, and writes it without the others:
+//! It also furnishes one room on demand, judges it, and writes it without the others, where it lies in the building, with its own
+//! walls, doors and windows. Ids are those of the plan; [`Project::plan`] holds them:
 //!
 //! ```
 //! use roomwright::{Project, RoomId};

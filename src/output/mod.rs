@@ -2,9 +2,11 @@
 //!
 //! To add a format:
 //! 1. Write it: a folder beside `gltf/` with a type that implements [`Output`] (`format.rs`), and its `mod` line in `lib.rs`.
-//!    `example.rs` is a complete format to copy, in ninety lines.
+//!    `example.rs` is a complete format to copy, in ninety lines; its `super::` paths are `crate::output::` there, and `mod.rs` of the
+//!    folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
 //! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow.
-//! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`.
+//! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`; the
+//!    folder has a row in ARCHITECTURE.md. `scripts/validate.py` checks glTF alone and leaves other files to their own tools.
 //!
 //! A format is given a [`crate::scene::Scene`] (`scene/node.rs`, which lists all that is in it):
 //! - a tree of nodes in metres, Y up, each placed relative to its parent; node names are unique in the level, mesh and material
@@ -14,7 +16,8 @@
 //!   of plans already. `docs/output.md`, "Extras", describes them;
 //! - meshes (`mesh/model.rs`) and materials: colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. With
 //!   [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`); without it each
-//!   material has its own base colour, whatever textures the user asks for;
+//!   material has its own base colour, whatever textures the user asks for. Materials of users' models keep the names they came
+//!   with, so that several may have one name, or hold spaces;
 //! - the options of the user ([`LevelOptions`]). What they say of rooms and shapes has been done; a format that cannot do
 //!   what else they ask for (lights, variants, shared files) leaves it out.
 //!

@@ -61,7 +61,7 @@ pub enum OutlineKind {
 /// One room before checking.
 #[derive(Clone, Debug, Default)]
 pub struct RoomDraft {
-    /// Unique in the level.
+    /// Unique in the level, without `/`; `slug` of `read/foreign.rs` makes such ids of any text.
     pub id: String,
     /// Number for the seed; made from the order if absent.
     pub number: Option<u32>,

@@ -7,7 +7,9 @@
 //! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand (`audit/testing.rs`).
 //! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity, quantities,
 //!    section of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. Checks that
-//!    ask about the empty room share a budget in the order of the table.
+//!    ask about the empty room share a budget in the order of the table. If no other arrangement of the same pieces can be without
+//!    the finding, name it in `Code::is_of_places`, so that no further ones are tried for its sake. A new quantity is a line in
+//!    each list of `quantity.rs`.
 //! 3. Add a limit of its own, if it has one: a line with the figure and its source in `configs/audit.yaml`, and a line with its
 //!    unit (`Metres`, `Area`, `Degrees`, `Share`, `Factor`) in the list `thresholds!` of `src/catalog/audit.rs`. A new section is
 //!    `name: NameRules { ... }` there, which makes the struct, and `name:` in the file; nothing else names it.
@@ -30,12 +32,13 @@
 //! | a check needs | from |
 //! |---|---|
 //! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
-//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in("seat")` (of a group), `front()`, `corners()` |
+//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)` (the groups that checks ask for are constants of `audit/groups.rs`, for a misspelt one holds no class), `is_standing(rules)`, `front()`, `corners()` |
 //! | style, limits | `subject.style()`, `subject.rules().alignment.angle`: metres, radians, shares |
 //! | the space before sides, doors and windows, and what is in it | `evidence.zones`, `evidence.hits` |
 //! | where people get to | `evidence.floor`, which may be none: `floor.walk(diameter).reaches(door, goal)` |
 //! | whether the empty room could hold a piece | `(evidence.ask)(&Question::Class(class))`, for `Fault::if_possible` |
 //! | walls and doors of the room | `subject.at.room.walls[index]`: `start`, `end`, `direction()`, `normal()` into the room; `subject.at.level.openings` |
+//! | a comparison with a limit | `measured > limit + ROUNDING` (`rounding.rs`); of two limits a fault has the one that was passed |
 //! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity |
 
 mod access;

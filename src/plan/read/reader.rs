@@ -12,7 +12,7 @@ use crate::plan::{BuildingDraft, RoomWords};
 /// A format that plans are read in, for people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ReadFormat {
-    /// The word in `room_words.yaml`; `native` and `project` have none there.
+    /// The word in the answers of `formats` and `import`; by custom also the section of `room_words.yaml`.
     pub name: &'static str,
     /// The name for people.
     pub title: &'static str,

@@ -7,11 +7,13 @@
 //!    formats, too.
 //! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The reader asks
 //!    for them by the name of the section: `words.room_type("osm", word)`. By custom it is also `about.name` of the format, the
-//!    word in the answers of `formats` and `import`; nothing in the program joins the two.
+//!    word in the answers of `formats` and `import`; nothing in the program joins the two. Where an unread format has that word in
+//!    its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`.
 //! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
 //!    writes what is read of it into a text beside the folder, `<folder>.txt`.
 //! 5. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line. The test
-//!    `a_format_is_read_or_not_read` fails if a word of an unread format's name is the name of a format that is read.
+//!    `a_format_is_read_or_not_read` fails if a word of an unread format's name is the name of a format that is read. Files of it
+//!    that `tests/plan/unread.rs` expects to be refused go as well.
 //!
 //! | for | use |
 //! |---|---|
@@ -20,6 +22,7 @@
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&["rooms".into(), 3.into()], message, hint, FaultSeverity::Warning)` |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
+//! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with |
 //! | XML, tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text |
 //! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs`, which has other units too |
 //! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |

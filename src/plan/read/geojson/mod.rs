@@ -7,8 +7,11 @@
 //! outlines(geometry, &plane) -> outer corners and holes of an area; points(line, &plane) -> the points of a line
 //! ```
 //!
+//! Each feature must have a text as `id`, and `properties` that are an object: others are faults.
+//!
 //! A fault of a feature goes to `table.source.fault(&["features".into(), index.into(), "properties".into()], ...)`. Points
-//! (`"type": "Point"`) are [`Geometry::Other`] so far, as no format that is read needs them; a reader that does adds the kind.
+//! (`"type": "Point"`) are [`Geometry::Other`] so far, as no format that is read needs them; a reader that does adds
+//! the kind to the enum in `feature.rs` and to the two matches in `place.rs`.
 
 mod feature;
 mod place;
