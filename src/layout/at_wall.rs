@@ -25,6 +25,11 @@ impl Spot {
         Self { wall, from, before: 0.0, elevation: 0.0 }
     }
 
+    /// Whether it is before an open side, with no wall behind.
+    pub(crate) fn is_before_opening(&self) -> bool {
+        self.before > 0.0
+    }
+
     /// The pose of what has a size there.
     pub(crate) fn pose(&self, environment: &Environment<'_>, size: Size) -> Pose {
         let part = &environment.brief.surroundings.room.walls[self.wall];
@@ -37,9 +42,10 @@ impl Spot {
     /// The place of an agent there; what stands before an open side stands on the floor.
     pub(crate) fn place(&self, environment: &Environment<'_>, agent: AgentIndex) -> Place {
         let pose = self.pose(environment, environment.agents[agent].size);
-        let (parent, side) = match self.before > 0.0 {
-            true => (ParentPart::Floor, Side::Above),
-            false => (ParentPart::Wall(self.wall), Side::Front),
+        let (parent, side) = if self.is_before_opening() {
+            (ParentPart::Floor, Side::Above)
+        } else {
+            (ParentPart::Wall(self.wall), Side::Front)
         };
         Place { pose, parent, side }
     }

@@ -6,7 +6,8 @@
 //!    folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
 //! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow.
 //! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`; the
-//!    folder has a row in ARCHITECTURE.md. `scripts/validate.py` checks glTF alone and leaves other files to their own tools.
+//!    folder has a row in ARCHITECTURE.md. `scripts/validate.py` reads `.glb`, `.gltf` and USD files; of others it
+//!    checks what the manifest says of them.
 //!
 //! A format is given a [`crate::scene::Scene`] (`scene/node.rs`, which lists all that is in it):
 //! - a tree of nodes in metres, Y up, each placed relative to its parent; node names are unique in the level, mesh and material

@@ -78,8 +78,9 @@ fn best_free<'r>(environment: &mut Environment<'_>, units: &Units, rows: &'r [Ro
     free.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut seen: Vec<Vec<(usize, bool)>> = Vec::new();
     free.retain(|(_, row)| {
-        let is_new = !seen.contains(&row.walls());
-        seen.push(row.walls());
+        let walls = row.walls();
+        let is_new = !seen.contains(&walls);
+        seen.push(walls);
         is_new
     });
     let turn = environment.turn.min(free.len().checked_sub(1)?);

@@ -70,12 +70,12 @@ impl Standing {
 
     /// Whether it stands along a leg.
     pub(super) fn is_along(&self, leg: &Leg) -> bool {
-        self.spot.wall == leg.wall && self.is_bar() == leg.is_bar() && self.from() + 1e-6 >= leg.from
+        self.spot.wall == leg.wall && self.is_bar() == leg.is_bar() && self.from() + ROUNDING >= leg.from
     }
 
     /// Whether it stands before an open side.
     pub(super) fn is_bar(&self) -> bool {
-        self.spot.before > 0.0
+        self.spot.is_before_opening()
     }
 }
 

@@ -97,23 +97,27 @@ fn open_kitchen(width: f64, depth: f64) -> Level {
     let mut level = room("kitchen", width, depth);
     level.openings.clear();
     level.rooms[0].openings.clear();
-    for (opening, wall) in [1, 2].into_iter().enumerate() {
-        let segment = &level.rooms[0].walls[wall];
-        let (from, to) = (if wall == 1 { 0.8 } else { 0.0 }, segment.length());
-        level.openings.push(Opening {
-            id: opening.to_string(),
-            kind: OpeningKind::OpenBoundary,
-            center: segment.start + segment.direction() * f64::midpoint(from, to),
-            along: segment.direction(),
-            width: to - from,
-            bottom: 0.0,
-            top: 2.5,
-            leaves: Vec::new(),
-            sides: vec![OpeningSide { room: 0, wall, from, to }],
-        });
-        level.rooms[0].openings.push(RoomOpening { opening, wall, from, to });
-    }
+    open_to_end(&mut level, OpeningKind::OpenBoundary, (1, 0.8), [0.0, 2.5]);
+    open_to_end(&mut level, OpeningKind::OpenBoundary, (2, 0.0), [0.0, 2.5]);
     level
+}
+
+/// Adds an opening of a kind from a place on a wall, in metres from its start, to the wall's end.
+fn open_to_end(level: &mut Level, kind: OpeningKind, (wall, from): (usize, f64), [bottom, top]: [f64; 2]) {
+    let segment = &level.rooms[0].walls[wall];
+    let (opening, to) = (level.openings.len(), segment.length());
+    level.openings.push(Opening {
+        id: opening.to_string(),
+        kind,
+        center: segment.start + segment.direction() * f64::midpoint(from, to),
+        along: segment.direction(),
+        width: to - from,
+        bottom,
+        top,
+        leaves: Vec::new(),
+        sides: vec![OpeningSide { room: 0, wall, from, to }],
+    });
+    level.rooms[0].openings.push(RoomOpening { opening, wall, from, to });
 }
 
 #[test]
@@ -173,20 +177,7 @@ fn wall_units_hang_in_one_line_beside_the_hood() {
 fn nothing_of_a_row_takes_the_light_of_a_window() {
     let catalog = load_catalog(&[]).unwrap().value;
     let mut level = room("kitchen", 3.0, 4.0);
-    let wall = &level.rooms[0].walls[1];
-    let (from, to) = (0.0, wall.length());
-    level.openings.push(Opening {
-        id: "2".to_owned(),
-        kind: OpeningKind::Window,
-        center: wall.start.midpoint(wall.end),
-        along: wall.direction(),
-        width: to - from,
-        bottom: 0.5,
-        top: 2.2,
-        leaves: Vec::new(),
-        sides: vec![OpeningSide { room: 0, wall: 1, from, to }],
-    });
-    level.rooms[0].openings.push(RoomOpening { opening: 1, wall: 1, from, to });
+    open_to_end(&mut level, OpeningKind::Window, (1, 0.0), [0.5, 2.2]);
     for seed in SEEDS {
         let furnished = run(&level, &catalog, seed);
         let glass = level.rooms[0].walls[1].start.x;

@@ -56,16 +56,13 @@ pub(super) fn propose_at_agent(
         parent_angle: rest.pose.angle,
         places: (offer.places, agent.taken[view.side.index()]),
     };
-    let before = poses.len();
-    propose(view, &face, stream, poses);
+    let mut found = Vec::new();
+    propose(view, &face, stream, &mut found);
     if let Some(wall) = run_along(view, parent) {
         let ends = ends_of_wall(view, wall);
-        let mut index = 0;
-        poses.retain(|pose| {
-            index += 1;
-            index <= before || is_within(view, pose, ends, wall)
-        });
+        found.retain(|pose| is_within(view, pose, ends, wall));
     }
+    poses.append(&mut found);
 }
 
 /// The wall along which an agent and its parent would make a run: both of one kind, with their backs to it.

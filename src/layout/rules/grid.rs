@@ -84,7 +84,7 @@ impl Lattice {
         let frame = Pose::new(Point::ZERO, 0.0, angle);
         let bounds = within_margins(view, grid, extent(view, &frame));
         let members = members(view, grid);
-        let (block, axes) = Block::new(view, grid, (bounds, members.len()), &mut stream);
+        let (block, axes) = Block::new(view, grid, bounds, members.len(), &mut stream);
         let half = half_of_place(view, grid);
         let middles = Bounds::new(bounds.low + half, bounds.high - half);
         Self { frame, angle, axes, members, block, middles }
@@ -177,7 +177,8 @@ impl Block {
     fn new(
         view: &View<'_>,
         grid: &Grid,
-        (bounds, members): (Bounds, usize),
+        bounds: Bounds,
+        members: usize,
         stream: &mut Stream,
     ) -> (Self, [Axis; 2]) {
         let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];

@@ -65,7 +65,7 @@ pub(crate) fn room_parts<'a>(
     }
     parts.skirting(level, finish);
     parts.columns(finish.wall);
-    parts.fittings(level, finish, (look.geometry, worktops));
+    parts.fittings(level, finish, look.geometry, worktops);
     parts.finish()
 }
 
@@ -185,7 +185,7 @@ impl RoomParts<'_, '_, '_> {
     }
 
     /// Sockets and switches of a room indoors.
-    fn fittings(&mut self, level: &Level, finish: RoomFinish, (set, worktops): (GeometrySet, &[Convex])) {
+    fn fittings(&mut self, level: &Level, finish: RoomFinish, set: GeometrySet, worktops: &[Convex]) {
         if self.is_outdoors() {
             return;
         }
