@@ -82,6 +82,12 @@ impl Bounds {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
+    /// Metres to another box; zero where they touch.
+    #[must_use]
+    pub fn gap(self, other: Self) -> f64 {
+        (self.low - other.high).max(other.low - self.high).max(Point::ZERO).length()
+    }
+
     /// Whether two boxes overlap by more than `tolerance` metres.
     #[must_use]
     pub fn overlaps(self, other: Self, tolerance: f64) -> bool {

@@ -90,7 +90,8 @@ impl Convex {
     }
 
     /// Whether it is a rectangle along the axes of the plan, so that its box says all about it.
-    pub(super) fn fills_its_bounds(&self) -> bool {
+    #[must_use]
+    pub fn fills_its_bounds(&self) -> bool {
         self.fills_its_bounds
     }
 

@@ -2,11 +2,13 @@
 
 use core::cmp::Reverse;
 use core::ops::Range;
+use std::rc::Rc;
 
 use crate::catalog::{AccessRules, AuditRules, WalkingRules};
 use crate::geometry::{Bounds, DisjointSets, Point, Segment, Solid, distance_to_convex, edges};
 use crate::plan::{Room, RoomOpening, RoomRef};
 
+use super::gaps::{Cells, Obstacle, fixed_obstacles};
 use super::raster::{Raster, cell_around};
 
 /// The floor of a room with what stands on it.
@@ -19,6 +21,12 @@ pub(crate) struct Floor {
     doors: Vec<Doorway>,
     /// Cells up to which distances are exact.
     reach: u16,
+    /// What stands on it.
+    obstacles: Vec<Obstacle>,
+    /// Its walls and columns.
+    fixed: Rc<[Obstacle]>,
+    /// The diameters of the discs for which gaps are known exactly.
+    widths: [f64; 2],
 }
 
 /// How far a door reaches, in metres from the wall's inner face.
@@ -113,8 +121,8 @@ impl Floor {
         solids: impl Iterator<Item = &'s Solid>,
     ) -> Option<Self> {
         let RoomRef { level, room, .. } = at;
-        let is_door = |place: &&RoomOpening| level.openings[place.opening].kind.is_walkable();
-        let places: Vec<&RoomOpening> = room.openings.iter().filter(is_door).collect();
+        let is_door = |place: &RoomOpening| level.openings[place.opening].kind.is_walkable();
+        let places: Vec<&RoomOpening> = room.openings.iter().filter(|place| is_door(place)).collect();
         if places.is_empty() {
             return None;
         }
@@ -130,24 +138,34 @@ impl Floor {
         for column in &room.obstacles {
             raster.paint(&column.outline.edges().collect::<Vec<_>>(), false);
         }
+        let mut obstacles = Vec::new();
         for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
             raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
+            obstacles.push(Obstacle::of(solid));
         }
         let doors = places.iter().map(|place| Doorway::new(room, place, -cell..before, &raster)).collect();
         // Distances are exact as far as the widest disc needs them, which keeps them cheap in halls.
         let reach = raster.reach(widest);
-        Some(Self { distances: raster.distances(reach), raster, doors, reach })
+        let mut distances = raster.distances(reach);
+        let widths = [rules.person, rules.narrow_person];
+        let fixed = fixed_obstacles(room, is_door);
+        Cells { raster: &raster, distances: &mut distances, widths }.lower_in_gaps(&obstacles, &[&fixed]);
+        Some(Self { raster, distances, doors, reach, obstacles, fixed: fixed.into(), widths })
     }
 
     /// This floor with some solids more: what [`Floor::new`] makes of all of them, with work for the cells near the new
     /// ones only.
     pub(crate) fn with<'s>(&self, rules: &WalkingRules, solids: impl Iterator<Item = &'s Solid>) -> Self {
-        let Self { mut raster, mut distances, doors, reach } = self.clone();
+        let mut floor = self.clone();
         for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
-            let blocked = raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
-            raster.lower_distances(&mut distances, &blocked, reach);
+            let blocked = floor.raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
+            floor.raster.lower_distances(&mut floor.distances, &blocked, floor.reach);
+            floor.obstacles.push(Obstacle::of(solid));
         }
-        Self { raster, distances, doors, reach }
+        let (old, new) = floor.obstacles.split_at(self.obstacles.len());
+        let mut cells = Cells { raster: &floor.raster, distances: &mut floor.distances, widths: self.widths };
+        cells.lower_in_gaps(new, &[old, &floor.fixed]);
+        floor
     }
 
     /// Number of cells.

@@ -3,10 +3,11 @@
 //! clear the ways that furniture closes, the audit to judge them.
 //!
 //! A person is a disc on a grid of cells. Cells are 5 cm wide; in rooms whose box has more than 28,000 m² they are 10 or 15 cm
-//! wide, which bounds memory and time. A passage is known to one cell, and a body thinner than a cell may be missed. Distances
-//! between cells are exact.
+//! wide, which bounds memory and time. A passage between obstacles is known to half a centimetre (`gaps`), and a body
+//! thinner than a cell may be missed. Distances between cells are exact.
 
 mod floor;
+mod gaps;
 mod queue;
 mod raster;
 mod way;

@@ -62,6 +62,15 @@ impl Raster {
         self.low + Point::new(column as f64, row as f64) * self.cell
     }
 
+    /// Calls `visit` with every cell whose middle lies in a box, row by row.
+    pub(super) fn cells_in(&self, Bounds { low, high }: Bounds, mut visit: impl FnMut(usize)) {
+        let (low, high, rows) = (low - self.low, high - self.low, self.len() / self.columns);
+        let columns = self.index_after(low.x, self.columns)..self.index_after(high.x, self.columns);
+        for row in self.index_after(low.y, rows)..self.index_after(high.y, rows) {
+            columns.clone().for_each(|column| visit(row * self.columns + column));
+        }
+    }
+
     /// Marks the cells whose middles lie inside some rings; where rings overlap, every second one counts. Returns them,
     /// row by row.
     pub(crate) fn paint(&mut self, edges: &[Segment], is_free: bool) -> Vec<Range<usize>> {
