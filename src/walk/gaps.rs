@@ -131,7 +131,12 @@ impl Cells<'_> {
         let (a, b) = (one.bounds.inflated(width), other.bounds.inflated(width));
         let both = Bounds::new(a.low.max(b.low), a.high.min(b.high));
         let Self { raster, distances, .. } = self;
+        let least = raster.least_distance(width);
         raster.cells_in(both, |cell| {
+            // Nearly all cells of a gap are too near to one side for that disc anyway.
+            if distances[cell] < least {
+                return;
+            }
             let middle = raster.middle(cell);
             let (to_one, to_other) = (one.nearest(middle) - middle, other.nearest(middle) - middle);
             let (near, far) = (to_one.length(), to_other.length());

@@ -111,7 +111,6 @@ CASES = {
     "kitchen_worktop": (kitchen(*RUN), kitchen(("sink_unit", 0.3, 0.3), ("cooker", 0.9, 0.3))),
     "kitchen_fridge_at_cooker": (kitchen(*RUN), kitchen(("fridge", 0.3, 0.3), ("cooker", 0.9, 0.3))),
     "living_without_screen_or_corner": (living(*CORNER), living()),
-    "living_without_screen": (living(("tv", 2.5, 4.5, "south", TV)), living(*CORNER)),
     "empty_tv_stand": (stand(("tv", 2.5, 4.7, "south", TV, 0.5, "101", "tv_stand.1")), stand()),
     "sofa_past_screen": (living(("wall_tv", 2.5, 4.9, "south", TV, 1.0)), living(("wall_tv", 0.1, 0.5, "east", TV, 1.0))),
     "single_in_larger_bedroom": (flat("double_bed", "single_bed"), flat("single_bed", "double_bed")),
@@ -167,7 +166,21 @@ def test_a_dwelling_whose_plan_names_no_living_room_is_not_asked_for_one(tmp_pat
 def test_a_hall_is_judged_by_its_width(tmp_path):
     room = hall(1.4, 1).read(tmp_path)
     assert MEASURES["hall_middling"].judge(room).value == pytest.approx(0.8 * 0.35 / (6.0 * 1.4))
-    assert all(MEASURES[code].judge(room) is None for code in ("hall_narrow", "hall_wide", "hall_room"))
+    assert all(MEASURES[code].judge(room) is None for code in ("hall_wide", "hall_room"))
+
+
+def test_a_piece_may_stand_at_the_end_of_a_narrow_hall_and_not_at_its_side(tmp_path):
+    judge, cabinet = MEASURES["hall_narrow"].judge, (0.8, 0.35, 1.0)
+    at_the_end = judge(house("corridor", 6.0, 1.0).piece("shoe_cabinet", 0.2, 0.5, "east", cabinet).read(tmp_path))
+    assert at_the_end.faults == () and at_the_end.value == pytest.approx(6.0, abs=0.01)
+    at_the_side = judge(house("corridor", 6.0, 1.0).piece("shoe_cabinet", 3.0, 0.2, "north", cabinet).read(tmp_path))
+    assert [fault.measured for fault in at_the_side.faults] == [pytest.approx(1.0, abs=0.01)]
+
+
+def test_living_rooms_without_a_screen_are_counted_and_no_fault(tmp_path):
+    judge = MEASURES["living_without_screen"].judge
+    answers = [judge(living(*pieces).read(tmp_path)) for pieces in ([("tv", 2.5, 4.5, "south", TV)], CORNER)]
+    assert [(answer.value, answer.faults) for answer in answers] == [(0.0, ()), (1.0, ())]
 
 
 def test_units_by_area(tmp_path):

@@ -35,7 +35,7 @@ def judge_screen(room: Room) -> Answer | None:
 def judge_screen_only(room: Room) -> Answer | None:
     if room.kind not in LIVING_ROOMS:
         return None
-    return answer([] if screens_of(room) else [Fault("it has no screen")])
+    return answer([], float(not screens_of(room)))
 
 
 def has_reading_corner(room: Room) -> bool:
@@ -85,7 +85,7 @@ def angle_past(sofa: Piece, screen: Piece) -> float:
 MEASURES = [
     Measure("living_without_screen_or_corner", "a living room has a screen, or a reading corner instead", "",
             "an easy chair within 1.5 m of a lamp and 4 m of books", "project", judge_screen),
-    Measure("living_without_screen", "a living room has a television or a projector", "", "", "project",
+    Measure("living_without_screen", "how many living rooms have no screen (a distribution, no limit)", "of them", "", "project",
             judge_screen_only),
     Measure("empty_tv_stand", "a television stand has a screen on it or over it", "stands", "0", "project", judge_stands),
     Measure("sofa_past_screen", "the largest sofa looks at a screen", "°", "≤ 30", "SMPTE, THX", judge_sofa,

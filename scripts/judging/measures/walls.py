@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+import shapely
 
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
-from ..roles import HALLS, HOME_ROOMS
+from ..roles import HALLS, HOME_ROOMS, SLIM_KINDS
 from ..shapes import Wall, width_of
 
 # Metres of a wall without anything.
@@ -22,6 +23,9 @@ LEAST = 0.05
 WIDE_HALL = 1.6
 NARROW_HALL = 1.2
 ROOM_HALL = 2.4
+# Metres that a line across a hall may run at most, and shares of a piece's width where such lines begin.
+ACROSS = 30.0
+LINES = np.linspace(-0.45, 0.45, 5)
 # Square metres of the smallest hall, and of the smallest piece: not an umbrella stand.
 LEAST_HALL = 2.0
 LEAST_PIECE = 0.1
@@ -90,15 +94,15 @@ def longest_gap(low: float, high: float, taken: list[tuple[float, float]]) -> fl
     return max(longest, high - reached)
 
 
-def judge_halls(least: float, most: float, limit: Callable[[int], bool]) -> Callable[[Room], Answer | None]:
+def judge_halls(least: float, most: float, fewest: int) -> Callable[[Room], Answer | None]:
     """Halls of some widths, by the number of pieces that stand in them; the value is the share of the floor that they take."""
     def judge(room: Room) -> Answer | None:
         width = width_of(room.region)
         if room.kind not in HALLS or room.area < LEAST_HALL or not least <= width < most:
             return None
-        standing = [piece for piece in room.standing if piece.footprint.area > LEAST_PIECE]
+        standing = standing_in(room)
         filled = sum(piece.footprint.area for piece in standing) / room.area
-        if limit(len(standing)):
+        if len(standing) >= fewest:
             return answer([], filled)
         ids = tuple(piece.id for piece in standing)
         return answer([Fault(f"{len(standing) or 'no'} pieces stand in a hall {width:.2f} m wide", ids, width)], filled)
@@ -106,16 +110,50 @@ def judge_halls(least: float, most: float, limit: Callable[[int], bool]) -> Call
     return judge
 
 
+def judge_narrow(room: Room) -> Answer | None:
+    """Halls with arms and niches have no one width: it counts where something stands."""
+    if room.kind not in HALLS or room.area < LEAST_HALL:
+        return None
+    widths = [(width_at(room, piece), piece) for piece in standing_in(room)]
+    narrow = [Fault(f"it stands where the hall is {width:.2f} m wide", (piece.id,), width)
+              for width, piece in widths if width < NARROW_HALL]
+    return answer(narrow, min((width for width, _ in widths), default=None))
+
+
+def standing_in(room: Room) -> list[Piece]:
+    return [piece for piece in room.standing if piece.footprint.area > LEAST_PIECE]
+
+
+def width_at(room: Room, piece: Piece) -> float:
+    """Metres across the hall before a piece, with its own depth: the median of some lines."""
+    across = from_wall(room, piece) if piece.kind in SLIM_KINDS else piece.front
+    along, width = np.array([across[1], -across[0]]), float(piece.size[0])
+    return float(np.median([line_across(room, piece.center + along * width * share, across) for share in LINES]))
+
+
+def from_wall(room: Room, piece: Piece) -> np.ndarray:
+    """Plants have no front: what is before them is away from the nearest wall."""
+    walls = [wall for wall in room.walls if wall.length > LEAST]
+    nearest = min(walls, key=lambda wall: shapely.LineString([wall.start, wall.end]).distance(piece.footprint))
+    return nearest.inward
+
+
+def line_across(room: Room, point: np.ndarray, direction: np.ndarray) -> float:
+    line = shapely.LineString([point - direction * ACROSS, point + direction * ACROSS])
+    parts = shapely.get_parts(line.intersection(room.region))
+    here = [part.length for part in parts.tolist() if part.distance(shapely.Point(point)) < LEAST]
+    return max(here, default=float("inf"))
+
+
 MEASURES = [
     Measure("bare_wall", "no stretch of a wall is without furniture, art, door or window", "m", "≤ 3; 0.35 m deep",
             "project", judge_bare),
     Measure("bare_hall_wall", "the same in corridors and halls", "m", "≤ 3", "project", judge_bare_hall),
-    Measure("hall_narrow", "nothing stands in a hall so narrow", "of the floor", "under 1.2 m wide", "UK Part M; HUD",
-            judge_halls(0.0, NARROW_HALL, lambda count: count == 0)),
+    Measure("hall_narrow", "nothing stands where a hall is so narrow", "m", "under 1.2 m wide", "UK Part M; HUD", judge_narrow),
     Measure("hall_middling", "a hall with room at one side (a distribution, no limit)", "of the floor", "1.2–1.6 m", "UK Part M; HUD",
-            judge_halls(NARROW_HALL, WIDE_HALL, lambda count: True)),
+            judge_halls(NARROW_HALL, WIDE_HALL, 0)),
     Measure("hall_wide", "something stands in a hall so wide", "of the floor", "1.6–2.4 m", "project",
-            judge_halls(WIDE_HALL, ROOM_HALL, lambda count: count > 0)),
+            judge_halls(WIDE_HALL, ROOM_HALL, 1)),
     Measure("hall_room", "a hall as wide as a room has several pieces", "of the floor", "from 2.4 m", "project",
-            judge_halls(ROOM_HALL, float("inf"), lambda count: count > 1)),
+            judge_halls(ROOM_HALL, float("inf"), 2)),
 ]
