@@ -50,7 +50,7 @@ fn hostile_inputs_are_read_or_rejected_within_bounds() {
     let only = std::env::var("ROOMWRIGHT_FUZZ_TARGET").ok();
     let mut fails = Vec::new();
     for (name, target) in
-        TARGETS.into_iter().filter(|(name, _)| only.as_deref().is_none_or(|only| only == *name))
+        TARGETS.iter().copied().filter(|(name, _)| only.as_deref().is_none_or(|only| only == *name))
     {
         let cases = corpus(name);
         assert!(!cases.is_empty(), "{name} has no cases");

@@ -1,8 +1,0 @@
-//! cargo +nightly fuzz run catalog
-#![no_main]
-#[path = "../targets.rs"]
-mod targets;
-
-libfuzzer_sys::fuzz_target!(|data: &[u8]| {
-    targets::run("catalog", data);
-});
