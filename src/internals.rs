@@ -63,7 +63,7 @@ pub mod plan {
         Building, DrawnPiece, Leaf, LeafDraft, Level, LevelDraft, Obstacle, ObstacleDraft, Opening,
         OpeningDraft, OpeningKind, OpeningPlace, OpeningSide, PlacedBuilding, Plan, PlanOptions, PlanReading,
         Room, RoomDraft, RoomOpening, RoomRef, RoomWords, SitePlacement, Wall, WallKind, assemble_level,
-        drawn_furniture, project_settings, read_plans, write_native,
+        drawn_furniture, project_settings, read_formats, read_plans, write_native,
     };
 }
 pub mod read_back {

@@ -1,7 +1,6 @@
 //! Plans of foreign formats: every folder of `tests/cases/plan_import` is read and gives its golden, faults included.
 //!
-//! All cases are made for these tests, a folder for each: `block` and `drawing` in the form of react-planner drawings with
-//! areas, `campus` in that of IMDF, `villa` in that of IFC. A new case needs no change here: its golden is written beside its folder
+//! All cases are made for these tests, a folder for each. A new case needs no change here: its golden is written beside its folder
 //! with `UPDATE_GOLDENS=1 cargo test --test plan import`. A golden whose folder is gone fails.
 
 use std::path::PathBuf;
