@@ -5,11 +5,10 @@ use std::fmt::Write;
 
 use glam::{Affine3A, Vec3};
 
-use super::format::{LevelToWrite, Output, OutputFormat, TooLarge, WrittenLevel};
-use super::options::LevelOptions;
 use crate::catalog::srgb_encoded;
 use crate::contract::Extras;
 use crate::mesh::Primitive;
+use crate::output::{LevelOptions, LevelToWrite, Output, OutputFormat, TooLarge, WrittenLevel};
 use crate::scene::{Node, Scene, SceneMaterial};
 
 /// The line of the table.
@@ -57,7 +56,7 @@ impl Shapes<'_> {
                 let _ = writeln!(self.text, "# class {}", facts.class);
             }
             for (primitive, &material) in mesh.model.primitives.iter().zip(&mesh.materials) {
-                let _ = writeln!(self.text, "usemtl {}", material_name(&self.scene.materials[material]));
+                let _ = writeln!(self.text, "usemtl {}", material_name(self.scene, material));
                 self.primitive(primitive, frame);
             }
         }
@@ -69,32 +68,41 @@ impl Shapes<'_> {
             let Vec3 { x, y, z } = frame.transform_point3(corner.into());
             let _ = writeln!(self.text, "v {x} {y} {z}");
         }
+        // As many as corners, so that one number serves for both.
+        for &normal in &primitive.normals {
+            let Vec3 { x, y, z } = frame.transform_vector3(normal.into());
+            let _ = writeln!(self.text, "vn {x} {y} {z}");
+        }
         for triangle in primitive.indices.chunks_exact(3) {
-            let corners = [0, 1, 2].map(|corner| self.corners + triangle[corner] as usize + 1);
-            let _ = writeln!(self.text, "f {} {} {}", corners[0], corners[1], corners[2]);
+            let [a, b, c] = [0, 1, 2].map(|corner| self.corners + triangle[corner] as usize + 1);
+            let _ = writeln!(self.text, "f {a}//{a} {b}//{b} {c}//{c}");
         }
         self.corners += primitive.positions.len();
     }
 }
 
-fn material_name(material: &SceneMaterial) -> &str {
-    match material {
+/// The name of a material in both files. Its index makes it unique, for materials of users' models may share a name; spaces
+/// would end it.
+fn material_name(scene: &Scene, index: usize) -> String {
+    let name = match &scene.materials[index] {
         SceneMaterial::Slot { name, .. } => name,
         SceneMaterial::Own(own) => &own.name,
-    }
+    };
+    format!("{index}_{}", name.replace(char::is_whitespace, "_"))
 }
 
 /// Colours and opacities of all materials.
 fn materials(scene: &Scene) -> String {
     let mut text = String::new();
-    for material in &scene.materials {
+    for (index, material) in scene.materials.iter().enumerate() {
         let look = match material {
             SceneMaterial::Slot { material, .. } => material,
             SceneMaterial::Own(own) => &own.material,
         };
         let [red, green, blue, opacity] = look.base_color;
         let [red, green, blue] = [red, green, blue].map(|channel| srgb_encoded(f64::from(channel)));
-        let _ = writeln!(text, "newmtl {}\nKd {red} {green} {blue}\nd {opacity}", material_name(material));
+        let name = material_name(scene, index);
+        let _ = writeln!(text, "newmtl {name}\nKd {red} {green} {blue}\nd {opacity}");
     }
     text
 }
@@ -103,7 +111,7 @@ fn materials(scene: &Scene) -> String {
 fn a_level_is_written_with_all_its_corners_and_materials() {
     let project = crate::Project::read(&["configs/plans/house.yaml"].into_iter().collect()).unwrap();
     let options = LevelOptions {
-        textures: super::TextureOptions { size: None, ..Default::default() },
+        textures: crate::output::TextureOptions { size: None, ..Default::default() },
         ..project.level_options()
     };
     let rooms = project.rooms(&options);
@@ -119,11 +127,14 @@ fn a_level_is_written_with_all_its_corners_and_materials() {
     let lines = |start: &'static str| texts[0].lines().filter_map(move |line| line.strip_prefix(start));
     let corners = lines("v ").count();
     assert!(corners > 1000, "{corners}");
+    assert_eq!(lines("vn ").count(), corners);
     assert_eq!(lines("# class ").count(), room.furnished.placements.len());
     assert!(
         lines("f ")
-            .flat_map(str::split_whitespace)
+            .flat_map(|face| face.split([' ', '/']).filter(|number| !number.is_empty()))
             .all(|corner| (1..=corners).contains(&corner.parse().unwrap()))
     );
-    assert!(lines("usemtl ").all(|name| texts[1].contains(&format!("newmtl {name}\n"))));
+    let named: Vec<&str> = texts[1].lines().filter_map(|line| line.strip_prefix("newmtl ")).collect();
+    assert!(lines("usemtl ").all(|name| named.contains(&name) && !name.contains(' ')));
+    assert_eq!(std::collections::BTreeSet::from_iter(&named).len(), scene.materials.len());
 }

@@ -40,7 +40,8 @@ pub(crate) trait Output: Sync {
 pub(crate) struct LevelToWrite<'a> {
     /// The content of the level.
     pub(crate) scene: &'a Scene,
-    /// `<building>/<level>` in the output folder, with `/`, without extension.
+    /// `<building>/<level>` in the output folder, with `/`, without extension. Both names hold ASCII letters, digits and
+    /// `. _ - % ~` only (`batch/file_name.rs`), so that files may refer to each other by them.
     pub(crate) path: &'a str,
 }
 

@@ -2,23 +2,25 @@
 //!
 //! To add a format:
 //! 1. Write it: a folder beside `gltf/` with a type that implements [`Output`] (`format.rs`), and its `mod` line in `lib.rs`.
-//!    `example.rs` is a complete format to copy, in ninety lines; its `super::` paths are `crate::output::` there, and `mod.rs` of the
-//!    folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
+//!    `example.rs` is a complete format to copy, in a hundred lines with their test; it stays, as the copy for the next format.
+//!    `mod.rs` of the folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
 //! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow.
 //! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`; the
-//!    folder has a row in ARCHITECTURE.md. `scripts/validate.py` reads `.glb`, `.gltf` and USD files; of others it
-//!    checks what the manifest says of them.
+//!    folder has a row in ARCHITECTURE.md. Files that are not read back end here: `audit`, `diff`, `edits capture` and the scripts
+//!    take `.glb` and `.gltf`, and `scripts/validate.py` checks what the manifest says of others.
 //!
 //! A format is given a [`crate::scene::Scene`] (`scene/node.rs`, which lists all that is in it):
-//! - a tree of nodes in metres, Y up, each placed relative to its parent; node names are unique in the level, mesh and material
-//!   indices are valid. `docs/output.md`, "Nodes", says where the origin of a node is and where its front faces. A format with the
-//!   axes of plans takes [`crate::scene::plan_point`], `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
+//! - a tree of nodes in metres, Y up, each placed relative to its parent; mesh and material indices are valid. Node names are
+//!   unique in the level. They hold ids of the plan, and so any letter: spaces, quotes, `#` and `/`, too. `docs/output.md`, "Nodes",
+//!   says where the origin of a node is and where its front faces. A format with the axes of plans takes
+//!   [`crate::scene::plan_point`], `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
 //! - the extras of a node ([`crate::contract::Extras`]), which say what it is; outlines, hinges and sides in them are in the axes
 //!   of plans already. `docs/output.md`, "Extras", describes them;
-//! - meshes (`mesh/model.rs`) and materials: colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. With
-//!   [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`); without it each
-//!   material has its own base colour, whatever textures the user asks for. Materials of users' models keep the names they came
-//!   with, so that several may have one name, or hold spaces;
+//! - meshes (`mesh/model.rs`): every corner has a unit normal, every triangle three indices;
+//! - materials: colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. With [`OutputFormat::shows_textures`],
+//!   materials may show their colour by an image alone (`<palette>.swatches`); without it each material has its own base colour,
+//!   whatever textures the user asks for. Materials of users' models keep the names they came with, so that several may have one
+//!   name, or hold spaces: a format that refers to materials by name makes it unique, as `example.rs` does;
 //! - the options of the user ([`LevelOptions`]). What they say of rooms and shapes has been done; a format that cannot do
 //!   what else they ask for (lights, variants, shared files) leaves it out.
 //!
