@@ -73,7 +73,7 @@ pub fn capture(old: &Survey, new: &Survey, catalog: &Catalog, file: &Path) -> Re
 }
 
 const BROKEN_HINT: &str = "keep its custom properties";
-const STRANGER_HINT: &str = "give it a class: docs/guide.md, \"Your own models\"";
+const STRANGER_HINT: &str = "give it a class: docs/guide.md, \"A model of your own\"";
 
 struct Capturing<'a> {
     catalog: &'a Catalog,

@@ -18,7 +18,7 @@ pub struct BuildingDraft {
     pub levels: Vec<LevelDraft>,
 }
 
-/// One storey before checking.
+/// One storey before checking. It has no outline of its own: a wall with no room within 0.6 m behind most of it is exterior.
 #[derive(Clone, Debug, Default)]
 pub struct LevelDraft {
     /// Unique in the building.
@@ -35,7 +35,7 @@ pub struct LevelDraft {
     pub interior_thickness: f64,
     /// The meaning of the room outlines.
     pub outlines: OutlineKind,
-    /// The rooms.
+    /// The rooms. One that is drawn inside another is cut out of it with a warning; others that overlap stay, with a warning.
     pub rooms: Vec<RoomDraft>,
     /// The openings.
     pub openings: Vec<OpeningDraft>,
@@ -54,7 +54,8 @@ pub enum OutlineKind {
     /// Inner faces: walls fill the gaps between rooms.
     #[default]
     Inner,
-    /// Centre lines: rooms share edges, and half a wall's thickness is taken from each.
+    /// Centre lines: rooms share edges, and half of `interior_thickness` is taken from each. Edges without a neighbour stay where
+    /// they are, and their walls grow outwards.
     Center,
 }
 
@@ -79,7 +80,7 @@ pub struct RoomDraft {
     pub dwelling: Option<String>,
     /// Id of the household of its dwelling, if the plan asks for one.
     pub household: Option<String>,
-    /// Corners as found.
+    /// Corners as found, in either direction; a last one that repeats the first is dropped.
     pub outline: Vec<Point>,
     /// Corners of each hole as found.
     pub holes: Vec<Vec<Point>>,
@@ -94,7 +95,8 @@ pub struct RoomDraft {
 pub struct OpeningDraft {
     /// Unique in the level.
     pub id: String,
-    /// The kind of closure.
+    /// The kind of closure: `Door`, `SlidingDoor`, `Passage`, `Window`, or `OpenBoundary` where there is no wall, whose width is cut
+    /// to the edge that its rooms share.
     pub kind: OpeningKind,
     /// Where it is.
     pub place: OpeningPlace,

@@ -20,7 +20,7 @@ use crate::plan::{
     assemble_level,
 };
 
-/// The format's word in `room_words.yaml`.
+/// The section of `formats` in `room_words.yaml`, here also `about.name`; it is what the hints about unknown words name.
 const NAME: &str = "example";
 
 /// The line of the table of readers.

@@ -3,17 +3,20 @@
 //! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete one to
 //!    copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Add its `mod` line to `mod.rs`
 //!    and its `FORMAT` to the list below. Recognition, `roomwright formats`, `import` and hints follow.
-//! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md names the
-//!    formats, too.
+//! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md and CHANGELOG.md
+//!    name the formats, too; no other golden does.
 //! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The reader asks
 //!    for them by the name of the section: `words.room_type("osm", word)`. By custom it is also `about.name` of the format, the
 //!    word in the answers of `formats` and `import`; nothing in the program joins the two. Where an unread format has that word in
 //!    its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`.
 //! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
-//!    writes what is read of it into a text beside the folder, `<folder>.txt`.
-//! 5. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line. The test
-//!    `a_format_is_read_or_not_read` fails if a word of an unread format's name is the name of a format that is read. Files of it
-//!    that `tests/plan/unread.rs` expects to be refused go as well.
+//!    writes what is read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at it. For damaged
+//!    inputs, add a line to `TARGETS` of `fuzz/targets.rs`, and the plan as a case below `fuzz/corpus/`.
+//! 5. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line, and its case in the
+//!    tests there. Keep both if some files of the format stay unread (OSM without indoor tags): readers are asked first, and a file
+//!    that none recognises is refused by its line. The test `a_format_is_read_or_not_read` fails if a word of an unread format's
+//!    name is the name of a format that is read. Files that are read now go from the list of refused ones in
+//!    `tests/plan/unread.rs`.
 //!
 //! | for | use |
 //! |---|---|
@@ -22,9 +25,9 @@
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&["rooms".into(), 3.into()], message, hint, FaultSeverity::Warning)` |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
-//! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with |
-//! | XML, tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text |
-//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs`, which has other units too |
+//! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first and search a larger `head` only then. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
+//! | XML, tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
+//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs`, which has other units too: one plane for all levels of a building, at the middle of its corners. `Polygon` takes metres; an area in degrees counts as none |
 //! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |
 //! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`; thicknesses are yours to choose |
 
