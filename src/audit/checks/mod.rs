@@ -2,8 +2,8 @@
 //! `configs/audit.yaml` with its thresholds, and the check that finds it.
 //!
 //! A check is a file of this folder. It takes the evidence and gives [`Fault`]s; the table makes findings of them. A finding moves
-//! nothing: `best` furnishes the room again, `--effort` times at most, and keeps the best arrangement. Pieces that shall stand
-//! otherwise from the start get a relation in their class (`docs/guide.md`). To add a finding:
+//! nothing: `best` furnishes the room again, `--effort` times at most, and keeps the best arrangement. To have pieces stand well
+//! from the start, give their class a relation (`docs/guide.md`). To add a finding:
 //!
 //! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand.
 //! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`, or

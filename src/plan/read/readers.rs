@@ -25,7 +25,7 @@
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&["rooms".into(), 3.into()], message, hint, FaultSeverity::Warning)` |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
-//! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first and search a larger `head` only then. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
+//! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger `head`, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
 //! | XML, tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
 //! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs`, which has other units too: one plane for all levels of a building, at the middle of its corners. `Polygon` takes metres; an area in degrees counts as none |
 //! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |
