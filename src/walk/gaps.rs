@@ -116,11 +116,16 @@ impl Cells<'_> {
             let is_near = |other: &&&Obstacle| other.bounds.low.x < one.bounds.high.x + widest;
             let east = from_the_west[number + 1..].iter().take_while(is_near).copied();
             for other in others.iter().copied().flatten().chain(east) {
-                for width in self.widths {
-                    if let Some(gap) = one.gap_between(other, width - ROUNDED, width) {
-                        self.lower_between([one, other], gap, width);
-                    }
-                }
+                self.lower_in_gap([one, other]);
+            }
+        }
+    }
+
+    /// Lowers the distances in the gap of two obstacles, for each width that is wider.
+    fn lower_in_gap(&mut self, [one, other]: [&Obstacle; 2]) {
+        for width in self.widths {
+            if let Some(gap) = one.gap_between(other, width - ROUNDED, width) {
+                self.lower_between([one, other], gap, width);
             }
         }
     }
