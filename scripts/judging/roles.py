@@ -16,8 +16,8 @@ WORKTOPS = {"worktop", "prep_worktop", "landing_worktop", "corner_unit", "kitche
 APPLIANCES = COOKERS | FRIDGES | DISHWASHERS
 KITCHEN_UNITS = SINKS | APPLIANCES | ISLANDS | WORKTOPS | {"oven_tower", "tall_unit", "larder", "end_panel"}
 
-TABLES = {"kitchen_table", "dining_table", "large_dining_table", "small_table", "folding_table", "bistro_table", "round_table",
-          "restaurant_table", "table_for_two", "garden_table", "terrace_table", "reading_table", "bar_table",
+TABLES = {"kitchen_table", "dining_table", "large_dining_table", "small_table", "folding_table", "bistro_table", "cafe_table",
+          "round_table", "restaurant_table", "table_for_two", "garden_table", "terrace_table", "reading_table", "bar_table",
           "kitchen_island", "meeting_table", "small_meeting_table", "large_meeting_table", "canteen_table", "staff_table",
           "seminar_table"}
 CHAIRS = {"chair", "dining_chair", "restaurant_chair", "meeting_chair"}
