@@ -21,9 +21,9 @@ use crate::catalog::{Along, ClassIndex, ParentName, Side};
 use crate::plan::WallKind;
 
 /// Arrangements that go on after each piece. More find better ones, and cost as much more.
-const ARRANGEMENTS: usize = 10;
+const ARRANGEMENTS: usize = 40;
 /// How many of them have all pieces at the same walls at most.
-const ALIKE: usize = 2;
+const ALIKE: usize = 4;
 /// Points by which chance moves a place: of places that are equally good a seed takes one. Larger: more variety, and fixtures
 /// at walls that they like less.
 const CHANCE: f64 = 0.5;
@@ -33,9 +33,9 @@ const MISSED_REQUIRED: f64 = 100.0;
 /// Points lost, beyond those of the score, where a window gets dark, and where somebody has less room than is good: all the room
 /// is still free, so that other walls are to be had.
 const SPOILT: f64 = 6.0;
-const TIGHT: f64 = 1.5;
-/// Points lost for a smaller size than the one that was drawn.
-const SMALLER: f64 = 1.0;
+const TIGHT: f64 = 3.0;
+/// Points lost for a smaller size than the one that was drawn: fewer than for a tight place, which it may spare.
+const SMALLER: f64 = 3.0;
 
 /// A piece at its place.
 #[derive(Clone, Debug)]
@@ -43,6 +43,14 @@ struct Standing {
     agent: AgentIndex,
     variant: u32,
     place: Place,
+}
+
+/// A place that the next piece could take.
+struct Way {
+    standing: Standing,
+    points: f64,
+    /// Whether somebody has less room than is good because of it.
+    is_tight: bool,
 }
 
 /// Where the first few pieces stand.
@@ -135,8 +143,8 @@ fn go_on(
     stand(environment, begun);
     let drawn = environment.agents[agent].piece.variant;
     let mut ways = places(environment, agent, stream);
-    if ways.is_empty() {
-        ways = smaller_places(environment, agent, stream);
+    if ways.iter().all(|way| way.is_tight) {
+        ways.extend(smaller_places(environment, agent, stream));
     }
     take_size(environment, agent, drawn);
     for standing in begun.standings.iter().rev() {
@@ -146,9 +154,9 @@ fn go_on(
         let lost = if environment.agents[agent].piece.is_required { MISSED_REQUIRED } else { MISSED };
         return vec![Arrangement { points: begun.points - lost, ..begun.clone() }];
     }
-    let with = |(points, standing): (f64, Standing)| {
-        let standings = begun.standings.iter().cloned().chain([standing]).collect();
-        Arrangement { standings, points: begun.points + points }
+    let with = |way: Way| {
+        let standings = begun.standings.iter().cloned().chain([way.standing]).collect();
+        Arrangement { standings, points: begun.points + way.points }
     };
     ways.into_iter().map(with).collect()
 }
@@ -161,11 +169,7 @@ fn stand(environment: &mut Environment<'_>, arrangement: &Arrangement) {
 }
 
 /// Free places in the largest of the smaller sizes that has any.
-fn smaller_places(
-    environment: &mut Environment<'_>,
-    agent: AgentIndex,
-    stream: &mut Stream,
-) -> Vec<(f64, Standing)> {
+fn smaller_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
     let drawn = area(environment.agents[agent].size);
     let mut smaller = sizes_by(environment, agent, area);
     smaller.retain(|&variant| area(environment.class(agent).size(variant)) < drawn);
@@ -173,7 +177,7 @@ fn smaller_places(
         take_size(environment, agent, variant);
         let mut ways = places(environment, agent, stream);
         if !ways.is_empty() {
-            ways.iter_mut().for_each(|(points, _)| *points -= SMALLER);
+            ways.iter_mut().for_each(|way| way.points -= SMALLER);
             return ways;
         }
     }
@@ -181,7 +185,7 @@ fn smaller_places(
 }
 
 /// The free places of an agent in its present size, with their points.
-fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<(f64, Standing)> {
+fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
     let (size, variant) = (environment.agents[agent].size, environment.agents[agent].piece.variant);
     let walls = &environment.brief.surroundings.room.walls;
     let mut found = Vec::new();
@@ -191,16 +195,19 @@ fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream)
         let positions = stretches.into_iter().flat_map(|stretch| positions(environment, agent, stretch));
         let places = positions.map(|from| Spot::standing(wall, from).place(environment, agent));
         for place in places.filter(|place| environment.refusal(agent, place).is_none()) {
-            let points = points(environment, agent, &place) + CHANCE * stream.unit();
-            found.push((points, Standing { agent, variant, place }));
+            let mut way = way(environment, Standing { agent, variant, place });
+            way.points += CHANCE * stream.unit();
+            found.push(way);
         }
     }
     found
 }
 
-fn points(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
-    let Score { value, is_spoilt, is_tight } = rules::score(environment, agent, place);
-    value - if is_spoilt { SPOILT } else { 0.0 } - if is_tight { TIGHT } else { 0.0 }
+/// A free place with its points.
+fn way(environment: &Environment<'_>, standing: Standing) -> Way {
+    let Score { value, is_spoilt, is_tight } = rules::score(environment, standing.agent, &standing.place);
+    let lost = if is_spoilt { SPOILT } else { 0.0 } + if is_tight { TIGHT } else { 0.0 };
+    Way { standing, points: value - lost, is_tight }
 }
 
 /// Where in a stretch of wall an agent could begin, in metres from the wall's start: at its ends, and with the space that it
