@@ -143,6 +143,13 @@ def test_a_measure_tells_the_room_that_passes_from_the_one_that_fails(code, tmp_
     assert judge(failing).faults != ()
 
 
+def test_a_larger_bedroom_with_two_single_beds_is_for_two(tmp_path):
+    judge = MEASURES["single_in_larger_bedroom"].judge
+    twin = flat("single_bed", "double_bed").piece("single_bed", 3.0, 1.0, "north", (1.0, 2.0, 0.6))
+    assert judge(flat("single_bed", "double_bed").read(tmp_path)).faults != ()
+    assert judge(twin.read(tmp_path)).faults == ()
+
+
 @pytest.mark.parametrize("code", ["kitchen_runs", "living_without_screen", "bedroom_without_bed", "chair_away"])
 def test_a_measure_leaves_out_rooms_that_it_is_not_for(code, tmp_path):
     assert MEASURES[code].judge(house("storeroom").read(tmp_path)) is None

@@ -25,7 +25,8 @@ def bedrooms_of_flat(room: Room) -> list[Room]:
 def judge_single(room: Room) -> Answer | None:
     if room.kind not in BEDROOMS or room.area <= DOUBLE_AREA or not room.of(BEDS):
         return None
-    if room.of(DOUBLE_BEDS) or not room.of(SINGLE_BEDS):
+    # Two single beds are a room for two: guests, or children who share it.
+    if room.of(DOUBLE_BEDS) or len(room.of(SINGLE_BEDS)) != 1:
         return answer([])
     smaller = [other for other in bedrooms_of_flat(room) if other.area < room.area and other.of(DOUBLE_BEDS)]
     faults = [Fault(f"a single bed on {room.area:.1f} m², while room {other.id} with {other.area:.1f} m² of the same flat "
@@ -73,7 +74,7 @@ def judge_before_door(room: Room) -> Answer | None:
 
 
 MEASURES = [
-    Measure("single_in_larger_bedroom", "no smaller bedroom of the flat has a double bed where this one has a single", "",
+    Measure("single_in_larger_bedroom", "no smaller bedroom of the flat has a double bed where this one has one single", "",
             "over 11.5 m²", "project", judge_single),
     Measure("bedroom_without_wardrobe", "a bedroom has a wardrobe", "", "over 8 m²", "project", judge_wardrobe),
     Measure("bedroom_without_bed", "a bedroom has a bed", "", "", "QUALITY §4", judge_bed, audit="missing_required"),
