@@ -158,7 +158,7 @@ fn with_substitutes<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> V
     let number = effort.saturating_add(SUGGESTED_ALTERNATIVES);
     let other = maker.make(Alternative { takes_substitutes: true, ..Alternative::numbered(number) });
     let lack = |judged: &Judged| {
-        let (failed, minor, _) = judged.flaws();
+        let (failed, minor, ..) = judged.flaws();
         // Before the minor findings: a stand-in with a tight side is better than nothing.
         (failed, judged.required_missing(), minor)
     };
@@ -173,7 +173,7 @@ impl Judged {
 
     /// Whether another alternative cannot be better.
     fn is_flawless(&self) -> bool {
-        self.flaws() == (0, 0, 0) && self.stand_ins.steps_down == 0
+        self.flaws() == (0, 0, 0)
     }
 
     /// Whether what stands there stands well, though something may be missing.
@@ -184,7 +184,7 @@ impl Judged {
 
     /// Steps after which no further alternative begins.
     fn most_steps(&self) -> u64 {
-        let (failed, _, _) = self.flaws();
+        let (failed, ..) = self.flaws();
         // A room that fails may take longer than one that merely could be better.
         if failed > 0 { MOST_STEPS_OF_FAILING } else { MOST_STEPS }
     }
@@ -204,21 +204,22 @@ impl Judged {
     fn is_better_than(&self, other: &Self) -> bool {
         let score = |judged: &Self| judged.verdict.score.map_or(0.0, |score| score.value);
         // Counts before scores: a score is a mean, in which one failing finding is a small part.
-        let flaws = |judged: &Self| (judged.flaws(), judged.stand_ins.steps_down);
-        match flaws(self).cmp(&flaws(other)) {
+        match self.flaws().cmp(&other.flaws()) {
             Ordering::Less => true,
             Ordering::Equal => score(self) > score(other),
             Ordering::Greater => false,
         }
     }
 
-    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then missing pieces. Of
-    /// equals, the one in which less stands in for other pieces is the better.
+    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then pieces that are missing or
+    /// for which others stand in. A television that a reading corner stands in for, the third of its list, is as bad as three
+    /// small things that are missing.
     fn flaws(&self) -> (usize, usize, usize) {
         let count = |severity: Severity| {
             self.verdict.findings.iter().filter(|finding| finding.severity == severity).count()
         };
-        (count(Severity::Failed), count(Severity::Minor), self.furnished.removals.len())
+        let missing = self.furnished.removals.len() + self.stand_ins.steps_down as usize;
+        (count(Severity::Failed), count(Severity::Minor), missing)
     }
 }
 

@@ -61,6 +61,9 @@ pub(crate) const SEAT_PENALTY: f64 = 3.0;
 pub(crate) const SEAT_DEPTH: f64 = 0.55;
 /// Metres above the floor from which a body fills the space under a table: a rug does not.
 pub(crate) const RUG_HEIGHT: f64 = 0.05;
+/// Points lost where a seat of its own would stand in a door's way. Below [`TIGHT_PENALTY`]: a room does with a chair less
+/// rather than with too little space to use it. Larger: fewer chairs without a place, and more `tight_use` findings.
+pub(crate) const SEAT_IN_WAY_PENALTY: f64 = 0.8;
 /// Points lost for each of two: the own clearances are below their good depth, or those of others are. Below the other
 /// penalties, for the place can be used. Larger: fewer `tight_use` findings, and fewer wishes met.
 pub(crate) const TIGHT_PENALTY: f64 = 1.0;
@@ -112,3 +115,5 @@ pub(crate) const CELLS_OF_WAYS_A_STEP: u64 = 2;
 /// Share of the requested pieces that may be missing before another attempt: the audit calls a room `unfulfilled` below
 /// nine tenths. Larger: fewer attempts, more `unfulfilled` findings.
 pub(crate) const MISSING_SHARE: f64 = 0.1;
+/// Classes of this group stand on the floor itself, not on rugs, and the tall ones take the light of a window however narrow.
+pub(crate) const STORAGE_GROUP: &str = "storage";

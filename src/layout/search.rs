@@ -170,9 +170,13 @@ impl Choice {
 /// require, further pieces of a row, and what does not belong to a group.
 fn is_guest(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -> bool {
     let class = environment.class(agent);
-    let is_free =
-        matches!(rule.parent, ParentName::Floor | ParentName::Wall | ParentName::Column | ParentName::Window);
     let piece = &environment.agents[agent].piece;
+    let is_free = match &rule.parent {
+        ParentName::Floor | ParentName::Wall | ParentName::Column | ParentName::Window => true,
+        // The next bookcase of a row, which may reach before a window.
+        ParentName::Classes(classes) => classes.contains(&piece.class),
+        ParentName::Ceiling | ParentName::Door => false,
+    };
     let is_one_of_many = class.grid.is_some() && !environment.resting[piece.class].is_empty();
     (!piece.is_required || is_one_of_many) && (is_free || environment.is_built_in(agent))
 }

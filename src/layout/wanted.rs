@@ -38,7 +38,7 @@ fn substitute(environment: &Environment<'_>, agent: AgentIndex) -> Option<AgentI
 }
 
 /// Whether an agent is a piece that was asked for and is not there. Pieces that only fill what room is left are not missed, nor
-/// are those with a stand-in, nor those that would stand by a piece that is not there.
+/// are those with a stand-in, nor those that would stand by a piece that is not there or carry one that others stand in for.
 pub(crate) fn is_missed(environment: &Environment<'_>, agent: AgentIndex) -> bool {
     let piece = &environment.agents[agent].piece;
     matches!(environment.agents[agent].state, State::Removed(_))
@@ -46,12 +46,25 @@ pub(crate) fn is_missed(environment: &Environment<'_>, agent: AgentIndex) -> boo
         && piece.substitute_for.is_none()
         && !is_waiting(environment, agent)
         && !has_stand_in(environment, agent)
+        && !would_carry_nothing(environment, agent)
+}
+
+/// Whether others stand in for all that an agent is there to carry: who reads in place of watching needs no television stand.
+fn would_carry_nothing(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    let carries = &environment.class(agent).carries;
+    let is_load = |other: &AgentIndex| {
+        let piece = &environment.agents[*other].piece;
+        carries.contains(&piece.class) && piece.substitute_for.is_none()
+    };
+    let mut loads = (0..environment.agents.len()).filter(is_load).peekable();
+    loads.peek().is_some() && loads.all(|load| has_stand_in(environment, load))
 }
 
 /// Of an attempt: what stands in for others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StandIns {
-    /// How far down the lists of substitutes the pieces are that stand in for others: 1 for the first of a list, summed.
+    /// How far down the lists of substitutes the pieces are that stand in for others: 1 for the first of a list, summed. The whole
+    /// list counts where none of it has a place.
     pub steps_down: u32,
     /// Whether a required piece is missing for which nothing was tried that may stand in for it.
     pub are_left: bool,
@@ -71,23 +84,23 @@ impl StandIns {
                 && !environment.brief.alternative.takes_substitutes
                 && substitute(environment, agent).is_some()
         };
-        Self {
-            steps_down: heads().map(|agent| steps_down(environment, agent)).sum(),
-            are_left: heads().any(is_left),
-        }
+        let lost = |agent: AgentIndex| match steps_down(environment, agent) {
+            0 => substitutes(environment, agent).count() as u32,
+            steps => steps,
+        };
+        Self { steps_down: heads().map(lost).sum(), are_left: heads().any(is_left) }
     }
 }
 
 /// Which of its substitutes stands in for an agent, from 1; 0 if none does.
 fn steps_down(environment: &Environment<'_>, agent: AgentIndex) -> u32 {
-    let (mut next, mut steps) = (substitute(environment, agent), 1);
-    while let Some(other) = next {
-        if environment.agents[other].rest().is_some() {
-            return steps;
-        }
-        (next, steps) = (substitute(environment, other), steps + 1);
-    }
-    0
+    let rests = |&(_, other): &(u32, AgentIndex)| environment.agents[other].rest().is_some();
+    (1..).zip(substitutes(environment, agent)).find(rests).map_or(0, |(step, _)| step)
+}
+
+/// What may stand in for an agent, one after the other.
+fn substitutes(environment: &Environment<'_>, agent: AgentIndex) -> impl Iterator<Item = AgentIndex> {
+    core::iter::successors(substitute(environment, agent), |&other| substitute(environment, other))
 }
 
 /// The piece that is there to carry an agent and may search for another place: it did so once at most, and nothing that the room cannot do
@@ -158,6 +171,35 @@ mod tests {
         assert_eq!(found, (vec!["shelf".to_owned(), "lamp".to_owned()], vec![]), "with what belongs to it");
         let found = names(&catalog, &run(&level(WIDE), &catalog, 1));
         assert_eq!(found, (vec!["desk".to_owned()], vec![]), "and not where it has a place");
+    }
+
+    #[test]
+    fn what_would_carry_a_piece_is_not_missed_where_another_stands_in_for_that() {
+        let programme = [(DESK, Count::Fixed(1)), (LAMP, Count::Fixed(1))];
+        let mut catalog = catalog(&programme, Untidiness::default());
+        catalog.classes[DESK].carries = vec![LAMP];
+        let missing = names(&catalog, &run(&level(NARROW), &catalog, 1)).1;
+        assert_eq!(missing, ["desk", "lamp"]);
+        catalog.room_types.get_mut("office").unwrap().programme[1].substitutes = vec![SHELF];
+        let found = names(&catalog, &run(&level(NARROW), &catalog, 1));
+        assert_eq!(found, (vec!["shelf".to_owned()], vec![]));
+    }
+
+    #[test]
+    fn of_a_piece_for_which_nothing_stands_in_the_whole_list_counts() {
+        let mut catalog = catalog(&[(DESK, Count::Fixed(1))], Untidiness::default());
+        let steps_down = |substitutes: &[usize], catalog: &mut Catalog| {
+            catalog.room_types.get_mut("office").unwrap().programme[0].substitutes = substitutes.to_vec();
+            let (level, options) = (level(NARROW), FurnishOptions::new(1, "test"));
+            RoomLayout::new(level.room(0), catalog, &options)
+                .furnish(&Alternative::default())
+                .stand_ins
+                .steps_down
+        };
+        assert_eq!(steps_down(&[], &mut catalog), 0);
+        // A lamp stands on desks, a shelf has a place.
+        assert_eq!(steps_down(&[LAMP, SHELF], &mut catalog), 2);
+        assert_eq!(steps_down(&[LAMP, CHAIR], &mut catalog), 2);
     }
 
     #[test]

@@ -204,6 +204,18 @@ impl<'a> Environment<'a> {
         })
     }
 
+    /// Whether one of those who would sit at an agent has no place for the seat: a door swings over it, or people walk there.
+    pub(crate) fn has_seats_in_ways(&self, agent: AgentIndex, place: &Place) -> bool {
+        let size = self.agents[agent].size;
+        let mut seats =
+            self.class(agent).clearances.iter().filter_map(|clearance| seat(clearance, size, &place.pose));
+        seats.any(|seat| {
+            self.kept_free_grid.any(seat.bounds, |index| {
+                seat.overlaps(&self.kept_free[index as usize].solid, CLEARANCE_TOLERANCE)
+            })
+        })
+    }
+
     /// Whether a place takes of the space that others have plenty of beyond what they need, with the piece itself or
     /// with those who will sit at it.
     pub(crate) fn takes_comfort<R: Recorder>(

@@ -1,13 +1,10 @@
 //! The floor that rugs may cover. They lie so flat that other pieces stand on them.
 
 use crate::geometry::Solid;
-use crate::layout::constants::CONTACT_TOLERANCE;
+use crate::layout::constants::{CONTACT_TOLERANCE, STORAGE_GROUP};
 use crate::layout::place::AgentIndex;
 
 use super::{Environment, ROOM};
-
-/// Classes of this group stand on the floor itself, not on rugs.
-const STORAGE_GROUP: &str = "storage";
 
 impl Environment<'_> {
     /// Whether the floor under a solid can be covered: inside the room, out of the way of doors, and with nobody on it

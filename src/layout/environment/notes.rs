@@ -69,7 +69,7 @@ impl Environment<'_> {
         weigh(self, agent, place, |factor, _| match factor {
             Factor::Wish(_) | Factor::Wall | Factor::SuitsWall => {}
             Factor::BeforeWindow => found.record(Obstacle::WindowBehind),
-            Factor::TakesSeat => found.record(Obstacle::Seat),
+            Factor::SeatsInWays | Factor::TakesSeat => found.record(Obstacle::Seat),
             Factor::Tight { takes, lacks } => {
                 if lacks {
                     found.record(Obstacle::OwnComfort);

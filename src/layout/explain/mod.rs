@@ -71,6 +71,7 @@ fn object_story(environment: &Environment<'_>, agent: AgentIndex) -> ObjectStory
             Factor::BeforeWindow => wishes.push(fault("before a window", points)),
             Factor::Wall => wishes.push(Wish { is_met: points > 0.0, ..fault("its wall", points) }),
             Factor::SuitsWall => wishes.push(Wish { is_met: true, ..fault("its wall suits it", points) }),
+            Factor::SeatsInWays => wishes.push(fault("a seat of its own is in a door's way", points)),
             Factor::TakesSeat => wishes.push(fault("takes the place of a seat", points)),
             Factor::Tight { takes, lacks } => {
                 let faults = [

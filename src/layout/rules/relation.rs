@@ -6,7 +6,8 @@ use crate::catalog::{ParentName, Relation, RelationKind, Side, WallWishes};
 use crate::geometry::Point;
 use crate::layout::body::{Pose, box_solid};
 use crate::layout::constants::{
-    BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, RUN_LENGTH, SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
+    BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, RUN_LENGTH, SEAT_IN_WAY_PENALTY, SEAT_PENALTY,
+    STORAGE_GROUP, TIGHT_PENALTY, WINDOW_PENALTY,
 };
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
@@ -26,7 +27,7 @@ const LONG_WALL: f64 = 4.0;
 pub(crate) struct Score {
     /// More is better, zero is indifferent.
     pub(crate) value: f64,
-    /// Whether it darkens a window, is at a door's swing or takes the place of a seat: the agent looks further.
+    /// Whether it darkens a window, is at a door's swing, has seats in ways or takes the place of one: the agent looks further.
     pub(crate) is_spoilt: bool,
     /// Whether somebody has less room than is good because of it.
     pub(crate) is_tight: bool,
@@ -59,6 +60,8 @@ pub(crate) enum Factor<'a> {
     SuitsWall,
     /// It takes the place of a seat, or leaves none for its own.
     TakesSeat,
+    /// A seat of its own would stand in a door's way.
+    SeatsInWays,
     /// It takes of the space that is good for others, or has less than is good itself.
     Tight { takes: bool, lacks: bool },
 }
@@ -99,6 +102,13 @@ pub(crate) fn weigh<'a>(
     if suits > 0.0 {
         visit(Factor::SuitsWall, BUILT_IN_REWARD * suits);
     }
+    // As with swings: what nobody misses is not refused for it. A room that does not come out well that way is tried without.
+    let has_seats_in_ways = environment.heeds_tags
+        && environment.agents[agent].piece.is_required
+        && environment.has_seats_in_ways(agent, place);
+    if has_seats_in_ways {
+        visit(Factor::SeatsInWays, -SEAT_IN_WAY_PENALTY);
+    }
     let takes_a_seat = environment.takes_a_seat(agent, place);
     if takes_a_seat {
         visit(Factor::TakesSeat, -SEAT_PENALTY);
@@ -109,7 +119,7 @@ pub(crate) fn weigh<'a>(
         // Points for each of the two, not for each object that is concerned: a row of chairs does not count five times.
         visit(Factor::Tight { takes, lacks }, -TIGHT_PENALTY * f64::from(u8::from(takes) + u8::from(lacks)));
     }
-    (is_before_window || is_at_swing || takes_a_seat, takes || lacks)
+    (is_before_window || is_at_swing || has_seats_in_ways || takes_a_seat, takes || lacks)
 }
 
 /// The points of the wall that a place is at.
@@ -353,8 +363,11 @@ fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place:
         return false;
     }
     let size = environment.agents[agent].size;
-    // As the audit: a slim piece leaves enough of the light.
-    if size.width.max(size.depth) < environment.brief.catalog.audit.windows.slim_width {
+    // As the audit: a slim piece leaves enough of the light, but a narrow bookcase does not.
+    let windows = &environment.brief.catalog.audit.windows;
+    let is_storage = environment.class(agent).groups.iter().any(|group| group == STORAGE_GROUP);
+    let is_bookcase = is_storage && place.pose.elevation + size.height > windows.low_piece;
+    if size.width.max(size.depth) < windows.slim_width && !is_bookcase {
         return false;
     }
     let body = box_solid(size, &place.pose);

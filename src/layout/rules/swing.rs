@@ -24,13 +24,16 @@ pub(super) fn wished_distance(view: &View<'_>) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::catalog::{Count, ParentName, Relation, RelationKind, Untidiness};
+    use crate::catalog::{Along, Count, ParentName, Relation, RelationKind, Side, Turn, Untidiness};
     use crate::geometry::distance_of_convex;
+    use crate::layout::body::{Pose, seat};
     use crate::layout::solids;
     use crate::layout::surroundings::{Surroundings, Swings};
-    use crate::layout::tests::{WIDE, catalog, level, run};
+    use crate::layout::tests::{WIDE, catalog, level, rule, run};
 
+    const DESK: usize = 1;
     const SHELF: usize = 4;
+    const SQUARE: &[(f64, f64)] = &[(0.0, 0.0), (3.6, 0.0), (3.6, 3.6), (0.0, 3.6)];
     const NARROW: &[(f64, f64)] = &[(0.0, 0.0), (1.6, 0.0), (1.6, 1.7), (0.0, 1.7)];
 
     /// Metres from the swing of the door to the shelf that wishes to be so far away from it.
@@ -56,6 +59,25 @@ mod tests {
     fn what_wishes_to_be_clear_of_doors_keeps_its_distance_from_the_leaf() {
         assert!((0..16).all(|seed| distance(WIDE, 1.5, seed) >= 1.5 - 1e-9));
         assert!((0..16).any(|seed| distance(WIDE, 0.0, seed) < 1.5), "else it is chance");
+    }
+
+    #[test]
+    fn a_required_desk_has_the_place_of_its_seat_out_of_the_way_of_doors() {
+        let in_the_way = |is_required: bool, seed: u64| {
+            let mut catalog = catalog(&[(DESK, Count::Fixed(1))], Untidiness::default());
+            catalog.room_types.get_mut("office").unwrap().programme[0].is_required = is_required;
+            let on_floor = rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random);
+            catalog.classes[DESK].parents = vec![on_floor];
+            let level = level(SQUARE);
+            let surroundings = Surroundings::new(level.room(0), &catalog.audit, Swings::Simple);
+            let placed = run(&level, &catalog, seed).placements.remove(0);
+            let pose = Pose::new(placed.position, placed.elevation, placed.angle);
+            let desk = &catalog.classes[DESK];
+            let seat = seat(&desk.clearances[0], placed.size, &pose).unwrap();
+            surroundings.kept_free.iter().any(|region| region.solid.overlaps(&seat, 0.01))
+        };
+        assert!(!(0..64).any(|seed| in_the_way(true, seed)));
+        assert!((0..64).any(|seed| in_the_way(false, seed)), "else it is chance");
     }
 
     #[test]
