@@ -312,15 +312,15 @@ impl Walk<'_> {
         is_inside
     }
 
-    /// Whether a disc of a group touches a convex area.
-    fn touches(&self, group: Group, area: &[Point]) -> bool {
-        self.any_touching(area, |other| other == group, |_| true)
+    /// Whether the middle of a disc of a group gets onto a convex area.
+    fn stands_on(&self, group: Group, area: &[Point]) -> bool {
+        self.any_on(area, |other| other == group, |_| true)
     }
 
-    /// The cells whose discs touch a convex area.
-    pub(super) fn touching(&self, area: &[Point]) -> Vec<usize> {
+    /// The cells of discs with their middle on a convex area.
+    pub(super) fn standing_on(&self, area: &[Point]) -> Vec<usize> {
         let mut cells = Vec::new();
-        self.any_touching(
+        self.any_on(
             area,
             |_| true,
             |cell| {
@@ -331,17 +331,31 @@ impl Walk<'_> {
         cells
     }
 
-    /// Whether one of the cells of wanted groups whose discs touch a convex area is the one looked for.
-    fn any_touching(
+    /// Metres that the middle of a disc may be beside a convex area on which somebody stands.
+    fn slack(&self, area: &[Point]) -> f64 {
+        let across =
+            |edge: Segment| area.iter().map(|&corner| edge.side(corner)).fold(0.0, f64::max) / edge.length();
+        let depth = edges(area).map(across).fold(f64::INFINITY, f64::min);
+        let [_, narrow] = self.floor.widths;
+        if depth <= narrow + self.floor.raster.cell() / 2.0 {
+            // Beside a bed people squeeze in sideways: the disc touches the area.
+            self.diameter / 2.0
+        } else {
+            // Who uses a piece stands before it: with the middle beside the area they would reach past the corner of another.
+            self.floor.raster.cell()
+        }
+    }
+
+    /// Whether one of the cells of wanted groups with their middle on a convex area is the one looked for.
+    fn any_on(
         &self,
         area: &[Point],
         is_wanted: impl Fn(Group) -> bool,
         mut is_it: impl FnMut(usize) -> bool,
     ) -> bool {
-        let radius = self.diameter / 2.0;
-        let around = Bounds::around(area.iter().copied()).inflated(radius).corners();
-        // The disc touches the area: somebody who stands so near reaches a drawer or sits down.
-        let is_near = |cell: usize| distance_to_convex(area, self.floor.raster.middle(cell)) <= radius;
+        let slack = self.slack(area);
+        let around = Bounds::around(area.iter().copied()).inflated(slack).corners();
+        let is_near = |cell: usize| distance_to_convex(area, self.floor.raster.middle(cell)) <= slack;
         let mut found = false;
         self.floor.raster.spans(&edges(&around).collect::<Vec<_>>(), |span| {
             for run in self.runs_among(&span).iter().filter(|run| is_wanted(run.group)) {
@@ -358,7 +372,7 @@ impl Walk<'_> {
         let group = self.group(home);
         match goal {
             Goal::Door(door) => self.group(door) == group,
-            Goal::Area(area) => self.touches(group, area),
+            Goal::Area(area) => self.stands_on(group, area),
         }
     }
 

@@ -46,6 +46,11 @@ impl Raster {
         Self { low, cell, columns, is_free: vec![false; columns * rows] }
     }
 
+    /// Metres from cell to cell.
+    pub(crate) fn cell(&self) -> f64 {
+        self.cell
+    }
+
     /// Number of cells in a row.
     pub(crate) fn columns(&self) -> usize {
         self.columns

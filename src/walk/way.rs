@@ -212,7 +212,7 @@ impl<'f> Passage<'f> {
     fn way_to(&self, index: usize, goal: Goal<'_>) -> Way {
         let ends: Vec<usize> = match goal {
             Goal::Door(door) => self.walk.threshold(door).collect(),
-            Goal::Area(area) => self.empty.touching(area),
+            Goal::Area(area) => self.empty.standing_on(area),
         };
         let mut routes = self.routes.get_or_init(|| RefCell::new(self.routes())).borrow_mut();
         let end = self.nearest(&mut routes, &ends);
