@@ -338,4 +338,22 @@ mod tests {
         assert!(ways(&level, &[], &west).is_empty());
         assert_eq!(ways(&level, &[cupboard(3.0)], &west[1..]).len(), 1);
     }
+
+    #[test]
+    fn who_uses_a_piece_stands_before_it_and_does_not_reach_it_past_the_corner_of_another() {
+        // Between two cupboards at the north wall 0.35 m are left: enough to put a foot in, too little to stand there.
+        let beside = |x: f64| {
+            Solid::new(Convex::rectangle(Point::new(x, 2.6), Point::new(0.5, 0.4), Point::X), 0.0, 2.0)
+        };
+        let cupboards = [beside(3.5), beside(4.85)];
+        let between = |width: f64| {
+            let (low, high) = (Point::new(4.0, 2.2), Point::new(4.0 + width, 2.8));
+            [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)]
+        };
+        let is_closed =
+            |area: &[Point]| !ways(&level(3.0), &cupboards, &[Goal::Door(0), Goal::Area(area)]).is_empty();
+        assert!(is_closed(&between(0.35)));
+        // Where people squeeze in sideways, as beside a bed, it is enough to get to the end.
+        assert!(!is_closed(&between(0.3)));
+    }
 }
