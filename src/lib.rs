@@ -37,6 +37,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Plans are read from files: a program that makes rooms itself writes them as YAML first, in some ten lines a level
+//! (`configs/plans/README.md`), and names that file.
+//!
 //! Lengths are metres, angles radians counter-clockwise, x east, y north. The modules [`options`], [`building`], [`furniture`] and
 //! [`judgement`] hold the types that the fields of these structs have. `ARCHITECTURE.md` shows how the stages follow each other; `docs/output.md` says
 //! what the files hold.

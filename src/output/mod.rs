@@ -1,7 +1,8 @@
 //! The formats that levels are written in: a table, as the readers of plans are.
 //!
 //! To add a format:
-//! 1. Write it: a folder beside `gltf/` with a type that implements [`Output`] (`format.rs`), and its `mod` line in `lib.rs`.
+//! 1. Write it: a folder beside `gltf/` with a type that implements [`Output`] (`format.rs`), and its `mod` line in `lib.rs`,
+//!    in alphabetical order.
 //!    `example.rs` is a complete format to copy, in a hundred lines with their test; it stays, as the copy for the next format.
 //!    `mod.rs` of the folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
 //! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow.
@@ -13,7 +14,8 @@
 //! - a tree of nodes in metres, Y up, each placed relative to its parent; mesh and material indices are valid. Node names are
 //!   unique in the level. They hold ids of the plan, and so any letter: spaces, quotes, `#` and `/`, too. `docs/output.md`, "Nodes",
 //!   says where the origin of a node is and where its front faces. A format with the axes of plans takes
-//!   [`crate::scene::plan_point`], `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
+//!   [`crate::scene::plan_point`] (of a `DVec3`: nodes and corners are `f32`, so `plan_point(point.as_dvec3()).as_vec3()`),
+//!   `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
 //! - the extras of a node ([`crate::contract::Extras`]), which say what it is; outlines, hinges and sides in them are in the axes
 //!   of plans already. `docs/output.md`, "Extras", describes them;
 //! - meshes (`mesh/model.rs`): every corner has a unit normal, every triangle three indices;
@@ -23,6 +25,8 @@
 //!   name, or hold spaces: a format that refers to materials by name makes it unique, as `example.rs` does;
 //! - the options of the user ([`LevelOptions`]). What they say of rooms and shapes has been done; a format that cannot do
 //!   what else they ask for (lights, variants, shared files) leaves it out.
+//!
+//! A level beyond the limits of a format is refused: `TooLarge { message, hint }`.
 //!
 //! `batch` relies on this: the same scene at the same path gives the same files, whatever other levels were written before it and
 //! by however many threads.

@@ -7,7 +7,7 @@
 //!
 //! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand.
 //! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`, or
-//!    `Minor` if the room is usable all the same; `Given` is worked out and stands in no row), quantities, section of thresholds
+//!    `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities, section of thresholds
 //!    (`""` for none), check. The word is the name in small letters, and part of the output. Checks that ask about the empty room
 //!    share a budget in the order of the table. If no other arrangement of the same pieces can be without the finding, name it in
 //!    `Code::is_of_places`, so that no further ones are tried for its sake. A new quantity is a line in each list of `quantity.rs`.
@@ -33,7 +33,7 @@
 //! | a check needs | from |
 //! |---|---|
 //! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
-//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)`, `is_standing(rules)`, `front()`, `corners()`; `placement.position` is the middle of the box |
+//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)`, `is_standing(rules)`, `front()` (unit vector), `corners()` (of its box: the first two at its front, the last two at its back); `placement.position` is the middle of the box |
 //! | groups of classes | constants of `audit/groups.rs`, for a misspelt one holds no class: `SEAT`, `BED`, `SLEEPING`, `SCREEN`, `WORK_SURFACE`, `SURFACE`, `MIRROR`, `BATHING`, `TOILET`, `COOKING`, `SMALL`, `LIGHT`, `MOVABLE`, `PLANT`, `WINDOW_DRESSING`, `DISPLAY` |
 //! | bodies near each other | `subject.near_boxes().touching(&bounds)`; for places `NearPoints` of `near.rs`. Not each body with each other: `audit/tests.rs` measures that the time of a verdict grows as the pieces do. Each body with each wall or opening is fine |
 //! | distances, in metres | `Segment::new(a, b).distance(point)`, `distance_to_convex(corners, point)`, `distance_of_convex(corners, others)` of `geometry`, 0 inside |
@@ -46,7 +46,7 @@
 //! | whether the room is in the open air | `subject.catalog.households.homes.outdoors.contains(&subject.at.room.room_type)` |
 //! | a comparison with a limit | `measured > limit + ROUNDING` (`rounding.rs`); of two limits a fault has the one that was passed |
 //! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity; also `subject.opening(index)` (of the level), `Subject::column(index)`, `subject.class(index)` (of which a piece is missing); `.about(vec![corners])` marks floor |
-//! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`, which lists its classes); `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object; `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)`, `room.audit()` |
+//! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`, which lists its classes); `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object (a chest is 1 × 1 × 0.8 m; wall 0 is the south wall, 1 the east wall; at angle 0 fronts face south); `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)`, `room.audit()` |
 
 mod access;
 mod bare;
