@@ -6,7 +6,7 @@
 //! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md and CHANGELOG.md
 //!    name the formats, too; no other golden does.
 //! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The reader asks
-//!    for them by the name of the section: `words.room_type("osm", word)`. By custom it is also `about.name` of the format, the
+//!    for them by the name of the section, in any case: `words.room_type("osm", "office")`. By custom it is also `about.name` of the format, the
 //!    word in the answers of `formats` and `import`; nothing in the program joins the two. Where an unread format has that word in
 //!    its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`.
 //! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
@@ -27,7 +27,7 @@
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
 //! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger `head`, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
 //! | XML, tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
-//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs`, which has other units too: one plane for all levels of a building, at the middle of its corners. `Polygon` takes metres; an area in degrees counts as none |
+//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has other units too: one plane for all levels of a building, at the middle of its corners. `Polygon` takes metres; an area in degrees counts as none |
 //! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |
 //! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`; thicknesses are yours to choose |
 
