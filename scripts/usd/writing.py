@@ -4,11 +4,23 @@ from __future__ import annotations
 
 import os
 import stat
+import struct
+import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from pxr import Sdf, UsdUtils
+
+
+# The first moment that a zip archive can name, as the bytes of time and date of its entries.
+FIRST_MOMENT = b"\x00\x00\x21\x00"
+# Bytes from the beginning of an entry's own header, and of its line in the directory, to its time; of that line's fixed part,
+# and where in it the lengths of what follows are.
+TIME_IN_HEADER = 10
+TIME_IN_DIRECTORY = 12
+DIRECTORY_LINE = 46
+LENGTHS = slice(28, 34)
 
 
 class WriteError(Exception):
@@ -31,6 +43,23 @@ def write_package(first: Path, target: Path, root: Path) -> None:
     with unfinished(target, root) as temporary:
         if not UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(first)), str(temporary)):
             raise WriteError(f"cannot pack {target}")
+        forget_times(temporary)
+
+
+def forget_times(package: Path) -> None:
+    """Gives all entries of a zip archive one time: USD writes when they were packed, and equal levels would differ."""
+    with zipfile.ZipFile(package) as archive:
+        headers = [entry.header_offset for entry in archive.infolist()]
+        line = archive.start_dir
+    with package.open("r+b") as file:
+        for header in headers:
+            file.seek(header + TIME_IN_HEADER)
+            file.write(FIRST_MOMENT)
+            file.seek(line)
+            lengths = struct.unpack("<3H", file.read(DIRECTORY_LINE)[LENGTHS])  # name, extra field, comment
+            file.seek(line + TIME_IN_DIRECTORY)
+            file.write(FIRST_MOMENT)
+            line += DIRECTORY_LINE + sum(lengths)
 
 
 @contextmanager

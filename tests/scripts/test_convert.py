@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import zipfile
 
 import numpy as np
 import pytest
@@ -92,6 +93,13 @@ def test_names_that_become_equal_are_told_apart(floor, tmp_path):
     stage = converted(floor.write(tmp_path / "ground.glb"), tmp_path / "ground.usda")
     names = [prim.GetName() for prim in node_prims(stage)]
     assert "desk_2_101" in names and "desk_2_101_2" in names
+
+
+def test_a_package_says_nothing_about_when_it_was_packed(source, tmp_path):
+    converted(source, tmp_path / "ground.usdz")
+    with zipfile.ZipFile(tmp_path / "ground.usdz") as package:
+        assert package.testzip() is None
+        assert {entry.date_time for entry in package.infolist()} == {(1980, 1, 1, 0, 0, 0)}
 
 
 @pytest.mark.parametrize("ending", ["usdc", "usda", "usdz"])
