@@ -45,7 +45,8 @@ TUBS = {"bathtub", "shower", "small_shower"}
 ART = {"picture", "gallery_picture", "poster", "mirror", "vanity_mirror"}
 MIRRORS = {"mirror", "vanity_mirror"}
 CURTAINS = {"curtain"}
-SLIM_KINDS = {"plant", "hall_plant", "corridor_plant", "small_plant", "garden_plant", "planter", "team_planter", "floor_lamp", "corner_lamp"}
+SLIM_KINDS = {"plant", "hall_plant", "corridor_plant", "small_plant", "garden_plant", "planter", "team_planter", "floor_lamp",
+              "corner_lamp"}
 LIBRARY_SHELVES = {"library_shelf", "library_stack", "archive_shelf"}
 ROW_SEATS = {"auditorium_seat"}
 

@@ -2,9 +2,8 @@
 //!
 //! To add a format:
 //! 1. Write it: a folder beside `gltf/` with a type that implements [`Output`] (`format.rs`), and its `mod` line in `lib.rs`,
-//!    in alphabetical order.
-//!    `example.rs` is a complete format to copy, in a hundred lines with their test; it stays, as the copy for the next format.
-//!    `mod.rs` of the folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
+//!    in alphabetical order. `example.rs` is a complete format to copy, in a hundred lines with their test; it stays, as the copy
+//!    for the next format. `mod.rs` of the folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
 //! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow.
 //! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`; the
 //!    folder has a row in ARCHITECTURE.md. Files that are not read back end here: `audit`, `diff`, `edits capture` and the scripts

@@ -65,7 +65,8 @@ impl Obstacle {
         (gap > least && gap < most).then_some(gap)
     }
 
-    /// Square metres of the square over the distance from its nearest corner to another's sides.
+    /// Square metres of the square over the distance from its nearest corner to another's sides. `distance_of_convex` takes corners
+    /// inside for near, and all that lies on the line of a stretch of wall, which has no inside, would be.
     fn nearest_corner(&self, other: &Self) -> f64 {
         let corners = self.shape.corners().iter();
         let squares =

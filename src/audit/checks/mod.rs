@@ -7,8 +7,8 @@
 //!
 //! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand.
 //! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`, or
-//!    `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities, section of thresholds
-//!    (`""` for none), check. The word is the name in small letters, and part of the output. Checks that ask about the empty room
+//!    `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities, section of
+//!    thresholds (`""` for none), check. The word is the name in small letters, and part of the output. Checks that ask about the empty room
 //!    share a budget in the order of the table. If no other arrangement of the same pieces can be without the finding, name it in
 //!    `Code::is_of_places`, so that no further ones are tried for its sake. A new quantity is a line in each list of `quantity.rs`.
 //! 3. Add a limit of its own, if it has one: a line with the figure and its source or reason in `configs/audit.yaml`, and a line

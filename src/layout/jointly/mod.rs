@@ -34,7 +34,7 @@ const MISSED_REQUIRED: f64 = 100.0;
 /// is still free, so that other walls are to be had.
 const SPOILT: f64 = 6.0;
 const TIGHT: f64 = 3.0;
-/// Points lost for a smaller size than the one that was drawn: fewer than for a tight place, which it may spare.
+/// Points lost for a smaller size than the one that was drawn: fewer than a tight place loses with the score, for it may spare that.
 const SMALLER: f64 = 3.0;
 
 /// A piece at its place.

@@ -6,8 +6,8 @@
 //! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md and CHANGELOG.md
 //!    name the formats, too; no other golden does.
 //! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The reader asks
-//!    for them by the name of the section, in any case: `words.room_type("osm", "office")`. By custom it is also `about.name` of the format, the
-//!    word in the answers of `formats` and `import`; nothing in the program joins the two. Where an unread format has that word in
+//!    for them by the name of the section: `words.room_type("osm", "office")`, in capitals or not. By custom the name is also
+//!    `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program joins the two. Where an unread format has that word in
 //!    its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`.
 //! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
 //!    writes what is read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at it. For damaged
