@@ -48,7 +48,8 @@ pub(crate) use rounding::ROUNDING;
 
 use crate::catalog::{Catalog, ClassIndex};
 use crate::layout::{Furnished, opening_id};
-use crate::plan::{Level, RoomRef};
+use crate::plan::Level;
+use crate::walk::EmptyFloors;
 
 use checks::Rates;
 use evidence::Evidence;
@@ -57,14 +58,20 @@ use subject::Subject;
 use taking::comfort_takings;
 use zone::{NearPair, Zone};
 
-/// Judges one furnished room. `ask` answers what the empty room could hold; [`crate::solve::judge_room`] brings its own.
+/// Judges one furnished room. `empty_floors` are those of the room, for all of its arrangements; `ask` answers what the empty
+/// room could hold. [`crate::solve::judge_room`] brings its own.
 ///
 /// `furnished` is what the layout made of the room.
 ///
 /// # Panics
 /// If `furnished` names a class, parent, wall or opening that does not exist.
-pub fn judge(at: RoomRef<'_>, furnished: &Furnished, catalog: &Catalog, ask: Ask<'_>) -> Verdict {
-    let subject = &Subject::new(at, furnished, catalog);
+pub(crate) fn judge(
+    empty_floors: &EmptyFloors<'_>,
+    furnished: &Furnished,
+    catalog: &Catalog,
+    ask: Ask<'_>,
+) -> Verdict {
+    let subject = &Subject::new(empty_floors, furnished, catalog);
     // What people need free, and what is near it.
     let zones = all_zones(subject);
     let (collisions, hits) = near_pairs(subject, &zones);
@@ -76,7 +83,7 @@ pub fn judge(at: RoomRef<'_>, furnished: &Furnished, catalog: &Catalog, ask: Ask
     let findings = finding::findings(checks::faults(&evidence));
     let rates = floor.map_or_else(Vec::new, |floor| checks::rates(subject, floor));
     let score = score::score(&evidence, &rates);
-    Verdict { findings, score, walkable: door_rates(at.level, rates) }
+    Verdict { findings, score, walkable: door_rates(subject.at.level, rates) }
 }
 
 fn door_rates(level: &Level, rates: Rates) -> Vec<DoorRate> {
@@ -88,11 +95,11 @@ fn door_rates(level: &Level, rates: Rates) -> Vec<DoorRate> {
 /// Each required class that is missing and stands on the floor by itself, first in its list, with whatever else the room
 /// cannot do without.
 pub(crate) fn missing_pieces(
-    at: RoomRef<'_>,
+    empty_floors: &EmptyFloors<'_>,
     furnished: &Furnished,
     catalog: &Catalog,
 ) -> Vec<Vec<ClassIndex>> {
-    checks::missing_pieces(&Subject::new(at, furnished, catalog))
+    checks::missing_pieces(&Subject::new(empty_floors, furnished, catalog))
 }
 
 /// All regions that people need to be free.

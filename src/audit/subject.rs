@@ -9,6 +9,7 @@ use crate::contract::ElementId;
 use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, object_id, opening_id, solids};
 use crate::plan::RoomRef;
+use crate::walk::EmptyFloors;
 
 use super::convex::area;
 use super::fault::{Element, Named};
@@ -19,6 +20,8 @@ use super::upright_box::UprightBox;
 pub(crate) struct Subject<'a> {
     /// The room.
     pub(crate) at: RoomRef<'a>,
+    /// Where people walk in it while it is empty.
+    pub(crate) empty_floors: &'a EmptyFloors<'a>,
     /// The result of the layout.
     pub(crate) furnished: &'a Furnished,
     /// The classes and programmes.
@@ -49,7 +52,11 @@ pub(crate) struct Body<'a> {
 
 impl<'a> Subject<'a> {
     /// Builds the bodies of a furnished room.
-    pub(crate) fn new(at: RoomRef<'a>, furnished: &'a Furnished, catalog: &'a Catalog) -> Self {
+    pub(crate) fn new(
+        empty_floors: &'a EmptyFloors<'a>,
+        furnished: &'a Furnished,
+        catalog: &'a Catalog,
+    ) -> Self {
         let bodies = furnished.placements.iter().map(|placement| Body::new(placement, catalog)).collect();
         let parents = furnished.placements.iter().enumerate();
         let child = |(index, placement): (usize, &Placement)| match placement.parent {
@@ -59,7 +66,8 @@ impl<'a> Subject<'a> {
         let mut children: Vec<(usize, usize)> = parents.filter_map(child).collect();
         children.sort_unstable();
         Self {
-            at,
+            at: empty_floors.at(),
+            empty_floors,
             furnished,
             catalog,
             bodies,

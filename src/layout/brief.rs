@@ -5,6 +5,7 @@ use core::cell::OnceCell;
 use crate::catalog::{Catalog, Style, StyleRef};
 use crate::geometry::{Bounds, Point, direction};
 use crate::plan::{OpeningKind, RoomOpening, RoomRef};
+use crate::walk::EmptyFloors;
 
 use super::choice::{Series, room_style};
 use super::furnished::Furnished;
@@ -29,6 +30,7 @@ pub(crate) struct RoomBrief<'a> {
     surroundings: OnceCell<Surroundings<'a>>,
     /// With [`Swings::Exact`].
     exact_surroundings: OnceCell<Surroundings<'a>>,
+    empty_floors: EmptyFloors<'a>,
 }
 
 /// The data that is fixed for one alternative of a room: complete when it is made, the same for all attempts.
@@ -48,6 +50,8 @@ pub(crate) struct Brief<'a> {
     pub(crate) pieces: &'a [Piece],
     /// The fixed parts of the room.
     pub(crate) surroundings: &'a Surroundings<'a>,
+    /// Where people walk in the empty room.
+    pub(crate) empty_floors: &'a EmptyFloors<'a>,
     /// The objects that somebody put in their places.
     pub(crate) locks: &'a [Lock],
     /// Which arrangement is wanted, and where somebody says that agents fit.
@@ -85,6 +89,7 @@ impl<'a> RoomBrief<'a> {
             locks: options.locks,
             surroundings: OnceCell::new(),
             exact_surroundings: OnceCell::new(),
+            empty_floors: EmptyFloors::new(at, &catalog.audit),
         })
     }
 
@@ -96,9 +101,9 @@ impl<'a> RoomBrief<'a> {
         } else {
             self.exact_surroundings.get_or_init(|| self.surroundings_with(Swings::Exact))
         };
-        let Self { catalog, style: style_ref, ref key, at, ref pieces, locks, .. } = *self;
+        let Self { catalog, style: style_ref, ref key, at, ref pieces, locks, ref empty_floors, .. } = *self;
         let style = &catalog.styles[style_ref];
-        Brief { catalog, style, style_ref, key, at, pieces, surroundings, locks, alternative }
+        Brief { catalog, style, style_ref, key, at, pieces, surroundings, empty_floors, locks, alternative }
     }
 
     fn surroundings_with(&self, swings: Swings) -> Surroundings<'a> {

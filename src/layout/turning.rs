@@ -2,7 +2,6 @@
 //! stay are taken away, and the place is kept free from then on.
 
 use crate::geometry::{Convex, Point, Solid};
-use crate::walk::Floor;
 
 use super::arrange::arrange;
 use super::constants::CONTACT_TOLERANCE;
@@ -19,13 +18,13 @@ const CELLS_PER_PLACE: usize = 7;
 /// Keeps a place to turn. Whether there is none although the empty room has one.
 pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bool {
     let rules = environment.brief.catalog.audit.access;
-    let Some(floor) = floor(environment, true) else { return false };
+    let Some(empty) = environment.brief.empty_floors.wheelchair() else { return false };
+    let floor = empty.with(&environment.brief.catalog.audit.walking, environment.solids());
     let free = floor.walk(rules.walkway).wide_places(rules.turning).next();
     if let Some(place) = free {
         keep(environment, place);
         return false;
     }
-    let Some(empty) = self::floor(environment, false) else { return false };
     let walk = empty.walk(rules.walkway);
     let places: Vec<Point> = walk.wide_places(rules.turning).step_by(CELLS_PER_PLACE).collect();
     if places.is_empty() {
@@ -41,15 +40,6 @@ pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bo
     }
     arrange(environment, key);
     false
-}
-
-/// The floor for a wheelchair, with what stands on it or empty.
-fn floor(environment: &Environment<'_>, is_furnished: bool) -> Option<Floor> {
-    Floor::for_wheelchair(
-        environment.brief.at,
-        &environment.brief.catalog.audit,
-        environment.solids().filter(|_| is_furnished),
-    )
 }
 
 /// The agents where a wheelchair would turn; `None` where the room cannot do without one of them.

@@ -87,10 +87,8 @@ struct ClosedWay {
 /// The closed ways of people who walk, and of wheelchairs where the style asks for these.
 fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
     let rules = &environment.brief.catalog.audit;
-    let at = environment.brief.at;
-    let floor = Floor::new(at, &rules.walking, environment.solids());
-    let empty = || Floor::new(at, &rules.walking, core::iter::empty());
-    let mut ways = closed_ways(environment, &rules.walking, floor, empty);
+    let floors = environment.brief.empty_floors;
+    let mut ways = closed_ways(environment, &rules.walking, floors.walking());
     if environment.brief.style.access == Access::Wheelchair {
         // Where the plan is too narrow for a wheelchair, the width of a person is asked for.
         let wheelchair = WalkingRules {
@@ -98,21 +96,15 @@ fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
             narrow_person: rules.walking.person,
             ..rules.walking
         };
-        let floor = Floor::for_wheelchair(at, rules, environment.solids());
-        let empty = || Floor::for_wheelchair(at, rules, core::iter::empty());
-        ways.extend(closed_ways(environment, &wheelchair, floor, empty));
+        ways.extend(closed_ways(environment, &wheelchair, floors.wheelchair()));
     }
     ways
 }
 
 /// The ways to doors, and to sides that people stand at, that resting agents close.
-fn closed_ways(
-    environment: &Environment<'_>,
-    rules: &WalkingRules,
-    floor: Option<Floor>,
-    empty: impl FnOnce() -> Option<Floor>,
-) -> Vec<ClosedWay> {
-    let Some(floor) = floor else { return Vec::new() };
+fn closed_ways(environment: &Environment<'_>, rules: &WalkingRules, empty: Option<&Floor>) -> Vec<ClosedWay> {
+    let Some(empty) = empty else { return Vec::new() };
+    let floor = empty.with(rules, environment.solids());
     let cells = floor.cell_count() as u64;
     environment.count_steps(cells / CELLS_A_STEP);
     let walking = &environment.brief.catalog.audit.walking;
@@ -120,8 +112,6 @@ fn closed_ways(
     let areas = areas.map(|(owner, solid)| (Some(owner), Goal::Area(solid.footprint())));
     let doors = floor.doors().map(|door| (None, Goal::Door(door)));
     let (owners, goals): (Vec<Option<AgentIndex>>, Vec<Goal<'_>>) = doors.chain(areas).unzip();
-    let empty = || empty().expect("a door of the furnished room is one of the empty room");
-    // The floor without furniture is made where a way is closed only: most rooms never need it.
     let ways = blocked_ways(&floor, empty, rules, &goals);
     if !ways.is_empty() {
         environment.count_steps(cells / CELLS_OF_WAYS_A_STEP);

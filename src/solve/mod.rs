@@ -26,6 +26,7 @@ use crate::audit::{self, Verdict};
 use crate::catalog::Catalog;
 use crate::layout::{Furnished, Suggestion};
 use crate::plan::RoomRef;
+use crate::walk::EmptyFloors;
 
 use answers::Answers;
 use constants::MOST_STEPS;
@@ -46,8 +47,8 @@ pub fn judge_room(at: RoomRef<'_>, furnished: &Furnished, catalog: &Catalog) -> 
 /// No answer depends on what was asked before.
 #[derive(Debug)]
 pub struct RoomSolver<'a> {
-    at: RoomRef<'a>,
     catalog: &'a Catalog,
+    empty_floors: EmptyFloors<'a>,
     answers: Answers,
     /// Steps made so far.
     steps: Cell<u64>,
@@ -57,7 +58,8 @@ impl<'a> RoomSolver<'a> {
     /// Knows nothing of the room yet.
     #[must_use]
     pub fn new(at: RoomRef<'a>, catalog: &'a Catalog) -> Self {
-        Self { at, catalog, answers: Answers::default(), steps: Cell::new(0) }
+        let empty_floors = EmptyFloors::new(at, &catalog.audit);
+        Self { catalog, empty_floors, answers: Answers::default(), steps: Cell::new(0) }
     }
 
     /// Judges one arrangement.
@@ -68,7 +70,7 @@ impl<'a> RoomSolver<'a> {
     pub fn judge(&self, furnished: &Furnished) -> Verdict {
         self.search(|room| {
             let ask = |question: &audit::Question<'_>| self.answers.answer(room, question);
-            audit::judge(self.at, furnished, self.catalog, &ask)
+            audit::judge(&self.empty_floors, furnished, self.catalog, &ask)
         })
     }
 
@@ -80,7 +82,7 @@ impl<'a> RoomSolver<'a> {
     /// As [`judge_room`].
     #[must_use]
     pub fn suggest_places(&self, furnished: &Furnished) -> Vec<Suggestion> {
-        let missing = audit::missing_pieces(self.at, furnished, self.catalog);
+        let missing = audit::missing_pieces(&self.empty_floors, furnished, self.catalog);
         self.search(|room| {
             // In the order of the missing pieces: the first list of which all pieces find places together.
             let mut places = missing.iter().map(|classes| self.answers.places_together(room, classes));
@@ -96,7 +98,7 @@ impl<'a> RoomSolver<'a> {
 
     /// Searches with a new budget, and counts what it took.
     fn search<T>(&self, work: impl FnOnce(&EmptyRoom<'a>) -> T) -> T {
-        let room = EmptyRoom::new(self.at, self.catalog, MOST_STEPS);
+        let room = EmptyRoom::new(self.empty_floors.at(), self.catalog, MOST_STEPS);
         let found = work(&room);
         self.steps.set(self.steps.get() + room.budget.made());
         found

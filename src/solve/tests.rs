@@ -7,6 +7,7 @@ use crate::solve::RoomSolver;
 use crate::solve::answers::Answers;
 use crate::solve::constants::MOST_STEPS;
 use crate::solve::empty_room::EmptyRoom;
+use crate::walk::EmptyFloors;
 
 /// Teeth a metre wide that hang from a corridor a metre wide; no chest of a metre fits in.
 fn comb(teeth: u32, depth: f64) -> TestRoom {
@@ -38,8 +39,9 @@ fn a_search_that_is_given_up_leaves_the_finding_and_says_so() {
     let furnished = room.furnished();
     let findings = |steps: u64| {
         let (empty, answers) = (EmptyRoom::new(room.level.room(0), &room.catalog, steps), Answers::default());
+        let floors = EmptyFloors::new(room.level.room(0), &room.catalog.audit);
         let ask = |question: &Question<'_>| answers.answer(&empty, question);
-        let findings = judge(room.level.room(0), &furnished, &room.catalog, &ask).findings;
+        let findings = judge(&floors, &furnished, &room.catalog, &ask).findings;
         findings.into_iter().filter(|one| one.code == Code::MissingRequired).collect::<Vec<_>>()
     };
     assert_eq!(findings(MOST_STEPS), [], "no chest fits in");

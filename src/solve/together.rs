@@ -57,7 +57,7 @@ pub(crate) fn place_together(
 /// Looks at the ways of whole arrangements; if none of those it tries is open, again with care.
 fn search(empty: &EmptyRoom<'_>, open: &[Open<'_>]) -> Together {
     let rules = &empty.rules().walking;
-    let floor = Floor::new(empty.at, rules, core::iter::empty());
+    let floor = Floor::empty(empty.at, rules);
     let walks = floor.as_ref().map(|floor| EmptyWalks::new(floor, rules));
     let quick = Search::new(empty, walks.as_ref(), MOST_ARRANGEMENTS);
     match (quick.answer(open), &walks) {
@@ -326,7 +326,7 @@ mod tests {
         let choice = Choice::new(&empty, chest, free_stands(&empty, chest));
         let open = [Open { choice: &choice, stands: choice.stands().collect() }];
         let rules = &empty.rules().walking;
-        let floor = Floor::new(empty.at, rules, core::iter::empty()).unwrap();
+        let floor = Floor::empty(empty.at, rules).unwrap();
         let walks = EmptyWalks::new(&floor, rules);
         let quick = Search::new(&empty, Some(&walks), MOST_ARRANGEMENTS);
         assert!(matches!(quick.answer(&open), Together::Unknown));

@@ -12,13 +12,13 @@ use super::gaps::{Cells, Obstacle, fixed_obstacles};
 use super::raster::{Raster, cell_around};
 
 /// The floor of a room with what stands on it.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct Floor {
     pub(super) raster: Raster,
     /// As [`Raster::distances`] gives them, to the widest disc that is asked for.
     pub(super) distances: Vec<u16>,
     /// One per walkable opening.
-    doors: Vec<Doorway>,
+    doors: Rc<[Doorway]>,
     /// Cells up to which distances are exact.
     reach: u16,
     /// What stands on it.
@@ -57,7 +57,7 @@ pub(crate) enum Goal<'g> {
 }
 
 /// An opening that people walk through.
-#[derive(Clone)]
+#[derive(Debug)]
 struct Doorway {
     /// Index into the level's openings.
     opening: usize,
@@ -87,39 +87,25 @@ pub(crate) struct Walk<'f> {
 }
 
 impl Floor {
-    /// The floor of a room with some solids; `None` where no door leads in.
-    pub(crate) fn new<'s>(
-        at: RoomRef<'_>,
-        rules: &WalkingRules,
-        solids: impl Iterator<Item = &'s Solid>,
-    ) -> Option<Self> {
+    /// The floor of an empty room; `None` where no door leads in.
+    pub(crate) fn empty(at: RoomRef<'_>, rules: &WalkingRules) -> Option<Self> {
         // Distances beyond this are not told apart: that keeps them as cheap in halls as in closets.
         let widest = rules.person.max(rules.narrow_person).max(rules.robot);
         // Somebody on a threshold stands half behind it.
         let doors = DoorDepth { behind: rules.person / 2.0, before: 0.0 };
-        Self::for_disc(at, rules, widest, doors, solids)
+        Self::for_disc(at, rules, widest, doors)
     }
 
     /// The same for a wheelchair. Its way is wider than most doors: whoever has that width right before a door goes
     /// straight through.
-    pub(crate) fn for_wheelchair<'s>(
-        at: RoomRef<'_>,
-        rules: &AuditRules,
-        solids: impl Iterator<Item = &'s Solid>,
-    ) -> Option<Self> {
+    pub(crate) fn empty_for_wheelchair(at: RoomRef<'_>, rules: &AuditRules) -> Option<Self> {
         let AccessRules { turning, walkway } = rules.access;
         let doors = DoorDepth { behind: 0.0, before: walkway / 2.0 };
-        Self::for_disc(at, &rules.walking, turning.max(walkway), doors, solids)
+        Self::for_disc(at, &rules.walking, turning.max(walkway), doors)
     }
 
     /// The floor for discs up to a width.
-    fn for_disc<'s>(
-        at: RoomRef<'_>,
-        rules: &WalkingRules,
-        widest: f64,
-        depth: DoorDepth,
-        solids: impl Iterator<Item = &'s Solid>,
-    ) -> Option<Self> {
+    fn for_disc(at: RoomRef<'_>, rules: &WalkingRules, widest: f64, depth: DoorDepth) -> Option<Self> {
         let RoomRef { level, room, .. } = at;
         let is_door = |place: &RoomOpening| level.openings[place.opening].kind.is_walkable();
         let places: Vec<&RoomOpening> = room.openings.iter().filter(|place| is_door(place)).collect();
@@ -138,23 +124,16 @@ impl Floor {
         for column in &room.obstacles {
             raster.paint(&column.outline.edges().collect::<Vec<_>>(), false);
         }
-        let mut obstacles = Vec::new();
-        for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {
-            raster.paint(&edges(solid.footprint()).collect::<Vec<_>>(), false);
-            obstacles.push(Obstacle::of(solid));
-        }
         let doors = places.iter().map(|place| Doorway::new(room, place, -cell..before, &raster)).collect();
         // Distances are exact as far as the widest disc needs them, which keeps them cheap in halls.
         let reach = raster.reach(widest);
-        let mut distances = raster.distances(reach);
+        let distances = raster.distances(reach);
         let widths = [rules.person, rules.narrow_person];
-        let fixed = fixed_obstacles(room, is_door);
-        Cells { raster: &raster, distances: &mut distances, widths }.lower_in_gaps(&obstacles, &[&fixed]);
-        Some(Self { raster, distances, doors, reach, obstacles, fixed: fixed.into(), widths })
+        let fixed = fixed_obstacles(room, is_door).into();
+        Some(Self { raster, distances, doors, reach, obstacles: Vec::new(), fixed, widths })
     }
 
-    /// This floor with some solids more: what [`Floor::new`] makes of all of them, with work for the cells near the new
-    /// ones only.
+    /// This floor with some solids more, with work for the cells near these only.
     pub(crate) fn with<'s>(&self, rules: &WalkingRules, solids: impl Iterator<Item = &'s Solid>) -> Self {
         let mut floor = self.clone();
         for solid in solids.filter(|solid| is_in_the_way(rules, solid)) {

@@ -20,7 +20,7 @@ const CLOSE: f64 = 1e-3;
 const BETWEEN: f64 = -0.5;
 
 /// Something that people walk around: a convex shape, or a stretch of wall, which is one without depth.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Obstacle {
     shape: Convex,
     bounds: Bounds,
@@ -46,14 +46,16 @@ impl Obstacle {
 
     /// Its point nearest to one outside it.
     fn nearest(&self, point: Point) -> Point {
+        if self.fills_its_bounds {
+            return point.clamp(self.bounds.low, self.bounds.high);
+        }
         let nearer =
             |a: Point, b: Point| if point.distance_squared(b) < point.distance_squared(a) { b } else { a };
         self.edges().map(|edge| edge.nearest(point)).reduce(nearer).expect("an obstacle has edges")
     }
 
-    /// Metres to another, if that is more than `least` and less than `most`.
-    fn gap_between(&self, other: &Self, least: f64, most: f64) -> Option<f64> {
-        let apart = self.bounds.gap(other.bounds);
+    /// Metres to another, if that is more than `least` and less than `most`. `apart` are the metres between their bounds.
+    fn gap_between(&self, other: &Self, apart: f64, least: f64, most: f64) -> Option<f64> {
         // Nearly all pairs end in the first three ways: they are far from each other, stand along the axes or touch.
         let gap = if apart >= most || (self.fills_its_bounds && other.fills_its_bounds) {
             apart
@@ -116,7 +118,10 @@ impl Cells<'_> {
             // So that halls with thousands of seats compare each with few.
             let is_near = |other: &&&Obstacle| other.bounds.low.x < one.bounds.high.x + widest;
             let east = from_the_west[number + 1..].iter().take_while(is_near).copied();
-            for other in others.iter().copied().flatten().chain(east) {
+            let around = one.bounds.inflated(widest);
+            // Nearly all are too far away, which their bounds say at once.
+            let all = others.iter().copied().flatten().chain(east);
+            for other in all.filter(|other| other.bounds.touches(around)) {
                 self.lower_in_gap([one, other]);
             }
         }
@@ -124,8 +129,9 @@ impl Cells<'_> {
 
     /// Lowers the distances in the gap of two obstacles, for each width that is wider.
     fn lower_in_gap(&mut self, [one, other]: [&Obstacle; 2]) {
+        let apart = one.bounds.gap(other.bounds);
         for width in self.widths {
-            if let Some(gap) = one.gap_between(other, width - ROUNDED, width) {
+            if let Some(gap) = one.gap_between(other, apart, width - ROUNDED, width) {
                 self.lower_between([one, other], gap, width);
             }
         }

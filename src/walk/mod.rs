@@ -6,12 +6,14 @@
 //! wide, which bounds memory and time. A passage between obstacles is known to half a centimetre (`gaps`), and a body
 //! thinner than a cell may be missed. Distances between cells are exact.
 
+mod empty;
 mod floor;
 mod gaps;
 mod queue;
 mod raster;
 mod way;
 
+pub(crate) use empty::EmptyFloors;
 pub(crate) use floor::{Floor, Goal, Walk, is_in_the_way};
 pub(crate) use raster::CELL;
 pub(crate) use way::{EmptyWalks, Way, blocked_ways};

@@ -27,7 +27,7 @@ const MOST_REACH: u16 = 150;
 const BLOCK: usize = 32;
 
 /// A grid of free and blocked cells. The outermost cells are always blocked.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct Raster {
     /// Middle of the first cell.
     low: Point,
@@ -134,19 +134,26 @@ impl Raster {
         squares
     }
 
-    /// Updates [`Raster::distances`] after the cells of some spans are blocked too.
+    /// Updates [`Raster::distances`] after the cells of some spans are blocked too. `blocked` as [`Raster::paint`] gives it.
     pub(crate) fn lower_distances(&self, distances: &mut [u16], blocked: &[Range<usize>], reach: u16) {
-        let (rows, columns) = (self.len() / self.columns, self.columns);
-        for span in blocked {
-            let (row, from, to) = (span.start / columns, span.start % columns, (span.end - 1) % columns);
-            let reach = usize::from(reach);
-            for near in row.saturating_sub(reach)..(row + reach + 1).min(rows) {
-                let above = near.abs_diff(row) as u16;
-                let (left, right) = (from.saturating_sub(reach), (to + reach + 1).min(columns));
-                let squares = &mut distances[near * columns..][left..right];
-                for (column, square) in (left..right).zip(squares) {
-                    let aside = (from.saturating_sub(column)).max(column.saturating_sub(to)) as u16;
-                    *square = (*square).min(above * above + aside * aside);
+        let (all_rows, all_columns) = (self.len() / self.columns, self.columns);
+        let reach = usize::from(reach);
+        let mut squares_aside: Vec<u16> = Vec::new();
+        // Most furniture stands along the rows: its spans are one rectangle, whose cells need not be asked one row at a time.
+        let is_below = |a: &Range<usize>, b: &Range<usize>| {
+            a.start + all_columns == b.start && a.end + all_columns == b.end
+        };
+        for rectangle in blocked.chunk_by(is_below) {
+            let (row, from) = (rectangle[0].start / all_columns, rectangle[0].start % all_columns);
+            let (rows, columns) = (row..row + rectangle.len(), from..from + rectangle[0].len());
+            let near = around(&columns, reach, all_columns);
+            squares_aside.clear();
+            squares_aside.extend(near.clone().map(|column| steps_to(&columns, column).pow(2)));
+            for row in around(&rows, reach, all_rows) {
+                let above = steps_to(&rows, row).pow(2);
+                let squares = &mut distances[row * all_columns..][near.clone()];
+                for (square, &aside) in squares.iter_mut().zip(&squares_aside) {
+                    *square = (*square).min(above + aside);
                 }
             }
         }
@@ -190,6 +197,16 @@ impl Raster {
     pub(crate) fn reach(&self, diameter: f64) -> u16 {
         ((diameter / 2.0 / self.cell).ceil() as u16).min(MOST_REACH)
     }
+}
+
+/// A range and so many steps more on both sides, of those from zero to an end.
+fn around(range: &Range<usize>, reach: usize, end: usize) -> Range<usize> {
+    range.start.saturating_sub(reach)..(range.end + reach).min(end)
+}
+
+/// Steps from a place near a range, which is not empty, to the range; zero inside.
+fn steps_to(range: &Range<usize>, place: usize) -> u16 {
+    range.start.saturating_sub(place).max((place + 1).saturating_sub(range.end)) as u16
 }
 
 /// Where an edge that crosses a row does so.
@@ -322,6 +339,10 @@ mod tests {
             let blocked = raster.paint(&edges(low, size), false);
             raster.lower_distances(&mut distances, &blocked, reach);
         }
+        // Askew, so that no row is like the next, and with two spans in a row.
+        let corners = [(1.9, 0.3), (2.4, 0.8), (1.9, 1.5), (2.1, 0.8)].map(Point::from);
+        let blocked = raster.paint(&Polygon::new(&corners).unwrap().edges().collect::<Vec<_>>(), false);
+        raster.lower_distances(&mut distances, &blocked, reach);
         let near = |distance: u16| distance.min(reach * reach + 1);
         let all_again: Vec<u16> = raster.distances(reach).into_iter().map(near).collect();
         assert_eq!(distances.into_iter().map(near).collect::<Vec<u16>>(), all_again);

@@ -23,7 +23,7 @@ pub(crate) struct Way {
 /// no way to clear.
 pub(crate) fn blocked_ways(
     floor: &Floor,
-    empty: impl FnOnce() -> Floor,
+    empty: &Floor,
     rules: &WalkingRules,
     goals: &[Goal<'_>],
 ) -> Vec<Way> {
@@ -34,7 +34,6 @@ pub(crate) fn blocked_ways(
     if missed.is_empty() {
         return Vec::new();
     }
-    let empty = empty();
     let wide = Passage::new(empty.walk(rules.person), walk, home);
     let narrow = LazyCell::new(|| {
         Passage::new(empty.walk(rules.narrow_person), floor.walk(rules.narrow_person), home)
@@ -268,10 +267,10 @@ mod tests {
     fn ways(level: &Level, solids: &[Solid], goals: &[Goal<'_>]) -> Vec<Way> {
         let rules = AuditRules::default().walking;
         let at = level.room(0);
-        let floor = Floor::new(at, &rules, solids.iter()).unwrap();
-        let empty = || Floor::new(at, &rules, core::iter::empty()).unwrap();
-        let ways = blocked_ways(&floor, empty, &rules, goals);
-        let (empty, is_blocked) = (empty(), !ways.is_empty());
+        let empty = Floor::empty(at, &rules).unwrap();
+        let floor = empty.with(&rules, solids.iter());
+        let ways = blocked_ways(&floor, &empty, &rules, goals);
+        let is_blocked = !ways.is_empty();
         assert_eq!(EmptyWalks::new(&empty, &rules).are_blocked(&floor, &rules, goals), is_blocked);
         ways
     }
@@ -323,7 +322,7 @@ mod tests {
     fn doors_are_joined_where_people_walk_upright() {
         let are_joined = |neck: f64| {
             let (level, rules) = (level(neck), AuditRules::default().walking);
-            let floor = Floor::new(level.room(0), &rules, core::iter::empty()).unwrap();
+            let floor = Floor::empty(level.room(0), &rules).unwrap();
             EmptyWalks::new(&floor, &rules).join_all_doors()
         };
         assert!(are_joined(0.6));

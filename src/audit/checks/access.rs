@@ -16,15 +16,11 @@ use crate::audit::quantity::Quantity;
 use crate::audit::subject::Subject;
 
 /// The floor of a room with some furniture and without it, where the style asks for access.
-fn floors(subject: &Subject<'_>) -> Option<(Floor, Floor)> {
+fn floors<'s>(subject: &'s Subject<'_>) -> Option<(Floor, &'s Floor)> {
     let asks = subject.style().access == Access::Wheelchair;
     let is_judged = asks && !subject.bodies.is_empty();
-    if is_judged { floor(subject, true).zip(floor(subject, false)) } else { None }
-}
-
-fn floor(subject: &Subject<'_>, is_furnished: bool) -> Option<Floor> {
-    let solids = subject.obstacles().filter(|_| is_furnished);
-    Floor::for_wheelchair(subject.at, subject.rules(), solids)
+    let empty = subject.empty_floors.wheelchair().filter(|_| is_judged)?;
+    Some((empty.with(&subject.rules().walking, subject.obstacles()), empty))
 }
 
 /// Whether a wheelchair has nowhere to turn.

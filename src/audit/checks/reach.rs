@@ -3,7 +3,6 @@
 //!
 //! Widths are known to a cell of the floor: 5 cm, in rooms whose box has more than 28,000 m² 10, above 112,000 m² 15.
 
-use crate::geometry::Solid;
 use crate::walk::{CELL, Floor, Goal};
 
 use crate::audit::evidence::Evidence;
@@ -39,9 +38,10 @@ pub(crate) type Rates = Vec<(usize, f64)>;
 /// The floor that people walk on; `None` without doors or without bodies in the way, where there is nothing to
 /// judge.
 pub(crate) fn floor(subject: &Subject<'_>) -> Option<Floor> {
-    let limit = subject.rules().walking.body_height;
-    let has_bodies = subject.bodies.iter().any(|body| body.low() < limit);
-    if has_bodies { floor_with(subject, subject.obstacles()) } else { None }
+    let rules = &subject.rules().walking;
+    let has_bodies = subject.bodies.iter().any(|body| body.low() < rules.body_height);
+    let empty = subject.empty_floors.walking().filter(|_| has_bodies)?;
+    Some(empty.with(rules, subject.obstacles()))
 }
 
 /// The walkable rates of the doors.
@@ -62,11 +62,6 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     if missed.is_empty() { Vec::new() } else { explain(subject, floor, home, &missed) }
 }
 
-/// The room with some of its bodies' solids; `None` where no door leads in.
-fn floor_with<'s>(subject: &Subject<'_>, solids: impl Iterator<Item = &'s Solid>) -> Option<Floor> {
-    Floor::new(subject.at, &subject.rules().walking, solids)
-}
-
 /// Every door and every side with room for somebody. Narrower strips (beside a toilet) are elbow room.
 pub(crate) fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor) -> Vec<Target<'z>> {
     let rules = subject.rules().walking;
@@ -84,7 +79,7 @@ pub(crate) fn goals<'z>(subject: &Subject<'_>, zones: &'z [Zone], floor: &Floor)
 /// full width, else the narrow one; what it does not allow is the plan's fault.
 fn explain(subject: &Subject<'_>, floor: &Floor, home: usize, missed: &[Target<'_>]) -> Vec<Fault> {
     let rules = subject.rules().walking;
-    let empty = floor_with(subject, core::iter::empty()).expect("furniture closes no door");
+    let empty = subject.empty_floors.walking().expect("furniture closes no door");
     let (wide, narrow) = (empty.walk(rules.person), empty.walk(rules.narrow_person));
     let widths = widest(floor, home, missed, rules.person);
     let mut faults: Vec<Fault> = Vec::new();
