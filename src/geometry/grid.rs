@@ -70,8 +70,9 @@ impl Grid {
     /// Takes an item out again; `bounds` as it was added.
     pub fn remove(&mut self, item: u32, bounds: Bounds) {
         let (left, right, bottom, top) = self.cells(bounds);
-        for row in bottom..=top {
-            for column in left..=right {
+        // Backwards: an item that was added last gives back all of its entries.
+        for row in (bottom..=top).rev() {
+            for column in (left..=right).rev() {
                 self.unlink(row * self.columns + column, item);
             }
         }
@@ -86,6 +87,9 @@ impl Grid {
                 match previous {
                     NONE => self.heads[cell] = next,
                     _ => self.entries[previous as usize].1 = next,
+                }
+                if entry as usize + 1 == self.entries.len() {
+                    self.entries.pop();
                 }
                 return;
             }
@@ -186,6 +190,14 @@ mod tests {
         assert_eq!(found(&grid, 8.2), [8]);
         grid.remove(7, Bounds::new(Point::splat(1.2), Point::splat(3.4)));
         assert!(found(&grid, 2.5).is_empty());
+        grid.remove(8, Bounds::new(Point::splat(8.0), Point::splat(8.5)));
+        let entry_count = grid.entries.len();
+        for _ in 0..3 {
+            grid.insert(9, Bounds::new(Point::splat(1.2), Point::splat(3.4)));
+            assert_eq!(found(&grid, 2.5), [9]);
+            grid.remove(9, Bounds::new(Point::splat(1.2), Point::splat(3.4)));
+        }
+        assert_eq!(grid.entries.len(), entry_count, "what came last leaves nothing behind");
     }
 
     #[test]

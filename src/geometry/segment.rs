@@ -121,7 +121,9 @@ impl Line {
 
 /// The edges of a ring of corners that have a length; the inside of a counter-clockwise one is on the left.
 pub fn edges(ring: &[Point]) -> impl Iterator<Item = Segment> + '_ {
-    let all = (0..ring.len()).map(|i| Segment::new(ring[i], ring[(i + 1) % ring.len()]));
+    // Not by the remainder of a division, which would take longer than most of what is asked of an edge.
+    let next = move |i: usize| if i + 1 == ring.len() { 0 } else { i + 1 };
+    let all = (0..ring.len()).map(move |i| Segment::new(ring[i], ring[next(i)]));
     all.filter(|edge| edge.start != edge.end)
 }
 

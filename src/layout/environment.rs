@@ -1,5 +1,6 @@
 //! The environment of the agents: who rests where, and whether a place is free.
 
+use core::ops::Range;
 use std::cell::{Cell, RefCell};
 
 use crate::catalog::{Class, ClassIndex, Side, Size};
@@ -193,13 +194,17 @@ impl<'a> Environment<'a> {
         }
         // Keeps the order: rules that name a class ask those first that came to rest first.
         self.resting[self.agents[agent].piece.class].retain(|&other| other != agent);
-        for index in self.agents[agent].bodies.clone() {
+        let bodies = self.agents[agent].bodies.clone();
+        for index in bodies.clone().rev() {
             self.body_grid.remove(item(index), self.bodies[index].solid.bounds);
         }
+        give_back(&mut self.bodies, bodies);
         self.remove_roof(agent);
-        for index in self.agents[agent].clearances.clone() {
+        let clearances = self.agents[agent].clearances.clone();
+        for index in clearances.clone().rev() {
             self.clearance_grid.remove(item(index), self.clearances[index].comfort.bounds);
         }
+        give_back(&mut self.clearances, clearances);
         self.agents[agent].state = State::Search;
     }
 
@@ -226,8 +231,8 @@ impl<'a> Environment<'a> {
             self.clearances.push(Region { solid, comfort, owner: agent, allows_children, seat });
         }
         self.add_roof(agent, place);
-        self.agents[agent].bodies = first..self.bodies.len();
-        self.agents[agent].clearances = first_clearance..self.clearances.len();
+        self.agents[agent].bodies = added(first, &self.bodies);
+        self.agents[agent].clearances = added(first_clearance, &self.clearances);
     }
 
     fn push_body(&mut self, body: OwnedSolid) {
@@ -253,6 +258,19 @@ impl<'a> Environment<'a> {
             && size.depth <= rules.flat_depth
             && place.pose.elevation >= rules.flat_elevation;
         hangs_flat || place.lies_flat(size)
+    }
+}
+
+/// The shapes that were added from the first one on. None are 0..0: others that were there before may be given back.
+fn added<T>(first: usize, shapes: &[T]) -> Range<usize> {
+    if first == shapes.len() { 0..0 } else { first..shapes.len() }
+}
+
+/// Takes shapes out again if they are the last ones. Whole arrangements come and go where pieces look for their places together:
+/// their shapes would pile up, and those of thousands take longer to keep than to make.
+fn give_back<T>(shapes: &mut Vec<T>, leaving: Range<usize>) {
+    if leaving.end == shapes.len() {
+        shapes.truncate(leaving.start);
     }
 }
 

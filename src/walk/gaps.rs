@@ -54,8 +54,9 @@ impl Obstacle {
         self.edges().map(|edge| edge.nearest(point)).reduce(nearer).expect("an obstacle has edges")
     }
 
-    /// Metres to another, if that is more than `least` and less than `most`. `apart` are the metres between their bounds.
-    fn gap_between(&self, other: &Self, apart: f64, least: f64, most: f64) -> Option<f64> {
+    /// Metres to another, if they are less than `most`; zero or `None` where they touch.
+    fn gap_to(&self, other: &Self, most: f64) -> Option<f64> {
+        let apart = self.bounds.gap(other.bounds);
         // Nearly all pairs end in the first three ways: they are far from each other, stand along the axes or touch.
         let gap = if apart >= most || (self.fills_its_bounds && other.fills_its_bounds) {
             apart
@@ -64,7 +65,7 @@ impl Obstacle {
         } else {
             self.nearest_corner(other).min(other.nearest_corner(self)).sqrt()
         };
-        (gap > least && gap < most).then_some(gap)
+        (gap < most).then_some(gap)
     }
 
     /// Square metres of the square over the distance from its nearest corner to another's sides. `distance_of_convex` takes corners
@@ -113,7 +114,7 @@ impl Cells<'_> {
     pub(super) fn lower_in_gaps(&mut self, obstacles: &[Obstacle], others: &[&[Obstacle]]) {
         let mut from_the_west: Vec<&Obstacle> = obstacles.iter().collect();
         from_the_west.sort_by(|a, b| a.bounds.low.x.total_cmp(&b.bounds.low.x));
-        let widest = self.widths[0].max(self.widths[1]);
+        let widest = self.widest();
         for (number, one) in from_the_west.iter().enumerate() {
             // So that halls with thousands of seats compare each with few.
             let is_near = |other: &&&Obstacle| other.bounds.low.x < one.bounds.high.x + widest;
@@ -127,13 +128,15 @@ impl Cells<'_> {
         }
     }
 
+    fn widest(&self) -> f64 {
+        self.widths[0].max(self.widths[1])
+    }
+
     /// Lowers the distances in the gap of two obstacles, for each width that is wider.
     fn lower_in_gap(&mut self, [one, other]: [&Obstacle; 2]) {
-        let apart = one.bounds.gap(other.bounds);
-        for width in self.widths {
-            if let Some(gap) = one.gap_between(other, apart, width - ROUNDED, width) {
-                self.lower_between([one, other], gap, width);
-            }
+        let Some(gap) = one.gap_to(other, self.widest()) else { return };
+        for width in self.widths.into_iter().filter(|width| gap > width - ROUNDED && gap < *width) {
+            self.lower_between([one, other], gap, width);
         }
     }
 
@@ -150,8 +153,13 @@ impl Cells<'_> {
                 return;
             }
             let middle = raster.middle(cell);
-            let (to_one, to_other) = (one.nearest(middle) - middle, other.nearest(middle) - middle);
-            let (near, far) = (to_one.length(), to_other.length());
+            let to_one = one.nearest(middle) - middle;
+            let near = to_one.length();
+            if near >= width {
+                return;
+            }
+            let to_other = other.nearest(middle) - middle;
+            let far = to_other.length();
             if near + far < width && to_one.dot(to_other) < BETWEEN * near * far {
                 distances[cell] = distances[cell].min(raster.least_distance(near + far));
             }

@@ -9,7 +9,7 @@ use crate::layout::surroundings::{Border, Cause, KeptFree};
 use crate::layout::trace::Obstacle;
 
 use super::obstruction::{Probe, Recorder, any_obstacle, body_of};
-use super::{Environment, ROOM, item};
+use super::{Environment, ROOM, added, give_back, item};
 
 /// A clearance of an agent that would stand at a place.
 struct OwnClearance<'a> {
@@ -312,14 +312,16 @@ impl<'a> Environment<'a> {
             self.roof_grid.insert(item(first), solid.bounds);
             self.roofs.push((solid, agent));
         }
-        self.agents[agent].roofs = first..self.roofs.len();
+        self.agents[agent].roofs = added(first, &self.roofs);
     }
 
     /// Forgets it again.
     pub(super) fn remove_roof(&mut self, agent: AgentIndex) {
-        for index in self.agents[agent].roofs.clone() {
+        let roofs = self.agents[agent].roofs.clone();
+        for index in roofs.clone() {
             self.roof_grid.remove(item(index), self.roofs[index].0.bounds);
         }
+        give_back(&mut self.roofs, roofs);
     }
 }
 

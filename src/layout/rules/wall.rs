@@ -61,8 +61,10 @@ pub(crate) fn free_stretches(
     let Some(rule) = class.parents.iter().find(|rule| rule.parent == ParentName::Wall) else {
         return Vec::new();
     };
-    let shifted = ParentRule { gap: (before_opening, before_opening), ..rule.clone() };
-    let rule = if before_opening > 0.0 { &shifted } else { rule };
+    // Copied where it is shifted only: most lines are those of walls.
+    let shifted =
+        (before_opening > 0.0).then(|| ParentRule { gap: (before_opening, before_opening), ..rule.clone() });
+    let rule = shifted.as_ref().unwrap_or(rule);
     let view =
         View { environment, agent, class, size, rule, parent: ParentPart::Wall(wall), side: Side::Front };
     let Some(mut strip) = Strip::new(&view, wall, stream) else { return Vec::new() };
