@@ -19,6 +19,8 @@ TOILET_FRONT = 0.53
 BED_SIDE = 0.3
 # Square metres from which a room has halves, and the share of the footprint in one of them.
 HALVES_AREA = 10.0
+# Metres that the line between two halves may be off.
+HALVES_ROUNDING = 0.02
 HALF = 0.85
 # Metres of a main walkway: HUD.
 WALKWAY = 0.75
@@ -110,13 +112,23 @@ def halves_of(room: Room) -> list[tuple[shapely.Geometry, shapely.Geometry]]:
 
 
 def split_in_half(region: shapely.Geometry, axis: np.ndarray) -> tuple[shapely.Geometry, shapely.Geometry]:
-    """The parts of a region on both sides of the middle of its extent along an axis."""
+    """Two parts of a region of equal area, cut across an axis: the middle of its extent would leave a niche for a half."""
     along = shapely.get_coordinates(region) @ axis
-    middle, far = (along.min() + along.max()) / 2, float(np.ptp(along)) + region.length
+    low, high = float(along.min()), float(along.max())
+    while high - low > HALVES_ROUNDING:
+        middle = (low + high) / 2
+        low, high = (middle, high) if beyond(region, axis, middle).area > region.area / 2 else (low, middle)
+    farther = beyond(region, axis, (low + high) / 2)
+    return farther, region.difference(farther)
+
+
+def beyond(region: shapely.Geometry, axis: np.ndarray, distance: float) -> shapely.Geometry:
+    """What of a region lies farther along an axis than a distance from the origin."""
+    far = float(np.ptp(shapely.get_coordinates(region), axis=0).sum())
     across = np.array([-axis[1], axis[0]])
-    corner = axis * middle - across * far
-    side = shapely.Polygon([corner, corner + across * 2 * far, corner + across * 2 * far + axis * far, corner + axis * far])
-    return region.intersection(side), region.difference(side)
+    center = axis * distance + across * (np.asarray(region.centroid.coords[0]) @ across)
+    corners = [center - across * far, center + across * far, center + (across + axis) * far, center + (axis - across) * far]
+    return region.intersection(shapely.Polygon(corners))
 
 
 def half_share(standing: list[Piece], half: shapely.Geometry, whole: float) -> float:

@@ -22,6 +22,8 @@ LEAST = 0.05
 # Metres of a hall's width from which on it is a room that wants furniture, and below which nothing stands in it.
 WIDE_HALL = 1.6
 NARROW_HALL = 1.2
+# Metres that figures of meshes are off.
+ROUNDING = 0.002
 ROOM_HALL = 2.4
 # Metres that a line across a hall may run at most, and shares of a piece's width where such lines begin.
 ACROSS = 30.0
@@ -116,7 +118,7 @@ def judge_narrow(room: Room) -> Answer | None:
         return None
     widths = [(width_at(room, piece), piece) for piece in standing_in(room)]
     narrow = [Fault(f"it stands where the hall is {width:.2f} m wide", (piece.id,), width)
-              for width, piece in widths if width < NARROW_HALL]
+              for width, piece in widths if width < NARROW_HALL - ROUNDING]
     return answer(narrow, min((width for width, _ in widths), default=None))
 
 
