@@ -8,6 +8,10 @@
 //! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`; the
 //!    folder has a row in ARCHITECTURE.md. Files that are not read back end here: `audit`, `diff`, `edits capture` and the scripts
 //!    take `.glb` and `.gltf`, and `scripts/validate.py` checks what the manifest says of others.
+//! 4. Test it in its folder, as `example.rs` is; `tests/command_line/determinism.rs` has the list of runs whose files must be
+//!    equal for any number of threads: add one with your format. Until a version is released, CHANGELOG.md stays as it is.
+//!
+//! `GLB` in `gltf/output.rs` is the other format to read; what follows spares reading the scene and the batch.
 //!
 //! A format is given a [`crate::scene::Scene`] (`scene/node.rs`, which lists all that is in it):
 //! - a tree of nodes in metres, Y up, each placed relative to its parent; mesh and material indices are valid. Node names are
@@ -17,8 +21,9 @@
 //!   `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
 //! - the extras of a node ([`crate::contract::Extras`]), which say what it is; outlines, hinges and sides in them are in the axes
 //!   of plans already. `docs/output.md`, "Extras", describes them;
-//! - meshes (`mesh/model.rs`): every corner has a unit normal, every triangle three indices;
-//! - materials: colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. With [`OutputFormat::shows_textures`],
+//! - meshes (`mesh/model.rs`, all of whose fields `example.rs` uses): every corner has a unit normal, every triangle three indices.
+//!   Unless users ask for `--parts separate`, the walls of a room are one mesh (`walls@<room>`), and so are its other coverings;
+//! - materials (`mesh/material.rs` names the factors): colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. With [`OutputFormat::shows_textures`],
 //!   materials may show their colour by an image alone (`<palette>.swatches`); without it each material has its own base colour,
 //!   whatever textures the user asks for. Materials of users' models keep the names they came with, so that several may have one
 //!   name, or hold spaces: a format that refers to materials by name makes it unique, as `example.rs` does;

@@ -54,6 +54,6 @@ mod tests {
             assert_eq!((format.name(), output_format(format).name), (line.name, line.name));
             assert_eq!(line.extensions[0], line.name);
         }
-        assert_eq!(Format::named("usd"), None);
+        assert_eq!(Format::named("no-format"), None);
     }
 }

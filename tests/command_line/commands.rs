@@ -193,7 +193,7 @@ fn wrong_arguments_end_with_two() {
     for arguments in [
         &["bake", "--threads", "0"][..],
         &["bake", "--shard", "5/4"],
-        &["bake", "--format", "obj"],
+        &["bake", "--format", "no-format"],
         &["bake", "--sed", "1"],
         &["baek"],
     ] {
