@@ -14,19 +14,20 @@
 //! `GLB` in `gltf/output.rs` is the other format to read; what follows spares reading the scene and the batch.
 //!
 //! A format is given a [`crate::scene::Scene`] (`scene/node.rs`, which lists all that is in it):
-//! - a tree of nodes in metres, Y up, each placed relative to its parent; mesh and material indices are valid. Node names are
-//!   unique in the level. They hold ids of the plan, and so any letter: spaces, quotes, `#` and `/`, too. `docs/output.md`, "Nodes",
-//!   says where the origin of a node is and where its front faces. A format with the axes of plans takes
-//!   [`crate::scene::plan_point`] (of a `DVec3`: nodes and corners are `f32`, so `plan_point(point.as_dvec3()).as_vec3()`),
-//!   `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
+//! - a tree of nodes in metres, Y up, each placed relative to its parent; mesh and material indices are valid. Node names
+//!   are unique in the level. They hold ids of the plan, and so any letter: spaces, quotes, `#` and `/`, too.
+//!   `docs/output.md`, "Nodes", says where the origin of a node is and where its front faces. A format with the axes of
+//!   plans takes [`crate::scene::plan_point`] (of a `DVec3`: nodes and corners are `f32`, so
+//!   `plan_point(point.as_dvec3()).as_vec3()`), `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
 //! - the extras of a node ([`crate::contract::Extras`]), which say what it is; outlines, hinges and sides in them are in the axes
 //!   of plans already. `docs/output.md`, "Extras", describes them;
 //! - meshes (`mesh/model.rs`, all of whose fields `example.rs` uses): every corner has a unit normal, every triangle three indices.
 //!   Unless users ask for `--parts separate`, the walls of a room are one mesh (`walls@<room>`), and so are its other coverings;
-//! - materials (`mesh/material.rs` names the factors): colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. With [`OutputFormat::shows_textures`],
-//!   materials may show their colour by an image alone (`<palette>.swatches`); without it each material has its own base colour,
-//!   whatever textures the user asks for. Materials of users' models keep the names they came with, so that several may have one
-//!   name, or hold spaces: a format that refers to materials by name makes it unique, as `example.rs` does;
+//! - materials (`mesh/material.rs` names the factors): colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB.
+//!   With [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`);
+//!   without it each material has its own base colour, whatever textures the user asks for. Materials of users' models keep
+//!   the names they came with, so that several may have one name, or hold spaces: a format that refers to materials by name
+//!   makes it unique, as `example.rs` does;
 //! - the options of the user ([`LevelOptions`]). What they say of rooms and shapes has been done; a format that cannot do
 //!   what else they ask for (lights, variants, shared files) leaves it out.
 //!

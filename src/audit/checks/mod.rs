@@ -6,16 +6,21 @@
 //! from the start, give their class a relation (`docs/guide.md`). To add a finding:
 //!
 //! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand.
-//! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`, or
-//!    `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities, section of
-//!    thresholds (`""` for none), check. The word is the name in small letters, and part of the output. Checks that ask about the empty room
-//!    share a budget in the order of the table. If no other arrangement of the same pieces can be without the finding, name it in
-//!    `Code::is_of_places`, so that no further ones are tried for its sake. A new quantity is a line in each list of `quantity.rs`.
-//! 3. Add a limit of its own, if it has one: a line with the figure and its source or reason in `configs/audit.yaml`, and a line
-//!    with its unit (`Metres`, `Area`, `Degrees`, `Share`, `Factor`) in the list `thresholds!` of `src/catalog/audit.rs`. A new
-//!    section is `name: NameRules { ... }` there, which makes the struct, and `name:` in the file; nothing else names it.
-//! 4. Renew `docs/audit.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit published_schemas`.
-//!    Levels whose rooms have the new finding change: `UPDATE_GOLDENS=1 cargo test --test command_line pinned`.
+//! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`,
+//!    or `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities,
+//!    section of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. Checks
+//!    that ask about the empty room share a budget in the order of the table. If no other arrangement of the same pieces can
+//!    be without the finding, name it in `Code::is_of_places`, so that no further ones are tried for its sake. A new
+//!    quantity is a line in each list of `quantity.rs`.
+//! 3. Add a limit of its own, if it has one: a line with the figure and its source or reason in `configs/audit.yaml`, and a
+//!    line with its unit (`Metres`, `Area`, `Degrees`, `Share`, `Factor`) in the list `thresholds!` of
+//!    `src/catalog/audit.rs`. A new section is `name: NameRules { ... }` there, which makes the struct, and `name:` in the
+//!    file; nothing else names it. A limit may join the section that fits: layout reads the limits that it names, and no
+//!    others.
+//! 4. Renew `docs/audit.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit
+//!    published_schemas`. Levels whose rooms have the new finding change: `UPDATE_GOLDENS=1 cargo test --test command_line
+//!    pinned`. No other page lists the codes: `scripts/judge.py` has measures of its own. Until a version is released,
+//!    CHANGELOG.md stays as it is.
 //!
 //! | quantity (`quantity.rs`) | unit of the figures | is |
 //! |---|---|---|
@@ -34,17 +39,17 @@
 //! |---|---|
 //! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
 //! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)`, `is_standing(rules)`, `front()` (unit vector), `corners()` (of its box: the first two at its front, the last two at its back); `placement.position` is the middle of the box |
-//! | groups of classes | constants of `audit/groups.rs`, for a misspelt one holds no class: `SEAT`, `BED`, `SLEEPING`, `SCREEN`, `WORK_SURFACE`, `SURFACE`, `MIRROR`, `BATHING`, `TOILET`, `COOKING`, `SMALL`, `LIGHT`, `MOVABLE`, `PLANT`, `WINDOW_DRESSING`, `DISPLAY` |
+//! | groups of classes | constants of `audit/groups.rs`, for a misspelt one holds no class: `SEAT` (all that people sit on, stools and benches, too), `BED`, `SLEEPING`, `SCREEN`, `WORK_SURFACE`, `SURFACE`, `MIRROR`, `BATHING`, `TOILET`, `COOKING`, `SMALL`, `LIGHT`, `MOVABLE`, `PLANT`, `WINDOW_DRESSING`, `DISPLAY` |
 //! | bodies near each other | `subject.near_boxes().touching(&bounds)`; for places `NearPoints` of `near.rs`. Not each body with each other: `audit/tests.rs` measures that the time of a verdict grows as the pieces do. Each body with each wall or opening is fine |
-//! | distances, in metres | `Segment::new(a, b).distance(point)`, `distance_to_convex(corners, point)`, `distance_of_convex(corners, others)` of `geometry`, 0 inside |
+//! | distances, in metres | `Segment::new(a, b).distance(point)`, `distance_to_convex(corners, point)`, `distance_of_convex(corners, others)` of `geometry`, 0 inside; rings have three corners or more |
 //! | style, limits | `subject.style()`, `subject.rules().alignment.angle`: metres, radians, shares |
 //! | the space before sides, doors and windows, and what is in it | `evidence.zones`, `evidence.hits` |
 //! | where people get to | `evidence.floor`, which may be none: `floor.walk(diameter).reaches(door, goal)` |
 //! | whether the empty room could hold a piece | `(evidence.ask)(&Question::Class(class))`, for `Fault::if_possible` |
 //! | walls of the room | `subject.at.room.walls[index]`: `start`, `end`, `direction()`, `normal()` into the room |
-//! | doors and windows of the room | `subject.at.room.openings`: each with its `wall`, the metres `from` and `to` along it, and `opening`, the index into `subject.at.level.openings`: `kind` (`OpeningKind::Window`), `bottom`, `top`, `sides` |
+//! | doors and windows of the room | `subject.at.room.openings`: each with its `wall`, the metres `from` and `to` along it, and `opening`, the index into `subject.at.level.openings`: `kind` (`OpeningKind::Window`), `bottom`, `top`, `sides`, and its middle line: `center` (halfway through the wall), `along`, `width`. A pane counts as there |
 //! | whether the room is in the open air | `subject.catalog.households.homes.outdoors.contains(&subject.at.room.room_type)` |
-//! | a comparison with a limit | `measured > limit + ROUNDING` (`rounding.rs`); of two limits a fault has the one that was passed |
+//! | a comparison with a limit | `measured > limit + ROUNDING` (`rounding.rs`), `measured < limit - ROUNDING`; of two limits a fault has the one that was passed |
 //! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity; also `subject.opening(index)` (of the level), `Subject::column(index)`, `subject.class(index)` (of which a piece is missing); `.about(vec![corners])` marks floor |
 //! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`, which lists its classes); `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object (a chest is 1 × 1 × 0.8 m; wall 0 is the south wall, 1 the east wall; at angle 0 fronts face south); `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)`, `room.audit()` |
 

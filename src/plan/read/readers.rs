@@ -1,17 +1,20 @@
 //! The table of readers of foreign formats, and how to add one.
 //!
-//! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete one to
-//!    copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Add its `mod` line to `mod.rs`
-//!    and its `FORMAT` to the list below. Recognition, `roomwright formats`, `import` and hints follow.
-//! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md and CHANGELOG.md
-//!    name the formats, too; no other golden does.
-//! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The reader asks
-//!    for them by the name of the section: `words.room_type("osm", "office")`, in capitals or not. By custom the name is also
-//!    `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program joins the two. Where an unread format has that word in
-//!    its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`.
-//! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan import`
-//!    writes what is read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at it. For damaged
-//!    inputs, add a line to `TARGETS` of `fuzz/targets.rs`, and the plan as a case below `fuzz/corpus/`.
+//! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete
+//!    one to copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Add its `mod`
+//!    line to `mod.rs` and its `FORMAT` to the list below. Recognition, `roomwright formats`, `import` and hints follow.
+//! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md and
+//!    CHANGELOG.md name the formats, too; no other golden does.
+//! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The
+//!    reader asks for them by the name of the section: `words.room_type("osm", "office")`, in capitals or not. By custom the
+//!    name is also `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program
+//!    joins the two. Where an unread format has that word in its name and stays unread (`.osm`), name the format otherwise,
+//!    such as `osm-indoor`. Of several words for one room the most specific decides; a word that says no more than "room"
+//!    (`generic`) is no fault.
+//! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan
+//!    import` writes what is read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at
+//!    it. For damaged inputs, add a line to `TARGETS` of `fuzz/targets.rs`, and the plan as a case in the folder of its name
+//!    below `fuzz/corpus/`. No test counts the cases.
 //! 5. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line, and its case in the
 //!    tests there. Keep both if some files of the format stay unread (OSM without indoor tags): readers are asked first, and a file
 //!    that none recognises is refused by its line. The test `a_format_is_read_or_not_read` fails if a word of an unread format's
@@ -27,9 +30,11 @@
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
 //! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger `head`, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
 //! | XML, tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
-//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has other units too: one plane for all levels of a building, at the middle of its corners. `Polygon` takes metres; an area in degrees counts as none |
+//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has other units too: one plane for all levels of a building, at `Bounds::around(points).center()` of its corners; `plane_of` of `geojson/place.rs` does that for GeoJSON. `Polygon` takes metres; an area in degrees counts as none |
 //! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |
-//! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`; thicknesses are yours to choose |
+//! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`. What a file does not say is yours to choose: IMDF takes storeys of 3.6 m, walls of 0.1 m inside and 0.4 m outside, doors 2.1 m high. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
+//! | ids of levels | any text that is unique in the building; IMDF has `level_<ordinal>`, `level_-1` below ground |
+//! | a fault of a file without a place | `Fault::of_file(path, message)` |
 
 use super::reader::{ForeignFormat, ReadFormat};
 use super::{archilyse, ifc, imdf};
