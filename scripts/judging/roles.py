@@ -67,4 +67,5 @@ HOME_ROOMS = LIVING_ROOMS | BEDROOMS | KITCHENS | {"childrens_room", "shared_chi
                                                        "dining_room", "study"}
 OUTDOOR = {"balcony", "loggia", "terrace"}
 # Rooms that join dwellings, and are in none.
-SHARED_WAYS = {"stairs", "elevator", "staircase", "walkway", "foyer", "shaft", "void"} | OUTDOOR
+STAIRS = {"stairs", "staircase", "elevator", "shaft", "void"}
+SHARED_WAYS = STAIRS | {"walkway", "foyer"} | OUTDOOR

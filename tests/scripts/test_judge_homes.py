@@ -184,6 +184,14 @@ def test_a_piece_may_stand_at_the_end_of_a_narrow_hall_and_not_at_its_side(tmp_p
     assert [fault.measured for fault in at_the_side.faults] == [pytest.approx(1.0, abs=0.01)]
 
 
+@pytest.mark.parametrize(("beyond", "faults"), [("kitchen", 0), ("stairs", 1)])
+def test_a_hall_goes_on_past_an_open_side_and_not_onto_stairs(tmp_path, beyond, faults):
+    made = house("corridor", 1.0, 6.0).room("102", beyond, 4.0, 6.0, west=1.0)
+    made.opening("o", "door", "open", [("101", 1, 0.0, 6.0), ("102", 3, 0.0, 6.0)])
+    room = made.piece("shoe_cabinet", 0.2, 3.0, "east", (0.8, 0.35, 1.0)).read(tmp_path)
+    assert len(MEASURES["hall_narrow"].judge(room).faults) == faults
+
+
 def test_living_rooms_without_a_screen_are_counted_and_no_fault(tmp_path):
     judge = MEASURES["living_without_screen"].judge
     answers = [judge(living(*pieces).read(tmp_path)) for pieces in ([("tv", 2.5, 4.5, "south", TV)], CORNER)]

@@ -10,7 +10,7 @@ import shapely
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
-from ..roles import HALLS, HOME_ROOMS, SLIM_KINDS
+from ..roles import HALLS, HOME_ROOMS, SLIM_KINDS, STAIRS
 from ..shapes import Wall, width_of
 
 # Metres of a wall without anything.
@@ -143,8 +143,17 @@ def from_wall(room: Room, piece: Piece) -> np.ndarray:
 def line_across(room: Room, point: np.ndarray, direction: np.ndarray) -> float:
     line = shapely.LineString([point - direction * ACROSS, point + direction * ACROSS])
     parts = shapely.get_parts(line.intersection(room.region))
-    here = [part.length for part in parts.tolist() if part.distance(shapely.Point(point)) < LEAST]
-    return max(here, default=float("inf"))
+    here = [part for part in parts.tolist() if part.distance(shapely.Point(point)) < LEAST]
+    if any(part.distance(side) < LEAST for part in here for side in open_sides(room)):
+        return float("inf")
+    return max((part.length for part in here), default=float("inf"))
+
+
+def open_sides(room: Room) -> list[shapely.LineString]:
+    """Where a room goes on in the next without a wall; who goes past a piece does not step onto stairs."""
+    stairs = {other.id for other in room.floor.rooms if other.kind in STAIRS}
+    return [shapely.LineString([side.wall.at(side.start), side.wall.at(side.end)]) for opening, side in room.openings(doors=True)
+            if opening.closure == "open" and not stairs.intersection(opening.rooms)]
 
 
 MEASURES = [

@@ -150,7 +150,7 @@ fn show_wish(wish: &Wish) -> String {
     if let Some(angle) = wish.angle {
         let _ = write!(text, ", {angle:.0}° off");
     }
-    if wish.decided_by.is_none() && wish.about != "not before" {
+    if wish.decided_by.is_none() && wish.distance.is_none() && wish.about != "not before" {
         text += " (there is none)";
     }
     text

@@ -20,7 +20,7 @@ use super::brief::Brief;
 use super::environment::Environment;
 use super::furnished::{Furnished, RemovalReason};
 use super::place::{AgentIndex, Place};
-use super::rules::{Factor, measure, weigh};
+use super::rules::{Factor, distance_to_swings, measure, weigh};
 use super::trace::Refused;
 use super::wanted::is_missed;
 use names::{decider, id, obstacle_name, relation_word, target_name};
@@ -124,7 +124,12 @@ fn wish(
             _ => points >= relation.weight,
         },
         decided_by: measured.map(|measured| decider(environment, &relation.target, &measured)),
-        distance: measured.map(|measured| measured.distance),
+        distance: match relation.kind {
+            RelationKind::ClearOf => {
+                Some(distance_to_swings(environment, agent, place)).filter(|it| it.is_finite())
+            }
+            _ => measured.map(|measured| measured.distance),
+        },
         angle: measured.filter(|_| has_direction).map(|measured| measured.angle.to_degrees()),
         weight: relation.weight,
         points,

@@ -82,7 +82,7 @@ pub struct Wish {
     pub is_met: bool,
     /// The one thing that decides, if there is any: an object's id or a room part.
     pub decided_by: Option<String>,
-    /// Metres to it.
+    /// Metres to it; of `clear of`, to the nearest space where a leaf swings.
     pub distance: Option<f64>,
     /// Degrees between the object's front and the direction to it.
     pub angle: Option<f64>,

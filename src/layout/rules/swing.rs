@@ -10,10 +10,14 @@ use super::View;
 
 /// 1 where the body is so many metres from where leaves swing, falling to 0 beside them.
 pub(super) fn clearness(environment: &Environment<'_>, agent: AgentIndex, place: &Place, least: f64) -> f64 {
+    if least > 0.0 { (distance_to_swings(environment, agent, place) / least).min(1.0) } else { 1.0 }
+}
+
+/// Metres from a body to the nearest space where a leaf swings; infinite in a room without leaves.
+pub(crate) fn distance_to_swings(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
     let body = box_solid(environment.agents[agent].size, &place.pose);
     let to_swing = |swing: &Convex| distance_of_convex(body.footprint(), swing.corners());
-    let nearest = environment.brief.surroundings.swings.iter().map(to_swing).fold(f64::INFINITY, f64::min);
-    if least > 0.0 { (nearest / least).min(1.0) } else { 1.0 }
+    environment.brief.surroundings.swings.iter().map(to_swing).fold(f64::INFINITY, f64::min)
 }
 
 /// Metres that an agent's class wishes to be away from swings; zero where it does not care.
