@@ -18,6 +18,36 @@ pub(crate) fn metres_per_pixel(square_centimetres: f64) -> Option<f64> {
         .then(|| square_centimetres.sqrt() * CENTIMETRE)
 }
 
+/// Metres in a foot, the international one.
+pub(crate) const FOOT: f64 = 0.3048;
+/// Metres in an inch.
+const INCH: f64 = 0.0254;
+
+/// Metres of a length in words, as maps write it: `12`, `12.5 m`, `12,5`, `40'`, `40'6"`, `40 ft`. A number alone is metres.
+///
+/// `None` for anything else, and for numbers that are not finite.
+pub(crate) fn length_of_words(words: &str) -> Option<f64> {
+    let words = words.trim();
+    let end =
+        words.find(|letter: char| !(letter.is_ascii_digit() || matches!(letter, '.' | ',' | '-' | '+')));
+    let (number, unit) = words.split_at(end.unwrap_or(words.len()));
+    let number = number.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite())?;
+    let unit = unit.trim();
+    if let Some(inches) = unit.strip_prefix('\'').map(str::trim).filter(|rest| !rest.is_empty()) {
+        let inches = inches.strip_suffix('"')?.trim().parse::<f64>().ok()?;
+        return Some(number * FOOT + inches * INCH).filter(|length| length.is_finite());
+    }
+    let factor = match unit.to_ascii_lowercase().trim_end_matches('.') {
+        "" | "m" | "meter" | "meters" | "metre" | "metres" => 1.0,
+        "cm" => CENTIMETRE,
+        "km" => 1000.0,
+        "'" | "ft" | "foot" | "feet" => FOOT,
+        "\"" | "in" | "inch" | "inches" => INCH,
+        _ => return None,
+    };
+    Some(number * factor)
+}
+
 /// The factor of an SI prefix, as formats spell it in capitals.
 pub(crate) fn si_prefix(word: &str) -> Option<f64> {
     let power: i32 = match word {
@@ -88,6 +118,26 @@ mod tests {
         assert!((metres_per_pixel(4.0).unwrap() - 0.02).abs() < 1e-15);
         for broken in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert_eq!(metres_per_pixel(broken), None);
+        }
+    }
+
+    #[test]
+    fn lengths_in_words_have_their_units() {
+        let lengths = [
+            ("12", 12.0),
+            (" 12.5 m", 12.5),
+            ("12,5m", 12.5),
+            ("40'", 12.192),
+            ("40'6\"", 12.3444),
+            ("40 ft", 12.192),
+            ("-3", -3.0),
+        ];
+        for (words, metres) in lengths {
+            let length = length_of_words(words).unwrap_or_else(|| panic!("{words}"));
+            assert!((length - metres).abs() < 1e-9, "{words}: {length}");
+        }
+        for words in ["", "m", "high", "5 storeys", "1.2.3", "40'x", "40'6", "1e400", "NaN", "inf"] {
+            assert_eq!(length_of_words(words), None, "{words}");
         }
     }
 

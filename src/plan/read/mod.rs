@@ -4,6 +4,9 @@ pub(crate) mod archilyse;
 #[cfg(test)]
 mod example;
 mod finish;
+// Not wired yet: the stage that plans storeys is written at the same time.
+#[allow(dead_code, unused_imports)]
+pub(crate) mod footprint;
 mod foreign;
 mod geojson;
 pub(crate) mod ifc;
@@ -17,6 +20,7 @@ mod reader;
 mod readers;
 #[cfg(test)]
 pub(super) mod real_data;
+mod sample;
 mod unread;
 
 use std::collections::BTreeMap;

@@ -7,8 +7,16 @@ use crate::plan::{BuildingDraft, RoomWords};
 
 /// A folder of the shared floor plans, or `None` with a printed reason where it is absent.
 pub(in crate::plan) fn folder(name: &str) -> Option<PathBuf> {
-    let path = PathBuf::from("../shared/data/floorplans").join(name);
-    if path.is_dir() {
+    present(PathBuf::from("../shared/data/floorplans").join(name))
+}
+
+/// A file of the shared maps of footprints, or `None` with a printed reason where it is absent.
+pub(in crate::plan) fn footprints(name: &str) -> Option<PathBuf> {
+    present(PathBuf::from("../shared/data/footprints").join(name))
+}
+
+fn present(path: PathBuf) -> Option<PathBuf> {
+    if path.exists() {
         return Some(path);
     }
     println!("skipped: {} is absent", path.display());

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use super::foreign::head;
 use super::readers::read_formats;
-use crate::document::{FILE_SIZE_LIMIT, Fault, top_keys};
+use super::sample::Sample;
+use crate::document::{FILE_SIZE_LIMIT, Fault};
 
 /// Bytes at the start of a file by which it is recognised.
 const HEAD_SIZE: u64 = 64 * 1024;
@@ -16,72 +17,6 @@ pub(crate) struct UnreadKind {
     looks: fn(&Sample) -> bool,
     /// Advice for the user.
     pub(crate) advice: &'static str,
-}
-
-/// The parts of a file that recognition looks at.
-struct Sample {
-    /// In small letters.
-    extension: String,
-    head: Vec<u8>,
-    /// The beginning as text, in which every byte that is none is replaced.
-    text: String,
-    /// The outermost keys of the beginning.
-    keys: Vec<String>,
-}
-
-impl Sample {
-    fn of(path: &Path, head: Vec<u8>) -> Self {
-        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-        let text = String::from_utf8_lossy(&head).trim_start_matches('\u{feff}').trim_start().to_owned();
-        Self { extension: extension.to_ascii_lowercase(), keys: top_keys(&text), text, head }
-    }
-
-    fn is_of(&self, extensions: &[&str]) -> bool {
-        extensions.contains(&self.extension.as_str())
-    }
-
-    fn begins(&self, signature: &[u8]) -> bool {
-        self.head.starts_with(signature)
-    }
-
-    fn has(&self, keys: &[&str]) -> bool {
-        keys.iter().all(|key| self.keys.iter().any(|known| known == key))
-    }
-
-    /// Whether a JSON text says so, whatever the spaces.
-    fn says(&self, key: &str, value: &str) -> bool {
-        let (key, value) = (format!("\"{key}\""), format!("\"{value}\""));
-        self.text.match_indices(&key).map(|(at, found)| at + found.len()).any(|at| {
-            let rest = self.text[at..].trim_start().strip_prefix(':').map(str::trim_start);
-            rest.is_some_and(|rest| rest.starts_with(&value))
-        })
-    }
-
-    /// Whether the outermost element of an XML text has this name, whatever its prefix.
-    fn is_xml(&self, root: &str) -> bool {
-        self.xml_root().is_some_and(|name| name.eq_ignore_ascii_case(root))
-    }
-
-    fn xml_root(&self) -> Option<&str> {
-        let mut rest = self.text.strip_prefix('<').map(|_| self.text.as_str())?;
-        while let Some(at) = rest.find('<') {
-            rest = &rest[at + 1..];
-            if rest.starts_with(|letter: char| letter.is_alphabetic()) {
-                let end = rest.find(|letter: char| letter.is_whitespace() || matches!(letter, '>' | '/'));
-                let name = &rest[..end.unwrap_or(rest.len())];
-                return Some(name.rsplit(':').next().unwrap_or(name));
-            }
-            // Comments may hold anything.
-            if let Some(comment) = rest.strip_prefix("!--") {
-                rest = &comment[comment.find("-->")?..];
-            }
-        }
-        None
-    }
-
-    fn is_geojson(&self) -> bool {
-        self.says("type", "FeatureCollection") || self.has(&["type", "features"])
-    }
 }
 
 const OTHER_PLANS: &str = "convert it, or write a native plan: docs/guide.md shows one";

@@ -1,0 +1,41 @@
+//! What a reader of a format finds in a file, in the coordinates of the file.
+
+use super::facts::Facts;
+use crate::geometry::Point;
+
+/// A map as its file draws it. All places are in the units of its reference system: x is the longitude or the way east.
+#[derive(Debug, Default)]
+pub(super) struct Drawing {
+    /// The reference system as the file spells it.
+    pub(super) reference_system: Option<String>,
+    /// Whether a file without a reference system is in degrees.
+    pub(super) is_degrees_unless_said: bool,
+    /// Buildings and their parts.
+    pub(super) buildings: Vec<Drawn>,
+    /// Doors that the map shows.
+    pub(super) entrances: Vec<Point>,
+    /// Centre lines of streets.
+    pub(super) streets: Vec<Vec<Point>>,
+}
+
+/// A building or a part of one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Drawn {
+    /// The id in the file, if it has one, in letters that file names take.
+    pub(super) id: Option<String>,
+    /// Whether the file says that it is a part of a building.
+    pub(super) is_part: bool,
+    /// Id of the building it is a part of, if the file says.
+    pub(super) parent: Option<String>,
+    /// Its areas.
+    pub(super) areas: Vec<Rings>,
+    /// What the file says of it.
+    pub(super) facts: Facts,
+}
+
+/// The border of an area: an outer ring and holes, each perhaps closed, in any direction.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Rings {
+    pub(super) outer: Vec<Point>,
+    pub(super) holes: Vec<Vec<Point>>,
+}

@@ -1,0 +1,63 @@
+//! Building footprints: maps of outlines without rooms, from which storeys are planned.
+//!
+//! ```text
+//! geojson ─┐
+//! cityjson ┼─▶ Drawing ─▶ site.rs: frame (metres) ─▶ sound ─▶ tidy ─▶ merge ─▶ Site
+//! osm ─────┘   (units of the file, facts by family of tags)
+//! ```
+//!
+//! A reader of a format makes a [`drawn::Drawing`]; everything after it is common. Each building that a file draws is a footprint,
+//! or [`SiteNotes`] says what became of it. The answer does not depend on the order of features in the file.
+
+mod cityjson;
+mod drawn;
+mod entrances;
+mod facts;
+mod frame;
+mod geojson;
+mod ids;
+mod merge;
+mod needles;
+mod notes;
+mod projection;
+mod properties;
+mod recognise;
+mod site;
+mod sound;
+mod streets;
+mod syntax;
+#[cfg(test)]
+mod tests;
+mod tidy;
+
+use std::path::Path;
+
+pub use notes::{Joined, LeftOut, SiteNotes, Split, Unreadable};
+pub(crate) use recognise::{FootprintFormat, recognises};
+
+use crate::document::{Fault, Faults};
+use crate::storey::Site;
+
+/// A file's buildings, what is wrong with the rest, and what was merged or dropped.
+#[derive(Debug)]
+pub(crate) struct ReadSite {
+    /// The buildings on one plane.
+    pub(crate) site: Site,
+    /// Warnings, sorted.
+    pub(crate) faults: Faults,
+    /// What became of everything else that the file draws.
+    pub(crate) notes: SiteNotes,
+}
+
+/// Reads the buildings of a file of any format of footprints.
+///
+/// # Errors
+/// A file of another format, one with faults of syntax, and one without a building that can be used.
+pub(crate) fn read_site(path: &Path) -> Result<ReadSite, Faults> {
+    let (drawing, notes) = match recognises(path) {
+        Some(FootprintFormat::GeoJson) => geojson::read(path)?,
+        Some(FootprintFormat::CityJson) => cityjson::read(path)?,
+        None => return Err(Fault::of_file(path, "is no map of building footprints").into()),
+    };
+    site::site_of(drawing, notes, path)
+}

@@ -1,0 +1,53 @@
+//! Recognises maps of footprints by the beginnings of their files.
+
+use std::path::Path;
+
+use crate::plan::read::foreign::head;
+use crate::plan::read::sample::Sample;
+
+/// Bytes at the start of a file by which it is recognised.
+const HEAD_SIZE: u64 = 64 * 1024;
+/// Values of the key `indoor` of OpenStreetMap that make a map of rooms; `yes` stands on benches, too.
+const ROOM_WORDS: [&str; 5] = ["room", "area", "corridor", "wall", "level"];
+
+/// A format of footprints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FootprintFormat {
+    /// Features with arbitrary properties (RFC 7946), in degrees or in metres.
+    GeoJson,
+    /// Cities in three dimensions, of which the ground is taken.
+    CityJson,
+}
+
+/// The format of a file, if it is one of footprints. Maps of rooms are none: IMDF, the Japanese indoor map, and OpenStreetMap
+/// with more rooms than buildings at its beginning.
+pub(crate) fn recognises(path: &Path) -> Option<FootprintFormat> {
+    let sample = Sample::of(path, head(path, HEAD_SIZE));
+    if is_cityjson(&sample) {
+        return Some(FootprintFormat::CityJson);
+    }
+    is_geojson(&sample).then_some(FootprintFormat::GeoJson)
+}
+
+fn is_cityjson(sample: &Sample) -> bool {
+    sample.text.starts_with('{') && (sample.says("type", "CityJSON") || sample.has(&["CityObjects"]))
+}
+
+fn is_geojson(sample: &Sample) -> bool {
+    let is_one = sample.text.starts_with('{') && (sample.is_geojson() || sample.says("type", "Feature"));
+    let is_of_rooms = ["\"feature_type\"", "\"floor_id\""].iter().any(|key| sample.text.contains(key));
+    is_one && !is_of_rooms && !has_more_rooms(&sample.text)
+}
+
+/// Whether a text in JSON has more rooms than buildings.
+fn has_more_rooms(text: &str) -> bool {
+    let values = |key: &'static str| {
+        let places = text.match_indices(key).map(move |(at, _)| &text[at + key.len()..]);
+        places.filter_map(|rest| rest.trim_start().strip_prefix(':')?.trim_start().strip_prefix('"'))
+    };
+    let is_room = |rest: &str| {
+        ROOM_WORDS.iter().any(|word| rest.strip_prefix(word).is_some_and(|rest| rest.starts_with('"')))
+    };
+    let rooms = values("\"indoor\"").filter(|rest| is_room(rest)).count();
+    rooms > values("\"building\"").count()
+}
