@@ -3,7 +3,6 @@
 //! Each feature is read by itself, so that a large file needs no more memory than its text, and one bad feature costs no other.
 
 mod feature;
-mod kind;
 
 use std::path::Path;
 
@@ -12,11 +11,11 @@ use serde_json::value::RawValue;
 use serde_json::{Deserializer, Value};
 
 use feature::{Feature, Shape};
-use kind::{FileKinds, Kind, kind_of, undecided};
 
 use super::drawn::{Drawing, Drawn};
 use super::facts::{Facts, Tags, facts_of};
 use super::ids::id_of_words;
+use super::kind::{FileKinds, Kind, kind_of, undecided};
 use super::notes::SiteNotes;
 use super::properties::tags_of;
 use super::streets::is_street;

@@ -16,9 +16,11 @@ mod facts;
 mod frame;
 mod geojson;
 mod ids;
+mod kind;
 mod merge;
 mod needles;
 mod notes;
+mod osm;
 mod projection;
 mod properties;
 mod recognise;
@@ -57,6 +59,8 @@ pub(crate) fn read_site(path: &Path) -> Result<ReadSite, Faults> {
     let (drawing, notes) = match recognises(path) {
         Some(FootprintFormat::GeoJson) => geojson::read(path)?,
         Some(FootprintFormat::CityJson) => cityjson::read(path)?,
+        Some(FootprintFormat::OsmXml) => osm::read_xml(path)?,
+        Some(FootprintFormat::OsmPbf) => osm::read_pbf(path)?,
         None => return Err(Fault::of_file(path, "is no map of building footprints").into()),
     };
     site::site_of(drawing, notes, path)

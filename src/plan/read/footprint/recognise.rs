@@ -7,6 +7,8 @@ use crate::plan::read::sample::Sample;
 
 /// Bytes at the start of a file by which it is recognised.
 const HEAD_SIZE: u64 = 64 * 1024;
+/// The same where all places come before all tags.
+const XML_HEAD_SIZE: u64 = 1024 * 1024;
 /// Values of the key `indoor` of OpenStreetMap that make a map of rooms; `yes` stands on benches, too.
 const ROOM_WORDS: [&str; 5] = ["room", "area", "corridor", "wall", "level"];
 
@@ -17,12 +19,24 @@ pub(crate) enum FootprintFormat {
     GeoJson,
     /// Cities in three dimensions, of which the ground is taken.
     CityJson,
+    /// OpenStreetMap in XML.
+    OsmXml,
+    /// OpenStreetMap in blocks of protocol buffers.
+    OsmPbf,
 }
 
 /// The format of a file, if it is one of footprints. Maps of rooms are none: IMDF, the Japanese indoor map, and OpenStreetMap
 /// with more rooms than buildings at its beginning.
 pub(crate) fn recognises(path: &Path) -> Option<FootprintFormat> {
     let sample = Sample::of(path, head(path, HEAD_SIZE));
+    if sample.head.get(4..).is_some_and(|rest| rest.starts_with(b"\x0a\x09OSMHeader")) {
+        return Some(FootprintFormat::OsmPbf);
+    }
+    if sample.is_xml("osm") {
+        // Tags of areas stand behind all nodes.
+        let text = String::from_utf8_lossy(&head(path, XML_HEAD_SIZE)).into_owned();
+        return (!has_more_rooms_in_xml(&text)).then_some(FootprintFormat::OsmXml);
+    }
     if is_cityjson(&sample) {
         return Some(FootprintFormat::CityJson);
     }
@@ -50,4 +64,18 @@ fn has_more_rooms(text: &str) -> bool {
     };
     let rooms = values("\"indoor\"").filter(|rest| is_room(rest)).count();
     rooms > values("\"building\"").count()
+}
+
+/// Whether a text in XML has more rooms than buildings.
+fn has_more_rooms_in_xml(text: &str) -> bool {
+    let text = text.replace('\'', "\"");
+    let is_room = |rest: &&str| {
+        let value = rest.trim_start().strip_prefix("v=\"");
+        value.is_some_and(|value| {
+            ROOM_WORDS.iter().any(|word| value.strip_prefix(word).is_some_and(|rest| rest.starts_with('"')))
+        })
+    };
+    const INDOOR: &str = "k=\"indoor\"";
+    let rooms = text.match_indices(INDOOR).map(|(at, _)| &text[at + INDOOR.len()..]).filter(is_room).count();
+    rooms > text.matches("k=\"building\"").count()
 }

@@ -25,7 +25,7 @@ use crate::storey::{Footprint, FootprintPart, Site};
 /// # Errors
 /// Coordinates that are no degrees although they should be; no building with a usable outline.
 pub(super) fn site_of(mut drawing: Drawing, mut notes: SiteNotes, file: &Path) -> Result<ReadSite, Faults> {
-    notes.drawn = drawing.buildings.len() + notes.left_out.len();
+    notes.drawn = drawing.buildings.len() + notes.left_out.len() + notes.duplicates.len();
     if drawing.buildings.is_empty() {
         return Err(nothing(notes, file));
     }

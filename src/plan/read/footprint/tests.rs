@@ -2,6 +2,7 @@
 
 mod cityjson;
 mod geojson;
+mod osm;
 mod real_data;
 
 use std::path::PathBuf;

@@ -3,6 +3,8 @@
 use std::time::Instant;
 
 use super::{ReadSite, assert_accounted, read_site};
+use crate::plan::read::footprint::drawn::Drawn;
+use crate::plan::read::footprint::osm;
 use crate::plan::read::real_data::footprints;
 
 /// Reads a shared map, tells its figures, and checks that nothing is lost. Draws buildings and parts `drawn` in all.
@@ -65,4 +67,22 @@ fn all_buildings_of_the_dutch_samples_are_read() {
         let Some(read) = read_map(&format!("cityjson-cjio/{file}.json"), drawn) else { return };
         assert_eq!(read.site.footprints.len(), footprints, "{file}");
     }
+}
+
+#[test]
+fn all_buildings_of_monaco_are_read() {
+    // 1,183 ways and 24 relations, and 13 parts.
+    let name = "osm-monaco/monaco-latest.osm.pbf";
+    let Some(read) = read_map(name, 1220) else { return };
+    let (drawing, _) = osm::read_pbf(&footprints(name).unwrap()).unwrap();
+    let of_relations = |drawn: &&Drawn| drawn.id.as_ref().is_some_and(|id| id.starts_with('r'));
+    let buildings = || drawing.buildings.iter().filter(|drawn| !drawn.is_part);
+    assert_eq!((buildings().count(), buildings().filter(of_relations).count()), (1207, 24));
+    assert!(read.site.streets.len() > 500);
+}
+
+#[test]
+fn all_buildings_of_prague_are_read() {
+    // 267 buildings and 40 parts.
+    read_map("osm-prague/prague_vinohrady.osm", 307);
 }
