@@ -33,8 +33,9 @@ pub struct Footprint {
     pub name: Option<String>,
     /// The outer faces of the outer walls, with courtyards as holes; metres on the plane of the site.
     pub region: Region,
-    /// Parts with storeys of their own, such as a tower above a lower block; empty for most. Where they are given, `region` is
-    /// the ground that all of them cover together.
+    /// Parts with storeys of their own, such as a tower above a lower block, from the lowest bottom up; empty for most. `region`
+    /// is the outline of the whole where the map draws it, which parts may reach over, and else the ground that they cover
+    /// together. Parts need not cover all of it.
     pub parts: Vec<FootprintPart>,
     /// What is known of the storeys.
     pub storeys: StoreyFacts,

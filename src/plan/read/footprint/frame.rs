@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::drawn::{Drawing, Rings};
-use super::projection::{Projection, code_of, degrees_of};
+use super::projection::{Projection, code_of};
 use crate::document::Fault;
 use crate::geometry::{Bounds, Point};
 use crate::plan::limits::median;
@@ -58,6 +58,7 @@ impl Frame {
         let is_in_degrees = match (&drawing.reference_system, projection) {
             (None, _) => drawing.is_degrees_unless_said,
             (Some(_), Some(Projection::Degrees)) => true,
+            (Some(_), Some(Projection::Metres(_))) => false,
             // A reference system that is not known: metres are larger than degrees.
             (Some(_), Some(Projection::Unknown(_)) | None) => places.iter().copied().all(is_degrees),
         };
@@ -100,6 +101,16 @@ impl Frame {
         Rings { outer: ring(&rings.outer), holes: rings.holes.iter().map(ring).collect() }
     }
 
+    /// What has to be assumed of the map, in words.
+    pub(super) fn assumed(&self) -> Option<String> {
+        match self {
+            Self::Metres { projection: Some(Projection::Unknown(code)), .. } => {
+                Some(format!("EPSG:{code} is not known: its lengths are taken as metres"))
+            }
+            _ => None,
+        }
+    }
+
     /// Whether the map is in degrees.
     pub(super) fn is_degrees(&self) -> bool {
         matches!(self, Self::Degrees { .. })
@@ -112,7 +123,7 @@ impl Frame {
                 Origin { position: origin.to_array(), degrees: Some(origin.to_array()) }
             }
             Self::Metres { origin, projection } => {
-                let degrees = projection.and_then(|projection| degrees_of(projection, *origin));
+                let degrees = projection.and_then(|projection| projection.degrees(*origin));
                 Origin { position: origin.to_array(), degrees: degrees.map(|degrees| degrees.to_array()) }
             }
         }

@@ -59,11 +59,15 @@ pub(super) fn kind_of(tags: &Tags) -> Kind {
     if matches!(indoor, "room" | "area" | "corridor" | "wall" | "level") {
         return Kind::Other("rooms");
     }
+    // Of one that says both, the whole counts: whether it lies in another is found out later.
+    if tags.says("building") {
+        return Kind::Building;
+    }
     if tags.says("building:part") || tags.says("buildingPart") {
         return Kind::Part;
     }
     if tags.get("building").is_some() {
-        return if tags.says("building") { Kind::Building } else { Kind::Other("areas with building=no") };
+        return Kind::Other("areas with building=no");
     }
     let named = tags.text("type").filter(|kind| !matches!(*kind, "multipolygon" | "way" | "relation"));
     match named.unwrap_or_default().to_ascii_lowercase().as_str() {

@@ -1,13 +1,27 @@
-//! Names and numbers of reference systems.
+//! Names and numbers of reference systems, and what they are.
+
+mod table;
+
+use proj4rs::proj::Proj;
+use proj4rs::transform::transform;
 
 use crate::geometry::Point;
+use table::definition_of;
 
-/// A reference system, by its number in the list of EPSG.
+/// Places in degrees are rounded to so many parts, a centimetre: the functions of the system, which PROJ uses, differ in digits far
+/// behind.
+const DEGREE_PARTS: f64 = 1e7;
+/// Longitude and latitude on WGS 84.
+const DEGREES: &str = "+proj=longlat +datum=WGS84";
+
+/// A reference system, by its number in the register of EPSG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Projection {
     /// Longitude and latitude.
     Degrees,
-    /// Another one.
+    /// Metres, by its number in the table.
+    Metres(u32),
+    /// Not in the table.
     Unknown(u32),
 }
 
@@ -16,8 +30,21 @@ impl Projection {
     pub(super) fn of(code: u32) -> Self {
         match code {
             4326 | 4258 | 4979 | 4937 | 6697 | 6668 | 4612 | 4269 | 4283 | 7844 | 4617 => Self::Degrees,
+            _ if definition_of(code).is_some() => Self::Metres(code),
             _ => Self::Unknown(code),
         }
+    }
+
+    /// Longitude and latitude of a place in metres; `None` where the system is not in the table, or the place is none of it.
+    pub(super) fn degrees(self, place: Point) -> Option<Point> {
+        let Self::Metres(code) = self else { return None };
+        let from = Proj::from_proj_string(&definition_of(code)?).ok()?;
+        let to = Proj::from_proj_string(DEGREES).ok()?;
+        let mut point = (place.x, place.y, 0.0);
+        transform(&from, &to, &mut point).ok()?;
+        let degrees = Point::new(point.0.to_degrees(), point.1.to_degrees());
+        let is_place = degrees.x.abs() <= 180.0 && degrees.y.abs() <= 90.0;
+        is_place.then(|| (degrees * DEGREE_PARTS).round() / DEGREE_PARTS + Point::ZERO)
     }
 }
 
@@ -31,11 +58,6 @@ pub(super) fn code_of(name: &str) -> Option<u32> {
     let numbers = name[name.find("EPSG")? + "EPSG".len()..].split(',').next()?;
     let mut numbers = numbers.split(|letter: char| !letter.is_ascii_digit()).filter(|part| !part.is_empty());
     numbers.next_back()?.parse().ok()
-}
-
-/// Degrees of a place in metres of a reference system.
-pub(super) fn degrees_of(_projection: Projection, _place: Point) -> Option<Point> {
-    None
 }
 
 #[cfg(test)]
@@ -59,5 +81,38 @@ mod tests {
         for (name, code) in names {
             assert_eq!(code_of(name), code, "{name}");
         }
+    }
+
+    #[test]
+    fn known_places_have_their_degrees() {
+        // Origins, whose degrees define the systems, and published points: Amersfoort, the old observatory of Bern, a point of the
+        // guide of the Ordnance Survey, in WGS 84.
+        let places = [
+            (32633, (500_000.0, 0.0), (15.0, 0.0)),
+            (25832, (500_000.0, 0.0), (9.0, 0.0)),
+            (6677, (0.0, 0.0), (139.833_333, 36.0)),
+            (2154, (700_000.0, 6_600_000.0), (3.0, 46.5)),
+            (3857, (1_113_194.908, 0.0), (10.0, 0.0)),
+            (7415, (155_000.0, 463_000.0), (5.387_206, 52.155_174)),
+            (2056, (2_600_000.0, 1_200_000.0), (7.438_632, 46.951_083)),
+            (27700, (651_409.903, 313_177.270), (1.716_038, 52.657_977)),
+        ];
+        for (code, (x, y), (longitude, latitude)) in places {
+            let degrees = Projection::of(code).degrees(Point::new(x, y)).unwrap();
+            let off = degrees - Point::new(longitude, latitude);
+            assert!(off.abs().max_element() < 5e-5, "EPSG:{code}: {degrees}");
+        }
+    }
+
+    #[test]
+    fn all_definitions_are_understood() {
+        let known = (1..=33_000).chain([900_913]).filter(|code| definition_of(*code).is_some());
+        let mut count = 0;
+        for code in known {
+            assert!(Proj::from_proj_string(&definition_of(code).unwrap()).is_ok(), "EPSG:{code}");
+            count += 1;
+        }
+        assert_eq!(count, 280);
+        assert_eq!(Projection::of(2263), Projection::Unknown(2263));
     }
 }

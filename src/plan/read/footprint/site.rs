@@ -30,6 +30,7 @@ pub(super) fn site_of(mut drawing: Drawing, mut notes: SiteNotes, file: &Path) -
         return Err(nothing(notes, file));
     }
     let frame = Frame::of(&drawing, file)?;
+    notes.assumed.extend(frame.assumed());
     let buildings = std::mem::take(&mut drawing.buildings);
     let cleaned: Vec<Cleaned> = buildings.into_par_iter().map(|drawn| cleaned(drawn, &frame)).collect();
     let Sorted { buildings, parts, shells } = sorted(cleaned, &mut notes);

@@ -210,7 +210,7 @@ impl<'a> Block<'a> {
         }
         let tags = keys.zip(values).map(|(key, value)| (self.text(key), self.text(value))).collect();
         let [first, second, third] = lists;
-        let mut one = |mut numbers: Numbers<'_>| signed(numbers.next().unwrap_or_default());
+        let one = |mut numbers: Numbers<'_>| signed(numbers.next().unwrap_or_default());
         let (id, body) = match kind {
             ElementKind::Node => (signed(id), Body::Node(self.place(one(second), one(first)))),
             ElementKind::Way => (id as i64, Body::Way(summed(first).collect())),

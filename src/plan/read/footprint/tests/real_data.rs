@@ -58,6 +58,8 @@ fn all_buildings_of_urbanopt_are_read() {
 fn all_buildings_of_salt_river_are_read() {
     let Some(read) = read_map("cityjson-geo3d/citjsn_sRiver3D.json", 1377) else { return };
     assert_eq!(read.site.origin.position, [266_000.0, 6_243_000.0]);
+    let [longitude, latitude] = read.site.origin.degrees.unwrap();
+    assert!((longitude - 18.47).abs() < 0.02 && (latitude + 33.93).abs() < 0.02, "{longitude} {latitude}");
 }
 
 #[test]
