@@ -19,7 +19,7 @@ const SEED: u64 = 1;
 
 fn house(catalog: &Catalog) -> Plan {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/plans/house.yaml");
-    read_plans(&[path], &PlanOptions { words: &catalog.room_words }).plan
+    read_plans(&[path], &PlanOptions::new(&catalog.room_words)).plan
 }
 
 /// The stages of one level, without batch: rooms, judgement, scene, bytes.

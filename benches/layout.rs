@@ -13,7 +13,7 @@ const SEEDS: u64 = 64;
 
 fn level(name: &str, catalog: &Catalog) -> Level {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/paper").join(name);
-    let reading = read_plans(&[path], &PlanOptions { words: &catalog.room_words });
+    let reading = read_plans(&[path], &PlanOptions::new(&catalog.room_words));
     reading.plan.buildings[0].building.levels[0].clone()
 }
 

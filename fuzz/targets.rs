@@ -52,7 +52,7 @@ const EDITED: &str = "version: 1\nid: a\nlevels:\n  - id: \"1\"\n    height: 3\n
 
 static PLAN: LazyLock<Plan> = LazyLock::new(|| {
     let folder = folder(&[("plan.yaml", EDITED.as_bytes())]);
-    read_plans(&[folder.path().to_owned()], &PlanOptions { words: &CATALOG.room_words }).plan
+    read_plans(&[folder.path().to_owned()], &PlanOptions::new(&CATALOG.room_words)).plan
 });
 
 /// Reads an input with the target of a name.
@@ -91,7 +91,7 @@ fn read_files(files: &[(&str, &[u8])], below: &str) -> bool {
     } else {
         folder.path().join(below)
     };
-    let reading = read_plans(&[input], &PlanOptions { words: &CATALOG.room_words });
+    let reading = read_plans(&[input], &PlanOptions::new(&CATALOG.room_words));
     check_faults(&reading.faults);
     !reading.plan.buildings.is_empty()
 }

@@ -76,7 +76,6 @@ mod read_back;
 mod recipes;
 mod scene;
 mod solve;
-#[allow(dead_code, unused_imports)] // under construction: nothing calls it yet
 mod storey;
 mod texture;
 mod walk;

@@ -25,7 +25,7 @@ impl Floor {
         let catalog = load_catalog(&[]).expect("the built-in catalogue is valid").value;
         let library = ModelLibrary::load(&catalog).expect("all recipes exist");
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/plans/hotel-tower.yaml");
-        let reading = read_plans(&[path], &PlanOptions { words: &catalog.room_words });
+        let reading = read_plans(&[path], &PlanOptions::new(&catalog.room_words));
         let level = reading.plan.buildings[0].building.levels[1].clone();
         let options = FurnishOptions::new(SEED, "hotel");
         let rooms = 0..level.rooms.len();

@@ -276,7 +276,7 @@ fn draw_random(
 
 /// All rooms of a plan over all seeds; storeys that repeat count once.
 fn measure(plan: &PathBuf, catalog: &Catalog, arguments: &Arguments) -> Tally {
-    let reading = read_plans(std::slice::from_ref(plan), &PlanOptions { words: &catalog.room_words });
+    let reading = read_plans(std::slice::from_ref(plan), &PlanOptions::new(&catalog.room_words));
     // With each seed, other people live there.
     let plans: Vec<(u64, Plan)> =
         (0..arguments.seeds).map(|seed| (seed, occupied(&reading.plan, catalog, seed))).collect();

@@ -9,7 +9,8 @@ use super::read::{Definitions, Files};
 use super::report::{Promised, Report};
 use super::resolve::{
     BuildingStyleWorld, Names, StyleWorld, resolve_audit, resolve_building_styles, resolve_classes,
-    resolve_households, resolve_palettes, resolve_room_types, resolve_styles, resolve_words,
+    resolve_households, resolve_palettes, resolve_room_types, resolve_styles, resolve_typologies,
+    resolve_words,
 };
 use super::table::{Extends, Table};
 use super::{BuildingStyle, ById, Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin, Palette, Style};
@@ -17,7 +18,7 @@ use crate::document::{Fault, Faults, Warned};
 use crate::plan::GENERIC_ROOM_TYPE;
 
 /// Reads the built-in configuration and then the users' folders, each of which may hold `classes/`,
-/// `rooms/`, `styles/`, `palettes/`, `room_words.yaml`, `households.yaml` and `audit.yaml`.
+/// `rooms/`, `styles/`, `palettes/`, `room_words.yaml`, `households.yaml`, `typologies.yaml` and `audit.yaml`.
 ///
 /// A definition replaces the one of the same id in an earlier folder whole, unless it `extends` itself.
 /// Definitions that extend or name an id use its last definition. Room words are merged word by word,
@@ -90,6 +91,7 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
     let building_styles = building_styles(definitions, &styles, report);
     let style_words = definitions.styles.ids().chain(definitions.building_styles.ids());
     let households = resolve_households(&definitions.households, &definitions.room_types, report);
+    let typologies = resolve_typologies(&definitions.typologies, &definitions.room_types, report);
     let mut room_words = resolve_words(&definitions.words, &definitions.room_types, style_words, report);
     room_words.households = households.kinds.keys().cloned().collect();
     let audit = resolve_audit(&definitions.audit, report);
@@ -107,6 +109,7 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
         palettes,
         room_words,
         households,
+        typologies,
         audit,
         origins: find_origins(definitions, files),
     }

@@ -64,6 +64,7 @@ pub use variety::{SHAPES, Variety};
 pub use crate::geometry::{Side, Size};
 pub use crate::mesh::Material;
 use crate::plan::RoomWords;
+use crate::storey::Typologies;
 
 /// Everything that configuration says about furniture and rooms.
 #[derive(Clone, Debug, Default)]
@@ -84,6 +85,8 @@ pub struct Catalog {
     pub room_words: RoomWords,
     /// Who lives in dwellings, and what their rooms are then.
     pub households: Households,
+    /// The kinds of buildings, for those of which only the outline is known.
+    pub typologies: Typologies,
     /// The thresholds of the audit.
     pub audit: AuditRules,
     /// Where each definition is written: the last place where later folders replace earlier ones.

@@ -15,6 +15,7 @@ use super::file::{StyleFile, WordsFile};
 use super::report::{Promised, Report, Spot};
 use super::table::{Definition, Extends, Table};
 use crate::document::{Fault, Faults, Source};
+use crate::storey::Typologies;
 
 /// The kind of definitions in a file, by its folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +26,7 @@ enum FileKind {
     Palettes,
     Words,
     Households,
+    Typologies,
     Audit,
 }
 
@@ -52,6 +54,8 @@ const GROUPS_KEY: &str = "groups";
 const WORDS_FILE: &str = "room_words";
 /// The file of households, whatever its extension.
 const HOUSEHOLDS_FILE: &str = "households";
+/// The file of kinds of buildings, whatever its extension.
+const TYPOLOGIES_FILE: &str = "typologies";
 /// The extensions that are read; everything else below the folders is left alone.
 const EXTENSIONS: [&str; 3] = ["yaml", "yml", "json"];
 /// The layer of the files in the binary.
@@ -94,6 +98,8 @@ pub(crate) struct Definitions {
     pub(crate) words: Vec<(usize, WordsFile)>,
     /// The households of each file, with its index.
     pub(crate) households: Vec<(usize, HouseholdsFile)>,
+    /// The kinds of buildings of each file, with its index.
+    pub(crate) typologies: Vec<(usize, Typologies)>,
     /// The thresholds of each file, with its index.
     pub(crate) audit: Vec<(usize, AuditFile)>,
 }
@@ -209,7 +215,7 @@ fn nothing_found(folder: &Path) -> Fault {
         return fault.with_hint("name the folder that it lies in");
     }
     fault.with_hint(
-        "definitions stand in YAML or JSON files below classes/, rooms/, styles/ and palettes/, in room_words.yaml, households.yaml and audit.yaml",
+        "definitions stand in YAML or JSON files below classes/, rooms/, styles/ and palettes/, in room_words.yaml, households.yaml, typologies.yaml and audit.yaml",
     )
 }
 
@@ -222,6 +228,7 @@ fn kind_of(key: &str) -> Option<FileKind> {
     match stem {
         WORDS_FILE => return Some(FileKind::Words),
         HOUSEHOLDS_FILE => return Some(FileKind::Households),
+        TYPOLOGIES_FILE => return Some(FileKind::Typologies),
         AUDIT_FILE => return Some(FileKind::Audit),
         _ => {}
     }
@@ -266,6 +273,7 @@ enum Parsed {
     Palettes(PaletteFile),
     Words(WordsFile),
     Households(Box<HouseholdsFile>),
+    Typologies(Box<Typologies>),
     Audit(Box<AuditFile>),
 }
 
@@ -277,6 +285,7 @@ fn parse(kind: FileKind, source: &Source) -> Result<Parsed, Faults> {
         FileKind::Palettes => Parsed::Palettes(source.parse()?),
         FileKind::Words => Parsed::Words(source.parse()?),
         FileKind::Households => Parsed::Households(Box::new(source.parse()?)),
+        FileKind::Typologies => Parsed::Typologies(Box::new(source.parse()?)),
         FileKind::Audit => Parsed::Audit(Box::new(source.parse()?)),
     })
 }
@@ -293,6 +302,7 @@ impl Definitions {
             Parsed::Palettes(file) => add_all(&mut self.palettes, file.palettes, origin, report),
             Parsed::Words(file) => self.words.push((origin.source, file)),
             Parsed::Households(file) => self.households.push((origin.source, *file)),
+            Parsed::Typologies(file) => self.typologies.push((origin.source, *file)),
             Parsed::Audit(file) => self.audit.push((origin.source, *file)),
         }
     }

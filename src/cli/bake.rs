@@ -93,7 +93,7 @@ fn file_as_folder(out: &Path) -> Option<Fault> {
 /// From what was typed to what it means.
 fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> {
     let is_demo = arguments.sources.paths.is_empty();
-    let read = read_sources(&arguments.sources).and_then(|sources| {
+    let read = read_sources(&arguments.sources.seeded(arguments.furnish.seed)).and_then(|sources| {
         let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
         Ok((sources, style))
     });

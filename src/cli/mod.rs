@@ -20,6 +20,7 @@ mod init;
 mod leftovers;
 mod man;
 mod merge;
+mod plan;
 mod progress;
 mod reroll;
 mod room_styles;
@@ -64,6 +65,7 @@ fn run_command() -> Outcome {
         Command::Explain(arguments) => explain::run(&arguments, screen),
         Command::Formats => formats::run(screen),
         Command::Import(arguments) => import::run(arguments, screen),
+        Command::Plan(arguments) => plan::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),
         Command::Init(arguments) => init::run(&arguments, screen),
         Command::Completions(arguments) => man::run_completions(arguments, screen),

@@ -14,6 +14,7 @@ use crate::contract::Extras;
 use crate::diff::Report;
 use crate::edits::EditsFile;
 use crate::plan::{PlanFile, ProjectFile};
+use crate::storey::Typologies;
 
 fn schema<T: JsonSchema>(name: &str) -> (String, Schema) {
     (name.to_owned(), schema_for!(T))
@@ -34,6 +35,7 @@ fn schemas() -> Vec<(String, Schema)> {
         schema::<Report>("diff"),
         schema::<RoomFile>("rooms"),
         schema::<StyleFile>("styles"),
+        schema::<Typologies>("typologies"),
         schema::<WordsFile>("room_words"),
     ];
     let answers = answer_schemas().into_iter().map(|(name, schema)| (format!("answers/{name}"), schema));

@@ -33,7 +33,12 @@ pub(crate) fn read_sources(arguments: &SourceArguments) -> Result<Project, Fault
         false => EditsChoice::With(arguments.edits.files.clone()),
     };
     // Folders of the command line come after those of the project: what is typed wins.
-    Project::read(&ProjectPaths { plans, catalog: arguments.catalog.clone(), edits })
+    Project::read(&ProjectPaths {
+        plans,
+        catalog: arguments.catalog.clone(),
+        edits,
+        choices: arguments.choices(),
+    })
 }
 
 /// As [`read_sources`], but where that ends at the faults of some files, the others are read all the same: all faults of all
@@ -67,7 +72,10 @@ fn all_faults(arguments: &SourceArguments) -> Faults {
         catalog.room_words.accept_everything();
     }
     faults.merge(ModelLibrary::load(&catalog).err().unwrap_or_default());
-    let reading = read_plans(&arguments.paths, &PlanOptions { words: &catalog.room_words });
+    let reading = read_plans(
+        &arguments.paths,
+        &PlanOptions::new(&catalog.room_words).with_planning(&catalog.typologies, &arguments.choices()),
+    );
     faults.merge(reading.faults);
     if is_whole && !arguments.edits.no_edits {
         faults.merge(read_edits(&reading.plan, &arguments.edits.files, &catalog).1);
@@ -83,7 +91,10 @@ pub(crate) fn read_plans_only(arguments: &SourceArguments) -> Result<PlanReading
     let settings = project_settings(&arguments.paths)?;
     let folders: Vec<PathBuf> = settings.catalog.iter().chain(&arguments.catalog).cloned().collect();
     let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
-    let reading = read_plans(&arguments.paths, &PlanOptions { words: &catalog.room_words });
+    let reading = read_plans(
+        &arguments.paths,
+        &PlanOptions::new(&catalog.room_words).with_planning(&catalog.typologies, &arguments.choices()),
+    );
     faults.merge(reading.faults);
     if reading.plan.buildings.is_empty() { Err(faults) } else { Ok(PlanReading { faults, ..reading }) }
 }

@@ -40,7 +40,7 @@ mod push;
 mod result;
 mod rules;
 mod search;
-mod seed;
+pub(crate) mod seed;
 mod suggested;
 mod suggestion;
 mod surroundings;

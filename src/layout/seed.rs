@@ -60,6 +60,17 @@ impl RoomKey {
     }
 }
 
+/// The stream of a purpose for a whole building, before it has rooms.
+pub(crate) fn building_stream(seed: u64, building: &str, purpose: &str) -> Stream {
+    let mut hash = Sha256::new();
+    hash.update(seed.to_le_bytes());
+    for text in ["building", building, purpose] {
+        hash.update((text.len() as u64).to_le_bytes());
+        hash.update(text.as_bytes());
+    }
+    Stream(ChaCha8Rng::from_seed(hash.finalize().into()))
+}
+
 /// The purpose of a random stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {

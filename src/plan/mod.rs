@@ -43,12 +43,13 @@ pub use draft::{
 };
 pub use guess::GuessRule;
 pub(crate) use mirror::mirror_building;
-pub use options::{PlanOptions, PlanReading, ProjectSettings};
+pub use options::{PlanOptions, PlanReading, Planning, ProjectSettings};
 pub use read::{
     DrawnPiece, ReadFormat, drawn_furniture, project_settings, read_formats, read_plans, unread_formats,
 };
 #[cfg(test)]
 pub(crate) use read::{PlanFile, ProjectFile};
+pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, read_and_plan};
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use room_ref::RoomRef;
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};

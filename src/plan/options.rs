@@ -4,12 +4,38 @@ use std::path::PathBuf;
 
 use super::{InputReport, Plan, RoomWords};
 use crate::document::Faults;
+use crate::storey::{Choices, Typologies};
 
 /// The input of reading plans besides the files.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanOptions<'a> {
     /// The room types and styles that exist, and what the words of foreign formats mean.
     pub words: &'a RoomWords,
+    /// How buildings are planned of which only the outline is known; none where such maps are not read.
+    pub planning: Option<Planning<'a>>,
+}
+
+/// How buildings are planned of which only the outline is known.
+#[derive(Clone, Copy, Debug)]
+pub struct Planning<'a> {
+    /// The kinds of buildings.
+    pub typologies: &'a Typologies,
+    /// What is chosen in place of what the map says.
+    pub choices: &'a Choices,
+}
+
+impl<'a> PlanOptions<'a> {
+    /// Options for floor plans alone.
+    #[must_use]
+    pub fn new(words: &'a RoomWords) -> Self {
+        Self { words, planning: None }
+    }
+
+    /// The same, with maps of outlines.
+    #[must_use]
+    pub fn with_planning(self, typologies: &'a Typologies, choices: &'a Choices) -> Self {
+        Self { planning: Some(Planning { typologies, choices }), ..self }
+    }
 }
 
 /// The settings of project files for the whole run.

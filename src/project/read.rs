@@ -12,6 +12,7 @@ use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;
 use crate::output::LevelOptions;
 use crate::plan::{Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
+use crate::storey::Choices;
 
 /// Plans, edits, catalogue and models.
 #[derive(Debug)]
@@ -39,6 +40,8 @@ pub struct ProjectPaths {
     pub catalog: Vec<PathBuf>,
     /// Which edits are applied.
     pub edits: EditsChoice,
+    /// How buildings are planned of which only the outline is known.
+    pub choices: Choices,
 }
 
 /// Which edits are applied.
@@ -73,7 +76,10 @@ impl Project {
         let folders: Vec<PathBuf> = settings.catalog.iter().chain(&paths.catalog).cloned().collect();
         let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
         let models = ModelLibrary::load(&catalog)?;
-        let reading = read_plans(&paths.plans, &PlanOptions { words: &catalog.room_words });
+        let reading = read_plans(
+            &paths.plans,
+            &PlanOptions::new(&catalog.room_words).with_planning(&catalog.typologies, &paths.choices),
+        );
         faults.merge(reading.faults);
         if reading.plan.buildings.is_empty() {
             return Err(faults);

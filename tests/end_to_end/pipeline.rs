@@ -48,7 +48,7 @@ impl Pipeline {
 
     /// Reads plans of any format.
     pub fn read(&self, paths: &[PathBuf]) -> PlanReading {
-        read_plans(paths, &PlanOptions { words: &self.catalog.room_words })
+        read_plans(paths, &PlanOptions::new(&self.catalog.room_words))
     }
 
     /// Furnishes, judges and writes one level.

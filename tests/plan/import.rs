@@ -13,7 +13,7 @@ use crate::golden::check_golden;
 
 fn read(path: PathBuf) -> PlanReading {
     let catalog = load_catalog(&[]).unwrap().value;
-    read_plans(&[path], &PlanOptions { words: &catalog.room_words })
+    read_plans(&[path], &PlanOptions::new(&catalog.room_words))
 }
 
 /// Whatever lies in the folder of the cases.

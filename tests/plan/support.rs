@@ -52,7 +52,7 @@ pub(super) fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
 /// Reads plans with the room types of these tests.
 pub(super) fn read(paths: &[PathBuf]) -> PlanReading {
     let words = RoomWords { known: ROOM_TYPES.map(str::to_owned).into(), ..RoomWords::default() };
-    read_plans(paths, &PlanOptions { words: &words })
+    read_plans(paths, &PlanOptions::new(&words))
 }
 
 #[test]
@@ -69,7 +69,7 @@ pub(super) fn read_ready(paths: &[PathBuf]) -> PlanReading {
     let catalog =
         roomwright::internals::catalog::load_catalog(&[]).unwrap_or_else(|faults| panic!("{faults}")).value;
     assert!(!catalog.room_words.known.is_empty());
-    read_plans(paths, &PlanOptions { words: &catalog.room_words })
+    read_plans(paths, &PlanOptions::new(&catalog.room_words))
 }
 
 /// Reads a text as a native plan.

@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 2e-5;
 fn read_any(path: PathBuf) -> PlanReading {
     // Room types are the catalogue's business.
     let words = RoomWords::default();
-    read_plans(&[path], &PlanOptions { words: &words })
+    read_plans(&[path], &PlanOptions::new(&words))
 }
 
 fn written_and_read(building: &Building) -> (String, PlanReading) {

@@ -54,7 +54,7 @@ const LEVELS: usize = 2;
 
 /// The first distinct levels of each building of some plans.
 fn read_levels(catalog: &Catalog, paths: &[PathBuf]) -> Vec<Named> {
-    let reading = read_plans(paths, &PlanOptions { words: &catalog.room_words });
+    let reading = read_plans(paths, &PlanOptions::new(&catalog.room_words));
     let mut found: BTreeMap<[u8; 32], Named> = BTreeMap::new();
     for placed in &reading.plan.buildings {
         for level in placed.building.levels.iter().take(LEVELS) {

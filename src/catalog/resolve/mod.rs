@@ -18,6 +18,7 @@ mod shape;
 mod sides;
 mod sizes;
 mod style;
+mod typologies;
 mod words;
 
 pub(crate) use audit::resolve_audit;
@@ -30,6 +31,7 @@ pub(crate) use palette::resolve_palettes;
 pub(crate) use request::ResolvedProgramme;
 pub(crate) use room::{ResolvedRoomType, resolve_room_types};
 pub(crate) use style::{ResolvedStyle, StyleLines, StyleWorld, resolve_styles};
+pub(crate) use typologies::resolve_typologies;
 pub(crate) use words::resolve_words;
 
 use std::collections::BTreeMap;

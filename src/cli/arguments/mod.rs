@@ -11,6 +11,7 @@ mod judge;
 mod number;
 #[cfg(test)]
 mod pages;
+mod plan;
 mod setup;
 mod sources;
 
@@ -25,6 +26,7 @@ pub(crate) use edits::EditsCommand;
 pub(crate) use exchange::{ImportArguments, MergeArguments};
 pub(crate) use inspect::{CatalogArguments, CatalogWord, CheckArguments, DrawArguments, ExplainArguments};
 pub(crate) use judge::{AuditArguments, DiffArguments};
+pub(crate) use plan::PlanArguments;
 pub(crate) use setup::{CompletionsArguments, InitArguments, ManArguments};
 pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
 
@@ -90,6 +92,9 @@ pub(crate) enum Command {
     /// Convert foreign plans to native ones.
     #[command(after_help = EXIT_CODES)]
     Import(ImportArguments),
+    /// Plan the rooms of buildings of which a map shows only the outline; write native plans and a project.
+    #[command(after_help = EXIT_CODES)]
+    Plan(PlanArguments),
     /// Join the records of several bakes into one folder (--shard) into its manifest.
     #[command(after_help = EXIT_CODES)]
     Merge(MergeArguments),

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::number::whole_number;
 use crate::best::DEFAULT_EFFORT;
+use crate::storey::Choices;
 
 /// Where plans and configuration come from.
 #[derive(Clone, Debug, Default, Args)]
@@ -18,6 +19,54 @@ pub(crate) struct SourceArguments {
     pub(crate) catalog: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) edits: EditArguments,
+    #[command(flatten)]
+    pub(crate) map: MapArguments,
+}
+
+/// How buildings are planned of which a map shows only the outline.
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Options for maps of building outlines")]
+pub(crate) struct MapArguments {
+    /// Plan these buildings alone.
+    #[arg(long, value_name = "ID,…", value_delimiter = ',')]
+    pub(crate) only: Vec<String>,
+    /// Plan only buildings with their middle in this box, in the units of the map.
+    #[arg(long, value_name = "WEST,SOUTH,EAST,NORTH", allow_negative_numbers = true, value_parser = bounds)]
+    pub(crate) bbox: Option<[f64; 4]>,
+    /// The use of all buildings, in place of what the map says: a name of `uses` in typologies.yaml.
+    #[arg(long = "use", value_name = "NAME")]
+    pub(crate) use_name: Option<String>,
+    /// Storeys of all buildings, in place of what the map says.
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1..=200))]
+    pub(crate) levels: Option<u32>,
+    /// Seed of the plans.
+    #[arg(skip)]
+    pub(crate) seed: Option<u64>,
+}
+
+fn bounds(text: &str) -> Result<[f64; 4], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    let numbers = numbers.map_err(|error| error.to_string())?;
+    let bounds: [f64; 4] =
+        numbers.try_into().map_err(|found: Vec<f64>| format!("{} numbers instead of 4", found.len()))?;
+    let [west, south, east, north] = bounds;
+    // Written so that NaN fails.
+    if west < east && south < north { Ok(bounds) } else { Err("the box has no area".to_owned()) }
+}
+
+impl SourceArguments {
+    /// The same, where buildings of maps are planned by a seed.
+    pub(crate) fn seeded(&self, seed: Option<u64>) -> Self {
+        let mut seeded = self.clone();
+        seeded.map.seed = seed;
+        seeded
+    }
+
+    /// The choices for planning buildings.
+    pub(crate) fn choices(&self) -> Choices {
+        let MapArguments { only, bbox, use_name, levels, seed } = self.map.clone();
+        Choices { use_name, storeys: levels, seed: seed.unwrap_or(1), only, bounds: bbox }
+    }
 }
 
 /// Which edits are made.

@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &DrawArguments, screen: Screen) -> Outcome {
 
 fn prepare_and_draw(arguments: &DrawArguments, screen: Screen) -> Result<Outcome, Faults> {
     let target = target(arguments)?;
-    let mut sources = read_sources(&arguments.sources)?;
+    let mut sources = read_sources(&arguments.sources.seeded(arguments.furnish.seed))?;
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
     sources.plan = occupied(&sources.plan, &sources.catalog, seed);
     let style = run_style(arguments.furnish.style.as_ref(), &sources)?;

@@ -33,8 +33,8 @@ struct Subject<'a> {
 /// Runs the command.
 pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
     let ExplainArguments { plan, catalog, edits, .. } = arguments.clone();
-    let sources = SourceArguments { paths: vec![plan], catalog, edits };
-    let told = read_sources(&sources).and_then(|mut sources| {
+    let sources = SourceArguments { paths: vec![plan], catalog, edits, ..SourceArguments::default() };
+    let told = read_sources(&sources.seeded(arguments.furnish.seed)).and_then(|mut sources| {
         let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
         sources.plan = occupied(&sources.plan, &sources.catalog, seed);
         screen.faults(&sources.faults);

@@ -16,7 +16,7 @@ fn level(catalog: &Catalog) -> Level {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("house.yaml");
     std::fs::write(&path, Source::new("house.yaml".as_ref(), PLAN).text()).unwrap();
-    let mut plan = read_plans(&[path], &PlanOptions { words: &catalog.room_words }).plan;
+    let mut plan = read_plans(&[path], &PlanOptions::new(&catalog.room_words)).plan;
     plan.buildings.remove(0).building.levels[0].clone()
 }
 

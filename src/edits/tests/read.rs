@@ -28,7 +28,7 @@ impl World {
 
     fn plan(&self, name: &str) -> Plan {
         let path = self.folder.path().join(name);
-        let reading = read_plans(&[path], &PlanOptions { words: &self.catalog.room_words });
+        let reading = read_plans(&[path], &PlanOptions::new(&self.catalog.room_words));
         assert!(reading.faults.is_empty(), "{}", reading.faults);
         reading.plan
     }

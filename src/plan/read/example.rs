@@ -33,7 +33,7 @@ const FORMAT: ForeignFormat = ForeignFormat {
     },
     recognises,
     near_miss: |_| None,
-    read,
+    read: |path, options| read(path, options.words),
 };
 /// First bytes of a file of the format.
 const SIGNATURE: &[u8] = b"rooms 1\n";
@@ -75,7 +75,11 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
         ..LevelDraft::default()
     };
     ReadBuildings::new(
-        vec![DraftedBuilding { id, draft: BuildingDraft { name: None, levels: vec![level] } }],
+        vec![DraftedBuilding {
+            id,
+            draft: BuildingDraft { name: None, levels: vec![level] },
+            ..DraftedBuilding::default()
+        }],
         faults,
     )
 }

@@ -7,8 +7,8 @@ use super::native::{LevelOrigins, NativeChecks, ProblemList, Report};
 use crate::document::{Fault, Faults, Source};
 use crate::plan::guess::Guessing;
 use crate::plan::{
-    Building, BuildingDraft, Level, LevelDraft, LevelReport, Problem, RoomWords, Subject, assemble_level,
-    mirror_building,
+    Building, BuildingDraft, Level, LevelDraft, LevelReport, Problem, RoomWords, SitePlacement, Subject,
+    assemble_level, mirror_building,
 };
 
 /// A building as it was read, and where from.
@@ -17,6 +17,8 @@ pub(super) struct Drafted {
     pub(super) id: String,
     /// Its levels.
     pub(super) draft: BuildingDraft,
+    /// Where its frame is on the site, if the file says.
+    pub(super) placement: SitePlacement,
     /// Where problems are reported.
     pub(super) provenance: Provenance,
 }
@@ -93,6 +95,18 @@ pub(super) fn finish(
         faults.push(replaced(drafted.provenance.file(), &first, others));
     }
     Finished { building, faults, levels: reports }
+}
+
+/// A draft that no file holds, put together; problems are faults of the building.
+pub(crate) fn finish_draft(id: &str, draft: &BuildingDraft, words: &RoomWords) -> (Building, Faults) {
+    let drafted = Drafted {
+        id: id.to_owned(),
+        draft: draft.clone(),
+        placement: SitePlacement::default(),
+        provenance: Provenance::Foreign(PathBuf::from(id)),
+    };
+    let Finished { building, faults, .. } = finish(&drafted, &Variation::default(), words, &mut 0);
+    (building, faults)
 }
 
 /// As [`assemble_level`], with guesses for rooms with unknown words, and their number. Such a level is assembled

@@ -4,8 +4,6 @@ pub(crate) mod archilyse;
 #[cfg(test)]
 mod example;
 mod finish;
-// Not wired yet: the stage that plans storeys is written at the same time.
-#[allow(dead_code, unused_imports)]
 pub(crate) mod footprint;
 mod foreign;
 mod geojson;
@@ -15,6 +13,7 @@ mod inputs;
 mod names;
 pub(crate) mod native;
 mod nothing;
+pub(crate) mod outlines;
 mod project;
 mod reader;
 mod readers;
@@ -33,9 +32,12 @@ use self::finish::{Drafted, Finished, Provenance, Variation, finish};
 #[cfg(test)]
 pub(crate) use {native::PlanFile, project::ProjectFile};
 
+pub(crate) use self::finish::finish_draft;
+pub(crate) use self::footprint::SiteNotes;
 pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
+pub(crate) use self::outlines::{PlannedSite, read_and_plan};
 pub use self::reader::ReadFormat;
 use self::reader::{DraftedBuilding, ReadBuildings};
 use self::readers::FOREIGN_FORMATS;
@@ -54,7 +56,7 @@ use crate::document::{Fault, Faults, Source};
 #[must_use]
 pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
     let (inputs, mut faults) = find_inputs(paths);
-    let readings: Vec<_> = inputs.par_iter().map(|input| read_input(input, options.words)).collect();
+    let readings: Vec<_> = inputs.par_iter().map(|input| read_input(input, options)).collect();
     let (mut buildings, mut reports) = (Vec::new(), Vec::new());
     for reading in readings {
         buildings.extend(reading.buildings);
@@ -127,9 +129,10 @@ impl From<Faults> for Reading {
     }
 }
 
-fn read_input(input: &Input, words: &RoomWords) -> Reading {
+fn read_input(input: &Input, options: &PlanOptions<'_>) -> Reading {
+    let words = options.words;
     if let Some(format) = input.format {
-        return finish_all(&input.path, format.about.name, read_drafts(&input.path, words), words);
+        return finish_all(&input.path, format.about.name, read_drafts(&input.path, options), words);
     }
     match unread::refusal(&input.path) {
         Some(fault) if input.is_named => return Faults::from(fault).into(),
@@ -144,7 +147,7 @@ fn read_input(input: &Input, words: &RoomWords) -> Reading {
     match kind_of(&source) {
         // Projects count when they are named; in a folder their plans stand beside them.
         Kind::Project if input.is_named => {
-            let (buildings, faults) = project::read_project(&source, words);
+            let (buildings, faults) = project::read_project(&source, options);
             Reading { buildings, faults, report: None }
         }
         Kind::Other | Kind::Project if !input.is_named => Reading::default(),
@@ -158,10 +161,7 @@ fn finish_all(file: &Path, format: &'static str, reading: Drafts, words: &RoomWo
     let mut buildings = Vec::new();
     let mut report = InputReport { path: file.to_owned(), format, buildings: Vec::new() };
     let source = Arc::new(PlanSource { plan: file.to_owned(), ..PlanSource::default() });
-    let mut told = 0;
-    for drafted in reading.drafts {
-        let Finished { building, faults: found, levels } =
-            finish(&drafted, &Variation::default(), words, &mut told);
+    for (drafted, Finished { building, faults: found, levels }) in finish_each(reading.drafts, words) {
         faults.merge(found);
         report.buildings.push(BuildingReport { id: drafted.id.clone(), levels });
         if building.levels.is_empty() {
@@ -169,13 +169,33 @@ fn finish_all(file: &Path, format: &'static str, reading: Drafts, words: &RoomWo
         }
         let placed = PlacedBuilding {
             id: drafted.id,
-            site: SitePlacement::default(),
+            site: drafted.placement,
             building: Arc::new(building),
             source: Arc::clone(&source),
         };
         buildings.push(ReadBuilding { placed, file: file.to_owned() });
     }
     Reading { buildings, faults, report: Some(report) }
+}
+
+/// Finishes the buildings of a file: one after the other where guesses are told, which are counted over all of them.
+fn finish_each(drafts: Vec<Drafted>, words: &RoomWords) -> Vec<(Drafted, Finished)> {
+    let has_guesses = |drafted: &Drafted| {
+        drafted.draft.levels.iter().flat_map(|level| &level.rooms).any(|room| room.unknown_word.is_some())
+    };
+    if drafts.iter().any(has_guesses) {
+        let mut told = 0;
+        let mut finish = |drafted: Drafted| {
+            let finished = finish(&drafted, &Variation::default(), words, &mut told);
+            (drafted, finished)
+        };
+        return drafts.into_iter().map(&mut finish).collect();
+    }
+    let finish = |drafted: Drafted| {
+        let finished = finish(&drafted, &Variation::default(), words, &mut 0);
+        (drafted, finished)
+    };
+    drafts.into_par_iter().map(finish).collect()
 }
 
 /// The content of a file or folder, before assembly.
@@ -187,7 +207,7 @@ struct Drafts {
 }
 
 /// Reads a plan of any format.
-fn read_drafts(path: &Path, words: &RoomWords) -> Drafts {
+fn read_drafts(path: &Path, options: &PlanOptions<'_>) -> Drafts {
     let Some(format) = FOREIGN_FORMATS.iter().find(|format| (format.recognises)(path)) else {
         if let Some(fault) = unread::refusal(path) {
             return Drafts { faults: fault.into(), ..Drafts::default() };
@@ -199,15 +219,16 @@ fn read_drafts(path: &Path, words: &RoomWords) -> Drafts {
             Ok(source) if !native::may_be_plan(&source) => {
                 Drafts { faults: nothing::of_text(&source).into(), ..Drafts::default() }
             }
-            Ok(source) => native_drafts(source, words),
+            Ok(source) => native_drafts(source, options.words),
             Err(faults) => Drafts { faults, ..Drafts::default() },
         };
     };
-    match (format.read)(path, words) {
+    match (format.read)(path, options) {
         Ok(ReadBuildings { buildings, faults }) => {
-            let drafted = |DraftedBuilding { id, draft }| Drafted {
+            let drafted = |DraftedBuilding { id, draft, placement }| Drafted {
                 id,
                 draft,
+                placement,
                 provenance: Provenance::Foreign(path.to_owned()),
             };
             Drafts { drafts: buildings.into_iter().map(drafted).collect(), faults, is_project: false }
@@ -220,7 +241,8 @@ fn native_drafts(source: Source, words: &RoomWords) -> Drafts {
     match read_native(&source, words) {
         Ok(NativeDraft { id, draft, origins, faults }) => {
             let provenance = Provenance::Native(source, origins);
-            Drafts { drafts: vec![Drafted { id, draft, provenance }], faults, ..Drafts::default() }
+            let placement = SitePlacement::default();
+            Drafts { drafts: vec![Drafted { id, draft, placement, provenance }], faults, ..Drafts::default() }
         }
         Err(faults) => Drafts { faults, ..Drafts::default() },
     }

@@ -15,7 +15,7 @@ use super::native::{
 use super::{ReadBuilding, read_drafts};
 use crate::document::{Faults, PathStep, Source};
 use crate::geometry::Point;
-use crate::plan::{Building, PlacedBuilding, PlanSource, ProjectSettings, RoomWords, SitePlacement};
+use crate::plan::{Building, PlacedBuilding, PlanOptions, PlanSource, ProjectSettings, SitePlacement};
 
 /// Most buildings of a project.
 const BUILDING_LIMIT: u32 = 1_000_000;
@@ -42,11 +42,29 @@ struct Project {
     style: Option<String>,
     /// Seed of the run, unless the command line names one.
     seed: Option<u64>,
+    /// Name of the reference system in which the site's origin is given, such as `EPSG:25832`.
+    #[allow(dead_code)] // for programs that place the site on a map
+    reference_system: Option<String>,
+    /// Where the site's origin is.
+    #[allow(dead_code)] // for programs that place the site on a map
+    origin: Option<OriginFile>,
     /// Further folders of configuration, relative to this file.
     #[serde(default)]
     catalog: Vec<PathBuf>,
     /// The plans.
     plans: Vec<ProjectPlan>,
+}
+
+/// Where the origin of a site is.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct OriginFile {
+    /// In the units of the reference system: degrees of longitude and latitude, or metres east and north.
+    #[allow(dead_code)] // for programs that place the site on a map
+    position: [f64; 2],
+    /// Degrees of longitude and latitude.
+    #[allow(dead_code)] // for programs that place the site on a map
+    degrees: Option<[f64; 2]>,
 }
 
 /// One plan, built once or many times.
@@ -93,7 +111,8 @@ pub(super) fn project_settings(source: &Source) -> Result<ProjectSettings, Fault
 }
 
 /// All buildings of a project, and what is wrong with the project and its plans.
-pub(super) fn read_project(source: &Source, words: &RoomWords) -> (Vec<ReadBuilding>, Faults) {
+pub(super) fn read_project(source: &Source, options: &PlanOptions<'_>) -> (Vec<ReadBuilding>, Faults) {
+    let words = options.words;
     let file = match parse(source) {
         Ok(file) => file,
         Err(faults) => return (Vec::new(), faults),
@@ -106,7 +125,7 @@ pub(super) fn read_project(source: &Source, words: &RoomWords) -> (Vec<ReadBuild
     let mut reading = Reading {
         report,
         folder: folder_of(source),
-        words,
+        options,
         drafts: BTreeMap::new(),
         buildings: BTreeMap::new(),
         placed: Vec::new(),
@@ -143,7 +162,7 @@ type Drafts = Arc<Vec<Drafted>>;
 struct Reading<'a> {
     report: Report<'a>,
     folder: PathBuf,
-    words: &'a RoomWords,
+    options: &'a PlanOptions<'a>,
     /// The content of each plan file, read once however often it is built; none where it cannot be read.
     drafts: BTreeMap<PathBuf, Option<Drafts>>,
     /// Buildings by file, number in the file, and variation: equal ones are one.
@@ -166,7 +185,7 @@ impl Reading<'_> {
             self.report.error(&step(path, *key), "is not finite", None);
             return;
         }
-        let has_style = check_style(path, plan.style.as_ref(), self.words, &mut self.report);
+        let has_style = check_style(path, plan.style.as_ref(), self.options.words, &mut self.report);
         let style = plan.style.clone().filter(|_| has_style);
         let file = self.folder.join(&plan.plan);
         let Some(drafts) = self.drafts_of(path, &file) else { return };
@@ -184,7 +203,7 @@ impl Reading<'_> {
             }
             for copy in 0..count {
                 let Some(id) = self.id(path, plan, &drafted.id, copy) else { return };
-                let site = site(plan, copy);
+                let site = within(site(plan, copy), drafted.placement);
                 let (building, source) = (Arc::clone(&building), Arc::clone(&source));
                 let placed = PlacedBuilding { id, site, building, source };
                 self.placed.push(ReadBuilding { placed, file: project.clone() });
@@ -197,7 +216,7 @@ impl Reading<'_> {
             return known.clone();
         }
         let drafts = if file.exists() {
-            let reading = read_drafts(file, self.words);
+            let reading = read_drafts(file, self.options);
             self.faults.merge(reading.faults);
             let is_plan = !reading.is_project;
             if !is_plan {
@@ -230,7 +249,7 @@ impl Reading<'_> {
         if let Some(building) = self.buildings.get(&key) {
             return Arc::clone(building);
         }
-        let Finished { building, faults, .. } = finish(drafted, &key.2, self.words, &mut 0);
+        let Finished { building, faults, .. } = finish(drafted, &key.2, self.options.words, &mut 0);
         // Variations of one draft have the same faults; `sort` drops the repetition.
         self.faults.merge(faults);
         let building = Arc::new(building);
@@ -256,6 +275,12 @@ impl Reading<'_> {
         });
         id.map_err(|(message, hint)| self.report.error(&path, message, Some(hint))).ok()
     }
+}
+
+/// A place of a map that is itself placed.
+fn within(outer: SitePlacement, inner: SitePlacement) -> SitePlacement {
+    let position = outer.position + crate::geometry::direction(outer.turn).rotate(inner.position);
+    SitePlacement { position, turn: outer.turn + inner.turn }
 }
 
 fn site(plan: &ProjectPlan, copy: u32) -> SitePlacement {

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::foreign::Parts;
 use crate::document::Faults;
-use crate::plan::{BuildingDraft, RoomWords};
+use crate::plan::{BuildingDraft, PlanOptions, SitePlacement};
 
 /// A format that plans are read in, for people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -34,7 +34,7 @@ pub(crate) struct ForeignFormat {
     /// that it needs. `|_| None` for formats of one file.
     pub(crate) near_miss: fn(&Path) -> Option<(&'static str, Parts)>,
     /// Reads all buildings of a file or folder. Ids come from the data or from the name of the file.
-    pub(crate) read: fn(&Path, &RoomWords) -> ReadResult,
+    pub(crate) read: fn(&Path, &PlanOptions<'_>) -> ReadResult,
 }
 
 /// All buildings of a file or folder, or why there is none.
@@ -56,6 +56,8 @@ pub(crate) struct DraftedBuilding {
     pub(crate) id: String,
     /// Its levels, lengths in metres.
     pub(crate) draft: BuildingDraft,
+    /// Where its frame is on the site, if the file says.
+    pub(crate) placement: SitePlacement,
 }
 
 impl ReadBuildings {

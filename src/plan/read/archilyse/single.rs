@@ -32,7 +32,7 @@ pub(super) fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let draft = BuildingDraft { name: None, levels };
     faults.merge(types.warnings(&areas));
-    ReadBuildings::new(vec![DraftedBuilding { id, draft }], faults)
+    ReadBuildings::new(vec![DraftedBuilding { id, draft, ..DraftedBuilding::default() }], faults)
 }
 
 /// The file of a drawing's areas, beside it or in the folder `areas` beside its own.

@@ -34,7 +34,7 @@ mod tidy;
 
 use std::path::Path;
 
-pub use notes::{Joined, LeftOut, SiteNotes, Split, Unreadable};
+pub use notes::SiteNotes;
 pub(crate) use recognise::{FootprintFormat, recognises};
 
 use crate::document::{Fault, Faults};

@@ -63,7 +63,7 @@ pub(super) fn buildings(
         levels.iter_mut().for_each(|level| shift(level, by));
         pieces.iter_mut().for_each(|piece| piece.center += by);
         let draft = BuildingDraft { name: title(model, home.id), levels };
-        drafted.push((DraftedBuilding { id, draft }, pieces));
+        drafted.push((DraftedBuilding { id, draft, ..DraftedBuilding::default() }, pieces));
     }
     for space in spaces.values().flatten() {
         let message = format!("space \"{}\" is on no storey", space.text(2).unwrap_or_default());

@@ -60,7 +60,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     },
     recognises,
     near_miss: |_| None,
-    read,
+    read: |path, options| read(path, options.words),
 };
 /// The beginning of every exchange file.
 const BEGINNING: &str = "ISO-10303-21";

@@ -37,7 +37,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     },
     recognises,
     near_miss,
-    read,
+    read: |path, options| read(path, options.words),
 };
 /// The files without which there is no plan.
 const NEEDED: [&str; 3] = ["level.geojson", "unit.geojson", "building.geojson"];

@@ -39,7 +39,11 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
         let name = label(building.properties.name.as_ref());
         let id = building_id(name.as_deref(), &building.id, &mut ids);
         let levels = translation.levels(&levels);
-        buildings.push(DraftedBuilding { id, draft: BuildingDraft { name, levels } });
+        buildings.push(DraftedBuilding {
+            id,
+            draft: BuildingDraft { name, levels },
+            ..DraftedBuilding::default()
+        });
     }
     translation.report_unknown_words();
     ReadBuildings::new(buildings, translation.faults)

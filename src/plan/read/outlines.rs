@@ -1,0 +1,88 @@
+//! Maps of building outlines: reads the site, and plans the storeys of each building.
+
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::footprint::{ReadSite, read_site, recognises};
+use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat};
+use crate::document::{Fault, Faults};
+use crate::geometry::{Bounds, Point};
+use crate::plan::units::LocalPlane;
+use crate::plan::{PlanOptions, Planning};
+use crate::storey::{Neighbourhood, PlannedBuilding, Site, plan_building};
+
+/// Maps of building outlines.
+pub(super) const FORMAT: ForeignFormat = ForeignFormat {
+    about: ReadFormat {
+        name: "footprints",
+        title: "maps of building outlines",
+        input: "a GeoJSON, CityJSON, OSM XML or OSM PBF file",
+        content: "outlines, storeys, uses and entrances of buildings; rooms, doors and windows are planned",
+    },
+    recognises: |path| recognises(path).is_some(),
+    near_miss: |_| None,
+    read: |path, options| {
+        let planned = read_and_plan(path, options)?;
+        let drafted = |building: PlannedBuilding| DraftedBuilding {
+            id: building.id,
+            draft: building.draft,
+            placement: building.placement,
+        };
+        ReadBuildings::new(planned.buildings.into_iter().map(drafted).collect(), planned.site.faults)
+    },
+};
+
+/// A map with the plans of its buildings.
+pub(crate) struct PlannedSite {
+    /// The map.
+    pub(crate) site: ReadSite,
+    /// The buildings that were chosen, in the order of the site.
+    pub(crate) buildings: Vec<PlannedBuilding>,
+}
+
+/// Reads a map and plans the buildings that are chosen, in parallel.
+///
+/// # Errors
+/// The faults of the file, and choices that leave no building.
+pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<PlannedSite, Faults> {
+    let Some(planning) = options.planning else {
+        let message = "is a map of outlines, and there are no kinds of buildings to plan them by";
+        return Err(Fault::of_file(path, message).into());
+    };
+    let read = read_site(path)?;
+    let chosen = chosen(&read.site, planning);
+    if chosen.is_empty() {
+        let message = format!("none of its {} buildings is chosen", read.site.footprints.len());
+        return Err(Fault::of_file(path, message).with_hint("see --only and --bbox").into());
+    }
+    let around = Neighbourhood::new(&read.site.footprints);
+    let plan =
+        |&index: &usize| plan_building(&read.site, &around, index, planning.typologies, planning.choices);
+    let buildings = chosen.par_iter().filter_map(plan).collect();
+    Ok(PlannedSite { site: read, buildings })
+}
+
+/// The numbers of the buildings that are asked for.
+fn chosen(site: &Site, planning: Planning<'_>) -> Vec<usize> {
+    let choices = planning.choices;
+    let box_of_choice = choices.bounds.and_then(|bounds| on_plane(site, bounds));
+    let is_chosen = |index: &usize| {
+        let footprint = &site.footprints[*index];
+        let is_named = choices.only.is_empty() || choices.only.contains(&footprint.id);
+        let middle = footprint.region.outline.bounds().center();
+        is_named && (choices.bounds.is_none() || box_of_choice.is_some_and(|bounds| bounds.contains(middle)))
+    };
+    (0..site.footprints.len()).filter(is_chosen).collect()
+}
+
+/// A box in the units of the map, west, south, east, north, on the plane of the site.
+fn on_plane(site: &Site, [west, south, east, north]: [f64; 4]) -> Option<Bounds> {
+    let [x, y] = site.origin.position;
+    let is_degrees = site.reference_system.as_deref() == Some("EPSG:4326");
+    let point = |x_of: f64, y_of: f64| match is_degrees {
+        true => LocalPlane::at(x, y).map(|plane| plane.project(x_of, y_of)),
+        false => Some(Point::new(x_of - x, y_of - y)),
+    };
+    Some(Bounds::new(point(west, south)?, point(east, north)?))
+}

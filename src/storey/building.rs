@@ -1,0 +1,338 @@
+//! A whole building: tries its kinds and simpler ways until a plan is sound, and drafts it.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::geometry::Point;
+use crate::layout::seed::building_stream;
+use crate::plan::{
+    BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
+    SitePlacement,
+};
+
+use super::brief::{Brief, Choices, Known, Measures, briefs};
+use super::check::first_fault;
+use super::corridor::corridors;
+use super::dwelling::{Cell, Port};
+use super::facade::Neighbourhood;
+use super::flats::flats;
+use super::footprint::{Footprint, Site};
+use super::house::{house, outer_port};
+use super::links::{Link, Links, link};
+use super::open::{one_room, open_plan};
+use super::plate::Outline;
+use super::spine::Ground;
+use super::typology::{PlanKind, Typologies};
+use super::windows::{Window, windows};
+
+/// How often a kind of building is tried with other random numbers before a simpler way is taken.
+const TRIES: u32 = 2;
+/// Metres of floor between storeys.
+const SLAB: f64 = 0.3;
+/// Metres of the heads of doors.
+const DOOR_HEAD: f64 = 2.05;
+
+/// A building with its plan.
+#[derive(Clone, Debug)]
+pub struct PlannedBuilding {
+    /// Its id.
+    pub id: String,
+    /// Its storeys, in its own frame.
+    pub draft: BuildingDraft,
+    /// Where that frame is on the plane of the site.
+    pub placement: SitePlacement,
+    /// How it came about.
+    pub report: PlanReport,
+}
+
+/// How the plan of a building came about.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct PlanReport {
+    /// Id of the building.
+    pub id: String,
+    /// Its kind.
+    pub typology: String,
+    /// How that and its storeys are known.
+    pub known: Known,
+    /// Storeys above the ground.
+    pub storeys: u32,
+    /// Square metres of the outline.
+    pub area: f64,
+    /// Flats and other dwellings on all storeys.
+    pub dwellings: usize,
+    /// Rooms on all storeys.
+    pub rooms: usize,
+    /// Which way was taken: 0 the kind that was drawn for it, 1 another kind that fits, 2 an open plan, 3 one room on each storey.
+    pub rung: u32,
+    /// What was wrong with the ways before it.
+    pub refused: Vec<String>,
+}
+
+/// A level that is sound.
+struct Storey {
+    cells: Vec<Cell>,
+    links: Links,
+    windows: Vec<Window>,
+}
+
+/// Plans the building of a footprint of the site, by its number.
+#[must_use]
+pub(crate) fn plan_building(
+    site: &Site,
+    around: &Neighbourhood<'_>,
+    index: usize,
+    typologies: &Typologies,
+    choices: &Choices,
+) -> Option<PlannedBuilding> {
+    let footprint = &site.footprints[index];
+    let outline = Outline::of(footprint, &around.near(index), &site.streets);
+    let measures = Measures { area: outline.area(), depth: outline.depth(), party: outline.party() };
+    let kinds = briefs(footprint, measures, typologies, choices);
+    let mut refused = Vec::new();
+    for (rung, brief) in kinds.iter().enumerate() {
+        for attempt in 0..TRIES {
+            match storeys(&outline, brief, typologies, footprint, (choices.seed, attempt)) {
+                Ok(storeys) => {
+                    let rung = (rung as u32).min(1);
+                    return Some(finished(
+                        footprint,
+                        &outline,
+                        brief,
+                        (storeys, rung, refused),
+                        measures.area,
+                    ));
+                }
+                Err(fault) => refused.push(format!("{}: {fault}", brief.name)),
+            }
+        }
+    }
+    let first = kinds.first()?;
+    let walls = first.typology.exterior.min(measures.depth / 6.0);
+    let mut grounds = outline.grounds(walls);
+    if grounds.is_empty() {
+        grounds = vec![Ground { ring: outline.outer.clone(), facade: outline.facade.clone(), wall: 0.0 }];
+    }
+    let simple = simplest(&grounds, first, typologies);
+    let (storeys, rung) = simple;
+    Some(finished(footprint, &outline, first, (storeys, rung, refused), measures.area))
+}
+
+/// All storeys by the plan of a kind, each checked.
+fn storeys(
+    outline: &Outline,
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    footprint: &Footprint,
+    (seed, attempt): (u64, u32),
+) -> Result<Vec<Storey>, String> {
+    let grounds = outline.grounds(brief.typology.exterior);
+    if grounds.is_empty() {
+        return Err("the walls leave no floor".to_owned());
+    }
+    let mut stream = building_stream(seed, &footprint.id, &format!("{} {attempt}", brief.name));
+    let main = brief.typology.main.as_deref().unwrap_or("generic");
+    let alike = |cells: Vec<Cell>| vec![cells; brief.storeys as usize];
+    let levels = match brief.typology.plan {
+        PlanKind::OneRoom => Some(alike(one_room(&grounds, main))),
+        PlanKind::House if grounds.len() > 1 => None,
+        PlanKind::House => house(&grounds[0], brief, typologies, &mut stream),
+        PlanKind::Flats => flats(&grounds, brief, typologies, footprint.flats, &mut stream).map(alike),
+        PlanKind::Corridor | PlanKind::CorridorFlats => {
+            corridors(&grounds, brief, typologies, &mut stream).map(alike)
+        }
+        PlanKind::Open => open_plan(&grounds, brief, typologies).map(alike),
+    };
+    let levels = levels.ok_or("no arrangement keeps to what rooms need")?;
+    let mut found: Vec<Storey> = Vec::new();
+    for (level, cells) in levels.into_iter().enumerate() {
+        let storey = storey(&grounds, cells, typologies, level == 0, &mut stream);
+        if let Some(fault) = first_fault(&grounds, &storey.cells, typologies, &storey.links, &storey.windows)
+        {
+            return Err(fault);
+        }
+        found.push(storey);
+    }
+    Ok(found)
+}
+
+fn storey(
+    grounds: &[Ground],
+    cells: Vec<Cell>,
+    typologies: &Typologies,
+    is_ground: bool,
+    stream: &mut crate::layout::seed::Stream,
+) -> Storey {
+    let has_stairs = cells.iter().any(|cell| cell.room_type == "stairs");
+    let mut ports = Vec::new();
+    if is_ground {
+        ports.extend(grounds.iter().find_map(outer_port));
+        // Flats: each stairs has a door of its own.
+        let has_flats = cells.iter().any(|cell| cell.unit.is_some_and(|unit| unit > 0))
+            || cells.first().is_some_and(|cell| cell.room_type == "stairs");
+        if has_flats && !cells.iter().any(|cell| cell.room_type == "walkway") {
+            ports = cells
+                .iter()
+                .filter(|cell| cell.room_type == "stairs")
+                .filter_map(|cell| stair_port(&grounds[0], cell))
+                .collect();
+        }
+    }
+    let links = link(&cells, typologies, &ports, has_stairs && !is_ground, stream);
+    let windows = windows(&grounds[0], &cells, typologies, &links.links);
+    Storey { cells, links, windows }
+}
+
+/// A door of stairs to the open air: in the middle of their longest free wall.
+fn stair_port(ground: &Ground, cell: &Cell) -> Option<Port> {
+    let longest =
+        ground.light(&cell.ring).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+    Some(Port { at: longest.middle(), way: longest.normal() })
+}
+
+/// Storeys that always come out: open ones with stairs, or one room on each.
+fn simplest(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typologies) -> (Vec<Storey>, u32) {
+    let mut stream = building_stream(0, "", "simplest");
+    let mut open = brief.typology.clone();
+    open.main = Some("generic".to_owned());
+    open.services.clear();
+    let plain = Brief { typology: &open, ..brief.clone() };
+    let level = |cells: Vec<Cell>, number: u32, stream: &mut _| {
+        storey(grounds, cells, typologies, number == 0, stream)
+    };
+    if let Some(cells) = open_plan(grounds, &plain, typologies) {
+        let storeys: Vec<Storey> =
+            (0..brief.storeys).map(|number| level(cells.clone(), number, &mut stream)).collect();
+        let is_sound = |storey: &Storey| {
+            first_fault(grounds, &storey.cells, typologies, &storey.links, &storey.windows).is_none()
+        };
+        if storeys.iter().all(is_sound) {
+            return (storeys, 2);
+        }
+    }
+    let cells = one_room(grounds, "generic");
+    ((0..brief.storeys).map(|number| level(cells.clone(), number, &mut stream)).collect(), 3)
+}
+
+fn finished(
+    footprint: &Footprint,
+    outline: &Outline,
+    brief: &Brief<'_>,
+    (storeys, rung, refused): (Vec<Storey>, u32, Vec<String>),
+    area: f64,
+) -> PlannedBuilding {
+    let units = |storey: &Storey| {
+        let units: std::collections::BTreeSet<usize> =
+            storey.cells.iter().filter_map(|cell| cell.unit).collect();
+        units.len()
+    };
+    let dwellings = match brief.typology.plan {
+        PlanKind::House => usize::from(rung < 2),
+        _ => storeys.iter().map(units).sum(),
+    };
+    let report = PlanReport {
+        id: footprint.id.clone(),
+        typology: brief.name.to_owned(),
+        known: brief.known.clone(),
+        storeys: brief.storeys,
+        area: (area * 10.0).round() / 10.0,
+        dwellings,
+        rooms: storeys.iter().map(|storey| storey.cells.len()).sum(),
+        rung,
+        refused,
+    };
+    let levels =
+        storeys.iter().enumerate().map(|(number, storey)| level_draft(storey, number, brief)).collect();
+    let draft = BuildingDraft { name: footprint.name.clone(), levels };
+    let placement = SitePlacement { position: outline.frame.origin, turn: outline.frame.turn };
+    PlannedBuilding { id: footprint.id.clone(), draft, placement, report }
+}
+
+fn level_draft(storey: &Storey, number: usize, brief: &Brief<'_>) -> LevelDraft {
+    let is_house = brief.typology.plan == PlanKind::House;
+    let ids = room_ids(&storey.cells, is_house);
+    let rooms = storey.cells.iter().zip(&ids).map(|(cell, id)| RoomDraft {
+        id: id.clone(),
+        room_type: cell.room_type.clone(),
+        outline: cell.ring.clone(),
+        // A house without a name for its dwelling is one on all levels.
+        dwelling: cell.unit.filter(|_| !is_house).map(|unit| format!("flat-{}", unit + 1)),
+        ..RoomDraft::default()
+    });
+    let height = brief.typology.storey_height;
+    let doors = storey
+        .links
+        .links
+        .iter()
+        .enumerate()
+        .map(|(index, link)| door_draft(link, index, &ids, height - SLAB));
+    let panes = storey.windows.iter().enumerate().map(|(index, window)| window_draft(window, index, &ids));
+    LevelDraft {
+        id: if number == 0 { "ground".to_owned() } else { format!("level-{number}") },
+        name: String::new(),
+        elevation: height * number as f64,
+        height,
+        exterior_thickness: brief.typology.exterior,
+        interior_thickness: brief.typology.interior,
+        outlines: OutlineKind::Center,
+        rooms: rooms.collect(),
+        openings: doors.chain(panes).collect(),
+        ..LevelDraft::default()
+    }
+}
+
+/// Ids of rooms: type and number, after the flat.
+fn room_ids(cells: &[Cell], is_house: bool) -> Vec<String> {
+    let mut counts = std::collections::BTreeMap::new();
+    let mut id = |cell: &Cell| {
+        let prefix = match cell.unit.filter(|_| !is_house) {
+            Some(unit) => format!("flat-{}-{}", unit + 1, cell.room_type),
+            None => cell.room_type.clone(),
+        };
+        let prefix = prefix.replace('_', "-");
+        let count = counts.entry(prefix.clone()).and_modify(|count| *count += 1).or_insert(1);
+        format!("{prefix}-{count}")
+    };
+    cells.iter().map(|cell| id(cell)).collect()
+}
+
+fn door_draft(link: &Link, index: usize, ids: &[String], ceiling: f64) -> OpeningDraft {
+    let rooms = std::iter::once(link.rooms.0).chain(link.rooms.1).map(|room| ids[room].clone()).collect();
+    let leaf = match (link.kind, link.leaves) {
+        (OpeningKind::Door, 2) => LeafDraft::Swing {
+            hinge_left: true,
+            into: Some(ids[link.rooms.0].clone()),
+            count: 2,
+            angle: std::f64::consts::FRAC_PI_2,
+        },
+        (OpeningKind::Door, _) => LeafDraft::Automatic,
+        _ => LeafDraft::None,
+    };
+    let head = if link.kind == OpeningKind::OpenBoundary { ceiling } else { DOOR_HEAD };
+    opening(
+        format!("door-{}", index + 1),
+        link.kind,
+        (link.center, link.along),
+        rooms,
+        (link.width, 0.0, head),
+        leaf,
+    )
+}
+
+fn window_draft(window: &Window, index: usize, ids: &[String]) -> OpeningDraft {
+    let rooms = vec![ids[window.room].clone()];
+    let size = (window.width, window.bottom, window.top);
+    let place = (window.center, window.along);
+    opening(format!("window-{}", index + 1), OpeningKind::Window, place, rooms, size, LeafDraft::None)
+}
+
+fn opening(
+    id: String,
+    kind: OpeningKind,
+    (center, along): (Point, Point),
+    rooms: Vec<String>,
+    (width, bottom, top): (f64, f64, f64),
+    leaf: LeafDraft,
+) -> OpeningDraft {
+    let place = OpeningPlace::Points { center, along: Some(along) };
+    OpeningDraft { id, kind, place, rooms, width, bottom, top, leaf }
+}

@@ -1,0 +1,385 @@
+//! Rooms along corridors: offices, hotels, schools, wards, and flats on a corridor.
+
+use crate::geometry::{Point, Segment};
+use crate::layout::seed::Stream;
+
+use super::brief::Brief;
+use super::dwelling::{Cell, Port};
+use super::fill::DOOR_STRETCH;
+use super::flats::flat_at;
+use super::house::outer_port;
+use super::ring::{Axis, Ring, area, bounds, join, shared, split, turned_back};
+use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle};
+use super::typology::{PlanKind, Typologies};
+use super::wings::{Wing, compact, tree};
+
+/// Metres along the corridor of stairs.
+const STAIRS_WIDTH: f64 = 2.9;
+/// Metres along the corridor of a lift, and its depth.
+const LIFT: (f64, f64) = (2.1, 2.2);
+/// Storeys from which on there is a lift.
+const LIFT_STOREYS: u32 = 4;
+/// Metres of corridor from which on a wing has stairs at both ends: nobody walks farther than 35 m to one.
+const TWO_STAIRS: f64 = 45.0;
+/// Metres of depth from which on rows lie on both sides of a corridor.
+const TWO_ROWS: f64 = 9.0;
+/// Metres of depth below which a wing has no corridor of its own.
+const ONE_ROW: f64 = 4.2;
+/// Rows shallower than this many metres belong to the corridor.
+const LEAST_ROW: f64 = 1.7;
+/// Depth of a bath at the corridor, and its width.
+const BATH: (f64, f64) = (2.1, 1.75);
+/// Metres of the half of a way in.
+const PORT_HALF: f64 = 0.95;
+
+/// What a level along corridors is planned from.
+struct Task<'a> {
+    ground: &'a Ground,
+    brief: &'a Brief<'a>,
+    typologies: &'a Typologies,
+    hall: &'a str,
+    main: &'a str,
+    module: (f64, f64),
+    /// Small rooms that are still wanted.
+    services: Vec<(&'a str, f64)>,
+    unit: usize,
+}
+
+/// One level, alike on all storeys; `None` where it does not come out.
+pub(super) fn corridors(
+    grounds: &[Ground],
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
+    let mut rings = Vec::new();
+    for ground in grounds {
+        compact(ground.ring.clone(), &mut rings);
+    }
+    let whole = grounds.first()?;
+    let entrance = whole.facade.entrance.map(|(_, at)| at);
+    let mut wings = tree(rings, entrance)?;
+    let mut task = Task {
+        ground: whole,
+        brief,
+        typologies,
+        hall: brief.typology.hall.as_deref()?,
+        main: brief.typology.main.as_deref().unwrap_or("studio"),
+        module: brief.typology.module?,
+        services: brief
+            .typology
+            .services
+            .iter()
+            .map(|(room_type, area)| (room_type.as_str(), *area))
+            .collect(),
+        unit: 0,
+    };
+    // People come in where the entrance is, if that wing has it.
+    let door = wings
+        .iter()
+        .position(|wing| outer_port(&Ground { ring: wing.ring.clone(), ..whole.clone() }).is_some())?;
+    let port = outer_port(&Ground { ring: wings[door].ring.clone(), ..whole.clone() })?;
+    wings[door].ports.push(port);
+    let mut cells = Vec::new();
+    for (number, wing) in wings.iter().enumerate() {
+        cells.extend(wing_cells(&mut task, wing, number == 0, stream)?);
+    }
+    Some(cells)
+}
+
+fn wing_cells(task: &mut Task<'_>, wing: &Wing, is_root: bool, stream: &mut Stream) -> Option<Vec<Cell>> {
+    let is_turned = wing.axis == Axis::Y;
+    let own = task.ground.part(wing.ring.clone());
+    let turn = |point: Point| if is_turned { super::ring::turned_point(point) } else { point };
+    let ground = if is_turned { own.turned() } else { own };
+    // Turning clockwise leads y to x, and x to the other way of y.
+    let middle = if is_turned { -wing.middle } else { wing.middle };
+    let ports: Vec<Port> =
+        wing.ports.iter().map(|port| Port { at: turn(port.at), way: turn(port.way) }).collect();
+    let depth = area(&ground.ring) / bounds(&ground.ring).size().x;
+    let cells = if depth < ONE_ROW && !is_root && ports.len() == 1 {
+        vec![Cell { ring: ground.ring.clone(), room_type: task.main.to_owned(), unit: None }]
+    } else {
+        along_corridor(task, &ground, &ports, (middle, depth), is_root, stream)?
+    };
+    let back = |cell: Cell| match is_turned {
+        true => Cell { ring: cell.ring.iter().map(|corner| turned_back(*corner)).collect(), ..cell },
+        false => cell,
+    };
+    Some(cells.into_iter().map(back).collect())
+}
+
+fn along_corridor(
+    task: &mut Task<'_>,
+    ground: &Ground,
+    ports: &[Port],
+    (middle, depth): (f64, f64),
+    is_root: bool,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
+    let width = task.brief.typology.hall_width;
+    let (bottom, top) = extent(&ground.ring, Axis::Y);
+    let low = match depth < TWO_ROWS {
+        // One row, on the side with more light.
+        true => {
+            let light = |is_top: bool| {
+                let edge = |piece: &Segment| (piece.middle().y > 0.5 * (bottom + top)) == is_top;
+                ground
+                    .light(&ground.ring)
+                    .iter()
+                    .filter(|piece| edge(piece))
+                    .map(|piece| piece.length())
+                    .sum::<f64>()
+            };
+            if light(true) > light(false) { bottom - 0.1 } else { top - width + 0.1 }
+        }
+        false => (middle - width / 2.0).clamp(bottom + LEAST_ROW, top - width - LEAST_ROW),
+    };
+    let fixed = fixed_slices(task, ground, ports, (low, low + width), is_root);
+    let Spine { mut strip, rows, fixed: rooms, mut left_over } =
+        Spine::new(ground, low, low + width, &fixed)?;
+    let mut cells: Vec<Cell> = Vec::new();
+    let plain = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
+    for (number, ring) in rooms {
+        if number == 1 {
+            cells.extend(lift(ring, &strip)?);
+        } else {
+            cells.push(plain(ring, "stairs"));
+        }
+    }
+    let mut order: Vec<&Row> = rows.iter().collect();
+    order.sort_by(|a, b| {
+        let light = |row: &Row| row.light_between(row.from, row.to) / row.length();
+        light(a).total_cmp(&light(b)).then(a.from.total_cmp(&b.from))
+    });
+    for row in order {
+        let contact = row.contact_between(row.from, row.to).map_or(0.0, |(from, to)| to - from);
+        if row.depth() < LEAST_ROW || contact < DOOR_STRETCH {
+            left_over.push(row.ring.clone());
+            continue;
+        }
+        cells.extend(row_cells(task, ground, row, &strip, &mut left_over, stream)?);
+    }
+    let mut rings: Vec<Ring> = vec![std::mem::take(&mut strip)];
+    rings.extend(cells.iter().map(|cell| cell.ring.clone()));
+    let rest = settle(left_over, &mut rings, |index| if index == 0 { 0.5 } else { 1.0 });
+    if rest.iter().map(|ring| area(ring)).sum::<f64>() > 0.05 {
+        return None;
+    }
+    let mut rings = rings.into_iter();
+    let hall = plain(rings.next()?, task.hall);
+    let cells = cells.into_iter().zip(rings).map(|(cell, ring)| Cell { ring, ..cell });
+    Some(std::iter::once(hall).chain(cells).collect())
+}
+
+/// Ways in at the sides of rows, and stairs at the ends of the corridor.
+fn fixed_slices(
+    task: &Task<'_>,
+    ground: &Ground,
+    ports: &[Port],
+    (low, high): (f64, f64),
+    is_root: bool,
+) -> Vec<Fixed> {
+    let (left, right) = extent(&ground.ring, Axis::X);
+    let (bottom, top) = extent(&ground.ring, Axis::Y);
+    let mut fixed = Vec::new();
+    for port in ports {
+        let is_in_strip = port.at.y > low + 0.6 && port.at.y < high - 0.6;
+        if port.way.y.abs() > port.way.x.abs() || !is_in_strip {
+            let is_above = port.at.y > 0.5 * (low + high);
+            // Where no row is, the corridor itself is at the wall.
+            let depth = if is_above { top - high } else { low - bottom };
+            if depth < LEAST_ROW / 2.0 {
+                continue;
+            }
+            let from = (port.at.x - PORT_HALF).clamp(left, right - 2.0 * PORT_HALF);
+            fixed.push(Fixed { is_above, from, to: from + 2.0 * PORT_HALF, kind: FixedKind::Port });
+        }
+    }
+    if task.brief.storeys < 2 {
+        return fixed;
+    }
+    // Where they take the least light.
+    let is_above = {
+        let light = |is_top: bool| {
+            let pieces = ground.light(&ground.ring);
+            let own = pieces.iter().filter(|piece| (piece.middle().y > 0.5 * (low + high)) == is_top);
+            own.map(|piece| piece.length()).sum::<f64>()
+        };
+        let depth = |is_top: bool| if is_top { top - high } else { low - bottom };
+        match (depth(true) > 4.0, depth(false) > 4.0) {
+            (true, false) => true,
+            (false, true) => false,
+            _ => light(true) < light(false),
+        }
+    };
+    let is_free = |from: f64, to: f64, fixed: &[Fixed]| {
+        fixed
+            .iter()
+            .all(|slice| slice.is_above != is_above || slice.to <= from + 0.01 || slice.from >= to - 0.01)
+    };
+    let length = right - left;
+    let mut wanted = Vec::new();
+    if is_root || length > 14.0 {
+        wanted.push((left + 0.02 * length, 0));
+    }
+    if length > TWO_STAIRS {
+        wanted.push((right - STAIRS_WIDTH, 0));
+    }
+    for (at, kind) in wanted {
+        let mut places: Vec<f64> = (0..12)
+            .map(|step| at + f64::from(step) * if at > left + length / 2.0 { -1.5 } else { 1.5 })
+            .collect();
+        places.insert(0, if at > left + length / 2.0 { right - STAIRS_WIDTH + 0.1 } else { left - 0.1 });
+        let place = places.into_iter().find(|&from| {
+            from >= left - 0.2
+                && from + STAIRS_WIDTH <= right + 0.2
+                && is_free(from, from + STAIRS_WIDTH, &fixed)
+        });
+        if let Some(from) = place {
+            fixed.push(Fixed { is_above, from, to: from + STAIRS_WIDTH, kind: FixedKind::Room(kind) });
+        }
+    }
+    if is_root && task.brief.storeys >= LIFT_STOREYS {
+        let stairs =
+            fixed.iter().find(|slice| slice.kind == FixedKind::Room(0)).map(|slice| (slice.from, slice.to));
+        let places = stairs.into_iter().flat_map(|(from, to)| [to, from - LIFT.0]);
+        let place = places.into_iter().find(|&from| {
+            from >= left - 0.01 && from + LIFT.0 <= right + 0.01 && is_free(from, from + LIFT.0, &fixed)
+        });
+        fixed.extend(place.map(|from| Fixed { is_above, from, to: from + LIFT.0, kind: FixedKind::Room(1) }));
+    }
+    fixed
+}
+
+/// A lift at the corridor, with a shaft behind it where the row is deeper.
+fn lift(ring: Ring, strip: &[Point]) -> Option<Vec<Cell>> {
+    let border = shared(&ring, strip).into_iter().next()?;
+    let is_above = border.middle().y < bounds(&ring).center().y;
+    let plain = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
+    if bounds(&ring).size().y < LIFT.1 + 0.8 {
+        return Some(vec![plain(ring, "elevator")]);
+    }
+    let at = border.middle().y + if is_above { LIFT.1 } else { -LIFT.1 };
+    let (mut below, mut above) = split(&ring, Axis::Y, at);
+    let (lift, shaft) = if is_above { (below.pop()?, above.pop()?) } else { (above.pop()?, below.pop()?) };
+    Some(vec![plain(lift, "elevator"), plain(shaft, "shaft")])
+}
+
+/// The rooms of a row.
+fn row_cells(
+    task: &mut Task<'_>,
+    ground: &Ground,
+    row: &Row,
+    strip: &[Point],
+    left_over: &mut Vec<Ring>,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
+    let is_lit = |from: f64, to: f64| row.light_between(from, to) >= 1.0;
+    let mut kinds: Vec<(String, f64)> = Vec::new();
+    let mut left = row.length();
+    // Small rooms first, as far as the row goes; in a lit row of a hotel or a school at most a third of it.
+    let most = if is_lit(row.from, row.to) { row.length() / 3.0 } else { row.length() };
+    let mut used = 0.0;
+    while let Some(&(room_type, wanted)) = task.services.first() {
+        let needs = task.typologies.rooms.get(room_type)?;
+        let width = (wanted / row.depth()).max(needs.width + 0.2);
+        if used + width > most || left - width < 0.0 {
+            break;
+        }
+        kinds.push((room_type.to_owned(), width));
+        used += width;
+        left -= width;
+        task.services.remove(0);
+    }
+    let module = stream.between(task.module.0, task.module.1);
+    let count = ((left / module).round() as usize).max(usize::from(left > 1.2));
+    let dark = if row.light_between(row.from, row.to) < 1.0 { Some("storeroom") } else { None };
+    for _ in 0..count {
+        let other = task.brief.typology.others.iter().find(|(_, weight)| stream.unit() < **weight);
+        let room_type = dark.unwrap_or(other.map_or(task.main, |(room_type, _)| room_type));
+        kinds.push((room_type.to_owned(), left / count as f64));
+    }
+    if kinds.is_empty() {
+        left_over.push(row.ring.clone());
+        return Some(Vec::new());
+    }
+    if count == 0 {
+        let scale = row.length() / used;
+        kinds.iter_mut().for_each(|(_, width)| *width *= scale);
+    }
+    let mut at = row.from;
+    let places: Vec<f64> = kinds[..kinds.len() - 1]
+        .iter()
+        .map(|(_, width)| {
+            at += width;
+            (at * 100.0).round() / 100.0
+        })
+        .collect();
+    let (rings, crumbs) = row.cut(&places);
+    left_over.extend(crumbs);
+    let mut cells = Vec::new();
+    for (index, ((room_type, _), ring)) in kinds.into_iter().zip(rings).enumerate() {
+        if ring.is_empty() {
+            continue;
+        }
+        let has_light = ground.light(&ring).iter().any(|piece| piece.length() >= 1.0);
+        let needs_light = task
+            .typologies
+            .rooms
+            .get(&room_type)
+            .is_none_or(|needs| needs.light == super::typology::Light::Required);
+        let room_type = if needs_light && !has_light { "storeroom".to_owned() } else { room_type };
+        cells.extend(room_cells(task, ground, (ring, room_type), strip, index, stream)?);
+    }
+    Some(cells)
+}
+
+/// A room of a row: a flat with its rooms, a hotel room with its bath, or the room alone.
+fn room_cells(
+    task: &mut Task<'_>,
+    ground: &Ground,
+    (ring, room_type): (Ring, String),
+    strip: &[Point],
+    index: usize,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
+    if task.brief.typology.plan == PlanKind::CorridorFlats && room_type == task.main {
+        let border =
+            shared(&ring, strip).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+        let flat = ground.part(ring);
+        let (_, cells) = flat_at(&flat, border, task.brief, task.typologies, stream)?;
+        task.unit += 1;
+        return Some(cells.into_iter().map(|cell| Cell { unit: Some(task.unit), ..cell }).collect());
+    }
+    if room_type == "hotel_room" {
+        if let Some((room, bath)) = with_bath(&ring, strip, index % 2 == 0) {
+            let cell = |ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
+            return Some(vec![cell(room, "hotel_room"), cell(bath, "hotel_bathroom")]);
+        }
+    }
+    Some(vec![Cell { ring, room_type, unit: None }])
+}
+
+/// A bath at the corridor, on one side of the way into the room.
+fn with_bath(ring: &Ring, strip: &[Point], is_left: bool) -> Option<(Ring, Ring)> {
+    let border =
+        shared(ring, strip).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+    let (low, high) = (border.start.x.min(border.end.x), border.start.x.max(border.end.x));
+    if high - low < BATH.1 + DOOR_STRETCH {
+        return None;
+    }
+    let is_above = border.middle().y < bounds(ring).center().y;
+    let at = border.middle().y + if is_above { BATH.0 } else { -BATH.0 };
+    let (mut below, mut above) = split(ring, Axis::Y, at);
+    if below.len() != 1 || above.len() != 1 {
+        return None;
+    }
+    let (front, room) = if is_above { (below.pop()?, above.pop()?) } else { (above.pop()?, below.pop()?) };
+    let (mut left, mut right) = split(&front, Axis::X, if is_left { low + BATH.1 } else { high - BATH.1 });
+    if left.len() != 1 || right.len() != 1 {
+        return None;
+    }
+    let (bath, way) = if is_left { (left.pop()?, right.pop()?) } else { (right.pop()?, left.pop()?) };
+    Some((join(&room, &way)?, bath))
+}

@@ -1,0 +1,466 @@
+//! Plans a flat, or a level of a house: a hall as a strip from the way in, and the rooms of a programme in rows beside it.
+
+use crate::geometry::Point;
+use crate::layout::seed::Stream;
+
+use super::disc::{is_as_wide_as, is_simple};
+use super::fill::{DOOR_STRETCH, Filling, LIGHT_EACH, WINDOW_STRETCH, Wish, fill, needed};
+use super::ring::{Axis, Ring, area, bounds, join, shared_length, split};
+use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle, trim, turned_ring_back};
+use super::typology::{Light, Programme, Typologies};
+
+/// Ways to fill the rows that are tried for each place of the strip.
+const TRIES: u32 = 10;
+/// Plans that are drawn of the best fillings until one is sound.
+const DRAWN: usize = 8;
+/// Metres of the half of a way in.
+const PORT_HALF: f64 = 0.7;
+/// Metres beyond the ground at which a strip along its edge begins: outlines are not quite straight.
+const FLUSH: f64 = 0.12;
+/// Depth of stairs that stand in a row, in metres, least and most.
+const STAIR_DEPTH: (f64, f64) = (2.2, 4.6);
+/// Metres along the strip of stairs that stand in a row.
+const STAIR_WIDTH: f64 = 2.1;
+/// Metres of a flight beside the hall: its length and its width.
+const FLIGHT: (f64, f64) = (3.9, 1.0);
+/// Cost of a room that the programme does not ask for.
+const MORE_COST: f64 = 0.8;
+/// Cost of each part of the floor that is hall.
+const HALL_COST: f64 = 6.0;
+
+/// A room of a storey.
+#[derive(Clone, Debug)]
+pub(super) struct Cell {
+    /// Its outline.
+    pub(super) ring: Ring,
+    /// Id of its room type.
+    pub(super) room_type: String,
+    /// Number of its flat or other unit on the level.
+    pub(super) unit: Option<usize>,
+}
+
+/// Where people come in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Port {
+    /// A point on the border of the ground.
+    pub(super) at: Point,
+    /// The way in, of length 1.
+    pub(super) way: Point,
+}
+
+/// How a level of a house is divided, so that others are divided alike.
+#[derive(Clone, Debug)]
+pub(super) struct Scheme {
+    is_turned: bool,
+    low: f64,
+    high: f64,
+    stairs: Option<Stairs>,
+}
+
+/// Where the stairs of a house are.
+#[derive(Clone, Copy, Debug)]
+enum Stairs {
+    /// A slice of a row.
+    InRow(Fixed),
+    /// A flight in the strip: from where to where along it, on its upper side or its lower.
+    InStrip(f64, f64, bool),
+}
+
+/// What a dwelling's level is planned from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Task<'a> {
+    /// The ground.
+    pub(super) ground: &'a Ground,
+    /// The way in; none of an upper level of a house.
+    pub(super) port: Option<Port>,
+    /// Needs of rooms.
+    pub(super) typologies: &'a Typologies,
+    /// The wished rooms.
+    pub(super) programme: &'a Programme,
+    /// Room type of the hall.
+    pub(super) hall: &'a str,
+    /// Metres of its width.
+    pub(super) hall_width: f64,
+    /// Whether stairs go up.
+    pub(super) has_stairs: bool,
+}
+
+/// A level of a dwelling.
+#[derive(Clone, Debug)]
+pub(super) struct Planned {
+    /// Its rooms, the hall first.
+    pub(super) cells: Vec<Cell>,
+    /// How it is divided.
+    pub(super) scheme: Scheme,
+    /// How far it is from what was wished for.
+    pub(super) cost: f64,
+}
+
+/// The best plans of a level, the best first, so many at most; empty if none is sound.
+pub(super) fn plan(task: Task<'_>, wanted: usize, stream: &mut Stream) -> Vec<Planned> {
+    let mut drafts: Vec<(f64, Scheme, Spine, Filling)> = Vec::new();
+    let wishes = wishes(task);
+    if !has_light_for(task, &wishes) {
+        return Vec::new();
+    }
+    for is_turned in [false, true] {
+        let turned;
+        let ground = match is_turned {
+            false => task.ground,
+            true => {
+                turned = task.ground.turned();
+                &turned
+            }
+        };
+        let port = task.port.map(|port| if is_turned { port.turned() } else { port });
+        for (scheme, ports) in schemes(ground, port, task, is_turned) {
+            let Some(spine) = spine_of(ground, &scheme, &ports) else { continue };
+            let Some(filling) = fill_or_more(&spine.rows, &wishes, TRIES, stream) else { continue };
+            drafts.push((
+                filling.cost + HALL_COST * area(&spine.strip) / area(&ground.ring),
+                scheme,
+                spine,
+                filling,
+            ));
+        }
+    }
+    draw_best(task, drafts, &wishes, wanted)
+}
+
+/// The level above or below one that is planned: with the same strip and stairs.
+pub(super) fn plan_alike(task: Task<'_>, scheme: &Scheme, stream: &mut Stream) -> Vec<Planned> {
+    let wishes = wishes(task);
+    let turned = task.ground.turned();
+    let ground = if scheme.is_turned { &turned } else { task.ground };
+    let Some(spine) = spine_of(ground, scheme, &[]) else { return Vec::new() };
+    let Some(filling) = fill_or_more(&spine.rows, &wishes, 4 * TRIES, stream) else { return Vec::new() };
+    draw_best(task, vec![(filling.cost, scheme.clone(), spine, filling)], &wishes, 1)
+}
+
+fn draw_best(
+    task: Task<'_>,
+    mut drafts: Vec<(f64, Scheme, Spine, Filling)>,
+    wishes: &[Wish<'_>],
+    wanted: usize,
+) -> Vec<Planned> {
+    drafts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let drawn = drafts.into_iter().take(DRAWN.max(wanted));
+    let mut plans: Vec<Planned> = drawn
+        .filter_map(|(_, scheme, spine, filling)| draw(task, scheme, spine, &filling, wishes))
+        .take(wanted)
+        .collect();
+    plans.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    plans
+}
+
+/// Whether the ground has windows enough for the programme at all.
+fn has_light_for(task: Task<'_>, wishes: &[Wish<'_>]) -> bool {
+    let light: f64 = task.ground.light(&task.ground.ring).iter().map(|piece| piece.length()).sum();
+    let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required).count();
+    light >= LIGHT_EACH * needing as f64
+}
+
+/// The rooms of the programme in the rows; where there are more rows than that, with a storeroom, which is the last wish.
+fn fill_or_more(rows: &[Row], wishes: &[Wish<'_>], tries: u32, stream: &mut Stream) -> Option<Filling> {
+    let (_, programme) = wishes.split_last()?;
+    fill(rows, programme, tries, stream).or_else(|| {
+        let mut filling = fill(rows, wishes, tries / 2, stream)?;
+        filling.cost += MORE_COST;
+        Some(filling)
+    })
+}
+
+/// The rooms of the programme, and a storeroom that it may do without.
+fn wishes<'a>(task: Task<'a>) -> Vec<Wish<'a>> {
+    let rooms = task.programme.rooms.iter().filter_map(|(room_type, areas)| {
+        let needs = task.typologies.rooms.get(room_type)?;
+        Some(areas.all().iter().map(move |&area| Wish { room_type, area, needs }))
+    });
+    let store = task.typologies.rooms.get_key_value("storeroom");
+    let store = store.map(|(room_type, needs)| Wish { room_type, area: 2.5, needs });
+    rooms.flatten().chain(store).collect()
+}
+
+impl Port {
+    fn turned(self) -> Self {
+        Self { at: super::ring::turned_point(self.at), way: super::ring::turned_point(self.way) }
+    }
+}
+
+/// Where the strip may run, with the way in to it.
+fn schemes(
+    ground: &Ground,
+    port: Option<Port>,
+    task: Task<'_>,
+    is_turned: bool,
+) -> Vec<(Scheme, Vec<Fixed>)> {
+    let (bottom, top) = extent(&ground.ring, Axis::Y);
+    let width = task.hall_width;
+    let mut lows: Vec<(f64, Vec<Fixed>)> = Vec::new();
+    match port {
+        // At an end of the strip.
+        Some(Port { at, way }) if way.x.abs() >= way.y.abs() => {
+            for offset in [0.5, 0.25, 0.75] {
+                let low = at.y - PORT_HALF - (width - 2.0 * PORT_HALF).max(0.0) * offset;
+                lows.push((low, Vec::new()));
+            }
+        }
+        // At the side of a row, with a slice of it as a part of the hall; or at the strip itself.
+        Some(Port { at, way }) => {
+            let is_above = way.y < 0.0;
+            let slice =
+                Fixed { is_above, from: at.x - PORT_HALF, to: at.x + PORT_HALF, kind: FixedKind::Port };
+            let flush = if is_above { top + FLUSH - width } else { bottom - FLUSH };
+            lows.push((flush, Vec::new()));
+            let height = top - bottom;
+            for depth in [1.7, 2.3, 3.0, 4.0, 0.5 * (height - width), height - width + FLUSH] {
+                if depth < height - width + 2.0 * FLUSH {
+                    lows.push((if is_above { top - depth - width } else { bottom + depth }, vec![slice]));
+                }
+            }
+        }
+        None => lows.push((0.5 * (bottom + top - width), Vec::new())),
+    }
+    let snapped = lows.into_iter().map(|(low, ports)| {
+        // What is left beside the strip is a row, or nothing.
+        let low = if low - bottom < 1.3 { bottom - FLUSH } else { low };
+        let low = if top - (low + width) < 1.3 { top + FLUSH - width } else { low };
+        (low, ports)
+    });
+    let ground_extent = extent(&ground.ring, Axis::X);
+    let mut found = Vec::new();
+    for (low, ports) in snapped {
+        if !task.has_stairs {
+            found.push((Scheme { is_turned, low, high: low + width, stairs: None }, ports));
+            continue;
+        }
+        let entry = port.map_or(ground_extent.0, |port| port.at.x);
+        for (high, stairs) in stairs_beside(low, width, (bottom, top), ground_extent, entry) {
+            found.push((Scheme { is_turned, low, high, stairs: Some(stairs) }, ports.clone()));
+        }
+    }
+    found
+}
+
+/// Where stairs may be beside or in a strip that begins at a height.
+fn stairs_beside(
+    low: f64,
+    width: f64,
+    (bottom, top): (f64, f64),
+    (left, right): (f64, f64),
+    entry: f64,
+) -> Vec<(f64, Stairs)> {
+    let mut found = Vec::new();
+    let middle = 0.5 * (left + right);
+    let mut places: Vec<f64> = [left, right - STAIR_WIDTH, middle - STAIR_WIDTH / 2.0].into();
+    places.extend([entry + PORT_HALF, entry - PORT_HALF - STAIR_WIDTH]);
+    places.retain(|from| *from >= left - 0.01 && from + STAIR_WIDTH <= right + 0.01);
+    for (is_above, depth) in [(false, low - bottom), (true, top - low - width)] {
+        if !(STAIR_DEPTH.0..=STAIR_DEPTH.1).contains(&depth) {
+            continue;
+        }
+        for &from in &places {
+            // A strip less than a room wide before the stairs goes to them.
+            let from = if from - left < 1.0 { left - FLUSH } else { from };
+            let to = if right - from - STAIR_WIDTH < 1.0 { right + FLUSH } else { from + STAIR_WIDTH };
+            let fixed = Fixed { is_above, from, to, kind: FixedKind::Room(0) };
+            found.push((low + width, Stairs::InRow(fixed)));
+        }
+    }
+    let high = low + width + FLIGHT.1;
+    if right - left > FLIGHT.0 + 2.2 && high < top + FLUSH {
+        let places = [left + 1.4, right - FLIGHT.0 - 1.2, middle - FLIGHT.0 / 2.0];
+        for from in places {
+            for is_above in [false, true] {
+                found.push((high, Stairs::InStrip(from, from + FLIGHT.0, is_above)));
+            }
+        }
+    }
+    found
+}
+
+fn spine_of(ground: &Ground, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> {
+    let mut fixed = ports.to_vec();
+    let mut flight = None;
+    match scheme.stairs {
+        Some(Stairs::InRow(slice)) => {
+            let meets = |port: &Fixed| {
+                port.is_above == slice.is_above && port.from < slice.to - 0.01 && slice.from < port.to - 0.01
+            };
+            if ports.iter().any(meets) {
+                return None;
+            }
+            fixed.push(slice);
+        }
+        Some(Stairs::InStrip(from, to, is_above)) => flight = Some((from, to, is_above)),
+        None => {}
+    }
+    Spine::with_room_in_strip(
+        ground,
+        (scheme.low, scheme.high),
+        &fixed,
+        flight.map(|(from, to, is_above)| {
+            let edge = if is_above { scheme.high - FLIGHT.1 } else { scheme.low + FLIGHT.1 };
+            (from, to, edge, is_above)
+        }),
+    )
+}
+
+/// Cuts the rooms of a filling out of its rows, and trims the hall to what it is needed for.
+fn draw(
+    task: Task<'_>,
+    scheme: Scheme,
+    spine: Spine,
+    filling: &Filling,
+    wishes: &[Wish<'_>],
+) -> Option<Planned> {
+    let Spine { strip, rows, fixed, mut left_over } = spine;
+    let mut cells: Vec<(Ring, String)> = Vec::new();
+    let mut slices = filling.slices.iter().peekable();
+    for (index, row) in rows.iter().enumerate() {
+        let mut own = Vec::new();
+        while let Some(slice) = slices.next_if(|slice| slice.row == index) {
+            own.push(slice);
+        }
+        let places: Vec<f64> = own.iter().take(own.len().saturating_sub(1)).map(|slice| slice.to).collect();
+        let (rings, rest) = row.cut(&places);
+        left_over.extend(rest);
+        if rings.iter().any(|ring| ring.is_empty()) {
+            return None;
+        }
+        cells.extend(
+            rings.into_iter().zip(own).map(|(ring, slice)| (ring, wishes[slice.wish].room_type.to_owned())),
+        );
+    }
+    let stairs: Vec<Ring> = fixed.into_iter().map(|(_, ring)| ring).collect();
+    let (mut hall, ends) = trimmed_hall(&strip, &rows, filling, &stairs, task, scheme.is_turned)?;
+    let rooms = cells.len();
+    let mut rings: Vec<Ring> = cells.iter().map(|(ring, _)| ring.clone()).collect();
+    // Ends of the hall make rooms larger that people like to be in; what is left goes to whom it borders on.
+    let lit = |index: usize| {
+        let needs = &task.typologies.rooms[&cells[index].1];
+        match needs.light {
+            Light::Required if needs.passage => 6.0,
+            Light::Required => 2.0,
+            _ => 1.0,
+        }
+    };
+    for end in ends {
+        if !settle(vec![end.clone()], &mut rings, lit).is_empty() {
+            hall = join(&hall, &end)?;
+        }
+    }
+    rings.push(hall);
+    let rest = settle(left_over, &mut rings, |_| 1.0);
+    if rest.iter().map(|ring| area(ring)).sum::<f64>() > 0.05 {
+        return None;
+    }
+    let hall = rings.pop()?;
+    let back = |ring: &Ring| if scheme.is_turned { turned_ring_back(ring) } else { ring.clone() };
+    let mut planned = vec![Cell { ring: back(&hall), room_type: task.hall.to_owned(), unit: None }];
+    let named = rings.iter().zip(&cells).take(rooms);
+    planned.extend(named.map(|(ring, (_, room_type))| Cell {
+        ring: back(ring),
+        room_type: room_type.clone(),
+        unit: None,
+    }));
+    planned.extend(stairs.iter().map(|ring| Cell {
+        ring: back(ring),
+        room_type: "stairs".to_owned(),
+        unit: None,
+    }));
+    if !cells_are_sound(task, &planned) {
+        return None;
+    }
+    let hall_share = area(&hall) / area(&task.ground.ring);
+    let cost = filling.cost + HALL_COST * hall_share;
+    Some(Planned { cells: planned, scheme, cost })
+}
+
+/// Whether every room is as wide and as light as it must be.
+fn cells_are_sound(task: Task<'_>, cells: &[Cell]) -> bool {
+    cells.iter().all(|cell| {
+        let Some(needs) = task.typologies.rooms.get(&cell.room_type) else { return true };
+        let is_light = || task.ground.light(&cell.ring).iter().any(|piece| piece.length() >= WINDOW_STRETCH);
+        is_simple(&cell.ring)
+            && is_as_wide_as(&cell.ring, needs.width)
+            && (needs.light != Light::Required || is_light())
+    })
+}
+
+/// The hall between the first and the last place where it is needed, and what it was cut off.
+fn trimmed_hall(
+    strip: &Ring,
+    rows: &[Row],
+    filling: &Filling,
+    stairs: &[Ring],
+    task: Task<'_>,
+    is_turned: bool,
+) -> Option<(Ring, Vec<Ring>)> {
+    let (mut low, mut high) = needed(rows, &filling.slices)?;
+    let mut reach = |from: f64, to: f64| {
+        low = low.min(from);
+        high = high.max(to);
+    };
+    if let Some(port) = task.port.map(|port| if is_turned { port.turned() } else { port }) {
+        reach(port.at.x - PORT_HALF, port.at.x + PORT_HALF);
+    }
+    for ring in stairs {
+        let shared = super::ring::shared(strip, ring);
+        let Some(longest) = shared.iter().max_by(|a, b| a.length().total_cmp(&b.length())) else {
+            return None;
+        };
+        if longest.length() < 0.8 {
+            return None;
+        }
+        let (from, to) = (longest.start.x.min(longest.end.x), longest.start.x.max(longest.end.x));
+        reach(to - DOOR_STRETCH.min(to - from), from + DOOR_STRETCH.min(to - from));
+    }
+    Some(trim(strip.clone(), low, high))
+}
+
+/// A flat of one room and a bath at its way in, for grounds on which nothing else has a place.
+pub(super) fn studio(ground: &Ground, port: Port, room_type: &str, bath: &str) -> Option<Vec<Cell>> {
+    let is_turned = port.way.x.abs() >= port.way.y.abs();
+    let turned = ground.turned();
+    let (ground, port) = if is_turned { (&turned, port.turned()) } else { (ground, port) };
+    let size = bounds(&ground.ring).size();
+    let (left, right) = extent(&ground.ring, Axis::X);
+    let (bottom, top) = extent(&ground.ring, Axis::Y);
+    let (width, depth) = (1.9f64.min(size.x / 2.5), 2.4f64.min(size.y / 2.0));
+    let corners =
+        [left + width, right - width].into_iter().flat_map(|x| [bottom + depth, top - depth].map(|y| (x, y)));
+    let mut best: Option<(f64, Ring, Ring)> = None;
+    for (x, y) in corners {
+        let is_left = x < 0.5 * (left + right);
+        let is_low = y < 0.5 * (bottom + top);
+        let (before, after) = split(&ground.ring, Axis::X, x);
+        let (side, mut rest) = if is_left { (before, after) } else { (after, before) };
+        let Some(column) = side.first() else { continue };
+        let (below, above) = split(column, Axis::Y, y);
+        let (mut bath, others) = if is_low { (below, above) } else { (above, below) };
+        if bath.is_empty() || rest.is_empty() {
+            continue;
+        }
+        let bath = bath.swap_remove(0);
+        let mut room = vec![rest.swap_remove(0)];
+        let open = settle(
+            others.into_iter().chain(rest).chain(side.into_iter().skip(1)).collect(),
+            &mut room,
+            |_| 1.0,
+        );
+        let keeps_port =
+            super::ring::bounds(&bath).gap(crate::geometry::Bounds::around_point(port.at, PORT_HALF)) > 0.0;
+        if !open.is_empty() || !keeps_port || shared_length(&room[0], &bath) < DOOR_STRETCH {
+            continue;
+        }
+        let light: f64 = ground.light(&bath).iter().map(|piece| piece.length()).sum();
+        if best.as_ref().is_none_or(|(known, ..)| light < *known) {
+            best = Some((light, room.swap_remove(0), bath));
+        }
+    }
+    let (_, room, bathroom) = best?;
+    let back = |ring: Ring| if is_turned { turned_ring_back(&ring) } else { ring };
+    let cell = |ring, room_type: &str| Cell { ring: back(ring), room_type: room_type.to_owned(), unit: None };
+    Some(vec![cell(room, room_type), cell(bathroom, bath)])
+}

@@ -1,0 +1,256 @@
+//! What lies before the outer walls of a building: open air, a neighbour's wall, a gap too narrow for windows.
+
+use rstar::{AABB, RTree, RTreeObject};
+
+use crate::geometry::{Bounds, Point, Segment};
+
+use super::footprint::Footprint;
+use super::ring::Ring;
+
+/// Metres between the places of a wall from which one looks out.
+const STEP: f64 = 1.0;
+/// Places on one edge at most: a wall of 100 m is looked at every 2 m.
+const MOST_PLACES: usize = 48;
+/// A neighbour within this many metres stands wall to wall.
+const PARTY_GAP: f64 = 0.4;
+/// Metres of free sight that a window needs.
+pub(super) const WINDOW_SIGHT: f64 = 2.0;
+/// Metres that one looks; what is farther is as good as nothing.
+const FARTHEST: f64 = 25.0;
+/// Metres before a wall at which looking begins: outlines of neighbours overlap a little.
+const OVERLAP: f64 = 0.3;
+/// Metres between an entrance of the map and the wall it is in, at most.
+const ENTRANCE_REACH: f64 = 1.5;
+
+/// What a piece of an outer wall looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum EdgeClass {
+    /// The open air on the side of the entrance.
+    Street,
+    /// The open air elsewhere.
+    Yard,
+    /// A courtyard of the building itself.
+    Court,
+    /// A neighbour wall to wall.
+    Party,
+    /// A neighbour, or the building itself, so near that a window would look at a wall.
+    Blocked,
+}
+
+impl EdgeClass {
+    /// Whether windows may look out.
+    pub(super) fn is_free(self) -> bool {
+        matches!(self, Self::Street | Self::Yard | Self::Court)
+    }
+}
+
+/// A piece of an outer wall that looks at one thing.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    /// On the outer face, with the building on the left; in the frame of the building.
+    pub(super) line: Segment,
+    /// What it looks at.
+    pub(super) class: EdgeClass,
+    /// Metres to what stands before it, [`FARTHEST`] at most.
+    pub(super) sight: f64,
+}
+
+/// All outer walls of a building.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Facade {
+    /// The spans, edge by edge.
+    pub(super) spans: Vec<Span>,
+    /// Where people come in: a point of a span, if any span is free.
+    pub(super) entrance: Option<(usize, Point)>,
+}
+
+/// The footprints of a site by place.
+#[derive(Debug)]
+pub(crate) struct Neighbourhood<'a> {
+    footprints: &'a [Footprint],
+    tree: RTree<Place>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    bounds: Bounds,
+    index: usize,
+}
+
+impl RTreeObject for Place {
+    type Envelope = AABB<[f64; 2]>;
+
+    fn envelope(&self) -> Self::Envelope {
+        AABB::from_corners(self.bounds.low.into(), self.bounds.high.into())
+    }
+}
+
+impl<'a> Neighbourhood<'a> {
+    /// Of all footprints of a site.
+    pub(crate) fn new(footprints: &'a [Footprint]) -> Self {
+        let place = |(index, footprint): (usize, &Footprint)| Place {
+            bounds: footprint.region.outline.bounds(),
+            index,
+        };
+        Self { footprints, tree: RTree::bulk_load(footprints.iter().enumerate().map(place).collect()) }
+    }
+
+    /// The footprints near one of them, in the order of the site.
+    pub(super) fn near(&self, index: usize) -> Vec<&'a Footprint> {
+        let reach = self.footprints[index].region.outline.bounds().inflated(FARTHEST);
+        let envelope = AABB::from_corners(reach.low.into(), reach.high.into());
+        let found = self.tree.locate_in_envelope_intersecting(&envelope).map(|place| place.index);
+        let mut found: Vec<usize> = found.filter(|&other| other != index).collect();
+        found.sort_unstable();
+        found.into_iter().map(|other| &self.footprints[other]).collect()
+    }
+}
+
+/// What stands around a building, in its frame.
+pub(super) struct Around {
+    /// Outlines of the neighbours.
+    pub(super) neighbours: Vec<Ring>,
+    /// Entrances that the map shows.
+    pub(super) entrances: Vec<Point>,
+    /// Streets that the map shows.
+    pub(super) streets: Vec<Ring>,
+}
+
+/// Looks out of all walls of a building. `outer` and `courts` are rings with the building on their left.
+pub(super) fn look_out(outer: &Ring, courts: &[Ring], around: &Around) -> Facade {
+    let own: Vec<Segment> = crate::geometry::edges(outer)
+        .chain(courts.iter().flat_map(|court| crate::geometry::edges(court)))
+        .collect();
+    let reach = super::ring::bounds(outer).inflated(FARTHEST);
+    let others: Vec<Segment> = around
+        .neighbours
+        .iter()
+        .flat_map(|ring| crate::geometry::edges(ring))
+        .filter(|edge| edge.bounds().touches(reach))
+        .collect();
+    let outer_count = outer.len();
+    let mut spans = Vec::new();
+    for (index, edge) in own.iter().enumerate() {
+        let open = if index < outer_count { EdgeClass::Yard } else { EdgeClass::Court };
+        look_out_of_edge(*edge, open, &own, &others, &mut spans);
+    }
+    let entrance = entrance(&spans, around);
+    if let Some((front, _)) = entrance {
+        let way_out = -spans[front].line.normal();
+        for span in spans.iter_mut().filter(|span| span.class == EdgeClass::Yard) {
+            if (-span.line.normal()).dot(way_out) > 0.7 {
+                span.class = EdgeClass::Street;
+            }
+        }
+    }
+    Facade { spans, entrance }
+}
+
+fn look_out_of_edge(
+    edge: Segment,
+    open: EdgeClass,
+    own: &[Segment],
+    others: &[Segment],
+    spans: &mut Vec<Span>,
+) {
+    let length = edge.length();
+    let count = ((length / STEP).round() as usize).clamp(1, MOST_PLACES);
+    let out = -edge.normal();
+    let mut begun: Option<(usize, EdgeClass, f64)> = None;
+    let span = |from: usize, to: usize, class, sight| Span {
+        line: Segment::new(edge.at(from as f64 / count as f64), edge.at(to as f64 / count as f64)),
+        class,
+        sight,
+    };
+    for place in 0..count {
+        let eye = edge.at((place as f64 + 0.5) / count as f64);
+        let to_others = nearest_hit(eye - out * OVERLAP, out, others).map(|hit| hit - OVERLAP);
+        let to_self = nearest_hit(eye + out * 0.01, out, own);
+        let class = match (to_others, to_self) {
+            (Some(gap), _) if gap <= PARTY_GAP => EdgeClass::Party,
+            (Some(gap), _) | (None, Some(gap)) if gap < WINDOW_SIGHT => EdgeClass::Blocked,
+            (_, Some(gap)) if gap < WINDOW_SIGHT => EdgeClass::Blocked,
+            _ => open,
+        };
+        let sight = to_others.unwrap_or(FARTHEST).min(to_self.unwrap_or(FARTHEST)).max(0.0);
+        begun = match begun {
+            Some((from, known, least)) if known == class => Some((from, known, least.min(sight))),
+            Some((from, known, least)) => {
+                spans.push(span(from, place, known, least));
+                Some((place, class, sight))
+            }
+            None => Some((place, class, sight)),
+        };
+    }
+    if let Some((from, class, sight)) = begun {
+        spans.push(span(from, count, class, sight));
+    }
+}
+
+/// Metres from an eye to the first edge it sees, if one is within reach.
+fn nearest_hit(eye: Point, way: Point, edges: &[Segment]) -> Option<f64> {
+    let hit = |edge: &Segment| {
+        let (across, offset) = (edge.vector(), edge.start - eye);
+        let scale = way.perp_dot(across);
+        if scale.abs() < 1e-9 {
+            return None;
+        }
+        let (distance, share) = (offset.perp_dot(across) / scale, offset.perp_dot(way) / scale);
+        (distance >= 0.0 && distance <= FARTHEST && (0.0..=1.0).contains(&share)).then_some(distance)
+    };
+    edges.iter().filter_map(hit).reduce(f64::min)
+}
+
+/// Where people come in: at an entrance of the map, else the middle of the free wall that is nearest to a street, else of the
+/// longest with much air before it.
+fn entrance(spans: &[Span], around: &Around) -> Option<(usize, Point)> {
+    let free = || spans.iter().enumerate().filter(|(_, span)| span.class.is_free());
+    let drawn = around.entrances.iter().flat_map(|&door| {
+        free().map(move |(index, span)| (span.line.distance(door), index, span.line.nearest(door)))
+    });
+    let nearest =
+        drawn.filter(|(gap, ..)| *gap < ENTRANCE_REACH).reduce(|a, b| if b.0 < a.0 { b } else { a });
+    if let Some((_, index, point)) = nearest {
+        return Some((index, point));
+    }
+    let to_street = |span: &Span| {
+        let middle = span.line.middle();
+        let gaps = around.streets.iter().flat_map(|street| {
+            street.windows(2).map(move |pair| Segment::new(pair[0], pair[1]).nearest(middle) - middle)
+        });
+        // A street behind the building does not count.
+        let before = gaps.filter(|gap| gap.dot(-span.line.normal()) > 0.0).map(|gap| gap.length());
+        before.reduce(f64::min).filter(|gap| *gap < 2.0 * FARTHEST)
+    };
+    let worth = |span: &Span| {
+        let court = if span.class == EdgeClass::Court { 0.1 } else { 1.0 };
+        let near_street = to_street(span).map_or(1.0, |gap| 60.0 / (10.0 + gap));
+        court * near_street * span.line.length().min(20.0) * (2.0 + span.sight)
+    };
+    let best =
+        free().map(|(index, span)| (worth(span), index)).reduce(|a, b| if b.0 > a.0 + 1e-9 { b } else { a });
+    best.map(|(_, index)| (index, spans[index].line.middle()))
+}
+
+impl Facade {
+    /// The spans that the piece of a room's border lies behind: on a parallel line at most `depth` metres behind the outer face.
+    /// Each comes with the piece of the border before it.
+    pub(super) fn before(&self, border: Segment, depth: f64) -> Vec<(&Span, Segment)> {
+        let direction = border.direction();
+        let found = self.spans.iter().filter_map(|span| {
+            let along = span.line.direction();
+            if along.dot(direction) < 0.9998 {
+                return None;
+            }
+            let gap = -span.line.normal().dot(border.start - span.line.start);
+            if gap > 0.05 || gap < -depth {
+                return None;
+            }
+            let from = (span.line.start - border.start).dot(direction).max(0.0);
+            let to = (span.line.end - border.start).dot(direction).min(border.length());
+            (to - from > 0.05)
+                .then(|| (span, Segment::new(border.start + direction * from, border.start + direction * to)))
+        });
+        found.collect()
+    }
+}

@@ -1,0 +1,189 @@
+//! Fills the rows of a spine with rooms: which room in which row, in which order, and how wide.
+
+use crate::layout::seed::Stream;
+
+use super::spine::Row;
+use super::typology::{Light, RoomNeeds};
+
+/// Metres of border with the hall that a door needs: the door, its frame, and a hand's breadth beside it.
+pub(super) const DOOR_STRETCH: f64 = 1.05;
+/// Metres of outer wall that a window needs.
+pub(super) const WINDOW_STRETCH: f64 = 1.0;
+/// How much larger or smaller than wished all rooms of a row may be.
+const ROW_SCALE: (f64, f64) = (0.5, 3.2);
+/// Metres of outer wall with light for each room that needs windows, for any way of dividing it.
+pub(super) const LIGHT_EACH: f64 = 1.6;
+/// Longer rooms than this many times their width are corridors to look at.
+const SLENDER: f64 = 2.0;
+
+/// A room that is wished for.
+#[derive(Clone, Debug)]
+pub(super) struct Wish<'a> {
+    /// Id of its room type.
+    pub(super) room_type: &'a str,
+    /// Square metres.
+    pub(super) area: f64,
+    /// What such rooms need.
+    pub(super) needs: &'a RoomNeeds,
+}
+
+/// A room's place in a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Slice {
+    /// Index of the wish.
+    pub(super) wish: usize,
+    /// Index of the row.
+    pub(super) row: usize,
+    /// From where to where along the strip.
+    pub(super) from: f64,
+    /// See `from`.
+    pub(super) to: f64,
+    /// Whether its door leads to the hall: else to its neighbour in the row.
+    pub(super) is_at_hall: bool,
+}
+
+/// Rooms in rows.
+#[derive(Clone, Debug)]
+pub(super) struct Filling {
+    /// The slices, row by row, in order along the strip.
+    pub(super) slices: Vec<Slice>,
+    /// How far it is from what was wished for: 0 is perfect.
+    pub(super) cost: f64,
+}
+
+/// The best of several ways to fill the rows; `None` if none keeps to what rooms need.
+pub(super) fn fill(rows: &[Row], wishes: &[Wish<'_>], tries: u32, stream: &mut Stream) -> Option<Filling> {
+    if rows.is_empty() || rows.len() > wishes.len() {
+        return None;
+    }
+    // Rooms that need windows share what light there is.
+    let lengths: Vec<f64> = rows.iter().map(|row| row.light_between(row.from - 1.0, row.to + 1.0)).collect();
+    let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required).count();
+    if lengths.iter().sum::<f64>() < LIGHT_EACH * needing as f64 {
+        return None;
+    }
+    let mut best: Option<Filling> = None;
+    for attempt in 0..tries {
+        let way = shuffled(rows, wishes, &lengths, stream).and_then(|order| place(rows, wishes, &order));
+        if let Some(way) = way.filter(|way| best.as_ref().is_none_or(|best| way.cost < best.cost)) {
+            best = Some(way);
+        }
+        // Where nothing came out so far, hardly anything will.
+        if best.is_none() && attempt >= tries / 2 {
+            return None;
+        }
+    }
+    best
+}
+
+/// The wishes of each row in an order.
+fn shuffled(
+    rows: &[Row],
+    wishes: &[Wish<'_>],
+    lengths: &[f64],
+    stream: &mut Stream,
+) -> Option<Vec<Vec<usize>>> {
+    let total: f64 = wishes.iter().map(|wish| wish.area).sum();
+    let available: f64 = rows.iter().map(Row::area).sum();
+    let mut room: Vec<f64> = rows.iter().map(|row| row.area() * total / available).collect();
+    let mut light = lengths.to_vec();
+    let mut order: Vec<(f64, usize)> = wishes
+        .iter()
+        .enumerate()
+        .map(|(index, wish)| (wish.area * stream.between(0.6, 1.6), index))
+        .collect();
+    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let mut chosen: Vec<Vec<usize>> = vec![Vec::new(); rows.len()];
+    for (_, index) in order {
+        let wish = &wishes[index];
+        let mut best: Option<(f64, usize)> = None;
+        for row in 0..rows.len() {
+            let needs_light = wish.needs.light == Light::Required;
+            if needs_light && light[row] < WINDOW_STRETCH {
+                continue;
+            }
+            let is_lit = lengths[row] > WINDOW_STRETCH;
+            let waste = if !needs_light && is_lit { 0.5 } else { 0.0 };
+            let worth = room[row] / wish.area.max(1.0) - waste + stream.between(0.0, 0.6);
+            if best.is_none_or(|(known, _)| worth > known) {
+                best = Some((worth, row));
+            }
+        }
+        let (_, row) = best?;
+        room[row] -= wish.area;
+        light[row] -= wish.area.sqrt() * 0.8;
+        let at = stream.below(chosen[row].len() + 1);
+        chosen[row].insert(at, index);
+    }
+    chosen.iter().all(|row| !row.is_empty()).then_some(chosen)
+}
+
+fn place(rows: &[Row], wishes: &[Wish<'_>], order: &[Vec<usize>]) -> Option<Filling> {
+    let mut slices = Vec::with_capacity(wishes.len());
+    let mut cost = 0.0;
+    for (row, chosen) in order.iter().enumerate() {
+        let wished: f64 = chosen.iter().map(|&wish| wishes[wish].area).sum();
+        let scale = rows[row].area() / wished;
+        if !(ROW_SCALE.0..=ROW_SCALE.1).contains(&scale) {
+            return None;
+        }
+        let mut taken = 0.0;
+        let mut from = rows[row].from;
+        let first = slices.len();
+        for (place, &wish) in chosen.iter().enumerate() {
+            taken += wishes[wish].area * scale;
+            let is_last = place + 1 == chosen.len();
+            let to = if is_last { rows[row].to } else { (rows[row].place_of(taken) * 20.0).round() / 20.0 };
+            slices.push(Slice { wish, row, from, to, is_at_hall: false });
+            from = to;
+        }
+        cost += judge_row(&rows[row], wishes, &mut slices[first..], scale)?;
+    }
+    Some(Filling { slices, cost })
+}
+
+fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -> Option<f64> {
+    let mut cost = 0.0;
+    for slice in &mut *slices {
+        let needs = wishes[slice.wish].needs;
+        let (length, depth) = (slice.to - slice.from, row.depth());
+        if length.min(depth) < needs.width + 0.1 {
+            return None;
+        }
+        if needs.light == Light::Required && row.light_between(slice.from, slice.to) < WINDOW_STRETCH {
+            return None;
+        }
+        let contact = row.contact_between(slice.from, slice.to).map_or(0.0, |(from, to)| to - from);
+        slice.is_at_hall = contact >= DOOR_STRETCH;
+        let slenderness = length.max(depth) / length.min(depth);
+        cost += scale.ln().abs() + (slenderness - SLENDER).max(0.0);
+    }
+    for index in 0..slices.len() {
+        if slices[index].is_at_hall {
+            continue;
+        }
+        // A room that the hall does not reach is entered from a neighbour that may be walked through.
+        let neighbours = [index.checked_sub(1), Some(index + 1).filter(|&next| next < slices.len())];
+        let doors = &wishes[slices[index].wish].needs.doors;
+        let leads = |other: usize| {
+            slices[other].is_at_hall && doors.iter().any(|door| door == wishes[slices[other].wish].room_type)
+        };
+        if !neighbours.into_iter().flatten().any(leads) {
+            return None;
+        }
+        cost += 0.4;
+    }
+    Some(cost)
+}
+
+/// From where to where along the strip the hall is needed by these slices: each keeps [`DOOR_STRETCH`] of it.
+pub(super) fn needed(rows: &[Row], slices: &[Slice]) -> Option<(f64, f64)> {
+    let contacts = slices
+        .iter()
+        .filter(|slice| slice.is_at_hall)
+        .filter_map(|slice| rows[slice.row].contact_between(slice.from, slice.to));
+    let reach = contacts.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (from, to)| {
+        (low.min(to - DOOR_STRETCH), high.max(from + DOOR_STRETCH))
+    });
+    (reach.0 < reach.1).then_some(reach)
+}

@@ -1,0 +1,331 @@
+//! Flats at landings: a storey is cut into sections, each with stairs of its own and a flat on one or both sides of them.
+
+use crate::geometry::Segment;
+use crate::layout::seed::Stream;
+
+use super::brief::Brief;
+use super::dwelling::{Cell, Port, Task, plan, studio};
+use super::ring::{Axis, Ring, along, area, bounds, join, shared, split};
+use super::spine::{Ground, cut_along, extent, turned_ring_back};
+use super::typology::Typologies;
+
+/// Metres of the strip with the stairs.
+const STAIRS_WIDTH: f64 = 2.7;
+/// Metres of the stairs and their landing into the building.
+const STAIRS_DEPTH: f64 = 5.2;
+/// Metres of a lift into the building.
+const LIFT_DEPTH: f64 = 1.9;
+/// Storeys from which on there is a lift.
+const LIFT_STOREYS: u32 = 5;
+/// Metres of outer wall that stairs need for a door and windows.
+const STAIRS_LIGHT: f64 = 1.3;
+/// Flats below this many square metres are joined with the other of their landing.
+const LEAST_FLAT: f64 = 26.0;
+/// Square metres from which on a landing has two flats.
+const TWO_FLATS: f64 = 110.0;
+/// Sound plans of a section among which the best is taken.
+const COMPARED: usize = 2;
+/// Square metres of sections that follow from the number of flats of a map, which may count what is planned otherwise.
+const KNOWN_SECTION: (f64, f64) = (90.0, 420.0);
+/// The cost of a flat that is good enough: no other is looked for.
+const GOOD_FLAT: f64 = 5.0;
+
+/// One level of flats, alike on all storeys; `None` where a section has no sound plan.
+pub(super) fn flats(
+    grounds: &[Ground],
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    known: Option<u32>,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
+    let mut cells = Vec::new();
+    let mut unit = 0;
+    for ground in grounds {
+        let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(190.0);
+        let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
+        for ring in sections(ground, ground.ring.clone(), count) {
+            let section = ground.part(ring);
+            cells.extend(landing(&section, brief, typologies, &mut unit, stream)?);
+        }
+    }
+    Some(cells)
+}
+
+/// Square metres of a section with two flats, where the map says how many flats a building has.
+fn known_section(grounds: &[Ground], brief: &Brief<'_>, known: Option<u32>) -> Option<f64> {
+    let total: f64 = grounds.iter().map(|ground| area(&ground.ring)).sum();
+    let on_level = f64::from(known.filter(|flats| *flats > 0)?) / f64::from(brief.storeys);
+    Some((2.0 * total / on_level.max(1.0)).clamp(KNOWN_SECTION.0, KNOWN_SECTION.1))
+}
+
+/// Cuts a ring into so many pieces of about one size, each with light.
+pub(super) fn sections(ground: &Ground, ring: Ring, count: usize) -> Vec<Ring> {
+    if count < 2 {
+        return vec![ring];
+    }
+    let total = area(&ring);
+    let mut best: Option<(f64, Ring, Ring, usize)> = None;
+    for (axis, at) in cuts(&ring, count) {
+        let (mut below, mut above) = split(&ring, axis, at);
+        if below.len() != 1 || above.len() != 1 {
+            continue;
+        }
+        let (first, second) = (below.remove(0), above.remove(0));
+        let share = (area(&first) / total * count as f64).round().clamp(1.0, count as f64 - 1.0);
+        let imbalance = (area(&first) / total * count as f64 / share).ln().abs()
+            + (area(&second) / total * count as f64 / (count as f64 - share)).ln().abs();
+        let chord: f64 = shared(&first, &second).iter().map(|piece| piece.length()).sum();
+        let light =
+            |ring: &Ring| ground.light(ring).iter().map(|piece| piece.length()).sum::<f64>() / area(ring);
+        let darkness = (0.12 - light(&first).min(light(&second))).max(0.0) * 40.0;
+        let slender = |ring: &Ring| {
+            let size = bounds(ring).size();
+            (size.max_element() / size.min_element() - 2.2).max(0.0)
+                + (1.0 - area(ring) / (size.x * size.y)) * 2.0
+        };
+        let cost = imbalance * 2.0 + chord / total.sqrt() + darkness + slender(&first) + slender(&second);
+        if best.as_ref().is_none_or(|(known, ..)| cost < *known - 1e-9) {
+            best = Some((cost, first, second, share as usize));
+        }
+    }
+    let Some((_, first, second, share)) = best else { return vec![ring] };
+    let mut found = sections(ground, first, share);
+    found.extend(sections(ground, second, count - share));
+    found
+}
+
+/// Lines that a ring may be cut along: at its inner corners, and at equal shares.
+fn cuts(ring: &Ring, count: usize) -> Vec<(Axis, f64)> {
+    let mut found = Vec::new();
+    for axis in [Axis::X, Axis::Y] {
+        let (low, high) = extent(ring, axis);
+        let mut places: Vec<f64> = inner_corners(ring).map(|corner| along(corner, axis)).collect();
+        places.extend((1..count).take(12).map(|share| low + (high - low) * share as f64 / count as f64));
+        places.retain(|place| *place > low + 2.5 && *place < high - 2.5);
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|a, b| (*a - *b).abs() < 0.3);
+        places.truncate(24);
+        found.extend(places.into_iter().map(|place| (axis, (place * 1000.0).round() / 1000.0)));
+    }
+    found
+}
+
+/// Corners at which a ring turns inwards.
+pub(super) fn inner_corners(
+    ring: &[crate::geometry::Point],
+) -> impl Iterator<Item = crate::geometry::Point> + '_ {
+    let count = ring.len();
+    (0..count)
+        .filter(move |&index| {
+            let (before, here, after) =
+                (ring[(index + count - 1) % count], ring[index], ring[(index + 1) % count]);
+            Segment::new(before, here).direction().perp_dot(Segment::new(here, after).direction()) < -0.1
+        })
+        .map(move |index| ring[index])
+}
+
+/// The stairs of a section and its flats.
+fn landing(
+    section: &Ground,
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    unit: &mut usize,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
+    let mut sound: Vec<(f64, Vec<Cell>)> = Vec::new();
+    let size = bounds(&section.ring).size();
+    let first_turned = size.y > size.x;
+    for is_turned in [first_turned, !first_turned] {
+        let ground = if is_turned { section.turned() } else { section.clone() };
+        for core in cores(&ground, brief.storeys) {
+            if sound.len() >= COMPARED {
+                break;
+            }
+            let Some((cost, cells)) = flats_at(&ground, core, brief, typologies, *unit, stream) else {
+                continue;
+            };
+            let back = |cell: Cell| match is_turned {
+                true => Cell { ring: turned_ring_back(&cell.ring), ..cell },
+                false => cell,
+            };
+            let flats = cells.iter().filter_map(|cell| cell.unit).max().map_or(1, |last| last + 1 - *unit);
+            sound.push((cost, cells.into_iter().map(back).collect()));
+            if cost < GOOD_FLAT * flats as f64 {
+                return Some(taken(sound, unit));
+            }
+        }
+    }
+    (!sound.is_empty()).then(|| taken(sound, unit))
+}
+
+/// The best of some plans; the next flat has the next number.
+fn taken(sound: Vec<(f64, Vec<Cell>)>, unit: &mut usize) -> Vec<Cell> {
+    let best = sound.into_iter().reduce(|best, next| if next.0 < best.0 { next } else { best });
+    let cells = best.map(|(_, cells)| cells).unwrap_or_default();
+    *unit = cells.iter().filter_map(|cell| cell.unit).max().map_or(*unit, |last| last + 1);
+    cells
+}
+
+/// Stairs, perhaps with a lift, and the outlines of the flats beside them.
+struct Core {
+    stairs: Ring,
+    lift: Option<Ring>,
+    flats: Vec<Ring>,
+}
+
+fn cores(ground: &Ground, storeys: u32) -> Vec<Core> {
+    let (left, right) = extent(&ground.ring, Axis::X);
+    let width = right - left;
+    let mut places = Vec::new();
+    if area(&ground.ring) >= TWO_FLATS && width > 11.0 {
+        places.extend([0.5, 0.42, 0.58].map(|share| left + width * share - STAIRS_WIDTH / 2.0));
+        places.extend(inner_corners(&ground.ring).map(|corner| corner.x).flat_map(|x| [x, x - STAIRS_WIDTH]));
+    }
+    places.extend([left - 0.1, right - STAIRS_WIDTH + 0.1, left + 0.5 * width - STAIRS_WIDTH / 2.0]);
+    places.retain(|from| *from >= left - 0.2 && from + STAIRS_WIDTH <= right + 0.2);
+    places.truncate(8);
+    let mut found = Vec::new();
+    for from in places {
+        for is_top in [false, true] {
+            found.extend(core(ground, from, is_top, storeys));
+        }
+    }
+    // Where the entrance is, else on the street.
+    let entrance = ground.facade.entrance.map(|(_, at)| at);
+    let key = |core: &Core| {
+        let near = entrance
+            .map_or(0.0, |at| bounds(&core.stairs).gap(crate::geometry::Bounds::around_point(at, 0.1)));
+        if near < 1.0 { 0 } else { 1 }
+    };
+    found.sort_by_key(key);
+    found
+}
+
+fn core(ground: &Ground, from: f64, is_top: bool, storeys: u32) -> Option<Core> {
+    let (slices, crumbs) = cut_along(std::slice::from_ref(&ground.ring), &[from, from + STAIRS_WIDTH]);
+    let [left, middle, right] = slices.try_into().ok()?;
+    if middle.is_empty() || crumbs.iter().map(|ring| area(ring)).sum::<f64>() > 1.0 {
+        return None;
+    }
+    let (bottom, top) = extent(&middle, Axis::Y);
+    let depth = top - bottom;
+    if depth < 3.6 {
+        return None;
+    }
+    let has_lift = storeys >= LIFT_STOREYS && depth > STAIRS_DEPTH + LIFT_DEPTH;
+    let inner = STAIRS_DEPTH + if has_lift { LIFT_DEPTH } else { 0.0 };
+    let cut = |ring: Ring, depth: f64| {
+        let at = if is_top { top - depth } else { bottom + depth };
+        let (below, above) = split(&ring, Axis::Y, at);
+        let (mut outer, mut inner) = if is_top { (above, below) } else { (below, above) };
+        (outer.len() == 1 && inner.len() == 1).then(|| (outer.remove(0), inner.remove(0)))
+    };
+    let (block, rest) = match depth - inner {
+        // What would be left is too little for a room.
+        left_over if left_over < 2.2 => (middle, None),
+        _ => cut(middle, inner).map(|(block, rest)| (block, Some(rest)))?,
+    };
+    let (stairs, lift) = match has_lift {
+        true => cut(block, STAIRS_DEPTH).map(|(stairs, lift)| (stairs, Some(lift)))?,
+        false => (block, None),
+    };
+    let light: f64 = ground.light(&stairs).iter().map(|piece| piece.length()).fold(0.0, f64::max);
+    if light < STAIRS_LIGHT {
+        return None;
+    }
+    let mut flats: Vec<Ring> = [left, right].into_iter().filter(|ring| !ring.is_empty()).collect();
+    flats.sort_by(|a, b| area(a).total_cmp(&area(b)));
+    let mut rest = rest;
+    for ring in &mut flats {
+        if let Some(joined) = rest.as_ref().and_then(|rest| join(ring, rest)) {
+            *ring = joined;
+            rest = None;
+        }
+    }
+    for crumb in crumbs {
+        let place = flats.iter_mut().find_map(|ring| Some((join(ring, &crumb)?, ring)))?;
+        *place.1 = place.0;
+    }
+    if rest.is_some() || flats.iter().any(|ring| area(ring) < LEAST_FLAT) {
+        return None;
+    }
+    Some(Core { stairs, lift, flats })
+}
+
+fn flats_at(
+    ground: &Ground,
+    core: Core,
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    first_unit: usize,
+    stream: &mut Stream,
+) -> Option<(f64, Vec<Cell>)> {
+    let plain = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
+    let mut cells = vec![plain(core.stairs.clone(), "stairs")];
+    cells.extend(core.lift.map(|ring| plain(ring, "elevator")));
+    let mut cost = 0.0;
+    for (number, ring) in core.flats.into_iter().enumerate() {
+        let border = shared(&ring, &core.stairs)
+            .into_iter()
+            .reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+        if border.length() < 1.2 {
+            return None;
+        }
+        let flat = ground.part(ring);
+        let (own, rooms) = flat_at(&flat, border, brief, typologies, stream)?;
+        cost += own;
+        cells.extend(rooms.into_iter().map(|cell| Cell { unit: Some(first_unit + number), ..cell }));
+    }
+    Some((cost, cells))
+}
+
+/// The best flat with its way in somewhere on a border, and what it costs.
+pub(super) fn flat_at(
+    flat: &Ground,
+    border: Segment,
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    stream: &mut Stream,
+) -> Option<(f64, Vec<Cell>)> {
+    let programmes = typologies.programmes.get(brief.typology.programme.as_deref()?)?;
+    let floor = area(&flat.ring);
+    let margin = 0.75f64.min(border.length() / 2.0);
+    let shares = [0.85, 0.5, 0.15].map(|share| {
+        border.start + border.direction() * (border.length() * share).clamp(margin, border.length() - margin)
+    });
+    for (step, programme) in
+        programmes.iter().rev().filter(|programme| programme.from <= floor).take(4).enumerate()
+    {
+        let mut best: Option<(f64, Vec<Cell>)> = None;
+        for at in shares {
+            let port = Port { at, way: border.normal() };
+            let hall = if brief.typology.hall.as_deref() == Some("walkway") {
+                "corridor"
+            } else {
+                brief.typology.hall.as_deref()?
+            };
+            let task = Task {
+                ground: flat,
+                port: Some(port),
+                typologies,
+                programme,
+                hall,
+                hall_width: 1.25,
+                has_stairs: false,
+            };
+            for planned in plan(task, 1, stream) {
+                if best.as_ref().is_none_or(|(known, _)| planned.cost < *known) {
+                    best = Some((planned.cost, planned.cells));
+                }
+            }
+            if best.as_ref().is_some_and(|(cost, _)| *cost < GOOD_FLAT) {
+                break;
+            }
+        }
+        if let Some((cost, cells)) = best {
+            return Some((cost + step as f64, cells));
+        }
+    }
+    let port = Port { at: shares[1], way: border.normal() };
+    (floor < 75.0).then(|| studio(flat, port, "studio", "bathroom")).flatten().map(|cells| (6.0, cells))
+}

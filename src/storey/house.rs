@@ -1,0 +1,106 @@
+//! One dwelling on all storeys of a house.
+
+use crate::layout::seed::Stream;
+
+use super::brief::Brief;
+use super::dwelling::{Cell, Planned, Port, Task, plan, plan_alike, studio};
+use super::ring::area;
+use super::spine::Ground;
+use super::typology::Typologies;
+
+/// Plans of the ground floor that are tried until the floors above fit on one.
+const GROUND_PLANS: usize = 6;
+
+/// The levels of a house, from the ground up: the cells of each. `None` if no way is sound.
+pub(super) fn house(
+    ground: &Ground,
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    stream: &mut Stream,
+) -> Option<Vec<Vec<Cell>>> {
+    let ports = outer_ports(ground);
+    let port = *ports.first()?;
+    let has_stairs = brief.storeys > 1;
+    let floor = area(&ground.ring) * if has_stairs { 0.9 } else { 1.0 };
+    let list = |name: &Option<String>| name.as_ref().and_then(|name| typologies.programmes.get(name));
+    let programmes = list(&brief.typology.programme)?;
+    let hall = brief.typology.hall.as_deref().unwrap_or("corridor");
+    // Where the programme of its size does not come out, a smaller one may.
+    for programme in programmes.iter().rev().filter(|programme| programme.from <= floor).take(4) {
+        let mut plans = Vec::new();
+        let task = Task {
+            ground,
+            port: Some(port),
+            typologies,
+            programme,
+            hall,
+            hall_width: brief.typology.hall_width,
+            has_stairs,
+        };
+        for port in &ports {
+            let task = Task { port: Some(*port), ..task };
+            plans.extend(plan(task, GROUND_PLANS.div_ceil(2), stream));
+        }
+        plans.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        for planned in plans.into_iter().take(GROUND_PLANS) {
+            if !has_stairs {
+                return Some(vec![one_unit(planned.cells)]);
+            }
+            let uppers = list(&brief.typology.upper_programme)?;
+            let upper =
+                uppers.iter().rev().filter(|programme| programme.from <= floor * 1.25).take(4).find_map(
+                    |programme| {
+                        let task = Task { port: None, programme, ..task };
+                        plan_alike(task, &planned.scheme, stream).into_iter().next()
+                    },
+                );
+            if let Some(Planned { cells, .. }) = upper {
+                let mut levels = vec![one_unit(planned.cells)];
+                levels.extend((1..brief.storeys).map(|_| one_unit(cells.clone())));
+                return Some(levels);
+            }
+        }
+    }
+    let is_small = !has_stairs && area(&ground.ring) < 60.0;
+    is_small.then(|| studio(ground, port, "studio", "bathroom").map(|cells| vec![one_unit(cells)])).flatten()
+}
+
+fn one_unit(mut cells: Vec<Cell>) -> Vec<Cell> {
+    cells.iter_mut().for_each(|cell| cell.unit = Some(0));
+    cells
+}
+
+/// The way in from the street, on the inner face of the wall.
+pub(super) fn outer_port(ground: &Ground) -> Option<Port> {
+    outer_ports(ground).into_iter().next()
+}
+
+/// Ways in from the street: where the entrance is, then at the ends of that wall, where the map does not show the door.
+fn outer_ports(ground: &Ground) -> Vec<Port> {
+    entrance_edge(ground).unwrap_or_default()
+}
+
+fn entrance_edge(ground: &Ground) -> Option<Vec<Port>> {
+    let (span, at) = ground.facade.entrance?;
+    let line = ground.facade.spans.get(span)?.line;
+    let way = line.normal();
+    let nearest = crate::geometry::edges(&ground.ring)
+        .map(|edge| (edge.distance(at), edge))
+        .filter(|(_, edge)| edge.normal().dot(way) > 0.7)
+        .reduce(|best, next| if next.0 < best.0 { next } else { best });
+    let (_, edge) = nearest.filter(|(gap, _)| *gap < ground.wall * 3.0 + 0.5)?;
+    let is_drawn = at.distance(line.middle()) > 0.01;
+    // Away from the corners, so that a door has a place.
+    let length = edge.length();
+    let margin = 0.8f64.min(length / 2.0);
+    let place = (at - edge.start).dot(edge.direction()).clamp(margin, length - margin);
+    let port = |place: f64| Port { at: edge.start + edge.direction() * place, way: edge.normal() };
+    let mut places = vec![place];
+    if !is_drawn {
+        // Within the free part of the wall.
+        let ends = [line.start, line.end].map(|end| (end - edge.start).dot(edge.direction()));
+        let (low, high) = ((ends[0] + margin).max(margin), (ends[1] - margin).min(length - margin));
+        places.extend([low, high].into_iter().filter(|end| (*end - place).abs() > 0.5 && low <= high));
+    }
+    Some(places.into_iter().map(port).collect())
+}

@@ -1,0 +1,267 @@
+//! Doors: which rooms they join, so that every room is reached from the way in, and where they are.
+
+use crate::geometry::{Point, Segment};
+use crate::layout::seed::Stream;
+use crate::plan::OpeningKind;
+
+use super::dwelling::{Cell, Port};
+use super::ring::{bounds, shared};
+use super::typology::{RoomNeeds, Typologies};
+
+/// Metres of border that the narrowest door needs.
+const LEAST_BORDER: f64 = 0.92;
+/// Metres of wall beside a door.
+const BESIDE: f64 = 0.1;
+/// Metres between two doors in one wall.
+const BETWEEN: f64 = 0.2;
+/// Metres of border from which on a kitchen lies open to the living room.
+const OPEN_BORDER: f64 = 1.5;
+/// Share of kitchens that do, where they may.
+const OPEN_SHARE: f64 = 0.65;
+
+/// A way between two rooms, or out.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Link {
+    /// The rooms by number; one only of a door to the open air.
+    pub(super) rooms: (usize, Option<usize>),
+    /// How it is closed.
+    pub(super) kind: OpeningKind,
+    /// Its middle.
+    pub(super) center: Point,
+    /// Along the wall.
+    pub(super) along: Point,
+    /// Metres.
+    pub(super) width: f64,
+    /// One or two.
+    pub(super) leaves: u32,
+}
+
+/// The ways of a level.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Links {
+    /// All of them.
+    pub(super) links: Vec<Link>,
+    /// Rooms that none leads to, by number.
+    pub(super) unreached: Vec<usize>,
+}
+
+/// The pairs of rooms that share a wall, with the longest piece of it; the first room is on its left.
+struct Borders(Vec<Vec<(usize, Segment)>>);
+
+impl Borders {
+    fn of(cells: &[Cell]) -> Self {
+        let boxes: Vec<_> = cells.iter().map(|cell| bounds(&cell.ring).inflated(0.01)).collect();
+        let mut borders = vec![Vec::new(); cells.len()];
+        for first in 0..cells.len() {
+            for second in first + 1..cells.len() {
+                if !boxes[first].touches(boxes[second]) {
+                    continue;
+                }
+                let pieces = shared(&cells[first].ring, &cells[second].ring);
+                let longest = pieces.into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a });
+                if let Some(border) = longest.filter(|border| border.length() >= LEAST_BORDER) {
+                    borders[first].push((second, border));
+                    borders[second].push((first, border.reversed()));
+                }
+            }
+        }
+        Self(borders)
+    }
+}
+
+/// Doors of a level: `ports` are the ways in from outside, `stair_roots` whether people come by the stairs.
+pub(super) fn link(
+    cells: &[Cell],
+    typologies: &Typologies,
+    ports: &[Port],
+    stair_roots: bool,
+    stream: &mut Stream,
+) -> Links {
+    let borders = Borders::of(cells);
+    let mut found = Links::default();
+    let mut is_reached = vec![false; cells.len()];
+    for port in ports {
+        if let Some(room) = room_at(cells, *port) {
+            is_reached[room] = true;
+            found.links.push(outer_door(room, *port, &cells[room]));
+        }
+    }
+    if stair_roots {
+        for (index, cell) in cells.iter().enumerate() {
+            is_reached[index] |= cell.room_type == "stairs";
+        }
+    }
+    let is_open: Vec<bool> = cells.iter().map(|_| stream.unit() < OPEN_SHARE).collect();
+    // The best doors first: what may lead to the hall does, before others are entered through a living room.
+    for pass in 0..2 {
+        loop {
+            let next = (0..cells.len()).filter(|&room| !is_reached[room]).find_map(|room| {
+                best_way(cells, typologies, &borders, &is_reached, room, pass == 1).map(|way| (room, way))
+            });
+            let Some((room, (to, border))) = next else { break };
+            is_reached[room] = true;
+            let open = opens(cells, typologies, &borders, room).filter(|_| is_open[room]);
+            let link = match open {
+                Some((other, border)) => open_side(room, other, border),
+                None => inner_door(cells, (room, to), border, &found.links),
+            };
+            found.links.push(link);
+        }
+    }
+    found.unreached =
+        (0..cells.len()).filter(|&room| !is_reached[room] && cells[room].room_type != "shaft").collect();
+    found
+}
+
+/// The room behind a way in.
+fn room_at(cells: &[Cell], port: Port) -> Option<usize> {
+    let inside = port.at + port.way * 0.4;
+    cells.iter().position(|cell| {
+        bounds(&cell.ring).contains(inside)
+            && crate::geometry::Polygon::new(&cell.ring).is_ok_and(|polygon| polygon.contains(inside))
+    })
+}
+
+fn outer_door(room: usize, port: Port, cell: &Cell) -> Link {
+    let is_wide = cell.unit.is_none() && !matches!(cell.room_type.as_str(), "storeroom" | "stairs");
+    let width: f64 = match cell.room_type.as_str() {
+        "garage" => 2.4,
+        "storeroom" => 0.9,
+        _ if is_wide => 1.6,
+        _ => 1.0,
+    };
+    // As far as the wall goes.
+    let edge = crate::geometry::edges(&cell.ring)
+        .filter(|edge| edge.normal().dot(port.way) > 0.9)
+        .map(|edge| (edge.distance(port.at), edge))
+        .reduce(|a, b| if b.0 < a.0 { b } else { a });
+    let (center, along, room_for) = match edge {
+        Some((_, edge)) => {
+            let half = width.min(edge.length() - 0.2).max(0.4) / 2.0 + 0.08;
+            let place = (port.at - edge.start)
+                .dot(edge.direction())
+                .clamp(half.min(edge.length() / 2.0), (edge.length() - half).max(edge.length() / 2.0));
+            (edge.start + edge.direction() * place, edge.direction(), edge.length() - 0.2)
+        }
+        None => (port.at, port.way.perp(), width),
+    };
+    let width = width.min(room_for.max(0.7));
+    Link {
+        rooms: (room, None),
+        kind: OpeningKind::Door,
+        center,
+        along,
+        width,
+        leaves: if width > 1.2 { 2 } else { 1 },
+    }
+}
+
+/// Whether a door may lead from a room that is not reached to one that is.
+fn may_lead(cells: &[Cell], needs: &RoomNeeds, room: usize, to: usize) -> Option<usize> {
+    let (own, other) = (&cells[room], &cells[to]);
+    let is_entry = |index: usize| {
+        let unit = cells[index].unit;
+        // The first room of a unit is its hall, or its only room.
+        cells.iter().position(|cell| cell.unit == unit) == Some(index)
+    };
+    let is_allowed = match (own.unit, other.unit) {
+        (a, b) if a == b => true,
+        (Some(_), None) => is_entry(room),
+        (None, Some(_)) => is_entry(to),
+        _ => false,
+    };
+    if !is_allowed {
+        return None;
+    }
+    needs.doors.iter().position(|door| *door == other.room_type)
+}
+
+fn best_way(
+    cells: &[Cell],
+    typologies: &Typologies,
+    borders: &Borders,
+    is_reached: &[bool],
+    room: usize,
+    is_last_pass: bool,
+) -> Option<(usize, Segment)> {
+    let needs = typologies.rooms.get(&cells[room].room_type)?;
+    let ways = borders.0[room].iter().filter(|(to, _)| is_reached[*to]).filter_map(|&(to, border)| {
+        // The other way round too: a hall on an upper level is reached from the stairs, stairs from a hall.
+        let back =
+            typologies.rooms.get(&cells[to].room_type).and_then(|needs| may_lead(cells, needs, to, room));
+        let rank = may_lead(cells, needs, room, to).or(back.map(|_| 0))?;
+        (rank == 0 || is_last_pass).then_some((rank, -border.length(), to, border))
+    });
+    let best = ways.reduce(|a, b| if (b.0, b.1) < (a.0, a.1) { b } else { a });
+    best.map(|(_, _, to, border)| (to, border))
+}
+
+/// The room that another lies open to.
+fn opens(
+    cells: &[Cell],
+    typologies: &Typologies,
+    borders: &Borders,
+    room: usize,
+) -> Option<(usize, Segment)> {
+    let needs = typologies.rooms.get(&cells[room].room_type)?;
+    let is_open = |to: usize, border: Segment| {
+        cells[to].unit == cells[room].unit
+            && needs.open_to.contains(&cells[to].room_type)
+            && border.length() >= OPEN_BORDER
+    };
+    borders.0[room].iter().copied().find(|&(to, border)| is_open(to, border))
+}
+
+fn open_side(room: usize, other: usize, border: Segment) -> Link {
+    let width = (border.length() - 0.3).min(3.2);
+    Link {
+        rooms: (room, Some(other)),
+        kind: OpeningKind::OpenBoundary,
+        center: border.middle(),
+        along: border.direction(),
+        width,
+        leaves: 0,
+    }
+}
+
+fn inner_door(cells: &[Cell], (room, to): (usize, usize), border: Segment, links: &[Link]) -> Link {
+    let types = [cells[room].room_type.as_str(), cells[to].room_type.as_str()];
+    let has = |room_type: &str| types.contains(&room_type);
+    let is_inside = cells[room].unit == cells[to].unit;
+    if has("stairs") && has("corridor") && is_inside || types == ["walkway", "walkway"] {
+        let width = (border.length() - 0.25).min(2.6);
+        return Link { width, ..open_side(room, to, border) };
+    }
+    let (kind, wanted): (OpeningKind, f64) = if has("elevator") {
+        (OpeningKind::SlidingDoor, 0.9)
+    } else if !is_inside || has("walkway") {
+        (OpeningKind::Door, 0.95)
+    } else if has("bathroom") || has("toilet") || has("storeroom") || has("hotel_bathroom") {
+        (OpeningKind::Door, 0.8)
+    } else {
+        (OpeningKind::Door, 0.88)
+    };
+    let width = wanted.min(border.length() - 2.0 * BESIDE);
+    let center = place_on(border, width, links);
+    Link { rooms: (room, Some(to)), kind, center, along: border.direction(), width, leaves: 1 }
+}
+
+/// A place on a border: near an end of it, clear of other doors in that wall.
+fn place_on(border: Segment, width: f64, links: &[Link]) -> Point {
+    let half = width / 2.0 + BESIDE;
+    let length = border.length();
+    let beside = 0.15f64.min((length - 2.0 * half).max(0.0));
+    let places = [half + beside, length - half - beside, length / 2.0];
+    let clearance = |place: f64| {
+        let at = border.start + border.direction() * place;
+        let gap = |link: &Link| {
+            let is_in_wall = border.side(link.center).abs() < 0.2;
+            let distance = link.center.distance(at) - (width + link.width) / 2.0;
+            if is_in_wall { distance } else { distance.max(BETWEEN) }
+        };
+        links.iter().map(gap).fold(BETWEEN, f64::min)
+    };
+    let best = places.into_iter().map(|place| (clearance(place), place));
+    let (_, place) = best.reduce(|a, b| if b.0 > a.0 + 1e-6 { b } else { a }).unwrap_or((0.0, length / 2.0));
+    border.start + border.direction() * place
+}

@@ -1,0 +1,163 @@
+//! One large room with small ones at its darkest end: shops, halls, workshops, open offices.
+
+use super::brief::Brief;
+use super::dwelling::Cell;
+use super::ring::{Axis, Ring, area, join, split};
+use super::spine::{Ground, cut_along, extent, settle, turned_ring_back};
+use super::typology::Typologies;
+
+/// Metres of the depth of the small rooms, and with stairs among them.
+const DEPTH: (f64, f64) = (3.0, 4.6);
+/// Square metres of stairs.
+const STAIRS: f64 = 13.0;
+/// Share of the storey that small rooms take at most.
+const MOST_SHARE: f64 = 0.4;
+
+/// One level, alike on all storeys; `None` where there is no place for the small rooms.
+pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typologies) -> Option<Vec<Cell>> {
+    let main = brief.typology.main.as_deref()?;
+    let cell = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
+    let mut cells = Vec::new();
+    for (index, ground) in grounds.iter().enumerate() {
+        if index > 0 {
+            cells.push(cell(ground.ring.clone(), main));
+            continue;
+        }
+        let mut services: Vec<(&str, f64)> =
+            brief.typology.services.iter().map(|(room_type, area)| (room_type.as_str(), *area)).collect();
+        if brief.storeys > 1 {
+            services.insert(0, ("stairs", STAIRS));
+        }
+        if services.is_empty() {
+            cells.push(cell(ground.ring.clone(), main));
+            continue;
+        }
+        let (room, small) = with_services(ground, &mut services, brief.storeys > 1, typologies)?;
+        cells.push(cell(room, main));
+        cells.extend(small.into_iter().zip(&services).map(|(ring, (room_type, _))| cell(ring, room_type)));
+    }
+    Some(cells)
+}
+
+/// The large room and the small ones. Services that do not fit are dropped from the list, the last first.
+fn with_services(
+    ground: &Ground,
+    services: &mut Vec<(&str, f64)>,
+    has_stairs: bool,
+    typologies: &Typologies,
+) -> Option<(Ring, Vec<Ring>)> {
+    let most = area(&ground.ring) * MOST_SHARE;
+    while services.len() > 1 && services.iter().map(|(_, area)| area).sum::<f64>() > most {
+        services.pop();
+    }
+    let turned = ground.turned();
+    while !services.is_empty() {
+        let mut best: Option<(f64, Ring, Vec<Ring>)> = None;
+        for (is_turned, ground) in [(false, ground), (true, &turned)] {
+            for is_top in [false, true] {
+                let Some((cost, room, small)) = at_end(ground, services, is_top, typologies) else {
+                    continue;
+                };
+                if best.as_ref().is_none_or(|(known, ..)| cost < *known) {
+                    let back = |ring: &Ring| if is_turned { turned_ring_back(ring) } else { ring.clone() };
+                    best = Some((cost, back(&room), small.iter().map(back).collect()));
+                }
+            }
+        }
+        if let Some((_, room, small)) = best {
+            return Some((room, small));
+        }
+        if services.len() == 1 && has_stairs {
+            return None;
+        }
+        services.pop();
+    }
+    Some((ground.ring.clone(), Vec::new()))
+}
+
+/// Small rooms in a row at the top or bottom end; the cost is the light that they take, and closing the entrance.
+fn at_end(
+    ground: &Ground,
+    services: &[(&str, f64)],
+    is_top: bool,
+    typologies: &Typologies,
+) -> Option<(f64, Ring, Vec<Ring>)> {
+    let has_stairs = services.iter().any(|(room_type, _)| *room_type == "stairs");
+    let (bottom, top) = extent(&ground.ring, Axis::Y);
+    let wanted: f64 = services.iter().map(|(_, area)| area).sum();
+    let (left, right) = extent(&ground.ring, Axis::X);
+    let least = if has_stairs { DEPTH.1 } else { (wanted / (right - left)).clamp(1.6, DEPTH.0) };
+    let depth = least.max(wanted / (right - left)).min((top - bottom) * 0.5);
+    let at = if is_top { top - depth } else { bottom + depth };
+    let (below, above) = split(&ground.ring, Axis::Y, at);
+    let (end, rest) = if is_top { (above, below) } else { (below, above) };
+    let mut room = rest;
+    let mut row = end.first()?.clone();
+    let others: Vec<Ring> = end.into_iter().skip(1).chain(room.drain(1.min(room.len())..)).collect();
+    // Services take a part of the row, from one end; the rest belongs to the large room.
+    let (low, high) = extent(&row, Axis::X);
+    let share = (wanted / area(&row)).min(1.0);
+    let mut rests = others;
+    let end_place = low + (high - low) * share;
+    if share < 0.9 {
+        let (mut kept, beyond) = split(&row, Axis::X, end_place);
+        row = if kept.is_empty() { return None } else { kept.swap_remove(0) };
+        rests.extend(kept.into_iter().chain(beyond));
+    }
+    let (low, high) = extent(&row, Axis::X);
+    let mut taken = 0.0;
+    let places: Vec<f64> = services[..services.len() - 1]
+        .iter()
+        .map(|(_, area)| {
+            taken += area;
+            low + (high - low) * taken / wanted
+        })
+        .collect();
+    let (small, crumbs) = cut_along(&[row], &places);
+    let least = |room_type: &str| typologies.rooms.get(room_type).map_or(1.1, |needs| needs.width);
+    let is_wide = |(ring, (room_type, _)): (&Ring, &(&str, f64))| {
+        !ring.is_empty() && super::disc::is_as_wide_as(ring, least(room_type))
+    };
+    if !small.iter().zip(services).all(is_wide) {
+        return None;
+    }
+    if has_stairs && !super::disc::is_as_wide_as(small.first()?, 2.1) {
+        return None;
+    }
+    rests.extend(crumbs);
+    let mut main = vec![room.pop()?];
+    if !settle(rests, &mut main, |_| 1.0).is_empty() {
+        return None;
+    }
+    let main = main.pop()?;
+    let reaches = |ring: &Ring| super::ring::shared_length(ring, &main) >= super::fill::DOOR_STRETCH;
+    if !small.iter().all(reaches) {
+        return None;
+    }
+    let light: f64 = small.iter().flat_map(|ring| ground.light(ring)).map(|piece| piece.length()).sum();
+    let entrance = ground.facade.entrance.map_or(0.0, |(_, at)| {
+        let near = |ring: &Ring| {
+            super::ring::bounds(ring).gap(crate::geometry::Bounds::around_point(at, 1.0)) <= ground.wall + 0.2
+        };
+        if small.iter().any(near) { 100.0 } else { 0.0 }
+    });
+    Some((light + entrance, main, small))
+}
+
+/// One room for each piece of a storey.
+pub(super) fn one_room(grounds: &[Ground], room_type: &str) -> Vec<Cell> {
+    let mut rings: Vec<Ring> = grounds.iter().map(|ground| ground.ring.clone()).collect();
+    // Pieces that were cut at a courtyard stay two rooms: joined they would have a hole.
+    let mut index = 1;
+    while index < rings.len() {
+        let joined = join(&rings[0], &rings[index]);
+        match joined {
+            Some(ring) => {
+                rings[0] = ring;
+                rings.remove(index);
+            }
+            None => index += 1,
+        }
+    }
+    rings.into_iter().map(|ring| Cell { ring, room_type: room_type.to_owned(), unit: None }).collect()
+}

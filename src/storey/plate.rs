@@ -1,0 +1,171 @@
+//! The floor that a storey has: the footprint without its outer walls, in pieces without holes.
+
+use geo::Buffer;
+use geo::algorithm::buffer::{BufferStyle, LineJoin};
+
+use crate::geometry::{Point, Polygon, Segment, edges};
+
+use super::disc::is_simple;
+use super::facade::{Around, Facade, look_out};
+use super::footprint::Footprint;
+use super::frame::Frame;
+use super::ring::{Axis, Ring, area, bounds, join, on_grid, split, tidy, without_straight_corners};
+use super::spine::Ground;
+
+/// Corners that stand out farther than this many times the depth of the wall are cut off.
+const MITRE_LIMIT: f64 = 4.0;
+/// Pieces below this many square metres are no floor.
+const LEAST_PIECE: f64 = 1.0;
+
+/// A building's outline in its frame.
+#[derive(Clone, Debug)]
+pub(super) struct Outline {
+    /// Its frame.
+    pub(super) frame: Frame,
+    /// The outer faces of its walls, counter-clockwise.
+    pub(super) outer: Ring,
+    /// Its courtyards, counter-clockwise.
+    pub(super) courts: Vec<Ring>,
+    /// What lies before the walls.
+    pub(super) facade: Facade,
+}
+
+impl Outline {
+    /// A footprint among its neighbours.
+    pub(super) fn of(footprint: &Footprint, neighbours: &[&Footprint], streets: &[Vec<Point>]) -> Self {
+        let frame = Frame::of(&footprint.region);
+        let ring = |polygon: &Polygon| tidy(frame.ring(polygon.corners()));
+        let outer = without_straight_corners(&ring(&footprint.region.outline));
+        let courts: Vec<Ring> =
+            footprint.region.holes.iter().map(|hole| without_straight_corners(&ring(hole))).collect();
+        let around = Around {
+            neighbours: neighbours.iter().map(|other| frame.ring(other.region.outline.corners())).collect(),
+            entrances: footprint.entrances.iter().map(|&door| frame.point(door)).collect(),
+            streets: streets.iter().map(|street| frame.ring(street)).collect(),
+        };
+        let inside_left: Vec<Ring> =
+            courts.iter().map(|court| court.iter().rev().copied().collect()).collect();
+        let facade = look_out(&outer, &inside_left, &around);
+        Self { frame, outer, courts, facade }
+    }
+
+    /// Square metres.
+    pub(super) fn area(&self) -> f64 {
+        area(&self.outer) - self.courts.iter().map(|court| area(court)).sum::<f64>()
+    }
+
+    /// Metres of the largest disc inside.
+    pub(super) fn depth(&self) -> f64 {
+        let rings: Vec<&[Point]> =
+            std::iter::once(&self.outer).chain(&self.courts).map(|ring| ring.as_slice()).collect();
+        super::disc::largest_disc(&rings, f64::INFINITY).0
+    }
+
+    /// Share of the outer walls with a neighbour wall to wall.
+    pub(super) fn party(&self) -> f64 {
+        let length = |is_party: fn(super::facade::EdgeClass) -> bool| {
+            let spans = self.facade.spans.iter().filter(|span| is_party(span.class));
+            spans.map(|span| span.line.length()).sum::<f64>()
+        };
+        length(|class| class == super::facade::EdgeClass::Party) / length(|_| true).max(0.1)
+    }
+
+    /// The floor inside walls of this thickness, in pieces that are joined by nothing but cuts, the largest first.
+    pub(super) fn grounds(&self, wall: f64) -> Vec<Ground> {
+        let holes: Vec<Ring> = self.courts.iter().flat_map(|court| moved(court, wall)).collect();
+        let mut pieces: Vec<Ring> = Vec::new();
+        for ring in moved(&self.outer, -wall) {
+            let inside = |hole: &&Ring| hole.iter().any(|corner| contains(&ring, *corner));
+            let own: Vec<Ring> = holes.iter().filter(inside).cloned().collect();
+            pieces.extend(opened(ring, own, 0));
+        }
+        pieces.retain(|ring| area(ring) >= LEAST_PIECE && is_simple(ring));
+        pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        let ground = |ring| Ground { ring, facade: self.facade.clone(), wall };
+        pieces.into_iter().map(ground).collect()
+    }
+}
+
+fn contains(ring: &[Point], point: Point) -> bool {
+    let mut inside = false;
+    for Segment { start: a, end: b } in edges(ring) {
+        if (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x) {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
+/// A ring whose edges move outwards by some metres, inwards if below zero; several where it falls apart, none if nothing is left.
+fn moved(ring: &Ring, by: f64) -> Vec<Ring> {
+    if let Some(mitred) = mitred(ring, by) {
+        return vec![mitred];
+    }
+    let line = geo::LineString::from_iter(ring.iter().map(|corner| geo::Coord { x: corner.x, y: corner.y }));
+    let surface = geo::Polygon::new(line, Vec::new());
+    let style = BufferStyle::new(by).line_join(LineJoin::Miter(std::f64::consts::FRAC_PI_6));
+    let parts = surface.buffer_with_style(style);
+    let rings = parts.0.iter().map(|part| {
+        let corners: Ring =
+            part.exterior().0.iter().map(|coord| on_grid(Point::new(coord.x, coord.y))).collect();
+        without_straight_corners(&tidy(corners))
+    });
+    rings.filter(|ring| ring.len() > 2 && area(ring) > 0.0).collect()
+}
+
+/// The simple way: each corner moves to where its edges meet again. `None` where an edge would vanish.
+fn mitred(ring: &Ring, by: f64) -> Option<Ring> {
+    let count = ring.len();
+    let mut corners = Vec::with_capacity(count);
+    for index in 0..count {
+        let before = Segment::new(ring[(index + count - 1) % count], ring[index]).direction();
+        let after = Segment::new(ring[index], ring[(index + 1) % count]).direction();
+        let (left, right) = (before.perp(), after.perp());
+        let scale = 1.0 + left.dot(right);
+        let shift = (left + right) * (-by / scale);
+        if scale < 0.05 || shift.length() > MITRE_LIMIT * by.abs() {
+            return None;
+        }
+        corners.push(on_grid(ring[index] + shift));
+    }
+    let keeps_direction =
+        edges(ring).zip(edges(&corners)).all(|(old, new)| old.vector().dot(new.vector()) > 0.0);
+    (keeps_direction && is_simple(&corners)).then(|| without_straight_corners(&corners))
+}
+
+/// A ring with holes as rings without: cut through the middle of each hole.
+fn opened(ring: Ring, mut holes: Vec<Ring>, depth: u32) -> Vec<Ring> {
+    let Some(hole) = holes.first() else { return vec![ring] };
+    if depth > 24 {
+        return vec![ring];
+    }
+    let extent = bounds(hole);
+    let middle = extent.center();
+    // The shorter cut: across the narrower part of the building.
+    let axis = if extent.size().x > extent.size().y { Axis::X } else { Axis::Y };
+    let at = super::ring::along(on_grid(middle), axis);
+    let (below, above) = split(&ring, axis, at);
+    let halves: Vec<(Vec<Ring>, Vec<Ring>)> = holes.drain(..).map(|hole| split(&hole, axis, at)).collect();
+    let mut pieces = Vec::new();
+    for (is_above, side) in [(false, below), (true, above)] {
+        for mut piece in side {
+            let mut whole = Vec::new();
+            for (low, high) in &halves {
+                let own = if is_above { high } else { low };
+                let is_cut = !low.is_empty() && !high.is_empty();
+                for half in own {
+                    if is_cut {
+                        let reversed: Ring = half.iter().rev().copied().collect();
+                        if let Some(rest) = join(&piece, &reversed) {
+                            piece = rest;
+                        }
+                    } else if contains(&piece, super::disc::inner_point(half)) {
+                        whole.push(half.clone());
+                    }
+                }
+            }
+            pieces.extend(opened(piece, whole, depth + 1));
+        }
+    }
+    pieces
+}

@@ -1,0 +1,347 @@
+//! Rings of corners on a grid of a millimetre: cut by straight lines, joined along edges that they share.
+//!
+//! Storeys are made by cutting and by joining what was cut, never by placing things beside each other: so that rooms cover their
+//! storey and do not overlap, whatever its outline.
+
+use std::collections::BTreeMap;
+
+use crate::geometry::{Bounds, Point, Segment, edges};
+
+/// Steps of the grid in a metre.
+const GRID: f64 = 1000.0;
+/// A corner this close in metres to a line lies on it: half a step of the grid, and what rounding adds.
+const ON_LINE: f64 = 0.0011;
+/// Pieces below this many square metres are what rounding leaves.
+const CRUMB: f64 = 0.01;
+
+/// Corners of a simple polygon, counter-clockwise, each on the grid; the last is not the first.
+pub(super) type Ring = Vec<Point>;
+
+/// An axis of the frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axis {
+    /// East.
+    X,
+    /// North.
+    Y,
+}
+
+/// The nearest point of the grid.
+pub(super) fn on_grid(point: Point) -> Point {
+    // Adding zero makes negative zero zero.
+    Point::new((point.x * GRID).round() / GRID + 0.0, (point.y * GRID).round() / GRID + 0.0)
+}
+
+/// Square metres; below zero for a clockwise ring.
+pub(super) fn area(ring: &[Point]) -> f64 {
+    let base = ring.first().copied().unwrap_or_default();
+    edges(ring).map(|edge| (edge.start - base).perp_dot(edge.end - base)).sum::<f64>() / 2.0
+}
+
+/// The box around a ring.
+pub(super) fn bounds(ring: &[Point]) -> Bounds {
+    Bounds::around(ring.iter().copied())
+}
+
+/// The coordinate of a point along an axis.
+pub(super) fn along(point: Point, axis: Axis) -> f64 {
+    match axis {
+        Axis::X => point.x,
+        Axis::Y => point.y,
+    }
+}
+
+/// The pieces of a ring below and above a coordinate of an axis; largest first on each side.
+pub(super) fn split(ring: &[Point], axis: Axis, at: f64) -> (Vec<Ring>, Vec<Ring>) {
+    // A corner on the line counts as above, so that each edge crosses the line or does not.
+    let height = |point: Point| along(point, axis) - at;
+    let is_above: Vec<bool> = ring.iter().map(|&corner| height(corner) > -ON_LINE).collect();
+    if is_above.iter().all(|&above| above) {
+        return (Vec::new(), vec![ring.to_vec()]);
+    }
+    if !is_above.contains(&true) {
+        return (vec![ring.to_vec()], Vec::new());
+    }
+    let (nodes, crossings) = with_crossings(ring, &is_above, axis, at);
+    let partner = partners(&nodes, crossings, axis);
+    let side = |above: bool| {
+        let mut pieces = chains(&nodes, &partner, above);
+        pieces.retain(|piece| piece.len() > 2 && area(piece) > CRUMB);
+        pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        pieces
+    };
+    (side(false), side(true))
+}
+
+/// A corner of a ring that is cut, or a place where the cut crosses an edge.
+#[derive(Clone, Copy)]
+struct Node {
+    point: Point,
+    /// None of a crossing.
+    is_above: Option<bool>,
+    /// Whether the ring goes up at a crossing.
+    goes_up: bool,
+}
+
+fn with_crossings(ring: &[Point], is_above: &[bool], axis: Axis, at: f64) -> (Vec<Node>, Vec<usize>) {
+    let mut nodes = Vec::with_capacity(ring.len() + 4);
+    let mut crossings = Vec::new();
+    for (index, edge) in edges(ring).enumerate() {
+        let (from, to) = (is_above[index], is_above[(index + 1) % ring.len()]);
+        nodes.push(Node { point: edge.start, is_above: Some(from), goes_up: false });
+        if from == to {
+            continue;
+        }
+        let (low, high) = (along(edge.start, axis) - at, along(edge.end, axis) - at);
+        let crossing = match (low.abs() <= ON_LINE, high.abs() <= ON_LINE) {
+            (true, _) => edge.start,
+            (false, true) => edge.end,
+            (false, false) => {
+                let point = edge.at(low / (low - high));
+                on_grid(match axis {
+                    Axis::X => Point::new(at, point.y),
+                    Axis::Y => Point::new(point.x, at),
+                })
+            }
+        };
+        crossings.push(nodes.len());
+        nodes.push(Node { point: crossing, is_above: None, goes_up: to });
+    }
+    (nodes, crossings)
+}
+
+/// By node that is a crossing: the other end of the piece of the line inside the ring.
+fn partners(nodes: &[Node], mut crossings: Vec<usize>, axis: Axis) -> BTreeMap<usize, usize> {
+    let other = if axis == Axis::X { Axis::Y } else { Axis::X };
+    let place = |index: &usize| along(nodes[*index].point, other);
+    crossings.sort_by(|a, b| place(a).total_cmp(&place(b)).then(a.cmp(b)));
+    let pairs = crossings.chunks_exact(2).map(|pair| (pair[0], pair[1]));
+    pairs.flat_map(|(a, b)| [(a, b), (b, a)]).collect()
+}
+
+/// The rings on one side of the line.
+fn chains(nodes: &[Node], partner: &BTreeMap<usize, usize>, above: bool) -> Vec<Ring> {
+    let mut is_done = vec![false; nodes.len()];
+    let mut pieces = Vec::new();
+    for start in 0..nodes.len() {
+        if nodes[start].is_above != Some(above) || is_done[start] {
+            continue;
+        }
+        let mut piece: Ring = Vec::new();
+        let mut index = start;
+        for _ in 0..2 * nodes.len() {
+            let node = nodes[index];
+            push_corner(&mut piece, node.point);
+            is_done[index] = true;
+            // Where the ring leaves this side, it goes on where it comes back.
+            if node.is_above.is_none() && node.goes_up != above {
+                let Some(&back) = partner.get(&index) else { break };
+                push_corner(&mut piece, nodes[back].point);
+                is_done[back] = true;
+                index = back;
+            }
+            index = (index + 1) % nodes.len();
+            if index == start {
+                break;
+            }
+        }
+        pieces.push(tidy(piece));
+    }
+    pieces
+}
+
+fn push_corner(ring: &mut Ring, point: Point) {
+    if ring.last() != Some(&point) {
+        ring.push(point);
+    }
+}
+
+/// Without repeated corners, and without spikes that go out and back.
+pub(super) fn tidy(mut ring: Ring) -> Ring {
+    let mut index = 0;
+    let mut kept = 0;
+    while ring.len() > 2 && kept < ring.len() {
+        let count = ring.len();
+        index %= count;
+        let (before, here, after) =
+            (ring[(index + count - 1) % count], ring[index], ring[(index + 1) % count]);
+        if here == after || before == after {
+            ring.remove(index);
+            kept = 0;
+        } else {
+            index += 1;
+            kept += 1;
+        }
+    }
+    ring
+}
+
+/// The ring without corners that lie on the line between their neighbours.
+pub(super) fn without_straight_corners(ring: &[Point]) -> Ring {
+    let count = ring.len();
+    let bends = |index: &usize| {
+        let (before, here, after) =
+            (ring[(index + count - 1) % count], ring[*index], ring[(index + 1) % count]);
+        Segment::new(before, after).side(here).abs() > ON_LINE
+    };
+    let kept: Ring = (0..count).filter(bends).map(|index| ring[index]).collect();
+    if kept.len() > 2 { kept } else { ring.to_vec() }
+}
+
+/// One ring of two that share edges; `None` where they do not, or where a hole would be left between them.
+pub(super) fn join(first: &[Point], second: &[Point]) -> Option<Ring> {
+    let (first, second) = (with_corners_of(first, second), with_corners_of(second, first));
+    let key = |point: Point| ((point.x * GRID).round() as i64, (point.y * GRID).round() as i64);
+    let mut next: BTreeMap<(i64, i64), Vec<Point>> = BTreeMap::new();
+    let all = || edges(&first).chain(edges(&second));
+    let directed: std::collections::BTreeSet<_> =
+        all().map(|edge| (key(edge.start), key(edge.end))).collect();
+    let mut count = 0;
+    let mut start = None;
+    for edge in all().filter(|edge| !directed.contains(&(key(edge.end), key(edge.start)))) {
+        next.entry(key(edge.start)).or_default().push(edge.end);
+        start = start.or(Some(edge.start));
+        count += 1;
+    }
+    if count == first.len() + second.len() {
+        return None;
+    }
+    let start = start?;
+    let mut ring = Vec::with_capacity(count);
+    let mut at = start;
+    for _ in 0..count {
+        ring.push(at);
+        at = next.get_mut(&key(at))?.pop()?;
+    }
+    let is_whole = key(at) == key(start) && area(&ring) > 0.0;
+    is_whole.then(|| without_straight_corners(&tidy(ring)))
+}
+
+/// A ring with the corners of another that lie on its edges.
+fn with_corners_of(ring: &[Point], other: &[Point]) -> Ring {
+    let mut corners = Vec::with_capacity(ring.len() + 4);
+    for edge in edges(ring) {
+        push_corner(&mut corners, edge.start);
+        let (length, direction) = (edge.length(), edge.direction());
+        let mut on_edge: Vec<(f64, Point)> = other
+            .iter()
+            .map(|&corner| ((corner - edge.start).dot(direction), corner))
+            .filter(|&(place, corner)| {
+                place > 0.0
+                    && place < length
+                    && corner != edge.start
+                    && corner != edge.end
+                    && edge.side(corner).abs() < 2.0 * ON_LINE
+            })
+            .collect();
+        on_edge.sort_by(|a, b| a.0.total_cmp(&b.0));
+        on_edge.into_iter().for_each(|(_, corner)| push_corner(&mut corners, corner));
+    }
+    corners
+}
+
+/// Metres that two rings run beside each other, as segments with the first ring on their left.
+pub(super) fn shared(first: &[Point], second: &[Point]) -> Vec<Segment> {
+    let mut found = Vec::new();
+    for edge in edges(first) {
+        let (length, direction) = (edge.length(), edge.direction());
+        for far in edges(second).filter(|far| far.direction().dot(direction) < -0.9999) {
+            if edge.side(far.start).abs() > 2.0 * ON_LINE || edge.side(far.end).abs() > 2.0 * ON_LINE {
+                continue;
+            }
+            let from = (far.end - edge.start).dot(direction).max(0.0);
+            let to = (far.start - edge.start).dot(direction).min(length);
+            if to - from > 2.0 * ON_LINE {
+                found.push(Segment::new(edge.start + direction * from, edge.start + direction * to));
+            }
+        }
+    }
+    found
+}
+
+/// Metres of the longest stretch that two rings share.
+pub(super) fn shared_length(first: &[Point], second: &[Point]) -> f64 {
+    shared(first, second).iter().map(|piece| piece.length()).fold(0.0, f64::max)
+}
+
+/// The ring turned clockwise by a quarter, so that what ran north runs east.
+pub(super) fn turned(ring: &[Point]) -> Ring {
+    ring.iter().map(|corner| turned_point(*corner)).collect()
+}
+
+/// See [`turned`].
+pub(super) fn turned_point(point: Point) -> Point {
+    Point::new(point.y, -point.x)
+}
+
+/// The opposite of [`turned`].
+pub(super) fn turned_back(point: Point) -> Point {
+    Point::new(-point.y, point.x)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn rectangle(x: f64, y: f64, width: f64, depth: f64) -> Ring {
+        Bounds::new(Point::new(x, y), Point::new(x + width, y + depth)).corners().into()
+    }
+
+    fn u_shape() -> Ring {
+        let corners = [(0., 0.), (6., 0.), (6., 5.), (4., 5.), (4., 2.), (2., 2.), (2., 5.), (0., 5.)];
+        corners.map(Point::from).into()
+    }
+
+    #[test]
+    fn a_line_through_two_legs_leaves_three_pieces() {
+        let (below, above) = split(&u_shape(), Axis::Y, 3.0);
+        assert_eq!((below.len(), above.len()), (1, 2));
+        assert!((area(&below[0]) - 14.0).abs() < 1e-9);
+        assert!(above.iter().all(|piece| (area(piece) - 4.0).abs() < 1e-9));
+    }
+
+    #[test]
+    fn a_line_along_an_edge_leaves_no_crumb() {
+        let (below, above) = split(&u_shape(), Axis::Y, 2.0);
+        assert_eq!((below.len(), above.len()), (1, 2));
+        assert!((area(&below[0]) - 12.0).abs() < 1e-9);
+        let (below, above) = split(&rectangle(0., 0., 2., 2.), Axis::X, 2.0);
+        assert_eq!((below.len(), above.len()), (1, 0));
+    }
+
+    #[test]
+    fn what_was_cut_joins_again() {
+        let (below, above) = split(&u_shape(), Axis::Y, 3.0);
+        let half = join(&below[0], &above[0]).unwrap();
+        let whole = join(&half, &above[1]).unwrap();
+        assert!((area(&whole) - area(&u_shape())).abs() < 1e-9);
+        assert_eq!(whole.len(), u_shape().len());
+        assert!(join(&above[0], &above[1]).is_none(), "they do not touch");
+    }
+
+    #[test]
+    fn rings_of_unlike_length_share_a_part_of_their_edges() {
+        let (first, second) = (rectangle(0., 0., 4., 2.), rectangle(1., 2., 2., 2.));
+        assert!((shared_length(&first, &second) - 2.0).abs() < 1e-9);
+        assert_eq!(join(&first, &second).unwrap().len(), 8);
+    }
+
+    proptest! {
+        #[test]
+        fn pieces_have_the_area_of_the_whole(
+            radii in prop::collection::vec(1.0f64..9.0, 3..16), at in -8.0f64..8.0, is_x in any::<bool>(),
+        ) {
+            let count = radii.len() as f64;
+            let corner = |(index, radius): (usize, &f64)| {
+                on_grid(crate::geometry::direction(std::f64::consts::TAU * index as f64 / count) * *radius)
+            };
+            let ring: Ring = radii.iter().enumerate().map(corner).collect();
+            prop_assume!(area(&ring) > 0.5);
+            let (below, above) = split(&ring, if is_x { Axis::X } else { Axis::Y }, at);
+            let sum: f64 = below.iter().chain(&above).map(|piece| area(piece)).sum();
+            prop_assert!((sum - area(&ring)).abs() < 0.1, "{sum} {}", area(&ring));
+        }
+    }
+}

@@ -1,0 +1,387 @@
+//! A strip that people walk along, with rows of rooms on one or both sides of it.
+//!
+//! ```text
+//!   +------+---------+-----+        t
+//!   | room |  room   |     |  row   ^
+//!   +------+------+--+ end |        |
+//!   |  hall (strip)  | bit |        +--> s, along the strip
+//!   +----+-----+---+-+-----+
+//!   |    |bath | v |  room |  row   v: a way in (port), or stairs: fixed slices of a row
+//!   +----+-----+---+-------+
+//! ```
+//!
+//! Works in a frame whose x axis runs along the strip; [`Ground::turned`] makes the other one.
+
+use crate::geometry::{Point, Segment, edges};
+
+use super::facade::{Facade, Span};
+use super::ring::{self, Axis, Ring, along, area, bounds, join, split, turned, turned_back, turned_point};
+
+/// Rows below this many square metres are given to their neighbours.
+const LEAST_ROW: f64 = 2.0;
+/// Places at which the depth of a row is measured.
+const SAMPLES: usize = 32;
+
+/// A piece of a storey that is planned on its own, such as a flat.
+#[derive(Clone, Debug)]
+pub(super) struct Ground {
+    /// Its outline, on the middles of its walls and on the inner faces of outer walls.
+    pub(super) ring: Ring,
+    /// What lies before the outer walls.
+    pub(super) facade: Facade,
+    /// Metres of outer wall.
+    pub(super) wall: f64,
+}
+
+impl Ground {
+    /// The same in a frame that is turned by a quarter.
+    pub(super) fn turned(&self) -> Self {
+        let line = |line: Segment| Segment::new(turned_point(line.start), turned_point(line.end));
+        let spans = self.facade.spans.iter().map(|span| Span { line: line(span.line), ..*span }).collect();
+        let entrance = self.facade.entrance.map(|(span, point)| (span, turned_point(point)));
+        Self { ring: turned(&self.ring), facade: Facade { spans, entrance }, wall: self.wall }
+    }
+
+    /// A part of it: with the walls near that alone, for the rest would be looked at in vain.
+    pub(super) fn part(&self, ring: Ring) -> Self {
+        let reach = bounds(&ring).inflated(self.wall + 0.5);
+        let spans = &self.facade.spans;
+        let near = spans.iter().filter(|span| span.line.bounds().touches(reach)).copied().collect();
+        Self { ring, facade: Facade { spans: near, entrance: None }, wall: self.wall }
+    }
+
+    /// The pieces of a ring's border that light may come through.
+    pub(super) fn light(&self, ring: &[Point]) -> Vec<Segment> {
+        let depth = self.wall + 0.1;
+        let free = |edge: Segment| {
+            let before = self.facade.before(edge, depth);
+            before.into_iter().filter(|(span, _)| span.class.is_free()).map(|(_, piece)| piece)
+        };
+        edges(ring).flat_map(free).collect()
+    }
+}
+
+/// Turns rings back that were made in a turned frame.
+pub(super) fn turned_ring_back(ring: &[Point]) -> Ring {
+    ring.iter().map(|corner| turned_back(*corner)).collect()
+}
+
+/// A slice of a row that is set before the rooms are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Fixed {
+    /// Whether it is in the row above the strip.
+    pub(super) is_above: bool,
+    /// From where to where along the strip.
+    pub(super) from: f64,
+    /// See `from`.
+    pub(super) to: f64,
+    /// What it is.
+    pub(super) kind: FixedKind,
+}
+
+/// What a fixed slice is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FixedKind {
+    /// A part of the hall, up to a way in.
+    Port,
+    /// A room of the caller, by its number.
+    Room(usize),
+}
+
+/// A row of the strip, or what fixed slices leave of it.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// Its outline.
+    pub(super) ring: Ring,
+    /// From where to where it reaches along the strip.
+    pub(super) from: f64,
+    /// See `from`.
+    pub(super) to: f64,
+    /// Square metres up to each of [`SAMPLES`] places, evenly along the row.
+    sums: Vec<f64>,
+    /// Where light comes in: from where to where along the strip, and metres of wall.
+    light: Vec<(f64, f64, f64)>,
+    /// Where it borders on the strip.
+    contact: Vec<(f64, f64)>,
+}
+
+impl Row {
+    fn of(ring: Ring, ground: &Ground, strip: &[Point]) -> Self {
+        let extent = bounds(&ring);
+        let (from, to) = (extent.low.x, extent.high.x);
+        let step = (to - from) / SAMPLES as f64;
+        let mut sums = vec![0.0];
+        for sample in 0..SAMPLES {
+            let depth = depth_at(&ring, from + step * (sample as f64 + 0.5));
+            sums.push(sums[sample] + depth * step);
+        }
+        let span =
+            |piece: Segment| (piece.start.x.min(piece.end.x), piece.start.x.max(piece.end.x), piece.length());
+        let light = ground.light(&ring).into_iter().map(span).collect();
+        let contact =
+            ring::shared(&ring, strip).into_iter().map(span).map(|(from, to, _)| (from, to)).collect();
+        Self { ring, from, to, sums, light, contact }
+    }
+
+    /// Square metres.
+    pub(super) fn area(&self) -> f64 {
+        self.sums[SAMPLES]
+    }
+
+    /// Metres along the strip.
+    pub(super) fn length(&self) -> f64 {
+        self.to - self.from
+    }
+
+    /// Mean metres away from the strip.
+    pub(super) fn depth(&self) -> f64 {
+        self.area() / self.length().max(0.01)
+    }
+
+    /// The place up to which so many square metres lie.
+    pub(super) fn place_of(&self, area: f64) -> f64 {
+        let step = self.length() / SAMPLES as f64;
+        let index = self.sums.partition_point(|&sum| sum < area).clamp(1, SAMPLES);
+        let (low, high) = (self.sums[index - 1], self.sums[index]);
+        let share = if high > low { ((area - low) / (high - low)).clamp(0.0, 1.0) } else { 1.0 };
+        self.from + step * (index as f64 - 1.0 + share)
+    }
+
+    /// Metres of wall with light between two places.
+    pub(super) fn light_between(&self, from: f64, to: f64) -> f64 {
+        let part = |&(low, high, length): &(f64, f64, f64)| {
+            if high - low < 0.05 {
+                return if low >= from - 0.05 && high <= to + 0.05 { length } else { 0.0 };
+            }
+            length * ((high.min(to) - low.max(from)).max(0.0) / (high - low))
+        };
+        self.light.iter().map(part).sum()
+    }
+
+    /// Metres of the longest border with the strip between two places, and where it is.
+    pub(super) fn contact_between(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+        let part = |&(low, high): &(f64, f64)| (low.max(from), high.min(to));
+        let parts = self.contact.iter().map(part).filter(|(low, high)| high > low);
+        parts.reduce(|best, next| if next.1 - next.0 > best.1 - best.0 { next } else { best })
+    }
+
+    /// Cuts the row at places along the strip, in rising order: one piece for each interval, and what was left over.
+    pub(super) fn cut(&self, places: &[f64]) -> (Vec<Ring>, Vec<Ring>) {
+        cut_along(std::slice::from_ref(&self.ring), places)
+    }
+}
+
+/// Cuts rings at places along the x axis, in rising order: the largest piece of each interval, and all others.
+pub(super) fn cut_along(rings: &[Ring], places: &[f64]) -> (Vec<Ring>, Vec<Ring>) {
+    let (mut slices, mut left_over) = (Vec::new(), Vec::new());
+    let mut rest: Vec<Ring> = rings.to_vec();
+    for &place in places {
+        let (mut slice, mut beyond) = (Vec::new(), Vec::new());
+        for ring in &rest {
+            let (below, above) = split(ring, Axis::X, place);
+            slice.extend(below);
+            beyond.extend(above);
+        }
+        take_largest(slice, &mut slices, &mut left_over);
+        rest = beyond;
+    }
+    take_largest(rest, &mut slices, &mut left_over);
+    (slices, left_over)
+}
+
+fn take_largest(mut pieces: Vec<Ring>, taken: &mut Vec<Ring>, left_over: &mut Vec<Ring>) {
+    pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    let mut pieces = pieces.into_iter();
+    taken.push(pieces.next().unwrap_or_default());
+    left_over.extend(pieces);
+}
+
+/// Metres of a ring across the strip at a place along it.
+fn depth_at(ring: &[Point], s: f64) -> f64 {
+    let mut crossings: Vec<f64> = edges(ring)
+        .filter(|edge| (edge.start.x > s) != (edge.end.x > s))
+        .map(|edge| {
+            edge.start.y + (s - edge.start.x) / (edge.end.x - edge.start.x) * (edge.end.y - edge.start.y)
+        })
+        .collect();
+    crossings.sort_by(f64::total_cmp);
+    crossings.chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
+}
+
+/// A ground with its strip and rows.
+#[derive(Clone, Debug)]
+pub(super) struct Spine {
+    /// The strip, with the ports that belong to it.
+    pub(super) strip: Ring,
+    /// The rows, without fixed slices.
+    pub(super) rows: Vec<Row>,
+    /// The fixed rooms by number, with their outlines.
+    pub(super) fixed: Vec<(usize, Ring)>,
+    /// Pieces that are nobody's yet.
+    pub(super) left_over: Vec<Ring>,
+}
+
+impl Spine {
+    /// Cuts a ground along a strip between two heights. `None` where the strip is no single piece, or a fixed slice has no
+    /// place.
+    pub(super) fn new(ground: &Ground, low: f64, high: f64, fixed: &[Fixed]) -> Option<Self> {
+        Self::with_room_in_strip(ground, (low, high), fixed, None)
+    }
+
+    /// As [`Self::new`]; a room, number 0, is cut out of the strip: from where to where along it, and which part above or below
+    /// a height.
+    pub(super) fn with_room_in_strip(
+        ground: &Ground,
+        (low, high): (f64, f64),
+        fixed: &[Fixed],
+        inside: Option<(f64, f64, f64, bool)>,
+    ) -> Option<Self> {
+        let (below, rest) = split(&ground.ring, Axis::Y, low);
+        let mut pieces: [Vec<Ring>; 2] = [below, Vec::new()];
+        let mut strips = Vec::new();
+        for ring in rest {
+            let (strip, above) = split(&ring, Axis::Y, high);
+            strips.extend(strip);
+            pieces[1].extend(above);
+        }
+        strips.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        let mut strips = strips.into_iter();
+        let mut strip = strips.next()?;
+        let mut left_over: Vec<Ring> = strips.collect();
+        // A second strip of any size is a wing of its own.
+        if left_over.iter().map(|ring| area(ring)).sum::<f64>() > LEAST_ROW {
+            return None;
+        }
+        let mut rooms = Vec::new();
+        if let Some(room) = inside {
+            let (rest, ring) = cut_out(&strip, room)?;
+            strip = rest;
+            rooms.push((0, ring));
+        }
+        let mut kept = Vec::new();
+        for (side, rings) in pieces.into_iter().enumerate() {
+            let own: Vec<Fixed> =
+                fixed.iter().filter(|slice| slice.is_above == (side == 1)).copied().collect();
+            let cut = take_fixed(rings, &own, &mut left_over)?;
+            for (slice, ring) in cut.taken {
+                match slice.kind {
+                    FixedKind::Port => strip = join(&strip, &ring)?,
+                    FixedKind::Room(number) => rooms.push((number, ring)),
+                }
+            }
+            kept.extend(cut.kept);
+        }
+        let rows = kept.into_iter().map(|ring| Row::of(ring, ground, &strip)).collect();
+        Some(Self { strip, rows, fixed: rooms, left_over })
+    }
+}
+
+/// A strip without a room in it, and the room.
+fn cut_out(strip: &[Point], (from, to, edge, is_above): (f64, f64, f64, bool)) -> Option<(Ring, Ring)> {
+    let (slices, crumbs) = cut_along(&[strip.to_vec()], &[from, to]);
+    let [before, middle, after] = slices.try_into().ok()?;
+    let (mut below, mut above) = split(&middle, Axis::Y, edge);
+    let is_simple = crumbs.is_empty() && below.len() == 1 && above.len() == 1;
+    if !is_simple {
+        return None;
+    }
+    let (rest, room) = if is_above { (below.pop()?, above.pop()?) } else { (above.pop()?, below.pop()?) };
+    let mut strip = rest;
+    for end in [before, after].into_iter().filter(|end| !end.is_empty()) {
+        strip = join(&strip, &end)?;
+    }
+    Some((strip, room))
+}
+
+struct FixedCut {
+    taken: Vec<(Fixed, Ring)>,
+    kept: Vec<Ring>,
+}
+
+/// Cuts fixed slices out of the rings of a row.
+fn take_fixed(mut rings: Vec<Ring>, fixed: &[Fixed], left_over: &mut Vec<Ring>) -> Option<FixedCut> {
+    let mut taken = Vec::new();
+    for slice in fixed {
+        let mut found: Option<Ring> = None;
+        let mut others = Vec::new();
+        for ring in rings {
+            let (before, rest) = split(&ring, Axis::X, slice.from);
+            others.extend(before);
+            for ring in rest {
+                let (inside, after) = split(&ring, Axis::X, slice.to);
+                others.extend(after);
+                for piece in inside {
+                    match &found {
+                        Some(known) if area(known) >= area(&piece) => left_over.push(piece),
+                        _ => left_over.extend(found.replace(piece)),
+                    }
+                }
+            }
+        }
+        let found = found?;
+        let width = bounds(&found).size().x;
+        if width < (slice.to - slice.from) * 0.75 {
+            return None;
+        }
+        taken.push((*slice, found));
+        rings = others;
+    }
+    let (kept, small): (Vec<Ring>, Vec<Ring>) = rings.into_iter().partition(|ring| is_row(ring));
+    left_over.extend(small);
+    Some(FixedCut { taken, kept })
+}
+
+fn is_row(ring: &[Point]) -> bool {
+    let size = bounds(ring).size();
+    area(ring) >= LEAST_ROW && size.min_element() >= 0.8
+}
+
+/// Cuts the ends of a strip off that nobody needs: keeps what lies between two places, and returns the cut ends.
+pub(super) fn trim(strip: Ring, from: f64, to: f64) -> (Ring, Vec<Ring>) {
+    let mut ends = Vec::new();
+    let (before, rest) = split(&strip, Axis::X, from);
+    ends.extend(before);
+    let mut kept: Vec<Ring> = Vec::new();
+    for ring in rest {
+        let (inside, after) = split(&ring, Axis::X, to);
+        ends.extend(after);
+        kept.extend(inside);
+    }
+    kept.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    let mut kept = kept.into_iter();
+    let Some(main) = kept.next() else { return (strip, Vec::new()) };
+    ends.extend(kept);
+    (main, ends)
+}
+
+/// Gives pieces that are nobody's to the ring beside which they lie longest, by a weight for each; what finds none comes back.
+pub(super) fn settle(pieces: Vec<Ring>, rings: &mut [Ring], weight: impl Fn(usize) -> f64) -> Vec<Ring> {
+    let mut open = pieces;
+    // Each round gives away one piece or more, or ends.
+    loop {
+        let count = open.len();
+        let mut rest = Vec::new();
+        for piece in open {
+            let mut order: Vec<(f64, usize)> = (0..rings.len())
+                .map(|index| (ring::shared_length(&piece, &rings[index]) * weight(index), index))
+                .filter(|(length, _)| *length > 0.02)
+                .collect();
+            order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            let joined = order.iter().find_map(|&(_, index)| Some((index, join(&rings[index], &piece)?)));
+            match joined {
+                Some((index, ring)) => rings[index] = ring,
+                None => rest.push(piece),
+            }
+        }
+        open = rest;
+        if open.len() == count || open.is_empty() {
+            return open;
+        }
+    }
+}
+
+/// The extent of a ring along an axis.
+pub(super) fn extent(ring: &[Point], axis: Axis) -> (f64, f64) {
+    let places = ring.iter().map(|corner| along(*corner, axis));
+    places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)))
+}

@@ -1,0 +1,216 @@
+//! Plans of outlines of every shape and kind: what they promise, and that they are the same whoever asks.
+
+use crate::catalog::load_catalog;
+use crate::geometry::{Point, Polygon, Region, direction};
+use crate::plan::{OpeningKind, OutlineKind};
+
+use super::*;
+
+fn typologies() -> Typologies {
+    load_catalog(&[]).expect("the built-in catalogue is sound").value.typologies
+}
+
+fn region(corners: &[(f64, f64)]) -> Region {
+    let corners: Vec<Point> = corners.iter().copied().map(Point::from).collect();
+    Region::simple(Polygon::new(&corners).unwrap())
+}
+
+fn rectangle(x: f64, y: f64, width: f64, depth: f64) -> Region {
+    region(&[(x, y), (x + width, y), (x + width, y + depth), (x, y + depth)])
+}
+
+fn footprint(id: &str, region: Region, storeys: f64, use_word: &str) -> Footprint {
+    Footprint {
+        id: id.to_owned(),
+        name: None,
+        region,
+        parts: Vec::new(),
+        storeys: StoreyFacts { above_ground: Some(storeys), ..StoreyFacts::default() },
+        uses: vec![("building".to_owned(), use_word.to_owned())],
+        flats: None,
+        entrances: Vec::new(),
+    }
+}
+
+fn site(footprints: Vec<Footprint>) -> Site {
+    Site { footprints, ..Site::default() }
+}
+
+fn plan(site: &Site, index: usize) -> PlannedBuilding {
+    let around = Neighbourhood::new(&site.footprints);
+    plan_building(site, &around, index, &typologies(), &Choices::default()).expect("there is always a plan")
+}
+
+/// The planned building of an outline that stands alone.
+fn alone(region: Region, storeys: f64, use_word: &str) -> PlannedBuilding {
+    plan(&site(vec![footprint("alone", region, storeys, use_word)]), 0)
+}
+
+fn rooms_of<'a>(
+    building: &'a PlannedBuilding,
+    level: usize,
+    room_type: &str,
+) -> Vec<&'a crate::plan::RoomDraft> {
+    building.draft.levels[level].rooms.iter().filter(|room| room.room_type == room_type).collect()
+}
+
+fn area(corners: &[Point]) -> f64 {
+    ring::area(corners)
+}
+
+#[test]
+fn a_house_has_the_same_stairs_on_all_levels_and_a_bath_above() {
+    let house = alone(rectangle(0.0, 0.0, 10.0, 9.0), 2.0, "house");
+    assert_eq!((house.report.typology.as_str(), house.report.rung), ("house", 0), "{:?}", house.report);
+    assert_eq!(house.draft.levels.len(), 2);
+    let stairs: Vec<_> = (0..2).map(|level| rooms_of(&house, level, "stairs")[0].outline.clone()).collect();
+    assert_eq!(stairs[0], stairs[1]);
+    assert_eq!(rooms_of(&house, 1, "bathroom").len(), 1);
+    assert!(!rooms_of(&house, 1, "bedroom").is_empty());
+    let has_way_in =
+        |opening: &crate::plan::OpeningDraft| opening.rooms.len() == 1 && opening.kind == OpeningKind::Door;
+    assert!(house.draft.levels[0].openings.iter().any(has_way_in));
+    assert!(!house.draft.levels[1].openings.iter().any(has_way_in), "nobody walks out into the air");
+}
+
+#[test]
+fn flats_have_an_entrance_a_kitchen_and_a_bath_each() {
+    let block = alone(rectangle(0.0, 0.0, 40.0, 12.0), 4.0, "apartments");
+    assert_eq!((block.report.typology.as_str(), block.report.rung), ("flats", 0), "{:?}", block.report);
+    for level in &block.draft.levels {
+        let mut flats: Vec<&str> = level.rooms.iter().filter_map(|room| room.dwelling.as_deref()).collect();
+        flats.sort_unstable();
+        flats.dedup();
+        assert!(flats.len() >= 3, "{flats:?}");
+        for flat in flats {
+            let types: Vec<&str> = level
+                .rooms
+                .iter()
+                .filter(|room| room.dwelling.as_deref() == Some(flat))
+                .map(|room| room.room_type.as_str())
+                .collect();
+            assert!(types.contains(&"bathroom"), "{types:?}");
+            assert!(types.iter().any(|word| word.contains("kitchen") || *word == "studio"), "{types:?}");
+            let dwelling_of = |id: &String| {
+                let room = level.rooms.iter().find(|room| room.id == *id).unwrap();
+                room.dwelling.as_deref() == Some(flat)
+            };
+            let entrances = level.openings.iter().filter(|opening| {
+                opening.rooms.len() == 2 && opening.rooms.iter().filter(|id| dwelling_of(id)).count() == 1
+            });
+            assert_eq!(entrances.count(), 1, "{flat}");
+        }
+    }
+}
+
+#[test]
+fn corridors_of_wings_meet() {
+    let corners = [(0., 0.), (50., 0.), (50., 14.), (14., 14.), (14., 45.), (0., 45.)];
+    let offices = alone(region(&corners), 3.0, "office");
+    assert_eq!(
+        (offices.report.typology.as_str(), offices.report.rung),
+        ("office_cells", 0),
+        "{:?}",
+        offices.report
+    );
+    assert!(rooms_of(&offices, 0, "walkway").len() >= 2);
+    assert!(rooms_of(&offices, 0, "office").len() >= 10);
+}
+
+#[test]
+fn rooms_cover_the_floor_of_every_shape() {
+    let circle: Vec<(f64, f64)> =
+        (0..40).map(|step| direction(f64::from(step) * 0.157) * 14.0).map(|at| (at.x, at.y)).collect();
+    let court = {
+        let hole = Polygon::rectangle(Point::new(10.0, 10.0), Point::new(18.0, 14.0));
+        Region { holes: vec![hole], ..rectangle(0.0, 0.0, 40.0, 36.0) }
+    };
+    let shapes = [
+        rectangle(0.0, 0.0, 2.0, 1.5),
+        rectangle(0.0, 0.0, 60.0, 3.0),
+        region(&[(0.0, 0.0), (22.0, 0.0), (0.0, 17.0)]),
+        region(&[
+            (0.0, 0.0),
+            (30.0, 0.0),
+            (30.0, 11.0),
+            (19.0, 11.0),
+            (19.0, 5.0),
+            (11.0, 5.0),
+            (11.0, 11.0),
+            (0.0, 11.0),
+        ]),
+        region(&[(0.0, 0.0), (9.0, -2.0), (14.0, 4.0), (11.0, 12.0), (2.0, 10.0)]),
+        region(&circle),
+        court,
+        rectangle(0.0, 0.0, 130.0, 90.0),
+    ];
+    for (number, shape) in shapes.into_iter().enumerate() {
+        for use_word in [
+            "house",
+            "apartments",
+            "office",
+            "hotel",
+            "school",
+            "hospital",
+            "retail",
+            "church",
+            "garage",
+            "?",
+        ] {
+            let planned = alone(shape.clone(), 3.0, use_word);
+            assert_eq!(planned.draft.levels.len(), 3);
+            for level in &planned.draft.levels {
+                assert_eq!(level.outlines, OutlineKind::Center);
+                let covered: f64 = level.rooms.iter().map(|room| area(&room.outline)).sum();
+                let most = shape.area();
+                assert!(covered <= most && covered > most * 0.2, "{number} {use_word}: {covered} of {most}");
+                let is_simple = |room: &crate::plan::RoomDraft| Polygon::new(&room.outline).is_ok();
+                assert!(level.rooms.iter().all(is_simple), "{number} {use_word}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_window_looks_at_a_neighbour() {
+    let row = (0..3).map(|place| {
+        let x = f64::from(place) * 6.0;
+        footprint(&format!("row-{place}"), rectangle(x, 0.0, 6.0, 11.0), 2.0, "house")
+    });
+    let site = site(row.collect());
+    let middle = plan(&site, 1);
+    assert!(middle.report.rung < 2, "{:?}", middle.report);
+    let turn = direction(middle.placement.turn);
+    for opening in middle.draft.levels.iter().flat_map(|level| &level.openings) {
+        let crate::plan::OpeningPlace::Points { center, .. } = opening.place else {
+            panic!("not placed by points")
+        };
+        let at = middle.placement.position + turn.rotate(center);
+        if opening.kind == OpeningKind::Window {
+            assert!(at.x > 6.5 && at.x < 11.5, "{at}: in a party wall");
+        }
+    }
+}
+
+#[test]
+fn a_plan_depends_on_its_surroundings_alone() {
+    let own = || footprint("b", rectangle(0.0, 0.0, 24.0, 12.0), 4.0, "apartments");
+    let far = |id: &str| footprint(id, rectangle(500.0, 0.0, 9.0, 9.0), 2.0, "house");
+    let text = |planned: PlannedBuilding| format!("{:?} {:?}", planned.draft, planned.placement);
+    let single = text(plan(&site(vec![own()]), 0));
+    assert_eq!(single, text(plan(&site(vec![own(), far("a")]), 0)));
+    assert_eq!(single, text(plan(&site(vec![far("c"), own()]), 1)));
+    let near = footprint("n", rectangle(24.0, 0.0, 10.0, 12.0), 4.0, "apartments");
+    assert_ne!(single, text(plan(&site(vec![own(), near]), 0)), "windows give way to a neighbour");
+}
+
+#[test]
+fn choices_come_before_the_map() {
+    let site = site(vec![footprint("one", rectangle(0.0, 0.0, 20.0, 14.0), 2.0, "house")]);
+    let around = Neighbourhood::new(&site.footprints);
+    let choices = Choices { use_name: Some("hotel".to_owned()), storeys: Some(5), ..Choices::default() };
+    let planned = plan_building(&site, &around, 0, &typologies(), &choices).unwrap();
+    assert_eq!(planned.draft.levels.len(), 5);
+    assert_eq!(planned.report.typology, "hotel");
+    assert!(!rooms_of(&planned, 0, "hotel_room").is_empty());
+}

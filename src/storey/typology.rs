@@ -1,0 +1,222 @@
+//! What kinds of buildings there are, and what their rooms need: the content of `configs/typologies.yaml`.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Kinds of buildings, and which of them a building of a map is.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Typologies of buildings")]
+pub struct Typologies {
+    /// Version of the format: 1.
+    pub version: u32,
+    /// By room type: what rooms need where storeys are planned.
+    #[serde(default)]
+    pub rooms: BTreeMap<String, RoomNeeds>,
+    /// By name: lists of programmes.
+    #[serde(default)]
+    pub programmes: BTreeMap<String, Vec<Programme>>,
+    /// The kinds of buildings by name.
+    #[serde(default)]
+    pub typologies: BTreeMap<String, Typology>,
+    /// By use: which kinds of buildings serve it, and words of maps that mean it.
+    #[serde(default)]
+    pub uses: BTreeMap<String, Use>,
+    /// The use of buildings of which the map says none, the first rule that fits.
+    #[serde(default)]
+    pub unknown_use: Vec<UseRule>,
+}
+
+/// What rooms of a type need.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RoomNeeds {
+    /// Metres of the smallest width.
+    pub width: f64,
+    /// Whether it needs windows.
+    #[serde(default)]
+    pub light: Light,
+    /// Room types that its door may lead to, the best first.
+    #[serde(default)]
+    pub doors: Vec<String>,
+    /// Room types that it lies open to instead, without a wall between, if it borders on one.
+    #[serde(default)]
+    pub open_to: Vec<String>,
+    /// Whether people may walk through it to other rooms.
+    #[serde(default)]
+    pub passage: bool,
+}
+
+/// Whether rooms need windows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Light {
+    /// They are no rooms without.
+    Required,
+    /// They have windows where they lie at an outer wall.
+    Welcome,
+    /// They have none.
+    #[default]
+    None,
+}
+
+/// The rooms of a flat, a house's level or a storey of some area.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Programme {
+    /// Square metres from which on it is taken; the list rises.
+    pub from: f64,
+    /// By room type: square metres of a room, or of each of several. All grow or shrink to fill what there is.
+    pub rooms: BTreeMap<String, Areas>,
+}
+
+/// Square metres of one room or of several.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Areas {
+    /// Of one room.
+    One(f64),
+    /// Of each of several.
+    Several(Vec<f64>),
+}
+
+impl Areas {
+    /// Square metres of each room.
+    #[must_use]
+    pub fn all(&self) -> &[f64] {
+        match self {
+            Self::One(area) => std::slice::from_ref(area),
+            Self::Several(areas) => areas,
+        }
+    }
+}
+
+/// A kind of building.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Typology {
+    /// A title for people.
+    pub label: String,
+    /// How its storeys are divided.
+    pub plan: PlanKind,
+    /// Metres from floor to floor.
+    pub storey_height: f64,
+    /// Metres of its outer walls.
+    pub exterior: f64,
+    /// Metres of its inner walls.
+    pub interior: f64,
+    /// Storeys where the map does not say, least and most.
+    pub storeys: (u32, u32),
+    /// Square metres of a storey, least and most.
+    #[serde(default = "any")]
+    pub area: (f64, f64),
+    /// Metres of depth, the largest disc that the outline holds, least and most.
+    #[serde(default = "any")]
+    pub depth: (f64, f64),
+    /// Storeys with which it is built, least and most.
+    #[serde(default = "any_storeys")]
+    pub levels: (u32, u32),
+    /// Share of the outline with a neighbour wall to wall, least and most.
+    #[serde(default = "any")]
+    pub party: (f64, f64),
+    /// Its weight among the kinds that fit.
+    #[serde(default = "one")]
+    pub weight: f64,
+    /// Room type of the halls or corridors.
+    #[serde(default)]
+    pub hall: Option<String>,
+    /// Metres of the width of halls or corridors.
+    #[serde(default = "hall_width")]
+    pub hall_width: f64,
+    /// Room type of the rooms that fill it: the one room, the large one, or those along a corridor.
+    #[serde(default)]
+    pub main: Option<String>,
+    /// By room type: weights of other rooms along the corridor.
+    #[serde(default)]
+    pub others: BTreeMap<String, f64>,
+    /// Metres along the corridor of each room, least and most.
+    #[serde(default)]
+    pub module: Option<(f64, f64)>,
+    /// Room types of which each storey has one, in dark places first.
+    #[serde(default)]
+    pub services: BTreeMap<String, f64>,
+    /// Name of the programmes of flats, or of the ground floor of a house.
+    #[serde(default)]
+    pub programme: Option<String>,
+    /// Name of the programmes of the upper floors of a house.
+    #[serde(default)]
+    pub upper_programme: Option<String>,
+    /// Square metres of a flat with its share of the stairs, or of a section with stairs of its own.
+    #[serde(default)]
+    pub section: Option<f64>,
+    /// Its ground floor instead, with a weight beside 1 for none: shops below flats.
+    #[serde(default)]
+    pub ground: BTreeMap<String, f64>,
+}
+
+/// How storeys are divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PlanKind {
+    /// One room.
+    OneRoom,
+    /// One dwelling on all storeys, with stairs of its own.
+    House,
+    /// Flats at landings.
+    Flats,
+    /// Rooms along corridors.
+    Corridor,
+    /// Flats along corridors.
+    CorridorFlats,
+    /// One large room, with small ones at its back.
+    Open,
+}
+
+/// A use of buildings.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Use {
+    /// Words of maps that mean it, in small letters: `building=house` has the word `house`.
+    #[serde(default)]
+    pub words: Vec<String>,
+    /// Names of the kinds of buildings that serve it.
+    pub typologies: Vec<String>,
+}
+
+/// A guess of the use of a building.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct UseRule {
+    /// Square metres of the outline below which it holds.
+    pub below: f64,
+    /// The use.
+    #[serde(rename = "use")]
+    pub use_name: String,
+}
+
+fn any() -> (f64, f64) {
+    (0.0, f64::MAX)
+}
+
+fn any_storeys() -> (u32, u32) {
+    (0, u32::MAX)
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn hall_width() -> f64 {
+    1.2
+}
+
+impl Typologies {
+    /// The programme of a list for an area.
+    #[must_use]
+    pub fn programme(&self, name: &str, area: f64) -> Option<&Programme> {
+        let list = self.programmes.get(name)?;
+        list.iter().rev().find(|programme| programme.from <= area).or(list.first())
+    }
+}

@@ -1,0 +1,128 @@
+//! Windows: which rooms have them, how many, and where.
+
+use crate::geometry::{Point, Segment};
+
+use super::dwelling::Cell;
+use super::links::Link;
+use super::spine::Ground;
+use super::typology::{Light, Typologies};
+
+/// Square metres of floor for a square metre of glass (German building codes ask for 8 to 10).
+const FLOOR_OF_GLASS: f64 = 8.0;
+/// Metres of wall at each end of a room beside its windows.
+const BESIDE: f64 = 0.25;
+/// Metres from window to window.
+const PIER: f64 = 0.5;
+/// Metres between a door and a window.
+const DOOR_GAP: f64 = 0.35;
+/// Sill and head of usual windows in metres above the floor.
+const USUAL: (f64, f64) = (0.85, 2.25);
+/// Sill of small windows of baths and stores.
+const HIGH_SILL: f64 = 1.3;
+/// Sill where a room needs much light.
+const LOW_SILL: f64 = 0.4;
+/// Metres of the largest window.
+const WIDEST: f64 = 2.4;
+
+/// A window.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Window {
+    /// Its room by number.
+    pub(super) room: usize,
+    /// Its middle.
+    pub(super) center: Point,
+    /// Along the wall.
+    pub(super) along: Point,
+    /// Metres.
+    pub(super) width: f64,
+    /// Metres above the floor.
+    pub(super) bottom: f64,
+    /// Metres above the floor.
+    pub(super) top: f64,
+}
+
+/// The windows of a level.
+pub(super) fn windows(
+    ground: &Ground,
+    cells: &[Cell],
+    typologies: &Typologies,
+    links: &[Link],
+) -> Vec<Window> {
+    let mut found = Vec::new();
+    for (room, cell) in cells.iter().enumerate() {
+        let Some(needs) = typologies.rooms.get(&cell.room_type).filter(|needs| needs.light != Light::None)
+        else {
+            continue;
+        };
+        let pieces: Vec<Segment> = ground
+            .light(&cell.ring)
+            .into_iter()
+            .flat_map(|piece| without_doors(piece, links))
+            .filter(|piece| piece.length() >= 0.5 + 2.0 * BESIDE.min(piece.length() / 5.0))
+            .collect();
+        let is_main = needs.light == Light::Required || needs.passage && cell.room_type != "stairs";
+        if !is_main {
+            // One small window is enough.
+            let longest = pieces.into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a });
+            found.extend(longest.map(|piece| {
+                let width = if cell.room_type == "stairs" { 1.0 } else { 0.7 };
+                let width = f64::min(width, piece.length() - 0.3);
+                Window {
+                    room,
+                    center: piece.middle(),
+                    along: piece.direction(),
+                    width,
+                    bottom: HIGH_SILL,
+                    top: USUAL.1,
+                }
+            }));
+            continue;
+        }
+        let floor = super::ring::area(&cell.ring);
+        let wall: f64 = pieces.iter().map(|piece| piece.length()).sum();
+        let wanted = (floor / FLOOR_OF_GLASS / (USUAL.1 - USUAL.0)).max(0.9);
+        let bottom = if wanted > 0.55 * wall { LOW_SILL } else { USUAL.0 };
+        // More light than needed where there is wall for it, as people build.
+        let share = (wanted / wall.max(0.1)).clamp(0.42, 0.85);
+        for piece in pieces {
+            found.extend(in_piece(piece, share).into_iter().map(|(center, width)| Window {
+                room,
+                center,
+                along: piece.direction(),
+                width,
+                bottom,
+                top: USUAL.1,
+            }));
+        }
+    }
+    found
+}
+
+/// Windows evenly along a piece of wall: middle and width of each.
+fn in_piece(piece: Segment, share: f64) -> Vec<(Point, f64)> {
+    let length = piece.length();
+    let margin = BESIDE.min(length / 5.0);
+    let usable = length - 2.0 * margin;
+    let count = ((length * share / 1.5).round()).clamp(1.0, 40.0);
+    let bay = length / count;
+    let width = (length * share / count).min(bay - PIER.min(bay * 0.25)).min(usable).clamp(0.4, WIDEST);
+    (0..count as u32).map(|index| (piece.at((f64::from(index) + 0.5) / count), width)).collect()
+}
+
+/// What doors leave of a piece of wall.
+fn without_doors(piece: Segment, links: &[Link]) -> Vec<Segment> {
+    let (length, direction) = (piece.length(), piece.direction());
+    let mut kept: Vec<(f64, f64)> = vec![(0.0, length)];
+    for link in links.iter().filter(|link| link.rooms.1.is_none() && piece.side(link.center).abs() < 0.6) {
+        let place = (link.center - piece.start).dot(direction);
+        let (from, to) = (place - link.width / 2.0 - DOOR_GAP, place + link.width / 2.0 + DOOR_GAP);
+        kept = kept
+            .into_iter()
+            .flat_map(|(low, high)| [(low, high.min(from)), (low.max(to), high)])
+            .filter(|(low, high)| high - low > 0.3)
+            .collect();
+    }
+    let segment =
+        |(from, to): (f64, f64)| Segment::new(piece.start + direction * from, piece.start + direction * to);
+    kept.into_iter().map(segment).collect()
+}

@@ -1,0 +1,135 @@
+//! Wings of a storey: pieces that a straight corridor serves, and how their corridors meet.
+
+use crate::geometry::{Point, Segment};
+
+use super::dwelling::Port;
+use super::flats::inner_corners;
+use super::ring::{Axis, Ring, along, area, bounds, shared, split};
+
+/// Wings below this many square metres are not cut off.
+const LEAST_WING: f64 = 45.0;
+/// Wings narrower than this many metres are not cut off.
+const NARROWEST_WING: f64 = 4.5;
+/// Metres of border over which corridors meet.
+const MEETING: f64 = 2.0;
+/// Wings of a storey at most.
+const MOST_WINGS: usize = 40;
+
+/// A wing with a corridor along its longer axis.
+#[derive(Clone, Debug)]
+pub(super) struct Wing {
+    /// Its outline.
+    pub(super) ring: Ring,
+    /// The axis of its corridor.
+    pub(super) axis: Axis,
+    /// Where the middle of its corridor is, across the axis.
+    pub(super) middle: f64,
+    /// Where its corridor meets others.
+    pub(super) ports: Vec<Port>,
+}
+
+/// Cuts a ring at its inner corners until all pieces are compact.
+pub(super) fn compact(ring: Ring, found: &mut Vec<Ring>) {
+    let fill = area(&ring) / (bounds(&ring).size().x * bounds(&ring).size().y);
+    if fill > 0.93 || area(&ring) < 2.0 * LEAST_WING || found.len() >= MOST_WINGS {
+        return found.push(ring);
+    }
+    let mut best: Option<(f64, Ring, Ring)> = None;
+    let corners: Vec<Point> = inner_corners(&ring).take(24).collect();
+    for corner in corners {
+        for axis in [Axis::X, Axis::Y] {
+            let (mut below, mut above) = split(&ring, axis, along(corner, axis));
+            if below.len() != 1 || above.len() != 1 {
+                continue;
+            }
+            let (first, second) = (below.remove(0), above.remove(0));
+            let is_wing =
+                |ring: &Ring| area(ring) >= LEAST_WING && bounds(ring).size().min_element() >= NARROWEST_WING;
+            if !is_wing(&first) || !is_wing(&second) {
+                continue;
+            }
+            let chord: f64 = shared(&first, &second).iter().map(|piece| piece.length()).sum();
+            if best.as_ref().is_none_or(|(known, ..)| chord < *known - 1e-9) {
+                best = Some((chord, first, second));
+            }
+        }
+    }
+    match best {
+        Some((_, first, second)) => {
+            compact(first, found);
+            compact(second, found);
+        }
+        None => found.push(ring),
+    }
+}
+
+/// Wings whose corridors form a tree: the first is the root, and each other comes with the number of the one it is joined to.
+/// `None` where a wing borders on no other.
+pub(super) fn tree(rings: Vec<Ring>, entrance: Option<Point>) -> Option<Vec<Wing>> {
+    let mut open = rings;
+    let is_root = |ring: &Ring| {
+        let near =
+            entrance.is_some_and(|at| bounds(ring).gap(crate::geometry::Bounds::around_point(at, 0.1)) < 0.8);
+        area(ring) * if near { 3.0 } else { 1.0 }
+    };
+    open.sort_by(|a, b| is_root(b).total_cmp(&is_root(a)));
+    let mut wings = vec![wing(open.remove(0))];
+    while !open.is_empty() {
+        let mut joined = None;
+        'search: for parent in 0..wings.len() {
+            for child in 0..open.len() {
+                if let Some(border) = meeting(&wings[parent].ring, &open[child]) {
+                    joined = Some((parent, child, border));
+                    break 'search;
+                }
+            }
+        }
+        let (parent, child, border) = joined?;
+        let mut child = wing(open.remove(child));
+        let at = meet(&wings[parent], &mut child, border);
+        // The border has the parent on its left: its normal leads into the parent.
+        wings[parent].ports.push(Port { at, way: border.normal() });
+        child.ports.push(Port { at, way: -border.normal() });
+        wings.push(child);
+    }
+    Some(wings)
+}
+
+fn wing(ring: Ring) -> Wing {
+    let extent = bounds(&ring);
+    let size = extent.size();
+    let axis = if size.x >= size.y { Axis::X } else { Axis::Y };
+    let middle = along(extent.center(), across(axis));
+    Wing { ring, axis, middle: (middle * 1000.0).round() / 1000.0, ports: Vec::new() }
+}
+
+pub(super) fn across(axis: Axis) -> Axis {
+    if axis == Axis::X { Axis::Y } else { Axis::X }
+}
+
+fn meeting(parent: &Ring, child: &Ring) -> Option<Segment> {
+    let longest =
+        shared(parent, child).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+    (longest.length() >= MEETING).then_some(longest)
+}
+
+/// Where the corridors of two wings meet on their border: at the end of one that arrives there, else at its middle.
+fn meet(parent: &Wing, child: &mut Wing, border: Segment) -> Point {
+    let runs_along = if border.vector().x.abs() > border.vector().y.abs() { Axis::X } else { Axis::Y };
+    let (from, to) = (along(border.start, runs_along), along(border.end, runs_along));
+    let (low, high) = (from.min(to), from.max(to));
+    let margin = 1.2f64.min((high - low) / 2.0);
+    let place = if parent.axis != runs_along {
+        parent.middle
+    } else if child.axis != runs_along {
+        child.middle
+    } else {
+        0.5 * (low + high)
+    }
+    .clamp(low + margin, high - margin);
+    if child.axis != runs_along {
+        child.middle = place;
+    }
+    let share = (place - from) / (to - from);
+    border.at(share)
+}
