@@ -25,7 +25,7 @@ fn present(path: PathBuf) -> Option<PathBuf> {
 
 /// The drafts of all buildings of a plan in one of the shared folders.
 pub(in crate::plan) fn drafts(path: &Path, words: &RoomWords) -> Vec<BuildingDraft> {
-    let reading = super::read_drafts(path, words);
+    let reading = super::read_drafts(path, &crate::plan::PlanOptions::new(words));
     reading.drafts.into_iter().map(|drafted| drafted.draft).collect()
 }
 

@@ -21,7 +21,6 @@ const MOST_NEIGHBOURS: usize = 1_000;
 #[derive(Clone, Debug)]
 pub(super) struct Item {
     pub(super) id: String,
-    pub(super) is_part: bool,
     /// Id of the building it is a part of, if the file says.
     pub(super) parent: Option<String>,
     pub(super) region: Region,
@@ -116,7 +115,6 @@ mod tests {
         let outline = Polygon::rectangle(Point::new(low.0, low.1), Point::new(size.0, size.1));
         Item {
             id: id.into(),
-            is_part: false,
             parent: None,
             region: Region::simple(outline),
             facts: Facts::default(),

@@ -120,7 +120,6 @@ fn sorted(cleaned: Vec<Cleaned>, notes: &mut SiteNotes) -> Sorted {
         let list = if drawn.is_part { &mut sorted.parts } else { &mut sorted.buildings };
         list.extend(regions.into_iter().enumerate().map(|(index, region)| Item {
             id: if count > 1 { format!("{id}-{}", index + 1) } else { id.clone() },
-            is_part: drawn.is_part,
             parent: drawn.parent.clone(),
             region,
             facts: drawn.facts.clone(),

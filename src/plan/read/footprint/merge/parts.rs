@@ -84,7 +84,7 @@ fn once_each(parts: Vec<Item>, notes: &mut SiteNotes) -> Vec<Item> {
 /// Buildings made of parts alone: one for each piece of the ground that they cover.
 fn made_of(id: &str, mut parts: Vec<Item>, shell: Option<&Facts>, notes: &mut SiteNotes) -> Vec<Whole> {
     if parts.len() == 1 && shell.is_none() {
-        let building = Item { is_part: false, parent: None, ..parts.remove(0) };
+        let building = Item { parent: None, ..parts.remove(0) };
         return vec![Whole { building, parts }];
     }
     let grounds: Vec<Region> =
@@ -97,7 +97,7 @@ fn made_of(id: &str, mut parts: Vec<Item>, shell: Option<&Facts>, notes: &mut Si
     let whole = |(index, region): (usize, Region)| {
         let id = if count > 1 { format!("{id}-{}", index + 1) } else { id.to_owned() };
         let facts = facts.clone();
-        Whole { building: Item { id, is_part: false, parent: None, region, facts }, parts: Vec::new() }
+        Whole { building: Item { id, parent: None, region, facts }, parts: Vec::new() }
     };
     let mut wholes: Vec<Whole> = grounds.into_iter().enumerate().map(whole).collect();
     for part in parts {
@@ -146,7 +146,6 @@ mod tests {
         let outline = Polygon::rectangle(Point::new(low.0, low.1), Point::new(size.0, size.1));
         Item {
             id: id.into(),
-            is_part: true,
             parent: parent.map(str::to_owned),
             region: Region::simple(outline),
             facts: Facts::default(),
