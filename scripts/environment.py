@@ -24,7 +24,7 @@ class Environment(NamedTuple):
     command: str
 
 
-TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema"),
+TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema", "yaml"),
                     "source scripts/set_up.sh && set_up_python")
 PICTURES = Environment(".venv-render", ("numpy", "bpy", "PIL"),
                        "python3.11 -m venv .venv-render && "

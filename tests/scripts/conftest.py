@@ -17,9 +17,9 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 # Blender's Python has none of what convert.py and validate.py need: their tests are left out there.
-TOOLS = ("pxr", "shapely", "trimesh", "tqdm", "jsonschema")
+TOOLS = ("pxr", "shapely", "trimesh", "tqdm", "jsonschema", "yaml")
 LACKS = [module for module in TOOLS if importlib.util.find_spec(module) is None]
-NEED_TOOLS = ["test_convert.py", "test_hostile_files.py", "test_judge*.py", "test_pairs.py", "test_readers.py", "test_usd_*.py", "test_validate*.py"]
+NEED_TOOLS = ["test_check_plans.py", "test_convert.py", "test_hostile_files.py", "test_judge*.py", "test_pairs.py", "test_plan_statistics.py", "test_readers.py", "test_usd_*.py", "test_validate*.py"]
 collect_ignore_glob = NEED_TOOLS if LACKS else []
 
 
