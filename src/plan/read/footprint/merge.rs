@@ -16,6 +16,8 @@ const SAME_SHARE: f64 = 0.98;
 const INSIDE_SHARE: f64 = 0.90;
 /// Neighbours that a building is compared with: more boxes meet only where outlines are drawn upon each other.
 const MOST_NEIGHBOURS: usize = 1_000;
+/// Neighbours of those, the boxes of which have most in common with its own, whose outlines are clipped with its outline.
+const MOST_CLIPPED: usize = 32;
 
 /// A building or a part, cleaned.
 #[derive(Clone, Debug)]
@@ -90,13 +92,30 @@ fn best_around<'a>(
     least_share: f64,
 ) -> Option<(usize, f64)> {
     let (bounds, area) = (region.outline.bounds(), region.area());
-    let mut near: Vec<usize> = places.meeting(bounds).take(MOST_NEIGHBOURS).collect();
-    near.retain(|index| common_box(bounds, regions(*index).outline.bounds()) >= least_share * area);
-    near.sort_unstable();
-    let shared = near.into_iter().map(|index| (index, common_area(region, regions(index))));
+    let boxes = |index: usize| regions(index).outline.bounds();
+    let shared = likely(bounds, places, &boxes, least_share * area)
+        .into_iter()
+        .map(|index| (index, common_area(region, regions(index))));
     shared
         .filter(|(_, common)| *common > least_share * area)
         .reduce(|best, next| if next.1 > best.1 { next } else { best })
+}
+
+/// The neighbours whose boxes have at least so many square metres in common with a box: those with most, sorted by index.
+fn likely(
+    bounds: Bounds,
+    places: &BoxIndex<usize>,
+    boxes: &impl Fn(usize) -> Bounds,
+    least: f64,
+) -> Vec<usize> {
+    let near = places.meeting(bounds).take(MOST_NEIGHBOURS);
+    let common = near.map(|index| (common_box(bounds, boxes(index)), index));
+    let mut near: Vec<(f64, usize)> = common.filter(|(common, _)| *common >= least).collect();
+    near.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    near.truncate(MOST_CLIPPED);
+    let mut near: Vec<usize> = near.into_iter().map(|(_, index)| index).collect();
+    near.sort_unstable();
+    near
 }
 
 /// Square metres that two boxes have in common.

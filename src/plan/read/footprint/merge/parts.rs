@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Item, SAME_SHARE, Whole, best_around, in_order};
+use super::{Item, SAME_SHARE, Whole, best_around, in_order, likely};
 use crate::geometry::Region;
 use crate::plan::assemble::BoxIndex;
 use crate::plan::read::footprint::facts::Facts;
@@ -62,9 +62,8 @@ fn once_each(parts: Vec<Item>, notes: &mut SiteNotes) -> Vec<Item> {
     let bottom = |item: &Item| (item.facts.storeys.lowest, item.facts.storeys.bottom);
     for part in parts {
         let area = part.region.area();
-        let near = places.meeting(part.region.outline.bounds()).take(super::MOST_NEIGHBOURS);
-        let mut near: Vec<usize> = near.collect();
-        near.sort_unstable();
+        let boxes = |index: usize| kept[index].region.outline.bounds();
+        let near = likely(part.region.outline.bounds(), &places, &boxes, SAME_SHARE * area);
         let is_same = |other: &Item| {
             bottom(other) == bottom(&part)
                 && other.region.area() * SAME_SHARE < area
