@@ -22,7 +22,7 @@ from pathlib import Path
 
 import environment
 
-environment.require(environment.TOOLS, __name__)
+environment.require(environment.PLANS, __name__)
 
 from tqdm import tqdm
 

@@ -24,8 +24,9 @@ class Environment(NamedTuple):
     command: str
 
 
-TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema", "yaml"),
+TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema"),
                     "source scripts/set_up.sh && set_up_python")
+PLANS = TOOLS._replace(modules=("numpy", "shapely", "tqdm", "yaml"))
 PICTURES = Environment(".venv-render", ("numpy", "bpy", "PIL"),
                        "python3.11 -m venv .venv-render && "
                        ".venv-render/bin/pip install -r scripts/requirements-render.txt")
