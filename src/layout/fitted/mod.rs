@@ -6,7 +6,8 @@
 //! - finds the stretches that are free (`legs`): of walls, and along open sides for bars,
 //! - joins them to rows (`forms`): along one wall, around one corner or two, in two parts, with a bar across the aisle,
 //! - makes rows for each (`rows`), compares them by points (`points`), and takes the best that is free of everything,
-//! - hangs the wall units over it (`hanging`).
+//! - hangs the wall units over it (`hanging`),
+//! - does so again with slim units where somebody would have too little space before the usual ones.
 //!
 //! Units without a place in the row are left out, unless no row holds all that is required: then all of them search by
 //! themselves like other agents.
@@ -30,7 +31,7 @@ use super::seed::{Purpose, RoomKey, Stream};
 use forms::{Form, forms_around_corners, forms_in_two_parts, forms_with_bars, straight_forms};
 use points::Judge;
 use rows::{Row, Standing, rows_in};
-use units::Units;
+use units::{Depth, Units};
 
 /// Rows that the room may refuse, the best first; one that refuses so many has something in the way everywhere.
 const MOST_ROWS: usize = 32;
@@ -41,25 +42,60 @@ const FREE_ROWS: usize = 8;
 /// Steps that making and comparing one row counts for, each about a tenth of a microsecond.
 const STEPS_A_ROW: u64 = 8;
 
+/// A row for the room.
+struct Plan {
+    /// In the sizes that they have in it.
+    units: Units,
+    row: Row,
+    /// With those for the space before the units.
+    points: f64,
+    /// Whether a unit has less space before it than is good.
+    is_tight: bool,
+}
+
 /// Lets the fitted units of the room rest in a row, if one holds all that are required.
 pub(crate) fn settle_fitted(environment: &mut Environment<'_>, key: &RoomKey) {
-    let units = Units::of(environment);
+    let units = Units::of(environment, Depth::Usual);
     if units.is_no_row() || has_suggestion(environment, &units) {
         return;
     }
-    let mut stream = key.stream(Purpose::Placement, "fitted", 0);
-    let rows = rows_by_points(environment, &units, &mut stream);
-    let Some(row) = best_free(environment, &units, &rows) else {
-        return take_drawn_sizes(environment, &units);
-    };
-    settle_row(environment, &units, row);
-    hanging::hang(environment, &units, row);
+    let slim = Units::of(environment, Depth::Slim);
+    let stream = |name: &str| key.stream(Purpose::Placement, name, 0);
+    let mut best = plan(environment, units.clone(), &mut stream("fitted"));
+    if best.as_ref().is_none_or(|plan| plan.is_tight) && slim.are_slim(environment) {
+        let slim = plan(environment, slim, &mut stream("fitted slim"));
+        let slim = slim.map(|plan| Plan { points: plan.points - points::SLIM, ..plan });
+        best = better(best, slim);
+    }
+    let Some(Plan { units, row, .. }) = best else { return take_drawn_sizes(environment, &units) };
+    settle_row(environment, &units, &row);
+    hanging::hang(environment, &units, &row);
     leave_out_others(environment, &units);
+}
+
+/// The row with more points; of equals the first.
+fn better(first: Option<Plan>, second: Option<Plan>) -> Option<Plan> {
+    let points = |plan: &Option<Plan>| plan.as_ref().map(|plan| plan.points);
+    if points(&second) > points(&first) { second } else { first }
+}
+
+/// The best row of some units.
+fn plan(environment: &mut Environment<'_>, units: Units, stream: &mut Stream) -> Option<Plan> {
+    take_drawn_sizes(environment, &units);
+    let rows = rows_by_points(environment, &units, stream);
+    let (points, row) = best_free(environment, &units, &rows)?;
+    let row = row.clone();
+    let is_tight = points < row.points;
+    Some(Plan { units, row, points, is_tight })
 }
 
 /// The best of the first few rows that are free, with the space before their units; a later attempt at the room takes the
 /// best at other walls, for something was wrong with those before.
-fn best_free<'r>(environment: &mut Environment<'_>, units: &Units, rows: &'r [Row]) -> Option<&'r Row> {
+fn best_free<'r>(
+    environment: &mut Environment<'_>,
+    units: &Units,
+    rows: &'r [Row],
+) -> Option<(f64, &'r Row)> {
     let mut free: Vec<(f64, &Row)> = Vec::with_capacity(FREE_ROWS);
     let mut refused: Vec<Vec<(usize, bool)>> = Vec::with_capacity(MOST_ROWS);
     for row in rows {
@@ -84,7 +120,7 @@ fn best_free<'r>(environment: &mut Environment<'_>, units: &Units, rows: &'r [Ro
         is_new
     });
     let turn = environment.turn.min(free.len().checked_sub(1)?);
-    Some(free[turn].1)
+    Some(free[turn])
 }
 
 /// Whether somebody knows a place for one of the units: then they search by themselves.
@@ -115,7 +151,8 @@ fn rows_by_points(environment: &Environment<'_>, units: &Units, stream: &mut Str
     let turns = forms_around_corners(environment, &legs, &units.corner_widths());
     let has_turns = add(turns, stream);
     add(forms_with_bars(environment, &legs, units.depth(environment)), stream);
-    if !(has_turns || is_complete) {
+    // In a narrow kitchen the legs around a corner leave less space than two rows do.
+    if !(has_turns || is_complete) || units.are_slim(environment) {
         add(forms_in_two_parts(environment, &legs), stream);
     }
     rows.sort_by(|a, b| b.points.total_cmp(&a.points));

@@ -34,7 +34,9 @@ const SINK_AT_PIPES: f64 = 1.5;
 /// Points lost for a unit that takes light, and for a hob before any window, where curtains burn and nobody reaches the handle.
 const BEFORE_WINDOW: f64 = 6.0;
 /// Points lost for a unit that has less space before it than is good.
-const TIGHT: f64 = 0.8;
+const TIGHT: f64 = 1.6;
+/// Points lost by rows of slim units: less than [`TIGHT`], for who has space before them has it before all.
+pub(super) const SLIM: f64 = 0.6;
 /// Points for each end of a row that is an end of its stretch of wall.
 const FLUSH: f64 = 0.3;
 /// Points for a row with something tall that stands at such an end.
@@ -52,7 +54,7 @@ const TALL_ON_BAR: f64 = 1.5;
 /// Points lost by something tall that stands by itself.
 const TALL_ALONE: f64 = 4.0;
 /// Points lost by a fridge right beside the hob, which warms it.
-const TALL_AT_HOB: f64 = 1.5;
+const TALL_AT_HOB: f64 = 3.0;
 /// Metres within which ends meet.
 const MEETS: f64 = 0.02;
 

@@ -215,3 +215,23 @@ fn what_is_locked_stays_and_the_row_is_made_of_the_others() {
         units(&catalog, &furnished).into_iter().filter(|(part, _)| *part != FittedPart::Tall).collect();
     assert!(runs(&others) <= 2, "{}", runs(&others));
 }
+
+#[test]
+fn a_row_is_slim_as_a_whole_where_the_usual_units_leave_too_little_space() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for (width, is_slim) in [(1.55, true), (2.6, false)] {
+        let level = room("kitchen", width, 3.6);
+        for seed in SEEDS {
+            let furnished = run(&level, &catalog, seed);
+            let part = |placement: &&Placement| catalog.classes[placement.class].fitted;
+            let is_low =
+                |placement: &&Placement| part(placement).is_some_and(|part| part != FittedPart::WallUnit);
+            let mut low = furnished.placements.iter().filter(is_low).peekable();
+            assert!(low.peek().is_some(), "{width} m, seed {seed}");
+            for placement in low {
+                let (class, depth) = (&catalog.classes[placement.class].id, placement.size.depth);
+                assert_eq!(depth < 0.55, is_slim, "{width} m, seed {seed}: {class} is {depth} m deep");
+            }
+        }
+    }
+}

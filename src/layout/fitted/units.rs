@@ -7,6 +7,18 @@ use crate::layout::environment::Environment;
 use crate::layout::locked::is_locked;
 use crate::layout::place::AgentIndex;
 
+/// Metres from the back of the deepest slim unit to its front; usual ones are 0.6 m deep.
+const SLIM: f64 = 0.53;
+
+/// How deep the units of a row are: all are of one depth, so that their fronts are in line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Depth {
+    /// As they are drawn.
+    Usual,
+    /// As slim as they are made, for kitchens in which nobody could stand before the usual ones.
+    Slim,
+}
+
 /// One of the widths that a unit is made in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Width {
@@ -45,19 +57,20 @@ impl Unit {
 }
 
 /// The units of a room, those of a part in the order of the programme. A unit is named by its index.
+#[derive(Clone)]
 pub(super) struct Units {
     units: Vec<Unit>,
 }
 
 impl Units {
-    /// Those that nobody locked.
-    pub(super) fn of(environment: &Environment<'_>) -> Self {
+    /// Those that nobody locked, in the widths that they have in a depth.
+    pub(super) fn of(environment: &Environment<'_>, depth: Depth) -> Self {
         let mut units: Vec<Unit> = (0..environment.agents.len())
             .filter(|&agent| {
                 environment.agents[agent].state == State::Search && !is_locked(environment, agent)
             })
             .filter_map(|agent| Some((agent, environment.class(agent).fitted?)))
-            .map(|(agent, part)| unit(environment, agent, part))
+            .map(|(agent, part)| unit(environment, agent, part, depth))
             .collect();
         // Stable; those that only fill come after those that are asked for.
         units.sort_by_key(|unit| (unit.part, unit.is_fill));
@@ -79,6 +92,12 @@ impl Units {
     /// The indices of all units.
     pub(super) fn indices(&self) -> core::ops::Range<usize> {
         0..self.units.len()
+    }
+
+    /// Whether some that stand are slim.
+    pub(super) fn are_slim(&self, environment: &Environment<'_>) -> bool {
+        let is_slim = |unit: &Unit| environment.class(unit.agent).size(unit.widths[0].variant).depth <= SLIM;
+        self.units.iter().any(|unit| unit.part != FittedPart::WallUnit && is_slim(unit))
     }
 
     /// All agents.
@@ -108,11 +127,18 @@ impl Units {
     }
 }
 
-fn unit(environment: &Environment<'_>, agent: AgentIndex, part: FittedPart) -> Unit {
+fn unit(environment: &Environment<'_>, agent: AgentIndex, part: FittedPart, depth: Depth) -> Unit {
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
     let mut variants = sizes_by(environment, agent, |size| size.width);
-    // Stable: the drawn one moves to the front.
-    variants.sort_by_key(|&variant| variant != piece.variant);
+    let is_of_depth = |&variant: &u32| (class.size(variant).depth <= SLIM) == (depth == Depth::Slim);
+    // What is made in one of the depths only, as wall units are, goes with both.
+    if variants.iter().any(is_of_depth) {
+        variants.retain(is_of_depth);
+    }
+    // Stable: the width that was drawn moves to the front.
+    let drawn = class.size(piece.variant).width;
+    let is_other_width = |variant: u32| class.size(variant).width.total_cmp(&drawn).is_ne();
+    variants.sort_by_key(|&variant| (variant != piece.variant, is_other_width(variant)));
     let widths =
         variants.into_iter().map(|variant| Width { metres: class.size(variant).width, variant }).collect();
     Unit { agent, part, widths, is_required: piece.is_required, is_fill: piece.is_fill }

@@ -34,8 +34,9 @@ const MISSED_REQUIRED: f64 = 100.0;
 /// is still free, so that other walls are to be had.
 const SPOILT: f64 = 6.0;
 const TIGHT: f64 = 3.0;
-/// Points lost for a smaller size than the one that was drawn: fewer than a tight place loses with the score, for it may spare that.
-const SMALLER: f64 = 3.0;
+/// Points lost for a smaller size than the one that was drawn: half of what a tight place loses, for it may spare that. From 3 on,
+/// narrow bathrooms keep large fixtures with too little space before them.
+const SMALLER: f64 = 1.5;
 
 /// A piece at its place.
 #[derive(Clone, Debug)]
@@ -49,8 +50,8 @@ struct Standing {
 struct Way {
     standing: Standing,
     points: f64,
-    /// Whether somebody has less room than is good because of it.
-    is_tight: bool,
+    /// Whether somebody has less room than is good because of it, or a window gets dark.
+    is_poor: bool,
 }
 
 /// Where the first few pieces stand.
@@ -143,7 +144,7 @@ fn go_on(
     stand(environment, begun);
     let drawn = environment.agents[agent].piece.variant;
     let mut ways = places(environment, agent, stream);
-    if ways.iter().all(|way| way.is_tight) {
+    if ways.iter().all(|way| way.is_poor) {
         ways.extend(smaller_places(environment, agent, stream));
     }
     take_size(environment, agent, drawn);
@@ -168,20 +169,23 @@ fn stand(environment: &mut Environment<'_>, arrangement: &Arrangement) {
     }
 }
 
-/// Free places in the largest of the smaller sizes that has any.
+/// Free places in the smaller sizes, largest first, up to the first with a place that is good.
 fn smaller_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
     let drawn = area(environment.agents[agent].size);
     let mut smaller = sizes_by(environment, agent, area);
     smaller.retain(|&variant| area(environment.class(agent).size(variant)) < drawn);
+    let mut found = Vec::new();
     for variant in smaller {
         take_size(environment, agent, variant);
         let mut ways = places(environment, agent, stream);
-        if !ways.is_empty() {
-            ways.iter_mut().for_each(|way| way.points -= SMALLER);
-            return ways;
+        ways.iter_mut().for_each(|way| way.points -= SMALLER);
+        let is_enough = ways.iter().any(|way| !way.is_poor);
+        found.extend(ways);
+        if is_enough {
+            break;
         }
     }
-    Vec::new()
+    found
 }
 
 /// The free places of an agent in its present size, with their points.
@@ -207,7 +211,7 @@ fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream)
 fn way(environment: &Environment<'_>, standing: Standing) -> Way {
     let Score { value, is_spoilt, is_tight } = rules::score(environment, standing.agent, &standing.place);
     let lost = if is_spoilt { SPOILT } else { 0.0 } + if is_tight { TIGHT } else { 0.0 };
-    Way { standing, points: value - lost, is_tight }
+    Way { standing, points: value - lost, is_poor: is_spoilt || is_tight }
 }
 
 /// Where in a stretch of wall an agent could begin, in metres from the wall's start: at its ends, and with the space that it
