@@ -132,12 +132,7 @@ mod tests {
 
     fn item(id: &str, low: (f64, f64), size: (f64, f64)) -> Item {
         let outline = Polygon::rectangle(Point::new(low.0, low.1), Point::new(size.0, size.1));
-        Item {
-            id: id.into(),
-            parent: None,
-            region: Region::simple(outline),
-            facts: Facts::default(),
-        }
+        Item { id: id.into(), parent: None, region: Region::simple(outline), facts: Facts::default() }
     }
 
     fn known(mut item: Item) -> Item {
