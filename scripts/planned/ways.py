@@ -96,19 +96,30 @@ def reach_faults(building: Building, ways: Ways) -> list[Fault]:
     at_all = ways.reached(lambda here, there: True)
     in_public = ways.reached(lambda here, there: not is_private(ways.rooms[here].type))
     by_right = ways.reached(lambda here, there: not ways.leaves_dwelling(here, there))
+    walked = {place for place, room in ways.rooms.items() if room.type not in CLOSED}
+    behind_private = {place for place in walked & at_all - in_public if not is_ensuite(ways, place, in_public)}
+    return (first_faults("unreached", building, ways, walked - at_all, set())
+            + first_faults("through_private", building, ways, behind_private, in_public)
+            + first_faults("through_dwelling", building, ways, walked & at_all - by_right, by_right))
+
+
+def first_faults(code: str, building: Building, ways: Ways, missed: set[Place], known: set[Place]) -> list[Fault]:
+    """A fault for each group of joined rooms, at its first room behind one that is known: the others follow from it."""
     faults = []
-    for place, room in ways.rooms.items():
-        level = building.levels[place.level].id
-        if room.type in CLOSED:
-            continue
-        if place not in at_all:
-            faults.append(Fault("unreached", building.id, level, room.id, room.type, room.shape.area))
-        elif place not in in_public and not is_ensuite(ways, place, in_public):
-            through = sorted(ways.rooms[other].type for other in ways.next[place])
-            text = f"{room.type}, its doors lead to {', '.join(through)}"
-            faults.append(Fault("through_private", building.id, level, room.id, text, room.shape.area))
-        if place in at_all and place not in by_right:
-            faults.append(Fault("through_dwelling", building.id, level, room.id, room.type, room.shape.area))
+    left = set(missed)
+    while left:
+        group, queue = set(), [min(left)]
+        while queue:
+            here = queue.pop()
+            if here not in group:
+                group.add(here)
+                queue += ways.next[here] & left
+        left -= group
+        first = min(group, key=lambda place: (not ways.next[place] & known, place))
+        before = sorted(ways.rooms[place].type for place in ways.next[first] & known)
+        text = ways.rooms[first].type + (f" behind {', '.join(before)}" if before else "")
+        text += f", and {len(group) - 1} rooms behind it" if len(group) > 1 else ""
+        faults.append(Fault(code, building.id, building.levels[first.level].id, first.room, text, len(group)))
     return faults
 
 
