@@ -3,7 +3,6 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::geometry::Point;
 use crate::layout::seed::building_stream;
 use crate::plan::{
     BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
@@ -283,7 +282,7 @@ fn level_draft(storey: &Storey, number: usize, brief: &Brief<'_>) -> LevelDraft 
 /// Ids of rooms: type and number, after the flat.
 fn room_ids(cells: &[Cell], is_house: bool) -> Vec<String> {
     let mut counts = std::collections::BTreeMap::new();
-    let mut id = |cell: &Cell| {
+    let id = |cell: &Cell| {
         let prefix = match cell.unit.filter(|_| !is_house) {
             Some(unit) => format!("flat-{}-{}", unit + 1, cell.room_type),
             None => cell.room_type.clone(),
@@ -292,11 +291,10 @@ fn room_ids(cells: &[Cell], is_house: bool) -> Vec<String> {
         let count = counts.entry(prefix.clone()).and_modify(|count| *count += 1).or_insert(1);
         format!("{prefix}-{count}")
     };
-    cells.iter().map(|cell| id(cell)).collect()
+    cells.iter().map(id).collect()
 }
 
 fn door_draft(link: &Link, index: usize, ids: &[String], ceiling: f64) -> OpeningDraft {
-    let rooms = std::iter::once(link.rooms.0).chain(link.rooms.1).map(|room| ids[room].clone()).collect();
     let leaf = match (link.kind, link.leaves) {
         (OpeningKind::Door, 2) => LeafDraft::Swing {
             hinge_left: true,
@@ -307,32 +305,27 @@ fn door_draft(link: &Link, index: usize, ids: &[String], ceiling: f64) -> Openin
         (OpeningKind::Door, _) => LeafDraft::Automatic,
         _ => LeafDraft::None,
     };
-    let head = if link.kind == OpeningKind::OpenBoundary { ceiling } else { DOOR_HEAD };
-    opening(
-        format!("door-{}", index + 1),
-        link.kind,
-        (link.center, link.along),
-        rooms,
-        (link.width, 0.0, head),
+    OpeningDraft {
+        id: format!("door-{}", index + 1),
+        kind: link.kind,
+        place: OpeningPlace::Points { center: link.center, along: Some(link.along) },
+        rooms: std::iter::once(link.rooms.0).chain(link.rooms.1).map(|room| ids[room].clone()).collect(),
+        width: link.width,
+        bottom: 0.0,
+        top: if link.kind == OpeningKind::OpenBoundary { ceiling } else { DOOR_HEAD },
         leaf,
-    )
+    }
 }
 
 fn window_draft(window: &Window, index: usize, ids: &[String]) -> OpeningDraft {
-    let rooms = vec![ids[window.room].clone()];
-    let size = (window.width, window.bottom, window.top);
-    let place = (window.center, window.along);
-    opening(format!("window-{}", index + 1), OpeningKind::Window, place, rooms, size, LeafDraft::None)
-}
-
-fn opening(
-    id: String,
-    kind: OpeningKind,
-    (center, along): (Point, Point),
-    rooms: Vec<String>,
-    (width, bottom, top): (f64, f64, f64),
-    leaf: LeafDraft,
-) -> OpeningDraft {
-    let place = OpeningPlace::Points { center, along: Some(along) };
-    OpeningDraft { id, kind, place, rooms, width, bottom, top, leaf }
+    OpeningDraft {
+        id: format!("window-{}", index + 1),
+        kind: OpeningKind::Window,
+        place: OpeningPlace::Points { center: window.center, along: Some(window.along) },
+        rooms: vec![ids[window.room].clone()],
+        width: window.width,
+        bottom: window.bottom,
+        top: window.top,
+        leaf: LeafDraft::None,
+    }
 }

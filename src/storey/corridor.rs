@@ -17,6 +17,10 @@ use super::wings::{Wing, compact, tree};
 const STAIRS_WIDTH: f64 = 2.9;
 /// Metres along the corridor of a lift, and its depth.
 const LIFT: (f64, f64) = (2.1, 2.2);
+/// Metres of depth of a row that stairs need.
+const STAIRS_DEPTH: f64 = 4.0;
+/// Metres of corridor from which on a wing has stairs.
+const ONE_STAIRS: f64 = 14.0;
 /// Storeys from which on there is a lift.
 const LIFT_STOREYS: u32 = 4;
 /// Metres of corridor from which on a wing has stairs at both ends: nobody walks farther than 35 m to one.
@@ -43,6 +47,7 @@ struct Task<'a> {
     /// Small rooms that are still wanted.
     services: Vec<(&'a str, f64)>,
     unit: usize,
+    stream: &'a mut Stream,
 }
 
 /// One level, alike on all storeys; `None` where it does not come out.
@@ -73,6 +78,7 @@ pub(super) fn corridors(
             .map(|(room_type, area)| (room_type.as_str(), *area))
             .collect(),
         unit: 0,
+        stream,
     };
     // People come in where the entrance is, if that wing has it.
     let door = wings
@@ -82,12 +88,12 @@ pub(super) fn corridors(
     wings[door].ports.push(port);
     let mut cells = Vec::new();
     for (number, wing) in wings.iter().enumerate() {
-        cells.extend(wing_cells(&mut task, wing, number == 0, stream)?);
+        cells.extend(wing_cells(&mut task, wing, number == 0)?);
     }
     Some(cells)
 }
 
-fn wing_cells(task: &mut Task<'_>, wing: &Wing, is_root: bool, stream: &mut Stream) -> Option<Vec<Cell>> {
+fn wing_cells(task: &mut Task<'_>, wing: &Wing, is_root: bool) -> Option<Vec<Cell>> {
     let is_turned = wing.axis == Axis::Y;
     let own = task.ground.part(wing.ring.clone());
     let turn = |point: Point| if is_turned { super::ring::turned_point(point) } else { point };
@@ -100,7 +106,7 @@ fn wing_cells(task: &mut Task<'_>, wing: &Wing, is_root: bool, stream: &mut Stre
     let cells = if depth < ONE_ROW && !is_root && ports.len() == 1 {
         vec![Cell { ring: ground.ring.clone(), room_type: task.main.to_owned(), unit: None }]
     } else {
-        along_corridor(task, &ground, &ports, (middle, depth), is_root, stream)?
+        along_corridor(task, &ground, &ports, middle, is_root)?
     };
     let back = |cell: Cell| match is_turned {
         true => Cell { ring: cell.ring.iter().map(|corner| turned_back(*corner)).collect(), ..cell },
@@ -113,10 +119,10 @@ fn along_corridor(
     task: &mut Task<'_>,
     ground: &Ground,
     ports: &[Port],
-    (middle, depth): (f64, f64),
+    middle: f64,
     is_root: bool,
-    stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
+    let depth = area(&ground.ring) / bounds(&ground.ring).size().x;
     let width = task.brief.typology.hall_width;
     let (bottom, top) = extent(&ground.ring, Axis::Y);
     let low = match depth < TWO_ROWS {
@@ -158,7 +164,7 @@ fn along_corridor(
             left_over.push(row.ring.clone());
             continue;
         }
-        cells.extend(row_cells(task, ground, row, &strip, &mut left_over, stream)?);
+        cells.extend(row_cells(task, ground, row, &strip, &mut left_over)?);
     }
     let mut rings: Vec<Ring> = vec![std::mem::take(&mut strip)];
     rings.extend(cells.iter().map(|cell| cell.ring.clone()));
@@ -196,60 +202,61 @@ fn fixed_slices(
             fixed.push(Fixed { is_above, from, to: from + 2.0 * PORT_HALF, kind: FixedKind::Port });
         }
     }
-    if task.brief.storeys < 2 {
-        return fixed;
-    }
-    // Where they take the least light.
-    let is_above = {
-        let light = |is_top: bool| {
-            let pieces = ground.light(&ground.ring);
-            let own = pieces.iter().filter(|piece| (piece.middle().y > 0.5 * (low + high)) == is_top);
-            own.map(|piece| piece.length()).sum::<f64>()
-        };
-        let depth = |is_top: bool| if is_top { top - high } else { low - bottom };
-        match (depth(true) > 4.0, depth(false) > 4.0) {
-            (true, false) => true,
-            (false, true) => false,
-            _ => light(true) < light(false),
+    if task.brief.storeys > 1 {
+        let is_above = is_darker_above(ground, (low, high));
+        add_stairs(&mut fixed, (left, right), is_above, is_root);
+        if is_root && task.brief.storeys >= LIFT_STOREYS {
+            add_lift(&mut fixed, (left, right), is_above);
         }
-    };
-    let is_free = |from: f64, to: f64, fixed: &[Fixed]| {
-        fixed
-            .iter()
-            .all(|slice| slice.is_above != is_above || slice.to <= from + 0.01 || slice.from >= to - 0.01)
-    };
-    let length = right - left;
-    let mut wanted = Vec::new();
-    if is_root || length > 14.0 {
-        wanted.push((left + 0.02 * length, 0));
-    }
-    if length > TWO_STAIRS {
-        wanted.push((right - STAIRS_WIDTH, 0));
-    }
-    for (at, kind) in wanted {
-        let mut places: Vec<f64> = (0..12)
-            .map(|step| at + f64::from(step) * if at > left + length / 2.0 { -1.5 } else { 1.5 })
-            .collect();
-        places.insert(0, if at > left + length / 2.0 { right - STAIRS_WIDTH + 0.1 } else { left - 0.1 });
-        let place = places.into_iter().find(|&from| {
-            from >= left - 0.2
-                && from + STAIRS_WIDTH <= right + 0.2
-                && is_free(from, from + STAIRS_WIDTH, &fixed)
-        });
-        if let Some(from) = place {
-            fixed.push(Fixed { is_above, from, to: from + STAIRS_WIDTH, kind: FixedKind::Room(kind) });
-        }
-    }
-    if is_root && task.brief.storeys >= LIFT_STOREYS {
-        let stairs =
-            fixed.iter().find(|slice| slice.kind == FixedKind::Room(0)).map(|slice| (slice.from, slice.to));
-        let places = stairs.into_iter().flat_map(|(from, to)| [to, from - LIFT.0]);
-        let place = places.into_iter().find(|&from| {
-            from >= left - 0.01 && from + LIFT.0 <= right + 0.01 && is_free(from, from + LIFT.0, &fixed)
-        });
-        fixed.extend(place.map(|from| Fixed { is_above, from, to: from + LIFT.0, kind: FixedKind::Room(1) }));
     }
     fixed
+}
+
+/// The side of a corridor where stairs take the least light.
+fn is_darker_above(ground: &Ground, (low, high): (f64, f64)) -> bool {
+    let (bottom, top) = extent(&ground.ring, Axis::Y);
+    let pieces = ground.light(&ground.ring);
+    let light = |is_top: bool| {
+        let own = pieces.iter().filter(|piece| (piece.middle().y > 0.5 * (low + high)) == is_top);
+        own.map(|piece| piece.length()).sum::<f64>()
+    };
+    match (top - high > STAIRS_DEPTH, low - bottom > STAIRS_DEPTH) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => light(true) < light(false),
+    }
+}
+
+/// Whether no slice on a side is in the way.
+fn is_free(fixed: &[Fixed], is_above: bool, from: f64, to: f64) -> bool {
+    fixed.iter().all(|slice| slice.is_above != is_above || slice.to <= from + 0.01 || slice.from >= to - 0.01)
+}
+
+/// Stairs at one end of a corridor, and at the other of a long one; as near to the end as other slices let them.
+fn add_stairs(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool, is_root: bool) {
+    let length = right - left;
+    let is_wanted = [is_root || length > ONE_STAIRS, length > TWO_STAIRS];
+    for (is_right, _) in [false, true].into_iter().zip(is_wanted).filter(|(_, is_wanted)| *is_wanted) {
+        let (at_end, step) = if is_right { (right - STAIRS_WIDTH + 0.1, -1.5) } else { (left - 0.1, 1.5) };
+        let mut places = (0..12).map(|number| at_end + step * f64::from(number));
+        let place = places.find(|&from| {
+            let is_inside = from >= left - 0.2 && from + STAIRS_WIDTH <= right + 0.2;
+            is_inside && is_free(fixed, is_above, from, from + STAIRS_WIDTH)
+        });
+        if let Some(from) = place {
+            fixed.push(Fixed { is_above, from, to: from + STAIRS_WIDTH, kind: FixedKind::Room(0) });
+        }
+    }
+}
+
+/// A lift beside the stairs.
+fn add_lift(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool) {
+    let stairs = fixed.iter().find(|slice| slice.kind == FixedKind::Room(0)).copied();
+    let mut places = stairs.into_iter().flat_map(|slice| [slice.to, slice.from - LIFT.0]);
+    let place = places.find(|&from| {
+        from >= left - 0.01 && from + LIFT.0 <= right + 0.01 && is_free(fixed, is_above, from, from + LIFT.0)
+    });
+    fixed.extend(place.map(|from| Fixed { is_above, from, to: from + LIFT.0, kind: FixedKind::Room(1) }));
 }
 
 /// A lift at the corridor, with a shaft behind it where the row is deeper.
@@ -273,7 +280,6 @@ fn row_cells(
     row: &Row,
     strip: &[Point],
     left_over: &mut Vec<Ring>,
-    stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
     let is_lit = |from: f64, to: f64| row.light_between(from, to) >= 1.0;
     let mut kinds: Vec<(String, f64)> = Vec::new();
@@ -292,11 +298,12 @@ fn row_cells(
         left -= width;
         task.services.remove(0);
     }
-    let module = stream.between(task.module.0, task.module.1);
+    let module = task.stream.between(task.module.0, task.module.1);
     let count = ((left / module).round() as usize).max(usize::from(left > 1.2));
     let dark = if row.light_between(row.from, row.to) < 1.0 { Some("storeroom") } else { None };
     for _ in 0..count {
-        let other = task.brief.typology.others.iter().find(|(_, weight)| stream.unit() < **weight);
+        let others = &task.brief.typology.others;
+        let other = others.iter().find(|(_, weight)| task.stream.unit() < **weight);
         let room_type = dark.unwrap_or(other.map_or(task.main, |(room_type, _)| room_type));
         kinds.push((room_type.to_owned(), left / count as f64));
     }
@@ -330,7 +337,7 @@ fn row_cells(
             .get(&room_type)
             .is_none_or(|needs| needs.light == super::typology::Light::Required);
         let room_type = if needs_light && !has_light { "storeroom".to_owned() } else { room_type };
-        cells.extend(room_cells(task, ground, (ring, room_type), strip, index, stream)?);
+        cells.extend(room_cells(task, ground, Cell { ring, room_type, unit: None }, strip, index)?);
     }
     Some(cells)
 }
@@ -339,24 +346,23 @@ fn row_cells(
 fn room_cells(
     task: &mut Task<'_>,
     ground: &Ground,
-    (ring, room_type): (Ring, String),
+    cell: Cell,
     strip: &[Point],
     index: usize,
-    stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
+    let Cell { ring, room_type, .. } = cell;
     if task.brief.typology.plan == PlanKind::CorridorFlats && room_type == task.main {
         let border =
             shared(&ring, strip).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
         let flat = ground.part(ring);
-        let (_, cells) = flat_at(&flat, border, task.brief, task.typologies, stream)?;
+        let (_, cells) = flat_at(&flat, border, task.brief, task.typologies, task.stream)?;
         task.unit += 1;
         return Some(cells.into_iter().map(|cell| Cell { unit: Some(task.unit), ..cell }).collect());
     }
-    if room_type == "hotel_room" {
-        if let Some((room, bath)) = with_bath(&ring, strip, index % 2 == 0) {
-            let cell = |ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
-            return Some(vec![cell(room, "hotel_room"), cell(bath, "hotel_bathroom")]);
-        }
+    let is_hotel = room_type == "hotel_room";
+    if let Some((room, bath)) = with_bath(&ring, strip, index.is_multiple_of(2)).filter(|_| is_hotel) {
+        let cell = |ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
+        return Some(vec![cell(room, "hotel_room"), cell(bath, "hotel_bathroom")]);
     }
     Some(vec![Cell { ring, room_type, unit: None }])
 }

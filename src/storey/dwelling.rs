@@ -7,7 +7,7 @@ use super::disc::{is_as_wide_as, is_simple};
 use super::fill::{DOOR_STRETCH, Filling, LIGHT_EACH, WINDOW_STRETCH, Wish, fill, needed};
 use super::ring::{Axis, Ring, area, bounds, join, shared_length, split};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle, trim, turned_ring_back};
-use super::typology::{Light, Programme, Typologies};
+use super::typology::{Light, Programme, RoomNeeds, Typologies};
 
 /// Ways to fill the rows that are tried for each place of the strip.
 const TRIES: u32 = 10;
@@ -333,18 +333,12 @@ fn draw(
         );
     }
     let stairs: Vec<Ring> = fixed.into_iter().map(|(_, ring)| ring).collect();
-    let (mut hall, ends) = trimmed_hall(&strip, &rows, filling, &stairs, task, scheme.is_turned)?;
+    let port = task.port.map(|port| if scheme.is_turned { port.turned() } else { port });
+    let (mut hall, ends) = trimmed_hall(&strip, &rows, filling, &stairs, port)?;
     let rooms = cells.len();
     let mut rings: Vec<Ring> = cells.iter().map(|(ring, _)| ring.clone()).collect();
     // Ends of the hall make rooms larger that people like to be in; what is left goes to whom it borders on.
-    let lit = |index: usize| {
-        let needs = &task.typologies.rooms[&cells[index].1];
-        match needs.light {
-            Light::Required if needs.passage => 6.0,
-            Light::Required => 2.0,
-            _ => 1.0,
-        }
-    };
+    let lit = |index: usize| weight_of_end(&task.typologies.rooms[&cells[index].1]);
     for end in ends {
         if !settle(vec![end.clone()], &mut rings, lit).is_empty() {
             hall = join(&hall, &end)?;
@@ -377,6 +371,15 @@ fn draw(
     Some(Planned { cells: planned, scheme, cost })
 }
 
+/// How gladly a room takes an end of the hall that nobody needs.
+fn weight_of_end(needs: &RoomNeeds) -> f64 {
+    match needs.light {
+        Light::Required if needs.passage => 6.0,
+        Light::Required => 2.0,
+        _ => 1.0,
+    }
+}
+
 /// Whether every room is as wide and as light as it must be.
 fn cells_are_sound(task: Task<'_>, cells: &[Cell]) -> bool {
     cells.iter().all(|cell| {
@@ -394,22 +397,19 @@ fn trimmed_hall(
     rows: &[Row],
     filling: &Filling,
     stairs: &[Ring],
-    task: Task<'_>,
-    is_turned: bool,
+    port: Option<Port>,
 ) -> Option<(Ring, Vec<Ring>)> {
     let (mut low, mut high) = needed(rows, &filling.slices)?;
     let mut reach = |from: f64, to: f64| {
         low = low.min(from);
         high = high.max(to);
     };
-    if let Some(port) = task.port.map(|port| if is_turned { port.turned() } else { port }) {
+    if let Some(port) = port {
         reach(port.at.x - PORT_HALF, port.at.x + PORT_HALF);
     }
     for ring in stairs {
         let shared = super::ring::shared(strip, ring);
-        let Some(longest) = shared.iter().max_by(|a, b| a.length().total_cmp(&b.length())) else {
-            return None;
-        };
+        let longest = shared.iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
         if longest.length() < 0.8 {
             return None;
         }

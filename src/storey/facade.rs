@@ -196,7 +196,7 @@ fn nearest_hit(eye: Point, way: Point, edges: &[Segment]) -> Option<f64> {
             return None;
         }
         let (distance, share) = (offset.perp_dot(across) / scale, offset.perp_dot(way) / scale);
-        (distance >= 0.0 && distance <= FARTHEST && (0.0..=1.0).contains(&share)).then_some(distance)
+        ((0.0..=FARTHEST).contains(&distance) && (0.0..=1.0).contains(&share)).then_some(distance)
     };
     edges.iter().filter_map(hit).reduce(f64::min)
 }

@@ -156,7 +156,7 @@ fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -
         let contact = row.contact_between(slice.from, slice.to).map_or(0.0, |(from, to)| to - from);
         slice.is_at_hall = contact >= DOOR_STRETCH;
         let slenderness = length.max(depth) / length.min(depth);
-        cost += scale.ln().abs() + (slenderness - SLENDER).max(0.0);
+        cost += libm::log(scale).abs() + (slenderness - SLENDER).max(0.0);
     }
     for index in 0..slices.len() {
         if slices[index].is_at_hall {

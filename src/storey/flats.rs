@@ -72,8 +72,8 @@ pub(super) fn sections(ground: &Ground, ring: Ring, count: usize) -> Vec<Ring> {
         }
         let (first, second) = (below.remove(0), above.remove(0));
         let share = (area(&first) / total * count as f64).round().clamp(1.0, count as f64 - 1.0);
-        let imbalance = (area(&first) / total * count as f64 / share).ln().abs()
-            + (area(&second) / total * count as f64 / (count as f64 - share)).ln().abs();
+        let imbalance = libm::log(area(&first) / total * count as f64 / share).abs()
+            + libm::log(area(&second) / total * count as f64 / (count as f64 - share)).abs();
         let chord: f64 = shared(&first, &second).iter().map(|piece| piece.length()).sum();
         let light =
             |ring: &Ring| ground.light(ring).iter().map(|piece| piece.length()).sum::<f64>() / area(ring);
@@ -141,14 +141,14 @@ fn landing(
             if sound.len() >= COMPARED {
                 break;
             }
-            let Some((cost, cells)) = flats_at(&ground, core, brief, typologies, *unit, stream) else {
+            let Some((cost, cells)) = flats_at(&ground, core, brief, typologies, stream) else {
                 continue;
             };
             let back = |cell: Cell| match is_turned {
                 true => Cell { ring: turned_ring_back(&cell.ring), ..cell },
                 false => cell,
             };
-            let flats = cells.iter().filter_map(|cell| cell.unit).max().map_or(1, |last| last + 1 - *unit);
+            let flats = cells.iter().filter_map(|cell| cell.unit).max().map_or(1, |last| last + 1);
             sound.push((cost, cells.into_iter().map(back).collect()));
             if cost < GOOD_FLAT * flats as f64 {
                 return Some(taken(sound, unit));
@@ -161,8 +161,12 @@ fn landing(
 /// The best of some plans; the next flat has the next number.
 fn taken(sound: Vec<(f64, Vec<Cell>)>, unit: &mut usize) -> Vec<Cell> {
     let best = sound.into_iter().reduce(|best, next| if next.0 < best.0 { next } else { best });
-    let cells = best.map(|(_, cells)| cells).unwrap_or_default();
-    *unit = cells.iter().filter_map(|cell| cell.unit).max().map_or(*unit, |last| last + 1);
+    let mut cells = best.map(|(_, cells)| cells).unwrap_or_default();
+    let first = *unit;
+    for number in cells.iter_mut().filter_map(|cell| cell.unit.as_mut()) {
+        *number += first;
+        *unit = (*unit).max(*number + 1);
+    }
     cells
 }
 
@@ -257,7 +261,6 @@ fn flats_at(
     core: Core,
     brief: &Brief<'_>,
     typologies: &Typologies,
-    first_unit: usize,
     stream: &mut Stream,
 ) -> Option<(f64, Vec<Cell>)> {
     let plain = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
@@ -274,7 +277,7 @@ fn flats_at(
         let flat = ground.part(ring);
         let (own, rooms) = flat_at(&flat, border, brief, typologies, stream)?;
         cost += own;
-        cells.extend(rooms.into_iter().map(|cell| Cell { unit: Some(first_unit + number), ..cell }));
+        cells.extend(rooms.into_iter().map(|cell| Cell { unit: Some(number), ..cell }));
     }
     Some((cost, cells))
 }

@@ -69,6 +69,14 @@ impl Borders {
     }
 }
 
+/// A level whose doors are sought.
+#[derive(Clone, Copy)]
+struct Level<'a> {
+    cells: &'a [Cell],
+    typologies: &'a Typologies,
+    borders: &'a Borders,
+}
+
 /// Doors of a level: `ports` are the ways in from outside, `stair_roots` whether people come by the stairs.
 pub(super) fn link(
     cells: &[Cell],
@@ -78,6 +86,7 @@ pub(super) fn link(
     stream: &mut Stream,
 ) -> Links {
     let borders = Borders::of(cells);
+    let level = Level { cells, typologies, borders: &borders };
     let mut found = Links::default();
     let mut is_reached = vec![false; cells.len()];
     for port in ports {
@@ -95,9 +104,9 @@ pub(super) fn link(
     // The best doors first: what may lead to the hall does, before others are entered through a living room.
     for pass in 0..2 {
         loop {
-            let next = (0..cells.len()).filter(|&room| !is_reached[room]).find_map(|room| {
-                best_way(cells, typologies, &borders, &is_reached, room, pass == 1).map(|way| (room, way))
-            });
+            let next = (0..cells.len())
+                .filter(|&room| !is_reached[room])
+                .find_map(|room| best_way(level, &is_reached, room, pass == 1).map(|way| (room, way)));
             let Some((room, (to, border))) = next else { break };
             is_reached[room] = true;
             let open = opens(cells, typologies, &borders, room).filter(|_| is_open[room]);
@@ -177,13 +186,12 @@ fn may_lead(cells: &[Cell], needs: &RoomNeeds, room: usize, to: usize) -> Option
 }
 
 fn best_way(
-    cells: &[Cell],
-    typologies: &Typologies,
-    borders: &Borders,
+    level: Level<'_>,
     is_reached: &[bool],
     room: usize,
     is_last_pass: bool,
 ) -> Option<(usize, Segment)> {
+    let Level { cells, typologies, borders } = level;
     let needs = typologies.rooms.get(&cells[room].room_type)?;
     let ways = borders.0[room].iter().filter(|(to, _)| is_reached[*to]).filter_map(|&(to, border)| {
         // The other way round too: a hall on an upper level is reached from the stairs, stairs from a hall.

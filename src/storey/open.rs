@@ -50,21 +50,11 @@ fn with_services(
     while services.len() > 1 && services.iter().map(|(_, area)| area).sum::<f64>() > most {
         services.pop();
     }
-    let turned = ground.turned();
     while !services.is_empty() {
-        let mut best: Option<(f64, Ring, Vec<Ring>)> = None;
-        for (is_turned, ground) in [(false, ground), (true, &turned)] {
-            for is_top in [false, true] {
-                let Some((cost, room, small)) = at_end(ground, services, is_top, typologies) else {
-                    continue;
-                };
-                if best.as_ref().is_none_or(|(known, ..)| cost < *known) {
-                    let back = |ring: &Ring| if is_turned { turned_ring_back(ring) } else { ring.clone() };
-                    best = Some((cost, back(&room), small.iter().map(back).collect()));
-                }
-            }
-        }
-        if let Some((_, room, small)) = best {
+        let ends = [false, true]
+            .into_iter()
+            .filter_map(|is_turned| best_end(ground, services, is_turned, typologies));
+        if let Some((_, room, small)) = ends.reduce(|best, next| if next.0 < best.0 { next } else { best }) {
             return Some((room, small));
         }
         if services.len() == 1 && has_stairs {
@@ -73,6 +63,21 @@ fn with_services(
         services.pop();
     }
     Some((ground.ring.clone(), Vec::new()))
+}
+
+/// Small rooms at the better of two ends of the ground, or of the ground turned by a quarter.
+fn best_end(
+    ground: &Ground,
+    services: &[(&str, f64)],
+    is_turned: bool,
+    typologies: &Typologies,
+) -> Option<(f64, Ring, Vec<Ring>)> {
+    let turned = ground.turned();
+    let framed = if is_turned { &turned } else { ground };
+    let back = |ring: &Ring| if is_turned { turned_ring_back(ring) } else { ring.clone() };
+    let ends = [false, true].into_iter().filter_map(|is_top| at_end(framed, services, is_top, typologies));
+    let (cost, room, small) = ends.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+    Some((cost, back(&room), small.iter().map(back).collect()))
 }
 
 /// Small rooms in a row at the top or bottom end; the cost is the light that they take, and closing the entrance.

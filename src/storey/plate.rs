@@ -148,24 +148,29 @@ fn opened(ring: Ring, mut holes: Vec<Ring>, depth: u32) -> Vec<Ring> {
     let halves: Vec<(Vec<Ring>, Vec<Ring>)> = holes.drain(..).map(|hole| split(&hole, axis, at)).collect();
     let mut pieces = Vec::new();
     for (is_above, side) in [(false, below), (true, above)] {
-        for mut piece in side {
-            let mut whole = Vec::new();
-            for (low, high) in &halves {
-                let own = if is_above { high } else { low };
-                let is_cut = !low.is_empty() && !high.is_empty();
-                for half in own {
-                    if is_cut {
-                        let reversed: Ring = half.iter().rev().copied().collect();
-                        if let Some(rest) = join(&piece, &reversed) {
-                            piece = rest;
-                        }
-                    } else if contains(&piece, super::disc::inner_point(half)) {
-                        whole.push(half.clone());
-                    }
-                }
-            }
+        for piece in side {
+            let (piece, whole) = without_halves(piece, &halves, is_above);
             pieces.extend(opened(piece, whole, depth + 1));
         }
     }
     pieces
+}
+
+/// A piece without the halves of the holes that were cut on its side, and the holes inside it that were not.
+fn without_halves(mut piece: Ring, halves: &[(Vec<Ring>, Vec<Ring>)], is_above: bool) -> (Ring, Vec<Ring>) {
+    let mut whole = Vec::new();
+    for (low, high) in halves {
+        let is_cut = !low.is_empty() && !high.is_empty();
+        for half in if is_above { high } else { low } {
+            let reversed: Ring = half.iter().rev().copied().collect();
+            match join(&piece, &reversed).filter(|_| is_cut) {
+                Some(rest) => piece = rest,
+                None if !is_cut && contains(&piece, super::disc::inner_point(half)) => {
+                    whole.push(half.clone())
+                }
+                None => {}
+            }
+        }
+    }
+    (piece, whole)
 }

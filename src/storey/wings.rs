@@ -75,15 +75,10 @@ pub(super) fn tree(rings: Vec<Ring>, entrance: Option<Point>) -> Option<Vec<Wing
     open.sort_by(|a, b| is_root(b).total_cmp(&is_root(a)));
     let mut wings = vec![wing(open.remove(0))];
     while !open.is_empty() {
-        let mut joined = None;
-        'search: for parent in 0..wings.len() {
-            for child in 0..open.len() {
-                if let Some(border) = meeting(&wings[parent].ring, &open[child]) {
-                    joined = Some((parent, child, border));
-                    break 'search;
-                }
-            }
-        }
+        let joined = wings.iter().enumerate().find_map(|(parent, wing)| {
+            let meets = |(child, ring): (usize, &Ring)| Some((parent, child, meeting(&wing.ring, ring)?));
+            open.iter().enumerate().find_map(meets)
+        });
         let (parent, child, border) = joined?;
         let mut child = wing(open.remove(child));
         let at = meet(&wings[parent], &mut child, border);
