@@ -16,8 +16,8 @@ use super::dwelling::{Cell, Port};
 use super::facade::Neighbourhood;
 use super::flats::flats;
 use super::footprint::{Footprint, Site};
-use super::house::{house, outer_port};
-use super::links::{Link, Links, link};
+use super::house::{house, outer_ports};
+use super::links::{Link, Links, link, room_at};
 use super::open::{one_room, open_plan};
 use super::plate::Outline;
 use super::spine::Ground;
@@ -162,23 +162,31 @@ fn storey(
     stream: &mut crate::layout::seed::Stream,
 ) -> Storey {
     let has_stairs = cells.iter().any(|cell| cell.room_type == "stairs");
-    let mut ports = Vec::new();
-    if is_ground {
-        ports.extend(grounds.iter().find_map(outer_port));
-        // Flats: each stairs has a door of its own.
-        let has_flats = cells.iter().any(|cell| cell.unit.is_some_and(|unit| unit > 0))
-            || cells.first().is_some_and(|cell| cell.room_type == "stairs");
-        if has_flats && !cells.iter().any(|cell| cell.room_type == "walkway") {
-            ports = cells
-                .iter()
-                .filter(|cell| cell.room_type == "stairs")
-                .filter_map(|cell| stair_port(&grounds[0], cell))
-                .collect();
-        }
-    }
+    let ports = if is_ground { ways_in(grounds, &cells, typologies) } else { Vec::new() };
     let links = link(&cells, typologies, &ports, has_stairs && !is_ground, stream);
     let windows = windows(&grounds[0], &cells, typologies, &links.links);
     Storey { cells, links, windows }
+}
+
+/// Doors of the ground floor: for flats one at each stairs, else where the entrance is. It leads into no private room.
+fn ways_in(grounds: &[Ground], cells: &[Cell], typologies: &Typologies) -> Vec<Port> {
+    let is_flats = cells.first().is_some_and(|cell| cell.room_type == "stairs");
+    if is_flats {
+        let stairs = cells.iter().filter(|cell| cell.room_type == "stairs");
+        return stairs.filter_map(|cell| stair_port(&grounds[0], cell)).collect();
+    }
+    let is_public = |port: &Port| {
+        let room = room_at(cells, *port).and_then(|room| typologies.rooms.get(&cells[room].room_type));
+        room.is_some_and(|needs| needs.passage)
+    };
+    let is_single = cells.len() == grounds.len();
+    let wanted = grounds.iter().flat_map(outer_ports).find(is_public);
+    // A building of one room, such as a shed, is entered where it has any wall to the open air.
+    let any = || {
+        let first = cells.first().filter(|_| is_single)?;
+        stair_port(&grounds[0], first)
+    };
+    wanted.or_else(any).into_iter().collect()
 }
 
 /// A door of stairs to the open air: in the middle of their longest free wall.

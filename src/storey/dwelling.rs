@@ -26,7 +26,7 @@ const FLIGHT: (f64, f64) = (3.9, 1.0);
 /// Cost of a room that the programme does not ask for.
 const MORE_COST: f64 = 0.8;
 /// Cost of each part of the floor that is hall.
-const HALL_COST: f64 = 6.0;
+const HALL_COST: f64 = 12.0;
 
 /// A room of a storey.
 #[derive(Clone, Debug)]

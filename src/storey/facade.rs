@@ -233,17 +233,18 @@ fn entrance(spans: &[Span], around: &Around) -> Option<(usize, Point)> {
 }
 
 impl Facade {
-    /// The spans that the piece of a room's border lies behind: on a parallel line at most `depth` metres behind the outer face.
+    /// The spans that the piece of a room's border lies behind, where the wall is `wall` metres thick.
     /// Each comes with the piece of the border before it.
-    pub(super) fn before(&self, border: Segment, depth: f64) -> Vec<(&Span, Segment)> {
+    pub(super) fn before(&self, border: Segment, wall: f64) -> Vec<(&Span, Segment)> {
         let direction = border.direction();
         let found = self.spans.iter().filter_map(|span| {
             let along = span.line.direction();
             if along.dot(direction) < 0.9998 {
                 return None;
             }
-            let gap = -span.line.normal().dot(border.start - span.line.start);
-            if gap > 0.05 || gap < -depth {
+            // Its inner face is as deep behind the outer one as the wall is thick: other cuts may run near it.
+            let gap = span.line.normal().dot(border.start - span.line.start);
+            if (gap - wall).abs() > 0.06 {
                 return None;
             }
             let from = (span.line.start - border.start).dot(direction).max(0.0);

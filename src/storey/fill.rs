@@ -13,6 +13,8 @@ pub(super) const WINDOW_STRETCH: f64 = 1.0;
 const ROW_SCALE: (f64, f64) = (0.5, 3.2);
 /// Metres of outer wall with light for each room that needs windows, for any way of dividing it.
 pub(super) const LIGHT_EACH: f64 = 1.6;
+/// Metres of width for the walls of a room, and for places that are rounded.
+const MARGIN: f64 = 0.15;
 /// Longer rooms than this many times their width are corridors to look at.
 const SLENDER: f64 = 2.0;
 
@@ -127,11 +129,12 @@ fn place(rows: &[Row], wishes: &[Wish<'_>], order: &[Vec<usize>]) -> Option<Fill
         if !(ROW_SCALE.0..=ROW_SCALE.1).contains(&scale) {
             return None;
         }
+        let areas = shares(chosen, wishes, &rows[row]);
         let mut taken = 0.0;
         let mut from = rows[row].from;
         let first = slices.len();
-        for (place, &wish) in chosen.iter().enumerate() {
-            taken += wishes[wish].area * scale;
+        for (place, (&wish, area)) in chosen.iter().zip(areas).enumerate() {
+            taken += area;
             let is_last = place + 1 == chosen.len();
             let to = if is_last { rows[row].to } else { (rows[row].place_of(taken) * 20.0).round() / 20.0 };
             slices.push(Slice { wish, row, from, to, is_at_hall: false });
@@ -140,6 +143,28 @@ fn place(rows: &[Row], wishes: &[Wish<'_>], order: &[Vec<usize>]) -> Option<Fill
         cost += judge_row(&rows[row], wishes, &mut slices[first..], scale)?;
     }
     Some(Filling { slices, cost })
+}
+
+/// Square metres of each room of a row, which fill it: where there is more than was wished for, baths and stores grow less than
+/// rooms to live in, but to the width that they need.
+fn shares(chosen: &[usize], wishes: &[Wish<'_>], row: &Row) -> Vec<f64> {
+    let wished: f64 = chosen.iter().map(|&wish| wishes[wish].area).sum();
+    let (available, depth) = (row.area(), row.depth());
+    let scale = available / wished;
+    let is_large = |wish: usize| wishes[wish].needs.light == Light::Required;
+    let small = |wish: usize| {
+        let grown = wishes[wish].area * if scale > 1.0 { scale.sqrt() } else { scale };
+        grown.max((wishes[wish].needs.width + MARGIN) * depth)
+    };
+    let of_small: f64 = chosen.iter().filter(|&&wish| !is_large(wish)).map(|&wish| small(wish)).sum();
+    let of_large: f64 = chosen.iter().filter(|&&wish| is_large(wish)).map(|&wish| wishes[wish].area).sum();
+    let (for_large, for_small) = match of_large > 0.0 {
+        true => ((available - of_small).max(0.0) / of_large, 1.0),
+        false => (0.0, available / of_small),
+    };
+    let share =
+        |&wish: &usize| if is_large(wish) { wishes[wish].area * for_large } else { small(wish) * for_small };
+    chosen.iter().map(share).collect()
 }
 
 fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -> Option<f64> {

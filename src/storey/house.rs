@@ -76,7 +76,7 @@ pub(super) fn outer_port(ground: &Ground) -> Option<Port> {
 }
 
 /// Ways in from the street: where the entrance is, then at the ends of that wall, where the map does not show the door.
-fn outer_ports(ground: &Ground) -> Vec<Port> {
+pub(super) fn outer_ports(ground: &Ground) -> Vec<Port> {
     entrance_edge(ground).unwrap_or_default()
 }
 

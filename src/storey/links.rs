@@ -108,12 +108,12 @@ pub(super) fn link(
                 .filter(|&room| !is_reached[room])
                 .find_map(|room| best_way(level, &is_reached, room, pass == 1).map(|way| (room, way)));
             let Some((room, (to, border))) = next else { break };
-            is_reached[room] = true;
-            let open = opens(cells, typologies, &borders, room).filter(|_| is_open[room]);
+            let open = opens(level, room).filter(|(other, _)| is_open[room] && is_reached[*other]);
             let link = match open {
                 Some((other, border)) => open_side(room, other, border),
                 None => inner_door(cells, (room, to), border, &found.links),
             };
+            is_reached[room] = true;
             found.links.push(link);
         }
     }
@@ -123,7 +123,7 @@ pub(super) fn link(
 }
 
 /// The room behind a way in.
-fn room_at(cells: &[Cell], port: Port) -> Option<usize> {
+pub(super) fn room_at(cells: &[Cell], port: Port) -> Option<usize> {
     let inside = port.at + port.way * 0.4;
     cells.iter().position(|cell| {
         bounds(&cell.ring).contains(inside)
@@ -176,7 +176,6 @@ fn may_lead(cells: &[Cell], needs: &RoomNeeds, room: usize, to: usize) -> Option
     let is_allowed = match (own.unit, other.unit) {
         (a, b) if a == b => true,
         (Some(_), None) => is_entry(room),
-        (None, Some(_)) => is_entry(to),
         _ => false,
     };
     if !is_allowed {
@@ -194,9 +193,9 @@ fn best_way(
     let Level { cells, typologies, borders } = level;
     let needs = typologies.rooms.get(&cells[room].room_type)?;
     let ways = borders.0[room].iter().filter(|(to, _)| is_reached[*to]).filter_map(|&(to, border)| {
-        // The other way round too: a hall on an upper level is reached from the stairs, stairs from a hall.
-        let back =
-            typologies.rooms.get(&cells[to].room_type).and_then(|needs| may_lead(cells, needs, to, room));
+        // The other way round too: stairs of a house are reached from its hall, a hall above from the stairs.
+        let other = typologies.rooms.get(&cells[to].room_type).filter(|other| other.passage);
+        let back = other.and_then(|other| may_lead(cells, other, to, room));
         let rank = may_lead(cells, needs, room, to).or(back.map(|_| 0))?;
         (rank == 0 || is_last_pass).then_some((rank, -border.length(), to, border))
     });
@@ -205,12 +204,8 @@ fn best_way(
 }
 
 /// The room that another lies open to.
-fn opens(
-    cells: &[Cell],
-    typologies: &Typologies,
-    borders: &Borders,
-    room: usize,
-) -> Option<(usize, Segment)> {
+fn opens(level: Level<'_>, room: usize) -> Option<(usize, Segment)> {
+    let Level { cells, typologies, borders } = level;
     let needs = typologies.rooms.get(&cells[room].room_type)?;
     let is_open = |to: usize, border: Segment| {
         cells[to].unit == cells[room].unit

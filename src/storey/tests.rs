@@ -65,7 +65,7 @@ fn a_house_has_the_same_stairs_on_all_levels_and_a_bath_above() {
     assert_eq!(house.draft.levels.len(), 2);
     let stairs: Vec<_> = (0..2).map(|level| rooms_of(&house, level, "stairs")[0].outline.clone()).collect();
     assert_eq!(stairs[0], stairs[1]);
-    assert_eq!(rooms_of(&house, 1, "bathroom").len(), 1);
+    assert!(!rooms_of(&house, 1, "bathroom").is_empty());
     assert!(!rooms_of(&house, 1, "bedroom").is_empty());
     let has_way_in =
         |opening: &crate::plan::OpeningDraft| opening.rooms.len() == 1 && opening.kind == OpeningKind::Door;

@@ -21,6 +21,10 @@ const USUAL: (f64, f64) = (0.85, 2.25);
 const HIGH_SILL: f64 = 1.3;
 /// Sill where a room needs much light.
 const LOW_SILL: f64 = 0.4;
+/// Metres of windows where there is room for several.
+const USUAL_WIDTH: f64 = 1.9;
+/// Square metres up to which a room that needs no windows has one at most.
+const SMALL_ROOM: f64 = 8.0;
 /// Metres of the largest window.
 const WIDEST: f64 = 2.4;
 
@@ -60,7 +64,9 @@ pub(super) fn windows(
             .flat_map(|piece| without_doors(piece, links))
             .filter(|piece| piece.length() >= 0.5 + 2.0 * BESIDE.min(piece.length() / 5.0))
             .collect();
-        let is_main = needs.light == Light::Required || needs.passage && cell.room_type != "stairs";
+        let is_hall =
+            needs.passage && cell.room_type != "stairs" && super::ring::area(&cell.ring) > SMALL_ROOM;
+        let is_main = needs.light == Light::Required || is_hall;
         if !is_main {
             // One small window is enough.
             let longest = pieces.into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a });
@@ -103,7 +109,7 @@ fn in_piece(piece: Segment, share: f64) -> Vec<(Point, f64)> {
     let length = piece.length();
     let margin = BESIDE.min(length / 5.0);
     let usable = length - 2.0 * margin;
-    let count = ((length * share / 1.5).round()).clamp(1.0, 40.0);
+    let count = (length * share / USUAL_WIDTH).round().clamp(1.0, 40.0);
     let bay = length / count;
     let width = (length * share / count).min(bay - PIER.min(bay * 0.25)).min(usable).clamp(0.4, WIDEST);
     (0..count as u32).map(|index| (piece.at((f64::from(index) + 0.5) / count), width)).collect()
