@@ -7,6 +7,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::audit::JudgedLevel;
+#[cfg(test)]
+use super::plan::{PlanAnswer, ReportFile};
 use crate::audit::AuditSummary;
 use crate::batch::Totals;
 use crate::catalog::Side;
@@ -381,6 +383,8 @@ pub(crate) fn answer_schemas() -> Vec<(&'static str, schemars::Schema)> {
         ("import", schemars::schema_for!(ImportAnswer<'_>)),
         ("init", schemars::schema_for!(InitAnswer)),
         ("merge", schemars::schema_for!(MergeAnswer)),
+        ("plan", schemars::schema_for!(PlanAnswer)),
+        ("plan-report", schemars::schema_for!(ReportFile)),
     ]
 }
 

@@ -32,7 +32,7 @@ pub(crate) struct PlanAnswer {
 
 /// What `--report` writes.
 #[derive(Serialize, JsonSchema)]
-struct ReportFile {
+pub(crate) struct ReportFile {
     /// What became of features of the maps that are no buildings of their own.
     maps: Vec<SiteNotes>,
     /// The buildings.

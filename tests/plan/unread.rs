@@ -33,9 +33,6 @@ fn real_files_of_other_formats_are_refused_by_name() {
         ("floorplans/archilyse/dxf/AL_Sample building_1OG_DXF.dxf.zip", "a ZIP archive"),
         ("floorplans/archilyse/site_1440/areas.json", "the areas of a react-planner drawing"),
         ("floorplans/imdf-spbpu/unit.geojson", "a file of an IMDF folder"),
-        ("footprints/osm-monaco/monaco-latest.osm.pbf", "OpenStreetMap PBF"),
-        ("footprints/cityjson-cjio/delft.json", "CityJSON"),
-        ("footprints/geojson-overture-nl/buildings.geojson", "GeoJSON"),
     ] {
         let (message, hint) = fault(&data.join(file));
         assert!(message.starts_with(&format!("looks like {name}")), "{file}: {message}");
@@ -64,10 +61,10 @@ fn a_folder_without_a_plan_is_reported_with_its_files() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(fault(folder.path()).0, "the folder is empty");
     std::fs::write(folder.path().join("a.dxf"), "0\nSECTION\n").unwrap();
-    std::fs::write(folder.path().join("b.json"), "{\"type\": \"CityJSON\"}").unwrap();
+    std::fs::write(folder.path().join("b.glb"), b"glTF\x02\0\0\0\x0c\0\0\0").unwrap();
     let (message, hint) = fault(folder.path());
     assert_eq!(message, "the folder holds no plan");
-    assert!(hint.contains("a.dxf (a DXF drawing)") && hint.contains("b.json (CityJSON)"), "{hint}");
+    assert!(hint.contains("a.dxf (a DXF drawing)") && hint.contains("b.glb (a binary glTF file)"), "{hint}");
 }
 
 #[test]
