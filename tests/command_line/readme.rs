@@ -72,6 +72,13 @@ fn python_for(script: &str) -> Result<PathBuf, String> {
     pythons().into_iter().find(can_import).ok_or_else(|| format!("no Python with {modules}"))
 }
 
+/// A map of two houses.
+const TOWN: &str = r#"{"type": "FeatureCollection", "features": [
+  {"type": "Feature", "id": "way/1", "properties": {"building": "house", "building:levels": "2"}, "geometry": {"type": "Polygon",
+    "coordinates": [[[13.4, 52.5], [13.40015, 52.5], [13.40015, 52.50008], [13.4, 52.50008], [13.4, 52.5]]]}},
+  {"type": "Feature", "id": "way/2", "properties": {"building": "yes"}, "geometry": {"type": "Polygon",
+    "coordinates": [[[13.401, 52.5], [13.40112, 52.5], [13.40112, 52.50008], [13.401, 52.50008], [13.401, 52.5]]]}}]}"#;
+
 /// A folder with the program in its PATH, the project's scripts, and the files that stand for a user's.
 struct Newcomer {
     world: World,
@@ -87,6 +94,7 @@ impl Newcomer {
             let name = format!("campus-imdf/{}", file.file_name().to_str().unwrap());
             world.write(&name, std::fs::read(file.path()).unwrap());
         }
+        world.write("town.geojson", TOWN);
         #[cfg(unix)]
         std::os::unix::fs::symlink(project().join("scripts"), world.path("scripts")).unwrap();
         let program = Path::new(env!("CARGO_BIN_EXE_roomwright")).parent().unwrap();
