@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::layout::seed::building_stream;
+use crate::layout::seed::{Stream, building_stream};
 use crate::plan::{
     BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
     SitePlacement,
@@ -84,13 +84,19 @@ pub(crate) fn plan_building(
     choices: &Choices,
 ) -> Option<PlannedBuilding> {
     let footprint = &site.footprints[index];
-    let outline = Outline::of(footprint, &around.near(index), &site.streets);
+    let outline = Outline::of(footprint, &around.near(index), &around.streets_near(index));
     let measures = Measures { area: outline.area(), depth: outline.depth(), party: outline.party() };
     let kinds = briefs(footprint, measures, typologies, choices);
     let mut refused = Vec::new();
     for (rung, brief) in kinds.iter().enumerate() {
+        let grounds = outline.grounds(brief.typology.exterior);
+        if grounds.is_empty() {
+            refused.push(format!("{}: the walls leave no floor", brief.name));
+            continue;
+        }
         for attempt in 0..TRIES {
-            match storeys(&outline, brief, typologies, footprint, (choices.seed, attempt)) {
+            let stream = building_stream(choices.seed, &footprint.id, &format!("{} {attempt}", brief.name));
+            match storeys(&grounds, brief, typologies, footprint.flats, stream) {
                 Ok(storeys) => {
                     let rung = (rung as u32).min(1);
                     return Some(finished(
@@ -111,42 +117,35 @@ pub(crate) fn plan_building(
     if grounds.is_empty() {
         grounds = vec![Ground { ring: outline.outer.clone(), facade: outline.facade.clone(), wall: 0.0 }];
     }
-    let simple = simplest(&grounds, first, typologies);
-    let (storeys, rung) = simple;
+    let (storeys, rung) = simplest(&grounds, first, typologies);
     Some(finished(footprint, &outline, first, (storeys, rung, refused), measures.area))
 }
 
 /// All storeys by the plan of a kind, each checked.
 fn storeys(
-    outline: &Outline,
+    grounds: &[Ground],
     brief: &Brief<'_>,
     typologies: &Typologies,
-    footprint: &Footprint,
-    (seed, attempt): (u64, u32),
+    known_flats: Option<u32>,
+    mut stream: Stream,
 ) -> Result<Vec<Storey>, String> {
-    let grounds = outline.grounds(brief.typology.exterior);
-    if grounds.is_empty() {
-        return Err("the walls leave no floor".to_owned());
-    }
-    let mut stream = building_stream(seed, &footprint.id, &format!("{} {attempt}", brief.name));
     let main = brief.typology.main.as_deref().unwrap_or("generic");
     let alike = |cells: Vec<Cell>| vec![cells; brief.storeys as usize];
     let levels = match brief.typology.plan {
-        PlanKind::OneRoom => Some(alike(one_room(&grounds, main))),
+        PlanKind::OneRoom => Some(alike(one_room(grounds, main))),
         PlanKind::House if grounds.len() > 1 => None,
         PlanKind::House => house(&grounds[0], brief, typologies, &mut stream),
-        PlanKind::Flats => flats(&grounds, brief, typologies, footprint.flats, &mut stream).map(alike),
+        PlanKind::Flats => flats(grounds, brief, typologies, known_flats, &mut stream).map(alike),
         PlanKind::Corridor | PlanKind::CorridorFlats => {
-            corridors(&grounds, brief, typologies, &mut stream).map(alike)
+            corridors(grounds, brief, typologies, &mut stream).map(alike)
         }
-        PlanKind::Open => open_plan(&grounds, brief, typologies).map(alike),
+        PlanKind::Open => open_plan(grounds, brief, typologies).map(alike),
     };
     let levels = levels.ok_or("no arrangement keeps to what rooms need")?;
     let mut found: Vec<Storey> = Vec::new();
     for (level, cells) in levels.into_iter().enumerate() {
-        let storey = storey(&grounds, cells, typologies, level == 0, &mut stream);
-        if let Some(fault) = first_fault(&grounds, &storey.cells, typologies, &storey.links, &storey.windows)
-        {
+        let storey = storey(grounds, cells, typologies, level == 0, &mut stream);
+        if let Some(fault) = first_fault(grounds, &storey.cells, typologies, &storey.links, &storey.windows) {
             return Err(fault);
         }
         found.push(storey);
@@ -159,7 +158,7 @@ fn storey(
     cells: Vec<Cell>,
     typologies: &Typologies,
     is_ground: bool,
-    stream: &mut crate::layout::seed::Stream,
+    stream: &mut Stream,
 ) -> Storey {
     let has_stairs = cells.iter().any(|cell| cell.room_type == "stairs");
     let ports = if is_ground { ways_in(grounds, &cells, typologies) } else { Vec::new() };

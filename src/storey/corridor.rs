@@ -81,10 +81,10 @@ pub(super) fn corridors(
         stream,
     };
     // People come in where the entrance is, if that wing has it.
-    let door = wings
-        .iter()
-        .position(|wing| outer_port(&Ground { ring: wing.ring.clone(), ..whole.clone() }).is_some())?;
-    let port = outer_port(&Ground { ring: wings[door].ring.clone(), ..whole.clone() })?;
+    let (door, port) = wings.iter().enumerate().find_map(|(number, wing)| {
+        let ground = Ground { ring: wing.ring.clone(), ..whole.clone() };
+        Some((number, outer_port(&ground)?))
+    })?;
     wings[door].ports.push(port);
     let mut cells = Vec::new();
     for (number, wing) in wings.iter().enumerate() {
@@ -139,7 +139,7 @@ fn along_corridor(
             };
             if light(true) > light(false) { bottom - 0.1 } else { top - width + 0.1 }
         }
-        false => (middle - width / 2.0).clamp(bottom + LEAST_ROW, top - width - LEAST_ROW),
+        false => (middle - width / 2.0).max(bottom + LEAST_ROW).min(top - width - LEAST_ROW),
     };
     let fixed = fixed_slices(task, ground, ports, (low, low + width), is_root);
     let Spine { mut strip, rows, fixed: rooms, mut left_over } =
@@ -198,7 +198,7 @@ fn fixed_slices(
             if depth < LEAST_ROW / 2.0 {
                 continue;
             }
-            let from = (port.at.x - PORT_HALF).clamp(left, right - 2.0 * PORT_HALF);
+            let from = (port.at.x - PORT_HALF).min(right - 2.0 * PORT_HALF).max(left);
             fixed.push(Fixed { is_above, from, to: from + 2.0 * PORT_HALF, kind: FixedKind::Port });
         }
     }

@@ -4,7 +4,7 @@ use rstar::{AABB, RTree, RTreeObject};
 
 use crate::geometry::{Bounds, Point, Segment};
 
-use super::footprint::Footprint;
+use super::footprint::{Footprint, Site};
 use super::ring::Ring;
 
 /// Metres between the places of a wall from which one looks out.
@@ -17,6 +17,8 @@ const PARTY_GAP: f64 = 0.4;
 pub(super) const WINDOW_SIGHT: f64 = 2.0;
 /// Metres that one looks; what is farther is as good as nothing.
 const FARTHEST: f64 = 25.0;
+/// Metres from a wall to the street that it is entered from, at most.
+const STREET_REACH: f64 = 50.0;
 /// Metres before a wall at which looking begins: outlines of neighbours overlap a little.
 const OVERLAP: f64 = 0.3;
 /// Metres between an entrance of the map and the wall it is in, at most.
@@ -64,11 +66,14 @@ pub(super) struct Facade {
     pub(super) entrance: Option<(usize, Point)>,
 }
 
-/// The footprints of a site by place.
+/// The footprints and streets of a site by place.
 #[derive(Debug)]
 pub(crate) struct Neighbourhood<'a> {
     footprints: &'a [Footprint],
     tree: RTree<Place>,
+    /// The straight pieces of all streets.
+    pieces: Vec<[Point; 2]>,
+    streets: RTree<Place>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -86,24 +91,44 @@ impl RTreeObject for Place {
 }
 
 impl<'a> Neighbourhood<'a> {
-    /// Of all footprints of a site.
-    pub(crate) fn new(footprints: &'a [Footprint]) -> Self {
-        let place = |(index, footprint): (usize, &Footprint)| Place {
-            bounds: footprint.region.outline.bounds(),
-            index,
-        };
-        Self { footprints, tree: RTree::bulk_load(footprints.iter().enumerate().map(place).collect()) }
+    /// Of all footprints and streets of a site.
+    pub(crate) fn new(site: &'a Site) -> Self {
+        let footprints = &site.footprints;
+        let tree = places(footprints.iter().map(|footprint| footprint.region.outline.bounds()));
+        let pieces: Vec<[Point; 2]> =
+            site.streets.iter().flat_map(|street| street.windows(2)).map(|pair| [pair[0], pair[1]]).collect();
+        let streets = places(pieces.iter().map(|piece| Bounds::around(*piece)));
+        Self { footprints, tree, pieces, streets }
     }
 
     /// The footprints near one of them, in the order of the site.
     pub(super) fn near(&self, index: usize) -> Vec<&'a Footprint> {
-        let reach = self.footprints[index].region.outline.bounds().inflated(FARTHEST);
-        let envelope = AABB::from_corners(reach.low.into(), reach.high.into());
-        let found = self.tree.locate_in_envelope_intersecting(&envelope).map(|place| place.index);
-        let mut found: Vec<usize> = found.filter(|&other| other != index).collect();
-        found.sort_unstable();
-        found.into_iter().map(|other| &self.footprints[other]).collect()
+        let found = within(&self.tree, self.reach(index, FARTHEST));
+        found.into_iter().filter(|&other| other != index).map(|other| &self.footprints[other]).collect()
     }
+
+    /// The pieces of streets that a footprint may be entered from, in the order of the site.
+    pub(super) fn streets_near(&self, index: usize) -> Vec<[Point; 2]> {
+        let found = within(&self.streets, self.reach(index, STREET_REACH));
+        found.into_iter().map(|piece| self.pieces[piece]).collect()
+    }
+
+    fn reach(&self, index: usize, margin: f64) -> Bounds {
+        self.footprints[index].region.outline.bounds().inflated(margin)
+    }
+}
+
+fn places(boxes: impl Iterator<Item = Bounds>) -> RTree<Place> {
+    RTree::bulk_load(boxes.enumerate().map(|(index, bounds)| Place { bounds, index }).collect())
+}
+
+/// The numbers of what meets a box, rising.
+fn within(tree: &RTree<Place>, reach: Bounds) -> Vec<usize> {
+    let envelope = AABB::from_corners(reach.low.into(), reach.high.into());
+    let mut found: Vec<usize> =
+        tree.locate_in_envelope_intersecting(&envelope).map(|place| place.index).collect();
+    found.sort_unstable();
+    found
 }
 
 /// What stands around a building, in its frame.
@@ -112,8 +137,8 @@ pub(super) struct Around {
     pub(super) neighbours: Vec<Ring>,
     /// Entrances that the map shows.
     pub(super) entrances: Vec<Point>,
-    /// Streets that the map shows.
-    pub(super) streets: Vec<Ring>,
+    /// Straight pieces of streets that the map shows.
+    pub(super) streets: Vec<Segment>,
 }
 
 /// Looks out of all walls of a building. `outer` and `courts` are rings with the building on their left.
@@ -215,12 +240,10 @@ fn entrance(spans: &[Span], around: &Around) -> Option<(usize, Point)> {
     }
     let to_street = |span: &Span| {
         let middle = span.line.middle();
-        let gaps = around.streets.iter().flat_map(|street| {
-            street.windows(2).map(move |pair| Segment::new(pair[0], pair[1]).nearest(middle) - middle)
-        });
+        let gaps = around.streets.iter().map(|street| street.nearest(middle) - middle);
         // A street behind the building does not count.
         let before = gaps.filter(|gap| gap.dot(-span.line.normal()) > 0.0).map(|gap| gap.length());
-        before.reduce(f64::min).filter(|gap| *gap < 2.0 * FARTHEST)
+        before.reduce(f64::min).filter(|gap| *gap < STREET_REACH)
     };
     let worth = |span: &Span| {
         let court = if span.class == EdgeClass::Court { 0.1 } else { 1.0 };

@@ -1,5 +1,7 @@
 //! Doors: which rooms they join, so that every room is reached from the way in, and where they are.
 
+use std::collections::BTreeSet;
+
 use crate::geometry::{Point, Segment};
 use crate::layout::seed::Stream;
 use crate::plan::OpeningKind;
@@ -75,6 +77,8 @@ struct Level<'a> {
     cells: &'a [Cell],
     typologies: &'a Typologies,
     borders: &'a Borders,
+    /// By room: whether it is the first of its unit, which is the hall or the only room.
+    is_entry: &'a [bool],
 }
 
 /// Doors of a level: `ports` are the ways in from outside, `stair_roots` whether people come by the stairs.
@@ -86,7 +90,9 @@ pub(super) fn link(
     stream: &mut Stream,
 ) -> Links {
     let borders = Borders::of(cells);
-    let level = Level { cells, typologies, borders: &borders };
+    let mut units = BTreeSet::new();
+    let is_entry: Vec<bool> = cells.iter().map(|cell| units.insert(cell.unit)).collect();
+    let level = Level { cells, typologies, borders: &borders, is_entry: &is_entry };
     let mut found = Links::default();
     let mut is_reached = vec![false; cells.len()];
     for port in ports {
@@ -166,16 +172,11 @@ fn outer_door(room: usize, port: Port, cell: &Cell) -> Link {
 }
 
 /// Whether a door may lead from a room that is not reached to one that is.
-fn may_lead(cells: &[Cell], needs: &RoomNeeds, room: usize, to: usize) -> Option<usize> {
-    let (own, other) = (&cells[room], &cells[to]);
-    let is_entry = |index: usize| {
-        let unit = cells[index].unit;
-        // The first room of a unit is its hall, or its only room.
-        cells.iter().position(|cell| cell.unit == unit) == Some(index)
-    };
+fn may_lead(level: Level<'_>, needs: &RoomNeeds, room: usize, to: usize) -> Option<usize> {
+    let (own, other) = (&level.cells[room], &level.cells[to]);
     let is_allowed = match (own.unit, other.unit) {
         (a, b) if a == b => true,
-        (Some(_), None) => is_entry(room),
+        (Some(_), None) => level.is_entry[room],
         _ => false,
     };
     if !is_allowed {
@@ -190,13 +191,13 @@ fn best_way(
     room: usize,
     is_last_pass: bool,
 ) -> Option<(usize, Segment)> {
-    let Level { cells, typologies, borders } = level;
+    let Level { cells, typologies, borders, .. } = level;
     let needs = typologies.rooms.get(&cells[room].room_type)?;
     let ways = borders.0[room].iter().filter(|(to, _)| is_reached[*to]).filter_map(|&(to, border)| {
         // The other way round too: stairs of a house are reached from its hall, a hall above from the stairs.
         let other = typologies.rooms.get(&cells[to].room_type).filter(|other| other.passage);
-        let back = other.and_then(|other| may_lead(cells, other, to, room));
-        let rank = may_lead(cells, needs, room, to).or(back.map(|_| 0))?;
+        let back = other.and_then(|other| may_lead(level, other, to, room));
+        let rank = may_lead(level, needs, room, to).or(back.map(|_| 0))?;
         (rank == 0 || is_last_pass).then_some((rank, -border.length(), to, border))
     });
     let best = ways.reduce(|a, b| if (b.0, b.1) < (a.0, a.1) { b } else { a });
@@ -205,7 +206,7 @@ fn best_way(
 
 /// The room that another lies open to.
 fn opens(level: Level<'_>, room: usize) -> Option<(usize, Segment)> {
-    let Level { cells, typologies, borders } = level;
+    let Level { cells, typologies, borders, .. } = level;
     let needs = typologies.rooms.get(&cells[room].room_type)?;
     let is_open = |to: usize, border: Segment| {
         cells[to].unit == cells[room].unit

@@ -32,7 +32,7 @@ pub(super) struct Outline {
 
 impl Outline {
     /// A footprint among its neighbours.
-    pub(super) fn of(footprint: &Footprint, neighbours: &[&Footprint], streets: &[Vec<Point>]) -> Self {
+    pub(super) fn of(footprint: &Footprint, neighbours: &[&Footprint], streets: &[[Point; 2]]) -> Self {
         let frame = Frame::of(&footprint.region);
         let ring = |polygon: &Polygon| tidy(frame.ring(polygon.corners()));
         let outer = without_straight_corners(&ring(&footprint.region.outline));
@@ -41,7 +41,10 @@ impl Outline {
         let around = Around {
             neighbours: neighbours.iter().map(|other| frame.ring(other.region.outline.corners())).collect(),
             entrances: footprint.entrances.iter().map(|&door| frame.point(door)).collect(),
-            streets: streets.iter().map(|street| frame.ring(street)).collect(),
+            streets: streets
+                .iter()
+                .map(|street| Segment::new(frame.point(street[0]), frame.point(street[1])))
+                .collect(),
         };
         let inside_left: Vec<Ring> =
             courts.iter().map(|court| court.iter().rev().copied().collect()).collect();

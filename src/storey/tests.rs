@@ -37,7 +37,7 @@ fn site(footprints: Vec<Footprint>) -> Site {
 }
 
 fn plan(site: &Site, index: usize) -> PlannedBuilding {
-    let around = Neighbourhood::new(&site.footprints);
+    let around = Neighbourhood::new(site);
     plan_building(site, &around, index, &typologies(), &Choices::default()).expect("there is always a plan")
 }
 
@@ -207,7 +207,7 @@ fn a_plan_depends_on_its_surroundings_alone() {
 #[test]
 fn choices_come_before_the_map() {
     let site = site(vec![footprint("one", rectangle(0.0, 0.0, 20.0, 14.0), 2.0, "house")]);
-    let around = Neighbourhood::new(&site.footprints);
+    let around = Neighbourhood::new(&site);
     let choices = Choices { use_name: Some("hotel".to_owned()), storeys: Some(5), ..Choices::default() };
     let planned = plan_building(&site, &around, 0, &typologies(), &choices).unwrap();
     assert_eq!(planned.draft.levels.len(), 5);

@@ -121,7 +121,9 @@ fn meet(parent: &Wing, child: &mut Wing, border: Segment) -> Point {
     } else {
         0.5 * (low + high)
     }
-    .clamp(low + margin, high - margin);
+    // Not `clamp`: the two ends may be one place but for rounding.
+    .max(low + margin)
+    .min(high - margin);
     if child.axis != runs_along {
         child.middle = place;
     }

@@ -56,7 +56,7 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
         let message = format!("none of its {} buildings is chosen", read.site.footprints.len());
         return Err(Fault::of_file(path, message).with_hint("see --only and --bbox").into());
     }
-    let around = Neighbourhood::new(&read.site.footprints);
+    let around = Neighbourhood::new(&read.site);
     let plan =
         |&index: &usize| plan_building(&read.site, &around, index, planning.typologies, planning.choices);
     let buildings = chosen.par_iter().filter_map(plan).collect();
