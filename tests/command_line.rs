@@ -23,6 +23,7 @@ mod command_line {
     mod looks;
     mod output_folder;
     mod pinned;
+    mod plan;
     mod readme;
     mod recipe;
     mod schemas;

@@ -1,5 +1,6 @@
 //! `plan`: plans the storeys of buildings of which a map shows only the outline, as native plans and a project that places them.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -15,7 +16,7 @@ use super::screen::Screen;
 use crate::batch::distinct_names;
 use crate::catalog::{Catalog, load_catalog};
 use crate::document::{Faults, Warned, counted, printable};
-use crate::plan::{PlanOptions, PlannedSite, SiteNotes, finish_draft, read_and_plan, write_native};
+use crate::plan::{PlanOptions, PlannedSite, SiteNotes, finish_draft, id_taken, read_and_plan, write_native};
 use crate::storey::{Origin, PlanReport, PlannedBuilding};
 
 /// The answer of `plan`.
@@ -55,27 +56,25 @@ pub(crate) fn run(arguments: PlanArguments, screen: Screen) -> Outcome {
     let mut written = 0;
     let mut rungs = [0; 4];
     let mut entries = Vec::new();
-    for site in &planned {
-        let ids: Vec<&str> = site.buildings.iter().map(|building| building.id.as_str()).collect();
-        let names = distinct_names(&ids);
-        let write = |(building, name): (&PlannedBuilding, &String)| {
-            let (checked, found) = finish_draft(&building.id, &building.draft, &catalog.room_words);
-            let path = PathBuf::from(format!("{name}.yaml"));
-            let text = write_native(&checked, &building.id);
-            let result = write_text(&out.join(&path), &text, overwrite);
-            (path, found, result)
-        };
-        let results: Vec<_> = site.buildings.par_iter().zip(&names).map(write).collect();
-        for (building, (path, found, result)) in site.buildings.iter().zip(results) {
-            faults.merge(found);
-            match result {
-                Ok(()) => {
-                    written += 1;
-                    rungs[building.report.rung.min(3) as usize] += 1;
-                    entries.push(entry(building, path));
-                }
-                Err(fault) => faults.merge(fault),
+    let buildings: Vec<&PlannedBuilding> = planned.iter().flat_map(|site| &site.buildings).collect();
+    let ids: Vec<&str> = buildings.iter().map(|building| building.id.as_str()).collect();
+    let write = |(building, name): (&&PlannedBuilding, String)| {
+        let (checked, found) = finish_draft(&building.id, &building.draft, &catalog.room_words);
+        let path = PathBuf::from(format!("{name}.yaml"));
+        let text = write_native(&checked, &building.id);
+        let result = write_text(&out.join(&path), &text, overwrite);
+        (path, found, result)
+    };
+    let results: Vec<_> = buildings.par_iter().zip(distinct_names(&ids)).map(write).collect();
+    for (building, (path, found, result)) in buildings.into_iter().zip(results) {
+        faults.merge(found);
+        match result {
+            Ok(()) => {
+                written += 1;
+                rungs[building.report.rung.min(3) as usize] += 1;
+                entries.push(entry(building, path));
             }
+            Err(fault) => faults.merge(fault),
         }
     }
     let project = project_text(&planned, entries, seed);
@@ -103,10 +102,18 @@ fn read(sources: &SourceArguments) -> Result<(Vec<PlannedSite>, Catalog, Faults)
     let choices = sources.choices();
     let options = PlanOptions::new(&catalog.room_words).with_planning(&catalog.typologies, &choices);
     let mut planned = Vec::new();
+    let mut owners: BTreeMap<String, &PathBuf> = BTreeMap::new();
     for path in &sources.paths {
         match read_and_plan(path, &options) {
             Ok(mut site) => {
                 faults.merge(std::mem::take(&mut site.site.faults));
+                site.buildings.retain(|building| {
+                    let first = *owners.entry(building.id.clone()).or_insert(path);
+                    if first != path {
+                        faults.push(id_taken(path, &building.id, first));
+                    }
+                    first == path
+                });
                 planned.push(site);
             }
             Err(found) => faults.merge(found),

@@ -49,7 +49,7 @@ pub use read::{
 };
 #[cfg(test)]
 pub(crate) use read::{PlanFile, ProjectFile};
-pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, read_and_plan};
+pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, id_taken, read_and_plan};
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use room_ref::RoomRef;
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};

@@ -134,7 +134,7 @@ fn use_of(
     typologies: &Typologies,
     choices: &Choices,
 ) -> (String, Option<String>) {
-    if let Some(chosen) = choices.use_name.clone().filter(|name| typologies.uses.contains_key(name)) {
+    if let Some(chosen) = choices.use_name.clone() {
         return (chosen, None);
     }
     let by_word = footprint.uses.iter().find_map(|(_, word)| {

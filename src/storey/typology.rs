@@ -151,9 +151,6 @@ pub struct Typology {
     /// Square metres of a flat with its share of the stairs, or of a section with stairs of its own.
     #[serde(default)]
     pub section: Option<f64>,
-    /// Its ground floor instead, with a weight beside 1 for none: shops below flats.
-    #[serde(default)]
-    pub ground: BTreeMap<String, f64>,
 }
 
 /// How storeys are divided.
@@ -210,13 +207,4 @@ fn one() -> f64 {
 
 fn hall_width() -> f64 {
     1.2
-}
-
-impl Typologies {
-    /// The programme of a list for an area.
-    #[must_use]
-    pub fn programme(&self, name: &str, area: f64) -> Option<&Programme> {
-        let list = self.programmes.get(name)?;
-        list.iter().rev().find(|programme| programme.from <= area).or(list.first())
-    }
 }

@@ -268,6 +268,12 @@ fn kind_of(source: &Source) -> Kind {
     }
 }
 
+/// The fault of a building whose id one of another file has.
+pub(crate) fn id_taken(file: &Path, id: &str, first: &Path) -> Fault {
+    let message = format!("building id \"{id}\" is used by \"{}\" too", first.display());
+    Fault::of_file(file, message).with_hint("give one of them another `id`")
+}
+
 /// Sorted by id; of two with one id the one whose file comes first stays.
 fn unique(mut buildings: Vec<ReadBuilding>, faults: &mut Faults) -> Vec<PlacedBuilding> {
     buildings.sort_by(|a, b| a.placed.id.cmp(&b.placed.id).then_with(|| a.file.cmp(&b.file)));
@@ -276,9 +282,7 @@ fn unique(mut buildings: Vec<ReadBuilding>, faults: &mut Faults) -> Vec<PlacedBu
     for building in buildings {
         let id = &building.placed.id;
         if let Some(first) = kept.get(id) {
-            let message = format!("building id \"{id}\" is used by \"{}\" too", first.display());
-            let hint = "give one of them another `id`";
-            faults.push(Fault::of_file(&building.file, message).with_hint(hint));
+            faults.push(id_taken(&building.file, id, first));
         } else {
             kept.insert(id.clone(), building.file);
             placed.push(building.placed);

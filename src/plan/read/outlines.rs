@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::footprint::{ReadSite, read_site, recognises};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat};
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, did_you_mean};
 use crate::geometry::{Bounds, Point};
 use crate::plan::units::LocalPlane;
 use crate::plan::{PlanOptions, Planning};
@@ -50,6 +50,7 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
         let message = "is a map of outlines, and there are no kinds of buildings to plan them by";
         return Err(Fault::of_file(path, message).into());
     };
+    check_use(planning)?;
     let read = read_site(path)?;
     let chosen = chosen(&read.site, planning);
     if chosen.is_empty() {
@@ -61,6 +62,16 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
         |&index: &usize| plan_building(&read.site, &around, index, planning.typologies, planning.choices);
     let buildings = chosen.par_iter().filter_map(plan).collect();
     Ok(PlannedSite { site: read, buildings })
+}
+
+/// A use that nobody knows would be passed over, and each building planned as the map says.
+fn check_use(Planning { typologies, choices }: Planning<'_>) -> Result<(), Faults> {
+    let Some(unknown) = choices.use_name.as_ref().filter(|name| !typologies.uses.contains_key(*name)) else {
+        return Ok(());
+    };
+    let fault = Fault::of_file(Path::new("--use"), format!("unknown use \"{unknown}\""));
+    let hint = did_you_mean(unknown, typologies.uses.keys());
+    Err(fault.with_hint(hint.unwrap_or_else(|| "see `uses` in typologies.yaml".to_owned())).into())
 }
 
 /// The numbers of the buildings that are asked for.

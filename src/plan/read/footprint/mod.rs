@@ -37,7 +37,7 @@ use std::path::Path;
 pub use notes::SiteNotes;
 pub(crate) use recognise::{FootprintFormat, recognises};
 
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, Source};
 use crate::storey::Site;
 
 /// A file's buildings, what is wrong with the rest, and what was merged or dropped.
@@ -61,6 +61,8 @@ pub(crate) fn read_site(path: &Path) -> Result<ReadSite, Faults> {
         Some(FootprintFormat::CityJson) => cityjson::read(path)?,
         Some(FootprintFormat::OsmXml) => osm::read_xml(path)?,
         Some(FootprintFormat::OsmPbf) => osm::read_pbf(path)?,
+        // What is not there is told as everywhere.
+        None if !path.exists() => return Err(Source::read(path).err().unwrap_or_default()),
         None => return Err(Fault::of_file(path, "is no map of building footprints").into()),
     };
     site::site_of(drawing, notes, path)
