@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Bounds, Point, Segment};
+use super::{Bounds, Point, Segment, edges};
 
 /// Corners closer than this are one corner (real plans carry corners 2 cm apart; this is below any of them).
 pub const CORNER_TOLERANCE: f64 = 1e-4;
@@ -103,16 +103,7 @@ impl Polygon {
     /// Whether the point lies inside; points on the border may answer either way.
     #[must_use]
     pub fn contains(&self, point: Point) -> bool {
-        let mut inside = false;
-        for Segment { start: a, end: b } in self.edges() {
-            if (a.y > point.y) != (b.y > point.y) {
-                let x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
-                if point.x < x {
-                    inside = !inside;
-                }
-            }
-        }
-        inside
+        ring_contains(&self.corners, point)
     }
 
     /// The axis-parallel box around it.
@@ -159,8 +150,28 @@ impl Region {
     }
 }
 
-fn signed_area(corners: &[Point]) -> f64 {
+/// Whether a point lies inside a simple ring of corners; points on the border may answer either way.
+#[must_use]
+pub fn ring_contains(corners: &[Point], point: Point) -> bool {
+    let mut inside = false;
+    for Segment { start: a, end: b } in edges(corners) {
+        if (a.y > point.y) != (b.y > point.y) {
+            let x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
+            if point.x < x {
+                inside = !inside;
+            }
+        }
+    }
+    inside
+}
+
+/// Square metres of a simple ring of corners: below zero if it is clockwise, zero without corners.
+#[must_use]
+pub fn signed_area(corners: &[Point]) -> f64 {
     let count = corners.len();
+    if count == 0 {
+        return 0.0;
+    }
     // Relative to the first corner: far from the origin the plain sum loses digits.
     let base = corners[0];
     (0..count).map(|i| (corners[i] - base).perp_dot(corners[(i + 1) % count] - base)).sum::<f64>() / 2.0

@@ -20,6 +20,7 @@ use super::house::{house, outer_ports};
 use super::links::{Link, Links, link, room_at};
 use super::open::{one_room, open_plan};
 use super::plate::Outline;
+use super::ring::longest;
 use super::spine::Ground;
 use super::typology::{PlanKind, Typologies};
 use super::windows::{Window, windows};
@@ -190,9 +191,8 @@ fn ways_in(grounds: &[Ground], cells: &[Cell], typologies: &Typologies) -> Vec<P
 
 /// A door of stairs to the open air: in the middle of their longest free wall.
 fn stair_port(ground: &Ground, cell: &Cell) -> Option<Port> {
-    let longest =
-        ground.light(&cell.ring).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
-    Some(Port { at: longest.middle(), way: longest.normal() })
+    let wall = longest(ground.light(&cell.ring))?;
+    Some(Port { at: wall.middle(), way: wall.normal() })
 }
 
 /// Storeys that always come out: open ones with stairs, or one room on each.

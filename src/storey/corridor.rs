@@ -8,7 +8,7 @@ use super::dwelling::{Cell, Port};
 use super::fill::DOOR_STRETCH;
 use super::flats::flat_at;
 use super::house::outer_port;
-use super::ring::{Axis, Ring, area, bounds, join, shared, split, turned_back};
+use super::ring::{Axis, Ring, area, bounds, join, longest, shared, split, turned_back};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle};
 use super::typology::{PlanKind, Typologies};
 use super::wings::{Wing, compact, tree};
@@ -104,7 +104,7 @@ fn wing_cells(task: &mut Task<'_>, wing: &Wing, is_root: bool) -> Option<Vec<Cel
         wing.ports.iter().map(|port| Port { at: turn(port.at), way: turn(port.way) }).collect();
     let depth = area(&ground.ring) / bounds(&ground.ring).size().x;
     let cells = if depth < ONE_ROW && !is_root && ports.len() == 1 {
-        vec![Cell { ring: ground.ring.clone(), room_type: task.main.to_owned(), unit: None }]
+        vec![Cell::shared(ground.ring.clone(), task.main)]
     } else {
         along_corridor(task, &ground, &ports, middle, is_root)?
     };
@@ -145,12 +145,11 @@ fn along_corridor(
     let Spine { mut strip, rows, fixed: rooms, mut left_over } =
         Spine::new(ground, low, low + width, &fixed)?;
     let mut cells: Vec<Cell> = Vec::new();
-    let plain = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
     for (number, ring) in rooms {
         if number == 1 {
             cells.extend(lift(ring, &strip)?);
         } else {
-            cells.push(plain(ring, "stairs"));
+            cells.push(Cell::shared(ring, "stairs"));
         }
     }
     let mut order: Vec<&Row> = rows.iter().collect();
@@ -173,7 +172,7 @@ fn along_corridor(
         return None;
     }
     let mut rings = rings.into_iter();
-    let hall = plain(rings.next()?, task.hall);
+    let hall = Cell::shared(rings.next()?, task.hall);
     let cells = cells.into_iter().zip(rings).map(|(cell, ring)| Cell { ring, ..cell });
     Some(std::iter::once(hall).chain(cells).collect())
 }
@@ -263,14 +262,13 @@ fn add_lift(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool) {
 fn lift(ring: Ring, strip: &[Point]) -> Option<Vec<Cell>> {
     let border = shared(&ring, strip).into_iter().next()?;
     let is_above = border.middle().y < bounds(&ring).center().y;
-    let plain = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
     if bounds(&ring).size().y < LIFT.1 + 0.8 {
-        return Some(vec![plain(ring, "elevator")]);
+        return Some(vec![Cell::shared(ring, "elevator")]);
     }
     let at = border.middle().y + if is_above { LIFT.1 } else { -LIFT.1 };
     let (mut below, mut above) = split(&ring, Axis::Y, at);
     let (lift, shaft) = if is_above { (below.pop()?, above.pop()?) } else { (above.pop()?, below.pop()?) };
-    Some(vec![plain(lift, "elevator"), plain(shaft, "shaft")])
+    Some(vec![Cell::shared(lift, "elevator"), Cell::shared(shaft, "shaft")])
 }
 
 /// The rooms of a row.
@@ -352,8 +350,7 @@ fn room_cells(
 ) -> Option<Vec<Cell>> {
     let Cell { ring, room_type, .. } = cell;
     if task.brief.typology.plan == PlanKind::CorridorFlats && room_type == task.main {
-        let border =
-            shared(&ring, strip).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+        let border = longest(shared(&ring, strip))?;
         let flat = ground.part(ring);
         let (_, cells) = flat_at(&flat, border, task.brief, task.typologies, task.stream)?;
         task.unit += 1;
@@ -361,16 +358,14 @@ fn room_cells(
     }
     let is_hotel = room_type == "hotel_room";
     if let Some((room, bath)) = with_bath(&ring, strip, index.is_multiple_of(2)).filter(|_| is_hotel) {
-        let cell = |ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
-        return Some(vec![cell(room, "hotel_room"), cell(bath, "hotel_bathroom")]);
+        return Some(vec![Cell::shared(room, "hotel_room"), Cell::shared(bath, "hotel_bathroom")]);
     }
     Some(vec![Cell { ring, room_type, unit: None }])
 }
 
 /// A bath at the corridor, on one side of the way into the room.
 fn with_bath(ring: &Ring, strip: &[Point], is_left: bool) -> Option<(Ring, Ring)> {
-    let border =
-        shared(ring, strip).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+    let border = longest(shared(ring, strip))?;
     let (low, high) = (border.start.x.min(border.end.x), border.start.x.max(border.end.x));
     if high - low < BATH.1 + DOOR_STRETCH {
         return None;

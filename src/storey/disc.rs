@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use crate::geometry::{Point, Polygon, edges};
+use crate::geometry::{Point, Polygon, edges, ring_contains};
 
 use super::ring::bounds;
 
@@ -46,16 +46,11 @@ impl Ord for Square {
 
 /// Metres from a point to the border of rings, below zero outside; the first ring is the outline, the others are holes.
 fn distance(rings: &[&[Point]], point: Point) -> f64 {
-    let mut least = f64::INFINITY;
-    let mut inside = false;
-    for edge in rings.iter().flat_map(|ring| edges(ring)) {
-        least = least.min(edge.distance_squared(point));
-        let (a, b) = (edge.start, edge.end);
-        if (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-            inside = !inside;
-        }
-    }
-    if inside { least.sqrt() } else { -least.sqrt() }
+    let gaps = rings.iter().flat_map(|ring| edges(ring)).map(|edge| edge.distance_squared(point));
+    let least = gaps.fold(f64::INFINITY, f64::min).sqrt();
+    // Inside the outline and outside of all holes: within an odd number of rings.
+    let around = rings.iter().filter(|ring| ring_contains(ring, point)).count();
+    if around % 2 == 1 { least } else { -least }
 }
 
 /// The diameter in metres of the largest disc inside, and its middle; the search ends early once `enough` is reached.

@@ -5,8 +5,8 @@ use crate::layout::seed::Stream;
 
 use super::disc::{is_as_wide_as, is_simple};
 use super::fill::{DOOR_STRETCH, Filling, LIGHT_EACH, WINDOW_STRETCH, Wish, fill, needed};
-use super::ring::{Axis, Ring, area, bounds, join, shared_length, split};
-use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle, trim, turned_ring_back};
+use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_length};
+use super::spine::{Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back};
 use super::typology::{Light, Programme, RoomNeeds, Typologies};
 
 /// Ways to fill the rows that are tried for each place of the strip.
@@ -37,6 +37,13 @@ pub(super) struct Cell {
     pub(super) room_type: String,
     /// Number of its flat or other unit on the level.
     pub(super) unit: Option<usize>,
+}
+
+impl Cell {
+    /// A room that belongs to no unit so far.
+    pub(super) fn shared(ring: Ring, room_type: &str) -> Self {
+        Self { ring, room_type: room_type.to_owned(), unit: None }
+    }
 }
 
 /// Where people come in.
@@ -155,7 +162,7 @@ fn draw_best(
 
 /// Whether the ground has windows enough for the programme at all.
 fn has_light_for(task: Task<'_>, wishes: &[Wish<'_>]) -> bool {
-    let light: f64 = task.ground.light(&task.ground.ring).iter().map(|piece| piece.length()).sum();
+    let light: f64 = total_length(&task.ground.light(&task.ground.ring));
     let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required).count();
     light >= LIGHT_EACH * needing as f64
 }
@@ -299,9 +306,11 @@ fn spine_of(ground: &Ground, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> 
         ground,
         (scheme.low, scheme.high),
         &fixed,
-        flight.map(|(from, to, is_above)| {
-            let edge = if is_above { scheme.high - FLIGHT.1 } else { scheme.low + FLIGHT.1 };
-            (from, to, edge, is_above)
+        flight.map(|(from, to, is_above)| StripRoom {
+            from,
+            to,
+            edge: if is_above { scheme.high - FLIGHT.1 } else { scheme.low + FLIGHT.1 },
+            is_above,
         }),
     )
 }
@@ -351,18 +360,10 @@ fn draw(
     }
     let hall = rings.pop()?;
     let back = |ring: &Ring| if scheme.is_turned { turned_ring_back(ring) } else { ring.clone() };
-    let mut planned = vec![Cell { ring: back(&hall), room_type: task.hall.to_owned(), unit: None }];
+    let mut planned = vec![Cell::shared(back(&hall), task.hall)];
     let named = rings.iter().zip(&cells).take(rooms);
-    planned.extend(named.map(|(ring, (_, room_type))| Cell {
-        ring: back(ring),
-        room_type: room_type.clone(),
-        unit: None,
-    }));
-    planned.extend(stairs.iter().map(|ring| Cell {
-        ring: back(ring),
-        room_type: "stairs".to_owned(),
-        unit: None,
-    }));
+    planned.extend(named.map(|(ring, (_, room_type))| Cell::shared(back(ring), room_type)));
+    planned.extend(stairs.iter().map(|ring| Cell::shared(back(ring), "stairs")));
     if !cells_are_sound(task, &planned) {
         return None;
     }
@@ -454,13 +455,12 @@ pub(super) fn studio(ground: &Ground, port: Port, room_type: &str, bath: &str) -
         if !open.is_empty() || !keeps_port || shared_length(&room[0], &bath) < DOOR_STRETCH {
             continue;
         }
-        let light: f64 = ground.light(&bath).iter().map(|piece| piece.length()).sum();
+        let light: f64 = total_length(&ground.light(&bath));
         if best.as_ref().is_none_or(|(known, ..)| light < *known) {
             best = Some((light, room.swap_remove(0), bath));
         }
     }
     let (_, room, bathroom) = best?;
     let back = |ring: Ring| if is_turned { turned_ring_back(&ring) } else { ring };
-    let cell = |ring, room_type: &str| Cell { ring: back(ring), room_type: room_type.to_owned(), unit: None };
-    Some(vec![cell(room, room_type), cell(bathroom, bath)])
+    Some(vec![Cell::shared(back(room), room_type), Cell::shared(back(bathroom), bath)])
 }

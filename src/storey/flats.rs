@@ -5,9 +5,11 @@ use crate::layout::seed::Stream;
 
 use super::brief::Brief;
 use super::dwelling::{Cell, Port, Task, plan, studio};
-use super::ring::{Axis, Ring, along, area, bounds, join, shared, split};
+use super::ring::{
+    Axis, Ring, along, area, bounds, inner_corners, join, longest, shared, split, total_length,
+};
 use super::spine::{Ground, cut_along, extent, turned_ring_back};
-use super::typology::Typologies;
+use super::typology::{PlanKind, Typologies};
 
 /// Metres of the strip with the stairs.
 const STAIRS_WIDTH: f64 = 2.7;
@@ -74,9 +76,8 @@ pub(super) fn sections(ground: &Ground, ring: Ring, count: usize) -> Vec<Ring> {
         let share = (area(&first) / total * count as f64).round().clamp(1.0, count as f64 - 1.0);
         let imbalance = libm::log(area(&first) / total * count as f64 / share).abs()
             + libm::log(area(&second) / total * count as f64 / (count as f64 - share)).abs();
-        let chord: f64 = shared(&first, &second).iter().map(|piece| piece.length()).sum();
-        let light =
-            |ring: &Ring| ground.light(ring).iter().map(|piece| piece.length()).sum::<f64>() / area(ring);
+        let chord: f64 = total_length(&shared(&first, &second));
+        let light = |ring: &Ring| total_length(&ground.light(ring)) / area(ring);
         let darkness = (0.12 - light(&first).min(light(&second))).max(0.0) * 40.0;
         let slender = |ring: &Ring| {
             let size = bounds(ring).size();
@@ -108,20 +109,6 @@ fn cuts(ring: &Ring, count: usize) -> Vec<(Axis, f64)> {
         found.extend(places.into_iter().map(|place| (axis, (place * 1000.0).round() / 1000.0)));
     }
     found
-}
-
-/// Corners at which a ring turns inwards.
-pub(super) fn inner_corners(
-    ring: &[crate::geometry::Point],
-) -> impl Iterator<Item = crate::geometry::Point> + '_ {
-    let count = ring.len();
-    (0..count)
-        .filter(move |&index| {
-            let (before, here, after) =
-                (ring[(index + count - 1) % count], ring[index], ring[(index + 1) % count]);
-            Segment::new(before, here).direction().perp_dot(Segment::new(here, after).direction()) < -0.1
-        })
-        .map(move |index| ring[index])
 }
 
 /// The stairs of a section and its flats.
@@ -233,7 +220,7 @@ fn core(ground: &Ground, from: f64, is_top: bool, storeys: u32) -> Option<Core> 
         true => cut(block, STAIRS_DEPTH).map(|(stairs, lift)| (stairs, Some(lift)))?,
         false => (block, None),
     };
-    let light: f64 = ground.light(&stairs).iter().map(|piece| piece.length()).fold(0.0, f64::max);
+    let light: f64 = longest(ground.light(&stairs)).map_or(0.0, Segment::length);
     if light < STAIRS_LIGHT {
         return None;
     }
@@ -263,14 +250,11 @@ fn flats_at(
     typologies: &Typologies,
     stream: &mut Stream,
 ) -> Option<(f64, Vec<Cell>)> {
-    let plain = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
-    let mut cells = vec![plain(core.stairs.clone(), "stairs")];
-    cells.extend(core.lift.map(|ring| plain(ring, "elevator")));
+    let mut cells = vec![Cell::shared(core.stairs.clone(), "stairs")];
+    cells.extend(core.lift.map(|ring| Cell::shared(ring, "elevator")));
     let mut cost = 0.0;
     for (number, ring) in core.flats.into_iter().enumerate() {
-        let border = shared(&ring, &core.stairs)
-            .into_iter()
-            .reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+        let border = longest(shared(&ring, &core.stairs))?;
         if border.length() < 1.2 {
             return None;
         }
@@ -302,10 +286,10 @@ pub(super) fn flat_at(
         let mut best: Option<(f64, Vec<Cell>)> = None;
         for at in shares {
             let port = Port { at, way: border.normal() };
-            let hall = if brief.typology.hall.as_deref() == Some("walkway") {
-                "corridor"
-            } else {
-                brief.typology.hall.as_deref()?
+            // Along a corridor, that is the hall of the building, not of the flat.
+            let hall = match brief.typology.plan {
+                PlanKind::CorridorFlats => "corridor",
+                _ => brief.typology.hall.as_deref()?,
             };
             let task = Task {
                 ground: flat,

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use crate::geometry::{Point, Segment};
+use crate::geometry::{Point, Segment, ring_contains};
 use crate::layout::seed::Stream;
 use crate::plan::OpeningKind;
 
 use super::dwelling::{Cell, Port};
-use super::ring::{bounds, shared};
+use super::ring::{bounds, longest, shared};
 use super::typology::{RoomNeeds, Typologies};
 
 /// Metres of border that the narrowest door needs.
@@ -59,9 +59,8 @@ impl Borders {
                 if !boxes[first].touches(boxes[second]) {
                     continue;
                 }
-                let pieces = shared(&cells[first].ring, &cells[second].ring);
-                let longest = pieces.into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a });
-                if let Some(border) = longest.filter(|border| border.length() >= LEAST_BORDER) {
+                let border = longest(shared(&cells[first].ring, &cells[second].ring));
+                if let Some(border) = border.filter(|border| border.length() >= LEAST_BORDER) {
                     borders[first].push((second, border));
                     borders[second].push((first, border.reversed()));
                 }
@@ -131,10 +130,7 @@ pub(super) fn link(
 /// The room behind a way in.
 pub(super) fn room_at(cells: &[Cell], port: Port) -> Option<usize> {
     let inside = port.at + port.way * 0.4;
-    cells.iter().position(|cell| {
-        bounds(&cell.ring).contains(inside)
-            && crate::geometry::Polygon::new(&cell.ring).is_ok_and(|polygon| polygon.contains(inside))
-    })
+    cells.iter().position(|cell| ring_contains(&cell.ring, inside))
 }
 
 fn outer_door(room: usize, port: Port, cell: &Cell) -> Link {

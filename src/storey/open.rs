@@ -16,11 +16,10 @@ const MOST_SHARE: f64 = 0.4;
 /// One level, alike on all storeys; `None` where there is no place for the small rooms.
 pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typologies) -> Option<Vec<Cell>> {
     let main = brief.typology.main.as_deref()?;
-    let cell = |ring: Ring, room_type: &str| Cell { ring, room_type: room_type.to_owned(), unit: None };
     let mut cells = Vec::new();
     for (index, ground) in grounds.iter().enumerate() {
         if index > 0 {
-            cells.push(cell(ground.ring.clone(), main));
+            cells.push(Cell::shared(ground.ring.clone(), main));
             continue;
         }
         let mut services: Vec<(&str, f64)> =
@@ -29,12 +28,14 @@ pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typo
             services.insert(0, ("stairs", STAIRS));
         }
         if services.is_empty() {
-            cells.push(cell(ground.ring.clone(), main));
+            cells.push(Cell::shared(ground.ring.clone(), main));
             continue;
         }
         let (room, small) = with_services(ground, &mut services, brief.storeys > 1, typologies)?;
-        cells.push(cell(room, main));
-        cells.extend(small.into_iter().zip(&services).map(|(ring, (room_type, _))| cell(ring, room_type)));
+        cells.push(Cell::shared(room, main));
+        cells.extend(
+            small.into_iter().zip(&services).map(|(ring, (room_type, _))| Cell::shared(ring, room_type)),
+        );
     }
     Some(cells)
 }
@@ -164,5 +165,5 @@ pub(super) fn one_room(grounds: &[Ground], room_type: &str) -> Vec<Cell> {
             None => index += 1,
         }
     }
-    rings.into_iter().map(|ring| Cell { ring, room_type: room_type.to_owned(), unit: None }).collect()
+    rings.into_iter().map(|ring| Cell::shared(ring, room_type)).collect()
 }

@@ -3,7 +3,7 @@
 use geo::Buffer;
 use geo::algorithm::buffer::{BufferStyle, LineJoin};
 
-use crate::geometry::{Point, Polygon, Segment, edges};
+use crate::geometry::{Point, Polygon, Segment, edges, ring_contains};
 
 use super::disc::is_simple;
 use super::facade::{Around, Facade, look_out};
@@ -78,7 +78,7 @@ impl Outline {
         let holes: Vec<Ring> = self.courts.iter().flat_map(|court| moved(court, wall)).collect();
         let mut pieces: Vec<Ring> = Vec::new();
         for ring in moved(&self.outer, -wall) {
-            let inside = |hole: &&Ring| hole.iter().any(|corner| contains(&ring, *corner));
+            let inside = |hole: &&Ring| hole.iter().any(|corner| ring_contains(&ring, *corner));
             let own: Vec<Ring> = holes.iter().filter(inside).cloned().collect();
             pieces.extend(opened(ring, own, 0));
         }
@@ -87,16 +87,6 @@ impl Outline {
         let ground = |ring| Ground { ring, facade: self.facade.clone(), wall };
         pieces.into_iter().map(ground).collect()
     }
-}
-
-fn contains(ring: &[Point], point: Point) -> bool {
-    let mut inside = false;
-    for Segment { start: a, end: b } in edges(ring) {
-        if (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x) {
-            inside = !inside;
-        }
-    }
-    inside
 }
 
 /// A ring whose edges move outwards by some metres, inwards if below zero; several where it falls apart, none if nothing is left.
@@ -168,7 +158,7 @@ fn without_halves(mut piece: Ring, halves: &[(Vec<Ring>, Vec<Ring>)], is_above: 
             let reversed: Ring = half.iter().rev().copied().collect();
             match join(&piece, &reversed).filter(|_| is_cut) {
                 Some(rest) => piece = rest,
-                None if !is_cut && contains(&piece, super::disc::inner_point(half)) => {
+                None if !is_cut && ring_contains(&piece, super::disc::inner_point(half)) => {
                     whole.push(half.clone())
                 }
                 None => {}

@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+pub(super) use crate::geometry::signed_area as area;
 use crate::geometry::{Bounds, Point, Segment, edges};
 
 /// Steps of the grid in a metre.
@@ -30,12 +31,6 @@ pub(super) enum Axis {
 pub(super) fn on_grid(point: Point) -> Point {
     // Adding zero makes negative zero zero.
     Point::new((point.x * GRID).round() / GRID + 0.0, (point.y * GRID).round() / GRID + 0.0)
-}
-
-/// Square metres; below zero for a clockwise ring.
-pub(super) fn area(ring: &[Point]) -> f64 {
-    let base = ring.first().copied().unwrap_or_default();
-    edges(ring).map(|edge| (edge.start - base).perp_dot(edge.end - base)).sum::<f64>() / 2.0
 }
 
 /// The box around a ring.
@@ -296,9 +291,31 @@ pub(super) fn shared(first: &[Point], second: &[Point]) -> Vec<Segment> {
     found
 }
 
+/// The longest of some pieces, the first of equals.
+pub(super) fn longest(pieces: Vec<Segment>) -> Option<Segment> {
+    pieces.into_iter().reduce(|best, next| if next.length() > best.length() { next } else { best })
+}
+
+/// Metres of all pieces together.
+pub(super) fn total_length(pieces: &[Segment]) -> f64 {
+    pieces.iter().map(|piece| piece.length()).sum()
+}
+
 /// Metres of the longest stretch that two rings share.
 pub(super) fn shared_length(first: &[Point], second: &[Point]) -> f64 {
-    shared(first, second).iter().map(|piece| piece.length()).fold(0.0, f64::max)
+    longest(shared(first, second)).map_or(0.0, Segment::length)
+}
+
+/// Corners at which a ring turns inwards.
+pub(super) fn inner_corners(ring: &[Point]) -> impl Iterator<Item = Point> + '_ {
+    let count = ring.len();
+    (0..count)
+        .filter(move |&index| {
+            let (before, here, after) =
+                (ring[(index + count - 1) % count], ring[index], ring[(index + 1) % count]);
+            Segment::new(before, here).direction().perp_dot(Segment::new(here, after).direction()) < -0.1
+        })
+        .map(move |index| ring[index])
 }
 
 /// The ring turned clockwise by a quarter, so that what ran north runs east.

@@ -207,6 +207,19 @@ fn depth_at(ring: &[Point], s: f64) -> f64 {
     crossings.chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
 }
 
+/// A room inside a strip, at one side of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StripRoom {
+    /// From where to where along the strip.
+    pub(super) from: f64,
+    /// See `from`.
+    pub(super) to: f64,
+    /// The height at which it ends towards the hall.
+    pub(super) edge: f64,
+    /// Whether it lies above that height.
+    pub(super) is_above: bool,
+}
+
 /// A ground with its strip and rows.
 #[derive(Clone, Debug)]
 pub(super) struct Spine {
@@ -227,13 +240,12 @@ impl Spine {
         Self::with_room_in_strip(ground, (low, high), fixed, None)
     }
 
-    /// As [`Self::new`]; a room, number 0, is cut out of the strip: from where to where along it, and which part above or below
-    /// a height.
+    /// As [`Self::new`]; a room, number 0, is cut out of the strip.
     pub(super) fn with_room_in_strip(
         ground: &Ground,
         (low, high): (f64, f64),
         fixed: &[Fixed],
-        inside: Option<(f64, f64, f64, bool)>,
+        inside: Option<StripRoom>,
     ) -> Option<Self> {
         let (below, rest) = split(&ground.ring, Axis::Y, low);
         let mut pieces: [Vec<Ring>; 2] = [below, Vec::new()];
@@ -276,7 +288,8 @@ impl Spine {
 }
 
 /// A strip without a room in it, and the room.
-fn cut_out(strip: &[Point], (from, to, edge, is_above): (f64, f64, f64, bool)) -> Option<(Ring, Ring)> {
+fn cut_out(strip: &[Point], room: StripRoom) -> Option<(Ring, Ring)> {
+    let StripRoom { from, to, edge, is_above } = room;
     let (slices, crumbs) = cut_along(&[strip.to_vec()], &[from, to]);
     let [before, middle, after] = slices.try_into().ok()?;
     let (mut below, mut above) = split(&middle, Axis::Y, edge);

@@ -4,6 +4,7 @@ use crate::geometry::{Point, Segment};
 
 use super::dwelling::Cell;
 use super::links::Link;
+use super::ring::{longest, total_length};
 use super::spine::Ground;
 use super::typology::{Light, Typologies};
 
@@ -69,8 +70,8 @@ pub(super) fn windows(
         let is_main = needs.light == Light::Required || is_hall;
         if !is_main {
             // One small window is enough.
-            let longest = pieces.into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a });
-            found.extend(longest.map(|piece| {
+            let wall = longest(pieces);
+            found.extend(wall.map(|piece| {
                 let width = if cell.room_type == "stairs" { 1.0 } else { 0.7 };
                 let width = f64::min(width, piece.length() - 0.3);
                 Window {
@@ -85,7 +86,7 @@ pub(super) fn windows(
             continue;
         }
         let floor = super::ring::area(&cell.ring);
-        let wall: f64 = pieces.iter().map(|piece| piece.length()).sum();
+        let wall = total_length(&pieces);
         let wanted = (floor / FLOOR_OF_GLASS / (USUAL.1 - USUAL.0)).max(0.9);
         let bottom = if wanted > 0.55 * wall { LOW_SILL } else { USUAL.0 };
         // More light than needed where there is wall for it, as people build.

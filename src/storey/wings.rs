@@ -3,8 +3,7 @@
 use crate::geometry::{Point, Segment};
 
 use super::dwelling::Port;
-use super::flats::inner_corners;
-use super::ring::{Axis, Ring, along, area, bounds, shared, split};
+use super::ring::{Axis, Ring, along, area, bounds, inner_corners, longest, shared, split, total_length};
 
 /// Wings below this many square metres are not cut off.
 const LEAST_WING: f64 = 45.0;
@@ -48,7 +47,7 @@ pub(super) fn compact(ring: Ring, found: &mut Vec<Ring>) {
             if !is_wing(&first) || !is_wing(&second) {
                 continue;
             }
-            let chord: f64 = shared(&first, &second).iter().map(|piece| piece.length()).sum();
+            let chord: f64 = total_length(&shared(&first, &second));
             if best.as_ref().is_none_or(|(known, ..)| chord < *known - 1e-9) {
                 best = Some((chord, first, second));
             }
@@ -103,8 +102,7 @@ pub(super) fn across(axis: Axis) -> Axis {
 }
 
 fn meeting(parent: &Ring, child: &Ring) -> Option<Segment> {
-    let longest =
-        shared(parent, child).into_iter().reduce(|a, b| if b.length() > a.length() { b } else { a })?;
+    let longest = longest(shared(parent, child))?;
     (longest.length() >= MEETING).then_some(longest)
 }
 
