@@ -22,6 +22,7 @@ use super::open::{one_room, open_plan};
 use super::plate::Outline;
 use super::ring::longest;
 use super::spine::Ground;
+use super::thin::{Rules, trade_thin_parts};
 use super::typology::{PlanKind, Typologies};
 use super::windows::{Window, windows};
 
@@ -69,6 +70,7 @@ pub struct PlanReport {
 }
 
 /// A level that is sound.
+#[derive(Clone)]
 struct Storey {
     cells: Vec<Cell>,
     links: Links,
@@ -131,25 +133,34 @@ fn storeys(
     mut stream: Stream,
 ) -> Result<Vec<Storey>, String> {
     let main = brief.typology.main.as_deref().unwrap_or("generic");
-    let alike = |cells: Vec<Cell>| vec![cells; brief.storeys as usize];
+    let is_house = brief.typology.plan == PlanKind::House;
+    // The kinds of levels: the ground floor, and what stands on it.
     let levels = match brief.typology.plan {
-        PlanKind::OneRoom => Some(alike(one_room(grounds, main))),
+        PlanKind::OneRoom => Some(vec![one_room(grounds, main)]),
         PlanKind::House if grounds.len() > 1 => None,
         PlanKind::House => house(&grounds[0], brief, typologies, &mut stream),
-        PlanKind::Flats => flats(grounds, brief, typologies, known_flats, &mut stream).map(alike),
+        PlanKind::Flats => flats(grounds, brief, typologies, known_flats, &mut stream).map(|cells| vec![cells]),
         PlanKind::Corridor | PlanKind::CorridorFlats => {
-            corridors(grounds, brief, typologies, &mut stream).map(alike)
+            corridors(grounds, brief, typologies, &mut stream).map(|cells| vec![cells])
         }
-        PlanKind::Open => open_plan(grounds, brief, typologies).map(alike),
+        PlanKind::Open => open_plan(grounds, brief, typologies).map(|cells| vec![cells]),
     };
-    let levels = levels.ok_or("no arrangement keeps to what rooms need")?;
-    let mut found: Vec<Storey> = Vec::new();
-    for (level, cells) in levels.into_iter().enumerate() {
-        let storey = storey(grounds, cells, typologies, level == 0, &mut stream);
-        if let Some(fault) = first_fault(grounds, &storey.cells, typologies, &storey.links, &storey.windows) {
-            return Err(fault);
+    let mut levels = levels.ok_or("no arrangement keeps to what rooms need")?;
+    for cells in &mut levels {
+        // Stairs of a house stand beside other rooms on each level.
+        trade_thin_parts(cells, Rules { typologies, fixed: is_house.then_some("stairs") });
+    }
+    let sound = |cells: &Vec<Cell>, is_ground: bool, stream: &mut Stream| {
+        let storey = storey(grounds, cells.clone(), typologies, is_ground, stream);
+        match first_fault(grounds, &storey.cells, typologies, &storey.links, &storey.windows) {
+            Some(fault) => Err(fault),
+            None => Ok(storey),
         }
-        found.push(storey);
+    };
+    let mut found = vec![sound(&levels[0], true, &mut stream)?];
+    if brief.storeys > 1 {
+        let upper = sound(&levels[levels.len() - 1], false, &mut stream)?;
+        found.extend(vec![upper; brief.storeys as usize - 1]);
     }
     Ok(found)
 }

@@ -7,6 +7,7 @@ use super::disc::{is_as_wide_as, is_simple};
 use super::fill::{DOOR_STRETCH, Filling, LIGHT_EACH, WINDOW_STRETCH, Wish, fill, needed};
 use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_length};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back};
+use super::thin::{Rules, has_thin_parts, trade_thin_parts};
 use super::typology::{Light, Programme, RoomNeeds, Typologies};
 
 /// Ways to fill the rows that are tried for each place of the strip.
@@ -364,6 +365,9 @@ fn draw(
     let named = rings.iter().zip(&cells).take(rooms);
     planned.extend(named.map(|(ring, (_, room_type))| Cell::shared(back(ring), room_type)));
     planned.extend(stairs.iter().map(|ring| Cell::shared(back(ring), "stairs")));
+    // Stairs of a house stand beside other rooms on each level.
+    let rules = Rules { typologies: task.typologies, fixed: task.has_stairs.then_some("stairs") };
+    trade_thin_parts(&mut planned, rules);
     if !cells_are_sound(task, &planned) {
         return None;
     }
@@ -387,6 +391,7 @@ fn cells_are_sound(task: Task<'_>, cells: &[Cell]) -> bool {
         let Some(needs) = task.typologies.rooms.get(&cell.room_type) else { return true };
         let is_light = || task.ground.light(&cell.ring).iter().any(|piece| piece.length() >= WINDOW_STRETCH);
         is_simple(&cell.ring)
+            && !has_thin_parts(&cell.ring)
             && is_as_wide_as(&cell.ring, needs.width)
             && (needs.light != Light::Required || is_light())
     })

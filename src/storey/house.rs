@@ -11,7 +11,7 @@ use super::typology::Typologies;
 /// Plans of the ground floor that are tried until the floors above fit on one.
 const GROUND_PLANS: usize = 6;
 
-/// The levels of a house, from the ground up: the cells of each. `None` if no way is sound.
+/// The ground floor of a house and the level that all others are like. `None` if no way is sound.
 pub(super) fn house(
     ground: &Ground,
     brief: &Brief<'_>,
@@ -55,9 +55,7 @@ pub(super) fn house(
                     },
                 );
             if let Some(Planned { cells, .. }) = upper {
-                let mut levels = vec![one_unit(planned.cells)];
-                levels.extend((1..brief.storeys).map(|_| one_unit(cells.clone())));
-                return Some(levels);
+                return Some(vec![one_unit(planned.cells), one_unit(cells)]);
             }
         }
     }

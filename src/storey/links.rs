@@ -11,7 +11,7 @@ use super::ring::{bounds, longest, shared};
 use super::typology::{RoomNeeds, Typologies};
 
 /// Metres of border that the narrowest door needs.
-const LEAST_BORDER: f64 = 0.92;
+pub(super) const LEAST_BORDER: f64 = 0.92;
 /// Metres of wall beside a door.
 const BESIDE: f64 = 0.1;
 /// Metres between two doors in one wall.

@@ -30,6 +30,7 @@ mod ring;
 mod spine;
 #[cfg(test)]
 mod tests;
+mod thin;
 mod typology;
 mod windows;
 mod wings;

@@ -11,6 +11,7 @@ use super::footprint::Footprint;
 use super::frame::Frame;
 use super::ring::{Axis, Ring, area, bounds, join, on_grid, split, tidy, without_straight_corners};
 use super::spine::Ground;
+use super::thin::without_thin_parts;
 
 /// Corners that stand out farther than this many times the depth of the wall are cut off.
 const MITRE_LIMIT: f64 = 4.0;
@@ -80,7 +81,7 @@ impl Outline {
         for ring in moved(&self.outer, -wall) {
             let inside = |hole: &&Ring| hole.iter().any(|corner| ring_contains(&ring, *corner));
             let own: Vec<Ring> = holes.iter().filter(inside).cloned().collect();
-            pieces.extend(opened(ring, own, 0));
+            pieces.extend(opened(ring, own, 0).into_iter().flat_map(without_thin_parts));
         }
         pieces.retain(|ring| area(ring) >= LEAST_PIECE && is_simple(ring));
         pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));

@@ -1,0 +1,335 @@
+//! Parts of rooms that are too thin to stand in: cuts that run close beside a corner of the outline leave them.
+
+use std::collections::BTreeMap;
+
+use crate::geometry::{Point, Segment, edges, ring_contains};
+
+use super::disc::is_simple;
+use super::dwelling::Cell;
+use super::links::LEAST_BORDER;
+use super::ring::{Axis, Ring, area, bounds, join, shared, shared_length, split, total_length};
+use super::typology::Typologies;
+
+/// Metres below which a part of a room is thin, with a little for rounding.
+const THIN: f64 = 0.32;
+/// Square metres that a thin part may have: corners are never quite filled.
+const LEAST_AREA: f64 = 0.03;
+/// Square metres of thin parts that a room may have.
+const MOST_AREA: f64 = 0.045;
+/// Two edges enclose a thin part where their directions differ by less than this from opposite ones (cosine of 40 degrees).
+const OPPOSITE: f64 = -0.76;
+/// Metres of border beyond which a room takes a thin part of its neighbour.
+const TAKING_BORDER: f64 = 0.15;
+/// Of what a room keeps, the share that it may give away with a thin part, because that alone joined it.
+const MOST_GIVEN: f64 = 0.4;
+/// Thin parts of one ring that are looked at, at most.
+const MOST_PARTS: usize = 12;
+
+/// A thin part between two edges of a ring.
+#[derive(Clone, Copy, Debug)]
+struct ThinPart {
+    /// From where to where it reaches along the axis.
+    from: f64,
+    /// See `from`.
+    to: f64,
+    axis: Axis,
+    /// A point in the middle of it.
+    middle: Point,
+    /// Square metres.
+    area: f64,
+}
+
+/// The thin parts of a ring, the largest first.
+fn thin_parts(ring: &[Point]) -> Vec<ThinPart> {
+    let all: Vec<Segment> = edges(ring).collect();
+    let mut found: Vec<ThinPart> = Vec::new();
+    for (index, &edge) in all.iter().enumerate() {
+        for &other in &all[index + 1..] {
+            found.extend(between(edge, other).filter(|part| ring_contains(ring, part.middle)));
+        }
+    }
+    found.sort_by(|a, b| b.area.total_cmp(&a.area));
+    found.truncate(MOST_PARTS);
+    found
+}
+
+/// The thin part to the left of an edge and of another that runs the other way.
+fn between(edge: Segment, other: Segment) -> Option<ThinPart> {
+    let direction = edge.direction();
+    if direction.dot(other.direction()) > OPPOSITE {
+        return None;
+    }
+    let place = |point: Point| ((point - edge.start).dot(direction), edge.normal().dot(point - edge.start));
+    // The other edge runs back: from its end to its start is along this one.
+    let ((near, near_width), (far, far_width)) = (place(other.end), place(other.start));
+    let (low, high) = (near.max(0.0), far.min(edge.length()));
+    if high - low < 0.05 {
+        return None;
+    }
+    let slope = (far_width - near_width) / (far - near);
+    let width = |at: f64| near_width + slope * (at - near);
+    // Where the width is that of a thin part, and not below zero.
+    let (mut from, mut to) = (low, high);
+    for (limit, is_upper) in [(THIN, true), (0.0, false)] {
+        let is_within = |at: f64| if is_upper { width(at) <= limit } else { width(at) >= limit - 1e-6 };
+        match (is_within(from), is_within(to)) {
+            (true, true) => {}
+            (false, false) => return None,
+            (is_first, _) => {
+                let crossing = near + (limit - near_width) / slope;
+                if is_first { to = crossing } else { from = crossing }
+            }
+        }
+    }
+    let area = (to - from) * 0.5 * (width(from) + width(to));
+    if area < LEAST_AREA {
+        return None;
+    }
+    let axis = if direction.x.abs() >= direction.y.abs() { Axis::X } else { Axis::Y };
+    let at = |place: f64| super::ring::along(edge.start + direction * place, axis);
+    let middle = 0.5 * (from + to);
+    Some(ThinPart {
+        from: at(from).min(at(to)),
+        to: at(from).max(at(to)),
+        axis,
+        middle: edge.start + direction * middle + edge.normal() * (0.5 * width(middle)),
+        area,
+    })
+}
+
+/// A ring cut at the ends of a thin part: that part, and what is left.
+fn cut_off(ring: &[Point], part: ThinPart) -> Option<(Ring, Vec<Ring>)> {
+    let (mut rests, beyond) = split(ring, part.axis, part.from);
+    let mut spur = None;
+    for piece in beyond {
+        let (inside, after) = split(&piece, part.axis, part.to);
+        rests.extend(after);
+        for piece in inside {
+            if spur.is_none() && ring_contains(&piece, part.middle) {
+                spur = Some(piece);
+            } else {
+                rests.push(piece);
+            }
+        }
+    }
+    // Where the cut did not part it from a room, it is no part by itself.
+    let spur = spur.filter(|spur| area(spur) < 3.0 * part.area + LEAST_AREA)?;
+    rests.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    Some((spur, rests))
+}
+
+/// The first of some pieces with those that border on it, and the others.
+fn joined_to_largest(mut rests: Vec<Ring>) -> Option<(Ring, Vec<Ring>)> {
+    let mut whole = (!rests.is_empty()).then(|| rests.remove(0))?;
+    while let Some((index, ring)) =
+        rests.iter().enumerate().find_map(|(index, rest)| Some((index, join(&whole, rest)?)))
+    {
+        whole = ring;
+        rests.remove(index);
+    }
+    Some((whole, rests))
+}
+
+/// Whether parts of a ring are too thin.
+pub(super) fn has_thin_parts(ring: &[Point]) -> bool {
+    thin_area(ring) > MOST_AREA
+}
+
+/// Square metres of all thin parts.
+fn thin_area(ring: &[Point]) -> f64 {
+    thin_parts(ring).iter().map(|part| part.area).sum()
+}
+
+/// A floor without the parts of it that are too thin for any room: several pieces where one of them joined these.
+pub(super) fn without_thin_parts(ring: Ring) -> Vec<Ring> {
+    let mut open = vec![ring];
+    let mut done = Vec::new();
+    for _ in 0..4 * MOST_PARTS {
+        let Some(ring) = open.pop() else { break };
+        let cut = thin_parts(&ring).into_iter().find_map(|part| cut_off(&ring, part));
+        match cut {
+            Some((_, rests)) => {
+                let (whole, others) = joined_to_largest(rests).unwrap_or_default();
+                open.extend(std::iter::once(whole).chain(others).filter(|ring| !ring.is_empty()));
+            }
+            None => done.push(ring),
+        }
+    }
+    done.extend(open);
+    done
+}
+
+/// What trading must leave as it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rules<'a> {
+    /// What doors may join.
+    pub(super) typologies: &'a Typologies,
+    /// A type of room that keeps its outline.
+    pub(super) fixed: Option<&'a str>,
+}
+
+impl Rules<'_> {
+    fn is_fixed(self, cell: &Cell) -> bool {
+        self.fixed == Some(cell.room_type.as_str())
+    }
+
+    /// Whether a door may join two rooms.
+    fn may_meet(self, first: &Cell, second: &Cell) -> bool {
+        let leads = |from: &Cell, to: &Cell| {
+            self.typologies.rooms.get(&from.room_type).is_some_and(|needs| needs.doors.contains(&to.room_type))
+        };
+        leads(first, second) || leads(second, first)
+    }
+}
+
+/// Gives the thin parts of rooms to neighbours in which they are not thin.
+pub(super) fn trade_thin_parts(cells: &mut [Cell], rules: Rules<'_>) {
+    for giver in 0..cells.len() {
+        if rules.is_fixed(&cells[giver]) {
+            continue;
+        }
+        for _ in 0..MOST_PARTS {
+            let parts = thin_parts(&cells[giver].ring);
+            if !parts.into_iter().any(|part| is_traded(cells, giver, part, rules)) {
+                break;
+            }
+        }
+    }
+}
+
+fn is_traded(cells: &mut [Cell], giver: usize, part: ThinPart, rules: Rules<'_>) -> bool {
+    let Some((spur, rests)) = cut_off(&cells[giver].ring, part) else { return false };
+    let Some((rest, others)) = joined_to_largest(rests) else { return false };
+    let before = thin_area(&cells[giver].ring);
+    let is_whole = others.iter().map(|ring| area(ring)).sum::<f64>() < MOST_GIVEN * area(&rest);
+    if !is_whole || !is_simple(&rest) || thin_area(&rest) > before - 0.5 * part.area {
+        return false;
+    }
+    let mut taken: BTreeMap<usize, Ring> = BTreeMap::new();
+    for piece in std::iter::once(spur).chain(others) {
+        if !is_given(cells, &mut taken, (giver, &piece), part.axis, rules) {
+            return false;
+        }
+    }
+    let grown: f64 = taken.iter().map(|(&taker, ring)| thin_area(ring) - thin_area(&cells[taker].ring)).sum();
+    if grown > 0.5 * part.area || !taken.values().all(|ring| is_simple(ring)) {
+        return false;
+    }
+    // Where a door may be needed, one stays possible.
+    let has_door = |ring: &[Point], other: usize| {
+        let beside = taken.get(&other).unwrap_or(&cells[other].ring);
+        shared_length(ring, beside) >= LEAST_BORDER
+    };
+    let keeps_doors = (0..cells.len())
+        .filter(|&other| other != giver && rules.may_meet(&cells[giver], &cells[other]))
+        .filter(|&other| shared_length(&cells[giver].ring, &cells[other].ring) >= LEAST_BORDER)
+        .all(|other| has_door(&rest, other));
+    if !keeps_doors {
+        return false;
+    }
+    cells[giver].ring = rest;
+    taken.into_iter().for_each(|(taker, ring)| cells[taker].ring = ring);
+    true
+}
+
+/// Joins a piece to the rooms beside it: to one, or in slices to several; the rooms as they would be then are in `taken`.
+fn is_given(
+    cells: &[Cell],
+    taken: &mut BTreeMap<usize, Ring>,
+    (giver, piece): (usize, &Ring),
+    axis: Axis,
+    rules: Rules<'_>,
+) -> bool {
+    let reach = bounds(piece).inflated(0.01);
+    let is_beside =
+        |taker: &usize| *taker != giver && !rules.is_fixed(&cells[*taker]) && bounds(&cells[*taker].ring).touches(reach);
+    let mut takers: Vec<(f64, usize, Vec<Segment>)> = (0..cells.len())
+        .filter(is_beside)
+        .map(|taker| (taker, shared(piece, &cells[taker].ring)))
+        .map(|(taker, border)| (total_length(&border), taker, border))
+        .filter(|(length, ..)| *length > TAKING_BORDER)
+        .collect();
+    takers.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    // The ends of the rooms along the piece part it into slices, one for each.
+    let ends = takers.iter().flat_map(|(.., border)| border).flat_map(|border| [border.start, border.end]);
+    let mut places: Vec<f64> = ends.map(|end| super::ring::along(end, axis)).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup_by(|a, b| (*a - *b).abs() < THIN);
+    let mut slices = vec![piece.clone()];
+    for place in places {
+        slices = slices
+            .into_iter()
+            .flat_map(|slice| {
+                let (below, above) = split(&slice, axis, place);
+                below.into_iter().chain(above)
+            })
+            .collect();
+    }
+    let mut give = |slice: &Ring| {
+        let mut order: Vec<(f64, usize)> = takers
+            .iter()
+            .map(|&(_, taker, _)| (total_length(&shared(slice, &cells[taker].ring)), taker))
+            .collect();
+        order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let joined = order.into_iter().find_map(|(_, taker)| {
+            Some((taker, join(taken.get(&taker).unwrap_or(&cells[taker].ring), slice)?))
+        });
+        joined.map(|(taker, ring)| taken.insert(taker, ring)).is_some()
+    };
+    slices.iter().all(&mut give)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring<const N: usize>(corners: [(f64, f64); N]) -> Ring {
+        corners.map(Point::from).into()
+    }
+
+    #[test]
+    fn a_jog_beside_a_cut_goes_to_the_room_beyond_it() {
+        // The outline steps back by 1 m at x = 2.8; the rooms are cut at x = 3.
+        let left = ring([(0., 0.), (3., 0.), (3., 5.), (2.8, 5.), (2.8, 4.), (0., 4.)]);
+        let right = ring([(3., 0.), (6., 0.), (6., 5.), (3., 5.)]);
+        let mut cells = vec![Cell::shared(left, "bedroom"), Cell::shared(right, "room")];
+        trade_thin_parts(&mut cells, |_| false);
+        assert!((area(&cells[0].ring) - 12.0).abs() < 1e-9, "{:?}", cells[0].ring);
+        assert!((area(&cells[1].ring) - 15.2).abs() < 1e-9, "{:?}", cells[1].ring);
+        assert!(cells.iter().all(|cell| thin_parts(&cell.ring).is_empty()));
+    }
+
+    #[test]
+    fn fixed_rooms_keep_what_they_have() {
+        let left = ring([(0., 0.), (3., 0.), (3., 5.), (2.8, 5.), (2.8, 4.), (0., 4.)]);
+        let right = ring([(3., 0.), (6., 0.), (6., 5.), (3., 5.)]);
+        let mut cells = vec![Cell::shared(left, "stairs"), Cell::shared(right, "room")];
+        trade_thin_parts(&mut cells, |cell| cell.room_type == "stairs");
+        assert!((area(&cells[0].ring) - 12.2).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_spur_of_the_outline_is_no_floor() {
+        let spur = ring([(0., 0.), (8., 0.), (8., 6.), (5., 6.), (5., 9.), (4.8, 9.), (4.8, 6.), (0., 6.)]);
+        let pieces = without_thin_parts(spur);
+        assert_eq!(pieces.len(), 1);
+        assert!((area(&pieces[0]) - 48.0).abs() < 1e-9, "{pieces:?}");
+        let sharp = ring([(0., 0.), (20., 0.), (20., 3.)]);
+        let blunt = without_thin_parts(sharp.clone());
+        assert!(area(&blunt[0]) > 29.0 && area(&blunt[0]) < area(&sharp) && thin_parts(&blunt[0]).is_empty());
+    }
+
+    #[test]
+    fn a_neck_between_two_halls_parts_them() {
+        let neck = ring([(0., 0.), (4., 0.), (4., 2.), (6., 2.), (6., 0.), (9., 0.), (9., 5.), (6., 5.), (6., 2.2), (4., 2.2), (4., 5.), (0., 5.)]);
+        let mut areas: Vec<f64> = without_thin_parts(neck).iter().map(|piece| area(piece)).collect();
+        areas.sort_by(f64::total_cmp);
+        assert_eq!(areas, [15.0, 20.0]);
+    }
+
+    #[test]
+    fn plain_rooms_have_no_thin_parts() {
+        assert!(thin_parts(&ring([(0., 0.), (3., 0.), (3., 2.), (0., 2.)])).is_empty());
+        assert!(thin_parts(&ring([(0., 0.), (6., 0.), (6., 2.), (2., 2.), (2., 8.), (0., 8.)])).is_empty());
+    }
+}
