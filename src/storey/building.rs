@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::geometry::{Point, Segment};
 use crate::layout::seed::{Stream, building_stream};
 use crate::plan::{
     BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
@@ -20,7 +21,7 @@ use super::house::{house, outer_ports};
 use super::links::{Link, Links, link, room_at};
 use super::open::{one_room, open_plan};
 use super::plate::Outline;
-use super::ring::longest;
+use super::ring::{area, longest};
 use super::spine::Ground;
 use super::thin::{Rules, trade_thin_parts};
 use super::typology::{PlanKind, Typologies};
@@ -28,6 +29,12 @@ use super::windows::{Window, windows};
 
 /// How often a kind of building is tried with other random numbers before a simpler way is taken.
 const TRIES: u32 = 2;
+/// Square metres from which on a room may have several ways out.
+const LARGE_ROOM: f64 = 250.0;
+/// Metres between the ways out of a large room, about: nobody in it walks farther than 35 m to one.
+const DOORS_APART: f64 = 25.0;
+/// Further ways out of a room at most.
+const MOST_WAYS_OUT: usize = 24;
 /// Metres of floor between storeys.
 const SLAB: f64 = 0.3;
 /// Metres of the heads of doors.
@@ -173,10 +180,52 @@ fn storey(
     stream: &mut Stream,
 ) -> Storey {
     let has_stairs = cells.iter().any(|cell| cell.room_type == "stairs");
-    let ports = if is_ground { ways_in(grounds, &cells, typologies) } else { Vec::new() };
-    let links = link(&cells, typologies, &ports, has_stairs && !is_ground, stream);
+    let mut ports = if is_ground { ways_in(grounds, &cells, typologies) } else { Vec::new() };
+    if is_ground {
+        ports.extend(ways_out(&grounds[0], &cells, typologies, &ports));
+    }
+    let is_entered = has_stairs && !is_ground;
+    let mut links = link(&cells, typologies, &ports, is_entered, stream);
+    // What stands apart on the ground has a door of its own.
+    let apart = is_ground.then(|| door_of_its_own(&grounds[0], &cells, typologies, &links)).flatten();
+    if let Some(port) = apart {
+        ports.push(port);
+        links = link(&cells, typologies, &ports, is_entered, stream);
+    }
     let windows = windows(&grounds[0], &cells, typologies, &links.links);
     Storey { cells, links, windows }
+}
+
+/// A way into the first room that none leads to, if people may pass through it.
+fn door_of_its_own(ground: &Ground, cells: &[Cell], typologies: &Typologies, links: &Links) -> Option<Port> {
+    let is_public = |cell: &&Cell| typologies.rooms.get(&cell.room_type).is_some_and(|needs| needs.passage);
+    let apart = links.unreached.iter().map(|&room| &cells[room]).filter(|cell| cell.unit.is_none());
+    apart.filter(is_public).find_map(|cell| stair_port(ground, cell))
+}
+
+/// Further doors of large rooms, so that nobody in them is far from one.
+fn ways_out(ground: &Ground, cells: &[Cell], typologies: &Typologies, ports: &[Port]) -> Vec<Port> {
+    let is_large = |cell: &&Cell| {
+        area(&cell.ring) > LARGE_ROOM
+            && typologies.rooms.get(&cell.room_type).is_some_and(|needs| needs.passage)
+    };
+    let mut found = Vec::new();
+    for cell in cells.iter().filter(is_large) {
+        let walls: Vec<Segment> =
+            ground.light(&cell.ring).into_iter().filter(|wall| wall.length() > 2.0).collect();
+        let mut doors: Vec<Point> = ports.iter().map(|port| port.at).collect();
+        let gap = |at: Point, doors: &[Point]| doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min);
+        for _ in 0..MOST_WAYS_OUT {
+            let farthest = walls
+                .iter()
+                .map(|wall| (gap(wall.middle(), &doors), wall))
+                .reduce(|a, b| if b.0 > a.0 { b } else { a });
+            let Some((_, wall)) = farthest.filter(|(gap, _)| *gap > DOORS_APART) else { break };
+            doors.push(wall.middle());
+            found.push(Port { at: wall.middle(), way: wall.normal() });
+        }
+    }
+    found
 }
 
 /// Doors of the ground floor: for flats one at each stairs, else where the entrance is. It leads into no private room.

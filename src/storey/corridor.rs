@@ -24,7 +24,9 @@ const ONE_STAIRS: f64 = 14.0;
 /// Storeys from which on there is a lift.
 const LIFT_STOREYS: u32 = 4;
 /// Metres of corridor from which on a wing has stairs at both ends: nobody walks farther than 35 m to one.
-const TWO_STAIRS: f64 = 45.0;
+const TWO_STAIRS: f64 = 30.0;
+/// Metres between two stairs at most, for the same reason.
+const STAIRS_APART: f64 = 55.0;
 /// Metres of depth from which on rows lie on both sides of a corridor.
 const TWO_ROWS: f64 = 9.0;
 /// Metres of depth below which a wing has no corridor of its own.
@@ -231,13 +233,24 @@ fn is_free(fixed: &[Fixed], is_above: bool, from: f64, to: f64) -> bool {
     fixed.iter().all(|slice| slice.is_above != is_above || slice.to <= from + 0.01 || slice.from >= to - 0.01)
 }
 
-/// Stairs at one end of a corridor, and at the other of a long one; as near to the end as other slices let them.
+/// Stairs at one end of a corridor or more places; as near to them as other slices let them.
 fn add_stairs(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool, is_root: bool) {
     let length = right - left;
-    let is_wanted = [is_root || length > ONE_STAIRS, length > TWO_STAIRS];
-    for (is_right, _) in [false, true].into_iter().zip(is_wanted).filter(|(_, is_wanted)| *is_wanted) {
-        let (at_end, step) = if is_right { (right - STAIRS_WIDTH + 0.1, -1.5) } else { (left - 0.1, 1.5) };
-        let mut places = (0..12).map(|number| at_end + step * f64::from(number));
+    if !is_root && length <= ONE_STAIRS {
+        return;
+    }
+    // At one end, at both of a long corridor, and between them so that no two are far apart.
+    let gaps = if length > TWO_STAIRS { (length / STAIRS_APART).ceil() as u32 } else { 0 };
+    for number in 0..=gaps {
+        let wanted = left + (length - STAIRS_WIDTH) * f64::from(number) / f64::from(gaps.max(1));
+        let inwards = if wanted > 0.5 * (left + right) { -1.5 } else { 1.5 };
+        // Beyond the ends, for outlines are not quite straight.
+        let wanted = match number {
+            0 => wanted - 0.1,
+            _ if number == gaps => wanted + 0.1,
+            _ => wanted,
+        };
+        let mut places = (0..12).map(|step| wanted + inwards * f64::from(step));
         let place = places.find(|&from| {
             let is_inside = from >= left - 0.2 && from + STAIRS_WIDTH <= right + 0.2;
             is_inside && is_free(fixed, is_above, from, from + STAIRS_WIDTH)

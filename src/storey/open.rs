@@ -2,12 +2,16 @@
 
 use super::brief::Brief;
 use super::dwelling::Cell;
-use super::ring::{Axis, Ring, area, join, split};
+use super::flats::sections;
+use super::links::LEAST_BORDER;
+use super::ring::{Axis, Ring, area, join, shared_length, split};
 use super::spine::{Ground, cut_along, extent, settle, turned_ring_back};
 use super::typology::Typologies;
 
 /// Metres of the depth of the small rooms, and with stairs among them.
 const DEPTH: (f64, f64) = (3.0, 4.6);
+/// Square metres of a part of a storey with stairs of its own, so that nobody walks far to them.
+const PART: f64 = 900.0;
 /// Square metres of stairs.
 const STAIRS: f64 = 13.0;
 /// Share of the storey that small rooms take at most.
@@ -16,28 +20,45 @@ const MOST_SHARE: f64 = 0.4;
 /// One level, alike on all storeys; `None` where there is no place for the small rooms.
 pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typologies) -> Option<Vec<Cell>> {
     let main = brief.typology.main.as_deref()?;
-    let mut cells = Vec::new();
+    let has_stairs = brief.storeys > 1;
+    let all = brief.typology.services.iter().map(|(room_type, area)| (room_type.as_str(), *area));
+    let all: Vec<(&str, f64)> = has_stairs.then_some(("stairs", STAIRS)).into_iter().chain(all).collect();
+    let mut cells: Vec<Cell> = Vec::new();
     for (index, ground) in grounds.iter().enumerate() {
-        if index > 0 {
+        let is_joined = || cells.iter().any(|cell| shared_length(&cell.ring, &ground.ring) >= LEAST_BORDER);
+        // Pieces that were cut at a courtyard are reached from others; what stands apart has stairs of its own.
+        if index > 0 && area(&ground.ring) < PART && is_joined() {
             cells.push(Cell::shared(ground.ring.clone(), main));
             continue;
         }
-        let mut services: Vec<(&str, f64)> =
-            brief.typology.services.iter().map(|(room_type, area)| (room_type.as_str(), *area)).collect();
-        if brief.storeys > 1 {
-            services.insert(0, ("stairs", STAIRS));
+        let count = if has_stairs { (area(&ground.ring) / PART).round() as usize } else { 1 };
+        for (part, ring) in sections(ground, ground.ring.clone(), count).into_iter().enumerate() {
+            let is_first = index == 0 && part == 0;
+            let services = if is_first { all.clone() } else { all[..usize::from(has_stairs)].to_vec() };
+            let whole = || vec![Cell::shared(ring.clone(), main)];
+            let cut = if services.is_empty() {
+                Some(whole())
+            } else {
+                part_cells(&ground.part(ring.clone()), services, main, has_stairs, typologies)
+            };
+            // Other parts are reached through the first, where they have no place for stairs.
+            cells.extend(cut.or_else(|| (!is_first).then(whole))?);
         }
-        if services.is_empty() {
-            cells.push(Cell::shared(ground.ring.clone(), main));
-            continue;
-        }
-        let (room, small) = with_services(ground, &mut services, brief.storeys > 1, typologies)?;
-        cells.push(Cell::shared(room, main));
-        cells.extend(
-            small.into_iter().zip(&services).map(|(ring, (room_type, _))| Cell::shared(ring, room_type)),
-        );
     }
     Some(cells)
+}
+
+/// A large room and the small ones at its end.
+fn part_cells(
+    ground: &Ground,
+    mut services: Vec<(&str, f64)>,
+    main: &str,
+    has_stairs: bool,
+    typologies: &Typologies,
+) -> Option<Vec<Cell>> {
+    let (room, small) = with_services(ground, &mut services, has_stairs, typologies)?;
+    let small = small.into_iter().zip(&services).map(|(ring, (room_type, _))| Cell::shared(ring, room_type));
+    Some(std::iter::once(Cell::shared(room, main)).chain(small).collect())
 }
 
 /// The large room and the small ones. Services that do not fit are dropped from the list, the last first.

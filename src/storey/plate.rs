@@ -9,12 +9,19 @@ use super::disc::is_simple;
 use super::facade::{Around, Facade, look_out};
 use super::footprint::Footprint;
 use super::frame::Frame;
-use super::ring::{Axis, Ring, area, bounds, join, on_grid, split, tidy, without_straight_corners};
+use super::links::LEAST_BORDER;
+use super::ring::{
+    Axis, Ring, area, bounds, join, on_grid, shared_length, split, tidy, without_straight_corners,
+};
 use super::spine::Ground;
 use super::thin::without_thin_parts;
 
 /// Corners that stand out farther than this many times the depth of the wall are cut off.
 const MITRE_LIMIT: f64 = 4.0;
+/// Square metres below which a piece that no other borders on is no floor, and the share of the storey.
+const LEAST_ISLAND: f64 = 15.0;
+/// See [`LEAST_ISLAND`].
+const ISLAND_SHARE: f64 = 0.05;
 /// Pieces below this many square metres are no floor.
 const LEAST_PIECE: f64 = 1.0;
 
@@ -85,9 +92,23 @@ impl Outline {
         }
         pieces.retain(|ring| area(ring) >= LEAST_PIECE && is_simple(ring));
         pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        let pieces = without_small_islands(pieces);
         let ground = |ring| Ground { ring, facade: self.facade.clone(), wall };
         pieces.into_iter().map(ground).collect()
     }
+}
+
+/// The pieces that people can walk between, and of the others those that are worth a door of their own.
+fn without_small_islands(pieces: Vec<Ring>) -> Vec<Ring> {
+    let least = LEAST_ISLAND.max(ISLAND_SHARE * pieces.iter().map(|ring| area(ring)).sum::<f64>());
+    let mut kept: Vec<Ring> = Vec::new();
+    for ring in pieces {
+        let is_beside = |other: &Ring| shared_length(&ring, other) >= LEAST_BORDER;
+        if kept.is_empty() || area(&ring) >= least || kept.iter().any(is_beside) {
+            kept.push(ring);
+        }
+    }
+    kept
 }
 
 /// A ring whose edges move outwards by some metres, inwards if below zero; several where it falls apart, none if nothing is left.

@@ -196,13 +196,18 @@ pub(super) fn join(first: &[Point], second: &[Point]) -> Option<Ring> {
     (area(&ring) > 0.0).then(|| without_straight_corners(&tidy(ring)))
 }
 
-/// A ring that runs back along itself, as the rings without what it encloses twice or not at all.
+/// A ring that runs back along itself or touches itself, as the rings that it consists of.
 fn unfolded(ring: Ring) -> Vec<Ring> {
     let detailed = with_corners_of(&ring, &ring);
     let all: Vec<Segment> = edges(&detailed).collect();
     let count = all.len();
     let border = without_doubled(all);
-    if border.len() == count {
+    let touches_itself = detailed.len() > ring.len() || {
+        let mut keys: Vec<Key> = ring.iter().map(|&corner| key(corner)).collect();
+        keys.sort_unstable();
+        keys.windows(2).any(|pair| pair[0] == pair[1])
+    };
+    if border.len() == count && !touches_itself {
         return vec![ring];
     }
     let rings = rings_of(border).unwrap_or_else(|| vec![ring]);
@@ -363,6 +368,16 @@ mod tests {
         assert!((area(&below[0]) - 12.0).abs() < 1e-9);
         let (below, above) = split(&rectangle(0., 0., 2., 2.), Axis::X, 2.0);
         assert_eq!((below.len(), above.len()), (1, 0));
+    }
+
+    #[test]
+    fn a_line_through_a_corner_leaves_no_ring_that_touches_itself() {
+        // A court whose inner end is at the line: the piece beyond it is parted there.
+        let corners = [(0., 0.), (3., 0.), (2., 4.), (3., 8.), (6., 8.), (6., 0.), (9., 0.), (9., 9.), (0., 9.)];
+        let (_, above) = split(&corners.map(Point::from), Axis::X, 2.0);
+        let areas: Vec<f64> = above.iter().map(|piece| area(piece)).collect();
+        assert!(above.iter().all(|piece| super::super::disc::is_simple(piece)), "{above:?}");
+        assert!(areas.len() == 2 && areas.iter().sum::<f64>() > 20.0, "{areas:?}");
     }
 
     #[test]
