@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::footprint::{Footprint, StoreyFacts};
-use super::typology::{Typologies, Typology};
+use super::typology::{PlanKind, Typologies, Typology};
 use crate::layout::seed::{Stream, building_stream};
 
 /// Metres from floor to floor by which a height is counted in storeys.
@@ -112,6 +112,10 @@ pub(super) fn briefs<'a>(
         let fallback = if measures.area < 30.0 { "shed" } else { "open_hall" };
         let entry = typologies.typologies.get_key_value(fallback).or(typologies.typologies.first_key_value());
         briefs.extend(entry.map(|entry| brief(entry, &mut stream)));
+    }
+    // A kind of one room has no stairs: what the map counts as its storeys is its height.
+    for brief in briefs.iter_mut().filter(|brief| brief.typology.plan == PlanKind::OneRoom) {
+        brief.storeys = 1;
     }
     briefs
 }

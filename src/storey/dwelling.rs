@@ -368,7 +368,7 @@ fn draw(
     // Stairs of a house stand beside other rooms on each level.
     let rules = Rules { typologies: task.typologies, fixed: task.has_stairs.then_some("stairs") };
     trade_thin_parts(&mut planned, rules);
-    if !cells_are_sound(task, &planned) {
+    if !are_sound(task.ground, task.typologies, &planned) {
         return None;
     }
     let hall_share = area(&hall) / area(&task.ground.ring);
@@ -386,10 +386,10 @@ fn weight_of_end(needs: &RoomNeeds) -> f64 {
 }
 
 /// Whether every room is as wide and as light as it must be.
-fn cells_are_sound(task: Task<'_>, cells: &[Cell]) -> bool {
+fn are_sound(ground: &Ground, typologies: &Typologies, cells: &[Cell]) -> bool {
     cells.iter().all(|cell| {
-        let Some(needs) = task.typologies.rooms.get(&cell.room_type) else { return true };
-        let is_light = || task.ground.light(&cell.ring).iter().any(|piece| piece.length() >= WINDOW_STRETCH);
+        let Some(needs) = typologies.rooms.get(&cell.room_type) else { return true };
+        let is_light = || ground.light(&cell.ring).iter().any(|piece| piece.length() >= WINDOW_STRETCH);
         is_simple(&cell.ring)
             && !has_thin_parts(&cell.ring)
             && is_as_wide_as(&cell.ring, needs.width)
@@ -426,7 +426,8 @@ fn trimmed_hall(
 }
 
 /// A flat of one room and a bath at its way in, for grounds on which nothing else has a place.
-pub(super) fn studio(ground: &Ground, port: Port, room_type: &str, bath: &str) -> Option<Vec<Cell>> {
+pub(super) fn studio(ground: &Ground, port: Port, typologies: &Typologies) -> Option<Vec<Cell>> {
+    let whole = ground;
     let is_turned = port.way.x.abs() >= port.way.y.abs();
     let turned = ground.turned();
     let (ground, port) = if is_turned { (&turned, port.turned()) } else { (ground, port) };
@@ -467,5 +468,7 @@ pub(super) fn studio(ground: &Ground, port: Port, room_type: &str, bath: &str) -
     }
     let (_, room, bathroom) = best?;
     let back = |ring: Ring| if is_turned { turned_ring_back(&ring) } else { ring };
-    Some(vec![Cell::shared(back(room), room_type), Cell::shared(back(bathroom), bath)])
+    let mut cells = vec![Cell::shared(back(room), "studio"), Cell::shared(back(bathroom), "bathroom")];
+    trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
+    are_sound(whole, typologies, &cells).then_some(cells)
 }

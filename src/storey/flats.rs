@@ -4,7 +4,9 @@ use crate::geometry::Segment;
 use crate::layout::seed::Stream;
 
 use super::brief::Brief;
+use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Port, Task, plan, studio};
+use super::links::link;
 use super::ring::{
     Axis, Ring, along, area, bounds, inner_corners, join, longest, shared, split, total_length,
 };
@@ -45,9 +47,31 @@ pub(super) fn flats(
     for ground in grounds {
         let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(190.0);
         let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
-        for ring in sections(ground, ground.ring.clone(), count) {
-            let section = ground.part(ring);
-            cells.extend(landing(&section, brief, typologies, &mut unit, stream)?);
+        // Where a section has no plan, the storey may have one with sections of another size.
+        let mut counts = [count, count + 1, count - 1].into_iter().filter(|count| *count > 0);
+        cells.extend(counts.find_map(|count| in_sections(ground, count, brief, typologies, &mut unit, stream))?);
+    }
+    Some(cells)
+}
+
+/// A piece of a storey in so many sections.
+fn in_sections(
+    ground: &Ground,
+    count: usize,
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    unit: &mut usize,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
+    let first = *unit;
+    let mut cells = Vec::new();
+    for ring in sections(ground, ground.ring.clone(), count) {
+        match landing(&ground.part(ring), brief, typologies, unit, stream) {
+            Some(own) => cells.extend(own),
+            None => {
+                *unit = first;
+                return None;
+            }
         }
     }
     Some(cells)
@@ -128,7 +152,8 @@ fn landing(
             if sound.len() >= COMPARED {
                 break;
             }
-            let Some((cost, cells)) = flats_at(&ground, core, brief, typologies, stream) else {
+            let planned = flats_at(&ground, core, brief, typologies, stream);
+            let Some((cost, cells)) = planned.filter(|(_, cells)| is_joined(cells, typologies, stream)) else {
                 continue;
             };
             let back = |cell: Cell| match is_turned {
@@ -143,6 +168,16 @@ fn landing(
         }
     }
     (!sound.is_empty()).then(|| taken(sound, unit))
+}
+
+/// Whether stairs and lift are wide enough, and lead to all flats.
+fn is_joined(cells: &[Cell], typologies: &Typologies, stream: &mut Stream) -> bool {
+    let mut shared = cells.iter().filter(|cell| cell.unit.is_none());
+    let is_wide = |cell: &Cell| {
+        let needs = typologies.rooms.get(&cell.room_type);
+        needs.is_none_or(|needs| is_as_wide_as(&cell.ring, needs.width))
+    };
+    shared.all(is_wide) && link(cells, typologies, &[], true, stream).unreached.is_empty()
 }
 
 /// The best of some plans; the next flat has the next number.
@@ -314,5 +349,5 @@ pub(super) fn flat_at(
         }
     }
     let port = Port { at: shares[1], way: border.normal() };
-    (floor < 75.0).then(|| studio(flat, port, "studio", "bathroom")).flatten().map(|cells| (6.0, cells))
+    (floor < 75.0).then(|| studio(flat, port, typologies)).flatten().map(|cells| (6.0, cells))
 }

@@ -60,7 +60,7 @@ pub(super) fn house(
         }
     }
     let is_small = !has_stairs && area(&ground.ring) < 60.0;
-    is_small.then(|| studio(ground, port, "studio", "bathroom").map(|cells| vec![one_unit(cells)])).flatten()
+    is_small.then(|| studio(ground, port, typologies).map(|cells| vec![one_unit(cells)])).flatten()
 }
 
 fn one_unit(mut cells: Vec<Cell>) -> Vec<Cell> {
