@@ -146,7 +146,9 @@ fn storeys(
         PlanKind::OneRoom => Some(vec![one_room(grounds, main)]),
         PlanKind::House if grounds.len() > 1 => None,
         PlanKind::House => house(&grounds[0], brief, typologies, &mut stream),
-        PlanKind::Flats => flats(grounds, brief, typologies, known_flats, &mut stream).map(|cells| vec![cells]),
+        PlanKind::Flats => {
+            flats(grounds, brief, typologies, known_flats, &mut stream).map(|cells| vec![cells])
+        }
         PlanKind::Corridor | PlanKind::CorridorFlats => {
             corridors(grounds, brief, typologies, &mut stream).map(|cells| vec![cells])
         }
@@ -214,7 +216,9 @@ fn ways_out(ground: &Ground, cells: &[Cell], typologies: &Typologies, ports: &[P
         let walls: Vec<Segment> =
             ground.light(&cell.ring).into_iter().filter(|wall| wall.length() > 2.0).collect();
         let mut doors: Vec<Point> = ports.iter().map(|port| port.at).collect();
-        let gap = |at: Point, doors: &[Point]| doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min);
+        let gap = |at: Point, doors: &[Point]| {
+            doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min)
+        };
         for _ in 0..MOST_WAYS_OUT {
             let farthest = walls
                 .iter()

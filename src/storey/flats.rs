@@ -24,7 +24,7 @@ const LIFT_STOREYS: u32 = 5;
 /// Metres of outer wall that stairs need for a door and windows.
 const STAIRS_LIGHT: f64 = 1.3;
 /// Flats below this many square metres are joined with the other of their landing.
-const LEAST_FLAT: f64 = 26.0;
+const LEAST_FLAT: f64 = 18.0;
 /// Square metres from which on a landing has two flats.
 const TWO_FLATS: f64 = 110.0;
 /// Sound plans of a section among which the best is taken.
@@ -49,7 +49,9 @@ pub(super) fn flats(
         let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
         // Where a section has no plan, the storey may have one with sections of another size.
         let mut counts = [count, count + 1, count - 1].into_iter().filter(|count| *count > 0);
-        cells.extend(counts.find_map(|count| in_sections(ground, count, brief, typologies, &mut unit, stream))?);
+        cells.extend(
+            counts.find_map(|count| in_sections(ground, count, brief, typologies, &mut unit, stream))?,
+        );
     }
     Some(cells)
 }
@@ -153,7 +155,8 @@ fn landing(
                 break;
             }
             let planned = flats_at(&ground, core, brief, typologies, stream);
-            let Some((cost, cells)) = planned.filter(|(_, cells)| is_joined(cells, typologies, stream)) else {
+            let Some((cost, cells)) = planned.filter(|(_, cells)| is_joined(cells, typologies, stream))
+            else {
                 continue;
             };
             let back = |cell: Cell| match is_turned {

@@ -373,7 +373,8 @@ mod tests {
     #[test]
     fn a_line_through_a_corner_leaves_no_ring_that_touches_itself() {
         // A court whose inner end is at the line: the piece beyond it is parted there.
-        let corners = [(0., 0.), (3., 0.), (2., 4.), (3., 8.), (6., 8.), (6., 0.), (9., 0.), (9., 9.), (0., 9.)];
+        let corners =
+            [(0., 0.), (3., 0.), (2., 4.), (3., 8.), (6., 8.), (6., 0.), (9., 0.), (9., 9.), (0., 9.)];
         let (_, above) = split(&corners.map(Point::from), Axis::X, 2.0);
         let areas: Vec<f64> = above.iter().map(|piece| area(piece)).collect();
         assert!(above.iter().all(|piece| super::super::disc::is_simple(piece)), "{above:?}");

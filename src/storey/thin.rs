@@ -176,7 +176,10 @@ impl Rules<'_> {
     /// Whether a door may join two rooms.
     fn may_meet(self, first: &Cell, second: &Cell) -> bool {
         let leads = |from: &Cell, to: &Cell| {
-            self.typologies.rooms.get(&from.room_type).is_some_and(|needs| needs.doors.contains(&to.room_type))
+            self.typologies
+                .rooms
+                .get(&from.room_type)
+                .is_some_and(|needs| needs.doors.contains(&to.room_type))
         };
         leads(first, second) || leads(second, first)
     }
@@ -241,8 +244,9 @@ fn is_given(
     rules: Rules<'_>,
 ) -> bool {
     let reach = bounds(piece).inflated(0.01);
-    let is_beside =
-        |taker: &usize| *taker != giver && !rules.is_fixed(&cells[*taker]) && bounds(&cells[*taker].ring).touches(reach);
+    let is_beside = |taker: &usize| {
+        *taker != giver && !rules.is_fixed(&cells[*taker]) && bounds(&cells[*taker].ring).touches(reach)
+    };
     let mut takers: Vec<(f64, usize, Vec<Segment>)> = (0..cells.len())
         .filter(is_beside)
         .map(|taker| (taker, shared(piece, &cells[taker].ring)))
@@ -321,7 +325,20 @@ mod tests {
 
     #[test]
     fn a_neck_between_two_halls_parts_them() {
-        let neck = ring([(0., 0.), (4., 0.), (4., 2.), (6., 2.), (6., 0.), (9., 0.), (9., 5.), (6., 5.), (6., 2.2), (4., 2.2), (4., 5.), (0., 5.)]);
+        let neck = ring([
+            (0., 0.),
+            (4., 0.),
+            (4., 2.),
+            (6., 2.),
+            (6., 0.),
+            (9., 0.),
+            (9., 5.),
+            (6., 5.),
+            (6., 2.2),
+            (4., 2.2),
+            (4., 5.),
+            (0., 5.),
+        ]);
         let mut areas: Vec<f64> = without_thin_parts(neck).iter().map(|piece| area(piece)).collect();
         areas.sort_by(f64::total_cmp);
         assert_eq!(areas, [15.0, 20.0]);
