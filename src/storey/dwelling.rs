@@ -24,6 +24,8 @@ const STAIR_DEPTH: (f64, f64) = (2.2, 4.6);
 const STAIR_WIDTH: f64 = 2.1;
 /// Metres of a flight beside the hall: its length and its width.
 const FLIGHT: (f64, f64) = (3.9, 1.0);
+/// Metres within which two ways to divide a ground are one.
+const SAME_PLACE: f64 = 0.25;
 /// Cost of a room that the programme does not ask for.
 const MORE_COST: f64 = 0.8;
 /// Cost of each part of the floor that is hall.
@@ -104,13 +106,16 @@ pub(super) struct Planned {
     pub(super) cost: f64,
 }
 
-/// The best plans of a level, the best first, so many at most; empty if none is sound.
-pub(super) fn plan(task: Task<'_>, wanted: usize, stream: &mut Stream) -> Vec<Planned> {
-    let mut drafts: Vec<(f64, Scheme, Spine, Filling)> = Vec::new();
-    let wishes = wishes(task);
-    if !has_light_for(task, &wishes) {
-        return Vec::new();
-    }
+/// A way to divide a ground, with the spine that it makes; any programme may fill it.
+#[derive(Clone, Debug)]
+pub(super) struct Division {
+    scheme: Scheme,
+    spine: Spine,
+}
+
+/// All ways to divide the ground of a task; they are the same for all programmes.
+pub(super) fn divisions(task: Task<'_>) -> Vec<Division> {
+    let mut found = Vec::new();
     for is_turned in [false, true] {
         let turned;
         let ground = match is_turned {
@@ -121,15 +126,31 @@ pub(super) fn plan(task: Task<'_>, wanted: usize, stream: &mut Stream) -> Vec<Pl
             }
         };
         let port = task.port.map(|port| if is_turned { port.turned() } else { port });
-        for (scheme, ports) in schemes(ground, port, task, is_turned) {
-            let Some(spine) = spine_of(ground, &scheme, &ports) else { continue };
-            let Some(filling) = fill_or_more(&spine.rows, &wishes, TRIES, stream) else { continue };
-            drafts.push((
-                filling.cost + HALL_COST * area(&spine.strip) / area(&ground.ring),
-                scheme,
-                spine,
-                filling,
-            ));
+        found.extend(schemes(ground, port, task, is_turned).into_iter().filter_map(|(scheme, ports)| {
+            let spine = spine_of(ground, &scheme, &ports)?;
+            Some(Division { scheme, spine })
+        }));
+    }
+    found
+}
+
+/// The best plans of a level, the best first, so many at most; empty if none is sound.
+pub(super) fn plan(
+    task: Task<'_>,
+    divisions: &[Division],
+    wanted: usize,
+    stream: &mut Stream,
+) -> Vec<Planned> {
+    let wishes = wishes(task);
+    if !has_light_for(task, &wishes) {
+        return Vec::new();
+    }
+    let floor = area(&task.ground.ring);
+    let mut drafts = Vec::new();
+    for division in divisions {
+        let spine = &division.spine;
+        if let Some(filling) = fill_or_more(&spine.rows, &wishes, TRIES, stream) {
+            drafts.push((filling.cost + HALL_COST * area(&spine.strip) / floor, division, filling));
         }
     }
     draw_best(task, drafts, &wishes, wanted)
@@ -142,19 +163,20 @@ pub(super) fn plan_alike(task: Task<'_>, scheme: &Scheme, stream: &mut Stream) -
     let ground = if scheme.is_turned { &turned } else { task.ground };
     let Some(spine) = spine_of(ground, scheme, &[]) else { return Vec::new() };
     let Some(filling) = fill_or_more(&spine.rows, &wishes, 4 * TRIES, stream) else { return Vec::new() };
-    draw_best(task, vec![(filling.cost, scheme.clone(), spine, filling)], &wishes, 1)
+    let division = Division { scheme: scheme.clone(), spine };
+    draw_best(task, vec![(filling.cost, &division, filling)], &wishes, 1)
 }
 
 fn draw_best(
     task: Task<'_>,
-    mut drafts: Vec<(f64, Scheme, Spine, Filling)>,
+    mut drafts: Vec<(f64, &Division, Filling)>,
     wishes: &[Wish<'_>],
     wanted: usize,
 ) -> Vec<Planned> {
     drafts.sort_by(|a, b| a.0.total_cmp(&b.0));
     let drawn = drafts.into_iter().take(DRAWN.max(wanted));
     let mut plans: Vec<Planned> = drawn
-        .filter_map(|(_, scheme, spine, filling)| draw(task, scheme, spine, &filling, wishes))
+        .filter_map(|(_, division, filling)| draw(task, division.clone(), &filling, wishes))
         .take(wanted)
         .collect();
     plans.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -235,9 +257,16 @@ fn schemes(
         let low = if top - (low + width) < 1.3 { top + FLUSH - width } else { low };
         (low, ports)
     });
+    let mut lows: Vec<(f64, Vec<Fixed>)> = Vec::new();
+    for (low, ports) in snapped {
+        let is_known = |(other, known): &(f64, Vec<Fixed>)| (other - low).abs() < SAME_PLACE && *known == ports;
+        if !lows.iter().any(is_known) {
+            lows.push((low, ports));
+        }
+    }
     let ground_extent = extent(&ground.ring, Axis::X);
     let mut found = Vec::new();
-    for (low, ports) in snapped {
+    for (low, ports) in lows {
         if !task.has_stairs {
             found.push((Scheme { is_turned, low, high: low + width, stairs: None }, ports));
             continue;
@@ -267,13 +296,16 @@ fn stairs_beside(
         if !(STAIR_DEPTH.0..=STAIR_DEPTH.1).contains(&depth) {
             continue;
         }
+        let mut known: Vec<Fixed> = Vec::new();
         for &from in &places {
             // A strip less than a room wide before the stairs goes to them.
             let from = if from - left < 1.0 { left - FLUSH } else { from };
             let to = if right - from - STAIR_WIDTH < 1.0 { right + FLUSH } else { from + STAIR_WIDTH };
-            let fixed = Fixed { is_above, from, to, kind: FixedKind::Room(0) };
-            found.push((low + width, Stairs::InRow(fixed)));
+            if known.iter().all(|other| (other.from - from).abs() > SAME_PLACE) {
+                known.push(Fixed { is_above, from, to, kind: FixedKind::Room(0) });
+            }
         }
+        found.extend(known.into_iter().map(|fixed| (low + width, Stairs::InRow(fixed))));
     }
     let high = low + width + FLIGHT.1;
     if right - left > FLIGHT.0 + 2.2 && high < top + FLUSH {
@@ -319,8 +351,7 @@ fn spine_of(ground: &Ground, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> 
 /// Cuts the rooms of a filling out of its rows, and trims the hall to what it is needed for.
 fn draw(
     task: Task<'_>,
-    scheme: Scheme,
-    spine: Spine,
+    Division { scheme, spine }: Division,
     filling: &Filling,
     wishes: &[Wish<'_>],
 ) -> Option<Planned> {

@@ -51,10 +51,18 @@ impl EdgeClass {
 pub(super) struct Span {
     /// On the outer face, with the building on the left; in the frame of the building.
     pub(super) line: Segment,
+    /// Along it, of length 1.
+    direction: Point,
     /// What it looks at.
     pub(super) class: EdgeClass,
     /// Metres to what stands before it, [`FARTHEST`] at most.
     pub(super) sight: f64,
+}
+
+impl Span {
+    pub(super) fn new(line: Segment, class: EdgeClass, sight: f64) -> Self {
+        Self { line, direction: line.direction(), class, sight }
+    }
 }
 
 /// All outer walls of a building.
@@ -182,10 +190,9 @@ fn look_out_of_edge(
     let count = ((length / STEP).round() as usize).clamp(1, MOST_PLACES);
     let out = -edge.normal();
     let mut begun: Option<(usize, EdgeClass, f64)> = None;
-    let span = |from: usize, to: usize, class, sight| Span {
-        line: Segment::new(edge.at(from as f64 / count as f64), edge.at(to as f64 / count as f64)),
-        class,
-        sight,
+    let span = |from: usize, to: usize, class, sight| {
+        let [start, end] = [from, to].map(|place| edge.at(place as f64 / count as f64));
+        Span::new(Segment::new(start, end), class, sight)
     };
     for place in 0..count {
         let eye = edge.at((place as f64 + 0.5) / count as f64);
@@ -261,12 +268,11 @@ impl Facade {
     pub(super) fn before(&self, border: Segment, wall: f64) -> Vec<(&Span, Segment)> {
         let direction = border.direction();
         let found = self.spans.iter().filter_map(|span| {
-            let along = span.line.direction();
-            if along.dot(direction) < 0.9998 {
+            if span.direction.dot(direction) < 0.9998 {
                 return None;
             }
             // Its inner face is as deep behind the outer one as the wall is thick: other cuts may run near it.
-            let gap = span.line.normal().dot(border.start - span.line.start);
+            let gap = span.direction.perp().dot(border.start - span.line.start);
             if (gap - wall).abs() > 0.06 {
                 return None;
             }

@@ -15,6 +15,8 @@ const ROW_SCALE: (f64, f64) = (0.5, 3.2);
 pub(super) const LIGHT_EACH: f64 = 1.6;
 /// Metres of width for the walls of a room, and for places that are rounded.
 const MARGIN: f64 = 0.15;
+/// Metres by which a slice is wider and deeper than its room needs: rows are not quite rectangles.
+const MORE_THAN_NEEDED: f64 = 0.1;
 /// Longer rooms than this many times their width are corridors to look at.
 const SLENDER: f64 = 2.0;
 
@@ -62,6 +64,14 @@ pub(super) fn fill(rows: &[Row], wishes: &[Wish<'_>], tries: u32, stream: &mut S
     let lengths: Vec<f64> = rows.iter().map(|row| row.light_between(row.from - 1.0, row.to + 1.0)).collect();
     let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required).count();
     if lengths.iter().sum::<f64>() < LIGHT_EACH * needing as f64 {
+        return None;
+    }
+    // Each row takes one of them at least.
+    let suits = |row: &Row| {
+        let least = row.depth().min(row.length()) - MORE_THAN_NEEDED;
+        wishes.iter().any(|wish| wish.needs.width <= least)
+    };
+    if !rows.iter().all(suits) {
         return None;
     }
     let mut best: Option<Filling> = None;
@@ -172,7 +182,7 @@ fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -
     for slice in &mut *slices {
         let needs = wishes[slice.wish].needs;
         let (length, depth) = (slice.to - slice.from, row.depth());
-        if length.min(depth) < needs.width + 0.1 {
+        if length.min(depth) < needs.width + MORE_THAN_NEEDED {
             return None;
         }
         if needs.light == Light::Required && row.light_between(slice.from, slice.to) < WINDOW_STRETCH {

@@ -1,11 +1,11 @@
 //! Flats at landings: a storey is cut into sections, each with stairs of its own and a flat on one or both sides of them.
 
-use crate::geometry::Segment;
+use crate::geometry::{Point, Segment};
 use crate::layout::seed::Stream;
 
 use super::brief::Brief;
 use super::disc::is_as_wide_as;
-use super::dwelling::{Cell, Port, Task, plan, studio};
+use super::dwelling::{Cell, Division, Port, Task, divisions, plan, studio};
 use super::links::link;
 use super::ring::{
     Axis, Ring, along, area, bounds, inner_corners, join, longest, shared, split, total_length,
@@ -318,27 +318,28 @@ pub(super) fn flat_at(
     let shares = [0.85, 0.5, 0.15].map(|share| {
         border.start + border.direction() * (border.length() * share).clamp(margin, border.length() - margin)
     });
-    for (step, programme) in
-        programmes.iter().rev().filter(|programme| programme.from <= floor).take(4).enumerate()
-    {
+    // Along a corridor, that is the hall of the building, not of the flat.
+    let hall = match brief.typology.plan {
+        PlanKind::CorridorFlats => "corridor",
+        _ => brief.typology.hall.as_deref()?,
+    };
+    let task = |at: Point, programme| Task {
+        ground: flat,
+        port: Some(Port { at, way: border.normal() }),
+        typologies,
+        programme,
+        hall,
+        hall_width: 1.25,
+        has_stairs: false,
+    };
+    let mut ways: [Option<Vec<Division>>; 3] = [const { None }; 3];
+    let fitting = programmes.iter().rev().filter(|programme| programme.from <= floor).take(4);
+    for (step, programme) in fitting.enumerate() {
         let mut best: Option<(f64, Vec<Cell>)> = None;
-        for at in shares {
-            let port = Port { at, way: border.normal() };
-            // Along a corridor, that is the hall of the building, not of the flat.
-            let hall = match brief.typology.plan {
-                PlanKind::CorridorFlats => "corridor",
-                _ => brief.typology.hall.as_deref()?,
-            };
-            let task = Task {
-                ground: flat,
-                port: Some(port),
-                typologies,
-                programme,
-                hall,
-                hall_width: 1.25,
-                has_stairs: false,
-            };
-            for planned in plan(task, 1, stream) {
+        for (way, &at) in ways.iter_mut().zip(&shares) {
+            let task = task(at, programme);
+            let divisions = way.get_or_insert_with(|| divisions(task));
+            for planned in plan(task, divisions, 1, stream) {
                 if best.as_ref().is_none_or(|(known, _)| planned.cost < *known) {
                     best = Some((planned.cost, planned.cells));
                 }

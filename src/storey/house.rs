@@ -3,13 +3,15 @@
 use crate::layout::seed::Stream;
 
 use super::brief::Brief;
-use super::dwelling::{Cell, Planned, Port, Task, plan, plan_alike, studio};
+use super::dwelling::{Cell, Division, Planned, Port, Task, divisions, plan, plan_alike, studio};
 use super::ring::area;
 use super::spine::Ground;
 use super::typology::Typologies;
 
 /// Plans of the ground floor that are tried until the floors above fit on one.
 const GROUND_PLANS: usize = 6;
+/// The cost of a ground floor that is good enough: no other place of the door is looked at.
+const GOOD_LEVEL: f64 = 4.0;
 
 /// The ground floor of a house and the level that all others are like. `None` if no way is sound.
 pub(super) fn house(
@@ -25,6 +27,7 @@ pub(super) fn house(
     let list = |name: &Option<String>| name.as_ref().and_then(|name| typologies.programmes.get(name));
     let programmes = list(&brief.typology.programme)?;
     let hall = brief.typology.hall.as_deref().unwrap_or("corridor");
+    let mut ways: Vec<Option<Vec<Division>>> = vec![None; ports.len()];
     // Where the programme of its size does not come out, a smaller one may.
     for programme in programmes.iter().rev().filter(|programme| programme.from <= floor).take(4) {
         let mut plans = Vec::new();
@@ -37,9 +40,13 @@ pub(super) fn house(
             hall_width: brief.typology.hall_width,
             has_stairs,
         };
-        for port in &ports {
+        for (port, way) in ports.iter().zip(&mut ways) {
             let task = Task { port: Some(*port), ..task };
-            plans.extend(plan(task, GROUND_PLANS.div_ceil(2), stream));
+            let divisions = way.get_or_insert_with(|| divisions(task));
+            plans.extend(plan(task, divisions, GROUND_PLANS.div_ceil(2), stream));
+            if plans.iter().any(|planned| planned.cost < GOOD_LEVEL) {
+                break;
+            }
         }
         plans.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         for planned in plans.into_iter().take(GROUND_PLANS) {

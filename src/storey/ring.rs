@@ -3,7 +3,7 @@
 //! Storeys are made by cutting and by joining what was cut, never by placing things beside each other: so that rooms cover their
 //! storey and do not overlap, whatever its outline.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 pub(super) use crate::geometry::signed_area as area;
 use crate::geometry::{Bounds, Point, Segment, edges};
@@ -58,9 +58,15 @@ pub(super) fn split(ring: &[Point], axis: Axis, at: f64) -> (Vec<Ring>, Vec<Ring
         return (vec![ring.to_vec()], Vec::new());
     }
     let (nodes, crossings) = with_crossings(ring, &is_above, axis, at);
+    // One cut between places that are no corners leaves two rings as simple as the whole.
+    let near = |corner: &&Point| height(**corner).abs() <= 3.0 * ON_LINE;
+    let is_plain = crossings.len() == 2 && ring.iter().filter(near).count() == 0;
     let partner = partners(&nodes, crossings, axis);
     let side = |above: bool| {
-        let mut pieces: Vec<Ring> = chains(&nodes, &partner, above).into_iter().flat_map(unfolded).collect();
+        let mut pieces = chains(&nodes, &partner, above);
+        if !is_plain {
+            pieces = pieces.into_iter().flat_map(unfolded).collect();
+        }
         pieces.retain(|piece| piece.len() > 2 && area(piece) > CRUMB);
         pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
         pieces
@@ -222,33 +228,40 @@ fn key(point: Point) -> Key {
 
 /// Edges without those that run there and back.
 fn without_doubled(all: Vec<Segment>) -> Vec<Segment> {
-    let directed: BTreeSet<(Key, Key)> = all.iter().map(|edge| (key(edge.start), key(edge.end))).collect();
-    let is_single = |edge: &Segment| !directed.contains(&(key(edge.end), key(edge.start)));
+    let mut directed: Vec<(Key, Key)> = all.iter().map(|edge| (key(edge.start), key(edge.end))).collect();
+    directed.sort_unstable();
+    let is_single = |edge: &Segment| directed.binary_search(&(key(edge.end), key(edge.start))).is_err();
     all.into_iter().filter(is_single).collect()
 }
 
 /// Edges linked into rings; `None` where they do not close. A ring that meets itself in a corner becomes two.
 fn rings_of(border: Vec<Segment>) -> Option<Vec<Ring>> {
-    let mut next: BTreeMap<Key, Vec<Point>> = BTreeMap::new();
-    for edge in &border {
-        next.entry(key(edge.start)).or_default().push(edge.end);
-    }
+    // By the corner that an edge begins at; the last of several is taken first.
+    let mut next: Vec<(Key, Option<Point>)> =
+        border.iter().map(|edge| (key(edge.start), Some(edge.end))).collect();
+    next.sort_by_key(|(from, _)| *from);
+    let mut take = |from: Key, is_taken: bool| {
+        let first = next.partition_point(|(corner, _)| *corner < from);
+        let same = next[first..].iter_mut().take_while(|(corner, _)| *corner == from);
+        let end = same.map(|(_, end)| end).filter(|end| end.is_some()).last()?;
+        if is_taken { end.take() } else { *end }
+    };
     let mut rings = Vec::new();
     let mut path: Ring = Vec::new();
     for start in border.iter().map(|edge| edge.start) {
-        if next.get(&key(start)).is_none_or(Vec::is_empty) {
+        if take(key(start), false).is_none() {
             continue;
         }
         let mut at = start;
         loop {
             if let Some(place) = path.iter().position(|&corner| key(corner) == key(at)) {
                 rings.push(path.split_off(place));
-                if path.is_empty() && next.get(&key(at)).is_none_or(Vec::is_empty) {
+                if path.is_empty() && take(key(at), false).is_none() {
                     break;
                 }
             }
             path.push(at);
-            at = next.get_mut(&key(at))?.pop()?;
+            at = take(key(at), true)?;
         }
     }
     Some(rings)

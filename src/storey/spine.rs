@@ -37,7 +37,8 @@ impl Ground {
     /// The same in a frame that is turned by a quarter.
     pub(super) fn turned(&self) -> Self {
         let line = |line: Segment| Segment::new(turned_point(line.start), turned_point(line.end));
-        let spans = self.facade.spans.iter().map(|span| Span { line: line(span.line), ..*span }).collect();
+        let spans = self.facade.spans.iter().map(|span| Span::new(line(span.line), span.class, span.sight));
+        let spans = spans.collect();
         let entrance = self.facade.entrance.map(|(span, point)| (span, turned_point(point)));
         Self { ring: turned(&self.ring), facade: Facade { spans, entrance }, wall: self.wall }
     }
@@ -197,14 +198,12 @@ fn take_largest(mut pieces: Vec<Ring>, taken: &mut Vec<Ring>, left_over: &mut Ve
 
 /// Metres of a ring across the strip at a place along it.
 fn depth_at(ring: &[Point], s: f64) -> f64 {
-    let mut crossings: Vec<f64> = edges(ring)
-        .filter(|edge| (edge.start.x > s) != (edge.end.x > s))
-        .map(|edge| {
-            edge.start.y + (s - edge.start.x) / (edge.end.x - edge.start.x) * (edge.end.y - edge.start.y)
-        })
-        .collect();
-    crossings.sort_by(f64::total_cmp);
-    crossings.chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
+    // Edges above run west, those below run east.
+    let height = |edge: &Segment| {
+        let y = edge.start.y + (s - edge.start.x) / (edge.end.x - edge.start.x) * (edge.end.y - edge.start.y);
+        if edge.start.x > edge.end.x { y } else { -y }
+    };
+    edges(ring).filter(|edge| (edge.start.x > s) != (edge.end.x > s)).map(|edge| height(&edge)).sum()
 }
 
 /// A room inside a strip, at one side of it.
