@@ -365,7 +365,7 @@ fn room_cells(
     if task.brief.typology.plan == PlanKind::CorridorFlats && room_type == task.main {
         let border = longest(shared(&ring, strip))?;
         let flat = ground.part(ring);
-        let (_, cells) = flat_at(&flat, border, task.brief, task.typologies, task.stream)?;
+        let cells = flat_at(&flat, border, task.brief, task.typologies, task.stream)?;
         task.unit += 1;
         return Some(cells.into_iter().map(|cell| Cell { unit: Some(task.unit), ..cell }).collect());
     }

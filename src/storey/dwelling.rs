@@ -11,7 +11,7 @@ use super::thin::{Rules, has_thin_parts, trade_thin_parts};
 use super::typology::{Light, Programme, RoomNeeds, Typologies};
 
 /// Ways to fill the rows that are tried for each place of the strip.
-const TRIES: u32 = 10;
+const TRIES: u32 = 6;
 /// Plans that are drawn of the best fillings until one is sound.
 const DRAWN: usize = 8;
 /// Metres of the half of a way in.
@@ -259,7 +259,8 @@ fn schemes(
     });
     let mut lows: Vec<(f64, Vec<Fixed>)> = Vec::new();
     for (low, ports) in snapped {
-        let is_known = |(other, known): &(f64, Vec<Fixed>)| (other - low).abs() < SAME_PLACE && *known == ports;
+        let is_known =
+            |(other, known): &(f64, Vec<Fixed>)| (other - low).abs() < SAME_PLACE && *known == ports;
         if !lows.iter().any(is_known) {
             lows.push((low, ports));
         }

@@ -27,8 +27,6 @@ const STAIRS_LIGHT: f64 = 1.3;
 const LEAST_FLAT: f64 = 18.0;
 /// Square metres from which on a landing has two flats.
 const TWO_FLATS: f64 = 110.0;
-/// Sound plans of a section among which the best is taken.
-const COMPARED: usize = 2;
 /// Square metres of sections that follow from the number of flats of a map, which may count what is planned otherwise.
 const KNOWN_SECTION: (f64, f64) = (90.0, 420.0);
 /// The cost of a flat that is good enough: no other is looked for.
@@ -145,32 +143,29 @@ fn landing(
     unit: &mut usize,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
-    let mut sound: Vec<(f64, Vec<Cell>)> = Vec::new();
     let size = bounds(&section.ring).size();
     let first_turned = size.y > size.x;
     for is_turned in [first_turned, !first_turned] {
         let ground = if is_turned { section.turned() } else { section.clone() };
-        for core in cores(&ground, brief.storeys) {
-            if sound.len() >= COMPARED {
-                break;
+        let sound = cores(&ground, brief.storeys).into_iter().find_map(|core| {
+            let cells = flats_at(&ground, core, brief, typologies, stream)?;
+            is_joined(&cells, typologies, stream).then_some(cells)
+        });
+        if let Some(mut cells) = sound {
+            let first = *unit;
+            for cell in &mut cells {
+                if is_turned {
+                    cell.ring = turned_ring_back(&cell.ring);
+                }
+                if let Some(number) = &mut cell.unit {
+                    *number += first;
+                    *unit = (*unit).max(*number + 1);
+                }
             }
-            let planned = flats_at(&ground, core, brief, typologies, stream);
-            let Some((cost, cells)) = planned.filter(|(_, cells)| is_joined(cells, typologies, stream))
-            else {
-                continue;
-            };
-            let back = |cell: Cell| match is_turned {
-                true => Cell { ring: turned_ring_back(&cell.ring), ..cell },
-                false => cell,
-            };
-            let flats = cells.iter().filter_map(|cell| cell.unit).max().map_or(1, |last| last + 1);
-            sound.push((cost, cells.into_iter().map(back).collect()));
-            if cost < GOOD_FLAT * flats as f64 {
-                return Some(taken(sound, unit));
-            }
+            return Some(cells);
         }
     }
-    (!sound.is_empty()).then(|| taken(sound, unit))
+    None
 }
 
 /// Whether stairs and lift are wide enough, and lead to all flats.
@@ -181,18 +176,6 @@ fn is_joined(cells: &[Cell], typologies: &Typologies, stream: &mut Stream) -> bo
         needs.is_none_or(|needs| is_as_wide_as(&cell.ring, needs.width))
     };
     shared.all(is_wide) && link(cells, typologies, &[], true, stream).unreached.is_empty()
-}
-
-/// The best of some plans; the next flat has the next number.
-fn taken(sound: Vec<(f64, Vec<Cell>)>, unit: &mut usize) -> Vec<Cell> {
-    let best = sound.into_iter().reduce(|best, next| if next.0 < best.0 { next } else { best });
-    let mut cells = best.map(|(_, cells)| cells).unwrap_or_default();
-    let first = *unit;
-    for number in cells.iter_mut().filter_map(|cell| cell.unit.as_mut()) {
-        *number += first;
-        *unit = (*unit).max(*number + 1);
-    }
-    cells
 }
 
 /// Stairs, perhaps with a lift, and the outlines of the flats beside them.
@@ -287,31 +270,29 @@ fn flats_at(
     brief: &Brief<'_>,
     typologies: &Typologies,
     stream: &mut Stream,
-) -> Option<(f64, Vec<Cell>)> {
+) -> Option<Vec<Cell>> {
     let mut cells = vec![Cell::shared(core.stairs.clone(), "stairs")];
     cells.extend(core.lift.map(|ring| Cell::shared(ring, "elevator")));
-    let mut cost = 0.0;
     for (number, ring) in core.flats.into_iter().enumerate() {
         let border = longest(shared(&ring, &core.stairs))?;
         if border.length() < 1.2 {
             return None;
         }
         let flat = ground.part(ring);
-        let (own, rooms) = flat_at(&flat, border, brief, typologies, stream)?;
-        cost += own;
+        let rooms = flat_at(&flat, border, brief, typologies, stream)?;
         cells.extend(rooms.into_iter().map(|cell| Cell { unit: Some(number), ..cell }));
     }
-    Some((cost, cells))
+    Some(cells)
 }
 
-/// The best flat with its way in somewhere on a border, and what it costs.
+/// The best flat with its way in somewhere on a border.
 pub(super) fn flat_at(
     flat: &Ground,
     border: Segment,
     brief: &Brief<'_>,
     typologies: &Typologies,
     stream: &mut Stream,
-) -> Option<(f64, Vec<Cell>)> {
+) -> Option<Vec<Cell>> {
     let programmes = typologies.programmes.get(brief.typology.programme.as_deref()?)?;
     let floor = area(&flat.ring);
     let margin = 0.75f64.min(border.length() / 2.0);
@@ -334,7 +315,7 @@ pub(super) fn flat_at(
     };
     let mut ways: [Option<Vec<Division>>; 3] = [const { None }; 3];
     let fitting = programmes.iter().rev().filter(|programme| programme.from <= floor).take(4);
-    for (step, programme) in fitting.enumerate() {
+    for programme in fitting {
         let mut best: Option<(f64, Vec<Cell>)> = None;
         for (way, &at) in ways.iter_mut().zip(&shares) {
             let task = task(at, programme);
@@ -348,10 +329,10 @@ pub(super) fn flat_at(
                 break;
             }
         }
-        if let Some((cost, cells)) = best {
-            return Some((cost + step as f64, cells));
+        if let Some((_, cells)) = best {
+            return Some(cells);
         }
     }
     let port = Port { at: shares[1], way: border.normal() };
-    (floor < 75.0).then(|| studio(flat, port, typologies)).flatten().map(|cells| (6.0, cells))
+    (floor < 75.0).then(|| studio(flat, port, typologies)).flatten()
 }
