@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::geometry::{Point, Segment};
+use crate::geometry::Point;
 use crate::layout::seed::{Stream, building_stream};
 use crate::plan::{
     BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
@@ -18,7 +18,7 @@ use super::facade::Neighbourhood;
 use super::flats::flats;
 use super::footprint::{Footprint, Site};
 use super::house::{house, outer_ports};
-use super::links::{Link, Links, link, room_at};
+use super::links::{Entry, Link, Links, link, room_at};
 use super::open::{one_room, open_plan};
 use super::plate::Outline;
 use super::ring::{area, longest};
@@ -29,10 +29,16 @@ use super::windows::{Window, windows};
 
 /// How often a kind of building is tried with other random numbers before a simpler way is taken.
 const TRIES: u32 = 2;
+/// Metres of the largest disc below which nobody can stand in a building.
+const NARROWEST: f64 = 0.86;
+/// Metres of the outer walls of the smallest sheds.
+const THINNEST_WALL: f64 = 0.02;
 /// Square metres from which on a room may have several ways out.
 const LARGE_ROOM: f64 = 250.0;
 /// Metres between the ways out of a large room, about: nobody in it walks farther than 35 m to one.
-const DOORS_APART: f64 = 25.0;
+const DOORS_APART: f64 = 22.0;
+/// Metres between the places of a wall at which such a door may be.
+const PLACES_APART: f64 = 8.0;
 /// Further ways out of a room at most.
 const MOST_WAYS_OUT: usize = 24;
 /// Metres of floor between storeys.
@@ -84,7 +90,7 @@ struct Storey {
     windows: Vec<Window>,
 }
 
-/// Plans the building of a footprint of the site, by its number.
+/// Plans the building of a footprint of the site, by its number; `None` where it is too narrow to stand in.
 #[must_use]
 pub(crate) fn plan_building(
     site: &Site,
@@ -96,10 +102,13 @@ pub(crate) fn plan_building(
     let footprint = &site.footprints[index];
     let outline = Outline::of(footprint, &around.near(index), &around.streets_near(index));
     let measures = Measures { area: outline.area(), depth: outline.depth(), party: outline.party() };
+    if measures.depth < NARROWEST {
+        return None;
+    }
     let kinds = briefs(footprint, measures, typologies, choices);
     let mut refused = Vec::new();
     for (rung, brief) in kinds.iter().enumerate() {
-        let grounds = outline.grounds(brief.typology.exterior);
+        let grounds = outline.grounds(brief.typology.exterior, brief.storeys);
         if grounds.is_empty() {
             refused.push(format!("{}: the walls leave no floor", brief.name));
             continue;
@@ -122,8 +131,9 @@ pub(crate) fn plan_building(
         }
     }
     let first = kinds.first()?;
-    let walls = first.typology.exterior.min(measures.depth / 6.0);
-    let mut grounds = outline.grounds(walls);
+    let most = (0.5 * (measures.depth - NARROWEST)).max(THINNEST_WALL);
+    let mut grounds =
+        outline.grounds(first.typology.exterior.min(measures.depth / 6.0).min(most), first.storeys);
     if grounds.is_empty() {
         grounds = vec![Ground { ring: outline.outer.clone(), facade: outline.facade.clone(), wall: 0.0 }];
     }
@@ -182,81 +192,87 @@ fn storey(
     stream: &mut Stream,
 ) -> Storey {
     let has_stairs = cells.iter().any(|cell| cell.room_type == "stairs");
-    let mut ports = if is_ground { ways_in(grounds, &cells, typologies) } else { Vec::new() };
-    if is_ground {
-        ports.extend(ways_out(&grounds[0], &cells, typologies, &ports));
-    }
     let is_entered = has_stairs && !is_ground;
-    let mut links = link(&cells, typologies, &ports, is_entered, stream);
+    let mut entries = Vec::new();
+    if is_ground {
+        entries = ways_in(grounds, &cells, typologies);
+        entries.extend(ways_out(&grounds[0], &cells, typologies, &entries));
+    }
+    let mut links = link(&cells, typologies, &entries, is_entered, stream);
     // What stands apart on the ground has a door of its own.
-    let apart = is_ground.then(|| door_of_its_own(&grounds[0], &cells, typologies, &links)).flatten();
-    if let Some(port) = apart {
-        ports.push(port);
-        links = link(&cells, typologies, &ports, is_entered, stream);
+    while let Some(entry) =
+        is_ground.then(|| door_of_its_own(&grounds[0], &cells, typologies, &links)).flatten()
+    {
+        entries.push(entry);
+        links = link(&cells, typologies, &entries, is_entered, stream);
     }
     let windows = windows(&grounds[0], &cells, typologies, &links.links);
     Storey { cells, links, windows }
 }
 
 /// A way into the first room that none leads to, if people may pass through it.
-fn door_of_its_own(ground: &Ground, cells: &[Cell], typologies: &Typologies, links: &Links) -> Option<Port> {
-    let is_public = |cell: &&Cell| typologies.rooms.get(&cell.room_type).is_some_and(|needs| needs.passage);
-    let apart = links.unreached.iter().map(|&room| &cells[room]).filter(|cell| cell.unit.is_none());
-    apart.filter(is_public).find_map(|cell| stair_port(ground, cell))
+fn door_of_its_own(ground: &Ground, cells: &[Cell], typologies: &Typologies, links: &Links) -> Option<Entry> {
+    let is_public = |room: &usize| {
+        let needs = typologies.rooms.get(&cells[*room].room_type);
+        cells[*room].unit.is_none() && needs.is_some_and(|needs| needs.passage)
+    };
+    links.unreached.iter().copied().filter(is_public).find_map(|room| free_wall(ground, cells, room))
 }
 
 /// Further doors of large rooms, so that nobody in them is far from one.
-fn ways_out(ground: &Ground, cells: &[Cell], typologies: &Typologies, ports: &[Port]) -> Vec<Port> {
-    let is_large = |cell: &&Cell| {
-        area(&cell.ring) > LARGE_ROOM
-            && typologies.rooms.get(&cell.room_type).is_some_and(|needs| needs.passage)
+fn ways_out(ground: &Ground, cells: &[Cell], typologies: &Typologies, entries: &[Entry]) -> Vec<Entry> {
+    let is_large = |room: &usize| {
+        let needs = typologies.rooms.get(&cells[*room].room_type);
+        area(&cells[*room].ring) > LARGE_ROOM && needs.is_some_and(|needs| needs.passage)
     };
     let mut found = Vec::new();
-    for cell in cells.iter().filter(is_large) {
-        let walls: Vec<Segment> =
-            ground.light(&cell.ring).into_iter().filter(|wall| wall.length() > 2.0).collect();
-        let mut doors: Vec<Point> = ports.iter().map(|port| port.at).collect();
-        let gap = |at: Point, doors: &[Point]| {
-            doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min)
-        };
+    for room in (0..cells.len()).filter(is_large) {
+        let walls = ground.light(&cells[room].ring);
+        let walls = walls.iter().filter(|wall| wall.length() > 2.4);
+        // In the middle of a wall, and along it: clear of its ends.
+        let places: Vec<(Point, Point)> = walls
+            .flat_map(|wall| {
+                let count = (wall.length() / PLACES_APART).floor().max(1.0) as u32;
+                (0..count)
+                    .map(move |number| (wall.at((f64::from(number) + 0.5) / f64::from(count)), wall.normal()))
+            })
+            .collect();
+        let mut doors: Vec<Point> = entries.iter().map(|entry| entry.port.at).collect();
         for _ in 0..MOST_WAYS_OUT {
-            let farthest = walls
-                .iter()
-                .map(|wall| (gap(wall.middle(), &doors), wall))
-                .reduce(|a, b| if b.0 > a.0 { b } else { a });
-            let Some((_, wall)) = farthest.filter(|(gap, _)| *gap > DOORS_APART) else { break };
-            doors.push(wall.middle());
-            found.push(Port { at: wall.middle(), way: wall.normal() });
+            let gap = |at: Point| doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min);
+            let farthest = places.iter().map(|place| (gap(place.0), place));
+            let farthest = farthest.reduce(|a, b| if b.0 > a.0 { b } else { a });
+            let Some((_, &(at, way))) = farthest.filter(|(gap, _)| *gap > DOORS_APART) else { break };
+            doors.push(at);
+            found.push(Entry { room, port: Port { at, way } });
         }
     }
     found
 }
 
 /// Doors of the ground floor: for flats one at each stairs, else where the entrance is. It leads into no private room.
-fn ways_in(grounds: &[Ground], cells: &[Cell], typologies: &Typologies) -> Vec<Port> {
+fn ways_in(grounds: &[Ground], cells: &[Cell], typologies: &Typologies) -> Vec<Entry> {
     let is_flats = cells.first().is_some_and(|cell| cell.room_type == "stairs");
     if is_flats {
-        let stairs = cells.iter().filter(|cell| cell.room_type == "stairs");
-        return stairs.filter_map(|cell| stair_port(&grounds[0], cell)).collect();
+        let stairs = (0..cells.len()).filter(|&room| cells[room].room_type == "stairs");
+        return stairs.filter_map(|room| free_wall(&grounds[0], cells, room)).collect();
     }
-    let is_public = |port: &Port| {
-        let room = room_at(cells, *port).and_then(|room| typologies.rooms.get(&cells[room].room_type));
-        room.is_some_and(|needs| needs.passage)
-    };
+    let is_public =
+        |room: usize| typologies.rooms.get(&cells[room].room_type).is_some_and(|needs| needs.passage);
     let is_single = cells.len() == grounds.len();
-    let wanted = grounds.iter().flat_map(outer_ports).find(is_public);
+    let wanted = grounds
+        .iter()
+        .flat_map(outer_ports)
+        .find_map(|port| Some(Entry { room: room_at(cells, port).filter(|&room| is_public(room))?, port }));
     // A building of one room, such as a shed, is entered where it has any wall to the open air.
-    let any = || {
-        let first = cells.first().filter(|_| is_single)?;
-        stair_port(&grounds[0], first)
-    };
+    let any = || if is_single { free_wall(&grounds[0], cells, 0) } else { None };
     wanted.or_else(any).into_iter().collect()
 }
 
-/// A door of stairs to the open air: in the middle of their longest free wall.
-fn stair_port(ground: &Ground, cell: &Cell) -> Option<Port> {
-    let wall = longest(ground.light(&cell.ring))?;
-    Some(Port { at: wall.middle(), way: wall.normal() })
+/// A way into a room from the open air: in the middle of its longest free wall.
+fn free_wall(ground: &Ground, cells: &[Cell], room: usize) -> Option<Entry> {
+    let wall = longest(ground.light(&cells[room].ring))?;
+    Some(Entry { room, port: Port { at: wall.middle(), way: wall.normal() } })
 }
 
 /// Storeys that always come out: open ones with stairs, or one room on each.

@@ -20,13 +20,13 @@ const LIFT: (f64, f64) = (2.1, 2.2);
 /// Metres of depth of a row that stairs need.
 const STAIRS_DEPTH: f64 = 4.0;
 /// Metres of corridor from which on a wing has stairs.
-const ONE_STAIRS: f64 = 14.0;
+const ONE_STAIRS: f64 = 12.0;
 /// Storeys from which on there is a lift.
 const LIFT_STOREYS: u32 = 4;
 /// Metres of corridor from which on a wing has stairs at both ends: nobody walks farther than 35 m to one.
-const TWO_STAIRS: f64 = 30.0;
+const TWO_STAIRS: f64 = 24.0;
 /// Metres between two stairs at most, for the same reason.
-const STAIRS_APART: f64 = 55.0;
+const STAIRS_APART: f64 = 46.0;
 /// Metres of depth from which on rows lie on both sides of a corridor.
 const TWO_ROWS: f64 = 9.0;
 /// Metres of depth below which a wing has no corridor of its own.

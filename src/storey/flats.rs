@@ -11,6 +11,7 @@ use super::ring::{
     Axis, Ring, along, area, bounds, inner_corners, join, longest, shared, split, total_length,
 };
 use super::spine::{Ground, cut_along, extent, turned_ring_back};
+use super::thin::{Rules, has_thin_parts, trade_thin_parts};
 use super::typology::{PlanKind, Typologies};
 
 /// Metres of the strip with the stairs.
@@ -148,7 +149,8 @@ fn landing(
     for is_turned in [first_turned, !first_turned] {
         let ground = if is_turned { section.turned() } else { section.clone() };
         let sound = cores(&ground, brief.storeys).into_iter().find_map(|core| {
-            let cells = flats_at(&ground, core, brief, typologies, stream)?;
+            let mut cells = flats_at(&ground, core, brief, typologies, stream)?;
+            trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
             is_joined(&cells, typologies, stream).then_some(cells)
         });
         if let Some(mut cells) = sound {
@@ -173,7 +175,7 @@ fn is_joined(cells: &[Cell], typologies: &Typologies, stream: &mut Stream) -> bo
     let mut shared = cells.iter().filter(|cell| cell.unit.is_none());
     let is_wide = |cell: &Cell| {
         let needs = typologies.rooms.get(&cell.room_type);
-        needs.is_none_or(|needs| is_as_wide_as(&cell.ring, needs.width))
+        !has_thin_parts(&cell.ring) && needs.is_none_or(|needs| is_as_wide_as(&cell.ring, needs.width))
     };
     shared.all(is_wide) && link(cells, typologies, &[], true, stream).unreached.is_empty()
 }

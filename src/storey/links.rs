@@ -47,6 +47,15 @@ pub(super) struct Links {
     pub(super) unreached: Vec<usize>,
 }
 
+/// A way into a room from the open air.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry {
+    /// The room by number.
+    pub(super) room: usize,
+    /// Where it is in the room's wall.
+    pub(super) port: Port,
+}
+
 /// The pairs of rooms that share a wall, with the longest piece of it; the first room is on its left.
 struct Borders(Vec<Vec<(usize, Segment)>>);
 
@@ -80,11 +89,11 @@ struct Level<'a> {
     is_entry: &'a [bool],
 }
 
-/// Doors of a level: `ports` are the ways in from outside, `stair_roots` whether people come by the stairs.
+/// Doors of a level: `entries` are the ways in from outside, `stair_roots` whether people come by the stairs.
 pub(super) fn link(
     cells: &[Cell],
     typologies: &Typologies,
-    ports: &[Port],
+    entries: &[Entry],
     stair_roots: bool,
     stream: &mut Stream,
 ) -> Links {
@@ -94,11 +103,9 @@ pub(super) fn link(
     let level = Level { cells, typologies, borders: &borders, is_entry: &is_entry };
     let mut found = Links::default();
     let mut is_reached = vec![false; cells.len()];
-    for port in ports {
-        if let Some(room) = room_at(cells, *port) {
-            is_reached[room] = true;
-            found.links.push(outer_door(room, *port, &cells[room]));
-        }
+    for &Entry { room, port } in entries {
+        is_reached[room] = true;
+        found.links.push(outer_door(room, port, &cells[room]));
     }
     if stair_roots {
         for (index, cell) in cells.iter().enumerate() {
@@ -189,7 +196,10 @@ fn best_way(
 ) -> Option<(usize, Segment)> {
     let Level { cells, typologies, borders, .. } = level;
     let needs = typologies.rooms.get(&cells[room].room_type)?;
-    let ways = borders.0[room].iter().filter(|(to, _)| is_reached[*to]).filter_map(|&(to, border)| {
+    // Nobody walks through a flat to what all share.
+    let is_way =
+        |to: usize| is_reached[to] && (cells[to].unit.is_none() || cells[to].unit == cells[room].unit);
+    let ways = borders.0[room].iter().filter(|(to, _)| is_way(*to)).filter_map(|&(to, border)| {
         // The other way round too: stairs of a house are reached from its hall, a hall above from the stairs.
         let other = typologies.rooms.get(&cells[to].room_type).filter(|other| other.passage);
         let back = other.and_then(|other| may_lead(level, other, to, room));

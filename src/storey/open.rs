@@ -11,7 +11,7 @@ use super::typology::Typologies;
 /// Metres of the depth of the small rooms, and with stairs among them.
 const DEPTH: (f64, f64) = (3.0, 4.6);
 /// Square metres of a part of a storey with stairs of its own, so that nobody walks far to them.
-const PART: f64 = 900.0;
+const PART: f64 = 700.0;
 /// Square metres of stairs.
 const STAIRS: f64 = 13.0;
 /// Share of the storey that small rooms take at most.

@@ -18,9 +18,9 @@ use super::thin::without_thin_parts;
 
 /// Corners that stand out farther than this many times the depth of the wall are cut off.
 const MITRE_LIMIT: f64 = 4.0;
-/// Square metres below which a piece that no other borders on is no floor, and the share of the storey.
-const LEAST_ISLAND: f64 = 15.0;
-/// See [`LEAST_ISLAND`].
+/// Square metres below which a piece that no other borders on is no floor, and with stairs of its own.
+const LEAST_ISLAND: (f64, f64) = (2.0, 15.0);
+/// The same as a share of the storey.
 const ISLAND_SHARE: f64 = 0.05;
 /// Pieces below this many square metres are no floor.
 const LEAST_PIECE: f64 = 1.0;
@@ -81,8 +81,9 @@ impl Outline {
         length(|class| class == super::facade::EdgeClass::Party) / length(|_| true).max(0.1)
     }
 
-    /// The floor inside walls of this thickness, in pieces that are joined by nothing but cuts, the largest first.
-    pub(super) fn grounds(&self, wall: f64) -> Vec<Ground> {
+    /// The floor of each of so many storeys inside walls of this thickness, in pieces that are joined by nothing but cuts, the
+    /// largest first.
+    pub(super) fn grounds(&self, wall: f64, storeys: u32) -> Vec<Ground> {
         let holes: Vec<Ring> = self.courts.iter().flat_map(|court| moved(court, wall)).collect();
         let mut pieces: Vec<Ring> = Vec::new();
         for ring in moved(&self.outer, -wall) {
@@ -92,15 +93,15 @@ impl Outline {
         }
         pieces.retain(|ring| area(ring) >= LEAST_PIECE && is_simple(ring));
         pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
-        let pieces = without_small_islands(pieces);
+        let pieces = without_small_islands(pieces, if storeys > 1 { LEAST_ISLAND.1 } else { LEAST_ISLAND.0 });
         let ground = |ring| Ground { ring, facade: self.facade.clone(), wall };
         pieces.into_iter().map(ground).collect()
     }
 }
 
 /// The pieces that people can walk between, and of the others those that are worth a door of their own.
-fn without_small_islands(pieces: Vec<Ring>) -> Vec<Ring> {
-    let least = LEAST_ISLAND.max(ISLAND_SHARE * pieces.iter().map(|ring| area(ring)).sum::<f64>());
+fn without_small_islands(pieces: Vec<Ring>, least: f64) -> Vec<Ring> {
+    let least = least.max(ISLAND_SHARE * pieces.iter().map(|ring| area(ring)).sum::<f64>());
     let mut kept: Vec<Ring> = Vec::new();
     for ring in pieces {
         let is_beside = |other: &Ring| shared_length(&ring, other) >= LEAST_BORDER;

@@ -26,6 +26,8 @@ const LOW_SILL: f64 = 0.4;
 const USUAL_WIDTH: f64 = 1.9;
 /// Square metres up to which a room that needs no windows has one at most.
 const SMALL_ROOM: f64 = 8.0;
+/// Metres within which an inner wall runs beside an outer one as if it were the same.
+const BESIDE_WALL: f64 = 0.25;
 /// Metres of the largest window.
 const WIDEST: f64 = 2.4;
 
@@ -62,7 +64,7 @@ pub(super) fn windows(
         let pieces: Vec<Segment> = ground
             .light(&cell.ring)
             .into_iter()
-            .flat_map(|piece| without_doors(piece, links))
+            .flat_map(|piece| without_doors(piece, room, links))
             .filter(|piece| piece.length() >= 0.5 + 2.0 * BESIDE.min(piece.length() / 5.0))
             .collect();
         let is_hall =
@@ -116,11 +118,19 @@ fn in_piece(piece: Segment, share: f64) -> Vec<(Point, f64)> {
     (0..count as u32).map(|index| (piece.at((f64::from(index) + 0.5) / count), width)).collect()
 }
 
-/// What doors leave of a piece of wall.
-fn without_doors(piece: Segment, links: &[Link]) -> Vec<Segment> {
+/// What doors leave of a piece of wall: outer ones, and those of the room in an inner wall that runs close beside it.
+fn without_doors(piece: Segment, room: usize, links: &[Link]) -> Vec<Segment> {
     let (length, direction) = (piece.length(), piece.direction());
     let mut kept: Vec<(f64, f64)> = vec![(0.0, length)];
-    for link in links.iter().filter(|link| link.rooms.1.is_none() && piece.side(link.center).abs() < 0.6) {
+    let is_in_wall = |link: &&Link| {
+        let reach = match link.rooms {
+            (_, None) => 0.6,
+            (first, Some(second)) if first == room || second == room => BESIDE_WALL,
+            _ => return false,
+        };
+        piece.side(link.center).abs() < reach && link.along.perp_dot(direction).abs() < 0.1
+    };
+    for link in links.iter().filter(is_in_wall) {
         let place = (link.center - piece.start).dot(direction);
         let (from, to) = (place - link.width / 2.0 - DOOR_GAP, place + link.width / 2.0 + DOOR_GAP);
         kept = kept
