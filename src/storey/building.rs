@@ -21,7 +21,7 @@ use super::house::{house, outer_ports};
 use super::links::{Entry, Link, Links, link, room_at};
 use super::open::{one_room, open_plan};
 use super::plate::Outline;
-use super::ring::{area, longest};
+use super::ring::{area, bounds, longest};
 use super::spine::Ground;
 use super::thin::{Rules, trade_thin_parts};
 use super::typology::{PlanKind, Typologies};
@@ -39,6 +39,8 @@ const LARGE_ROOM: f64 = 250.0;
 const DOORS_APART: f64 = 22.0;
 /// Metres between the places of a wall at which such a door may be.
 const PLACES_APART: f64 = 8.0;
+/// Metres across from which on a corridor has several.
+const LONG_ROOM: f64 = 30.0;
 /// Further ways out of a room at most.
 const MOST_WAYS_OUT: usize = 24;
 /// Metres of floor between storeys.
@@ -223,12 +225,14 @@ fn door_of_its_own(ground: &Ground, cells: &[Cell], typologies: &Typologies, lin
 fn ways_out(ground: &Ground, cells: &[Cell], typologies: &Typologies, entries: &[Entry]) -> Vec<Entry> {
     let is_large = |room: &usize| {
         let needs = typologies.rooms.get(&cells[*room].room_type);
-        area(&cells[*room].ring) > LARGE_ROOM && needs.is_some_and(|needs| needs.passage)
+        let ring = &cells[*room].ring;
+        let is_far_across = area(ring) > LARGE_ROOM || bounds(ring).size().max_element() > LONG_ROOM;
+        cells[*room].unit.is_none() && is_far_across && needs.is_some_and(|needs| needs.passage)
     };
     let mut found = Vec::new();
     for room in (0..cells.len()).filter(is_large) {
         let walls = ground.light(&cells[room].ring);
-        let walls = walls.iter().filter(|wall| wall.length() > 2.4);
+        let walls = walls.iter().filter(|wall| wall.length() > 1.4);
         // In the middle of a wall, and along it: clear of its ends.
         let places: Vec<(Point, Point)> = walls
             .flat_map(|wall| {

@@ -19,6 +19,8 @@ const STAIRS_WIDTH: f64 = 2.9;
 const LIFT: (f64, f64) = (2.1, 2.2);
 /// Metres of depth of a row that stairs need.
 const STAIRS_DEPTH: f64 = 4.0;
+/// Metres of depth of stairs at most.
+const DEEPEST_STAIRS: f64 = 6.0;
 /// Metres of corridor from which on a wing has stairs.
 const ONE_STAIRS: f64 = 12.0;
 /// Storeys from which on there is a lift.
@@ -151,7 +153,9 @@ fn along_corridor(
         if number == 1 {
             cells.extend(lift(ring, &strip)?);
         } else {
-            cells.push(Cell::shared(ring, "stairs"));
+            let (stairs, rest) = stairs(ring, &strip);
+            cells.push(Cell::shared(stairs, "stairs"));
+            left_over.extend(rest);
         }
     }
     let mut order: Vec<&Row> = rows.iter().collect();
@@ -269,6 +273,22 @@ fn add_lift(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool) {
         from >= left - 0.01 && from + LIFT.0 <= right + 0.01 && is_free(fixed, is_above, from, from + LIFT.0)
     });
     fixed.extend(place.map(|from| Fixed { is_above, from, to: from + LIFT.0, kind: FixedKind::Room(1) }));
+}
+
+/// Stairs at the corridor, and what is left of a row that is deeper.
+fn stairs(ring: Ring, strip: &[Point]) -> (Ring, Option<Ring>) {
+    let Some(border) = longest(shared(&ring, strip)) else { return (ring, None) };
+    if bounds(&ring).size().y < DEEPEST_STAIRS + LEAST_ROW {
+        return (ring, None);
+    }
+    let is_above = border.middle().y < bounds(&ring).center().y;
+    let at = border.middle().y + if is_above { DEEPEST_STAIRS } else { -DEEPEST_STAIRS };
+    let (below, above) = split(&ring, Axis::Y, at);
+    match (<[Ring; 1]>::try_from(below), <[Ring; 1]>::try_from(above)) {
+        (Ok([below]), Ok([above])) if is_above => (below, Some(above)),
+        (Ok([below]), Ok([above])) => (above, Some(below)),
+        _ => (ring, None),
+    }
 }
 
 /// A lift at the corridor, with a shaft behind it where the row is deeper.

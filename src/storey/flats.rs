@@ -30,6 +30,8 @@ const LEAST_FLAT: f64 = 18.0;
 const TWO_FLATS: f64 = 110.0;
 /// Square metres of sections that follow from the number of flats of a map, which may count what is planned otherwise.
 const KNOWN_SECTION: (f64, f64) = (90.0, 420.0);
+/// Pieces that one cut through a storey may leave: three at an arm of it.
+const MOST_PIECES: usize = 3;
 /// The cost of a flat that is good enough: no other is looked for.
 const GOOD_FLAT: f64 = 5.0;
 
@@ -91,33 +93,40 @@ pub(super) fn sections(ground: &Ground, ring: Ring, count: usize) -> Vec<Ring> {
         return vec![ring];
     }
     let total = area(&ring);
-    let mut best: Option<(f64, Ring, Ring, usize)> = None;
+    let each = total / count as f64;
+    let mut best: Option<(f64, Vec<Ring>)> = None;
     for (axis, at) in cuts(&ring, count) {
-        let (mut below, mut above) = split(&ring, axis, at);
-        if below.len() != 1 || above.len() != 1 {
+        let (below, above) = split(&ring, axis, at);
+        let chords = below.iter().flat_map(|first| above.iter().map(move |second| shared(first, second)));
+        let chord: f64 = chords.map(|border| total_length(&border)).sum();
+        let pieces: Vec<Ring> = below.into_iter().chain(above).collect();
+        if !(2..=MOST_PIECES).contains(&pieces.len()) {
             continue;
         }
-        let (first, second) = (below.remove(0), above.remove(0));
-        let share = (area(&first) / total * count as f64).round().clamp(1.0, count as f64 - 1.0);
-        let imbalance = libm::log(area(&first) / total * count as f64 / share).abs()
-            + libm::log(area(&second) / total * count as f64 / (count as f64 - share)).abs();
-        let chord: f64 = total_length(&shared(&first, &second));
+        let imbalance = |ring: &Ring| {
+            let share = area(ring) / each;
+            libm::log(share / share.round().max(1.0)).abs()
+        };
         let light = |ring: &Ring| total_length(&ground.light(ring)) / area(ring);
-        let darkness = (0.12 - light(&first).min(light(&second))).max(0.0) * 40.0;
         let slender = |ring: &Ring| {
             let size = bounds(ring).size();
             (size.max_element() / size.min_element() - 2.2).max(0.0)
                 + (1.0 - area(ring) / (size.x * size.y)) * 2.0
         };
-        let cost = imbalance * 2.0 + chord / total.sqrt() + darkness + slender(&first) + slender(&second);
-        if best.as_ref().is_none_or(|(known, ..)| cost < *known - 1e-9) {
-            best = Some((cost, first, second, share as usize));
+        let least_light = pieces.iter().map(light).fold(f64::INFINITY, f64::min);
+        let darkness = (0.12 - least_light).max(0.0) * 40.0;
+        let shape: f64 = pieces.iter().map(|ring| 2.0 * imbalance(ring) + slender(ring)).sum();
+        let cost = shape + chord / total.sqrt() + darkness;
+        if best.as_ref().is_none_or(|(known, _)| cost < *known - 1e-9) {
+            best = Some((cost, pieces));
         }
     }
-    let Some((_, first, second, share)) = best else { return vec![ring] };
-    let mut found = sections(ground, first, share);
-    found.extend(sections(ground, second, count - share));
-    found
+    let Some((_, pieces)) = best else { return vec![ring] };
+    let parts = pieces.into_iter().flat_map(|ring| {
+        let share = (area(&ring) / each).round().clamp(1.0, count as f64 - 1.0) as usize;
+        sections(ground, ring, share)
+    });
+    parts.collect()
 }
 
 /// Lines that a ring may be cut along: at its inner corners, and at equal shares.

@@ -4,7 +4,7 @@ use super::brief::Brief;
 use super::dwelling::Cell;
 use super::flats::sections;
 use super::links::LEAST_BORDER;
-use super::ring::{Axis, Ring, area, join, shared_length, split};
+use super::ring::{Axis, Ring, area, bounds, join, shared_length, split};
 use super::spine::{Ground, cut_along, extent, settle, turned_ring_back};
 use super::typology::Typologies;
 
@@ -39,7 +39,8 @@ pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typo
             let cut = if services.is_empty() {
                 Some(whole())
             } else {
-                part_cells(&ground.part(ring.clone()), services, main, has_stairs, typologies)
+                let end = End { services: &services, has_stairs, typologies };
+                part_cells(&ground.part(ring.clone()), end, main)
             };
             // Other parts are reached through the first, where they have no place for stairs.
             cells.extend(cut.or_else(|| (!is_first).then(whole))?);
@@ -48,68 +49,63 @@ pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typo
     Some(cells)
 }
 
-/// A large room and the small ones at its end.
-fn part_cells(
-    ground: &Ground,
-    mut services: Vec<(&str, f64)>,
-    main: &str,
+/// What is wanted at an end of a large room.
+#[derive(Clone, Copy)]
+struct End<'a> {
+    /// Small rooms with their square metres; stairs are the first.
+    services: &'a [(&'a str, f64)],
     has_stairs: bool,
-    typologies: &Typologies,
-) -> Option<Vec<Cell>> {
-    let (room, small) = with_services(ground, &mut services, has_stairs, typologies)?;
-    let small = small.into_iter().zip(&services).map(|(ring, (room_type, _))| Cell::shared(ring, room_type));
+    typologies: &'a Typologies,
+}
+
+/// A large room and the small ones at its end.
+fn part_cells(ground: &Ground, end: End<'_>, main: &str) -> Option<Vec<Cell>> {
+    let (room, small) = with_services(ground, end)?;
+    let small = small.into_iter().zip(end.services);
+    let small = small.map(|(ring, (room_type, _))| Cell::shared(ring, room_type));
     Some(std::iter::once(Cell::shared(room, main)).chain(small).collect())
 }
 
-/// The large room and the small ones. Services that do not fit are dropped from the list, the last first.
-fn with_services(
-    ground: &Ground,
-    services: &mut Vec<(&str, f64)>,
-    has_stairs: bool,
-    typologies: &Typologies,
-) -> Option<(Ring, Vec<Ring>)> {
+/// The large room and the small ones; of these, the last are left out where they do not fit.
+fn with_services(ground: &Ground, end: End<'_>) -> Option<(Ring, Vec<Ring>)> {
     let most = area(&ground.ring) * MOST_SHARE;
+    let mut services = end.services;
     while services.len() > 1 && services.iter().map(|(_, area)| area).sum::<f64>() > most {
-        services.pop();
+        services = &services[..services.len() - 1];
     }
     while !services.is_empty() {
-        let ends = [false, true]
-            .into_iter()
-            .filter_map(|is_turned| best_end(ground, services, is_turned, typologies));
+        let end = End { services, ..end };
+        let ends = [false, true].into_iter().filter_map(|is_turned| best_end(ground, end, is_turned));
         if let Some((_, room, small)) = ends.reduce(|best, next| if next.0 < best.0 { next } else { best }) {
             return Some((room, small));
         }
-        if services.len() == 1 && has_stairs {
+        if services.len() == 1 && end.has_stairs {
             return None;
         }
-        services.pop();
+        services = &services[..services.len() - 1];
     }
     Some((ground.ring.clone(), Vec::new()))
 }
 
 /// Small rooms at the better of two ends of the ground, or of the ground turned by a quarter.
-fn best_end(
-    ground: &Ground,
-    services: &[(&str, f64)],
-    is_turned: bool,
-    typologies: &Typologies,
-) -> Option<(f64, Ring, Vec<Ring>)> {
+fn best_end(ground: &Ground, end: End<'_>, is_turned: bool) -> Option<(f64, Ring, Vec<Ring>)> {
     let turned = ground.turned();
     let framed = if is_turned { &turned } else { ground };
     let back = |ring: &Ring| if is_turned { turned_ring_back(ring) } else { ring.clone() };
-    let ends = [false, true].into_iter().filter_map(|is_top| at_end(framed, services, is_top, typologies));
-    let (cost, room, small) = ends.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
-    Some((cost, back(&room), small.iter().map(back).collect()))
+    let ends = [false, true].into_iter().flat_map(|is_top| [(is_top, false), (is_top, true)]);
+    let ends = ends.filter_map(|(is_top, is_right)| {
+        let (cost, room, small) = at_end(framed, end, is_top, is_right)?;
+        // Nobody should walk far to the stairs.
+        let stairs = small.first().filter(|_| end.has_stairs).map(|ring| bounds(ring).center());
+        let way = stairs.map_or(0.0, |at| at.distance(bounds(&framed.ring).center()));
+        Some((cost + way, back(&room), small.iter().map(back).collect()))
+    });
+    ends.reduce(|best, next| if next.0 < best.0 { next } else { best })
 }
 
-/// Small rooms in a row at the top or bottom end; the cost is the light that they take, and closing the entrance.
-fn at_end(
-    ground: &Ground,
-    services: &[(&str, f64)],
-    is_top: bool,
-    typologies: &Typologies,
-) -> Option<(f64, Ring, Vec<Ring>)> {
-    let has_stairs = services.iter().any(|(room_type, _)| *room_type == "stairs");
+/// Small rooms in a row at the top or bottom end, from its left or right on; the cost is the light that they take, and closing the entrance.
+fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option<(f64, Ring, Vec<Ring>)> {
+    let End { services, has_stairs, typologies, .. } = end;
     let (bottom, top) = extent(&ground.ring, Axis::Y);
     let wanted: f64 = services.iter().map(|(_, area)| area).sum();
     let (left, right) = extent(&ground.ring, Axis::X);
@@ -125,9 +121,10 @@ fn at_end(
     let (low, high) = extent(&row, Axis::X);
     let share = (wanted / area(&row)).min(1.0);
     let mut rests = others;
-    let end_place = low + (high - low) * share;
     if share < 0.9 {
-        let (mut kept, beyond) = split(&row, Axis::X, end_place);
+        let length = (high - low) * share;
+        let (below, above) = split(&row, Axis::X, if is_right { high - length } else { low + length });
+        let (mut kept, beyond) = if is_right { (above, below) } else { (below, above) };
         row = if kept.is_empty() { return None } else { kept.swap_remove(0) };
         rests.extend(kept.into_iter().chain(beyond));
     }
