@@ -10,8 +10,10 @@ use super::links::LEAST_BORDER;
 use super::ring::{Axis, Ring, area, bounds, join, shared, shared_length, split, total_length};
 use super::typology::Typologies;
 
-/// Metres below which a part of a room is thin, with a little for rounding.
+/// Metres below which a part of a floor is thin, with a little for rounding.
 const THIN: f64 = 0.32;
+/// The same of a room up to the middles of its walls, half of which belong to it on either side.
+const THIN_ROOM: f64 = 0.46;
 /// Square metres that a thin part may have: corners are never quite filled.
 const LEAST_AREA: f64 = 0.03;
 /// Square metres of thin parts that a room may have.
@@ -40,12 +42,12 @@ struct ThinPart {
 }
 
 /// The thin parts of a ring, the largest first.
-fn thin_parts(ring: &[Point]) -> Vec<ThinPart> {
+fn thin_parts(ring: &[Point], below: f64) -> Vec<ThinPart> {
     let all: Vec<Segment> = edges(ring).collect();
     let mut found: Vec<ThinPart> = Vec::new();
     for (index, &edge) in all.iter().enumerate() {
         for &other in &all[index + 1..] {
-            found.extend(between(edge, other).filter(|part| ring_contains(ring, part.middle)));
+            found.extend(between(edge, other, below).filter(|part| ring_contains(ring, part.middle)));
         }
     }
     found.sort_by(|a, b| b.area.total_cmp(&a.area));
@@ -54,7 +56,7 @@ fn thin_parts(ring: &[Point]) -> Vec<ThinPart> {
 }
 
 /// The thin part to the left of an edge and of another that runs the other way.
-fn between(edge: Segment, other: Segment) -> Option<ThinPart> {
+fn between(edge: Segment, other: Segment, below: f64) -> Option<ThinPart> {
     let direction = edge.direction();
     if direction.dot(other.direction()) > OPPOSITE {
         return None;
@@ -70,7 +72,7 @@ fn between(edge: Segment, other: Segment) -> Option<ThinPart> {
     let width = |at: f64| near_width + slope * (at - near);
     // Where the width is that of a thin part, and not below zero.
     let (mut from, mut to) = (low, high);
-    for (limit, is_upper) in [(THIN, true), (0.0, false)] {
+    for (limit, is_upper) in [(below, true), (0.0, false)] {
         let is_within = |at: f64| if is_upper { width(at) <= limit } else { width(at) >= limit - 1e-6 };
         match (is_within(from), is_within(to)) {
             (true, true) => {}
@@ -137,7 +139,7 @@ pub(super) fn has_thin_parts(ring: &[Point]) -> bool {
 
 /// Square metres of all thin parts.
 fn thin_area(ring: &[Point]) -> f64 {
-    thin_parts(ring).iter().map(|part| part.area).sum()
+    thin_parts(ring, THIN_ROOM).iter().map(|part| part.area).sum()
 }
 
 /// A floor without the parts of it that are too thin for any room: several pieces where one of them joined these.
@@ -146,7 +148,7 @@ pub(super) fn without_thin_parts(ring: Ring) -> Vec<Ring> {
     let mut done = Vec::new();
     for _ in 0..4 * MOST_PARTS {
         let Some(ring) = open.pop() else { break };
-        let cut = thin_parts(&ring).into_iter().find_map(|part| cut_off(&ring, part));
+        let cut = thin_parts(&ring, THIN).into_iter().find_map(|part| cut_off(&ring, part));
         match cut {
             Some((_, rests)) => {
                 let (whole, others) = joined_to_largest(rests).unwrap_or_default();
@@ -192,7 +194,7 @@ pub(super) fn trade_thin_parts(cells: &mut [Cell], rules: Rules<'_>) {
             continue;
         }
         for _ in 0..MOST_PARTS {
-            let parts = thin_parts(&cells[giver].ring);
+            let parts = thin_parts(&cells[giver].ring, THIN_ROOM);
             if !parts.into_iter().any(|part| is_traded(cells, giver, part, rules)) {
                 break;
             }
@@ -297,10 +299,10 @@ mod tests {
         let left = ring([(0., 0.), (3., 0.), (3., 5.), (2.8, 5.), (2.8, 4.), (0., 4.)]);
         let right = ring([(3., 0.), (6., 0.), (6., 5.), (3., 5.)]);
         let mut cells = vec![Cell::shared(left, "bedroom"), Cell::shared(right, "room")];
-        trade_thin_parts(&mut cells, |_| false);
+        trade_thin_parts(&mut cells, Rules { typologies: &Typologies::default(), fixed: None });
         assert!((area(&cells[0].ring) - 12.0).abs() < 1e-9, "{:?}", cells[0].ring);
         assert!((area(&cells[1].ring) - 15.2).abs() < 1e-9, "{:?}", cells[1].ring);
-        assert!(cells.iter().all(|cell| thin_parts(&cell.ring).is_empty()));
+        assert!(cells.iter().all(|cell| thin_parts(&cell.ring, THIN_ROOM).is_empty()));
     }
 
     #[test]
@@ -308,7 +310,8 @@ mod tests {
         let left = ring([(0., 0.), (3., 0.), (3., 5.), (2.8, 5.), (2.8, 4.), (0., 4.)]);
         let right = ring([(3., 0.), (6., 0.), (6., 5.), (3., 5.)]);
         let mut cells = vec![Cell::shared(left, "stairs"), Cell::shared(right, "room")];
-        trade_thin_parts(&mut cells, |cell| cell.room_type == "stairs");
+        let typologies = Typologies::default();
+        trade_thin_parts(&mut cells, Rules { typologies: &typologies, fixed: Some("stairs") });
         assert!((area(&cells[0].ring) - 12.2).abs() < 1e-9);
     }
 
@@ -320,7 +323,11 @@ mod tests {
         assert!((area(&pieces[0]) - 48.0).abs() < 1e-9, "{pieces:?}");
         let sharp = ring([(0., 0.), (20., 0.), (20., 3.)]);
         let blunt = without_thin_parts(sharp.clone());
-        assert!(area(&blunt[0]) > 29.0 && area(&blunt[0]) < area(&sharp) && thin_parts(&blunt[0]).is_empty());
+        assert!(
+            area(&blunt[0]) > 29.0
+                && area(&blunt[0]) < area(&sharp)
+                && thin_parts(&blunt[0], THIN).is_empty()
+        );
     }
 
     #[test]
@@ -346,7 +353,7 @@ mod tests {
 
     #[test]
     fn plain_rooms_have_no_thin_parts() {
-        assert!(thin_parts(&ring([(0., 0.), (3., 0.), (3., 2.), (0., 2.)])).is_empty());
-        assert!(thin_parts(&ring([(0., 0.), (6., 0.), (6., 2.), (2., 2.), (2., 8.), (0., 8.)])).is_empty());
+        assert!(!has_thin_parts(&ring([(0., 0.), (3., 0.), (3., 2.), (0., 2.)])));
+        assert!(!has_thin_parts(&ring([(0., 0.), (6., 0.), (6., 2.), (2., 2.), (2., 8.), (0., 8.)])));
     }
 }
