@@ -116,6 +116,14 @@ fn partners(nodes: &[Node], mut crossings: Vec<usize>, axis: Axis) -> BTreeMap<u
     let other = if axis == Axis::X { Axis::Y } else { Axis::X };
     let place = |index: &usize| along(nodes[*index].point, other);
     crossings.sort_by(|a, b| place(a).total_cmp(&place(b)).then(a.cmp(b)));
+    // Along the line the ring goes up and down by turns; of two crossings in one corner, either may be the first.
+    for index in 1..crossings.len().saturating_sub(1) {
+        let [before, here, next] = [crossings[index - 1], crossings[index], crossings[index + 1]];
+        let is_out_of_turn = nodes[before].goes_up == nodes[here].goes_up;
+        if is_out_of_turn && nodes[next].goes_up != nodes[here].goes_up && place(&here) == place(&next) {
+            crossings.swap(index, index + 1);
+        }
+    }
     let pairs = crossings.chunks_exact(2).map(|pair| (pair[0], pair[1]));
     pairs.flat_map(|(a, b)| [(a, b), (b, a)]).collect()
 }

@@ -14,10 +14,12 @@ use super::typology::Typologies;
 const THIN: f64 = 0.32;
 /// The same of a room up to the middles of its walls, half of which belong to it on either side.
 const THIN_ROOM: f64 = 0.46;
-/// Square metres that a thin part may have: corners are never quite filled.
-const LEAST_AREA: f64 = 0.03;
+/// Square metres that a thin part may have.
+const LEAST_AREA: f64 = 0.003;
+/// Metres of width at which a thin part ends in a corner.
+const CORNER: f64 = 0.02;
 /// Square metres of thin parts that a room may have.
-const MOST_AREA: f64 = 0.045;
+const MOST_AREA: f64 = 0.06;
 /// Two edges enclose a thin part where their directions differ by less than this from opposite ones (cosine of 40 degrees).
 const OPPOSITE: f64 = -0.76;
 /// Metres of border beyond which a room takes a thin part of its neighbour.
@@ -83,7 +85,15 @@ fn between(edge: Segment, other: Segment, below: f64) -> Option<ThinPart> {
             }
         }
     }
-    let area = (to - from) * 0.5 * (width(from) + width(to));
+    let is_corner = width(from).min(width(to)) < CORNER;
+    let area = if is_corner && width(from).max(width(to)) > below - CORNER {
+        beyond_disc(
+            0.5 * below,
+            std::f64::consts::PI - libm::acos(direction.dot(other.direction()).clamp(-1.0, 1.0)),
+        )
+    } else {
+        (to - from) * 0.5 * (width(from) + width(to))
+    };
     if area < LEAST_AREA {
         return None;
     }
@@ -97,6 +107,11 @@ fn between(edge: Segment, other: Segment, below: f64) -> Option<ThinPart> {
         middle: edge.start + direction * middle + edge.normal() * (0.5 * width(middle)),
         area,
     })
+}
+
+/// Square metres of a corner of an angle in radians that a disc of a radius does not reach.
+fn beyond_disc(radius: f64, angle: f64) -> f64 {
+    radius * radius * (1.0 / libm::tan(0.5 * angle).max(1e-3) - 0.5 * (std::f64::consts::PI - angle))
 }
 
 /// A ring cut at the ends of a thin part: that part, and what is left.
