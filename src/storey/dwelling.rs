@@ -4,7 +4,7 @@ use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
 use super::disc::{is_as_wide_as, is_simple};
-use super::fill::{DOOR_STRETCH, Filling, LIGHT_EACH, WINDOW_STRETCH, Wish, fill, needed};
+use super::fill::{DOOR_STRETCH, Filling, LIGHT_EACH, Slice, WINDOW_STRETCH, Wish, fill, needed};
 use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_length};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back};
 use super::thin::{Rules, has_thin_parts, trade_thin_parts};
@@ -26,10 +26,14 @@ const STAIR_WIDTH: f64 = 2.1;
 const FLIGHT: (f64, f64) = (3.9, 1.0);
 /// Metres within which two ways to divide a ground are one.
 const SAME_PLACE: f64 = 0.25;
+/// Metres by which it is deeper than its least width.
+const MORE_DEPTH: f64 = 0.2;
+/// Metres of depth from which on the rest of the row is worth having for the room beside it.
+const LEAST_REST: f64 = 1.6;
 /// Cost of a room that the programme does not ask for.
 const MORE_COST: f64 = 0.8;
 /// Cost of each part of the floor that is hall.
-const HALL_COST: f64 = 12.0;
+const HALL_COST: f64 = 30.0;
 
 /// A room of a storey.
 #[derive(Clone, Debug)]
@@ -370,6 +374,7 @@ fn draw(
         if rings.iter().any(|ring| ring.is_empty()) {
             return None;
         }
+        let rings = carved(rings, &own, wishes, (scheme.low, scheme.high));
         cells.extend(
             rings.into_iter().zip(own).map(|(ring, slice)| (ring, wishes[slice.wish].room_type.to_owned())),
         );
@@ -406,6 +411,39 @@ fn draw(
     let hall_share = area(&hall) / area(&task.ground.ring);
     let cost = filling.cost + HALL_COST * hall_share;
     Some(Planned { cells: planned, scheme, cost })
+}
+
+/// Rooms of a row, of which small ones that may do without an outer wall end where they have what was wished for: a room beside
+/// them takes the rest. Baths as deep as the rooms beside them would be twice as large as people build them.
+fn carved(mut rings: Vec<Ring>, own: &[&Slice], wishes: &[Wish<'_>], (low, high): (f64, f64)) -> Vec<Ring> {
+    let wish = |index: usize| &wishes[own[index].wish];
+    for index in 0..rings.len() {
+        let Wish { needs, area: wanted, .. } = wish(index);
+        if !needs.inner || !own[index].is_at_hall {
+            continue;
+        }
+        let extent = bounds(&rings[index]);
+        let is_above = extent.center().y > 0.5 * (low + high);
+        let depth = if is_above { extent.high.y - high } else { low - extent.low.y };
+        let kept = (wanted / extent.size().x).max(needs.width + 2.0 * MORE_DEPTH);
+        if depth - kept < LEAST_REST {
+            continue;
+        }
+        let at = if is_above { high + kept } else { low - kept };
+        let (below, above) = split(&rings[index], Axis::Y, (at * 100.0).round() / 100.0);
+        let (inner, rest) = if is_above { (below, above) } else { (above, below) };
+        let ([inner], [rest]) = (inner.as_slice(), rest.as_slice()) else { continue };
+        // The smaller of its neighbours, beside what was wished for.
+        let beside = [index.checked_sub(1), Some(index + 1).filter(|&next| next < rings.len())];
+        let outer = beside.into_iter().flatten().filter(|&next| !wish(next).needs.inner);
+        let ratio = |next: usize| area(&rings[next]) / wish(next).area;
+        let taker = outer.reduce(|a, b| if ratio(b) < ratio(a) { b } else { a });
+        if let Some((taker, ring)) = taker.and_then(|taker| Some((taker, join(&rings[taker], rest)?))) {
+            rings[taker] = ring;
+            rings[index] = inner.clone();
+        }
+    }
+    rings
 }
 
 /// How gladly a room takes an end of the hall that nobody needs.

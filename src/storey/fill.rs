@@ -17,6 +17,8 @@ pub(super) const LIGHT_EACH: f64 = 1.6;
 const MARGIN: f64 = 0.15;
 /// Metres by which a slice is wider and deeper than its room needs: rows are not quite rectangles.
 const MORE_THAN_NEEDED: f64 = 0.1;
+/// Least width of a room that ends before the outer wall, beside the side of a square of its size.
+const INNER_WIDTH: f64 = 0.75;
 /// Longer rooms than this many times their width are corridors to look at.
 const SLENDER: f64 = 2.0;
 
@@ -164,7 +166,11 @@ fn shares(chosen: &[usize], wishes: &[Wish<'_>], row: &Row) -> Vec<f64> {
     let is_large = |wish: usize| wishes[wish].needs.light == Light::Required;
     let small = |wish: usize| {
         let grown = wishes[wish].area * if scale > 1.0 { scale.sqrt() } else { scale };
-        grown.max((wishes[wish].needs.width + MARGIN) * depth)
+        let width = wishes[wish].needs.width + MARGIN;
+        // A room that ends before the outer wall is not much deeper than it is wide.
+        let width =
+            if wishes[wish].needs.inner { width.max(INNER_WIDTH * wishes[wish].area.sqrt()) } else { width };
+        grown.max(width * depth)
     };
     let of_small: f64 = chosen.iter().filter(|&&wish| !is_large(wish)).map(|&wish| small(wish)).sum();
     let of_large: f64 = chosen.iter().filter(|&&wish| is_large(wish)).map(|&wish| wishes[wish].area).sum();

@@ -47,6 +47,9 @@ pub struct RoomNeeds {
     /// Whether people may walk through it to other rooms.
     #[serde(default)]
     pub passage: bool,
+    /// Whether it may end before the outer wall where its row is deep: the room beside it has the rest.
+    #[serde(default)]
+    pub inner: bool,
 }
 
 /// Whether rooms need windows.
