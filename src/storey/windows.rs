@@ -23,13 +23,13 @@ const HIGH_SILL: f64 = 1.3;
 /// Sill where a room needs much light.
 const LOW_SILL: f64 = 0.4;
 /// Metres of windows where there is room for several.
-const USUAL_WIDTH: f64 = 1.9;
+const USUAL_WIDTH: f64 = 2.4;
 /// Square metres up to which a room that needs no windows has one at most.
 const SMALL_ROOM: f64 = 8.0;
 /// Metres within which an inner wall runs beside an outer one as if it were the same.
 const BESIDE_WALL: f64 = 0.25;
 /// Metres of the largest window.
-const WIDEST: f64 = 2.4;
+const WIDEST: f64 = 2.8;
 
 /// A window.
 #[derive(Clone, Debug, PartialEq)]
