@@ -45,37 +45,21 @@ pub(super) fn flats(
 ) -> Option<Vec<Cell>> {
     let mut cells = Vec::new();
     let mut unit = 0;
+    let mut in_sections = |ground: &Ground, count: usize| -> Option<Vec<Cell>> {
+        let mut next = unit;
+        let mut cells = Vec::new();
+        for ring in sections(ground, ground.ring.clone(), count) {
+            cells.extend(landing(&ground.part(ring), brief, typologies, &mut next, stream)?);
+        }
+        unit = next;
+        Some(cells)
+    };
     for ground in grounds {
         let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(190.0);
         let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
         // Where a section has no plan, the storey may have one with sections of another size.
         let mut counts = [count, count + 1, count - 1].into_iter().filter(|count| *count > 0);
-        cells.extend(
-            counts.find_map(|count| in_sections(ground, count, brief, typologies, &mut unit, stream))?,
-        );
-    }
-    Some(cells)
-}
-
-/// A piece of a storey in so many sections.
-fn in_sections(
-    ground: &Ground,
-    count: usize,
-    brief: &Brief<'_>,
-    typologies: &Typologies,
-    unit: &mut usize,
-    stream: &mut Stream,
-) -> Option<Vec<Cell>> {
-    let first = *unit;
-    let mut cells = Vec::new();
-    for ring in sections(ground, ground.ring.clone(), count) {
-        match landing(&ground.part(ring), brief, typologies, unit, stream) {
-            Some(own) => cells.extend(own),
-            None => {
-                *unit = first;
-                return None;
-            }
-        }
+        cells.extend(counts.find_map(|count| in_sections(ground, count))?);
     }
     Some(cells)
 }

@@ -4,6 +4,7 @@ use crate::catalog::load_catalog;
 use crate::geometry::{Point, Polygon, Region, direction};
 use crate::plan::{OpeningKind, OutlineKind};
 
+use super::typology::PlanKind;
 use super::*;
 
 fn typologies() -> Typologies {
@@ -158,7 +159,10 @@ fn rooms_cover_the_floor_of_every_shape() {
             "?",
         ] {
             let planned = alone(shape.clone(), 3.0, use_word);
-            assert_eq!(planned.draft.levels.len(), 3);
+            // A kind of one room has one storey, whatever the map counts.
+            let kind = typologies().typologies[&planned.report.typology].plan;
+            let storeys = if kind == PlanKind::OneRoom { 1 } else { 3 };
+            assert_eq!(planned.draft.levels.len(), storeys, "{number} {use_word}");
             for level in &planned.draft.levels {
                 assert_eq!(level.outlines, OutlineKind::Center);
                 let covered: f64 = level.rooms.iter().map(|room| area(&room.outline)).sum();
@@ -168,6 +172,44 @@ fn rooms_cover_the_floor_of_every_shape() {
                 assert!(level.rooms.iter().all(is_simple), "{number} {use_word}");
             }
         }
+    }
+}
+
+#[test]
+fn nobody_is_far_from_stairs_or_doors() {
+    let doors_of = |planned: &PlannedBuilding, level: usize| -> Vec<Point> {
+        let openings = planned.draft.levels[level].openings.iter();
+        let ways = openings.filter(|opening| opening.kind == OpeningKind::Door && opening.rooms.len() == 1);
+        ways.filter_map(|opening| match opening.place {
+            crate::plan::OpeningPlace::Points { center, .. } => Some(center),
+            _ => None,
+        })
+        .collect()
+    };
+    let hall = alone(rectangle(0.0, 0.0, 70.0, 50.0), 1.0, "supermarket");
+    let middle = super::ring::bounds(&rooms_of(&hall, 0, "supermarket")[0].outline).center();
+    let nearest = doors_of(&hall, 0).iter().map(|door| door.distance(middle)).fold(f64::INFINITY, f64::min);
+    assert!(nearest < 35.0, "{nearest}");
+    let floors = alone(rectangle(0.0, 0.0, 70.0, 50.0), 3.0, "factory");
+    let parts = rooms_of(&floors, 1, "workshop");
+    let stairs = rooms_of(&floors, 1, "stairs");
+    assert!(parts.len() > 1 && stairs.len() >= parts.len(), "{} parts, {} stairs", parts.len(), stairs.len());
+}
+
+#[test]
+fn what_nobody_can_stand_in_is_no_building() {
+    let site = site(vec![footprint("strip", rectangle(0.0, 0.0, 9.0, 0.6), 1.0, "shed")]);
+    let around = Neighbourhood::new(&site);
+    assert!(plan_building(&site, &around, 0, &typologies(), &Choices::default()).is_none());
+}
+
+#[test]
+fn baths_of_deep_rows_end_before_the_outer_wall() {
+    let flats = alone(rectangle(0.0, 0.0, 22.0, 14.0), 4.0, "apartments");
+    let baths = rooms_of(&flats, 1, "bathroom");
+    assert!(!baths.is_empty());
+    for bath in baths {
+        assert!(area(&bath.outline) < 9.0, "{} has {:.1} m²", bath.id, area(&bath.outline));
     }
 }
 

@@ -51,7 +51,7 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
         return Err(Fault::of_file(path, message).into());
     };
     check_use(planning)?;
-    let read = read_site(path)?;
+    let mut read = read_site(path)?;
     let chosen = chosen(&read.site, planning);
     if chosen.is_empty() {
         let message = format!("none of its {} buildings is chosen", read.site.footprints.len());
@@ -60,8 +60,18 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
     let around = Neighbourhood::new(&read.site);
     let plan =
         |&index: &usize| plan_building(&read.site, &around, index, planning.typologies, planning.choices);
-    let buildings = chosen.par_iter().filter_map(plan).collect();
-    Ok(PlannedSite { site: read, buildings })
+    let planned: Vec<Option<PlannedBuilding>> = chosen.par_iter().map(plan).collect();
+    let narrow: Vec<usize> = chosen
+        .iter()
+        .zip(&planned)
+        .filter(|(_, planned)| planned.is_none())
+        .map(|(&index, _)| index)
+        .collect();
+    drop(around);
+    for index in narrow {
+        read.leave_out(path, index, "nobody can stand in it");
+    }
+    Ok(PlannedSite { site: read, buildings: planned.into_iter().flatten().collect() })
 }
 
 /// A use that nobody knows would be passed over, and each building planned as the map says.

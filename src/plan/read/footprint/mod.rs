@@ -51,6 +51,17 @@ pub(crate) struct ReadSite {
     pub(crate) notes: SiteNotes,
 }
 
+impl ReadSite {
+    /// Notes a building of the site that is not planned, and warns of it.
+    pub(crate) fn leave_out(&mut self, file: &Path, index: usize, reason: &str) {
+        let id = &self.site.footprints[index].id;
+        let message = format!("building \"{id}\" is left out: {reason}");
+        self.faults.push(Fault::of_file(file, message).as_warning());
+        self.notes.leave_out(id, reason);
+        self.notes.sort();
+    }
+}
+
 /// Reads the buildings of a file of any format of footprints.
 ///
 /// # Errors
