@@ -96,7 +96,9 @@ impl Newcomer {
         }
         world.write("town.geojson", TOWN);
         #[cfg(unix)]
-        std::os::unix::fs::symlink(project().join("scripts"), world.path("scripts")).unwrap();
+        for folder in ["scripts", "configs"] {
+            std::os::unix::fs::symlink(project().join(folder), world.path(folder)).unwrap();
+        }
         let program = Path::new(env!("CARGO_BIN_EXE_roomwright")).parent().unwrap();
         let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
         Self { world, path }
