@@ -277,30 +277,30 @@ fn add_lift(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool) {
 
 /// Stairs at the corridor, and what is left of a row that is deeper.
 fn stairs(ring: Ring, strip: &[Point]) -> (Ring, Option<Ring>) {
-    let Some(border) = longest(shared(&ring, strip)) else { return (ring, None) };
     if bounds(&ring).size().y < DEEPEST_STAIRS + LEAST_ROW {
         return (ring, None);
     }
-    let is_above = border.middle().y < bounds(&ring).center().y;
-    let at = border.middle().y + if is_above { DEEPEST_STAIRS } else { -DEEPEST_STAIRS };
-    let (below, above) = split(&ring, Axis::Y, at);
-    match (<[Ring; 1]>::try_from(below), <[Ring; 1]>::try_from(above)) {
-        (Ok([below]), Ok([above])) if is_above => (below, Some(above)),
-        (Ok([below]), Ok([above])) => (above, Some(below)),
-        _ => (ring, None),
+    match at_corridor(&ring, strip, DEEPEST_STAIRS) {
+        Some((stairs, rest)) => (stairs, Some(rest)),
+        None => (ring, None),
     }
+}
+
+/// The part of a room up to some metres from the corridor, and what lies beyond; `None` where either is not one piece.
+fn at_corridor(ring: &Ring, strip: &[Point], depth: f64) -> Option<(Ring, Ring)> {
+    let border = longest(shared(ring, strip))?.middle();
+    let is_above = border.y < bounds(ring).center().y;
+    let (below, above) = split(ring, Axis::Y, border.y + if is_above { depth } else { -depth });
+    let ([below], [above]) = (<[Ring; 1]>::try_from(below).ok()?, <[Ring; 1]>::try_from(above).ok()?);
+    Some(if is_above { (below, above) } else { (above, below) })
 }
 
 /// A lift at the corridor, with a shaft behind it where the row is deeper.
 fn lift(ring: Ring, strip: &[Point]) -> Option<Vec<Cell>> {
-    let border = shared(&ring, strip).into_iter().next()?;
-    let is_above = border.middle().y < bounds(&ring).center().y;
     if bounds(&ring).size().y < LIFT.1 + 0.8 {
         return Some(vec![Cell::shared(ring, "elevator")]);
     }
-    let at = border.middle().y + if is_above { LIFT.1 } else { -LIFT.1 };
-    let (mut below, mut above) = split(&ring, Axis::Y, at);
-    let (lift, shaft) = if is_above { (below.pop()?, above.pop()?) } else { (above.pop()?, below.pop()?) };
+    let (lift, shaft) = at_corridor(&ring, strip, LIFT.1)?;
     Some(vec![Cell::shared(lift, "elevator"), Cell::shared(shaft, "shaft")])
 }
 
@@ -403,13 +403,7 @@ fn with_bath(ring: &Ring, strip: &[Point], is_left: bool) -> Option<(Ring, Ring)
     if high - low < BATH.1 + DOOR_STRETCH {
         return None;
     }
-    let is_above = border.middle().y < bounds(ring).center().y;
-    let at = border.middle().y + if is_above { BATH.0 } else { -BATH.0 };
-    let (mut below, mut above) = split(ring, Axis::Y, at);
-    if below.len() != 1 || above.len() != 1 {
-        return None;
-    }
-    let (front, room) = if is_above { (below.pop()?, above.pop()?) } else { (above.pop()?, below.pop()?) };
+    let (front, room) = at_corridor(ring, strip, BATH.0)?;
     let (mut left, mut right) = split(&front, Axis::X, if is_left { low + BATH.1 } else { high - BATH.1 });
     if left.len() != 1 || right.len() != 1 {
         return None;

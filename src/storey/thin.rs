@@ -87,10 +87,7 @@ fn between(edge: Segment, other: Segment, below: f64) -> Option<ThinPart> {
     }
     let is_corner = width(from).min(width(to)) < CORNER;
     let area = if is_corner && width(from).max(width(to)) > below - CORNER {
-        beyond_disc(
-            0.5 * below,
-            std::f64::consts::PI - libm::acos(direction.dot(other.direction()).clamp(-1.0, 1.0)),
-        )
+        beyond_disc(0.5 * below, libm::acos((-direction.dot(other.direction())).clamp(-1.0, 1.0)))
     } else {
         (to - from) * 0.5 * (width(from) + width(to))
     };
@@ -154,7 +151,11 @@ pub(super) fn has_thin_parts(ring: &[Point]) -> bool {
 
 /// Square metres of all thin parts.
 fn thin_area(ring: &[Point]) -> f64 {
-    thin_parts(ring, THIN_ROOM).iter().map(|part| part.area).sum()
+    total_area(&thin_parts(ring, THIN_ROOM))
+}
+
+fn total_area(parts: &[ThinPart]) -> f64 {
+    parts.iter().map(|part| part.area).sum()
 }
 
 /// A floor without the parts of it that are too thin for any room: several pieces where one of them joined these.
@@ -210,17 +211,18 @@ pub(super) fn trade_thin_parts(cells: &mut [Cell], rules: Rules<'_>) {
         }
         for _ in 0..MOST_PARTS {
             let parts = thin_parts(&cells[giver].ring, THIN_ROOM);
-            if !parts.into_iter().any(|part| is_traded(cells, giver, part, rules)) {
+            let before = total_area(&parts);
+            if !parts.into_iter().any(|part| is_traded(cells, (giver, before), part, rules)) {
                 break;
             }
         }
     }
 }
 
-fn is_traded(cells: &mut [Cell], giver: usize, part: ThinPart, rules: Rules<'_>) -> bool {
+/// Gives one thin part away, of a room with so many square metres of them; `false` where nobody may take it.
+fn is_traded(cells: &mut [Cell], (giver, before): (usize, f64), part: ThinPart, rules: Rules<'_>) -> bool {
     let Some((spur, rests)) = cut_off(&cells[giver].ring, part) else { return false };
     let Some((rest, others)) = joined_to_largest(rests) else { return false };
-    let before = thin_area(&cells[giver].ring);
     let is_whole = others.iter().map(|ring| area(ring)).sum::<f64>() < MOST_GIVEN * area(&rest);
     if !is_whole || !is_simple(&rest) || thin_area(&rest) > before - 0.5 * part.area {
         return false;

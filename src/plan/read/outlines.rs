@@ -61,15 +61,15 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
     let plan =
         |&index: &usize| plan_building(&read.site, &around, index, planning.typologies, planning.choices);
     let planned: Vec<Option<PlannedBuilding>> = chosen.par_iter().map(plan).collect();
+    let is_planned = planned.iter().map(Option::is_some);
     let narrow: Vec<usize> = chosen
         .iter()
-        .zip(&planned)
-        .filter(|(_, planned)| planned.is_none())
+        .zip(is_planned)
+        .filter(|(_, is_planned)| !is_planned)
         .map(|(&index, _)| index)
         .collect();
-    drop(around);
-    for index in narrow {
-        read.leave_out(path, index, "nobody can stand in it");
+    if !narrow.is_empty() {
+        read.leave_out(path, &narrow, "nobody can stand in it");
     }
     Ok(PlannedSite { site: read, buildings: planned.into_iter().flatten().collect() })
 }

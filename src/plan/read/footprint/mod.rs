@@ -52,13 +52,14 @@ pub(crate) struct ReadSite {
 }
 
 impl ReadSite {
-    /// Notes a building of the site that is not planned, and warns of it.
-    pub(crate) fn leave_out(&mut self, file: &Path, index: usize, reason: &str) {
-        let id = &self.site.footprints[index].id;
-        let message = format!("building \"{id}\" is left out: {reason}");
-        self.faults.push(Fault::of_file(file, message).as_warning());
-        self.notes.leave_out(id, reason);
+    /// Notes buildings of the site, by number, that are not planned, and warns of them.
+    pub(crate) fn leave_out(&mut self, file: &Path, buildings: &[usize], reason: &str) {
+        for &index in buildings {
+            self.notes.leave_out(&self.site.footprints[index].id, reason);
+        }
         self.notes.sort();
+        self.faults = self.notes.faults(file);
+        self.faults.sort();
     }
 }
 
