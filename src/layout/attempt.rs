@@ -14,7 +14,7 @@ use super::place::AgentIndex;
 use super::seed::RoomKey;
 use super::wanted::StandIns;
 use super::{
-    arrange, covering, fitted, jointly, locked, push, result, turning, untidy, useless, wanted, ways,
+    arrange, covering, fitted, jointly, locked, push, result, rules, turning, untidy, useless, wanted, ways,
 };
 
 /// Whether what agents meet on their search is noted.
@@ -40,6 +40,8 @@ pub(crate) struct Kept<T> {
     pub(crate) steps: u64,
     /// The pieces in it that replace others.
     pub(crate) stand_ins: StandIns,
+    /// Its required pieces that are nearer to where leaves swing than they wish.
+    pub(crate) at_swings: usize,
 }
 
 /// Furnishes a room as often as it deserves and keeps the attempt that lacks least, of equals the first. `describe` gives a
@@ -67,8 +69,8 @@ pub(crate) fn best_attempt<T>(
         }
         attempts += 1;
     }
-    let Attempt { furnished, description, number, stand_ins, .. } = best;
-    Kept { furnished, description, number: number + 1, attempts, steps, stand_ins }
+    let Attempt { furnished, description, number, stand_ins, at_swings, .. } = best;
+    Kept { furnished, description, number: number + 1, attempts, steps, stand_ins, at_swings }
 }
 
 /// The shortcomings of an attempt, the worst first: attempts are compared in this order.
@@ -123,6 +125,7 @@ struct Attempt<T> {
     description: T,
     steps: u64,
     stand_ins: StandIns,
+    at_swings: usize,
 }
 
 impl<T> Attempt<T> {
@@ -147,6 +150,7 @@ impl<T> Attempt<T> {
             number,
             lack: Lack::of(&environment, &furnished, closed_ways, stand_ins),
             stand_ins,
+            at_swings: rules::count_at_swings(&environment),
             missed: missed(&environment),
             description: describe(&environment, &furnished),
             steps: environment.steps(),

@@ -67,7 +67,7 @@ pub use wanted::StandIns;
 use crate::catalog::Catalog;
 use crate::plan::RoomRef;
 
-use attempt::{Recording, best_attempt};
+use attempt::{Kept, Recording, best_attempt};
 use brief::RoomBrief;
 
 /// Furnishes one room of a level.
@@ -94,6 +94,8 @@ pub struct Counted {
     pub steps: u64,
     /// The pieces that replace others.
     pub stand_ins: StandIns,
+    /// Required pieces that are nearer to where the leaves of doors swing than they wish, beds above all.
+    pub at_swings: usize,
 }
 
 impl<'a> RoomLayout<'a> {
@@ -110,10 +112,12 @@ impl<'a> RoomLayout<'a> {
         match &self.brief {
             Ok(brief) => {
                 let kept = best_attempt(&brief.alternative(alternative), Recording::Off, |_, _| ());
-                Counted { furnished: kept.furnished, steps: kept.steps, stand_ins: kept.stand_ins }
+                let Kept { furnished, steps, stand_ins, at_swings, .. } = kept;
+                Counted { furnished, steps, stand_ins, at_swings }
             }
             Err(furnished) => {
-                Counted { furnished: furnished.clone(), steps: 0, stand_ins: StandIns::default() }
+                let stand_ins = StandIns::default();
+                Counted { furnished: furnished.clone(), steps: 0, stand_ins, at_swings: 0 }
             }
         }
     }

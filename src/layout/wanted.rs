@@ -60,12 +60,18 @@ fn would_carry_nothing(environment: &Environment<'_>, agent: AgentIndex) -> bool
     loads.peek().is_some() && loads.all(|load| has_stand_in(environment, load))
 }
 
+/// Substitutes from which on a list is for what a room lives by. Shorter: more arrangements are tried for want of small things.
+const LONG_LIST: usize = 3;
+
 /// Of an attempt: what stands in for others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StandIns {
     /// How far down the lists of substitutes the pieces are that stand in for others: 1 for the first of a list, summed. The whole
     /// list counts where none of it has a place.
     pub steps_down: u32,
+    /// Pieces with a long list of substitutes ([`LONG_LIST`]) of which none has a place: a living room with neither screen nor
+    /// reading corner.
+    pub spent_lists: u32,
     /// Whether a required piece is missing for which nothing was tried that may stand in for it.
     pub are_left: bool,
 }
@@ -88,7 +94,14 @@ impl StandIns {
             0 => substitutes(environment, agent).count() as u32,
             steps => steps,
         };
-        Self { steps_down: heads().map(lost).sum(), are_left: heads().any(is_left) }
+        let is_spent = |&agent: &AgentIndex| {
+            steps_down(environment, agent) == 0 && substitutes(environment, agent).count() >= LONG_LIST
+        };
+        Self {
+            steps_down: heads().map(lost).sum(),
+            spent_lists: heads().filter(is_spent).count() as u32,
+            are_left: heads().any(is_left),
+        }
     }
 }
 
@@ -118,9 +131,11 @@ pub(crate) fn movable_carrier(environment: &Environment<'_>, agent: AgentIndex) 
 
 #[cfg(test)]
 mod tests {
-    use crate::catalog::{Along, Catalog, Count, ParentName, Relation, RelationKind, Side, Turn, Untidiness};
+    use crate::catalog::{
+        Along, Catalog, Class, Count, ParentName, Relation, RelationKind, Side, Turn, Untidiness,
+    };
     use crate::layout::tests::{WIDE, catalog, level, rule, run};
-    use crate::layout::{Alternative, FurnishOptions, Furnished, RoomLayout};
+    use crate::layout::{Alternative, FurnishOptions, Furnished, RoomLayout, StandIns};
 
     const CHAIR: usize = 0;
     const DESK: usize = 1;
@@ -188,18 +203,20 @@ mod tests {
     #[test]
     fn of_a_piece_for_which_nothing_stands_in_the_whole_list_counts() {
         let mut catalog = catalog(&[(DESK, Count::Fixed(1))], Untidiness::default());
-        let steps_down = |substitutes: &[usize], catalog: &mut Catalog| {
+        let table = Class { id: "table".to_owned(), ..catalog.classes[DESK].clone() };
+        catalog.classes.push(table);
+        let mut stand_ins = |substitutes: &[usize]| {
             catalog.room_types.get_mut("office").unwrap().programme[0].substitutes = substitutes.to_vec();
             let (level, options) = (level(NARROW), FurnishOptions::new(1, "test"));
-            RoomLayout::new(level.room(0), catalog, &options)
-                .furnish(&Alternative::default())
-                .stand_ins
-                .steps_down
+            let layout = RoomLayout::new(level.room(0), &catalog, &options);
+            let StandIns { steps_down, spent_lists, .. } = layout.furnish(&Alternative::default()).stand_ins;
+            (steps_down, spent_lists)
         };
-        assert_eq!(steps_down(&[], &mut catalog), 0);
+        assert_eq!(stand_ins(&[]), (0, 0));
         // A lamp stands on desks, a shelf has a place.
-        assert_eq!(steps_down(&[LAMP, SHELF], &mut catalog), 2);
-        assert_eq!(steps_down(&[LAMP, CHAIR], &mut catalog), 2);
+        assert_eq!(stand_ins(&[LAMP, SHELF]), (2, 0));
+        assert_eq!(stand_ins(&[LAMP, CHAIR]), (2, 0), "a short list is for small things");
+        assert_eq!(stand_ins(&[LAMP, CHAIR, SHELF + 1]), (3, 1));
     }
 
     #[test]

@@ -23,6 +23,7 @@ fn edited(room: &TestRoom, lines: &[&str]) -> Finished {
         verdict: room.judge(),
         alternative: Alternative::default(),
         stand_ins: StandIns::default(),
+        at_swings: 0,
     };
     let judge =
         |furnished: &Furnished| crate::solve::judge_room(room.level.room(0), furnished, &room.catalog);

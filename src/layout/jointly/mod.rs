@@ -33,10 +33,11 @@ const MISSED_REQUIRED: f64 = 100.0;
 /// Points lost, beyond those of the score, where a window gets dark, and where somebody has less room than is good: all the room
 /// is still free, so that other walls are to be had.
 const SPOILT: f64 = 6.0;
-const TIGHT: f64 = 3.0;
-/// Points lost for a smaller size than the one that was drawn: half of what a tight place loses, for it may spare that. From 3 on,
-/// narrow bathrooms keep large fixtures with too little space before them.
-const SMALLER: f64 = 1.5;
+const TIGHT: f64 = 9.0;
+/// Points lost for a smaller size than the one that was drawn: half of what a tight place loses, for it may spare that. From 9 on,
+/// narrow bathrooms keep large fixtures with too little space before them; less, and baths stand less often where architects
+/// have them.
+const SMALLER: f64 = 4.0;
 
 /// A piece at its place.
 #[derive(Clone, Debug)]

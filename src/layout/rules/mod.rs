@@ -11,7 +11,7 @@ mod turn;
 mod wall;
 
 pub(crate) use relation::{Factor, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
-pub(crate) use swing::distance_to_swings;
+pub(crate) use swing::{count_at_swings, distance_to_swings};
 pub(crate) use turn::angle_of_front;
 pub(crate) use wall::{Line, free_stretches};
 

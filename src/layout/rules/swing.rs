@@ -2,6 +2,7 @@
 
 use crate::catalog::RelationKind;
 use crate::geometry::{Convex, distance_of_convex};
+use crate::layout::agent::Rest;
 use crate::layout::body::box_solid;
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, Place};
@@ -20,6 +21,18 @@ pub(crate) fn distance_to_swings(environment: &Environment<'_>, agent: AgentInde
     environment.brief.surroundings.swings.iter().map(to_swing).fold(f64::INFINITY, f64::min)
 }
 
+/// How many required pieces rest nearer to where leaves swing than they wish.
+pub(crate) fn count_at_swings(environment: &Environment<'_>) -> usize {
+    let is_at_swing = |&agent: &AgentIndex| {
+        let Some(place) = environment.agents[agent].rest().map(Rest::place) else { return false };
+        let wishes = environment.class(agent).relations.iter();
+        let mut swings = wishes.filter(|wish| wish.kind == RelationKind::ClearOf);
+        environment.agents[agent].piece.is_required
+            && swings.any(|wish| clearness(environment, agent, &place, wish.distance.0) < 1.0)
+    };
+    (0..environment.agents.len()).filter(is_at_swing).count()
+}
+
 /// Metres that an agent's class wishes to be away from swings; zero where it does not care.
 pub(super) fn wished_distance(view: &View<'_>) -> f64 {
     let wishes = view.class.relations.iter().filter(|wish| wish.kind == RelationKind::ClearOf);
@@ -31,17 +44,17 @@ mod tests {
     use crate::catalog::{Along, Count, ParentName, Relation, RelationKind, Side, Turn, Untidiness};
     use crate::geometry::distance_of_convex;
     use crate::layout::body::{Pose, seat};
-    use crate::layout::solids;
     use crate::layout::surroundings::{Surroundings, Swings};
     use crate::layout::tests::{WIDE, catalog, level, rule, run};
+    use crate::layout::{Alternative, FurnishOptions, RoomLayout, solids};
 
     const DESK: usize = 1;
     const SHELF: usize = 4;
     const SQUARE: &[(f64, f64)] = &[(0.0, 0.0), (3.6, 0.0), (3.6, 3.6), (0.0, 3.6)];
     const NARROW: &[(f64, f64)] = &[(0.0, 0.0), (1.6, 0.0), (1.6, 1.7), (0.0, 1.7)];
 
-    /// Metres from the swing of the door to the shelf that wishes to be so far away from it.
-    fn distance(corners: &[(f64, f64)], wished: f64, seed: u64) -> f64 {
+    /// Metres from the swing of the door to the shelf that wishes to be so far away from it, and whether that counts as too near.
+    fn stand(corners: &[(f64, f64)], wished: f64, seed: u64) -> (f64, bool) {
         let mut catalog = catalog(&[(SHELF, Count::Fixed(1))], Untidiness::default());
         catalog.room_types.get_mut("office").unwrap().programme[0].is_required = true;
         catalog.classes[SHELF].relations = vec![Relation {
@@ -54,9 +67,14 @@ mod tests {
         }];
         let level = level(corners);
         let swings = Surroundings::new(level.room(0), &catalog.audit, Swings::Simple).swings;
-        let placed = run(&level, &catalog, seed).placements.remove(0);
-        let shelf = solids(&catalog.classes[SHELF], &placed)[0];
-        distance_of_convex(shelf.footprint(), swings[0].corners())
+        let options = FurnishOptions::new(seed, "test");
+        let room = RoomLayout::new(level.room(0), &catalog, &options).furnish(&Alternative::default());
+        let shelf = solids(&catalog.classes[SHELF], &room.furnished.placements[0])[0];
+        (distance_of_convex(shelf.footprint(), swings[0].corners()), room.at_swings == 1)
+    }
+
+    fn distance(corners: &[(f64, f64)], wished: f64, seed: u64) -> f64 {
+        stand(corners, wished, seed).0
     }
 
     #[test]
@@ -87,5 +105,6 @@ mod tests {
     #[test]
     fn what_cannot_be_clear_of_doors_stands_nearer() {
         assert!((0..4).all(|seed| distance(NARROW, 3.0, seed) < 3.0));
+        assert!((0..4).all(|seed| stand(NARROW, 3.0, seed).1 && !stand(WIDE, 1.5, seed).1));
     }
 }
