@@ -23,6 +23,8 @@ COURTYARD = 4.0
 WALL_RANGE = (0.02, 0.5)
 USUAL_WALL = 0.12
 SLIVER_WIDTH, SLIVER_AREA = 0.3, 0.05
+# Metres of the width of what the arcs of a buffer leave along straight walls.
+NOISE = 0.001
 # Metres that rounding may take off a width.
 ROUNDING = 0.005
 
@@ -132,7 +134,9 @@ def width_faults(building: Building, level: Level, room, wall: float) -> list[Fa
         faults.append(Fault("too_narrow", building.id, level.id, room.id, f"{room.type} {width:.2f} m", least - wall - width))
     # Round corners: what they leave of square ones is a tenth of a sliver, and mitres fail for some nearly straight corners.
     core = room.shape.buffer(-SLIVER_WIDTH / 2).buffer(SLIVER_WIDTH / 2)
-    thin = [part.area for part in parts(room.shape.difference(core)) if part.area > SLIVER_AREA]
+    # Corners that only rounding joins are parts by themselves.
+    rest = room.shape.difference(core).buffer(-NOISE).buffer(NOISE)
+    thin = [part.area for part in parts(rest) if part.area > SLIVER_AREA]
     if thin:
         faults.append(Fault("sliver", building.id, level.id, room.id, f"{room.type}, {sum(thin):.2f} m²", sum(thin)))
     return faults

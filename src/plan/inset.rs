@@ -50,6 +50,20 @@ pub(super) fn inset_rooms(rooms: Vec<CenterRoom>, depth: f64) -> Vec<CenterRoom>
     rooms.into_iter().zip(shared).map(|(room, shared)| inset_room(room, &shared, depth)).collect()
 }
 
+/// The inner faces of rooms whose outlines run along the middles of walls of some metres of thickness, each with the room on
+/// its left; of a ring that encloses nothing there are none.
+pub(crate) fn inner_faces(rings: &[&[Point]], thickness: f64) -> Vec<Vec<Segment>> {
+    let clean =
+        |ring: &&[Point]| clean_ring(ring, &[]).ok().map(|ring| CenterRoom { ring, holes: Vec::new() });
+    let rooms: Vec<Option<CenterRoom>> = rings.iter().map(clean).collect();
+    let mut faces = inset_rooms(rooms.iter().flatten().cloned().collect(), thickness / 2.0).into_iter();
+    let faces_of = |room: CenterRoom| room.ring.polygon.edges().collect();
+    rooms
+        .iter()
+        .map(|room| room.as_ref().and_then(|_| faces.next()).map(faces_of).unwrap_or_default())
+        .collect()
+}
+
 /// The borders of a room in the order of [`crate::geometry::Region::borders`].
 fn edges_of(room: &CenterRoom) -> Vec<Segment> {
     let holes = room.holes.iter().flat_map(Polygon::edges);

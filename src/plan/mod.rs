@@ -42,6 +42,7 @@ pub use draft::{
     RoomDraft, Subject,
 };
 pub use guess::GuessRule;
+pub(crate) use inset::inner_faces;
 pub(crate) use mirror::mirror_building;
 pub use options::{PlanOptions, PlanReading, Planning, ProjectSettings};
 pub use read::{

@@ -83,12 +83,11 @@ pub(super) fn briefs<'a>(
     typologies: &'a Typologies,
     choices: &Choices,
 ) -> Vec<Brief<'a>> {
-    let (use_name, word) = use_of(footprint, measures, typologies, choices);
+    let (uses, word) = uses_of(footprint, measures, typologies, choices);
     // The map may say it of the parts alone: then the largest part counts.
     let largest = footprint.parts.iter().reduce(|a, b| if b.region.area() > a.region.area() { b } else { a });
     let of_part = || largest.and_then(|part| told_storeys(&part.storeys, choices));
     let told = told_storeys(&footprint.storeys, choices).or_else(of_part);
-    let names = typologies.uses.get(&use_name).map(|entry| entry.typologies.as_slice()).unwrap_or_default();
     let mut stream = building_stream(choices.seed, &footprint.id, "brief");
     let brief = |(name, typology): (&'a String, &'a Typology), stream: &mut Stream| {
         let (storeys, source) = told
@@ -96,17 +95,20 @@ pub(super) fn briefs<'a>(
         let known = Known { storeys: source, use_word: word.clone() };
         Brief { name, typology, storeys: storeys.clamp(1, MOST_STOREYS), known }
     };
-    let mut fitting: Vec<(f64, Brief<'a>)> = names
-        .iter()
-        .filter_map(|name| typologies.typologies.get_key_value(name))
-        .map(|entry| {
-            let brief = brief(entry, &mut stream);
-            (stream.between(0.0, brief.typology.weight), brief)
-        })
-        .filter(|(_, brief)| brief.fits(measures))
-        .collect();
-    fitting.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.name.cmp(b.1.name)));
-    let mut briefs: Vec<Brief<'a>> = fitting.into_iter().map(|(_, brief)| brief).collect();
+    let mut briefs: Vec<Brief<'a>> = Vec::new();
+    for names in uses.iter().filter_map(|name| Some(&typologies.uses.get(name)?.typologies)) {
+        let mut fitting: Vec<(f64, Brief<'a>)> = names
+            .iter()
+            .filter_map(|name| typologies.typologies.get_key_value(name))
+            .map(|entry| {
+                let brief = brief(entry, &mut stream);
+                (stream.between(0.0, brief.typology.weight), brief)
+            })
+            .filter(|(_, brief)| brief.fits(measures))
+            .collect();
+        fitting.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.name.cmp(b.1.name)));
+        briefs.extend(fitting.into_iter().map(|(_, brief)| brief));
+    }
     // What no kind of its use can be is one open hall.
     if briefs.is_empty() {
         let fallback = if measures.area < 30.0 { "shed" } else { "open_hall" };
@@ -131,23 +133,24 @@ impl Brief<'_> {
     }
 }
 
-/// The use by name, and the word that says so.
-fn use_of(
+/// The uses by name, the likeliest first, and the word that says so.
+fn uses_of(
     footprint: &Footprint,
     measures: Measures,
     typologies: &Typologies,
     choices: &Choices,
-) -> (String, Option<String>) {
+) -> (Vec<String>, Option<String>) {
     if let Some(chosen) = choices.use_name.clone() {
-        return (chosen, None);
+        return (vec![chosen], None);
     }
     let by_word = footprint.uses.iter().find_map(|(_, word)| {
         let known = typologies.uses.iter().find(|(_, entry)| entry.words.contains(word))?;
-        Some((known.0.clone(), Some(word.clone())))
+        Some((vec![known.0.clone()], Some(word.clone())))
     });
     by_word.unwrap_or_else(|| {
         let rule = typologies.unknown_use.iter().find(|rule| measures.area < rule.below);
-        (rule.map(|rule| rule.use_name.clone()).unwrap_or_default(), None)
+        let uses = rule.map(|rule| std::iter::once(&rule.use_name).chain(&rule.otherwise).cloned().collect());
+        (uses.unwrap_or_default(), None)
     })
 }
 

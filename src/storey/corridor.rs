@@ -1,9 +1,10 @@
 //! Rooms along corridors: offices, hotels, schools, wards, and flats on a corridor.
 
-use crate::geometry::{Point, Segment};
+use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
 use super::brief::Brief;
+use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Port};
 use super::fill::DOOR_STRETCH;
 use super::flats::flat_at;
@@ -23,6 +24,10 @@ const STAIRS_DEPTH: f64 = 4.0;
 const DEEPEST_STAIRS: f64 = 6.0;
 /// Metres of corridor from which on a wing has stairs.
 const ONE_STAIRS: f64 = 12.0;
+/// Metres to stairs at most from the far end of a wing, and of that what lies beyond the corridor, in a flat.
+const FARTHEST_STAIRS: f64 = 33.0;
+/// See [`FARTHEST_STAIRS`].
+const BEYOND_CORRIDOR: f64 = 9.0;
 /// Storeys from which on there is a lift.
 const LIFT_STOREYS: u32 = 4;
 /// Metres of corridor from which on a wing has stairs at both ends: nobody walks farther than 35 m to one.
@@ -33,10 +38,20 @@ const STAIRS_APART: f64 = 46.0;
 const TWO_ROWS: f64 = 9.0;
 /// Metres of depth below which a wing has no corridor of its own.
 const ONE_ROW: f64 = 4.2;
+/// A side of a wing is dark where less than this share of its length has light.
+const DARK_SIDE: f64 = 0.15;
+/// Metres of depth of a row beside a dark side: stairs and stores are in it.
+const DARK_ROW: f64 = 4.3;
+/// Metres of depth of a row of flats, and of other rooms, that reach through to a dark side.
+const DEEPEST_FLATS: f64 = 11.0;
+/// See [`DEEPEST_FLATS`].
+const DEEPEST_ROOMS: f64 = 7.0;
 /// Rows shallower than this many metres belong to the corridor.
 const LEAST_ROW: f64 = 1.7;
 /// Depth of a bath at the corridor, and its width.
 const BATH: (f64, f64) = (2.1, 1.75);
+/// Metres by which a corridor is moved aside where it has no place, in this order.
+const ASIDE: [f64; 7] = [0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6];
 /// Metres of the half of a way in.
 const PORT_HALF: f64 = 0.95;
 
@@ -48,17 +63,20 @@ struct Task<'a> {
     hall: &'a str,
     main: &'a str,
     module: (f64, f64),
+    /// Whether corridors run in the middle of their wings, wherever the light is.
+    is_plain: bool,
     /// Small rooms that are still wanted.
     services: Vec<(&'a str, f64)>,
     unit: usize,
     stream: &'a mut Stream,
 }
 
-/// One level, alike on all storeys; `None` where it does not come out.
+/// One level, alike on all storeys; `None` where it does not come out. Later attempts are plainer.
 pub(super) fn corridors(
     grounds: &[Ground],
     brief: &Brief<'_>,
     typologies: &Typologies,
+    attempt: usize,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
     let mut rings = Vec::new();
@@ -75,6 +93,7 @@ pub(super) fn corridors(
         hall: brief.typology.hall.as_deref()?,
         main: brief.typology.main.as_deref().unwrap_or("studio"),
         module: brief.typology.module?,
+        is_plain: attempt > 0,
         services: brief
             .typology
             .services
@@ -91,13 +110,54 @@ pub(super) fn corridors(
     })?;
     wings[door].ports.push(port);
     let mut cells = Vec::new();
-    for (number, wing) in wings.iter().enumerate() {
-        cells.extend(wing_cells(&mut task, wing, number == 0)?);
+    let mut ways: Vec<WayOut> = Vec::new();
+    for wing in &wings {
+        let far = wing.parent.map_or(0.0, |parent| ways[parent].metres_from(wing.ports[0].at));
+        let length = bounds(&wing.ring).size().max_element();
+        let is_far = far + length + BEYOND_CORRIDOR > FARTHEST_STAIRS;
+        let is_root = wing.parent.is_none();
+        let access = Access { is_root, has_stairs: is_root || is_far || length > ONE_STAIRS };
+        let own = wing_cells(&mut task, wing, access)?;
+        ways.push(WayOut::of(&own, wing, far));
+        cells.extend(own);
     }
     Some(cells)
 }
 
-fn wing_cells(task: &mut Task<'_>, wing: &Wing, is_root: bool) -> Option<Vec<Cell>> {
+/// What a wing has besides rooms.
+#[derive(Clone, Copy)]
+struct Access {
+    /// Whether it is the wing that the others are joined to.
+    is_root: bool,
+    /// Whether it has stairs of its own, where there are any.
+    has_stairs: bool,
+}
+
+/// The way from a wing to stairs.
+struct WayOut {
+    /// The middles of its own stairs.
+    stairs: Vec<Point>,
+    /// Where it is joined to its parent, and metres from there to the parent's stairs; the root has none.
+    joined: Option<(Point, f64)>,
+}
+
+impl WayOut {
+    fn of(cells: &[Cell], wing: &Wing, far: f64) -> Self {
+        let stairs = cells.iter().filter(|cell| cell.room_type == "stairs");
+        Self {
+            stairs: stairs.map(|cell| bounds(&cell.ring).center()).collect(),
+            joined: wing.parent.map(|_| (wing.ports[0].at, far)),
+        }
+    }
+
+    /// Metres from a place in the corridor to stairs, about.
+    fn metres_from(&self, place: Point) -> f64 {
+        let own = self.stairs.iter().map(|stairs| stairs.distance(place)).reduce(f64::min);
+        own.unwrap_or_else(|| self.joined.map_or(0.0, |(at, far)| far + at.distance(place)))
+    }
+}
+
+fn wing_cells(task: &mut Task<'_>, wing: &Wing, access: Access) -> Option<Vec<Cell>> {
     let is_turned = wing.axis == Axis::Y;
     let own = task.ground.part(wing.ring.clone());
     let turn = |point: Point| if is_turned { super::ring::turned_point(point) } else { point };
@@ -107,10 +167,10 @@ fn wing_cells(task: &mut Task<'_>, wing: &Wing, is_root: bool) -> Option<Vec<Cel
     let ports: Vec<Port> =
         wing.ports.iter().map(|port| Port { at: turn(port.at), way: turn(port.way) }).collect();
     let depth = area(&ground.ring) / bounds(&ground.ring).size().x;
-    let cells = if depth < ONE_ROW && !is_root && ports.len() == 1 {
+    let cells = if depth < ONE_ROW && !access.is_root && ports.len() == 1 {
         vec![Cell::shared(ground.ring.clone(), task.main)]
     } else {
-        along_corridor(task, &ground, &ports, middle, is_root)?
+        along_corridor(task, &ground, &ports, middle, access)?
     };
     let back = |cell: Cell| match is_turned {
         true => Cell { ring: cell.ring.iter().map(|corner| turned_back(*corner)).collect(), ..cell },
@@ -124,30 +184,15 @@ fn along_corridor(
     ground: &Ground,
     ports: &[Port],
     middle: f64,
-    is_root: bool,
+    access: Access,
 ) -> Option<Vec<Cell>> {
-    let depth = area(&ground.ring) / bounds(&ground.ring).size().x;
     let width = task.brief.typology.hall_width;
-    let (bottom, top) = extent(&ground.ring, Axis::Y);
-    let low = match depth < TWO_ROWS {
-        // One row, on the side with more light.
-        true => {
-            let light = |is_top: bool| {
-                let edge = |piece: &Segment| (piece.middle().y > 0.5 * (bottom + top)) == is_top;
-                ground
-                    .light(&ground.ring)
-                    .iter()
-                    .filter(|piece| edge(piece))
-                    .map(|piece| piece.length())
-                    .sum::<f64>()
-            };
-            if light(true) > light(false) { bottom - 0.1 } else { top - width + 0.1 }
-        }
-        false => (middle - width / 2.0).max(bottom + LEAST_ROW).min(top - width - LEAST_ROW),
-    };
-    let fixed = fixed_slices(task, ground, ports, (low, low + width), is_root);
-    let Spine { mut strip, rows, fixed: rooms, mut left_over } =
-        Spine::new(ground, low, low + width, &fixed)?;
+    let place = corridor_place(task, ground, middle);
+    // Where a jog of the outline is in its way, it runs beside that.
+    let Spine { mut strip, rows, fixed: rooms, mut left_over } = ASIDE.into_iter().find_map(|aside| {
+        let strip = (place + aside, place + aside + width);
+        Spine::new(ground, strip.0, strip.1, &fixed_slices(task, ground, ports, strip, access))
+    })?;
     let mut cells: Vec<Cell> = Vec::new();
     for (number, ring) in rooms {
         if number == 1 {
@@ -183,13 +228,47 @@ fn along_corridor(
     Some(std::iter::once(hall).chain(cells).collect())
 }
 
+/// Where the lower side of the corridor of a wing is: about the middle, or by a wall without light.
+fn corridor_place(task: &Task<'_>, ground: &Ground, middle: f64) -> f64 {
+    let width = task.brief.typology.hall_width;
+    let (bottom, top) = extent(&ground.ring, Axis::Y);
+    let length = bounds(&ground.ring).size().x;
+    let depth = area(&ground.ring) / length;
+    let [below, above] = light_beside(ground, 0.5 * (bottom + top));
+    let is_above_dark = above < below;
+    let is_dark = !task.is_plain && below.min(above) < DARK_SIDE * length;
+    let deepest =
+        if task.brief.typology.plan == PlanKind::CorridorFlats { DEEPEST_FLATS } else { DEEPEST_ROOMS };
+    if depth < TWO_ROWS || is_dark && depth - width < deepest {
+        // One row, on the side with more light.
+        return if is_above_dark { top - width + 0.1 } else { bottom - 0.1 };
+    }
+    let rest = depth - width - DARK_ROW;
+    if is_dark && rest > DARK_ROW && rest < deepest + 2.0 {
+        // Stairs and stores there, no deeper than stairs are.
+        return if is_above_dark { top - DARK_ROW - width } else { bottom + DARK_ROW };
+    }
+    (middle - width / 2.0).max(bottom + LEAST_ROW).min(top - width - LEAST_ROW)
+}
+
+/// Metres of outer wall with light below and above a line along the corridor.
+fn light_beside(ground: &Ground, line: f64) -> [f64; 2] {
+    let mut metres = [0.0; 2];
+    for piece in ground.light(&ground.ring) {
+        if piece.direction().x.abs() > 0.7 {
+            metres[usize::from(piece.middle().y > line)] += piece.length();
+        }
+    }
+    metres
+}
+
 /// Ways in at the sides of rows, and stairs at the ends of the corridor.
 fn fixed_slices(
     task: &Task<'_>,
     ground: &Ground,
     ports: &[Port],
     (low, high): (f64, f64),
-    is_root: bool,
+    access: Access,
 ) -> Vec<Fixed> {
     let (left, right) = extent(&ground.ring, Axis::X);
     let (bottom, top) = extent(&ground.ring, Axis::Y);
@@ -209,8 +288,10 @@ fn fixed_slices(
     }
     if task.brief.storeys > 1 {
         let is_above = is_darker_above(ground, (low, high));
-        add_stairs(&mut fixed, (left, right), is_above, is_root);
-        if is_root && task.brief.storeys >= LIFT_STOREYS {
+        if access.has_stairs {
+            add_stairs(&mut fixed, (left, right), is_above);
+        }
+        if access.is_root && task.brief.storeys >= LIFT_STOREYS {
             add_lift(&mut fixed, (left, right), is_above);
         }
     }
@@ -220,15 +301,11 @@ fn fixed_slices(
 /// The side of a corridor where stairs take the least light.
 fn is_darker_above(ground: &Ground, (low, high): (f64, f64)) -> bool {
     let (bottom, top) = extent(&ground.ring, Axis::Y);
-    let pieces = ground.light(&ground.ring);
-    let light = |is_top: bool| {
-        let own = pieces.iter().filter(|piece| (piece.middle().y > 0.5 * (low + high)) == is_top);
-        own.map(|piece| piece.length()).sum::<f64>()
-    };
+    let [below, above] = light_beside(ground, 0.5 * (low + high));
     match (top - high > STAIRS_DEPTH, low - bottom > STAIRS_DEPTH) {
         (true, false) => true,
         (false, true) => false,
-        _ => light(true) < light(false),
+        _ => above < below,
     }
 }
 
@@ -238,11 +315,8 @@ fn is_free(fixed: &[Fixed], is_above: bool, from: f64, to: f64) -> bool {
 }
 
 /// Stairs at one end of a corridor or more places; as near to them as other slices let them.
-fn add_stairs(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool, is_root: bool) {
+fn add_stairs(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool) {
     let length = right - left;
-    if !is_root && length <= ONE_STAIRS {
-        return;
-    }
     // At one end, at both of a long corridor, and between them so that no two are far apart.
     let gaps = if length > TWO_STAIRS { (length / STAIRS_APART).ceil() as u32 } else { 0 };
     for number in 0..=gaps {
@@ -367,7 +441,8 @@ fn row_cells(
             .rooms
             .get(&room_type)
             .is_none_or(|needs| needs.light == super::typology::Light::Required);
-        let room_type = if needs_light && !has_light { "storeroom".to_owned() } else { room_type };
+        let is_fit = is_fit_for(task, &room_type, &ring) && (!needs_light || has_light);
+        let room_type = if is_fit { room_type } else { "storeroom".to_owned() };
         cells.extend(room_cells(task, ground, Cell { ring, room_type, unit: None }, strip, index)?);
     }
     Some(cells)
@@ -390,10 +465,16 @@ fn room_cells(
         return Some(cells.into_iter().map(|cell| Cell { unit: Some(task.unit), ..cell }).collect());
     }
     let is_hotel = room_type == "hotel_room";
-    if let Some((room, bath)) = with_bath(&ring, strip, index.is_multiple_of(2)).filter(|_| is_hotel) {
+    let bath = if is_hotel { with_bath(&ring, strip, index.is_multiple_of(2)) } else { None };
+    if let Some((room, bath)) = bath.filter(|(room, _)| is_fit_for(task, "hotel_room", room)) {
         return Some(vec![Cell::shared(room, "hotel_room"), Cell::shared(bath, "hotel_bathroom")]);
     }
     Some(vec![Cell { ring, room_type, unit: None }])
+}
+
+/// Whether a room is as wide as its type needs.
+fn is_fit_for(task: &Task<'_>, room_type: &str, ring: &Ring) -> bool {
+    task.typologies.rooms.get(room_type).is_none_or(|needs| is_as_wide_as(ring, needs.width))
 }
 
 /// A bath at the corridor, on one side of the way into the room.

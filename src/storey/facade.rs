@@ -2,7 +2,7 @@
 
 use rstar::{AABB, RTree, RTreeObject};
 
-use crate::geometry::{Bounds, Point, Segment};
+use crate::geometry::{Bounds, Intervals, Point, Segment, ring_contains};
 
 use super::footprint::{Footprint, Site};
 use super::ring::Ring;
@@ -21,6 +21,8 @@ const FARTHEST: f64 = 25.0;
 const STREET_REACH: f64 = 50.0;
 /// Metres before a wall at which looking begins: outlines of neighbours overlap a little.
 const OVERLAP: f64 = 0.3;
+/// Metres beside a window over which its sight is free too.
+const SIGHT_MARGIN: f64 = 0.05;
 /// Metres between an entrance of the map and the wall it is in, at most.
 const ENTRANCE_REACH: f64 = 1.5;
 
@@ -161,12 +163,15 @@ pub(super) fn look_out(outer: &Ring, courts: &[Ring], around: &Around) -> Facade
         .flat_map(|ring| crate::geometry::edges(ring))
         .filter(|edge| edge.bounds().touches(reach))
         .collect();
+    let rings = around.neighbours.iter().map(|ring| (super::ring::bounds(ring), ring.as_slice()));
+    let seen = Seen { faces: &others, rings: rings.collect() };
     let outer_count = outer.len();
     let mut spans = Vec::new();
     for (index, edge) in own.iter().enumerate() {
         let open = if index < outer_count { EdgeClass::Yard } else { EdgeClass::Court };
-        look_out_of_edge(*edge, open, &own, &others, &mut spans);
+        look_out_of_edge(*edge, open, &own, &seen, &mut spans);
     }
+    let mut spans: Vec<Span> = spans.into_iter().flat_map(|span| without_blocked(span, &others)).collect();
     let entrance = entrance(&spans, around);
     if let Some((front, _)) = entrance {
         let way_out = -spans[front].line.normal();
@@ -179,13 +184,22 @@ pub(super) fn look_out(outer: &Ring, courts: &[Ring], around: &Around) -> Facade
     Facade { spans, entrance }
 }
 
+/// What may stand before a wall.
+struct Seen<'a> {
+    /// The outer faces of neighbours.
+    faces: &'a [Segment],
+    /// Their outlines, with their boxes.
+    rings: Vec<(Bounds, &'a [Point])>,
+}
+
 fn look_out_of_edge(
     edge: Segment,
     open: EdgeClass,
     own: &[Segment],
-    others: &[Segment],
+    around: &Seen<'_>,
     spans: &mut Vec<Span>,
 ) {
+    let Seen { faces: others, rings: neighbours } = around;
     let length = edge.length();
     let count = ((length / STEP).round() as usize).clamp(1, MOST_PLACES);
     let out = -edge.normal();
@@ -199,6 +213,13 @@ fn look_out_of_edge(
         let to_others = nearest_hit(eye - out * OVERLAP, out, others).map(|hit| hit - OVERLAP);
         let to_self = nearest_hit(eye + out * 0.01, out, own);
         let class = match (to_others, to_self) {
+            // Outlines of maps may lie in each other.
+            _ if neighbours
+                .iter()
+                .any(|(extent, ring)| extent.contains(eye) && ring_contains(ring, eye + out * OVERLAP)) =>
+            {
+                EdgeClass::Party
+            }
             (Some(gap), _) if gap <= PARTY_GAP => EdgeClass::Party,
             (Some(gap), _) | (None, Some(gap)) if gap < WINDOW_SIGHT => EdgeClass::Blocked,
             (_, Some(gap)) if gap < WINDOW_SIGHT => EdgeClass::Blocked,
@@ -217,6 +238,47 @@ fn look_out_of_edge(
     if let Some((from, class, sight)) = begun {
         spans.push(span(from, count, class, sight));
     }
+}
+
+/// A span that is free, in pieces where an outer face of a neighbour reaches into the sight before it.
+fn without_blocked(span: Span, others: &[Segment]) -> Vec<Span> {
+    let length = span.line.length();
+    let (mut free, mut blocked) = (Intervals::new(0.0, length), Intervals::new(0.0, length));
+    if span.class.is_free() {
+        let found = others.iter().filter_map(|other| blocked_by(span.line, *other));
+        found.for_each(|(from, to)| free.subtract(from, to));
+    }
+    free.as_slice().iter().for_each(|&(from, to)| blocked.subtract(from, to));
+    let pieces = |intervals: &Intervals, class: EdgeClass| -> Vec<Span> {
+        let line = |from: f64, to: f64| Segment::new(span.line.at(from / length), span.line.at(to / length));
+        intervals.as_slice().iter().map(|&(from, to)| Span { line: line(from, to), class, ..span }).collect()
+    };
+    [pieces(&free, span.class), pieces(&blocked, EdgeClass::Blocked)].concat()
+}
+
+/// From where to where along an outer wall an outer face of a neighbour stands too near before it.
+fn blocked_by(wall: Segment, other: Segment) -> Option<(f64, f64)> {
+    let direction = wall.direction();
+    let place = |point: Point| {
+        let from = point - wall.start;
+        (from.dot(direction), -wall.normal().dot(from))
+    };
+    let ((from, near), (to, far)) = (place(other.start), place(other.end));
+    let (least, most) = (-OVERLAP, WINDOW_SIGHT);
+    if near.max(far) <= least || near.min(far) >= most {
+        return None;
+    }
+    let change = far - near;
+    let share =
+        |depth: f64| if change.abs() < 1e-9 { 0.0 } else { ((depth - near) / change).clamp(0.0, 1.0) };
+    // Which share of the other face is in reach.
+    let (first, last) = match change.abs() < 1e-9 {
+        true => (0.0, 1.0),
+        false => (share(least).min(share(most)), share(least).max(share(most))),
+    };
+    let ends = [first, last].map(|share| from + (to - from) * share);
+    let (low, high) = (ends[0].min(ends[1]) - SIGHT_MARGIN, ends[0].max(ends[1]) + SIGHT_MARGIN);
+    (high > 0.0 && low < wall.length()).then_some((low, high))
 }
 
 /// Metres from an eye to the first edge it sees, if one is within reach.
@@ -259,13 +321,20 @@ fn entrance(spans: &[Span], around: &Around) -> Option<(usize, Point)> {
     };
     let best =
         free().map(|(index, span)| (worth(span), index)).reduce(|a, b| if b.0 > a.0 + 1e-9 { b } else { a });
-    best.map(|(_, index)| (index, spans[index].line.middle()))
+    // What has no free wall is entered through a gap between buildings, or else through a neighbour.
+    let walled = || {
+        let rank = |span: &Span| (span.class == EdgeClass::Blocked, span.line.length());
+        let all = spans.iter().enumerate().map(|(index, span)| (rank(span), index));
+        all.reduce(|a, b| if b.0 > a.0 { b } else { a }).map(|(_, index)| index)
+    };
+    let index = best.map(|(_, index)| index).or_else(walled)?;
+    Some((index, spans[index].line.middle()))
 }
 
 impl Facade {
-    /// The spans that the piece of a room's border lies behind, where the wall is `wall` metres thick.
+    /// The spans that the piece of a room's border lies behind, within these metres of their outer face.
     /// Each comes with the piece of the border before it.
-    pub(super) fn before(&self, border: Segment, wall: f64) -> Vec<(&Span, Segment)> {
+    pub(super) fn before(&self, border: Segment, (least, most): (f64, f64)) -> Vec<(&Span, Segment)> {
         let direction = border.direction();
         let found = self.spans.iter().filter_map(|span| {
             if span.direction.dot(direction) < 0.9998 {
@@ -273,7 +342,7 @@ impl Facade {
             }
             // Its inner face is as deep behind the outer one as the wall is thick: other cuts may run near it.
             let gap = span.direction.perp().dot(border.start - span.line.start);
-            if (gap - wall).abs() > 0.06 {
+            if gap < least - 0.06 || gap > most + 0.06 {
                 return None;
             }
             let from = (span.line.start - border.start).dot(direction).max(0.0);

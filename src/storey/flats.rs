@@ -6,7 +6,9 @@ use crate::layout::seed::Stream;
 use super::brief::Brief;
 use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Division, Port, Task, divisions, plan, studio};
+use super::faces::Partition;
 use super::links::link;
+use super::open::{End, part_cells};
 use super::ring::{
     Axis, Ring, along, area, bounds, inner_corners, join, longest, shared, split, total_length,
 };
@@ -30,17 +32,25 @@ const LEAST_FLAT: f64 = 18.0;
 const TWO_FLATS: f64 = 110.0;
 /// Square metres of sections that follow from the number of flats of a map, which may count what is planned otherwise.
 const KNOWN_SECTION: (f64, f64) = (90.0, 420.0);
+/// The attempt from which on sections that have no other plan are lofts, and square metres of the largest one.
+const LOFT_ATTEMPT: usize = 2;
+/// See [`LOFT_ATTEMPT`].
+const LARGEST_LOFT: f64 = 180.0;
+/// Square metres of the stairs and of the bath of a loft.
+const LOFT_STAIRS: f64 = 12.0;
+/// See [`LOFT_STAIRS`].
+const LOFT_BATH: f64 = 5.5;
 /// Pieces that one cut through a storey may leave: three at an arm of it.
 const MOST_PIECES: usize = 3;
 /// The cost of a flat that is good enough: no other is looked for.
 const GOOD_FLAT: f64 = 5.0;
 
-/// One level of flats, alike on all storeys; `None` where a section has no sound plan.
+/// One level of flats, alike on all storeys; `None` where a section has no sound plan. The last attempt has more sections.
 pub(super) fn flats(
     grounds: &[Ground],
-    brief: &Brief<'_>,
-    typologies: &Typologies,
+    (brief, typologies): (&Brief<'_>, &Typologies),
     known: Option<u32>,
+    attempt: usize,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
     let mut cells = Vec::new();
@@ -49,7 +59,11 @@ pub(super) fn flats(
         let mut next = unit;
         let mut cells = Vec::new();
         for ring in sections(ground, ground.ring.clone(), count) {
-            cells.extend(landing(&ground.part(ring), brief, typologies, &mut next, stream)?);
+            let section = ground.part(ring);
+            let rooms = landing(&section, brief, typologies, &mut next, stream);
+            let in_any_form =
+                || if attempt >= LOFT_ATTEMPT { loft(&section, typologies, &mut next) } else { None };
+            cells.extend(rooms.or_else(in_any_form)?);
         }
         unit = next;
         Some(cells)
@@ -58,10 +72,27 @@ pub(super) fn flats(
         let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(190.0);
         let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
         // Where a section has no plan, the storey may have one with sections of another size.
-        let mut counts = [count, count + 1, count - 1].into_iter().filter(|count| *count > 0);
+        let counts = match attempt {
+            0 | 1 => [count, count + 1, count - 1],
+            _ => [count + 2, 2 * count, 2 * count + 1],
+        };
+        let mut counts = counts.into_iter().filter(|count| *count > 0);
         cells.extend(counts.find_map(|count| in_sections(ground, count))?);
     }
     Some(cells)
+}
+
+/// A flat of one room in a section whose form leaves no other: stairs first, then the room and its bath.
+fn loft(section: &Ground, typologies: &Typologies, unit: &mut usize) -> Option<Vec<Cell>> {
+    let services = [("stairs", LOFT_STAIRS), ("bathroom", LOFT_BATH)];
+    let mut cells = part_cells(section, End { services: &services, has_stairs: true, typologies }, "studio")?;
+    for cell in cells.iter_mut().filter(|cell| cell.room_type != "stairs") {
+        cell.unit = Some(*unit);
+    }
+    *unit += 1;
+    cells.sort_by_key(|cell| cell.unit.is_some());
+    let has_bath = cells.iter().any(|cell| cell.room_type == "bathroom");
+    (has_bath && area(&section.ring) <= LARGEST_LOFT).then_some(cells)
 }
 
 /// Square metres of a section with two flats, where the map says how many flats a building has.
@@ -144,7 +175,7 @@ fn landing(
         let sound = cores(&ground, brief.storeys).into_iter().find_map(|core| {
             let mut cells = flats_at(&ground, core, brief, typologies, stream)?;
             trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
-            is_joined(&cells, typologies, stream).then_some(cells)
+            is_joined(&cells, brief, typologies, stream).then_some(cells)
         });
         if let Some(mut cells) = sound {
             let first = *unit;
@@ -164,13 +195,14 @@ fn landing(
 }
 
 /// Whether stairs and lift are wide enough, and lead to all flats.
-fn is_joined(cells: &[Cell], typologies: &Typologies, stream: &mut Stream) -> bool {
+fn is_joined(cells: &[Cell], brief: &Brief<'_>, typologies: &Typologies, stream: &mut Stream) -> bool {
     let mut shared = cells.iter().filter(|cell| cell.unit.is_none());
     let is_wide = |cell: &Cell| {
         let needs = typologies.rooms.get(&cell.room_type);
         !has_thin_parts(&cell.ring) && needs.is_none_or(|needs| is_as_wide_as(&cell.ring, needs.width))
     };
-    shared.all(is_wide) && link(cells, typologies, &[], true, stream).unreached.is_empty()
+    let partition = || Partition::new(cells, typologies, brief.typology.interior);
+    shared.all(is_wide) && link(&partition(), &[], true, stream).unreached.is_empty()
 }
 
 /// Stairs, perhaps with a lift, and the outlines of the flats beside them.

@@ -7,17 +7,19 @@ use crate::layout::seed::Stream;
 use crate::plan::OpeningKind;
 
 use super::dwelling::{Cell, Port};
-use super::ring::{bounds, longest, shared};
+use super::faces::Partition;
 use super::typology::{RoomNeeds, Typologies};
 
-/// Metres of border that the narrowest door needs.
+/// Metres of border, up to the middles of other walls, that the narrowest door needs.
 pub(super) const LEAST_BORDER: f64 = 0.92;
 /// Metres of wall beside a door.
-const BESIDE: f64 = 0.1;
+const BESIDE: f64 = 0.03;
+/// Metres of the narrowest door to the open air.
+const LEAST_WAY_IN: f64 = 0.7;
 /// Metres between two doors in one wall.
 const BETWEEN: f64 = 0.2;
-/// Metres of border from which on a kitchen lies open to the living room.
-const OPEN_BORDER: f64 = 1.5;
+/// Metres of wall from which on a kitchen lies open to the living room.
+const OPEN_BORDER: f64 = 1.35;
 /// Share of kitchens that do, where they may.
 const OPEN_SHARE: f64 = 0.65;
 
@@ -56,56 +58,34 @@ pub(super) struct Entry {
     pub(super) port: Port,
 }
 
-/// The pairs of rooms that share a wall, with the longest piece of it; the first room is on its left.
-struct Borders(Vec<Vec<(usize, Segment)>>);
-
-impl Borders {
-    fn of(cells: &[Cell]) -> Self {
-        let boxes: Vec<_> = cells.iter().map(|cell| bounds(&cell.ring).inflated(0.01)).collect();
-        let mut borders = vec![Vec::new(); cells.len()];
-        for first in 0..cells.len() {
-            for second in first + 1..cells.len() {
-                if !boxes[first].touches(boxes[second]) {
-                    continue;
-                }
-                let border = longest(shared(&cells[first].ring, &cells[second].ring));
-                if let Some(border) = border.filter(|border| border.length() >= LEAST_BORDER) {
-                    borders[first].push((second, border));
-                    borders[second].push((first, border.reversed()));
-                }
-            }
-        }
-        Self(borders)
-    }
-}
-
 /// A level whose doors are sought.
 #[derive(Clone, Copy)]
 struct Level<'a> {
     cells: &'a [Cell],
     typologies: &'a Typologies,
-    borders: &'a Borders,
+    borders: &'a [Vec<(usize, Segment)>],
     /// By room: whether it is the first of its unit, which is the hall or the only room.
     is_entry: &'a [bool],
 }
 
 /// Doors of a level: `entries` are the ways in from outside, `stair_roots` whether people come by the stairs.
 pub(super) fn link(
-    cells: &[Cell],
-    typologies: &Typologies,
+    partition: &Partition<'_>,
     entries: &[Entry],
     stair_roots: bool,
     stream: &mut Stream,
 ) -> Links {
-    let borders = Borders::of(cells);
+    let &Partition { cells, typologies, ref borders, .. } = partition;
     let mut units = BTreeSet::new();
     let is_entry: Vec<bool> = cells.iter().map(|cell| units.insert(cell.unit)).collect();
-    let level = Level { cells, typologies, borders: &borders, is_entry: &is_entry };
+    let level = Level { cells, typologies, borders, is_entry: &is_entry };
     let mut found = Links::default();
     let mut is_reached = vec![false; cells.len()];
     for &Entry { room, port } in entries {
-        is_reached[room] = true;
-        found.links.push(outer_door(room, port, &cells[room]));
+        if let Some(door) = outer_door(room, port, partition) {
+            is_reached[room] = true;
+            found.links.push(door);
+        }
     }
     if stair_roots {
         for (index, cell) in cells.iter().enumerate() {
@@ -129,6 +109,14 @@ pub(super) fn link(
             found.links.push(link);
         }
     }
+    // People come by each stairs: those that nobody was led from have a door too.
+    for room in (0..cells.len()).filter(|&room| cells[room].room_type == "stairs") {
+        let has_door = |link: &Link| link.rooms.0 == room || link.rooms.1 == Some(room);
+        if is_reached[room] && !found.links.iter().any(has_door) {
+            let way = best_way(level, &is_reached, room, true);
+            found.links.extend(way.map(|(to, border)| inner_door(cells, (room, to), border, &found.links)));
+        }
+    }
     found.unreached =
         (0..cells.len()).filter(|&room| !is_reached[room] && cells[room].room_type != "shaft").collect();
     found
@@ -140,7 +128,9 @@ pub(super) fn room_at(cells: &[Cell], port: Port) -> Option<usize> {
     cells.iter().position(|cell| ring_contains(&cell.ring, inside))
 }
 
-fn outer_door(room: usize, port: Port, cell: &Cell) -> Link {
+/// `None` where the wall holds no door.
+fn outer_door(room: usize, port: Port, partition: &Partition<'_>) -> Option<Link> {
+    let cell = &partition.cells[room];
     let is_wide = cell.unit.is_none() && !matches!(cell.room_type.as_str(), "storeroom" | "stairs");
     let width: f64 = match cell.room_type.as_str() {
         "garage" => 2.4,
@@ -149,29 +139,27 @@ fn outer_door(room: usize, port: Port, cell: &Cell) -> Link {
         _ => 1.0,
     };
     // As far as the wall goes.
-    let edge = crate::geometry::edges(&cell.ring)
+    let (_, edge) = partition.faces[room]
+        .iter()
         .filter(|edge| edge.normal().dot(port.way) > 0.9)
-        .map(|edge| (edge.distance(port.at), edge))
-        .reduce(|a, b| if b.0 < a.0 { b } else { a });
-    let (center, along, room_for) = match edge {
-        Some((_, edge)) => {
-            let half = width.min(edge.length() - 0.2).max(0.4) / 2.0 + 0.08;
-            let place = (port.at - edge.start)
-                .dot(edge.direction())
-                .clamp(half.min(edge.length() / 2.0), (edge.length() - half).max(edge.length() / 2.0));
-            (edge.start + edge.direction() * place, edge.direction(), edge.length() - 0.2)
-        }
-        None => (port.at, port.way.perp(), width),
-    };
-    let width = width.min(room_for.max(0.7));
-    Link {
+        .map(|&edge| (edge.distance(port.at), edge))
+        .reduce(|a, b| if b.0 < a.0 { b } else { a })?;
+    let room_for = edge.length() - 2.0 * BESIDE;
+    if room_for < LEAST_WAY_IN {
+        return None;
+    }
+    let width = width.min(room_for);
+    let half = 0.5 * width + BESIDE;
+    let place = (port.at - edge.start).dot(edge.direction());
+    let place = place.max(half).min(edge.length() - half);
+    Some(Link {
         rooms: (room, None),
         kind: OpeningKind::Door,
-        center,
-        along,
+        center: edge.start + edge.direction() * place,
+        along: edge.direction(),
         width,
         leaves: if width > 1.2 { 2 } else { 1 },
-    }
+    })
 }
 
 /// Whether a door may lead from a room that is not reached to one that is.
@@ -199,7 +187,7 @@ fn best_way(
     // Nobody walks through a flat to what all share.
     let is_way =
         |to: usize| is_reached[to] && (cells[to].unit.is_none() || cells[to].unit == cells[room].unit);
-    let ways = borders.0[room].iter().filter(|(to, _)| is_way(*to)).filter_map(|&(to, border)| {
+    let ways = borders[room].iter().filter(|(to, _)| is_way(*to)).filter_map(|&(to, border)| {
         // The other way round too: stairs of a house are reached from its hall, a hall above from the stairs.
         let other = typologies.rooms.get(&cells[to].room_type).filter(|other| other.passage);
         let back = other.and_then(|other| may_lead(level, other, to, room));
@@ -219,11 +207,11 @@ fn opens(level: Level<'_>, room: usize) -> Option<(usize, Segment)> {
             && needs.open_to.contains(&cells[to].room_type)
             && border.length() >= OPEN_BORDER
     };
-    borders.0[room].iter().copied().find(|&(to, border)| is_open(to, border))
+    borders[room].iter().copied().find(|&(to, border)| is_open(to, border))
 }
 
 fn open_side(room: usize, other: usize, border: Segment) -> Link {
-    let width = (border.length() - 0.3).min(3.2);
+    let width = (border.length() - 0.16).min(3.2);
     Link {
         rooms: (room, Some(other)),
         kind: OpeningKind::OpenBoundary,
@@ -239,7 +227,7 @@ fn inner_door(cells: &[Cell], (room, to): (usize, usize), border: Segment, links
     let has = |room_type: &str| types.contains(&room_type);
     let is_inside = cells[room].unit == cells[to].unit;
     if has("stairs") && has("corridor") && is_inside || types == ["walkway", "walkway"] {
-        let width = (border.length() - 0.25).min(2.6);
+        let width = (border.length() - 0.1).min(2.6);
         return Link { width, ..open_side(room, to, border) };
     }
     let (kind, wanted): (OpeningKind, f64) = if has("elevator") {

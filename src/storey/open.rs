@@ -1,6 +1,7 @@
 //! One large room with small ones at its darkest end: shops, halls, workshops, open offices.
 
 use super::brief::Brief;
+use super::disc::is_as_wide_as;
 use super::dwelling::Cell;
 use super::flats::sections;
 use super::links::LEAST_BORDER;
@@ -10,15 +11,26 @@ use super::typology::Typologies;
 
 /// Metres of the depth of the small rooms, and with stairs among them.
 const DEPTH: (f64, f64) = (3.0, 4.6);
-/// Square metres of a part of a storey with stairs of its own, so that nobody walks far to them.
-const PART: f64 = 700.0;
+/// Square metres of a part of a storey with stairs of its own, so that nobody walks far to them: the usual ones, and smaller ones
+/// where these are too far from each other.
+const PARTS: [f64; 2] = [700.0, 320.0];
+/// Metres of the depth of stairs that take a whole end.
+const WHOLE_ENDS: [f64; 3] = [2.6, 4.0, 6.0];
+/// Metres of the width of stairs at least.
+const LEAST_STAIRS: f64 = 2.1;
 /// Square metres of stairs.
 const STAIRS: f64 = 13.0;
 /// Share of the storey that small rooms take at most.
 const MOST_SHARE: f64 = 0.4;
 
-/// One level, alike on all storeys; `None` where there is no place for the small rooms.
-pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typologies) -> Option<Vec<Cell>> {
+/// One level, alike on all storeys; `None` where there is no place for the small rooms. Later attempts have more stairs.
+pub(super) fn open_plan(
+    grounds: &[Ground],
+    brief: &Brief<'_>,
+    typologies: &Typologies,
+    attempt: usize,
+) -> Option<Vec<Cell>> {
+    let part_area = PARTS[attempt.min(PARTS.len() - 1)];
     let main = brief.typology.main.as_deref()?;
     let has_stairs = brief.storeys > 1;
     let all = brief.typology.services.iter().map(|(room_type, area)| (room_type.as_str(), *area));
@@ -27,11 +39,11 @@ pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typo
     for (index, ground) in grounds.iter().enumerate() {
         let is_joined = || cells.iter().any(|cell| shared_length(&cell.ring, &ground.ring) >= LEAST_BORDER);
         // Pieces that were cut at a courtyard are reached from others; what stands apart has stairs of its own.
-        if index > 0 && area(&ground.ring) < PART && is_joined() {
+        if index > 0 && area(&ground.ring) < part_area && is_joined() {
             cells.push(Cell::shared(ground.ring.clone(), main));
             continue;
         }
-        let count = if has_stairs { (area(&ground.ring) / PART).round() as usize } else { 1 };
+        let count = if has_stairs { (area(&ground.ring) / part_area).round() as usize } else { 1 };
         for (part, ring) in sections(ground, ground.ring.clone(), count).into_iter().enumerate() {
             let is_first = index == 0 && part == 0;
             let services = if is_first { all.clone() } else { all[..usize::from(has_stairs)].to_vec() };
@@ -51,15 +63,17 @@ pub(super) fn open_plan(grounds: &[Ground], brief: &Brief<'_>, typologies: &Typo
 
 /// What is wanted at an end of a large room.
 #[derive(Clone, Copy)]
-struct End<'a> {
+pub(super) struct End<'a> {
     /// Small rooms with their square metres; stairs are the first.
-    services: &'a [(&'a str, f64)],
-    has_stairs: bool,
-    typologies: &'a Typologies,
+    pub(super) services: &'a [(&'a str, f64)],
+    /// Whether there are stairs.
+    pub(super) has_stairs: bool,
+    /// What rooms need.
+    pub(super) typologies: &'a Typologies,
 }
 
 /// A large room and the small ones at its end.
-fn part_cells(ground: &Ground, end: End<'_>, main: &str) -> Option<Vec<Cell>> {
+pub(super) fn part_cells(ground: &Ground, end: End<'_>, main: &str) -> Option<Vec<Cell>> {
     let (room, small) = with_services(ground, end)?;
     let small = small.into_iter().zip(end.services);
     let small = small.map(|(ring, (room_type, _))| Cell::shared(ring, room_type));
@@ -80,11 +94,31 @@ fn with_services(ground: &Ground, end: End<'_>) -> Option<(Ring, Vec<Ring>)> {
             return Some((room, small));
         }
         if services.len() == 1 && end.has_stairs {
-            return None;
+            return whole_end(ground).map(|(room, stairs)| (room, vec![stairs]));
         }
         services = &services[..services.len() - 1];
     }
     Some((ground.ring.clone(), Vec::new()))
+}
+
+/// Stairs across a whole end of the ground, where no smaller ones have a place: the large room and the stairs.
+fn whole_end(ground: &Ground) -> Option<(Ring, Ring)> {
+    let ways = [Axis::X, Axis::Y].into_iter().flat_map(|axis| [(axis, false), (axis, true)]);
+    let cuts = ways.flat_map(|(axis, is_top)| WHOLE_ENDS.map(|depth| (axis, is_top, depth)));
+    let ends = cuts.filter_map(|(axis, is_top, depth)| {
+        let (low, high) = extent(&ground.ring, axis);
+        let (below, above) = split(&ground.ring, axis, if is_top { high - depth } else { low + depth });
+        let (mut end, mut rest) = if is_top { (above, below) } else { (below, above) };
+        end.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        rest.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        let (mut end, mut rest) = (end.into_iter(), rest.into_iter());
+        let mut rings = vec![rest.next()?, end.next()?];
+        let is_settled = settle(end.chain(rest).collect(), &mut rings, |_| 1.0).is_empty();
+        let [room, stairs] = <[Ring; 2]>::try_from(rings).ok()?;
+        let is_fit = is_as_wide_as(&stairs, LEAST_STAIRS) && shared_length(&room, &stairs) >= LEAST_BORDER;
+        (is_settled && is_fit && area(&stairs) < MOST_SHARE * area(&ground.ring)).then_some((room, stairs))
+    });
+    ends.reduce(|best, next| if area(&next.1) < area(&best.1) { next } else { best })
 }
 
 /// Small rooms at the better of two ends of the ground, or of the ground turned by a quarter.
@@ -140,12 +174,12 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
     let (small, crumbs) = cut_along(&[row], &places);
     let least = |room_type: &str| typologies.rooms.get(room_type).map_or(1.1, |needs| needs.width);
     let is_wide = |(ring, (room_type, _)): (&Ring, &(&str, f64))| {
-        !ring.is_empty() && super::disc::is_as_wide_as(ring, least(room_type))
+        !ring.is_empty() && is_as_wide_as(ring, least(room_type))
     };
     if !small.iter().zip(services).all(is_wide) {
         return None;
     }
-    if has_stairs && !super::disc::is_as_wide_as(small.first()?, 2.1) {
+    if has_stairs && !is_as_wide_as(small.first()?, LEAST_STAIRS) {
         return None;
     }
     rests.extend(crumbs);
@@ -154,7 +188,7 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
         return None;
     }
     let main = main.pop()?;
-    let reaches = |ring: &Ring| super::ring::shared_length(ring, &main) >= super::fill::DOOR_STRETCH;
+    let reaches = |ring: &Ring| shared_length(ring, &main) >= super::fill::DOOR_STRETCH;
     if !small.iter().all(reaches) {
         return None;
     }

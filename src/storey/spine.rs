@@ -54,7 +54,7 @@ impl Ground {
     /// The pieces of a ring's border that light may come through.
     pub(super) fn light(&self, ring: &[Point]) -> Vec<Segment> {
         let free = |edge: Segment| {
-            let before = self.facade.before(edge, self.wall);
+            let before = self.facade.before(edge, (self.wall, self.wall));
             before.into_iter().filter(|(span, _)| span.class.is_free()).map(|(_, piece)| piece)
         };
         edges(ring).flat_map(free).collect()

@@ -256,3 +256,61 @@ fn choices_come_before_the_map() {
     assert_eq!(planned.report.typology, "hotel");
     assert!(!rooms_of(&planned, 0, "hotel_room").is_empty());
 }
+
+#[test]
+fn all_stairs_of_a_long_storey_have_doors_on_each_level() {
+    let office = alone(rectangle(0.0, 0.0, 70.0, 15.0), 4.0, "office");
+    for level in &office.draft.levels {
+        let stairs: Vec<_> = level.rooms.iter().filter(|room| room.room_type == "stairs").collect();
+        assert!(stairs.len() >= 2, "{:?}", office.report);
+        let has_door = |room: &crate::plan::RoomDraft| {
+            level.openings.iter().any(|opening| opening.rooms.len() == 2 && opening.rooms.contains(&room.id))
+        };
+        assert!(stairs.into_iter().all(has_door), "level {}", level.id);
+    }
+}
+
+#[test]
+fn nobody_looks_at_a_corner_of_a_neighbour() {
+    // It reaches to 1 m before the wall, over 0.4 m of it.
+    let wedge = region(&[(5.0, -6.0), (5.4, -6.0), (5.4, -1.0), (5.0, -1.0)]);
+    let site = site(vec![
+        footprint("a", rectangle(0.0, 0.0, 11.0, 9.0), 2.0, "house"),
+        footprint("b", wedge, 1.0, "shed"),
+    ]);
+    let house = plan(&site, 0);
+    let turn = |point: Point| direction(house.placement.turn).rotate(point) + house.placement.position;
+    for opening in house.draft.levels.iter().flat_map(|level| &level.openings) {
+        let crate::plan::OpeningPlace::Points { center, along } = opening.place else { continue };
+        if opening.kind == OpeningKind::Window && turn(center).y < 1.0 {
+            let half = along.unwrap_or(Point::X).length() * opening.width / 2.0;
+            let gap = (turn(center).x - 5.2).abs() - half - 0.2;
+            assert!(gap > 0.0, "a window of {} m at {}", opening.width, turn(center));
+        }
+    }
+}
+
+#[test]
+fn what_neighbours_wall_in_has_a_door_and_no_windows() {
+    let around = [(-9.0, 0.0, 9.0, 9.0), (9.0, 0.0, 9.0, 9.0), (0.0, 9.0, 9.0, 9.0), (0.0, -9.0, 9.0, 9.0)];
+    let mut footprints = vec![footprint("a", rectangle(0.0, 0.0, 9.0, 9.0), 3.0, "office")];
+    for (number, (x, y, width, depth)) in around.into_iter().enumerate() {
+        footprints.push(footprint(&format!("n{number}"), rectangle(x, y, width, depth), 3.0, "office"));
+    }
+    let walled = plan(&site(footprints), 0);
+    let ground = &walled.draft.levels[0];
+    let outer = |opening: &&crate::plan::OpeningDraft| opening.rooms.len() == 1;
+    assert!(ground.openings.iter().filter(outer).any(|opening| opening.kind == OpeningKind::Door));
+    assert!(ground.openings.iter().all(|opening| opening.kind != OpeningKind::Window));
+    assert!(
+        walled.draft.levels.iter().all(|level| level.rooms.iter().any(|room| room.room_type == "stairs"))
+    );
+}
+
+#[test]
+fn outlines_that_lie_in_each_other_have_no_windows_there() {
+    let inner = footprint("a", rectangle(10.0, 10.0, 8.0, 8.0), 1.0, "shop");
+    let outer = footprint("b", rectangle(0.0, 0.0, 60.0, 60.0), 1.0, "warehouse");
+    let shop = plan(&site(vec![inner, outer]), 0);
+    assert!(shop.draft.levels[0].openings.iter().all(|opening| opening.kind != OpeningKind::Window));
+}

@@ -14,6 +14,10 @@ use super::typology::Typologies;
 const THIN: f64 = 0.32;
 /// The same of a room up to the middles of its walls, half of which belong to it on either side.
 const THIN_ROOM: f64 = 0.46;
+/// Metres below which a part of a room between the faces of its walls is of no use.
+pub(super) const SLIVER_WIDTH: f64 = 0.3;
+/// Square metres of such parts that a room may have.
+const SLIVER_AREA: f64 = 0.045;
 /// Square metres that a thin part may have.
 const LEAST_AREA: f64 = 0.003;
 /// Metres of width at which a thin part ends in a corner.
@@ -133,7 +137,7 @@ fn cut_off(ring: &[Point], part: ThinPart) -> Option<(Ring, Vec<Ring>)> {
 }
 
 /// The first of some pieces with those that border on it, and the others.
-fn joined_to_largest(mut rests: Vec<Ring>) -> Option<(Ring, Vec<Ring>)> {
+pub(super) fn joined_to_largest(mut rests: Vec<Ring>) -> Option<(Ring, Vec<Ring>)> {
     let mut whole = (!rests.is_empty()).then(|| rests.remove(0))?;
     while let Some((index, ring)) =
         rests.iter().enumerate().find_map(|(index, rest)| Some((index, join(&whole, rest)?)))
@@ -147,6 +151,12 @@ fn joined_to_largest(mut rests: Vec<Ring>) -> Option<(Ring, Vec<Ring>)> {
 /// Whether parts of a ring are too thin.
 pub(super) fn has_thin_parts(ring: &[Point]) -> bool {
     thin_area(ring) > MOST_AREA
+}
+
+/// Whether a part of a room between its inner faces is too narrow for any use.
+pub(super) fn has_slivers(faces: &[Segment]) -> bool {
+    let ring: Ring = faces.iter().map(|face| face.start).collect();
+    total_area(&thin_parts(&ring, SLIVER_WIDTH)) > SLIVER_AREA
 }
 
 /// Square metres of all thin parts.

@@ -136,6 +136,9 @@ pub struct Typology {
     /// Room type of the rooms that fill it: the one room, the large one, or those along a corridor.
     #[serde(default)]
     pub main: Option<String>,
+    /// Room type that takes the place of flats on the ground floor, such as a shop.
+    #[serde(default)]
+    pub street_level: Option<String>,
     /// By room type: weights of other rooms along the corridor.
     #[serde(default)]
     pub others: BTreeMap<String, f64>,
@@ -194,6 +197,9 @@ pub struct UseRule {
     /// The use.
     #[serde(rename = "use")]
     pub use_name: String,
+    /// Uses that it may be instead, where no kind of the first has a sound plan, the likeliest first.
+    #[serde(default)]
+    pub otherwise: Vec<String>,
 }
 
 fn any() -> (f64, f64) {

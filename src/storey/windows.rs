@@ -1,12 +1,12 @@
 //! Windows: which rooms have them, how many, and where.
 
-use crate::geometry::{Point, Segment};
+use crate::geometry::{Intervals, Point, Segment};
 
-use super::dwelling::Cell;
+use super::faces::Partition;
 use super::links::Link;
 use super::ring::{longest, total_length};
 use super::spine::Ground;
-use super::typology::{Light, Typologies};
+use super::typology::Light;
 
 /// Square metres of floor for a square metre of glass (German building codes ask for 8 to 10).
 const FLOOR_OF_GLASS: f64 = 8.0;
@@ -49,20 +49,16 @@ pub(super) struct Window {
 }
 
 /// The windows of a level.
-pub(super) fn windows(
-    ground: &Ground,
-    cells: &[Cell],
-    typologies: &Typologies,
-    links: &[Link],
-) -> Vec<Window> {
+pub(super) fn windows(ground: &Ground, partition: &Partition<'_>, links: &[Link]) -> Vec<Window> {
+    let &Partition { cells, typologies, .. } = partition;
     let mut found = Vec::new();
     for (room, cell) in cells.iter().enumerate() {
         let Some(needs) = typologies.rooms.get(&cell.room_type).filter(|needs| needs.light != Light::None)
         else {
             continue;
         };
-        let pieces: Vec<Segment> = ground
-            .light(&cell.ring)
+        let pieces: Vec<Segment> = partition
+            .light(ground, room)
             .into_iter()
             .flat_map(|piece| without_doors(piece, room, links))
             .filter(|piece| piece.length() >= 0.5 + 2.0 * BESIDE.min(piece.length() / 5.0))
@@ -120,8 +116,7 @@ fn in_piece(piece: Segment, share: f64) -> Vec<(Point, f64)> {
 
 /// What doors leave of a piece of wall: outer ones, and those of the room in an inner wall that runs close beside it.
 fn without_doors(piece: Segment, room: usize, links: &[Link]) -> Vec<Segment> {
-    let (length, direction) = (piece.length(), piece.direction());
-    let mut kept: Vec<(f64, f64)> = vec![(0.0, length)];
+    let direction = piece.direction();
     let is_in_wall = |link: &&Link| {
         let reach = match link.rooms {
             (_, None) => 0.6,
@@ -130,16 +125,13 @@ fn without_doors(piece: Segment, room: usize, links: &[Link]) -> Vec<Segment> {
         };
         piece.side(link.center).abs() < reach && link.along.perp_dot(direction).abs() < 0.1
     };
-    for link in links.iter().filter(is_in_wall) {
+    let span = |link: &Link| {
         let place = (link.center - piece.start).dot(direction);
-        let (from, to) = (place - link.width / 2.0 - DOOR_GAP, place + link.width / 2.0 + DOOR_GAP);
-        kept = kept
-            .into_iter()
-            .flat_map(|(low, high)| [(low, high.min(from)), (low.max(to), high)])
-            .filter(|(low, high)| high - low > 0.3)
-            .collect();
-    }
-    let segment =
-        |(from, to): (f64, f64)| Segment::new(piece.start + direction * from, piece.start + direction * to);
-    kept.into_iter().map(segment).collect()
+        (place - link.width / 2.0 - DOOR_GAP, place + link.width / 2.0 + DOOR_GAP)
+    };
+    let length = piece.length();
+    let mut free = Intervals::new(0.0, length);
+    links.iter().filter(is_in_wall).map(span).for_each(|(from, to)| free.subtract(from, to));
+    let kept = free.as_slice().iter().filter(|(from, to)| to - from > 0.3);
+    kept.map(|(from, to)| Segment::new(piece.at(from / length), piece.at(to / length))).collect()
 }

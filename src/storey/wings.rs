@@ -23,8 +23,10 @@ pub(super) struct Wing {
     pub(super) axis: Axis,
     /// Where the middle of its corridor is, across the axis.
     pub(super) middle: f64,
-    /// Where its corridor meets others.
+    /// Where its corridor meets others; the first is where that of its parent does, if it has one.
     pub(super) ports: Vec<Port>,
+    /// The number of the wing that it is joined to; the root has none.
+    pub(super) parent: Option<usize>,
 }
 
 /// Cuts a ring at its inner corners until all pieces are compact.
@@ -79,7 +81,7 @@ pub(super) fn tree(rings: Vec<Ring>, entrance: Option<Point>) -> Option<Vec<Wing
             open.iter().enumerate().find_map(meets)
         });
         let (parent, child, border) = joined?;
-        let mut child = wing(open.remove(child));
+        let mut child = Wing { parent: Some(parent), ..wing(open.remove(child)) };
         let at = meet(&wings[parent], &mut child, border);
         // The border has the parent on its left: its normal leads into the parent.
         wings[parent].ports.push(Port { at, way: border.normal() });
@@ -94,7 +96,7 @@ fn wing(ring: Ring) -> Wing {
     let size = extent.size();
     let axis = if size.x >= size.y { Axis::X } else { Axis::Y };
     let middle = along(extent.center(), across(axis));
-    Wing { ring, axis, middle: (middle * 1000.0).round() / 1000.0, ports: Vec::new() }
+    Wing { ring, axis, middle: (middle * 1000.0).round() / 1000.0, ports: Vec::new(), parent: None }
 }
 
 pub(super) fn across(axis: Axis) -> Axis {

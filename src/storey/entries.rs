@@ -1,0 +1,137 @@
+//! Doors of the ground floor to the open air: where people come in, and how they get out of large rooms.
+
+use crate::geometry::Point;
+use crate::layout::seed::Stream;
+
+use super::dwelling::Port;
+use super::egress::too_far_out;
+use super::faces::Partition;
+use super::house::outer_ports;
+use super::links::{Entry, Links, link, room_at};
+use super::ring::{area, bounds, longest};
+use super::spine::Ground;
+
+/// Square metres from which on a room may have several ways out.
+const LARGE_ROOM: f64 = 250.0;
+/// Metres between the ways out of a large room, about: nobody in it walks farther than 35 m to one.
+const DOORS_APART: f64 = 22.0;
+/// Metres between the places of a wall at which such a door may be.
+const PLACES_APART: f64 = 8.0;
+/// Metres across from which on a corridor has several.
+const LONG_ROOM: f64 = 30.0;
+/// Metres of wall at the street that are enough for a door.
+const LEAST_FRONT: f64 = 1.2;
+/// Further ways out of a room at most.
+const MOST_WAYS_OUT: usize = 24;
+/// Doors of the ground floor, with those to the open air.
+pub(super) fn links_of_ground(grounds: &[Ground], partition: &Partition<'_>, stream: &mut Stream) -> Links {
+    let mut entries = ways_in(grounds, partition);
+    entries.extend(ways_out(&grounds[0], partition, &entries));
+    let mut links = link(partition, &entries, false, stream);
+    // What stands apart has a door of its own.
+    while let Some(entry) = door_of_its_own(&grounds[0], partition, &links, &entries) {
+        entries.push(entry);
+        links = link(partition, &entries, false, stream);
+    }
+    // So has what is far from all others.
+    while let Some(entry) = door_of_the_far(&grounds[0], partition, &links, &entries) {
+        entries.push(entry);
+        links = link(partition, &entries, false, stream);
+    }
+    links
+}
+
+/// A way out of the room that is farthest from all others, where that is too far.
+fn door_of_the_far(
+    ground: &Ground,
+    partition: &Partition<'_>,
+    links: &Links,
+    entries: &[Entry],
+) -> Option<Entry> {
+    let (room, _) = too_far_out(partition, links, true)?;
+    let is_new = entries.len() < MOST_WAYS_OUT && entries.iter().all(|entry| entry.room != room);
+    let cell = &partition.cells[room];
+    let may_pass = partition.typologies.rooms.get(&cell.room_type).is_some_and(|needs| needs.passage);
+    if is_new && cell.unit.is_none() && may_pass { free_wall(ground, partition, room) } else { None }
+}
+
+/// A way into the first room that none leads to, if people may pass through it.
+fn door_of_its_own(
+    ground: &Ground,
+    partition: &Partition<'_>,
+    links: &Links,
+    entries: &[Entry],
+) -> Option<Entry> {
+    let &Partition { cells, typologies, .. } = partition;
+    let is_public = |room: &usize| {
+        let needs = typologies.rooms.get(&cells[*room].room_type);
+        // Where a door did not fit, it will not again.
+        let is_new = entries.iter().all(|entry| entry.room != *room);
+        is_new && cells[*room].unit.is_none() && needs.is_some_and(|needs| needs.passage)
+    };
+    links.unreached.iter().copied().filter(is_public).find_map(|room| free_wall(ground, partition, room))
+}
+
+/// Further doors of large rooms, so that nobody in them is far from one.
+fn ways_out(ground: &Ground, partition: &Partition<'_>, entries: &[Entry]) -> Vec<Entry> {
+    let &Partition { cells, typologies, .. } = partition;
+    let is_large = |room: &usize| {
+        let needs = typologies.rooms.get(&cells[*room].room_type);
+        let ring = &cells[*room].ring;
+        let is_far_across = area(ring) > LARGE_ROOM || bounds(ring).size().max_element() > LONG_ROOM;
+        cells[*room].unit.is_none() && is_far_across && needs.is_some_and(|needs| needs.passage)
+    };
+    let mut found = Vec::new();
+    for room in (0..cells.len()).filter(is_large) {
+        let walls = partition.light(ground, room);
+        let walls = walls.iter().filter(|wall| wall.length() > 1.4);
+        // In the middle of a wall, and along it: clear of its ends.
+        let places: Vec<(Point, Point)> = walls
+            .flat_map(|wall| {
+                let count = (wall.length() / PLACES_APART).floor().max(1.0) as u32;
+                (0..count)
+                    .map(move |number| (wall.at((f64::from(number) + 0.5) / f64::from(count)), wall.normal()))
+            })
+            .collect();
+        let mut doors: Vec<Point> = entries.iter().map(|entry| entry.port.at).collect();
+        for _ in 0..MOST_WAYS_OUT {
+            let gap = |at: Point| doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min);
+            let farthest = places.iter().map(|place| (gap(place.0), place));
+            let farthest = farthest.reduce(|a, b| if b.0 > a.0 { b } else { a });
+            let Some((_, &(at, way))) = farthest.filter(|(gap, _)| *gap > DOORS_APART) else { break };
+            doors.push(at);
+            found.push(Entry { room, port: Port { at, way } });
+        }
+    }
+    found
+}
+
+/// Doors of the ground floor: for flats one at each stairs and each shop below them, else where the entrance is. It leads into no
+/// private room.
+fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
+    let &Partition { cells, typologies, .. } = partition;
+    let is_flats = cells.first().is_some_and(|cell| cell.room_type == "stairs");
+    let is_public =
+        |room: usize| typologies.rooms.get(&cells[room].room_type).is_some_and(|needs| needs.passage);
+    if is_flats {
+        let has_door = |room: &usize| cells[*room].unit.is_none() && is_public(*room);
+        let is_store = |room: usize| cells[room].room_type == "storeroom";
+        let entered = (0..cells.len()).filter(has_door).filter(|&room| !is_store(room));
+        return entered.filter_map(|room| free_wall(&grounds[0], partition, room)).collect();
+    }
+    let is_single = cells.len() == grounds.len();
+    let wanted = grounds
+        .iter()
+        .flat_map(outer_ports)
+        .find_map(|port| Some(Entry { room: room_at(cells, port).filter(|&room| is_public(room))?, port }));
+    // A building of one room, such as a shed, is entered where it has any wall to the open air.
+    let any = || if is_single { free_wall(&grounds[0], partition, 0) } else { None };
+    wanted.or_else(any).into_iter().collect()
+}
+
+/// A way into a room from the open air: in the middle of its longest free wall, at the street if it has one there.
+fn free_wall(ground: &Ground, partition: &Partition<'_>, room: usize) -> Option<Entry> {
+    let street = longest(partition.street(ground, room)).filter(|wall| wall.length() > LEAST_FRONT);
+    let wall = street.or_else(|| longest(partition.light(ground, room)))?;
+    Some(Entry { room, port: Port { at: wall.middle(), way: wall.normal() } })
+}
