@@ -1,7 +1,8 @@
 //! Plans storeys inside the outlines of buildings: footprint → rooms, doors and windows as a [`crate::plan::BuildingDraft`].
 //!
 //! ```text
-//! site ─▶ outline, facade ─▶ brief ─▶ grounds ─▶ house | flats | corridor | open ─▶ links ─▶ windows ─▶ check ─▶ draft
+//! site ─▶ outline, facade ─▶ brief ─▶ grounds ─▶ house | flats | corridor | open ─▶ thin parts traded, street level
+//!      ─▶ faces ─▶ links, entries ─▶ windows ─▶ check, egress ─▶ draft
 //! ```
 //!
 //! Later stages may rely on:
