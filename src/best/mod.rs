@@ -220,8 +220,8 @@ impl Judged {
     }
 
     /// What alternatives are compared by first: findings that fail the room, then the minor ones, then pieces that are missing or
-    /// for which others stand in, with beds at the swings of doors. A television that a reading corner stands in for, the third of its list, is as bad as three
-    /// small things that are missing.
+    /// for which others stand in, with beds at the swings of doors. A television that a reading corner stands in for, the third of
+    /// its list, is as bad as three small things that are missing.
     fn flaws(&self) -> (usize, usize, usize) {
         let count = |severity: Severity| {
             self.verdict.findings.iter().filter(|finding| finding.severity == severity).count()

@@ -53,15 +53,15 @@ pub(super) fn inset_rooms(rooms: Vec<CenterRoom>, depth: f64) -> Vec<CenterRoom>
 /// The inner faces of rooms whose outlines run along the middles of walls of some metres of thickness, each with the room on
 /// its left; of a ring that encloses nothing there are none.
 pub(crate) fn inner_faces(rings: &[&[Point]], thickness: f64) -> Vec<Vec<Segment>> {
-    let clean =
-        |ring: &&[Point]| clean_ring(ring, &[]).ok().map(|ring| CenterRoom { ring, holes: Vec::new() });
-    let rooms: Vec<Option<CenterRoom>> = rings.iter().map(clean).collect();
-    let mut faces = inset_rooms(rooms.iter().flatten().cloned().collect(), thickness / 2.0).into_iter();
-    let faces_of = |room: CenterRoom| room.ring.polygon.edges().collect();
-    rooms
-        .iter()
-        .map(|room| room.as_ref().and_then(|_| faces.next()).map(faces_of).unwrap_or_default())
-        .collect()
+    let cleaned: Vec<Option<Ring>> = rings.iter().map(|ring| clean_ring(ring, &[]).ok()).collect();
+    let is_sound: Vec<bool> = cleaned.iter().map(Option::is_some).collect();
+    let rooms = cleaned.into_iter().flatten().map(|ring| CenterRoom { ring, holes: Vec::new() }).collect();
+    let mut inset = inset_rooms(rooms, thickness / 2.0).into_iter();
+    let mut faces_of = |is_sound: bool| {
+        let room = if is_sound { inset.next() } else { None };
+        room.map(|room| room.ring.polygon.edges().collect()).unwrap_or_default()
+    };
+    is_sound.into_iter().map(&mut faces_of).collect()
 }
 
 /// The borders of a room in the order of [`crate::geometry::Region::borders`].

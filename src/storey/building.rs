@@ -32,6 +32,7 @@ const TRIES: usize = 3;
 const NARROWEST: f64 = 0.86;
 /// Metres of the outer walls of the smallest sheds.
 const THINNEST_WALL: f64 = 0.02;
+
 /// A building with its plan.
 #[derive(Clone, Debug)]
 pub struct PlannedBuilding {

@@ -23,6 +23,7 @@ const LONG_ROOM: f64 = 30.0;
 const LEAST_FRONT: f64 = 1.2;
 /// Further ways out of a room at most.
 const MOST_WAYS_OUT: usize = 24;
+
 /// Doors of the ground floor, with those to the open air.
 pub(super) fn links_of_ground(grounds: &[Ground], partition: &Partition<'_>, stream: &mut Stream) -> Links {
     let mut entries = ways_in(grounds, partition);
@@ -50,9 +51,7 @@ fn door_of_the_far(
 ) -> Option<Entry> {
     let (room, _) = too_far_out(partition, links, true)?;
     let is_new = entries.len() < MOST_WAYS_OUT && entries.iter().all(|entry| entry.room != room);
-    let cell = &partition.cells[room];
-    let may_pass = partition.typologies.rooms.get(&cell.room_type).is_some_and(|needs| needs.passage);
-    if is_new && cell.unit.is_none() && may_pass { free_wall(ground, partition, room) } else { None }
+    if is_new && partition.is_public(room) { free_wall(ground, partition, room) } else { None }
 }
 
 /// A way into the first room that none leads to, if people may pass through it.
@@ -62,27 +61,21 @@ fn door_of_its_own(
     links: &Links,
     entries: &[Entry],
 ) -> Option<Entry> {
-    let &Partition { cells, typologies, .. } = partition;
-    let is_public = |room: &usize| {
-        let needs = typologies.rooms.get(&cells[*room].room_type);
-        // Where a door did not fit, it will not again.
-        let is_new = entries.iter().all(|entry| entry.room != *room);
-        is_new && cells[*room].unit.is_none() && needs.is_some_and(|needs| needs.passage)
-    };
-    links.unreached.iter().copied().filter(is_public).find_map(|room| free_wall(ground, partition, room))
+    // Where a door did not fit, it will not again.
+    let is_new = |room: usize| entries.iter().all(|entry| entry.room != room);
+    let mut rooms = links.unreached.iter().copied().filter(|&room| is_new(room) && partition.is_public(room));
+    rooms.find_map(|room| free_wall(ground, partition, room))
 }
 
 /// Further doors of large rooms, so that nobody in them is far from one.
 fn ways_out(ground: &Ground, partition: &Partition<'_>, entries: &[Entry]) -> Vec<Entry> {
-    let &Partition { cells, typologies, .. } = partition;
     let is_large = |room: &usize| {
-        let needs = typologies.rooms.get(&cells[*room].room_type);
-        let ring = &cells[*room].ring;
+        let ring = &partition.cells[*room].ring;
         let is_far_across = area(ring) > LARGE_ROOM || bounds(ring).size().max_element() > LONG_ROOM;
-        cells[*room].unit.is_none() && is_far_across && needs.is_some_and(|needs| needs.passage)
+        is_far_across && partition.is_public(*room)
     };
     let mut found = Vec::new();
-    for room in (0..cells.len()).filter(is_large) {
+    for room in (0..partition.cells.len()).filter(is_large) {
         let walls = partition.light(ground, room);
         let walls = walls.iter().filter(|wall| wall.length() > 1.4);
         // In the middle of a wall, and along it: clear of its ends.
@@ -109,21 +102,17 @@ fn ways_out(ground: &Ground, partition: &Partition<'_>, entries: &[Entry]) -> Ve
 /// Doors of the ground floor: for flats one at each stairs and each shop below them, else where the entrance is. It leads into no
 /// private room.
 fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
-    let &Partition { cells, typologies, .. } = partition;
+    let cells = partition.cells;
     let is_flats = cells.first().is_some_and(|cell| cell.room_type == "stairs");
-    let is_public =
-        |room: usize| typologies.rooms.get(&cells[room].room_type).is_some_and(|needs| needs.passage);
     if is_flats {
-        let has_door = |room: &usize| cells[*room].unit.is_none() && is_public(*room);
         let is_store = |room: usize| cells[room].room_type == "storeroom";
-        let entered = (0..cells.len()).filter(has_door).filter(|&room| !is_store(room));
+        let entered = (0..cells.len()).filter(|&room| partition.is_public(room) && !is_store(room));
         return entered.filter_map(|room| free_wall(&grounds[0], partition, room)).collect();
     }
     let is_single = cells.len() == grounds.len();
-    let wanted = grounds
-        .iter()
-        .flat_map(outer_ports)
-        .find_map(|port| Some(Entry { room: room_at(cells, port).filter(|&room| is_public(room))?, port }));
+    let wanted = grounds.iter().flat_map(outer_ports).find_map(|port| {
+        Some(Entry { room: room_at(cells, port).filter(|&room| partition.is_passage(room))?, port })
+    });
     // A building of one room, such as a shed, is entered where it has any wall to the open air.
     let any = || if is_single { free_wall(&grounds[0], partition, 0) } else { None };
     wanted.or_else(any).into_iter().collect()

@@ -41,6 +41,16 @@ impl<'a> Partition<'a> {
         Self { cells, typologies, faces, borders, thickness }
     }
 
+    /// Whether people may walk through a room.
+    pub(super) fn is_passage(&self, room: usize) -> bool {
+        self.typologies.rooms.get(&self.cells[room].room_type).is_some_and(|needs| needs.passage)
+    }
+
+    /// Whether all may walk through a room: it is of no dwelling.
+    pub(super) fn is_public(&self, room: usize) -> bool {
+        self.cells[room].unit.is_none() && self.is_passage(room)
+    }
+
     /// The pieces of a room's faces that light may come through.
     pub(super) fn light(&self, ground: &Ground, room: usize) -> Vec<Segment> {
         self.behind(ground, room, EdgeClass::is_free)
