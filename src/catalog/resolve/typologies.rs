@@ -66,7 +66,8 @@ fn check(
     }
     for (id, kind) in &file.typologies {
         let spot = spot("typologies", id);
-        for (key, name) in [("hall", &kind.hall), ("main", &kind.main)] {
+        for (key, name) in [("hall", &kind.hall), ("main", &kind.main), ("street_level", &kind.street_level)]
+        {
             name.iter().for_each(|name| known(&spot.key(key), "room type", name, rooms));
         }
         for (key, list) in [("others", &kind.others), ("services", &kind.services)] {
@@ -82,7 +83,10 @@ fn check(
         }
     }
     for (index, rule) in file.unknown_use.iter().enumerate() {
-        let spot = Spot { source, path: vec!["unknown_use".into(), index.into(), "use".into()] };
-        known(&spot, "use", &rule.use_name, &uses);
+        let spot = Spot { source, path: vec!["unknown_use".into(), index.into()] };
+        known(&spot.key("use"), "use", &rule.use_name, &uses);
+        for (place, name) in rule.otherwise.iter().enumerate() {
+            known(&spot.key("otherwise").index(place), "use", name, &uses);
+        }
     }
 }
