@@ -24,6 +24,9 @@ use super::properties::tags_of;
 use super::syntax::fault_of;
 use crate::document::{Fault, Faults, Source};
 
+/// Bytes of the text of one object beyond which it is no building: the largest models of one have a tenth.
+const LARGEST_OBJECT: usize = 16 * 1024 * 1024;
+
 /// The outermost object of a file, or of a line of a sequence.
 #[derive(Deserialize)]
 struct City<'a> {
@@ -118,6 +121,10 @@ fn placed(
 
 fn add(key: &str, text: &str, vertices: &Vertices, drawing: &mut Drawing, notes: &mut SiteNotes) {
     let id = id_of_words(key).unwrap_or_else(|| "nameless".to_owned());
+    if text.len() > LARGEST_OBJECT {
+        let most = LARGEST_OBJECT >> 20;
+        return notes.leave_out(id, format!("its text has {} MB, {most} are the most", text.len() >> 20));
+    }
     let Ok(object) = serde_json::from_str::<CityObject>(text) else {
         return notes.leave_out(id, "it is no object of CityJSON");
     };

@@ -6,10 +6,12 @@ use geo::algorithm::orient::Direction;
 use geo::{Area, BooleanOps, Buffer, MultiPolygon, Orient, unary_union};
 
 use super::drawn::Rings;
-use crate::geometry::{Point, Polygon, Region};
+use crate::geometry::{Bounds, Point, Polygon, Region, Segment, edges};
+use crate::plan::assemble::BoxIndex;
 use crate::plan::clean::{
     Ring, RingFault, clean_region, clean_ring, largest_part, mean_width, to_points, to_surface,
 };
+use crate::plan::limits::OUTLINE_CORNERS;
 
 /// Square metres below which nothing is a building: telephone boxes have one.
 const SMALLEST_BUILDING: f64 = 1.0;
@@ -18,6 +20,13 @@ const NARROWEST_BUILDING: f64 = 0.6;
 
 /// Square metres above which nothing is a building: the largest factories have half of it.
 const LARGEST_BUILDING: f64 = 1_000_000.0;
+/// Metres beyond which nothing is a building: the longest, galleries of accelerators and airports, have 3 km.
+const LONGEST_BUILDING: f64 = 3_200.0;
+/// Crossings of an outline with itself beyond which it is not mended: slips of the mouse leave one or two.
+const MOST_CROSSINGS: usize = 1_000;
+/// Surfaces whose boxes meet, for each surface, beyond which surfaces are not united: roofs, walls and floors of a building seen
+/// from above have a dozen.
+const MOST_MEETING: usize = 64;
 
 /// Metres between pieces of one building that touch but for the rounding of their corners.
 const JOINED_GAP: f64 = 0.04;
@@ -36,7 +45,15 @@ pub(super) struct Sound {
 /// # Errors
 /// The reason why there is none, in words.
 pub(super) fn sound(rings: &Rings) -> Result<Sound, String> {
+    let corner_count = rings.outer.len() + rings.holes.iter().map(Vec::len).sum::<usize>();
+    if corner_count > OUTLINE_CORNERS {
+        return Err(format!("its outline has {corner_count} corners"));
+    }
     let (ring, mended_ring) = sound_ring(&rings.outer)?;
+    let length = ring.polygon.bounds().size().max_element();
+    if length > LONGEST_BUILDING {
+        return Err(format!("it is {:.1} km long, more than any building", length / 1000.0));
+    }
     let cleaned = clean_region(ring, &rings.holes);
     let is_mended = mended_ring || !cleaned.faults.is_empty();
     let region = Region { outline: cleaned.ring.polygon, holes: cleaned.holes };
@@ -68,8 +85,11 @@ fn sound_ring(points: &[Point]) -> Result<(Ring, bool), String> {
     }
 }
 
-/// The largest piece of what a ring encloses.
+/// The largest piece of what a ring encloses. `None` of a tangle, too.
 fn mended(points: &[Point]) -> Option<Ring> {
+    if has_more_crossings(points, MOST_CROSSINGS) {
+        return None;
+    }
     let line = points.iter().map(|point| geo::Coord { x: point.x, y: point.y }).collect();
     let crossed = geo::Polygon::new(line, Vec::new());
     let nothing = MultiPolygon::<f64>::new(Vec::new());
@@ -78,13 +98,39 @@ fn mended(points: &[Point]) -> Option<Ring> {
     clean_ring(&to_points(largest.exterior()), &[]).ok()
 }
 
+/// Whether edges of a ring cross each other more often than this.
+fn has_more_crossings(points: &[Point], most: usize) -> bool {
+    let all: Vec<Segment> = edges(points).collect();
+    let are_crossing = |one: Segment, other: Segment| {
+        let parts = |line: Segment, of: Segment| line.side(of.start) * line.side(of.end) < 0.0;
+        one.bounds().touches(other.bounds()) && parts(one, other) && parts(other, one)
+    };
+    let later = |index: usize| all[index + 1..].iter().map(move |other| (index, *other));
+    let crossings = (0..all.len()).flat_map(later).filter(|&(index, other)| are_crossing(all[index], other));
+    crossings.take(most + 1).count() > most
+}
+
+/// Whether the boxes of surfaces meet so often that to unite them would take long: no building is drawn like that.
+pub(super) fn are_heaped(boxes: &[Bounds]) -> bool {
+    let places = BoxIndex::of(boxes.iter().copied().zip(0_usize..));
+    let most = MOST_MEETING * boxes.len();
+    boxes.iter().flat_map(|bounds| places.meeting(*bounds)).take(most + 1).count() > most
+}
+
 /// The region as a surface of the crate `geo`, its holes in the other direction than its outline.
 pub(super) fn surface_of(region: &Region) -> geo::Polygon<f64> {
     to_surface(&region.outline, &region.holes).orient(Direction::Default)
 }
 
-/// The regions that some regions cover together, the largest first. Those that all but touch are one.
+/// The regions that some regions cover together, the largest first. Those that all but touch are one. Of a heap of regions the
+/// largest alone.
 pub(super) fn united<'a>(regions: impl IntoIterator<Item = &'a Region>) -> Vec<Region> {
+    let regions: Vec<&Region> = regions.into_iter().collect();
+    let boxes: Vec<Bounds> = regions.iter().map(|region| region.outline.bounds()).collect();
+    if are_heaped(&boxes) {
+        let largest = regions.into_iter().reduce(|a, b| if b.area() > a.area() { b } else { a });
+        return largest.into_iter().cloned().collect();
+    }
     let surfaces: Vec<_> = regions.into_iter().map(surface_of).collect();
     let pieces = unary_union(&surfaces);
     if pieces.0.len() < 2 {
@@ -165,5 +211,44 @@ mod tests {
         for (points, reason) in cases {
             assert_eq!(sound(&rings(&points, &[])).unwrap_err(), reason);
         }
+    }
+
+    #[test]
+    fn what_is_larger_or_finer_than_any_building_has_a_reason() {
+        let fault = |rings: &Rings| sound(rings).unwrap_err();
+        let spit = rings(&[(0.0, 0.0), (90_000.0, 0.0), (90_000.0, 10.0), (0.0, 10.0)], &[]);
+        assert_eq!(fault(&spit), "it is 90.0 km long, more than any building");
+        let mut sieve = rings(&[(0.0, 0.0), (900.0, 0.0), (900.0, 900.0), (0.0, 900.0)], &[]);
+        let hole = |number: usize| {
+            let low = Point::new((number % 40) as f64, (number / 40) as f64) * 20.0 + 5.0;
+            [(0.0, 0.0), (5.0, 0.0), (5.0, 5.0), (0.0, 5.0)].map(|corner| low + Point::from(corner)).to_vec()
+        };
+        sieve.holes = (0..1_100).map(hole).collect();
+        assert_eq!(fault(&sieve), "its outline has 4404 corners");
+    }
+
+    #[test]
+    fn a_tangle_is_not_mended() {
+        // A star whose edges cross each other again and again.
+        let corner = |number: usize| {
+            let (sin, cos) = libm::sincos(number as f64 * 2.4);
+            Point::new(cos, sin) * 50.0
+        };
+        let tangle: Vec<Point> = (0..150).map(corner).collect();
+        assert!(has_more_crossings(&tangle, MOST_CROSSINGS));
+        let fault = sound(&Rings { outer: tangle, holes: Vec::new() }).unwrap_err();
+        assert!(fault.starts_with("outline crosses itself"), "{fault}");
+    }
+
+    #[test]
+    fn of_a_heap_of_regions_the_largest_is_taken() {
+        let region = |number: usize| {
+            let size = Point::new(10.0 + number as f64 * 0.1, 10.0);
+            Region::simple(Polygon::rectangle(Point::splat(number as f64 * 0.01), size))
+        };
+        let few: Vec<Region> = (0..20).map(region).collect();
+        assert!((united(&few)[0].area() - 12.09 * 10.19).abs() < 2.0);
+        let heap: Vec<Region> = (0..100).map(region).collect();
+        assert_eq!(united(&heap), [heap[99].clone()]);
     }
 }

@@ -10,9 +10,11 @@ use geo::{Area, MultiPolygon, unary_union};
 use serde_json::Value;
 
 use super::geometry::{Face, Geometry, Vertices};
-use crate::geometry::Point;
+use crate::geometry::{Bounds, Point};
 use crate::plan::clean::to_points;
+use crate::plan::limits::OUTLINE_CORNERS;
 use crate::plan::read::footprint::drawn::Rings;
+use crate::plan::read::footprint::sound::are_heaped;
 
 /// Metres above the lowest point up to which a face is at the bottom: ground is not level.
 const BOTTOM_REACH: f64 = 0.3;
@@ -82,19 +84,28 @@ fn seen_from_above<'a>(faces: impl IntoIterator<Item = &'a Face>) -> Vec<Rings> 
     rings(union(faces))
 }
 
-/// What faces cover together as seen from above.
+/// What faces cover together as seen from above: nothing where they are heaped upon each other. Faces with more corners than an
+/// outline may have are left out.
 fn union<'a>(faces: impl IntoIterator<Item = &'a Face>) -> MultiPolygon<f64> {
     use geo::Orient;
     use geo::algorithm::orient::Direction;
     let line = |ring: &Vec<[f64; 3]>| {
         ring.iter().map(|vertex| geo::Coord { x: vertex[0], y: vertex[1] }).collect::<geo::LineString<f64>>()
     };
-    let flat = faces.into_iter().filter_map(|face| {
+    let faces =
+        faces.into_iter().filter(|face| face.rings.iter().map(Vec::len).sum::<usize>() <= OUTLINE_CORNERS);
+    let flat = faces.filter_map(|face| {
         let mut rings = face.rings.iter().map(line);
         let surface = geo::Polygon::new(rings.next()?, rings.collect());
         (surface.unsigned_area() > SMALLEST_FACE).then(|| surface.orient(Direction::Default))
     });
     let flat: Vec<_> = flat.collect();
+    let boxes = flat.iter().map(|surface| {
+        Bounds::around(surface.exterior().coords().map(|corner| Point::new(corner.x, corner.y)))
+    });
+    if are_heaped(&boxes.collect::<Vec<_>>()) {
+        return MultiPolygon::new(Vec::new());
+    }
     unary_union(&flat)
 }
 

@@ -99,10 +99,15 @@ fn made_of(id: &str, mut parts: Vec<Item>, shell: Option<&Facts>, notes: &mut Si
         Whole { building: Item { id, parent: None, region, facts }, parts: Vec::new() }
     };
     let mut wholes: Vec<Whole> = grounds.into_iter().enumerate().map(whole).collect();
+    let places =
+        BoxIndex::of(wholes.iter().map(|whole| whole.building.region.outline.bounds()).zip(0_usize..));
     for part in parts {
-        let area = |whole: &Whole| common_area(&whole.building.region, &part.region);
-        let shares: Vec<f64> = wholes.iter().map(area).collect();
-        let most = (0..shares.len()).max_by(|&a, &b| shares[a].total_cmp(&shares[b]).then(b.cmp(&a)));
+        let near = places.near(part.region.outline.bounds());
+        let area = |whole: usize| common_area(&wholes[whole].building.region, &part.region);
+        let shares = near.into_iter().map(|whole| (area(whole), whole));
+        let most = shares.reduce(|best, next| if next.0 > best.0 { next } else { best });
+        // What lies in none belongs to the largest.
+        let most = most.map(|(_, whole)| whole).or((!wholes.is_empty()).then_some(0));
         let Some(most) = most else {
             notes.leave_out(part.id, "its building has no usable outline");
             continue;

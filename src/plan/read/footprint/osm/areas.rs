@@ -12,14 +12,25 @@ use crate::plan::read::footprint::notes::{Joined, SiteNotes};
 
 /// The reason for an element some of whose nodes or ways are beyond the edge of the extract.
 const INCOMPLETE: &str = "the file has not all of its corners";
+/// How often the nodes of all ways may be corners of multipolygons: a way bounds one or two.
+const MOST_SHARED: usize = 8;
 
 /// The drawing of the selected elements.
 pub(super) fn drawing_of(selection: Selection, notes: &mut SiteNotes) -> Drawing {
     let Selection { multipolygons, mut ways, streets, parents, entrances, places } = selection;
     let mut drawing = Drawing { is_degrees_unless_said: true, entrances, ..Drawing::default() };
     drawing.streets = streets.iter().map(|nodes| present(nodes, &places)).collect();
+    // A way of a thousand nodes in each of a million multipolygons would fill the memory.
+    let mut corners_left = MOST_SHARED * ways.values().map(|way| way.nodes.len()).sum::<usize>();
     for (id, mut polygon) in multipolygons {
         let name = format!("r{id}");
+        let members = polygon.outer.iter().chain(&polygon.inner);
+        let corner_count: usize = members.filter_map(|way| ways.get(way)).map(|way| way.nodes.len()).sum();
+        let Some(left) = corners_left.checked_sub(corner_count) else {
+            notes.leave_out(name, "its ways are those of many others");
+            continue;
+        };
+        corners_left = left;
         take_outline_facts(&name, &mut polygon, &mut ways, notes);
         match areas_of(&polygon, &ways, &places) {
             Ok(areas) => drawing.buildings.push(drawn(name, polygon.is_part, polygon.facts, areas, &parents)),

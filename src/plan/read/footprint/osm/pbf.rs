@@ -17,8 +17,12 @@ use crate::geometry::Point;
 
 /// Bytes of the largest header of a block, and of the largest block: the limits of the format.
 const LARGEST: (usize, usize) = (64 * 1024, 32 * 1024 * 1024);
-/// Bytes of all blocks together after unpacking: real files have three times their packed size.
+/// Bytes of all blocks together after unpacking.
 const LARGEST_UNPACKED: u64 = 8 * 1024 * 1024 * 1024;
+/// Bytes of all blocks after unpacking for each byte of the file, and for any file: real ones have three times their packed size.
+const UNPACKED_SHARE: (u64, u64) = (20, 64 * 1024 * 1024);
+/// Nodes of a way, members of a relation or tags of an element at most: the database allows 2,000, 32,000 and a few hundred.
+const LONGEST_LIST: usize = 100_000;
 /// Features that a file may require of its readers.
 const FEATURES: [&[u8]; 2] = [b"OsmSchema-V0.6", b"DenseNodes"];
 /// Parts of a degree in which places are counted.
@@ -53,6 +57,7 @@ impl PbfFile {
     fn each_block(&self, kind: ElementKind, visit: &mut dyn FnMut(Element<'_>)) -> Result<(), Broken> {
         let mut rest = self.bytes.as_slice();
         let mut unpacked = 0;
+        let most = LARGEST_UNPACKED.min(UNPACKED_SHARE.0 * self.bytes.len() as u64 + UNPACKED_SHARE.1);
         while let Some((length, after)) = rest.split_at_checked(4).filter(|_| !rest.is_empty()) {
             let length = length.iter().fold(0_usize, |sum, byte| sum << 8 | usize::from(*byte));
             let (header, after) = split(after, length, LARGEST.0)?;
@@ -61,8 +66,8 @@ impl PbfFile {
             rest = after;
             let block = unpack(blob)?;
             unpacked += block.len() as u64;
-            if unpacked > LARGEST_UNPACKED {
-                return Err(Broken(format!("its blocks have more than {} GB", LARGEST_UNPACKED >> 30)));
+            if unpacked > most {
+                return Err(Broken(format!("unpacked, its blocks have more than {} MB", most >> 20)));
             }
             match name {
                 b"OSMHeader" => check_features(&block)?,
@@ -121,6 +126,14 @@ fn unpack(blob: &[u8]) -> Result<Cow<'_, [u8]>, Broken> {
         }
     }
     Ok(Cow::Borrowed(&[]))
+}
+
+fn check_length(list: &Numbers<'_>) -> Result<(), Broken> {
+    if list.clone().take(LONGEST_LIST + 1).count() > LONGEST_LIST { Err(too_long()) } else { Ok(()) }
+}
+
+fn too_long() -> Broken {
+    Broken(format!("an element of it has a list of more than {LONGEST_LIST} nodes, members or tags"))
 }
 
 fn check_features(header: &[u8]) -> Result<(), Broken> {
@@ -208,8 +221,11 @@ impl<'a> Block<'a> {
                 _ => {}
             }
         }
-        let tags = keys.zip(values).map(|(key, value)| (self.text(key), self.text(value))).collect();
         let [first, second, third] = lists;
+        for list in [&keys, &first, &second] {
+            check_length(list)?;
+        }
+        let tags = keys.zip(values).map(|(key, value)| (self.text(key), self.text(value))).collect();
         let one = |mut numbers: Numbers<'_>| signed(numbers.next().unwrap_or_default());
         let (id, body) = match kind {
             ElementKind::Node => (signed(id), Body::Node(self.place(one(second), one(first)))),
@@ -248,6 +264,9 @@ impl<'a> Block<'a> {
         for ((id, latitude), longitude) in summed(ids).zip(summed(latitudes)).zip(summed(longitudes)) {
             let mut pairs = Pairs::new();
             while let Some(key) = tags.next().filter(|key| *key != 0) {
+                if pairs.len() == LONGEST_LIST {
+                    return Err(too_long());
+                }
                 pairs.push((self.text(key), self.text(tags.next().unwrap_or_default())));
             }
             visit(Element { id, tags: pairs, body: Body::Node(self.place(longitude, latitude)) });

@@ -112,3 +112,34 @@ fn broken_cities_are_faults() {
         assert!(faults.to_string().contains(message), "{text}\n{faults}");
     }
 }
+
+#[test]
+fn faces_that_are_heaped_upon_each_other_are_no_outline() {
+    let vertices: Vec<String> = (0..400)
+        .flat_map(|face| [[0, face, 0], [20_000, 10 * face, 0], [10_000 + 10 * face, 9_000, 0]])
+        .map(|vertex| format!("{vertex:?}"))
+        .collect();
+    let faces: Vec<String> =
+        (0..400).map(|face| format!("[[{},{},{}]]", 3 * face, 3 * face + 1, 3 * face + 2)).collect();
+    let heap = format!(
+        r#""geometry": [{{"type": "MultiSurface", "lod": "0", "boundaries": [{}]}}]"#,
+        faces.join(",")
+    );
+    let text = city(&format!(r#""a": {{"type": "Building", {heap}}}"#))
+        .replace(VERTICES, &format!("[{}]", vertices.join(",")));
+    let faults = read("a.json", text).unwrap_err();
+    assert!(faults.to_string().contains("building \"a\" is left out: it has no outline"), "{faults}");
+}
+
+#[test]
+fn an_object_with_more_text_than_any_building_is_left_out() {
+    let padding = " ".repeat(17 << 20);
+    let objects = format!(
+        r#""a": {{"type": "Building", {padding} {}}}, "b": {{"type": "Building", {}}}"#,
+        solid(""),
+        solid("")
+    );
+    let read = read("a.json", city(&objects)).unwrap();
+    assert_eq!(ids(&read), ["b"]);
+    assert_eq!(read.notes.left_out[0].reason, "its text has 17 MB, 16 are the most");
+}

@@ -379,3 +379,45 @@ fn files_that_ask_for_more_than_is_read_are_refused() {
         assert!(faults.to_string().contains(message), "{faults}");
     }
 }
+
+#[test]
+fn blocks_that_unpack_to_much_more_than_their_file_are_refused() {
+    use protocol::{block, bytes};
+    let zeros = block("OSMData", &bytes(99, &vec![0; 25 << 20]), true);
+    let file = [block("OSMHeader", &[], false), zeros.repeat(3)].concat();
+    let faults = read("a.pbf", file).unwrap_err();
+    assert!(faults.to_string().contains("unpacked, its blocks have more than"), "{faults}");
+}
+
+#[test]
+fn elements_with_endless_lists_are_refused() {
+    use protocol::{block, bytes, integer};
+    let (long, short) = (vec![2; 100_001], vec![2; 4]);
+    let way = |nodes: &[u8]| bytes(3, &[integer(1, 1), bytes(8, nodes)].concat());
+    let member =
+        |ids: &[u8]| bytes(4, &[integer(1, 1), bytes(8, ids), bytes(9, ids), bytes(10, ids)].concat());
+    let dense =
+        |tags: &[u8]| bytes(2, &[bytes(1, &[2]), bytes(8, &[2]), bytes(9, &[2]), bytes(10, tags)].concat());
+    let file = |element: Vec<u8>| {
+        let header = block("OSMHeader", &[], false);
+        read("a.pbf", [header, block("OSMData", &bytes(2, &element), true)].concat()).unwrap_err().to_string()
+    };
+    for element in [way(&long), member(&long), dense(&long.repeat(2))] {
+        let fault = file(element);
+        assert!(fault.contains("a list of more than 100000 nodes, members or tags"), "{fault}");
+    }
+    for element in [way(&short), member(&short), dense(&short)] {
+        assert!(file(element).contains("holds no building"));
+    }
+}
+
+#[test]
+fn ways_that_bound_endless_multipolygons_bound_some() {
+    let relations = (1..=100)
+        .map(|id| relation(id, &[("way", 1, "outer")], &[("type", "multipolygon"), ("building", "yes")]));
+    let elements = way(1, &[1, 2, 3, 4, 1], &[]) + &relations.collect::<String>();
+    let read = read("a.osm", osm(&elements)).unwrap();
+    assert_eq!((read.site.footprints.len(), read.notes.left_out.len()), (1, 92));
+    assert_eq!(read.notes.left_out[0].reason, "its ways are those of many others");
+    assert_accounted(&read);
+}
