@@ -13,6 +13,8 @@ const STOREY: f64 = 3.0;
 const ROOF: f64 = 1.0;
 /// Most storeys of a building: the tallest in the world has 163.
 const MOST_STOREYS: u32 = 200;
+/// Square metres of all storeys together at most: three buildings of the world have more.
+const MOST_FLOOR: f64 = 1_000_000.0;
 
 /// What a building is to be.
 #[derive(Clone, Debug)]
@@ -88,12 +90,14 @@ pub(super) fn briefs<'a>(
     let largest = footprint.parts.iter().reduce(|a, b| if b.region.area() > a.region.area() { b } else { a });
     let of_part = || largest.and_then(|part| told_storeys(&part.storeys, choices));
     let told = told_storeys(&footprint.storeys, choices).or_else(of_part);
+    // Between zero and the most.
+    let most_storeys = (MOST_FLOOR / measures.area).min(f64::from(MOST_STOREYS)) as u32;
     let mut stream = building_stream(choices.seed, &footprint.id, "brief");
     let brief = |(name, typology): (&'a String, &'a Typology), stream: &mut Stream| {
         let (storeys, source) = told
             .unwrap_or_else(|| (stream.count(typology.storeys.0, typology.storeys.1), StoreySource::Kind));
         let known = Known { storeys: source, use_word: word.clone() };
-        Brief { name, typology, storeys: storeys.clamp(1, MOST_STOREYS), known }
+        Brief { name, typology, storeys: storeys.min(most_storeys).max(1), known }
     };
     let mut briefs: Vec<Brief<'a>> = Vec::new();
     for names in uses.iter().filter_map(|name| Some(&typologies.uses.get(name)?.typologies)) {

@@ -18,7 +18,7 @@ use super::flats::flats;
 use super::footprint::{Footprint, Site};
 use super::house::house;
 use super::links::{Links, link};
-use super::open::{one_room, open_plan};
+use super::open::{one_room, open_plan, within_limits};
 use super::plate::Outline;
 use super::spine::Ground;
 use super::street_level::street_level;
@@ -195,6 +195,7 @@ fn storeys(
 /// A level with its doors and windows.
 fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut Stream) -> Storey {
     let Sketch { grounds, brief, typologies } = sketch;
+    let cells = within_limits(cells);
     let partition = Partition::new(&cells, typologies, brief.typology.interior);
     let links = if is_ground {
         links_of_ground(grounds, &partition, stream)
@@ -216,8 +217,14 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
     open.services.clear();
     let plain = Brief { typology: &open, ..brief.clone() };
     let sketch = Sketch { brief: &plain, ..sketch };
+    // A ground floor, and one plan for all storeys above it.
     let mut levels = |cells: Vec<Cell>| -> Vec<Storey> {
-        (0..brief.storeys).map(|number| storey(sketch, cells.clone(), number == 0, &mut stream)).collect()
+        let mut levels = vec![storey(sketch, cells.clone(), true, &mut stream)];
+        if brief.storeys > 1 {
+            let upper = storey(sketch, cells, false, &mut stream);
+            levels.extend(vec![upper; brief.storeys as usize - 1]);
+        }
+        levels
     };
     for cells in (0..TRIES).filter_map(|attempt| open_plan(grounds, &plain, typologies, attempt)) {
         let storeys = levels(cells);

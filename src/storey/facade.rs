@@ -164,14 +164,14 @@ pub(super) fn look_out(outer: &Ring, courts: &[Ring], around: &Around) -> Facade
         .filter(|edge| edge.bounds().touches(reach))
         .collect();
     let rings = around.neighbours.iter().map(|ring| (super::ring::bounds(ring), ring.as_slice()));
-    let seen = Seen { faces: &others, rings: rings.collect() };
-    let outer_count = outer.len();
-    let mut spans = Vec::new();
-    for (index, edge) in own.iter().enumerate() {
-        let open = if index < outer_count { EdgeClass::Yard } else { EdgeClass::Court };
-        look_out_of_edge(*edge, open, &own, &seen, &mut spans);
+    let all = Seen { own, faces: others, rings: rings.collect() };
+    let mut spans: Vec<Span> = Vec::new();
+    for (index, edge) in all.own.iter().enumerate() {
+        let open = if index < outer.len() { EdgeClass::Yard } else { EdgeClass::Court };
+        let seen = all.near(*edge);
+        let found = look_out_of_edge(*edge, open, &seen);
+        spans.extend(found.into_iter().flat_map(|span| without_blocked(span, &seen.faces)));
     }
-    let mut spans: Vec<Span> = spans.into_iter().flat_map(|span| without_blocked(span, &others)).collect();
     let entrance = entrance(&spans, around);
     if let Some((front, _)) = entrance {
         let way_out = -spans[front].line.normal();
@@ -186,20 +186,30 @@ pub(super) fn look_out(outer: &Ring, courts: &[Ring], around: &Around) -> Facade
 
 /// What may stand before a wall.
 struct Seen<'a> {
+    /// The outer faces of the building itself.
+    own: Vec<Segment>,
     /// The outer faces of neighbours.
-    faces: &'a [Segment],
+    faces: Vec<Segment>,
     /// Their outlines, with their boxes.
     rings: Vec<(Bounds, &'a [Point])>,
 }
 
-fn look_out_of_edge(
-    edge: Segment,
-    open: EdgeClass,
-    own: &[Segment],
-    around: &Seen<'_>,
-    spans: &mut Vec<Span>,
-) {
-    let Seen { faces: others, rings: neighbours } = around;
+impl Seen<'_> {
+    /// What may be seen from an edge, in the same order: thousands of edges do not look at all others from each of their places.
+    fn near(&self, edge: Segment) -> Self {
+        let reach = edge.bounds().inflated(FARTHEST + OVERLAP);
+        let faces = |all: &[Segment]| -> Vec<Segment> {
+            all.iter().copied().filter(|face| face.bounds().touches(reach)).collect()
+        };
+        let rings = self.rings.iter().copied().filter(|(extent, _)| extent.touches(reach));
+        Self { own: faces(&self.own), faces: faces(&self.faces), rings: rings.collect() }
+    }
+}
+
+/// What an edge looks at, in pieces.
+fn look_out_of_edge(edge: Segment, open: EdgeClass, around: &Seen<'_>) -> Vec<Span> {
+    let Seen { own, faces: others, rings: neighbours } = around;
+    let mut spans = Vec::new();
     let length = edge.length();
     let count = ((length / STEP).round() as usize).clamp(1, MOST_PLACES);
     let out = -edge.normal();
@@ -238,6 +248,7 @@ fn look_out_of_edge(
     if let Some((from, class, sight)) = begun {
         spans.push(span(from, count, class, sight));
     }
+    spans
 }
 
 /// A span that is free, in pieces where an outer face of a neighbour reaches into the sight before it.

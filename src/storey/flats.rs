@@ -104,14 +104,34 @@ fn known_section(grounds: &[Ground], brief: &Brief<'_>, known: Option<u32>) -> O
 
 /// Cuts a ring into so many pieces of about one size, each with light.
 pub(super) fn sections(ground: &Ground, ring: Ring, count: usize) -> Vec<Ring> {
-    if count < 2 {
-        return vec![ring];
+    // No recursion: a plate of a thousand sections may lose one with each cut.
+    let mut open = vec![(ring, count)];
+    let mut done = Vec::new();
+    while let Some((ring, count)) = open.pop() {
+        let Some(pieces) = best_pieces(ground, &ring, count) else {
+            done.push(ring);
+            continue;
+        };
+        let each = area(&ring) / count as f64;
+        let share = |ring: &Ring| (area(ring) / each).round().clamp(1.0, count as f64 - 1.0) as usize;
+        open.extend(pieces.into_iter().rev().map(|ring| {
+            let share = share(&ring);
+            (ring, share)
+        }));
     }
-    let total = area(&ring);
+    done
+}
+
+/// The pieces of a ring of several sections after the best cut; `None` if there is nothing to cut.
+fn best_pieces(ground: &Ground, ring: &Ring, count: usize) -> Option<Vec<Ring>> {
+    if count < 2 {
+        return None;
+    }
+    let total = area(ring);
     let each = total / count as f64;
     let mut best: Option<(f64, Vec<Ring>)> = None;
-    for (axis, at) in cuts(&ring, count) {
-        let (below, above) = split(&ring, axis, at);
+    for (axis, at) in cuts(ring, count) {
+        let (below, above) = split(ring, axis, at);
         let chords = below.iter().flat_map(|first| above.iter().map(move |second| shared(first, second)));
         let chord: f64 = chords.map(|border| total_length(&border)).sum();
         let pieces: Vec<Ring> = below.into_iter().chain(above).collect();
@@ -136,12 +156,7 @@ pub(super) fn sections(ground: &Ground, ring: Ring, count: usize) -> Vec<Ring> {
             best = Some((cost, pieces));
         }
     }
-    let Some((_, pieces)) = best else { return vec![ring] };
-    let parts = pieces.into_iter().flat_map(|ring| {
-        let share = (area(&ring) / each).round().clamp(1.0, count as f64 - 1.0) as usize;
-        sections(ground, ring, share)
-    });
-    parts.collect()
+    best.map(|(_, pieces)| pieces)
 }
 
 /// Lines that a ring may be cut along: at its inner corners, and at equal shares.

@@ -1,11 +1,13 @@
 //! One large room with small ones at its darkest end: shops, halls, workshops, open offices.
 
+use crate::plan::limits::{ROOM_AREA, ROOM_BOX, ROOM_SIDE};
+
 use super::brief::Brief;
 use super::disc::is_as_wide_as;
 use super::dwelling::Cell;
 use super::flats::sections;
 use super::links::LEAST_BORDER;
-use super::ring::{Axis, Ring, area, bounds, join, shared_length, split};
+use super::ring::{Axis, Ring, along, area, bounds, join, on_grid, shared_length, split};
 use super::spine::{Ground, cut_along, extent, settle, turned_ring_back};
 use super::typology::Typologies;
 
@@ -200,6 +202,28 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
         if small.iter().any(near) { 100.0 } else { 0.0 }
     });
     Some((light + entrance, main, small))
+}
+
+/// The rooms of a level, those that are larger than a room may be cut in halves until none is: open to each other, they are as
+/// useful as one.
+pub(super) fn within_limits(cells: Vec<Cell>) -> Vec<Cell> {
+    let mut open: Vec<Cell> = cells.into_iter().rev().collect();
+    let mut done = Vec::with_capacity(open.len());
+    while let Some(cell) = open.pop() {
+        let extent = bounds(&cell.ring);
+        let size = extent.size();
+        let is_small = size.max_element() <= ROOM_SIDE.1 && size.element_product() <= ROOM_BOX;
+        let axis = if size.x > size.y { Axis::X } else { Axis::Y };
+        let halves = || split(&cell.ring, axis, along(on_grid(extent.center()), axis));
+        match if is_small && area(&cell.ring) <= ROOM_AREA { None } else { Some(halves()) } {
+            Some((below, above)) if !below.is_empty() && !above.is_empty() => {
+                let pieces = below.into_iter().chain(above).rev();
+                open.extend(pieces.map(|ring| Cell { ring, ..cell.clone() }));
+            }
+            _ => done.push(cell),
+        }
+    }
+    done
 }
 
 /// One room for each piece of a storey.

@@ -256,19 +256,24 @@ fn rings_of(border: Vec<Segment>) -> Option<Vec<Ring>> {
     };
     let mut rings = Vec::new();
     let mut path: Ring = Vec::new();
+    // By corner of the path: its key, which would else be made anew for each comparison.
+    let mut keys: Vec<Key> = Vec::new();
     for start in border.iter().map(|edge| edge.start) {
         if take(key(start), false).is_none() {
             continue;
         }
         let mut at = start;
         loop {
-            if let Some(place) = path.iter().position(|&corner| key(corner) == key(at)) {
+            let here = key(at);
+            if let Some(place) = keys.iter().position(|&key| key == here) {
                 rings.push(path.split_off(place));
+                keys.truncate(place);
                 if path.is_empty() && take(key(at), false).is_none() {
                     break;
                 }
             }
             path.push(at);
+            keys.push(here);
             at = take(key(at), true)?;
         }
     }

@@ -314,3 +314,39 @@ fn outlines_that_lie_in_each_other_have_no_windows_there() {
     let shop = plan(&site(vec![inner, outer]), 0);
     assert!(shop.draft.levels[0].openings.iter().all(|opening| opening.kind != OpeningKind::Window));
 }
+
+#[test]
+fn a_plate_of_a_thousand_sections_needs_no_deep_stack() {
+    let ring: ring::Ring = [(0., 0.), (12_000., 0.), (12_000., 10.), (0., 10.)].map(Point::from).into();
+    let cut = move || {
+        let ground = spine::Ground { ring: ring.clone(), facade: facade::Facade::default(), wall: 0.0 };
+        flats::sections(&ground, ring, 1_000).len()
+    };
+    let thread = std::thread::Builder::new().stack_size(256 * 1024).spawn(cut).unwrap();
+    assert_eq!(thread.join().unwrap(), 1_000);
+}
+
+#[test]
+fn rooms_larger_than_rooms_may_be_are_cut_in_halves() {
+    let room = |width: f64, depth: f64, room_type: &str| {
+        let corners = [(0., 0.), (width, 0.), (width, depth), (0., depth)];
+        dwelling::Cell::shared(corners.map(Point::from).into(), room_type)
+    };
+    let cut = open::within_limits(vec![room(900.0, 900.0, "generic"), room(30.0, 20.0, "office")]);
+    assert_eq!(cut.len(), 17);
+    assert!(cut[..16].iter().all(|cell| (area(&cell.ring) - 50_625.0).abs() < 1e-6));
+    assert_eq!(cut[16].room_type, "office");
+    assert_eq!(open::within_limits(vec![room(3_000.0, 10.0, "generic")]).len(), 4);
+}
+
+#[test]
+fn the_largest_outlines_are_planned_with_fewer_storeys_than_the_map_says() {
+    let plant = alone(rectangle(0.0, 0.0, 900.0, 900.0), 200.0, "industrial");
+    assert_eq!(plant.report.storeys, 1);
+    let (_, faults) = crate::plan::finish_draft(
+        "plant",
+        &plant.draft,
+        &load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words,
+    );
+    assert!(faults.is_empty(), "{faults}");
+}

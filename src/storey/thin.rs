@@ -32,6 +32,8 @@ const TAKING_BORDER: f64 = 0.15;
 const MOST_GIVEN: f64 = 0.4;
 /// Thin parts of one ring that are looked at, at most.
 const MOST_PARTS: usize = 12;
+/// Corners of a floor beyond which its thin parts stay: each cut of a comb of a thousand teeth leaves as many pieces to be joined.
+const MOST_CORNERS: usize = 1_000;
 
 /// A thin part between two edges of a ring.
 #[derive(Clone, Copy, Debug)]
@@ -170,6 +172,9 @@ fn total_area(parts: &[ThinPart]) -> f64 {
 
 /// A floor without the parts of it that are too thin for any room: several pieces where one of them joined these.
 pub(super) fn without_thin_parts(ring: Ring) -> Vec<Ring> {
+    if ring.len() > MOST_CORNERS {
+        return vec![ring];
+    }
     let mut open = vec![ring];
     let mut done = Vec::new();
     for _ in 0..4 * MOST_PARTS {
