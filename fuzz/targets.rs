@@ -13,9 +13,10 @@ use roomwright::internals::diff::{DiffOptions, Tolerance, compare};
 use roomwright::internals::document::Faults;
 use roomwright::internals::edits::read_edits;
 use roomwright::internals::model::ModelLibrary;
-use roomwright::internals::plan::{Plan, PlanOptions, read_plans};
+use roomwright::internals::plan::{Building, Plan, PlanOptions, read_plans, write_native};
 use roomwright::internals::read_back::{parse_inventory, parse_level, parse_survey};
 use roomwright::internals::solve::judge_room;
+use roomwright::internals::storey::Choices;
 use tempfile::TempDir;
 
 /// Reads an input; answers whether anything came of it.
@@ -25,14 +26,18 @@ pub type Target = fn(&[u8]) -> bool;
 pub const TARGETS: &[(&str, Target)] = &[
     ("archilyse", read_bundle_of_plans),
     ("catalog", read_catalog),
+    ("cityjson", plan_cityjson),
     ("diff", compare_floors),
     ("drawing", read_bundle_of_plans),
     ("edits", read_edits_of_a_plan),
     ("floor", judge_floor),
+    ("geojson", plan_geojson),
     ("ifc", read_ifc),
     ("imdf", read_bundle_of_plans),
     ("manifest", join_records),
     ("model", read_model),
+    ("osm", plan_osm),
+    ("pbf", plan_pbf),
     ("plan", read_plan),
 ];
 
@@ -45,6 +50,9 @@ static CATALOG: LazyLock<Catalog> = LazyLock::new(|| load_catalog(&[]).unwrap().
 
 /// A floor as it was baked.
 const FLOOR: &[u8] = include_bytes!("corpus/floor/toilet.glb");
+
+/// What `plan` chooses where the command line says nothing.
+static CHOICES: LazyLock<Choices> = LazyLock::new(|| Choices { seed: 1, ..Choices::default() });
 
 /// The plan whose rooms are edited.
 const EDITED: &str = "version: 1\nid: a\nlevels:\n  - id: \"1\"\n    height: 3\n    rooms:\n      \
@@ -94,6 +102,47 @@ fn read_files(files: &[(&str, &[u8])], below: &str) -> bool {
     let reading = read_plans(&[input], &PlanOptions::new(&CATALOG.room_words));
     check_faults(&reading.faults);
     !reading.plan.buildings.is_empty()
+}
+
+fn plan_geojson(data: &[u8]) -> bool {
+    plan_map("map.geojson", data)
+}
+
+fn plan_cityjson(data: &[u8]) -> bool {
+    plan_map("map.city.json", data)
+}
+
+fn plan_osm(data: &[u8]) -> bool {
+    plan_map("map.osm", data)
+}
+
+fn plan_pbf(data: &[u8]) -> bool {
+    plan_map("map.osm.pbf", data)
+}
+
+/// As `plan` does, and as `bake` reads what it wrote: that has no error, and no room is lost.
+fn plan_map(name: &str, data: &[u8]) -> bool {
+    let options = PlanOptions::new(&CATALOG.room_words).with_planning(&CATALOG.typologies, &CHOICES);
+    let folder = folder(&[(name, data)]);
+    let planned = read_plans(&[folder.path().join(name)], &options);
+    check_faults(&planned.faults);
+    let mut plans: Vec<(PathBuf, usize)> = Vec::new();
+    // One by one, and each is given back, so that a tower of 200 storeys is not in the memory three times.
+    for (number, placed) in planned.plan.buildings.into_iter().enumerate() {
+        let path = folder.path().join(format!("{number}.yaml"));
+        fs::write(&path, write_native(&placed.building, &placed.id)).unwrap();
+        plans.push((path, room_count(&placed.building)));
+    }
+    for (path, count) in &plans {
+        let read = read_plans(std::slice::from_ref(path), &options);
+        assert!(!read.faults.has_errors(), "{}", read.faults);
+        assert_eq!(room_count(&read.plan.buildings[0].building), *count);
+    }
+    !plans.is_empty()
+}
+
+fn room_count(building: &Building) -> usize {
+    building.levels.iter().map(|level| level.rooms.len()).sum()
 }
 
 fn read_catalog(data: &[u8]) -> bool {

@@ -80,6 +80,9 @@ pub mod scene {
 pub mod solve {
     pub use crate::solve::{RoomSolver, judge_room};
 }
+pub mod storey {
+    pub use crate::storey::Choices;
+}
 pub mod texture {
     pub use crate::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
 }
