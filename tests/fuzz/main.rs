@@ -21,8 +21,10 @@ use targets::{TARGETS, Target};
 
 /// Inputs of a target, unless `ROOMWRIGHT_FUZZ_COUNT` says otherwise.
 const COUNT: u64 = 300;
-/// Of one whose every input reads the whole catalogue.
+/// Of one of the slow targets.
 const SLOW_COUNT: u64 = 40;
+/// Targets whose every input reads the whole catalogue, or plans, writes and reads again some buildings.
+const SLOW: [&str; 5] = ["catalog", "cityjson", "geojson", "model", "osm"];
 /// The most bytes of an input.
 const LARGEST: usize = 1 << 20;
 /// The most megabytes that reading an input may take.
@@ -59,11 +61,8 @@ fn hostile_inputs_are_read_or_rejected_within_bounds() {
             fails.extend(failure(target, bytes, &mut watch).map(|why| format!("{name}/{case}: {why}")));
         }
         assert!(watch.read_count() > 0, "no case of {name} can be read");
-        let count = number("ROOMWRIGHT_FUZZ_COUNT").unwrap_or(if matches!(name, "catalog" | "model") {
-            SLOW_COUNT
-        } else {
-            COUNT
-        });
+        let count =
+            number("ROOMWRIGHT_FUZZ_COUNT").unwrap_or(if SLOW.contains(&name) { SLOW_COUNT } else { COUNT });
         let first = number("ROOMWRIGHT_FUZZ_SEED").unwrap_or(0).wrapping_mul(1 << 32);
         for seed in first..first + count {
             let mut draw = Draw::new(name, seed);
