@@ -32,7 +32,7 @@ const TAKING_BORDER: f64 = 0.15;
 const MOST_GIVEN: f64 = 0.4;
 /// Thin parts of one ring that are looked at, at most.
 const MOST_PARTS: usize = 12;
-/// Corners of a floor beyond which its thin parts stay: each cut of a comb of a thousand teeth leaves as many pieces to be joined.
+/// Corners of a floor or a room beyond which its thin parts stay: each cut of a comb of a thousand teeth leaves as many pieces to be joined.
 const MOST_CORNERS: usize = 1_000;
 
 /// A thin part between two edges of a ring.
@@ -221,7 +221,7 @@ impl Rules<'_> {
 /// Gives the thin parts of rooms to neighbours in which they are not thin.
 pub(super) fn trade_thin_parts(cells: &mut [Cell], rules: Rules<'_>) {
     for giver in 0..cells.len() {
-        if rules.is_fixed(&cells[giver]) {
+        if rules.is_fixed(&cells[giver]) || cells[giver].ring.len() > MOST_CORNERS {
             continue;
         }
         for _ in 0..MOST_PARTS {
