@@ -159,14 +159,21 @@ fn uses_of(
 }
 
 fn told_storeys(facts: &StoreyFacts, choices: &Choices) -> Option<(u32, StoreySource)> {
-    if let Some(chosen) = choices.storeys {
-        return Some((chosen, StoreySource::Chosen));
+    match choices.storeys {
+        Some(chosen) => Some((chosen, StoreySource::Chosen)),
+        None => facts.told(),
     }
-    let count = |storeys: f64| (storeys.clamp(0.0, f64::from(MOST_STOREYS)) + 0.01).floor() as u32;
-    if let Some(above) = facts.above_ground.filter(|storeys| storeys.is_finite()) {
-        return Some((count(above).max(1), StoreySource::Map));
+}
+
+impl StoreyFacts {
+    /// The storeys above the ground as the map says them, or as follows from the height that it says.
+    pub(crate) fn told(&self) -> Option<(u32, StoreySource)> {
+        let count = |storeys: f64| (storeys.clamp(0.0, f64::from(MOST_STOREYS)) + 0.01).floor() as u32;
+        if let Some(above) = self.above_ground.filter(|storeys| storeys.is_finite()) {
+            return Some((count(above).max(1), StoreySource::Map));
+        }
+        let height = self.height.filter(|height| height.is_finite() && *height > 0.0)?;
+        let walls = if height > 2.0 * STOREY { height - ROOF } else { height };
+        Some((count((walls / STOREY).round()).max(1), StoreySource::Height))
     }
-    let height = facts.height.filter(|height| height.is_finite() && *height > 0.0)?;
-    let walls = if height > 2.0 * STOREY { height - ROOF } else { height };
-    Some((count((walls / STOREY).round()).max(1), StoreySource::Height))
 }

@@ -1,5 +1,6 @@
 //! Makes one building of what a file draws more than once, and of a building and its parts.
 
+mod by_storeys;
 mod parts;
 
 use super::facts::Facts;
@@ -8,6 +9,7 @@ use super::sound::common_area;
 use crate::geometry::{Bounds, Region};
 use crate::plan::assemble::BoxIndex;
 
+pub(super) use by_storeys::in_pieces;
 pub(super) use parts::with_parts;
 
 /// The share of both outlines that they have in common where they are one building.

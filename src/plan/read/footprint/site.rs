@@ -11,7 +11,7 @@ use super::entrances::add_entrances;
 use super::facts::Facts;
 use super::frame::Frame;
 use super::ids::{id_of_place, unique_ids};
-use super::merge::{Item, Whole, wholes, with_parts};
+use super::merge::{Item, Whole, in_pieces, wholes, with_parts};
 use super::notes::{SiteNotes, Split, Unreadable};
 use super::sound::{Sound, sound, united};
 use super::tidy::tidied;
@@ -36,7 +36,7 @@ pub(super) fn site_of(mut drawing: Drawing, mut notes: SiteNotes, file: &Path) -
     let Sorted { buildings, parts, shells } = sorted(cleaned, &mut notes);
     let wholes = with_parts(wholes(buildings, &mut notes), parts, &shells, &mut notes);
     note_shells(&wholes, shells, &mut notes);
-    let mut footprints = footprints_of(wholes);
+    let mut footprints = footprints_of(in_pieces(wholes, &mut notes));
     let entrances: Vec<Point> = drawing.entrances.iter().map(|place| frame.to_plane(*place)).collect();
     add_entrances(&mut footprints, &entrances);
     if footprints.is_empty() {
