@@ -9,7 +9,7 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from .dwellings import dwelling_faults, dwellings_of
-from .openings import VIEW, opening_faults, view_of
+from .openings import VIEW, leads_out, opening_faults, room_behind, view_of
 from .plan import Building, Placed, read_plan
 from .shapes import floors_of, shape_faults
 from .table import Fault
@@ -79,7 +79,7 @@ def sights_of(building: Building, placed: Placed) -> list[Sight]:
     sights = []
     for level in building.levels:
         for window in level.openings:
-            room = level.rooms.get(window.rooms[0]) if window.kind == "window" and window.is_outer else None
+            room = room_behind(window, level) if window.kind == "window" and leads_out(window, level) else None
             view = room and view_of(window, room.shape, building.exterior, VIEW)
             if view is not None:
                 heights = (level.elevation + window.sill, level.elevation + window.head)

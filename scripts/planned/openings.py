@@ -7,8 +7,8 @@ from itertools import combinations
 from shapely.geometry import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from .plan import Building, Level, Opening
-from .roles import is_habitable
+from .plan import Building, Level, Opening, Room
+from .roles import OUTSIDE, is_habitable
 from .table import Fault
 
 # Metres of view that a window needs.
@@ -75,13 +75,18 @@ def overlap_along(first: Opening, second: Opening) -> float:
     return (first.width + second.width) / 2 - abs(offset)
 
 
-def gives_light(opening: Opening) -> bool:
-    return opening.is_outer and opening.kind in ("window", "sliding_door")
+def leads_out(opening: Opening, level: Level) -> bool:
+    """Whether the open air or a balcony is on its other side."""
+    return opening.is_outer or any(level.rooms[room].type in OUTSIDE for room in opening.rooms if room in level.rooms)
+
+
+def gives_light(opening: Opening, level: Level) -> bool:
+    return leads_out(opening, level) and opening.kind in ("window", "sliding_door")
 
 
 def habitable_faults(building: Building, level: Level) -> list[Fault]:
     faults = []
-    lit = {opening.rooms[0] for opening in level.openings if gives_light(opening)}
+    lit = {room for opening in level.openings if gives_light(opening, level) for room in opening.rooms}
     opened = {room for opening in level.openings if opening.is_way for room in opening.rooms}
     borrowed = {room for opening in level.openings if opening.kind == "open_boundary" and set(opening.rooms) & lit
                 for room in opening.rooms}
@@ -116,7 +121,7 @@ def windows_inside(building: Building, level: Level) -> list[Fault]:
     for window in level.openings:
         if window.kind != "window":
             continue
-        if not window.is_outer:
+        if not leads_out(window, level):
             rooms = ", ".join(window.rooms)
             faults.append(Fault("window_inside", building.id, level.id, window.id, f"from {rooms}", window.width))
             continue
@@ -127,12 +132,18 @@ def windows_inside(building: Building, level: Level) -> list[Fault]:
     return faults
 
 
+def room_behind(window: Opening, level: Level) -> Room | None:
+    """The room that looks out of a window."""
+    rooms = [level.rooms[room] for room in window.rooms if room in level.rooms]
+    return next((room for room in rooms if room.type not in OUTSIDE), None)
+
+
 def own_room_seen(building: Building, level: Level, window: Opening) -> str | None:
-    room = level.rooms.get(window.rooms[0])
+    room = room_behind(window, level)
     view = room and view_of(window, room.shape, building.exterior, 0.5)
     if view is None:
         return None
-    return next((other.id for other in level.rooms.values() if other.shape.is_valid and area_of_overlap(view, other.shape) > 0.01), None)
+    return next((other.id for other in level.indoor if other.shape.is_valid and area_of_overlap(view, other.shape) > 0.01), None)
 
 
 def area_of_overlap(first: BaseGeometry, second: BaseGeometry) -> float:

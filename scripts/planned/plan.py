@@ -10,6 +10,8 @@ import yaml
 from shapely import affinity
 from shapely.geometry import Polygon
 
+from .roles import OUTSIDE
+
 # LibYAML's parser is ten times faster, and is not in every build of PyYAML.
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 PROJECT = "project.yaml"
@@ -55,6 +57,11 @@ class Level:
     height: float
     rooms: dict[str, Room]
     openings: list[Opening]
+
+    @property
+    def indoor(self) -> list[Room]:
+        """The rooms within the outer walls."""
+        return [room for room in self.rooms.values() if room.type not in OUTSIDE]
 
 
 @dataclass

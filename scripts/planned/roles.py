@@ -14,6 +14,8 @@ ENSUITE = {"bathroom", "toilet", "dressing_room", "storeroom"}
 KITCHENS = {"kitchen", "kitchen_dining", "living_kitchen", "studio"}
 STAIRS, LIFT = "stairs", "elevator"
 CORES = {STAIRS, LIFT, "shaft"}
+# They stand before the outer walls.
+OUTSIDE = {"balcony", "terrace"}
 # Nobody walks in them.
 CLOSED = {"shaft", "void"}
 

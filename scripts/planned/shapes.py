@@ -10,10 +10,12 @@ from shapely.geometry import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from .plan import Building, Level
-from .roles import least_width
+from .roles import OUTSIDE, least_width
 from .table import Fault
 
 MOST_OVERLAP = 0.01
+# Square metres of a balcony within the outer faces of the walls: those run not quite straight.
+MOST_INSIDE = 0.05
 LEAST_COVER = 0.995
 LEAST_STOREY = 0.75
 MOST_AREA_CHANGE = 0.05
@@ -35,7 +37,7 @@ def mitred(shape: BaseGeometry, distance: float) -> BaseGeometry:
 
 def wall_thickness(level: Level) -> float:
     """The usual distance between neighbouring rooms."""
-    shapes = [room.shape for room in level.rooms.values()]
+    shapes = [room.shape for room in level.indoor]
     tree = STRtree(shapes)
     low, high = WALL_RANGE
     pairs = tree.query(shapes, predicate="dwithin", distance=high).T
@@ -53,7 +55,7 @@ def enclosed(level: Level, wall: float) -> BaseGeometry:
     """The storey within its outer walls: rooms and the walls between them; holes are kept."""
     # A little more than half a wall, so that walls of twice the usual thickness count as gaps that were filled.
     reach = wall + ROUNDING
-    rooms = unary_union([mitred(room.shape.buffer(0), reach) for room in level.rooms.values()])
+    rooms = unary_union([mitred(room.shape.buffer(0), reach) for room in level.indoor])
     return mitred(rooms, -reach)
 
 
@@ -93,12 +95,21 @@ def shape_faults(building: Building, floors: list[BaseGeometry], area: float | N
         wall = wall_thickness(level)
         faults += outline_faults(building, level, wall)
         faults += cover_faults(building, level, floor, wall)
+        faults += balcony_faults(building, level, floor)
         if floor.area < LEAST_STOREY * whole:
             share = floor.area / whole
             faults.append(Fault("storey_differs", building.id, level.id, "", f"{share:.0%} of all storeys' floor", 1 - share))
         if area:
             faults += area_faults(building, level, floor, area)
     return faults
+
+
+def balcony_faults(building: Building, level: Level, floor: BaseGeometry) -> list[Fault]:
+    outer = mitred(floor, building.exterior)
+    balconies = [room for room in level.rooms.values() if room.type in OUTSIDE]
+    inside = [(room, room.shape.intersection(outer).area) for room in balconies]
+    return [Fault("balcony_inside", building.id, level.id, room.id, f"{area:.2f} m²", area)
+            for room, area in inside if area > MOST_INSIDE]
 
 
 def area_faults(building: Building, level: Level, floor: BaseGeometry, area: float) -> list[Fault]:

@@ -24,6 +24,7 @@ FAULTS = {
     "storey_differs": "a storey has less than 75 % of the floor of all storeys together",
     "too_narrow": "no disc of the least width fits: 0.85 m, corridors 1.0 m, habitable rooms 2.2 m",
     "sliver": "a part of a room is narrower than 0.3 m",
+    "balcony_inside": "a balcony lies within the outer walls by more than 0.05 m²",
     "opening_misplaced": "an opening is not in a wall of its rooms",
     "openings_overlap": "two openings are in the same place of a wall",
     "no_door": "a habitable room has no door or open boundary",

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from shapely.geometry.base import BaseGeometry
 
 from .plan import Building, Opening
-from .roles import BATHS, CLOSED, CORES, ENSUITE, LIFT, STAIRS, is_private
+from .roles import BATHS, CLOSED, CORES, ENSUITE, LIFT, OUTSIDE, STAIRS, is_private
 from .table import Fault
 
 LONGEST_WAY_OUT = 35.0
@@ -146,7 +146,7 @@ def way_out_faults(building: Building, ways: Ways) -> list[Fault]:
     metres = ways_out(building, ways)
     faults = []
     for place, room in ways.rooms.items():
-        if room.type in CORES | CLOSED:
+        if room.type in CORES | CLOSED | OUTSIDE:
             continue
         middle = room.shape.representative_point().coords[0]
         options = [dist(middle, opening.at) + metres[place.level, opening.id] for opening in ways.openings[place]

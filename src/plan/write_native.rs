@@ -157,7 +157,9 @@ fn kind(kind: OpeningKind) -> &'static str {
 fn exterior_thickness(building: &Building) -> f64 {
     let mut metres: BTreeMap<u64, f64> = BTreeMap::new();
     let rooms = building.levels.iter().flat_map(|level| &level.rooms);
-    for wall in rooms.flat_map(|room| &room.walls).filter(|wall| wall.is_exterior) {
+    // A railing is no measure for walls.
+    let is_outer = |wall: &&Wall| wall.is_exterior && !matches!(wall.kind, WallKind::Railing(_));
+    for wall in rooms.flat_map(|room| &room.walls).filter(is_outer) {
         // Keyed by whole hundredths of a millimetre: floats have no order to sort by.
         *metres.entry((wall.thickness.max(0.0) * file::ROUNDING) as u64).or_default() += wall.length();
     }

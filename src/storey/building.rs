@@ -3,9 +3,11 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::geometry::Point;
 use crate::layout::seed::{Stream, building_stream};
 use crate::plan::{BuildingDraft, SitePlacement};
 
+use super::balconies::balconies;
 use super::brief::{Brief, Choices, Known, Measures, briefs};
 use super::check::first_fault;
 use super::corridor::corridors;
@@ -17,14 +19,14 @@ use super::faces::Partition;
 use super::flats::flats;
 use super::footprint::{Footprint, Site};
 use super::house::house;
-use super::links::{Links, link};
+use super::links::{Link, Links, link};
 use super::open::{one_room, open_plan, within_limits};
 use super::plate::Outline;
 use super::spine::Ground;
 use super::street_level::street_level;
 use super::thin::{Rules, trade_thin_parts};
 use super::typology::{PlanKind, Typologies};
-use super::windows::{Window, windows};
+use super::windows::{Taken, Window, windows};
 
 /// How often a kind of building is tried with other random numbers before a simpler way is taken.
 const TRIES: usize = 3;
@@ -203,9 +205,16 @@ fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut St
         let has_stairs = cells.iter().any(|cell| cell.room_type == "stairs");
         link(&partition, &[], has_stairs, stream)
     };
-    let windows = windows(&grounds[0], &partition, &links.links);
+    let has_balconies = !is_ground && stream.unit() < brief.typology.balconies;
+    let balconies = if has_balconies { balconies(&grounds[0], &partition) } else { Vec::new() };
+    let (outside, doors): (Vec<Cell>, Vec<Link>) =
+        balconies.into_iter().map(|balcony| (balcony.cell, balcony.door)).unzip();
+    let all_doors: Vec<Link> = links.links.iter().chain(&doors).cloned().collect();
+    let ends: Vec<Point> = outside.iter().flat_map(|cell| [cell.ring[0], cell.ring[3]]).collect();
+    let windows = windows(&grounds[0], &partition, Taken { doors: &all_doors, ends: &ends });
     let fault = first_fault(grounds, &partition, &links, &windows, is_ground);
-    Storey { cells, links, windows, fault }
+    let cells = cells.into_iter().chain(outside).collect();
+    Storey { cells, links: Links { links: all_doors, ..links }, windows, fault }
 }
 
 /// Storeys that always come out: open ones with stairs, or one room on each.

@@ -436,16 +436,21 @@ fn row_cells(
             continue;
         }
         let has_light = ground.light(&ring).iter().any(|piece| piece.length() >= 1.0);
-        let needs_light = task
-            .typologies
-            .rooms
-            .get(&room_type)
-            .is_none_or(|needs| needs.light == super::typology::Light::Required);
-        let is_fit = is_fit_for(task, &room_type, &ring) && (!needs_light || has_light);
-        let room_type = if is_fit { room_type } else { "storeroom".to_owned() };
+        let room_type = fitting_type(task, room_type, &ring, has_light);
         cells.extend(room_cells(task, ground, Cell { ring, room_type, unit: None }, strip, index)?);
     }
     Some(cells)
+}
+
+/// The type of a room where it is wide and light enough for it; else another of the building's in a lit room, else a store.
+fn fitting_type(task: &Task<'_>, room_type: String, ring: &Ring, has_light: bool) -> String {
+    let needs = task.typologies.rooms.get(&room_type);
+    let needs_light = needs.is_none_or(|needs| needs.light == super::typology::Light::Required);
+    if is_fit_for(task, &room_type, ring) && (!needs_light || has_light) {
+        return room_type;
+    }
+    let mut others = task.brief.typology.others.keys().filter(|_| has_light);
+    others.find(|other| is_fit_for(task, other, ring)).map_or("storeroom", String::as_str).to_owned()
 }
 
 /// A room of a row: a flat with its rooms, a hotel room with its bath, or the room alone.

@@ -2,6 +2,7 @@
 
 use crate::plan::{LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft};
 
+use super::balconies::{BALCONY, railing};
 use super::brief::Brief;
 use super::building::Storey;
 use super::dwelling::Cell;
@@ -34,6 +35,7 @@ pub(super) fn level_draft(storey: &Storey, number: usize, brief: &Brief<'_>) -> 
         .enumerate()
         .map(|(index, link)| door_draft(link, index, &ids, height - SLAB));
     let panes = storey.windows.iter().enumerate().map(|(index, window)| window_draft(window, index, &ids));
+    let balconies = storey.cells.iter().filter(|cell| cell.room_type == BALCONY);
     LevelDraft {
         id: if number == 0 { "ground".to_owned() } else { format!("level-{number}") },
         name: String::new(),
@@ -44,6 +46,7 @@ pub(super) fn level_draft(storey: &Storey, number: usize, brief: &Brief<'_>) -> 
         outlines: OutlineKind::Center,
         rooms: rooms.collect(),
         openings: doors.chain(panes).collect(),
+        railings: balconies.map(|cell| railing(&cell.ring)).collect(),
         ..LevelDraft::default()
     }
 }

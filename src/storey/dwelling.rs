@@ -18,6 +18,8 @@ const DRAWN: usize = 8;
 const PORT_HALF: f64 = 0.7;
 /// Metres beyond the ground at which a strip along its edge begins: outlines are not quite straight.
 const FLUSH: f64 = 0.12;
+/// Metres beside a strip that are no row: the strip lies at the edge.
+const LEAST_ROW: f64 = 1.3;
 /// Depth of stairs that stand in a row, in metres, least and most.
 const STAIR_DEPTH: (f64, f64) = (2.2, 4.6);
 /// Metres along the strip of stairs that stand in a row.
@@ -244,11 +246,11 @@ fn schemes(
             let is_above = way.y < 0.0;
             let slice =
                 Fixed { is_above, from: at.x - PORT_HALF, to: at.x + PORT_HALF, kind: FixedKind::Port };
-            let flush = if is_above { top + FLUSH - width } else { bottom - FLUSH };
+            let flush = if is_above { top - width } else { bottom };
             lows.push((flush, Vec::new()));
             let height = top - bottom;
-            for depth in [1.7, 2.3, 3.0, 4.0, 0.5 * (height - width), height - width + FLUSH] {
-                if depth < height - width + 2.0 * FLUSH {
+            for depth in [1.7, 2.3, 3.0, 4.0, 0.5 * (height - width), height - width] {
+                if depth < height - width + FLUSH {
                     lows.push((if is_above { top - depth - width } else { bottom + depth }, vec![slice]));
                 }
             }
@@ -257,37 +259,42 @@ fn schemes(
     }
     let snapped = lows.into_iter().map(|(low, ports)| {
         // What is left beside the strip is a row, or nothing.
-        let low = if low - bottom < 1.3 { bottom - FLUSH } else { low };
-        let low = if top - (low + width) < 1.3 { top + FLUSH - width } else { low };
-        (low, ports)
+        let strip = if top - (low + width) < LEAST_ROW {
+            (top - width, top + FLUSH)
+        } else if low - bottom < LEAST_ROW {
+            (bottom - FLUSH, bottom + width)
+        } else {
+            (low, low + width)
+        };
+        (strip, ports)
     });
-    let mut lows: Vec<(f64, Vec<Fixed>)> = Vec::new();
-    for (low, ports) in snapped {
-        let is_known =
-            |(other, known): &(f64, Vec<Fixed>)| (other - low).abs() < SAME_PLACE && *known == ports;
-        if !lows.iter().any(is_known) {
-            lows.push((low, ports));
+    let mut strips: Vec<((f64, f64), Vec<Fixed>)> = Vec::new();
+    for (strip, ports) in snapped {
+        let is_known = |(other, known): &((f64, f64), Vec<Fixed>)| {
+            (other.0 - strip.0).abs() < SAME_PLACE && *known == ports
+        };
+        if !strips.iter().any(is_known) {
+            strips.push((strip, ports));
         }
     }
     let ground_extent = extent(&ground.ring, Axis::X);
     let mut found = Vec::new();
-    for (low, ports) in lows {
+    for ((low, high), ports) in strips {
         if !task.has_stairs {
-            found.push((Scheme { is_turned, low, high: low + width, stairs: None }, ports));
+            found.push((Scheme { is_turned, low, high, stairs: None }, ports));
             continue;
         }
         let entry = port.map_or(ground_extent.0, |port| port.at.x);
-        for (high, stairs) in stairs_beside(low, width, (bottom, top), ground_extent, entry) {
+        for (high, stairs) in stairs_beside((low, high), (bottom, top), ground_extent, entry) {
             found.push((Scheme { is_turned, low, high, stairs: Some(stairs) }, ports.clone()));
         }
     }
     found
 }
 
-/// Where stairs may be beside or in a strip that begins at a height.
+/// Where stairs may be beside or in a strip, and where it ends with them.
 fn stairs_beside(
-    low: f64,
-    width: f64,
+    (low, high): (f64, f64),
     (bottom, top): (f64, f64),
     (left, right): (f64, f64),
     entry: f64,
@@ -297,7 +304,7 @@ fn stairs_beside(
     let mut places: Vec<f64> = [left, right - STAIR_WIDTH, middle - STAIR_WIDTH / 2.0].into();
     places.extend([entry + PORT_HALF, entry - PORT_HALF - STAIR_WIDTH]);
     places.retain(|from| *from >= left - 0.01 && from + STAIR_WIDTH <= right + 0.01);
-    for (is_above, depth) in [(false, low - bottom), (true, top - low - width)] {
+    for (is_above, depth) in [(false, low - bottom), (true, top - high)] {
         if !(STAIR_DEPTH.0..=STAIR_DEPTH.1).contains(&depth) {
             continue;
         }
@@ -310,9 +317,9 @@ fn stairs_beside(
                 known.push(Fixed { is_above, from, to, kind: FixedKind::Room(0) });
             }
         }
-        found.extend(known.into_iter().map(|fixed| (low + width, Stairs::InRow(fixed))));
+        found.extend(known.into_iter().map(|fixed| (high, Stairs::InRow(fixed))));
     }
-    let high = low + width + FLIGHT.1;
+    let high = high + FLIGHT.1;
     if right - left > FLIGHT.0 + 2.2 && high < top + FLUSH {
         let places = [left + 1.4, right - FLIGHT.0 - 1.2, middle - FLIGHT.0 / 2.0];
         for from in places {

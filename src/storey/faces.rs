@@ -4,7 +4,7 @@ use crate::geometry::{Point, Segment};
 use crate::plan::inner_faces;
 
 use super::dwelling::Cell;
-use super::facade::EdgeClass;
+use super::facade::{EdgeClass, Span};
 use super::ring::bounds;
 use super::spine::Ground;
 use super::typology::Typologies;
@@ -53,20 +53,25 @@ impl<'a> Partition<'a> {
 
     /// The pieces of a room's faces that light may come through.
     pub(super) fn light(&self, ground: &Ground, room: usize) -> Vec<Segment> {
-        self.behind(ground, room, EdgeClass::is_free)
+        self.behind(ground, room, |span| span.class.is_free())
+    }
+
+    /// The pieces of a room's faces with so many metres of open air before them.
+    pub(super) fn open_air(&self, ground: &Ground, room: usize, sight: f64) -> Vec<Segment> {
+        self.behind(ground, room, |span| span.class.is_free() && span.sight >= sight)
     }
 
     /// The pieces of a room's faces at the street.
     pub(super) fn street(&self, ground: &Ground, room: usize) -> Vec<Segment> {
-        self.behind(ground, room, |class| class == EdgeClass::Street)
+        self.behind(ground, room, |span| span.class == EdgeClass::Street)
     }
 
-    fn behind(&self, ground: &Ground, room: usize, is_wanted: fn(EdgeClass) -> bool) -> Vec<Segment> {
+    fn behind(&self, ground: &Ground, room: usize, is_wanted: impl Fn(&Span) -> bool) -> Vec<Segment> {
         // A wall that is partly an inner one has one face, which is half an inner wall deeper.
         let depths = (ground.wall, ground.wall + 0.5 * self.thickness);
         let faces = self.faces[room].iter();
         let before = faces.flat_map(|&face| ground.facade.before(face, depths));
-        before.filter(|(span, _)| is_wanted(span.class)).map(|(_, piece)| piece).collect()
+        before.filter(|(span, _)| is_wanted(span)).map(|(_, piece)| piece).collect()
     }
 }
 

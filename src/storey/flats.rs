@@ -40,6 +40,8 @@ const LARGEST_LOFT: f64 = 180.0;
 const LOFT_STAIRS: f64 = 12.0;
 /// See [`LOFT_STAIRS`].
 const LOFT_BATH: f64 = 5.5;
+/// Metres of the hall of a flat on a corridor between the middles of its walls: a shelf as deep as a hand and a way past it.
+const FLAT_HALL_WIDTH: f64 = 1.37;
 /// Pieces that one cut through a storey may leave: three at an arm of it.
 const MOST_PIECES: usize = 3;
 /// The cost of a flat that is good enough: no other is looked for.
@@ -342,9 +344,9 @@ pub(super) fn flat_at(
         border.start + border.direction() * (border.length() * share).clamp(margin, border.length() - margin)
     });
     // Along a corridor, that is the hall of the building, not of the flat.
-    let hall = match brief.typology.plan {
-        PlanKind::CorridorFlats => "corridor",
-        _ => brief.typology.hall.as_deref()?,
+    let (hall, hall_width) = match brief.typology.plan {
+        PlanKind::CorridorFlats => ("corridor", FLAT_HALL_WIDTH),
+        _ => (brief.typology.hall.as_deref()?, brief.typology.hall_width),
     };
     let task = |at: Point, programme| Task {
         ground: flat,
@@ -352,7 +354,7 @@ pub(super) fn flat_at(
         typologies,
         programme,
         hall,
-        hall_width: 1.25,
+        hall_width,
         has_stairs: false,
     };
     let mut ways: [Option<Vec<Division>>; 3] = [const { None }; 3];

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! site ─▶ outline, facade ─▶ brief ─▶ grounds ─▶ house | flats | corridor | open ─▶ thin parts traded, street level
-//!      ─▶ faces ─▶ links, entries ─▶ windows ─▶ check, egress ─▶ draft
+//!      ─▶ faces ─▶ links, entries ─▶ balconies ─▶ windows ─▶ check, egress ─▶ draft
 //! ```
 //!
 //! Later stages may rely on:
@@ -12,6 +12,7 @@
 //! - walls, stairs and windows of the storeys of a building stand above each other;
 //! - a plan depends on the footprint, on what stands around it, and on the seed: not on other buildings or their order.
 
+mod balconies;
 mod brief;
 mod building;
 mod check;

@@ -165,7 +165,8 @@ fn rooms_cover_the_floor_of_every_shape() {
             assert_eq!(planned.draft.levels.len(), storeys, "{number} {use_word}");
             for level in &planned.draft.levels {
                 assert_eq!(level.outlines, OutlineKind::Center);
-                let covered: f64 = level.rooms.iter().map(|room| area(&room.outline)).sum();
+                let indoors = level.rooms.iter().filter(|room| room.room_type != "balcony");
+                let covered: f64 = indoors.map(|room| area(&room.outline)).sum();
                 let most = shape.area();
                 assert!(covered <= most && covered > most * 0.2, "{number} {use_word}: {covered} of {most}");
                 let is_simple = |room: &crate::plan::RoomDraft| Polygon::new(&room.outline).is_ok();
@@ -349,4 +350,44 @@ fn the_largest_outlines_are_planned_with_fewer_storeys_than_the_map_says() {
         &load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words,
     );
     assert!(faults.is_empty(), "{faults}");
+}
+
+/// The block of flats of a site's first footprint, of a kind that always has balconies.
+fn with_balconies(footprints: Vec<Footprint>) -> PlannedBuilding {
+    let site = site(footprints);
+    let mut typologies = typologies();
+    typologies.typologies.values_mut().for_each(|typology| typology.balconies = 1.0);
+    plan_building(&site, &Neighbourhood::new(&site), 0, &typologies, &Choices::default()).unwrap()
+}
+
+#[test]
+fn flats_above_the_ground_have_balconies_before_the_open_air() {
+    let block = with_balconies(vec![footprint("alone", rectangle(0.0, 0.0, 40.0, 12.0), 4.0, "apartments")]);
+    assert!(rooms_of(&block, 0, "balcony").is_empty());
+    let turn = direction(block.placement.turn);
+    for level in &block.draft.levels[1..] {
+        let balconies: Vec<_> = level.rooms.iter().filter(|room| room.room_type == "balcony").collect();
+        assert!(balconies.len() > 2 && balconies.len() == level.railings.len(), "{}", balconies.len());
+        for balcony in balconies {
+            let corners = balcony.outline.iter().map(|&at| block.placement.position + turn.rotate(at));
+            let is_out = |at: Point| !(0.01..39.99).contains(&at.x) || !(0.01..11.99).contains(&at.y);
+            assert!(corners.into_iter().all(is_out) && area(&balcony.outline) > 3.0);
+            let doors = level.openings.iter().filter(|opening| opening.rooms.contains(&balcony.id));
+            let doors: Vec<_> = doors.map(|opening| (opening.kind, opening.rooms.len())).collect();
+            assert_eq!(doors, [(OpeningKind::SlidingDoor, 2)]);
+        }
+    }
+}
+
+#[test]
+fn nobody_has_a_balcony_before_a_neighbours_wall() {
+    let beside = |y: f64| footprint(&format!("at {y}"), rectangle(0.0, y, 40.0, 12.0), 4.0, "apartments");
+    let mut rows = vec![footprint("a", rectangle(0.0, 0.0, 40.0, 12.0), 4.0, "apartments")];
+    rows.extend([beside(-16.0), beside(16.0)]);
+    let middle = with_balconies(rows);
+    let turn = direction(middle.placement.turn);
+    for balcony in rooms_of(&middle, 1, "balcony") {
+        let at = middle.placement.position + turn.rotate(balcony.outline[1]);
+        assert!(!(0.0..40.0).contains(&at.x), "{at} is before a wall 4 m away");
+    }
 }

@@ -16,8 +16,8 @@ const THIN: f64 = 0.32;
 const THIN_ROOM: f64 = 0.46;
 /// Metres below which a part of a room between the faces of its walls is of no use.
 pub(super) const SLIVER_WIDTH: f64 = 0.3;
-/// Square metres of such parts that a room may have.
-const SLIVER_AREA: f64 = 0.045;
+/// Square metres of such a part that a room may have.
+const SLIVER_AREA: f64 = 0.03;
 /// Square metres that a thin part may have.
 const LEAST_AREA: f64 = 0.003;
 /// Metres of width at which a thin part ends in a corner.
@@ -158,7 +158,7 @@ pub(super) fn has_thin_parts(ring: &[Point]) -> bool {
 /// Whether a part of a room between its inner faces is too narrow for any use.
 pub(super) fn has_slivers(faces: &[Segment]) -> bool {
     let ring: Ring = faces.iter().map(|face| face.start).collect();
-    total_area(&thin_parts(&ring, SLIVER_WIDTH)) > SLIVER_AREA
+    thin_parts(&ring, SLIVER_WIDTH).first().is_some_and(|part| part.area > SLIVER_AREA)
 }
 
 /// Square metres of all thin parts.

@@ -139,6 +139,9 @@ pub struct Typology {
     /// Room type that takes the place of flats on the ground floor, such as a shop.
     #[serde(default)]
     pub street_level: Option<String>,
+    /// Share of buildings whose dwellings above the ground floor have balconies where there is open air for them.
+    #[serde(default)]
+    pub balconies: f64,
     /// By room type: weights of other rooms along the corridor.
     #[serde(default)]
     pub others: BTreeMap<String, f64>,

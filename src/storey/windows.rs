@@ -48,8 +48,17 @@ pub(super) struct Window {
     pub(super) top: f64,
 }
 
+/// What of outer walls is taken before windows are set.
+#[derive(Clone, Copy)]
+pub(super) struct Taken<'a> {
+    /// All doors.
+    pub(super) doors: &'a [Link],
+    /// Where balconies end at the wall: windows lie behind them or beside them.
+    pub(super) ends: &'a [Point],
+}
+
 /// The windows of a level.
-pub(super) fn windows(ground: &Ground, partition: &Partition<'_>, links: &[Link]) -> Vec<Window> {
+pub(super) fn windows(ground: &Ground, partition: &Partition<'_>, taken: Taken<'_>) -> Vec<Window> {
     let &Partition { cells, typologies, .. } = partition;
     let mut found = Vec::new();
     for (room, cell) in cells.iter().enumerate() {
@@ -60,7 +69,7 @@ pub(super) fn windows(ground: &Ground, partition: &Partition<'_>, links: &[Link]
         let pieces: Vec<Segment> = partition
             .light(ground, room)
             .into_iter()
-            .flat_map(|piece| without_doors(piece, room, links))
+            .flat_map(|piece| free_pieces(piece, room, ground.wall, taken))
             .filter(|piece| piece.length() >= 0.5 + 2.0 * BESIDE.min(piece.length() / 5.0))
             .collect();
         let is_hall =
@@ -114,24 +123,25 @@ fn in_piece(piece: Segment, share: f64) -> Vec<(Point, f64)> {
     (0..count as u32).map(|index| (piece.at((f64::from(index) + 0.5) / count), width)).collect()
 }
 
-/// What doors leave of a piece of wall: outer ones, and those of the room in an inner wall that runs close beside it.
-fn without_doors(piece: Segment, room: usize, links: &[Link]) -> Vec<Segment> {
-    let direction = piece.direction();
+/// What doors leave of a piece of wall: outer ones, and those of the room in an inner wall that runs close beside it; and the ends
+/// of balconies before it.
+fn free_pieces(piece: Segment, room: usize, wall: f64, Taken { doors, ends }: Taken<'_>) -> Vec<Segment> {
+    let (direction, length) = (piece.direction(), piece.length());
+    let distance = |point: Point| (piece.side(point) / length).abs();
     let is_in_wall = |link: &&Link| {
         let reach = match link.rooms {
             (_, None) => 0.6,
             (first, Some(second)) if first == room || second == room => BESIDE_WALL,
             _ => return false,
         };
-        piece.side(link.center).abs() < reach && link.along.perp_dot(direction).abs() < 0.1
+        distance(link.center) < reach && link.along.perp_dot(direction).abs() < 0.1
     };
-    let span = |link: &Link| {
-        let place = (link.center - piece.start).dot(direction);
-        (place - link.width / 2.0 - DOOR_GAP, place + link.width / 2.0 + DOOR_GAP)
-    };
-    let length = piece.length();
+    let place = |point: Point| (point - piece.start).dot(direction);
+    let around = |point: Point, half: f64| (place(point) - half - DOOR_GAP, place(point) + half + DOOR_GAP);
+    let taken = doors.iter().filter(is_in_wall).map(|link| around(link.center, link.width / 2.0));
+    let ends = ends.iter().filter(|end| distance(**end) < wall + BESIDE_WALL).map(|end| around(*end, 0.0));
     let mut free = Intervals::new(0.0, length);
-    links.iter().filter(is_in_wall).map(span).for_each(|(from, to)| free.subtract(from, to));
+    taken.chain(ends).for_each(|(from, to)| free.subtract(from, to));
     let kept = free.as_slice().iter().filter(|(from, to)| to - from > 0.3);
     kept.map(|(from, to)| Segment::new(piece.at(from / length), piece.at(to / length))).collect()
 }

@@ -17,6 +17,8 @@ const RAY_BACKSTEP: f64 = 0.02;
 const FACING: f64 = 0.7;
 /// A railing this close in metres to a room's edge stands on it.
 const RAILING_REACH: f64 = 0.12;
+/// Metres of a railing from its inner to its outer face, at most: the walls of the building are no measure for it.
+const RAILING_THICKNESS: f64 = 0.12;
 /// Metres of a railing above the floor; formats that draw railings give no height that can be used.
 const RAILING_HEIGHT: f64 = 1.0;
 /// Metres of the thinnest outer wall that a drawing may show.
@@ -51,7 +53,8 @@ pub(super) fn back_walls(rooms: &mut [Room], drawn: &Drawn<'_>, draft: &LevelDra
     for (room, number) in places(rooms) {
         let backing = backing_of(rooms, &index, WallPlace { room, wall: number });
         let wall = &mut rooms[room].walls[number];
-        if is_railed(wall, drawn.railings) {
+        let is_railed = is_railed(wall, drawn.railings);
+        if is_railed {
             wall.kind = WallKind::Railing(RAILING_HEIGHT);
         }
         wall.is_exterior = backing.is_exterior;
@@ -59,6 +62,7 @@ pub(super) fn back_walls(rooms: &mut [Room], drawn: &Drawn<'_>, draft: &LevelDra
             Some(gap) if !backing.is_exterior => gap / 2.0,
             gap => {
                 let outer = drawn_thickness(wall, drawn.solids).unwrap_or(draft.exterior_thickness);
+                let outer = if is_railed { outer.min(RAILING_THICKNESS) } else { outer };
                 gap.map_or(outer, |gap| outer.min(gap / 2.0))
             }
         };
