@@ -129,6 +129,17 @@ def lose_the_kitchen(plan):
     named(rooms_of(plan), "west-living")["type"] = "living_room"
 
 
+def add_a_balcony(plan, y=-1.74):
+    """Before the living room of the upper western flat; its wall ends at -0.24."""
+    rooms_of(plan, 1).append(room("west-balcony", "balcony", (0.5, y - 0.06, 4, 1.62), "west"))
+    openings_of(plan, 1).append(opening("out", "sliding_door", (1.1, -0.09), (1, 0), ["west-living", "west-balcony"]))
+    named(openings_of(plan, 1), "west-window-1")["rooms"].append("west-balcony")
+
+
+def push_the_balcony_in(plan):
+    add_a_balcony(plan, y=-1.5)
+
+
 BROKEN = {
     "room_not_simple": cross, "rooms_overlap": overlap, "not_covered": leave_a_gap, "storey_differs": lose_a_flat_above,
     "too_narrow": make_narrow, "sliver": add_a_sliver, "opening_misplaced": move_a_door, "openings_overlap": put_a_window_on_a_door,
@@ -136,6 +147,7 @@ BROKEN = {
     "unreached": close_the_flat, "through_private": pass_the_bedroom, "through_dwelling": pass_a_flat, "way_out_long": stretch,
     "core_differs": shift_the_stairs, "dwelling_entrance": add_an_entrance, "dwelling_joined": join_the_flats,
     "dwelling_bathroom": lose_the_bath, "dwelling_kitchen": lose_the_kitchen,
+    "balcony_inside": push_the_balcony_in,
 }
 
 
@@ -144,6 +156,12 @@ def test_a_broken_building_is_found(code, tmp_path):
     plan = flats()
     BROKEN[code](plan)
     assert code in codes_of(write_project(tmp_path / "plans", (plan, (0, 0), 0)))
+
+
+def test_a_balcony_is_no_fault(tmp_path):
+    plan = flats()
+    add_a_balcony(plan)
+    assert codes_of(write_project(tmp_path / "plans", (plan, (0, 0), 0))) == set()
 
 
 def test_a_neighbour_in_front_of_a_window_is_found(tmp_path):
