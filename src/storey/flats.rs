@@ -30,6 +30,8 @@ const STAIRS_LIGHT: f64 = 1.3;
 const LEAST_FLAT: f64 = 18.0;
 /// Square metres from which on a landing has two flats.
 const TWO_FLATS: f64 = 110.0;
+/// Square metres of a section of a kind that says none.
+const USUAL_SECTION: f64 = 200.0;
 /// Square metres of sections that follow from the number of flats of a map, which may count what is planned otherwise.
 const KNOWN_SECTION: (f64, f64) = (90.0, 420.0);
 /// The attempt from which on sections that have no other plan are lofts, and square metres of the largest one.
@@ -71,7 +73,7 @@ pub(super) fn flats(
         Some(cells)
     };
     for ground in grounds {
-        let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(190.0);
+        let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(USUAL_SECTION);
         let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
         // Where a section has no plan, the storey may have one with sections of another size.
         let counts = match attempt {

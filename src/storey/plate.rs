@@ -1,9 +1,9 @@
 //! The floor that a storey has: the footprint without its outer walls, in pieces without holes.
 
-use geo::Buffer;
 use geo::algorithm::buffer::{BufferStyle, LineJoin};
+use geo::{BooleanOps, Buffer};
 
-use crate::geometry::{Point, Polygon, Segment, edges, ring_contains};
+use crate::geometry::{Point, Polygon, Segment, edges, ring_contains, signed_area};
 
 use super::disc::is_simple;
 use super::facade::{Around, Facade, look_out};
@@ -87,9 +87,9 @@ impl Outline {
         let holes: Vec<Ring> = self.courts.iter().flat_map(|court| moved(court, wall)).collect();
         let mut pieces: Vec<Ring> = Vec::new();
         for ring in moved(&self.outer, -wall) {
-            let inside = |hole: &&Ring| hole.iter().any(|corner| ring_contains(&ring, *corner));
-            let own: Vec<Ring> = holes.iter().filter(inside).cloned().collect();
-            pieces.extend(opened(ring, own, 0).into_iter().flat_map(without_thin_parts));
+            for (ring, own) in with_courts(ring, &holes) {
+                pieces.extend(opened(ring, own, 0).into_iter().flat_map(without_thin_parts));
+            }
         }
         pieces.retain(|ring| area(ring) >= LEAST_PIECE && is_simple(ring));
         pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
@@ -112,15 +112,49 @@ fn without_small_islands(pieces: Vec<Ring>, least: f64) -> Vec<Ring> {
     kept
 }
 
+/// A floor with the courts in it; without those that reach through its outline, where it ends at them.
+fn with_courts(ring: Ring, holes: &[Ring]) -> Vec<(Ring, Vec<Ring>)> {
+    let corners_inside = |hole: &Ring| hole.iter().filter(|corner| ring_contains(&ring, **corner)).count();
+    let own: Vec<Ring> = holes.iter().filter(|hole| corners_inside(hole) > 0).cloned().collect();
+    let crosses = |hole: &Ring| {
+        corners_inside(hole) < hole.len() || ring.iter().any(|corner| ring_contains(hole, *corner))
+    };
+    if !own.iter().any(crosses) {
+        return vec![(ring, own)];
+    }
+    let courts: Vec<geo::Polygon<f64>> = own.iter().map(|hole| surface(hole)).collect();
+    let floor = surface(&ring).difference(&geo::unary_union(&courts));
+    let ring_of = |line: &geo::LineString<f64>| {
+        let mut corners: Ring = line.0.iter().map(|coord| on_grid(Point::new(coord.x, coord.y))).collect();
+        corners.pop();
+        without_straight_corners(&tidy(corners))
+    };
+    let is_sound = |ring: &Ring| ring.len() > 2 && is_simple(ring);
+    let parts = floor.0.iter().map(|part| {
+        let courts = part.interiors().iter().map(ring_of).map(|mut court| {
+            // Courts run counter-clockwise, as outlines do.
+            if signed_area(&court) < 0.0 {
+                court.reverse();
+            }
+            court
+        });
+        (ring_of(part.exterior()), courts.filter(is_sound).collect())
+    });
+    parts.filter(|(ring, _)| is_sound(ring)).collect()
+}
+
+fn surface(ring: &[Point]) -> geo::Polygon<f64> {
+    let line = geo::LineString::from_iter(ring.iter().map(|corner| geo::Coord { x: corner.x, y: corner.y }));
+    geo::Polygon::new(line, Vec::new())
+}
+
 /// A ring whose edges move outwards by some metres, inwards if below zero; several where it falls apart, none if nothing is left.
 fn moved(ring: &Ring, by: f64) -> Vec<Ring> {
     if let Some(mitred) = mitred(ring, by) {
         return vec![mitred];
     }
-    let line = geo::LineString::from_iter(ring.iter().map(|corner| geo::Coord { x: corner.x, y: corner.y }));
-    let surface = geo::Polygon::new(line, Vec::new());
     let style = BufferStyle::new(by).line_join(LineJoin::Miter(std::f64::consts::FRAC_PI_6));
-    let parts = surface.buffer_with_style(style);
+    let parts = surface(ring).buffer_with_style(style);
     let rings = parts.0.iter().map(|part| {
         let corners: Ring =
             part.exterior().0.iter().map(|coord| on_grid(Point::new(coord.x, coord.y))).collect();

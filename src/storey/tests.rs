@@ -391,3 +391,14 @@ fn nobody_has_a_balcony_before_a_neighbours_wall() {
         assert!(!(0.0..40.0).contains(&at.x), "{at} is before a wall 4 m away");
     }
 }
+
+#[test]
+fn a_court_that_reaches_into_the_outer_wall_is_no_floor() {
+    let hole = Polygon::rectangle(Point::new(0.2, 8.0), Point::new(12.0, 12.0));
+    let shape = Region { holes: vec![hole], ..rectangle(0.0, 0.0, 40.0, 30.0) };
+    let planned = alone(shape.clone(), 2.0, "office");
+    for level in &planned.draft.levels {
+        let covered: f64 = level.rooms.iter().map(|room| area(&room.outline)).sum();
+        assert!(covered < shape.area() && covered > 0.85 * shape.area(), "{covered}");
+    }
+}
