@@ -163,21 +163,19 @@ impl<'s, 'l> Neighbourhood<'s, 'l> {
             // A border along the rays, as the sides of a doorway in the wall itself, is beside them.
             high - low > TOUCHING && low < sector.to - TOUCHING && high > sector.from + TOUCHING
         };
+        // A border that begins at the corner of a fan lies along one ray: those on one side of it begin in its room.
+        let begins_inside = |ends: [f64; 2]| {
+            ends[1] - ends[0] > RAMP && self.is_inside(sector, f64::midpoint(ends[0], ends[1]))
+        };
         is_wide
             && (self.rooms.iter().any(is_met)
-                || self.is_inside(sector, f64::midpoint(sector.from, sector.to)))
+                || stretches(sector, self.rooms.iter()).into_iter().any(begins_inside))
     }
 
     /// Depth by ray, as corners of a line that goes on without a step.
     fn profile(&self, sector: &Sector) -> Vec<[f64; 2]> {
-        let mut events = vec![sector.from, sector.to];
-        let lines = self.rooms.iter().chain(&self.mitres);
-        events.extend(lines.flat_map(|line| line.rays(sector)));
-        events.retain(|at| (sector.from..=sector.to).contains(at));
-        events.sort_by(f64::total_cmp);
-        events.dedup_by(|later, earlier| *later - *earlier < TOUCHING);
-        let steps: Vec<Step> =
-            events.windows(2).flat_map(|pair| self.steps(sector, [pair[0], pair[1]])).collect();
+        let stretches = stretches(sector, self.rooms.iter().chain(&self.mitres));
+        let steps: Vec<Step> = stretches.into_iter().flat_map(|ends| self.steps(sector, ends)).collect();
         without_jumps(&steps, sector)
     }
 
@@ -221,6 +219,16 @@ impl<'s, 'l> Neighbourhood<'s, 'l> {
             region.outline.bounds().contains(place) && region.contains(place)
         })
     }
+}
+
+/// The stretches of a sector between the rays through the ends of some lines.
+fn stretches<'l>(sector: &Sector, lines: impl Iterator<Item = &'l Line>) -> Vec<[f64; 2]> {
+    let mut events = vec![sector.from, sector.to];
+    events.extend(lines.flat_map(|line| line.rays(sector)));
+    events.retain(|at| (sector.from..=sector.to).contains(at));
+    events.sort_by(f64::total_cmp);
+    events.dedup_by(|later, earlier| *later - *earlier < TOUCHING);
+    events.windows(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 /// Without points in the middle of straight lines, on which outer and inner place go on alike.
