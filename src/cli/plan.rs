@@ -169,7 +169,7 @@ fn project_text(planned: &[PlannedSite], plans: Vec<FlowMap<Entry>>, seed: u64) 
         [one] => Some(&one.site.site),
         _ => None,
     };
-    let origin = |Origin { position, degrees }: Origin| {
+    let origin = |Origin { position, degrees, .. }: Origin| {
         FlowMap(OutOrigin { position: FlowSeq(position), degrees: degrees.map(FlowSeq) })
     };
     let project = OutProject {

@@ -18,6 +18,8 @@ pub(crate) fn metres_per_pixel(square_centimetres: f64) -> Option<f64> {
         .then(|| square_centimetres.sqrt() * CENTIMETRE)
 }
 
+/// Metres in a foot of surveys in the United States; the international one is shorter by two parts in a million.
+pub(crate) const US_FOOT: f64 = 1200.0 / 3937.0;
 /// Metres in a foot, the international one.
 pub(crate) const FOOT: f64 = 0.3048;
 /// Metres in an inch.

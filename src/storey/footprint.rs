@@ -18,10 +18,12 @@ pub struct Site {
 /// Where the origin of a plane in metres is on the earth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Origin {
-    /// The origin in the units of the reference system of the file: degrees of longitude and latitude, or metres.
+    /// The origin in the units of the reference system of the file: degrees of longitude and latitude, metres, or feet.
     pub position: [f64; 2],
     /// Degrees of longitude and latitude, where the reference system is known.
     pub degrees: Option<[f64; 2]>,
+    /// Whether those units are feet of surveys in the United States; the plane is in metres all the same.
+    pub is_in_feet: bool,
 }
 
 /// One building as a map shows it.

@@ -8,9 +8,9 @@ use super::footprint::{ReadSite, read_site, recognises};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat};
 use crate::document::{Fault, Faults, did_you_mean};
 use crate::geometry::{Bounds, Point};
-use crate::plan::units::LocalPlane;
+use crate::plan::units::{LocalPlane, US_FOOT};
 use crate::plan::{PlanOptions, Planning};
-use crate::storey::{Neighbourhood, PlannedBuilding, Site, plan_building};
+use crate::storey::{Neighbourhood, Origin, PlannedBuilding, Site, plan_building};
 
 /// Maps of building outlines.
 pub(super) const FORMAT: ForeignFormat = ForeignFormat {
@@ -52,7 +52,7 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
     };
     check_use(planning)?;
     let mut read = read_site(path)?;
-    let chosen = chosen(&read.site, planning);
+    let chosen = chosen(&read, planning);
     if chosen.is_empty() {
         let message = format!("none of its {} buildings is chosen", read.site.footprints.len());
         return Err(Fault::of_file(path, message).with_hint("see --only and --bbox").into());
@@ -84,13 +84,19 @@ fn check_use(Planning { typologies, choices }: Planning<'_>) -> Result<(), Fault
     Err(fault.with_hint(hint.unwrap_or_else(|| "see `uses` in typologies.yaml".to_owned())).into())
 }
 
-/// The numbers of the buildings that are asked for.
-fn chosen(site: &Site, planning: Planning<'_>) -> Vec<usize> {
+/// The numbers of the buildings that are asked for. The id of a building that is several stands for all of them.
+fn chosen(ReadSite { site, notes, .. }: &ReadSite, planning: Planning<'_>) -> Vec<usize> {
     let choices = planning.choices;
+    let split: Vec<&str> = notes.split.iter().map(|split| split.id.as_str()).collect();
+    let is_piece_of = |id: &str, whole: &str| {
+        let number = id.strip_prefix(whole).and_then(|rest| rest.strip_prefix('-'));
+        number.is_some_and(|number| number.parse::<usize>().is_ok()) && split.contains(&whole)
+    };
     let box_of_choice = choices.bounds.and_then(|bounds| on_plane(site, bounds));
     let is_chosen = |index: &usize| {
         let footprint = &site.footprints[*index];
-        let is_named = choices.only.is_empty() || choices.only.contains(&footprint.id);
+        let is_meant = |id: &String| *id == footprint.id || is_piece_of(&footprint.id, id);
+        let is_named = choices.only.is_empty() || choices.only.iter().any(is_meant);
         let middle = footprint.region.outline.bounds().center();
         is_named && (choices.bounds.is_none() || box_of_choice.is_some_and(|bounds| bounds.contains(middle)))
     };
@@ -99,11 +105,12 @@ fn chosen(site: &Site, planning: Planning<'_>) -> Vec<usize> {
 
 /// A box in the units of the map, west, south, east, north, on the plane of the site.
 fn on_plane(site: &Site, [west, south, east, north]: [f64; 4]) -> Option<Bounds> {
-    let [x, y] = site.origin.position;
-    let is_degrees = site.reference_system.as_deref() == Some("EPSG:4326");
+    let Origin { position: [x, y], degrees, is_in_feet } = site.origin;
+    let is_degrees = degrees == Some([x, y]);
+    let unit = if is_in_feet { US_FOOT } else { 1.0 };
     let point = |x_of: f64, y_of: f64| match is_degrees {
         true => LocalPlane::at(x, y).map(|plane| plane.project(x_of, y_of)),
-        false => Some(Point::new(x_of - x, y_of - y)),
+        false => Some(Point::new(x_of - x, y_of - y) * unit),
     };
     Some(Bounds::new(point(west, south)?, point(east, north)?))
 }

@@ -7,7 +7,7 @@ use super::projection::{Projection, code_of};
 use crate::document::Fault;
 use crate::geometry::{Bounds, Point};
 use crate::plan::limits::median;
-use crate::plan::units::LocalPlane;
+use crate::plan::units::{LocalPlane, US_FOOT};
 use crate::storey::Origin;
 
 /// The name of longitude and latitude where the file has none.
@@ -36,9 +36,9 @@ pub(super) enum Frame {
         /// The origin in degrees.
         origin: Point,
     },
-    /// Of a map in metres.
+    /// Of a map in metres, or in feet.
     Metres {
-        /// The origin in metres.
+        /// The origin in the units of the map.
         origin: Point,
         /// The projection of the map, where it is known.
         projection: Option<Projection>,
@@ -58,7 +58,7 @@ impl Frame {
         let is_in_degrees = match (&drawing.reference_system, projection) {
             (None, _) => drawing.is_degrees_unless_said,
             (Some(_), Some(Projection::Degrees)) => true,
-            (Some(_), Some(Projection::Metres(_))) => false,
+            (Some(_), Some(Projection::Metres(_) | Projection::Feet)) => false,
             // A reference system that is not known: metres are larger than degrees.
             (Some(_), Some(Projection::Unknown(_)) | None) => places.iter().copied().all(is_degrees),
         };
@@ -90,7 +90,10 @@ impl Frame {
                 let place = (place * DEGREE_PARTS).round() / DEGREE_PARTS;
                 plane.project(place.x, place.y)
             }
-            Self::Metres { origin, .. } => place - origin,
+            Self::Metres { origin, projection } => {
+                let unit = if projection == Some(Projection::Feet) { US_FOOT } else { 1.0 };
+                (place - origin) * unit
+            }
         };
         snapped(metres)
     }
@@ -120,11 +123,16 @@ impl Frame {
     pub(super) fn origin(&self) -> Origin {
         match self {
             Self::Degrees { origin, .. } => {
-                Origin { position: origin.to_array(), degrees: Some(origin.to_array()) }
+                let position = origin.to_array();
+                Origin { position, degrees: Some(position), ..Origin::default() }
             }
             Self::Metres { origin, projection } => {
                 let degrees = projection.and_then(|projection| projection.degrees(*origin));
-                Origin { position: origin.to_array(), degrees: degrees.map(|degrees| degrees.to_array()) }
+                Origin {
+                    position: origin.to_array(),
+                    degrees: degrees.map(|degrees| degrees.to_array()),
+                    is_in_feet: *projection == Some(Projection::Feet),
+                }
             }
         }
     }

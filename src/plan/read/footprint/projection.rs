@@ -6,7 +6,7 @@ use proj4rs::proj::Proj;
 use proj4rs::transform::transform;
 
 use crate::geometry::Point;
-use table::definition_of;
+use table::{definition_of, is_in_feet};
 
 /// Places in degrees are rounded to so many parts, a centimetre: the functions of the system, which PROJ uses, differ in digits far
 /// behind.
@@ -21,6 +21,8 @@ pub(super) enum Projection {
     Degrees,
     /// Metres, by its number in the table.
     Metres(u32),
+    /// Feet of the United States, on planes that are not in the table.
+    Feet,
     /// Not in the table.
     Unknown(u32),
 }
@@ -31,6 +33,7 @@ impl Projection {
         match code {
             4326 | 4258 | 4979 | 4937 | 6697 | 6668 | 4612 | 4269 | 4283 | 7844 | 4617 => Self::Degrees,
             _ if definition_of(code).is_some() => Self::Metres(code),
+            _ if is_in_feet(code) => Self::Feet,
             _ => Self::Unknown(code),
         }
     }
@@ -95,6 +98,10 @@ mod tests {
             (3857, (1_113_194.908, 0.0), (10.0, 0.0)),
             (7415, (155_000.0, 463_000.0), (5.387_206, 52.155_174)),
             (2056, (2_600_000.0, 1_200_000.0), (7.438_632, 46.951_083)),
+            (2950, (304_800.0, 0.0), (-73.5, 0.0)),
+            (6348, (500_000.0, 0.0), (-69.0, 0.0)),
+            (2958, (500_000.0, 0.0), (-81.0, 0.0)),
+            (31983, (500_000.0, 10_000_000.0), (-45.0, 0.0)),
             (27700, (651_409.903, 313_177.270), (1.716_038, 52.657_977)),
         ];
         for (code, (x, y), (longitude, latitude)) in places {
@@ -112,7 +119,8 @@ mod tests {
             assert!(Proj::from_proj_string(&definition_of(code).unwrap()).is_ok(), "EPSG:{code}");
             count += 1;
         }
-        assert_eq!(count, 280);
-        assert_eq!(Projection::of(2263), Projection::Unknown(2263));
+        assert_eq!(count, 331);
+        assert_eq!(Projection::of(2263), Projection::Feet);
+        assert_eq!(Projection::of(22_263), Projection::Unknown(22_263));
     }
 }

@@ -165,7 +165,12 @@ pub(super) fn definition_of(code: u32) -> Option<String> {
     Some(definition)
 }
 
-/// Families of numbers: UTM on WGS 84, of Europe, North America and Australia; Gauß-Krüger; Japan; the web.
+/// Whether a reference system counts in feet: the state planes of the United States on NAD 83, and its later realisations.
+pub(super) fn is_in_feet(code: u32) -> bool {
+    matches!(code, 2222..=2289 | 2867..=2930 | 3417..=3438 | 3441..=3446)
+}
+
+/// Families of numbers: UTM on WGS 84, of Europe, the Americas and Australia; Gauß-Krüger; Canada; Japan; the web.
 fn zone_of(code: u32) -> Option<String> {
     let utm = |zone: u32, south: &str| Some(format!("+proj=utm +zone={zone}{south}"));
     match code {
@@ -176,6 +181,10 @@ fn zone_of(code: u32) -> Option<String> {
         5554..=5556 => utm(code - 5523, ""),
         5972..=5976 => utm(code - 5940, ""),
         26901..=26923 => utm(code - 26900, ""),
+        6330..=6348 => utm(code - 6329, ""),
+        2955..=2957 => utm(code - 2944, ""),
+        2958..=2962 => utm(code - 2941, ""),
+        31978..=31985 => utm(code - 31960, " +south"),
         28348..=28358 => utm(code - 28300, " +south"),
         7846..=7859 => utm(code - 7800, " +south"),
         31466..=31469 => {
@@ -191,6 +200,8 @@ fn zone_of(code: u32) -> Option<String> {
             let east = zone * 1_000_000 + 500_000;
             Some(format!("+proj=tmerc +lat_0=0 +lon_0={zone} +k=1 +x_0={east} +y_0=0"))
         }
+        2945..=2952 => canada(code - 2945),
+        32183..=32190 => canada(code - 32183),
         6669..=6687 => japan(code - 6669),
         2443..=2461 => japan(code - 2443),
         3857 | 900_913 => Some(
@@ -199,6 +210,12 @@ fn zone_of(code: u32) -> Option<String> {
         ),
         _ => None,
     }
+}
+
+/// Modified transverse Mercator of eastern Canada, from its third zone.
+fn canada(index: u32) -> Option<String> {
+    let west = 58.5 + 3.0 * f64::from(index);
+    Some(format!("+proj=tmerc +lat_0=0 +lon_0=-{west} +k=0.9999 +x_0=304800 +y_0=0"))
 }
 
 fn japan(index: u32) -> Option<String> {

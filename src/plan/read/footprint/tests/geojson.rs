@@ -1,6 +1,7 @@
 //! Small maps in GeoJSON.
 
 use super::*;
+use crate::geometry::Point;
 use crate::plan::read::footprint::{FootprintFormat, recognises};
 
 /// A feature with properties and a square of so many degrees.
@@ -64,6 +65,20 @@ fn metres_are_read_with_their_reference_system_and_refused_without() {
     assert_eq!(found.site.footprints[0].region.outline.corners()[0].to_array(), [-210.5, 480.0]);
     let faults = read("a.geojson", with_crs("")).unwrap_err();
     assert!(faults.to_string().contains("no degrees of longitude and latitude"), "{faults}");
+}
+
+#[test]
+fn feet_become_metres() {
+    // 100 feet by 50 in Manhattan, on the state plane of Long Island.
+    let text = r#"{"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:2263"}}, "features": [
+        {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+        [[[988000, 212000], [988100, 212000], [988100, 212050], [988000, 212050]]]}}]}"#;
+    let found = read("a.geojson", text).unwrap();
+    assert!(found.faults.is_empty(), "{}", found.faults);
+    let origin = found.site.origin;
+    assert_eq!((origin.position, origin.is_in_feet), ([988_000.0, 212_000.0], true));
+    let size = found.site.footprints[0].region.outline.bounds().size();
+    assert!((size - Point::new(30.48, 15.24)).abs().max_element() < 1e-3, "{size}");
 }
 
 #[test]
