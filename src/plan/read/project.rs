@@ -131,8 +131,14 @@ pub(super) fn read_project(source: &Source, options: &PlanOptions<'_>) -> (Vec<R
         placed: Vec::new(),
         faults: Faults::default(),
     };
+    let last_uses: BTreeMap<&Path, usize> =
+        file.project.plans.iter().zip(0..).map(|(plan, index)| (plan.plan.as_path(), index)).collect();
     for (index, plan) in file.project.plans.iter().enumerate() {
         reading.add_plan(&item(&["project".into()], "plans", index), plan);
+        // Drafts are ten times as large as the buildings made of them: those of a whole city are not kept.
+        if last_uses.get(plan.plan.as_path()) == Some(&index) {
+            reading.drafts.remove(&reading.folder.join(&plan.plan));
+        }
     }
     let mut faults = reading.report.finish();
     faults.merge(reading.faults);
@@ -163,7 +169,7 @@ struct Reading<'a> {
     report: Report<'a>,
     folder: PathBuf,
     options: &'a PlanOptions<'a>,
-    /// The content of each plan file, read once however often it is built; none where it cannot be read.
+    /// The content of each plan file that is still needed, read once however often it is built; none where it cannot be read.
     drafts: BTreeMap<PathBuf, Option<Drafts>>,
     /// Buildings by file, number in the file, and variation: equal ones are one.
     buildings: BTreeMap<(PathBuf, usize, Variation), Arc<Building>>,
