@@ -1,0 +1,221 @@
+// What is shown now, and the ways to change that: building, level, way of looking, chosen piece. The controls call it; it calls `hooks`.
+import { Batches } from './model/batches.js';
+import { Library } from './model/library.js';
+import { Rooms } from './model/rooms.js';
+import { obstaclesOf } from './plan/collision.js';
+import { add, directionOf, scale, toPlan, toScene } from './plan/frame.js';
+import { boundsOf, clampedInto, middleOf, roomAt } from './plan/polygon.js';
+import { wallsOf } from './plan/walls.js';
+import { readEvent, readLevel, readPlace, readSite, writePlace } from './server/contract.js';
+import { Feed } from './server/feed.js';
+import { clear, say } from './page/messages.js';
+import { Light } from './view/light.js';
+import { OrbitView, PlanView } from './view/orbit.js';
+import { Neighbours, Outline } from './view/outline.js';
+import { WalkView } from './view/walk.js';
+
+/** Metres between a viewer who is sent to a piece and that piece. */
+const VISIT_DISTANCE = 1.8;
+
+export class App {
+  constructor(stage, server, isReduced) {
+    Object.assign(this, { stage, server, isReduced });
+    this.batches = new Batches(stage.scene);
+    this.rooms = new Rooms(this.batches);
+    this.light = new Light(stage);
+    this.outline = new Outline(stage.scene);
+    this.neighbours = new Neighbours(stage.scene);
+    const anisotropy = Math.min(8, stage.renderer.capabilities.getMaxAnisotropy());
+    this.feed = new Feed(server, new Library(this.batches, anisotropy), this.rooms, {
+      viewpoint: () => this.view.viewpoint(),
+      changed: (room) => this.roomChanged(room),
+      failed: (error, room) => say('feed', `${room ? `Room ${room}` : 'The view'} could not be brought up to date: ${error.message}`),
+      recovered: () => clear('feed'),
+    });
+    this.views = { orbit: new OrbitView(stage, isReduced), plan: new PlanView(stage, isReduced), walk: new WalkView(stage, () => this.ground()) };
+    this.mode = 'orbit';
+    this.map = { rooms: [], openings: [] };
+    this.selected = null;
+    this.hooks = { levelOpened() {}, modeChanged() {}, roomsChanged() {}, selectionChanged() {}, siteChanged() {} };
+    stage.resized = (aspect) => Object.values(this.views).forEach((view) => view.resize(aspect));
+  }
+
+  get view() {
+    return this.views[this.mode];
+  }
+
+  get place() {
+    return { building: this.building.id, level: this.level.id };
+  }
+
+  async start() {
+    this.site = readSite(await this.server.site());
+    const wanted = readPlace(window.location.hash);
+    const building = this.site.buildings.find(({ id }) => id === wanted.building) ?? this.site.buildings[0];
+    this.hooks.siteChanged();
+    await this.openLevel(building.id, wanted.level);
+    this.setMode(wanted.mode);
+    if (this.site.kind === 'plan') this.listen();
+  }
+
+  /** Shows a level; the first one of the building if it has none of that id. */
+  async openLevel(buildingId, levelId) {
+    const building = this.site.buildings.find(({ id }) => id === buildingId);
+    const level = building.levels.find(({ id }) => id === levelId) ?? building.levels[0];
+    const isOther = building !== this.building;
+    const map = readLevel(await this.server.level({ building: building.id, level: level.id }));
+    this.rooms.clear();
+    this.batches.tidy();
+    Object.assign(this, { building, level });
+    this.setMap(map);
+    this.select(null);
+    this.light.lowerGround(level.elevation);
+    this.neighbours.show(building, level, this.site.buildings);
+    if (isOther || this.mode !== 'walk') this.fit();
+    if (isOther) this.enterSomewhere();
+    this.feed.open(this.place, this.site.kind === 'bake');
+    this.keepPlace();
+    this.hooks.levelOpened();
+    this.stage.invalidate();
+  }
+
+  setMap(map) {
+    this.map = map;
+    this.walls = wallsOf(map);
+    this.obstacles = null;
+  }
+
+  /** Rooms and obstacles of the level as a walker asks for them. */
+  ground() {
+    this.obstacles ??= obstaclesOf(this.walls, this.rooms.bodies());
+    return { rooms: this.map.rooms, obstacles: this.obstacles };
+  }
+
+  fit() {
+    const points = this.map.rooms.flatMap(({ outline }) => outline);
+    const bounds = points.length > 0 ? boundsOf(points) : this.building.bounds;
+    this.views.orbit.fit(bounds, this.level.height);
+    this.views.plan.fit(bounds);
+  }
+
+  enterSomewhere() {
+    const room = roomAt(this.map.rooms, toPlan(this.views.orbit.view().target)) ?? this.map.rooms[0];
+    if (!room) return;
+    this.views.walk.enter(room, middleOf(room));
+    this.views.walk.pitch = -0.1;
+  }
+
+  setMode(mode) {
+    const former = this.view;
+    this.mode = mode;
+    former.activate(false);
+    this.view.activate(true);
+    // Somebody who looks from above ceilings sees nothing else.
+    this.rooms.showCeilings(mode === 'walk');
+    this.feed.lookNow();
+    this.keepPlace();
+    this.hooks.modeChanged();
+    this.stage.invalidate();
+  }
+
+  keepPlace() {
+    window.history.replaceState(null, '', writePlace({ ...this.place, mode: this.mode }));
+  }
+
+  /** Takes the stairs or the lift of the room where the walker is. */
+  async changeFloor(direction) {
+    const target = this.roomBeyond(direction);
+    const index = this.building.levels.indexOf(this.level) + (direction === 'above' ? 1 : -1);
+    if (!target || !this.building.levels[index]) return;
+    const { position } = this.views.walk;
+    await this.openLevel(this.building.id, this.building.levels[index].id);
+    const room = this.map.rooms.find(({ id }) => id === target);
+    if (room) this.views.walk.enter(room, clampedInto(position, room, 0.3));
+  }
+
+  /** The room above or below the walker, to which stairs or a lift lead, or null. */
+  roomBeyond(direction) {
+    const { room } = this.views.walk;
+    return this.map.rooms.find(({ id }) => id === room?.id)?.[direction] ?? null;
+  }
+
+  select(selected) {
+    this.selected = selected;
+    this.outline.show(this.piece());
+    this.hooks.selectionChanged();
+    this.stage.invalidate();
+  }
+
+  /** The chosen piece as it is now, or null. */
+  piece() {
+    return this.selected?.piece ? this.rooms.pieceOf(this.selected.room, this.selected.piece) : null;
+  }
+
+  roomChanged(room) {
+    this.obstacles = null;
+    if (this.selected?.room === room) this.outline.show(this.piece());
+    this.hooks.roomsChanged(room);
+    this.stage.invalidate();
+  }
+
+  /** Brings the viewer to a piece, or to a room. */
+  visit(roomId, pieceId = null) {
+    const room = this.map.rooms.find(({ id }) => id === roomId);
+    if (!room) return;
+    const piece = pieceId && this.rooms.pieceOf(roomId, pieceId);
+    const target = piece ? piece.at : middleOf(room);
+    if (this.mode !== 'walk') this.view.goTo(toScene(target, piece?.bottom ?? 0), piece ? 5 : 9);
+    else this.walkTo(room, target, piece);
+  }
+
+  walkTo(room, target, piece) {
+    const front = piece ? add(target, scale(directionOf(piece.angle - Math.PI / 2), VISIT_DISTANCE)) : target;
+    this.views.walk.enter(room, front);
+    if (piece) this.views.walk.faceTo(target);
+  }
+
+  setLight(mode) {
+    this.light.set(mode);
+    this.hooks.modeChanged();
+  }
+
+  /** Keeps up with the files of the plan. */
+  listen() {
+    const events = new EventSource('api/events');
+    events.addEventListener('message', ({ data }) => {
+      const event = readEvent(data);
+      if (event?.kind === 'faults') say('faults', `The plan as it is now cannot be read; the last good state stays.\n${event.faults.join('\n')}`);
+      if (event?.kind === 'changed') this.followChange(event).catch((error) => say('feed', error.message));
+    });
+    events.addEventListener('error', () => say('events', 'The server does not answer. If it was stopped, start `roomwright view` again, then reload this page.'));
+    events.addEventListener('open', () => clear('events'));
+  }
+
+  async followChange({ rooms }) {
+    clear('faults');
+    this.feed.lookNow();
+    // Without a list of rooms, walls and doors may have changed, too.
+    if (rooms !== null) return;
+    const { place } = this;
+    const [site, map] = await Promise.all([this.server.site(), this.server.level(place)]);
+    this.site = readSite(site);
+    const building = this.site.buildings.find(({ id }) => id === place.building);
+    const level = building?.levels.find(({ id }) => id === place.level);
+    if (!level) return this.openLevel((building ?? this.site.buildings[0]).id, null);
+    Object.assign(this, { building, level });
+    this.setMap(readLevel(map));
+    this.hooks.siteChanged();
+    this.hooks.levelOpened();
+    return undefined;
+  }
+
+  /** Moves everything on by a frame; gives whether there is something new to see. */
+  update(seconds) {
+    const isMoved = this.view.update(seconds);
+    const walker = this.mode === 'walk' ? this.views.walk.position : null;
+    const isSwinging = this.rooms.openings.update(walker, seconds, this.isReduced);
+    const eye = this.mode === 'walk' ? this.views.walk.camera.position.toArray() : this.view.view().target;
+    if (this.light.mode === 'lamp') this.light.follow(eye, this.rooms.contents().flatMap(({ lamps }) => lamps));
+    return isMoved || isSwinging;
+  }
+}

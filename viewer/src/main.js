@@ -1,0 +1,92 @@
+// The page begins here: it puts the parts together, and says in words what is missing if it cannot.
+import { App } from './app.js';
+import { Editor } from './editor.js';
+import { byId } from './page/elements.js';
+import { Input } from './page/input.js';
+import { Markers } from './page/markers.js';
+import { say } from './page/messages.js';
+import { Panel } from './page/panel.js';
+import { Toolbar } from './page/toolbar.js';
+import { Server } from './server/server.js';
+import { Stage } from './view/stage.js';
+
+function begin() {
+  const server = new Server();
+  const stage = openStage();
+  if (!stage) return;
+  const isReduced = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+  const app = new App(stage, server, isReduced);
+  const editor = new Editor(app, server);
+  const toolbar = new Toolbar(app, editor);
+  const panel = new Panel(app, editor);
+  const markers = new Markers(app, panel);
+  new Input(app, editor, panel, toolbar);
+  connect(app, { toolbar, panel, markers });
+  stage.resize();
+  window.roomwright = { stats: () => statsOf(app) };
+  app.start().then(() => {
+    let room = null;
+    stage.run((seconds) => {
+      const isChanged = app.update(seconds);
+      // The panel follows a walker from room to room.
+      if (app.views.walk.room !== room) {
+        room = app.views.walk.room;
+        toolbar.updateStairs();
+        panel.update();
+      }
+      byId('status').textContent = statusOf(app);
+      return isChanged;
+    });
+  }).catch((error) => say('start', `Nothing can be shown: ${error.message}`));
+}
+
+function openStage() {
+  try {
+    return new Stage(byId('canvas'));
+  } catch {
+    say('start', 'This browser shows no WebGL 2, which the view needs. Switch on hardware acceleration in its settings, or try another browser.');
+    return null;
+  }
+}
+
+/** Who is told of which change. */
+function connect(app, { toolbar, panel, markers }) {
+  // Many rooms change in one frame; the panel is written once.
+  let isDue = false;
+  const refresh = () => {
+    if (isDue) return;
+    isDue = true;
+    requestAnimationFrame(() => {
+      isDue = false;
+      panel.update();
+      markers.update();
+      markers.place();
+    });
+  };
+  app.hooks = {
+    siteChanged: () => toolbar.updateSettings(),
+    levelOpened: () => { toolbar.update(); refresh(); },
+    modeChanged: () => { toolbar.update(); refresh(); },
+    roomsChanged: refresh,
+    selectionChanged: refresh,
+  };
+  app.stage.drawn = () => markers.place();
+}
+
+function statusOf({ feed }) {
+  return feed.waiting > 0 ? `${feed.waiting} ${feed.waiting === 1 ? 'room' : 'rooms'} on the way` : '';
+}
+
+/** The state of the page in figures, for tests and for whoever measures. */
+function statsOf(app) {
+  const { render, memory } = app.stage.renderer.info;
+  const { walk } = app.views;
+  return {
+    rooms: app.rooms.size, calls: render.calls, triangles: render.triangles, frame_ms: app.stage.frameTime, mode: app.mode, light: app.light.mode,
+    building: app.building?.id, level: app.level?.id, room: app.mode === 'walk' ? walk.room?.id ?? null : app.selected?.room ?? null,
+    position: app.mode === 'walk' ? walk.position : null, heading: walk.heading, selected: app.selected, place: app.piece()?.at ?? null,
+    waiting: app.feed.waiting, textures: memory.textures, geometries: memory.geometries,
+  };
+}
+
+begin();

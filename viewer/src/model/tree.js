@@ -1,0 +1,130 @@
+// A document taken apart: which rooms and openings it holds, and of each the primitives to draw and where, the pieces of furniture
+// and the lamps. Nothing here looks at triangles.
+//
+// A primitive is {key, source: [mesh, primitive], material, matrix, role, piece}. Equal keys are equal triangles with equal material,
+// in all documents: furniture lies in files of its own, whose names hold a hash of their bytes. Everything else is keyed by its document.
+import { toPlan } from '../plan/frame.js';
+import { IDENTITY, angleOf, matrixOf, multiplied, positionOf } from './matrix.js';
+
+/** {rooms, openings} of a glTF document; `documentKey` tells its own buffers from those of other documents. */
+export function readTree(json, documentKey) {
+  const reader = new Reader(json, documentKey);
+  const scene = json.scenes?.[json.scene ?? 0];
+  for (const node of scene?.nodes ?? []) reader.visit(node, IDENTITY, {});
+  return { rooms: reader.rooms, openings: reader.openings };
+}
+
+class Reader {
+  constructor(json, documentKey) {
+    this.json = json;
+    this.documentKey = documentKey;
+    this.rooms = [];
+    this.openings = [];
+    this.materialKeys = (json.materials ?? []).map((material) => materialKey(json, material, documentKey));
+  }
+
+  /** `within`: the room, opening, piece and leaf that the node lies in. */
+  visit(index, parentMatrix, within) {
+    const node = this.json.nodes[index];
+    const matrix = multiplied(parentMatrix, matrixOf(node));
+    const place = this.entered(node, matrix, parentMatrix, within);
+    this.readPrimitives(node, matrix, place);
+    for (const child of node.children ?? []) this.visit(child, matrix, place);
+  }
+
+  entered(node, matrix, parentMatrix, within) {
+    const extras = node.extras ?? {};
+    if (extras.kind === 'room') return { room: this.addRoom(extras) };
+    if (extras.kind === 'opening') return { opening: this.addOpening(node, matrix) };
+    if (extras.kind === 'furniture' && within.room) return { ...within, piece: addPiece(node, matrix, parentMatrix, within) };
+    if (extras.kind === 'light' && within.room) within.room.lamps.push({ position: positionOf(matrix), lumens: extras.lumens, kelvin: extras.kelvin });
+    if (extras.kind === 'part') return this.enteredPart(node, extras, matrix, within);
+    return within;
+  }
+
+  enteredPart(node, extras, matrix, within) {
+    if (extras.part === 'column' && within.room && extras.outline) within.room.columns.push(extras.outline);
+    if (extras.part === 'leaf' && within.opening) return { ...within, part: 'leaf', leaf: this.addLeaf(node, matrix, within.opening) };
+    return { ...within, part: extras.part };
+  }
+
+  addRoom(extras) {
+    const room = { id: extras.room, extras, primitives: [], pieces: [], lamps: [], columns: [] };
+    this.rooms.push(room);
+    return room;
+  }
+
+  addOpening(node, matrix) {
+    const opening = { name: node.name, extras: node.extras, center: toPlan(positionOf(matrix)), primitives: [], leaves: [] };
+    this.openings.push(opening);
+    return opening;
+  }
+
+  addLeaf(node, matrix, opening) {
+    const leaf = { matrix, hinge: toPlan(positionOf(matrix)), extent: this.extentOf(node), primitives: [] };
+    opening.leaves.push(leaf);
+    return leaf;
+  }
+
+  /** Where a leaf begins and ends along its wall, in the frame of its node. */
+  extentOf({ mesh }) {
+    const boxes = (this.json.meshes?.[mesh]?.primitives ?? []).map(({ attributes }) => this.json.accessors[attributes.POSITION]);
+    if (boxes.length === 0) return { from: 0, to: 0 };
+    return { from: Math.min(...boxes.map(({ min }) => min[0])), to: Math.max(...boxes.map(({ max }) => max[0])) };
+  }
+
+  readPrimitives({ mesh }, matrix, { room, opening, piece, part, leaf }) {
+    const owner = leaf ?? opening ?? room;
+    if (mesh === undefined || !owner) return;
+    this.json.meshes[mesh].primitives.forEach((primitive, index) => {
+      owner.primitives.push({
+        key: this.keyOf(mesh, index, primitive),
+        source: [mesh, index],
+        material: this.materialKeys[primitive.material] ?? 'none',
+        matrix,
+        role: piece ? 'furniture' : part ?? 'part',
+        piece: piece?.id ?? null,
+      });
+    });
+  }
+
+  keyOf(mesh, index, { attributes, indices, material }) {
+    const accessors = [attributes.POSITION, indices].filter((accessor) => accessor !== undefined).map((accessor) => this.json.accessors[accessor]);
+    const places = accessors.map(({ bufferView, byteOffset = 0 }) => {
+      const view = this.json.bufferViews[bufferView];
+      const uri = this.json.buffers[view.buffer].uri;
+      return uri && `${uri}@${(view.byteOffset ?? 0) + byteOffset}`;
+    });
+    const triangles = places.every(Boolean) ? places.join('+') : `${this.documentKey}:${mesh}.${index}`;
+    return `${triangles} ${this.materialKeys[material] ?? 'none'}`;
+  }
+}
+
+function addPiece(node, matrix, parentMatrix, { room, piece: holder }) {
+  const { class: kind, id, parent, side, size, variant } = node.extras;
+  const [x, y] = toPlan(positionOf(matrix));
+  const piece = {
+    id, kind, parent, side, size, variant, room: room.id,
+    // The piece that carries this one, whose frame its edits are in.
+    holder: holder?.id ?? null, holderMatrix: holder ? parentMatrix : IDENTITY,
+    matrix, at: [x, y], angle: angleOf(matrix), bottom: matrix[13],
+  };
+  room.pieces.push(piece);
+  return piece;
+}
+
+/** Equal keys are equal materials, also of different documents. Images inside a document are told by that document. */
+function materialKey(json, material, documentKey) {
+  const withImages = JSON.stringify(material, (name, value) => {
+    if (!name.endsWith('Texture') || typeof value?.index !== 'number') return value;
+    return { ...value, index: textureKey(json, value.index, documentKey) };
+  });
+  return withImages;
+}
+
+/** The name of the picture of a texture, the same in all documents that load it from a file. */
+export function textureKey(json, index, documentKey) {
+  const { source, sampler } = json.textures[index];
+  const image = json.images[source];
+  return `${image.uri ?? `${documentKey}:${source}`} ${JSON.stringify(json.samplers?.[sampler] ?? null)}`;
+}
