@@ -2,7 +2,7 @@
 import { Batches } from './model/batches.js';
 import { Library } from './model/library.js';
 import { Rooms } from './model/rooms.js';
-import { obstaclesOf } from './plan/collision.js';
+import { obstaclesOf, openestHeading } from './plan/collision.js';
 import { add, directionOf, scale, toPlan, toScene } from './plan/frame.js';
 import { boundsOf, clampedInto, middleOf, roomAt } from './plan/polygon.js';
 import { wallsOf } from './plan/walls.js';
@@ -12,6 +12,7 @@ import { clear, say } from './page/messages.js';
 import { Light } from './view/light.js';
 import { OrbitView, PlanView } from './view/orbit.js';
 import { Neighbours, Outline } from './view/outline.js';
+import { Storeys } from './view/storeys.js';
 import { WalkView } from './view/walk.js';
 
 /** Metres between a viewer who is sent to a piece and that piece. */
@@ -25,6 +26,7 @@ export class App {
     this.light = new Light(stage);
     this.outline = new Outline(stage.scene);
     this.neighbours = new Neighbours(stage.scene);
+    this.storeys = new Storeys(stage.scene);
     const anisotropy = Math.min(8, stage.renderer.capabilities.getMaxAnisotropy());
     this.feed = new Feed(server, new Library(this.batches, anisotropy), this.rooms, {
       viewpoint: () => this.view.viewpoint(),
@@ -77,6 +79,17 @@ export class App {
     this.keepPlace();
     this.hooks.levelOpened();
     this.stage.invalidate();
+    await this.showStoreysBelow();
+  }
+
+  async showStoreysBelow() {
+    const { building, level } = this;
+    this.storeys.clear();
+    const below = building.levels.filter(({ elevation }) => elevation < level.elevation);
+    const maps = await Promise.all(below.map(({ id }) => this.server.level({ building: building.id, level: id })));
+    if (level !== this.level) return;
+    this.storeys.show(level.elevation, maps.map(readLevel));
+    this.stage.invalidate();
   }
 
   setMap(map) {
@@ -101,8 +114,10 @@ export class App {
   enterSomewhere() {
     const room = roomAt(this.map.rooms, toPlan(this.views.orbit.view().target)) ?? this.map.rooms[0];
     if (!room) return;
-    this.views.walk.enter(room, middleOf(room));
-    this.views.walk.pitch = -0.1;
+    const { walk } = this.views;
+    walk.enter(room, middleOf(room));
+    walk.heading = openestHeading(walk.position, this.ground().obstacles);
+    walk.pitch = -0.1;
   }
 
   setMode(mode) {

@@ -1,7 +1,7 @@
 // Models and materials by the keys of `tree.js`: each is parsed once, whichever room brings it first.
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { extract } from './extract.js';
-import { textureKey } from './tree.js';
+import { textureKeys } from './tree.js';
 
 /** Below it lie the files that several rooms share. */
 const SHARED_FOLDER = 'shared/';
@@ -17,7 +17,7 @@ export class Library {
   }
 
   /** Makes the primitives of a document known. Rejects if the file or a file that it shares cannot be read. */
-  async load(document, documentKey, primitives) {
+  async load(document, primitives) {
     const missing = new Map();
     for (const primitive of primitives) {
       if (!this.batches.has(primitive.key)) missing.set(primitive.key, primitive);
@@ -25,20 +25,21 @@ export class Library {
     if (missing.size === 0) return;
     const wanted = [...missing.values()];
     const file = extract(document, wanted.map(({ source, material }) => ({ source, isPlain: this.batches.hasMaterial(material) })));
+    const textures = textureKeys(document);
     const { scene, parser } = await this.loader.parseAsync(file, SHARED_FOLDER);
     // What is not adopted was never drawn: it holds nothing of the graphics card.
     wanted.forEach(({ key, material }, index) => {
       const mesh = firstMesh(scene.children[index]);
-      this.batches.addGeometry(key, material, () => this.adopt(mesh.material, parser, documentKey), mesh.geometry);
+      this.batches.addGeometry(key, material, () => this.adopt(mesh.material, parser, textures), mesh.geometry);
     });
   }
 
   /** The material with the textures that are there already. */
-  adopt(material, parser, documentKey) {
+  adopt(material, parser, textures) {
     const keys = [];
     for (const slot of TEXTURE_SLOTS.filter((name) => material[name])) {
       const index = parser.associations.get(material[slot])?.textures;
-      const key = `${slot === 'map' || slot === 'emissiveMap' ? 'colour' : 'data'} ${textureKey(parser.json, index, documentKey)}`;
+      const key = `${slot === 'map' || slot === 'emissiveMap' ? 'colour' : 'data'} ${textures[index]}`;
       const known = this.textures.get(key) ?? { texture: material[slot], uses: 0 };
       known.uses += 1;
       known.texture.anisotropy = this.anisotropy;

@@ -2,25 +2,29 @@
 // and the lamps. Nothing here looks at triangles.
 //
 // A primitive is {key, source: [mesh, primitive], material, matrix, role, piece}. Equal keys are equal triangles with equal material,
-// in all documents: furniture lies in files of its own, whose names hold a hash of their bytes. Everything else is keyed by its document.
+// in all documents: furniture lies in files of its own, whose names hold a hash of their bytes, and images inside a document are told
+// by their bytes. Everything else is keyed by its document.
 import { toPlan } from '../plan/frame.js';
 import { IDENTITY, angleOf, matrixOf, multiplied, positionOf } from './matrix.js';
 
 /** {rooms, openings} of a glTF document; `documentKey` tells its own buffers from those of other documents. */
-export function readTree(json, documentKey) {
-  const reader = new Reader(json, documentKey);
+export function readTree(document, documentKey) {
+  const { json } = document;
+  const reader = new Reader(document, documentKey);
   const scene = json.scenes?.[json.scene ?? 0];
   for (const node of scene?.nodes ?? []) reader.visit(node, IDENTITY, {});
   return { rooms: reader.rooms, openings: reader.openings };
 }
 
 class Reader {
-  constructor(json, documentKey) {
+  constructor(document, documentKey) {
+    const { json } = document;
     this.json = json;
     this.documentKey = documentKey;
     this.rooms = [];
     this.openings = [];
-    this.materialKeys = (json.materials ?? []).map((material) => materialKey(json, material, documentKey));
+    const textures = textureKeys(document);
+    this.materialKeys = (json.materials ?? []).map((material) => materialKey(material, textures));
   }
 
   /** `within`: the room, opening, piece and leaf that the node lies in. */
@@ -113,18 +117,23 @@ function addPiece(node, matrix, parentMatrix, { room, piece: holder }) {
   return piece;
 }
 
-/** Equal keys are equal materials, also of different documents. Images inside a document are told by that document. */
-function materialKey(json, material, documentKey) {
-  const withImages = JSON.stringify(material, (name, value) => {
+/** Equal keys are equal materials, also of different documents. */
+function materialKey(material, textures) {
+  return JSON.stringify(material, (name, value) => {
     if (!name.endsWith('Texture') || typeof value?.index !== 'number') return value;
-    return { ...value, index: textureKey(json, value.index, documentKey) };
+    return { ...value, index: textures[value.index] };
   });
-  return withImages;
 }
 
-/** The name of the picture of a texture, the same in all documents that load it from a file. */
-export function textureKey(json, index, documentKey) {
-  const { source, sampler } = json.textures[index];
-  const image = json.images[source];
-  return `${image.uri ?? `${documentKey}:${source}`} ${JSON.stringify(json.samplers?.[sampler] ?? null)}`;
+/** A key for each texture of a document, the same for equal pictures of all documents. */
+export function textureKeys({ json, binary }) {
+  const images = (json.images ?? []).map((image) => image.uri ?? bytesKey(binary, json.bufferViews[image.bufferView]));
+  return (json.textures ?? []).map(({ source, sampler }) => `${images[source]} ${JSON.stringify(json.samplers?.[sampler] ?? null)}`);
+}
+
+/** The length and a hash of the bytes of a view: FNV-1a by G. Fowler, L. C. Noll and P. Vo. Images inside documents are small. */
+function bytesKey(binary, { byteOffset = 0, byteLength }) {
+  let hash = 0x811c9dc5;
+  for (const byte of binary.subarray(byteOffset, byteOffset + byteLength)) hash = Math.imul(hash ^ byte, 0x01000193);
+  return `${byteLength}:${hash >>> 0}`;
 }

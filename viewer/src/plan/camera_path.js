@@ -11,23 +11,45 @@ export function viewDuring(from, to, seconds, isInstant = false) {
   return { position: between(from.position, to.position), target: between(from.target, to.target), hasArrived: share === 1 };
 }
 
-/** The view of a whole level from the south-east above: bounds in plan coordinates, vertical field of view in radians. */
+/** From the target towards the viewer of a whole level: from the south-east above. */
+const TOWARDS_VIEWER = [0.3, 0.8, 0.52];
+/** Share of the picture that stays free around a level. */
+const MARGIN = 1.06;
+
+/**
+ * The view that shows a level just wholly: bounds in plan coordinates, metres of height, vertical field of view in radians.
+ * Each corner of its box asks for a distance at which it lies within the edges of the picture; the greatest one holds.
+ */
 export function viewOfLevel([low, high], height, fov, aspect) {
-  const [width, depth] = [high[0] - low[0], high[1] - low[1]];
-  const radius = Math.max(1, Math.hypot(width, depth, height) / 2);
-  // The narrower of the two angles of the picture decides.
-  const half = Math.min(fov / 2, Math.atan(Math.tan(fov / 2) * aspect));
-  const distance = radius / Math.sin(half) * 0.92;
-  const target = [(low[0] + high[0]) / 2, 0, -(low[1] + high[1]) / 2];
-  const direction = [0.42, 0.78, 0.62];
-  const length = Math.hypot(...direction);
-  return { target, position: target.map((value, axis) => value + direction[axis] / length * distance) };
+  const target = [(low[0] + high[0]) / 2, height / 3, -(low[1] + high[1]) / 2];
+  const [right, up] = basisOf(TOWARDS_VIEWER);
+  const tangent = Math.tan(fov / 2) / MARGIN;
+  const corners = [low[0], high[0]].flatMap((x) => [0, height].flatMap((y) => [low[1], high[1]].map((north) => [x, y, -north])));
+  const distances = corners.map((corner) => {
+    const offset = corner.map((value, axis) => value - target[axis]);
+    const across = Math.max(Math.abs(product(offset, right)) / aspect, Math.abs(product(offset, up)));
+    return across / tangent + product(offset, TOWARDS_VIEWER);
+  });
+  const distance = Math.max(2, ...distances);
+  return { target, position: target.map((value, axis) => value + TOWARDS_VIEWER[axis] * distance) };
 }
+
+const product = (a, b) => a.reduce((sum, value, axis) => sum + value * b[axis], 0);
+
+/** The directions on the screen that are right and up for a viewer who stands in direction `backward`. */
+function basisOf([x, y, z]) {
+  const flat = Math.hypot(x, z);
+  const right = [z / flat, 0, -x / flat];
+  return [right, [-x * y / flat, flat, -z * y / flat]];
+}
+
+/** Rise to run of the view of one place: steep enough to look over the walls of a room. */
+const STEEPNESS = 1.7;
 
 /** The view of one place of a level, keeping the direction of the present view. */
 export function viewOfPlace(target, { position, target: former }, distance = 5) {
   const direction = position.map((value, axis) => value - former[axis]);
-  direction[1] = Math.max(direction[1], 0.9 * Math.hypot(direction[0], direction[2]));
+  direction[1] = Math.max(direction[1], STEEPNESS * Math.hypot(direction[0], direction[2]));
   const length = Math.hypot(...direction) || 1;
   return { target, position: target.map((value, axis) => value + direction[axis] / length * distance) };
 }

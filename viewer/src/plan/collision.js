@@ -1,5 +1,5 @@
 // A walker is a circle that walls, columns and furniture push out.
-import { add, distance, lengthOf, scale, subtract, turned } from './frame.js';
+import { add, cross, directionOf, distance, lengthOf, scale, subtract, turned } from './frame.js';
 import { isInRoom, latticeOf, middleOf, nearestOnSegment, sidesOf } from './polygon.js';
 
 /** Half of the width that a walker takes (metres): passes the narrowest doors with some slack. */
@@ -94,4 +94,21 @@ export function findFree(room, wanted, obstacles) {
   const places = latticeOf(room, 24).filter((point) => isInRoom(point, room) && isFree(point, obstacles));
   places.sort((a, b) => distance(a, wanted) - distance(b, wanted));
   return places[0] ?? middleOf(room);
+}
+
+/** The direction (radians) in which somebody sees farthest before a wall, of a few. */
+export function openestHeading(position, { segments }) {
+  const headings = Array.from({ length: 16 }, (_, index) => index * Math.PI / 8);
+  const farthest = headings.map((heading) => Math.min(...segments.map((segment) => distanceAlong(position, directionOf(heading), segment))));
+  return headings[farthest.indexOf(Math.max(...farthest))];
+}
+
+/** Metres until a ray meets a segment, Infinity if it does not. */
+function distanceAlong(origin, direction, [a, b]) {
+  const along = subtract(b, a);
+  const denominator = cross(direction, along);
+  if (denominator === 0) return Infinity;
+  const offset = subtract(a, origin);
+  const [far, share] = [cross(offset, along) / denominator, cross(offset, direction) / denominator];
+  return far >= 0 && share >= 0 && share <= 1 ? far : Infinity;
 }

@@ -128,10 +128,10 @@ export class Feed {
     if (this.wanted.get(room) !== version) return;
     const documentKey = `${this.place.building}/${this.place.level}/${room}/${version}`;
     const document = readGlb(file);
-    const tree = readTree(document.json, documentKey);
+    const tree = readTree(document, documentKey);
     const content = tree.rooms.find(({ id }) => id === room);
     if (!content) throw new Error(`the file of room ${room} holds no such room`);
-    await this.library.load(document, documentKey, primitivesOf(content, tree.openings));
+    await this.library.load(document, primitivesOf(content, tree.openings));
     // The walk may have gone on while the images came.
     if (generation !== this.generation || this.wanted.get(room) !== version) return;
     this.rooms.put(content, tree.openings, version);
@@ -142,13 +142,13 @@ export class Feed {
   async readLevelFile(generation) {
     const document = readGlb(await this.server.levelFile(this.place));
     const documentKey = `${this.place.building}/${this.place.level}`;
-    const tree = readTree(document.json, documentKey);
+    const tree = readTree(document, documentKey);
     this.waiting = tree.rooms.length;
     for (const content of tree.rooms) {
       const openings = tree.openings.filter(({ extras }) => extras.rooms.includes(content.id));
       await this.inTurn(async () => {
         if (generation !== this.generation) return;
-        await this.library.load(document, documentKey, primitivesOf(content, openings));
+        await this.library.load(document, primitivesOf(content, openings));
         if (generation !== this.generation) return;
         this.rooms.put(content, openings, 'baked');
         this.waiting -= 1;

@@ -11,14 +11,17 @@ const UNITS_PER_LUMEN = 1 / 260;
 /** Metres at which a lamp's light ends, so that it does not shine through a whole floor. */
 const REACH = 9;
 
-const DAY = { background: 0xdbe4ec, ground: 0xb9c2b4, hemisphere: 1.15, sun: 1.7, environment: 0.45, exposure: 0.92 };
-const NIGHT = { background: 0x0c1017, ground: 0x171b20, hemisphere: 0.1, sun: 0, environment: 0.07, exposure: 1.1 };
+/** Eyes adapt to the colour of lamps: so much of it is left, of 1. */
+const COLOUR_LEFT = 0.4;
+
+const DAY = { background: 0xdbe4ec, ground: 0xb9c2b4, hemisphere: 1.5, sun: 1.5, environment: 0.45, exposure: 1 };
+const NIGHT = { background: 0x0c1017, ground: 0x39424d, hemisphere: 0.22, sun: 0, environment: 0.1, exposure: 1.1 };
 
 export class Light {
   constructor(stage) {
     this.stage = stage;
     const { scene, renderer } = stage;
-    this.hemisphere = new HemisphereLight(0xf3f7ff, 0xb8a994);
+    this.hemisphere = new HemisphereLight(0xf3f7ff, 0xd9d0c6);
     this.sun = new DirectionalLight(0xfff1dc);
     this.sun.position.set(0.55, 1, 0.4);
     this.lamps = Array.from({ length: MOST_LAMPS }, () => new PointLight(0xffffff, 0, REACH));
@@ -54,7 +57,7 @@ export class Light {
       if (!lamp) return;
       // A little below the shade, which would otherwise be lit from inside only.
       light.position.set(lamp.position[0], lamp.position[1] - 0.05, lamp.position[2]);
-      light.color.copy(colourOf(lamp.kelvin));
+      light.color.set(0xffffff).lerp(colourOf(lamp.kelvin), COLOUR_LEFT);
     });
   }
 
