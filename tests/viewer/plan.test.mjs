@@ -1,0 +1,160 @@
+// The page's answers about the plan: walls, walking, doors, picking, edits.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { carried, entryOf, movedMatrix } from '../../viewer/src/plan/edit.js';
+import { findFree, isFree, isObstacle, move, obstaclesOf, openestHeading, WALKER_RADIUS } from '../../viewer/src/plan/collision.js';
+import { closingTurn, isNear, slidesOf, swung } from '../../viewer/src/plan/doors.js';
+import { viewDuring, viewOfLevel } from '../../viewer/src/plan/camera_path.js';
+import { distanceToWalls, isInRoom, middleOf, roomAt } from '../../viewer/src/plan/polygon.js';
+import { intoFrame, meetsBox, meetsTriangles } from '../../viewer/src/plan/pick.js';
+import { isWay, wallsOf } from '../../viewer/src/plan/walls.js';
+import { stepOf, velocityOf } from '../../viewer/src/plan/steps.js';
+import { IDENTITY, multiplied, placed } from '../../viewer/src/model/matrix.js';
+
+/** Two rooms of 4 by 3 metres beside each other, a wall of 0.1 between them, a door of 0.9 in its middle. */
+const WEST = { id: 'west', outline: [[0, 0], [4, 0], [4, 3], [0, 3]] };
+const EAST = { id: 'east', outline: [[4.1, 0], [8.1, 0], [8.1, 3], [4.1, 3]] };
+const DOOR = { id: 'd', kind: 'door', center: [4.05, 1.5], along: [0, 1], width: 0.9, bottom: 0, top: 2, rooms: ['west', 'east'], leaves: [] };
+const LEVEL = { rooms: [WEST, EAST], openings: [DOOR] };
+const EMPTY = { columns: [], boxes: [] };
+
+const near = (actual, expected, tolerance = 1e-6) => actual.forEach((value, axis) => assert.ok(
+  Math.abs(value - expected[axis]) < tolerance, `${actual} is not ${expected}`));
+
+test('a walker goes through a doorway and not through the wall beside it', () => {
+  const ground = obstaclesOf(wallsOf(LEVEL), EMPTY);
+  near(move([2, 1.5], [4, 0], ground), [6, 1.5]);
+  near(move([2, 0.5], [4, 0], ground), [4 - WALKER_RADIUS, 0.5]);
+});
+
+test('a walker who pushes against the side of a doorway slides out of it, never into the wall', () => {
+  const ground = obstaclesOf(wallsOf(LEVEL), EMPTY);
+  const place = move([4.05, 1.5], [0, 1], ground);
+  assert.ok(isFree(place, ground) && (isInRoom(place, WEST) || isInRoom(place, EAST)));
+});
+
+test('windows and doors to the open air are no ways', () => {
+  assert.ok(isWay(DOOR));
+  assert.ok(!isWay({ ...DOOR, kind: 'window' }));
+  assert.ok(!isWay({ ...DOOR, rooms: ['west'] }));
+  assert.ok(!isWay({ ...DOOR, bottom: 0.9 }));
+});
+
+test('a turned box of furniture pushes a walker out, and a long step does not jump over it', () => {
+  const box = { center: [2, 1.5], half: [0.5, 0.2], angle: Math.PI / 2 };
+  const ground = obstaclesOf(wallsOf(LEVEL), { columns: [], boxes: [box] });
+  near(move([1, 1.5], [2, 0], ground), [2 - 0.2 - WALKER_RADIUS, 1.5]);
+});
+
+test('rugs and lamps below the ceiling are not in the way', () => {
+  assert.ok(!isObstacle({ size: [2, 3, 0.012], bottom: 0 }));
+  assert.ok(!isObstacle({ size: [0.4, 0.4, 0.3], bottom: 2.2 }));
+  assert.ok(isObstacle({ size: [0.6, 0.4, 0.7], bottom: 1.4 }));
+});
+
+test('a walker who enters a room stands where nothing stands', () => {
+  const ground = obstaclesOf(wallsOf(LEVEL), { columns: [], boxes: [{ center: [2, 1.5], half: [0.6, 0.6], angle: 0.4 }] });
+  const place = findFree(WEST, [2, 1.5], ground);
+  assert.ok(isFree(place, ground) && isInRoom(place, WEST));
+});
+
+test('somebody who enters looks along the longest free way', () => {
+  near([Math.cos(openestHeading([1, 1.2], obstaclesOf(wallsOf(LEVEL), EMPTY)))], [1]);
+});
+
+test('the middle of an L-shaped room lies in it, and a hole is not in its room', () => {
+  const room = { outline: [[0, 0], [6, 0], [6, 1], [1, 1], [1, 6], [0, 6]], holes: [] };
+  assert.ok(isInRoom(middleOf(room), room) && distanceToWalls(middleOf(room), room) > 0.3);
+  const pierced = { outline: WEST.outline, holes: [[[1, 1], [2, 1], [2, 2], [1, 2]]] };
+  assert.ok(!isInRoom([1.5, 1.5], pierced));
+  assert.equal(roomAt([WEST, EAST], [5, 1]).id, 'east');
+});
+
+test('a leaf turns from open to shut the short way, about its own hinge', () => {
+  const leaves = [{ hinge: [4.3, 9], closed: [5.3, 9], open: [4.3, 8] }];
+  near([closingTurn([4.3, 9], leaves)], [Math.PI / 2]);
+  assert.equal(closingTurn([1, 1], leaves), 0);
+});
+
+test('leaves of a sliding door gather at the first one', () => {
+  near(slidesOf([{ from: -1.3, to: 0 }, { from: 0, to: 1.3 }]), [0, -1.3]);
+  near(slidesOf([{ from: -0.5, to: 0.5 }]), [-1]);
+});
+
+test('a door opens for who is near, in time or at once', () => {
+  assert.ok(isNear([0, 1], [0, 0]) && !isNear([0, 2], [0, 0]) && !isNear(null, [0, 0]));
+  assert.ok(swung(0, true, 0.1) > 0 && swung(0, true, 0.1) < 1);
+  assert.equal(swung(0, true, 0.01, true), 1);
+  assert.equal(swung(0.1, false, 1), 0);
+});
+
+test('rays meet boxes and the fronts of triangles', () => {
+  assert.equal(meetsBox([0, 0, 5], [0, 0, -1], [-1, -1, -1], [1, 1, 1]), 4);
+  assert.equal(meetsBox([3, 0, 5], [0, 0, -1], [-1, -1, -1], [1, 1, 1]), null);
+  const [positions, indices] = [[-1, -1, 0, 1, -1, 0, 0, 1, 0], [0, 1, 2]];
+  assert.equal(meetsTriangles([0, 0, 2], [0, 0, -1], positions, indices, { start: 0, count: 3 }), 2);
+  assert.equal(meetsTriangles([0, 0, -2], [0, 0, 1], positions, indices, { start: 0, count: 3 }), null);
+  assert.equal(meetsTriangles([0, 0, -2], [0, 0, 1], positions, indices, { start: 0, count: 3 }, true), 2);
+  const [origin, direction] = intoFrame([1, 0, 0], [0, 0, -1], placed([1, 0, 2], Math.PI / 2));
+  near(origin, [2, 0, 0]);
+  near(direction, [1, 0, 0]);
+});
+
+test('walking is as fast sideways and aslant as ahead', () => {
+  near(velocityOf({ forward: 1, right: 0, isRunning: false }, Math.PI / 2), [0, 1.5]);
+  near(velocityOf({ forward: 0, right: 1, isRunning: false }, Math.PI / 2), [1.5, 0]);
+  near([Math.hypot(...velocityOf({ forward: 1, right: 1, isRunning: false }, 0.3))], [1.5]);
+});
+
+test('arrow keys move a piece by 5 cm, with Shift by 1 cm, as one sees it', () => {
+  near(stepOf('ArrowUp', false, Math.PI / 2), [0, 0.05]);
+  near(stepOf('ArrowUp', true, 0.2), [0.01, 0]);
+  near(stepOf('ArrowRight', false, Math.PI), [0, 0.05]);
+  assert.equal(stepOf('a', false, 0), null);
+});
+
+/** A table at (2, 1) with a lamp on it. */
+function tableWithLamp() {
+  const matrix = placed([2, 0, -1], 0);
+  const table = { id: 'table.1', holder: null, holderMatrix: IDENTITY, matrix, at: [2, 1], angle: 0, bottom: 0 };
+  const lampMatrix = multiplied(matrix, placed([0.3, 0.7, 0.1], 0));
+  const lamp = { id: 'lamp.1', holder: 'table.1', holderMatrix: matrix, matrix: lampMatrix, at: [2.3, 0.9], angle: 0, bottom: 0.7 };
+  return [table, lamp, { ...table, id: 'chair.1' }];
+}
+
+test('a moved and turned piece takes along what it carries, and nothing else', () => {
+  const pieces = tableWithLamp();
+  const moved = carried(pieces[0], movedMatrix(pieces[0], [1, 0], Math.PI / 2), pieces);
+  assert.deepEqual(moved.map(({ id }) => id), ['table.1', 'lamp.1']);
+  near(moved[0].at, [3, 1]);
+  near(moved[1].at, [3.1, 1.3]);
+  assert.deepEqual(entryOf(moved[0]), { at: [3, 1], turn: 90 });
+});
+
+test('the entry of a piece that stands on another is in the frame of that one', () => {
+  const pieces = tableWithLamp();
+  const [lamp] = carried(pieces[1], movedMatrix(pieces[1], [0, 0.05], 0), pieces);
+  assert.deepEqual(entryOf(lamp, { isLocked: true }), { at: [0.3, -0.05], turn: 0, lock: true });
+});
+
+test('a flight begins where one is and ends where one goes', () => {
+  const [from, to] = [{ position: [0, 1, 0], target: [0, 0, 0] }, { position: [4, 1, 0], target: [4, 0, 0] }];
+  near(viewDuring(from, to, 0).position, from.position);
+  assert.ok(viewDuring(from, to, 10).hasArrived);
+  assert.ok(viewDuring(from, to, 0, true).hasArrived);
+});
+
+test('the view of a level holds all its corners', () => {
+  const bounds = [[0, 0], [60, 12]];
+  const fov = Math.PI / 4;
+  const { position, target } = viewOfLevel(bounds, 3, fov, 0.5);
+  const length = Math.hypot(...position.map((value, axis) => value - target[axis]));
+  const forward = position.map((value, axis) => (target[axis] - value) / length);
+  for (const corner of [[0, 0, 0], [60, 0, 0], [0, 3, -12], [60, 3, -12]]) {
+    const offset = corner.map((value, axis) => value - position[axis]);
+    const depth = offset.reduce((sum, value, axis) => sum + value * forward[axis], 0);
+    const aside = Math.hypot(...offset.map((value, axis) => value - forward[axis] * depth));
+    // Half the diagonal of the picture.
+    assert.ok(aside / depth < Math.tan(fov / 2) * Math.hypot(1, 0.5));
+  }
+});
