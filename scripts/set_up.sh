@@ -29,3 +29,11 @@ set_up_viewers() {
     cp tests/viewers/package-lock.json tests/viewers/node_modules/.lock
   fi
 }
+
+# tests/viewer/node_modules/ from the lock file: the driver of the browser that opens the page of `roomwright view`.
+set_up_viewer() {
+  if ! cmp -s tests/viewer/package-lock.json tests/viewer/node_modules/.lock; then
+    (cd tests/viewer && npm ci --loglevel=error)
+    cp tests/viewer/package-lock.json tests/viewer/node_modules/.lock
+  fi
+}

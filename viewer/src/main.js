@@ -23,7 +23,11 @@ function begin() {
   new Input(app, editor, panel, toolbar);
   connect(app, { toolbar, panel, markers });
   stage.resize();
-  window.roomwright = { stats: () => statsOf(app) };
+  window.roomwright = {
+    stats: () => statsOf(app),
+    pieces: (room) => (app.rooms.shown.get(room)?.content.pieces ?? []).map(({ id, at, angle }) => ({ id, at, angle })),
+    stairs: (direction) => app.map.rooms.find((room) => room[direction])?.id ?? null,
+  };
   app.start().then(() => {
     let room = null;
     stage.run((seconds) => {

@@ -1,0 +1,186 @@
+// The page in a browser, used as people use it: by keys and clicks. What is wrong on the way is collected in `faults`.
+import { readFile } from 'node:fs/promises';
+
+/** Chromium draws in software here; small pictures are drawn sooner. */
+const SIZE = { width: 760, height: 420 };
+const SWITCHES = [
+  '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-dev-shm-usage',
+  // Nothing but the page asks a server.
+  '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-quic', '--no-first-run',
+];
+/** Milliseconds. */
+const [LONGEST_WAIT, GLANCE] = [30_000, 100];
+/** Metres from a place at which a walker is there, radians of a heading that is right. */
+const [THERE, STRAIGHT] = [0.3, 0.12];
+
+const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+
+export class Page {
+  static async open(chromium, executablePath, url) {
+    const isRoot = process.getuid?.() === 0;
+    const browser = await chromium.launch({ executablePath, headless: true, args: isRoot ? [...SWITCHES, '--no-sandbox'] : SWITCHES });
+    const page = new Page(browser, await browser.newPage({ viewport: SIZE, reducedMotion: 'reduce' }));
+    page.page.setDefaultTimeout(LONGEST_WAIT);
+    page.watch(new URL(url));
+    await page.page.goto(url);
+    return page;
+  }
+
+  constructor(browser, page) {
+    Object.assign(this, { browser, page, faults: [] });
+  }
+
+  watch({ host }) {
+    const { page, faults } = this;
+    page.on('console', (message) => { if (message.type() === 'error') faults.push(`console: ${message.text()}`); });
+    page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
+    page.on('response', (response) => { if (response.status() >= 400) faults.push(`${response.status()}: ${response.url()}`); });
+    page.on('requestfailed', (request) => {
+      // A reload breaks off what is on its way, and the stream of events never ends.
+      if (request.failure()?.errorText !== 'net::ERR_ABORTED') faults.push(`failed: ${request.url()}`);
+    });
+    page.on('request', (request) => {
+      const address = new URL(request.url());
+      if (!['blob:', 'data:'].includes(address.protocol) && address.host !== host) faults.push(`another host: ${request.url()}`);
+    });
+  }
+
+  close() {
+    return this.browser.close();
+  }
+
+  reload() {
+    return this.page.reload();
+  }
+
+  stats() {
+    return this.page.evaluate(() => window.roomwright?.stats());
+  }
+
+  async until(holds) {
+    const end = Date.now() + LONGEST_WAIT;
+    while (!await holds()) {
+      if (Date.now() > end) throw new Error(`still not so after ${LONGEST_WAIT} ms: ${holds}; ${JSON.stringify(await this.stats())}`);
+      await this.page.waitForTimeout(GLANCE);
+    }
+  }
+
+  /** Waits until no room is on its way. */
+  async settled() {
+    await this.until(async () => {
+      const stats = await this.stats();
+      return stats && stats.rooms > 0 && stats.waiting === 0;
+    });
+    await this.page.waitForTimeout(3 * GLANCE);
+    return this.stats();
+  }
+
+  async press(key) {
+    await this.page.keyboard.press(key);
+    await this.page.waitForTimeout(GLANCE);
+  }
+
+  focusPicture() {
+    return this.page.focus('#canvas');
+  }
+
+  /** Presses a button by the keyboard. */
+  async activate(selector) {
+    await this.page.focus(selector);
+    await this.press('Enter');
+  }
+
+  fill(selector, text) {
+    return this.page.fill(selector, text);
+  }
+
+  async chooseRoom(room) {
+    await this.page.selectOption('#room', room);
+    await this.press('Escape');
+  }
+
+  async choosePiece(piece, room = null) {
+    if (room) await this.page.selectOption('#room', room);
+    await this.until(() => this.page.evaluate((id) => [...document.querySelectorAll('#piece option')].some(({ value }) => value === id), piece));
+    await this.page.selectOption('#piece', piece);
+    await this.page.waitForTimeout(5 * GLANCE);
+  }
+
+  async clickMiddle() {
+    const { x, y, width, height } = await this.page.locator('#canvas').boundingBox();
+    await this.page.mouse.click(x + width / 2, y + height / 2);
+    await this.page.waitForTimeout(3 * GLANCE);
+  }
+
+  async waitForText(selector, pattern) {
+    await this.until(async () => pattern.test(await this.page.textContent(selector)));
+  }
+
+  async waitForFile(path, pattern) {
+    await this.until(async () => pattern.test(await readFile(path, 'utf8').catch(() => '')));
+  }
+
+  isVisible(selector) {
+    return this.page.isVisible(selector);
+  }
+
+  /** The ids of a room's pieces with their places, as the panel lists them. */
+  async piecesOf(room) {
+    return this.page.evaluate((id) => window.roomwright.pieces(id), room);
+  }
+
+  stairs() {
+    return this.page.evaluate(() => window.roomwright.stairs('below'));
+  }
+
+  async hold(key, milliseconds) {
+    await this.page.keyboard.down(key);
+    await this.page.waitForTimeout(milliseconds);
+    await this.page.keyboard.up(key);
+    await this.page.waitForTimeout(GLANCE);
+  }
+
+  async turnTo(heading) {
+    await this.until(async () => {
+      const off = wrapped(heading - (await this.stats()).heading);
+      if (Math.abs(off) < STRAIGHT) return true;
+      await this.hold(off > 0 ? 'ArrowLeft' : 'ArrowRight', Math.max(20, Math.abs(off) * 300));
+      return false;
+    });
+  }
+
+  async walkTowards(heading, milliseconds) {
+    await this.turnTo(heading);
+    await this.hold('w', milliseconds);
+  }
+
+  /** Walks straight to a place, by keys. */
+  async walkTo([x, y]) {
+    await this.until(async () => {
+      const { position } = await this.stats();
+      const [east, north] = [x - position[0], y - position[1]];
+      const far = Math.hypot(east, north);
+      if (far < THERE) return true;
+      await this.walkTowards(Math.atan2(north, east), Math.max(60, far * 300));
+      return false;
+    });
+  }
+
+  /** The ids of all that Tab reaches, from the beginning of the page to its end. */
+  async tabThrough() {
+    const reached = new Set();
+    await this.page.evaluate(() => document.activeElement?.blur());
+    for (let count = 0; count < 200; count += 1) {
+      await this.page.keyboard.press('Tab');
+      const id = await this.page.evaluate(() => document.activeElement?.id || document.activeElement?.dataset?.mode || '');
+      if (id && reached.has(id)) break;
+      if (id) reached.add(id);
+    }
+    return reached;
+  }
+
+  visibleControls() {
+    return this.page.evaluate(() => [...document.querySelectorAll('header button, header select, #panel button, #panel select, #panel input, #canvas')]
+      .filter((control) => control.offsetParent !== null && !control.disabled).map(({ id, dataset }) => id || dataset.mode).filter(Boolean));
+  }
+}
