@@ -31,8 +31,10 @@ export class App {
     this.feed = new Feed(server, new Library(this.batches, anisotropy), this.rooms, {
       viewpoint: () => this.view.viewpoint(),
       changed: (room) => this.roomChanged(room),
-      failed: (error, room) => say('feed', `${room ? `Room ${room}` : 'The view'} could not be brought up to date: ${error.message}`),
+      failed: (error) => say('feed', `The view is not up to date: ${error.message}.`),
       recovered: () => clear('feed'),
+      broken: (error, room) => say('broken', `Room ${room} cannot be shown: ${error.message}. Reload the page; if that does not help, start the server again.`),
+      mended: () => clear('broken'),
     });
     this.views = { orbit: new OrbitView(stage, isReduced), plan: new PlanView(stage, isReduced), walk: new WalkView(stage, () => this.ground()) };
     this.mode = 'orbit';
@@ -202,8 +204,8 @@ export class App {
       if (event?.kind === 'faults') say('faults', `The plan as it is now cannot be read; the last good state stays.\n${event.faults.join('\n')}`);
       if (event?.kind === 'changed') this.followChange(event).catch((error) => say('feed', error.message));
     });
-    events.addEventListener('error', () => say('events', 'The server does not answer. If it was stopped, start `roomwright view` again, then reload this page.'));
-    events.addEventListener('open', () => clear('events'));
+    // A stream that broke off begins again by itself; changes meanwhile are seen at the next look. Feed says if nobody answers.
+    events.addEventListener('open', () => this.feed.lookNow());
   }
 
   async followChange({ rooms }) {

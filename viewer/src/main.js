@@ -22,6 +22,7 @@ function begin() {
   const markers = new Markers(app, panel);
   new Input(app, editor, panel, toolbar);
   connect(app, { toolbar, panel, markers });
+  stage.lost = () => say('graphics', 'The graphics card gave up the picture. Reload this page; if that happens again, close other pages that draw.');
   stage.resize();
   window.roomwright = {
     stats: () => statsOf(app),

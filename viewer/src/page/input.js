@@ -101,7 +101,7 @@ export class Input {
       PageUp: () => toolbar.stepLevel(1), PageDown: () => toolbar.stepLevel(-1),
       Home: () => app.fit(),
       m: () => this.catchMouse(),
-      Escape: () => { app.select(null); app.stage.canvas.focus(); },
+      Escape: () => { app.select(app.selected && { ...app.selected, piece: null }); app.stage.canvas.focus(); },
     };
     return run(actions, key);
   }

@@ -19,9 +19,11 @@ export class Panel {
     byId('forget').addEventListener('click', () => editor.forget());
   }
 
-  /** The room that the panel is about: the chosen one, or where the walker is. */
+  /** The room that the panel is about: that of the chosen piece, where the walker is, or the chosen one. */
   room() {
-    return this.app.selected?.room ?? (this.app.mode === 'walk' ? this.app.views.walk.room?.id : null) ?? this.app.map.rooms[0]?.id ?? null;
+    const { selected, mode, views, map } = this.app;
+    const walked = mode === 'walk' ? views.walk.room?.id : null;
+    return (selected?.piece ? selected.room : null) ?? walked ?? selected?.room ?? map.rooms[0]?.id ?? null;
   }
 
   choose(room, piece) {

@@ -13,13 +13,15 @@ const LONGEST_IDLE = 100;
 const PAUSE_AFTER_FAULT = 2000;
 
 export class Feed {
-  /** `hooks`: viewpoint() for api/look, changed(roomId), failed(error), recovered(). */
+  /** `hooks`: viewpoint() for api/look, changed(roomId), failed(error), recovered(), broken(error, roomId), mended(). */
   constructor(server, library, rooms, hooks) {
     Object.assign(this, { server, library, rooms, hooks });
     this.place = null;
     /** Grows with each change of level: answers to older questions are thrown away. */
     this.generation = 0;
     this.kept = new Map();
+    /** Rooms whose file cannot be shown, with its version: the same file would fail again. */
+    this.broken = new Map();
     this.waiting = 0;
   }
 
@@ -30,8 +32,10 @@ export class Feed {
     this.queue = [];
     this.wanted = new Map();
     this.pending = new Set();
-    this.ready = [];
     this.waiting = 1;
+    this.serverWaiting = 0;
+    this.broken.clear();
+    this.hooks.mended();
     clearTimeout(this.timer);
     this.isLooking = !isBake;
     if (isBake) this.readLevelFile(this.generation).catch((error) => this.hooks.failed(error));
@@ -74,13 +78,13 @@ export class Feed {
       this.hooks.changed(room);
     }
     if (plan.drop.length > 0) this.library.batches.tidy();
-    this.queue = plan.fetch.filter(({ version, room }) => !this.pending.has(`${room} ${version}`));
+    this.queue = plan.fetch.filter(({ version, room }) => !this.pending.has(`${room} ${version}`) && this.broken.get(room) !== version);
     this.count();
     this.fetchMore();
   }
 
   count() {
-    this.waiting = this.queue.length + this.pending.size + (this.serverWaiting ?? 0);
+    this.waiting = this.queue.length + this.pending.size + this.serverWaiting;
   }
 
   fetchMore() {
@@ -96,16 +100,20 @@ export class Feed {
     this.fileOf(room, version).then((file) => {
       if (generation !== this.generation) return undefined;
       return this.inTurn(() => this.show(room, version, file, generation));
-    }).catch((error) => {
-      if (generation !== this.generation) return;
-      // A version that is no longer there is followed by a newer one in the next answer.
-      if (error.status !== 404) this.hooks.failed(error, room);
-    }).then(() => {
+    }).catch((error) => this.failed(error, room, version, generation)).then(() => {
       if (generation !== this.generation) return;
       this.pending.delete(name);
       this.count();
       this.fetchMore();
     });
+  }
+
+  failed(error, room, version, generation) {
+    // A version that is no longer there is followed by a newer one in the next answer.
+    if (generation !== this.generation || error.status === 404) return;
+    if (error.status === 0) return this.hooks.failed(error);
+    this.broken.set(room, version);
+    this.hooks.broken(error, room);
   }
 
   async fileOf(room, version) {
@@ -135,6 +143,7 @@ export class Feed {
     // The walk may have gone on while the images came.
     if (generation !== this.generation || this.wanted.get(room) !== version) return;
     this.rooms.put(content, tree.openings, version);
+    if (this.broken.delete(room) && this.broken.size === 0) this.hooks.mended();
     this.library.batches.tidy();
     this.hooks.changed(room);
   }

@@ -14,8 +14,8 @@ const REACH = 9;
 /** Eyes adapt to the colour of lamps: so much of it is left, of 1. */
 const COLOUR_LEFT = 0.4;
 
-const DAY = { background: 0xdbe4ec, ground: 0xb9c2b4, hemisphere: 1.5, sun: 1.5, environment: 0.45, exposure: 1 };
-const NIGHT = { background: 0x0c1017, ground: 0x39424d, hemisphere: 0.22, sun: 0, environment: 0.1, exposure: 1.1 };
+const DAY = { background: 0xdbe4ec, ground: 0xb9c2b4, hemisphere: 1.3, sun: 1.8, fill: 0.5, environment: 0.45, exposure: 1 };
+const NIGHT = { background: 0x0c1017, ground: 0x39424d, hemisphere: 0.22, sun: 0, fill: 0, environment: 0.1, exposure: 1.1 };
 
 export class Light {
   constructor(stage) {
@@ -23,10 +23,13 @@ export class Light {
     const { scene, renderer } = stage;
     this.hemisphere = new HemisphereLight(0xf3f7ff, 0xd9d0c6);
     this.sun = new DirectionalLight(0xfff1dc);
-    this.sun.position.set(0.55, 1, 0.4);
+    this.sun.position.set(0.7, 1, 0.3);
+    // From behind: without it, all walls that face away from the sun would look alike, and their corners be lost.
+    this.fill = new DirectionalLight(0xdfe9ff);
+    this.fill.position.set(-0.45, 0.3, -1);
     this.lamps = Array.from({ length: MOST_LAMPS }, () => new PointLight(0xffffff, 0, REACH));
     this.ground = groundPlate();
-    scene.add(this.hemisphere, this.sun, ...this.lamps, this.ground);
+    scene.add(this.hemisphere, this.sun, this.fill, ...this.lamps, this.ground);
     scene.environment = skyOf(renderer);
     this.set('day');
   }
@@ -40,6 +43,7 @@ export class Light {
     renderer.toneMappingExposure = look.exposure;
     this.hemisphere.intensity = look.hemisphere;
     this.sun.intensity = look.sun;
+    this.fill.intensity = look.fill;
     this.ground.material.color.set(look.ground);
     // All of them or none: materials are compiled anew when the number of lights changes.
     for (const lamp of this.lamps) lamp.visible = mode === 'lamp';

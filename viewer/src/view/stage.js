@@ -18,6 +18,8 @@ export class Stage {
     this.camera = null;
     this.frameTime = 0;
     this.isDirty = true;
+    canvas.addEventListener('webglcontextlost', () => this.lost?.());
+    canvas.addEventListener('webglcontextrestored', () => this.invalidate());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
   }
 
