@@ -9,7 +9,7 @@ import { distanceToWalls, isInRoom, middleOf, roomAt } from '../../viewer/src/pl
 import { intoFrame, meetsBox, meetsTriangles } from '../../viewer/src/plan/pick.js';
 import { isWay, wallsOf } from '../../viewer/src/plan/walls.js';
 import { stepOf, velocityOf } from '../../viewer/src/plan/steps.js';
-import { IDENTITY, multiplied, placed } from '../../viewer/src/model/matrix.js';
+import { multiplied, placed } from '../../viewer/src/model/matrix.js';
 
 /** Two rooms of 4 by 3 metres beside each other, a wall of 0.1 between them, a door of 0.9 in its middle. */
 const WEST = { id: 'west', outline: [[0, 0], [4, 0], [4, 3], [0, 3]] };
@@ -113,28 +113,31 @@ test('arrow keys move a piece by 5 cm, with Shift by 1 cm, as one sees it', () =
   assert.equal(stepOf('a', false, 0), null);
 });
 
-/** A table at (2, 1) with a lamp on it. */
-function tableWithLamp() {
+/** A table at (2, 1) with a lamp on it and a chair before it. */
+function tableAndChair() {
+  const piece = (id, parent, holder, matrix) => ({ id, parent, holder, matrix, at: [matrix[12], -matrix[14]], angle: 0, bottom: matrix[13] });
   const matrix = placed([2, 0, -1], 0);
-  const table = { id: 'table.1', holder: null, holderMatrix: IDENTITY, matrix, at: [2, 1], angle: 0, bottom: 0 };
-  const lampMatrix = multiplied(matrix, placed([0.3, 0.7, 0.1], 0));
-  const lamp = { id: 'lamp.1', holder: 'table.1', holderMatrix: matrix, matrix: lampMatrix, at: [2.3, 0.9], angle: 0, bottom: 0.7 };
-  return [table, lamp, { ...table, id: 'chair.1' }];
+  return [
+    piece('table.1', 'floor', null, matrix),
+    piece('lamp.1', 'table.1', 'table.1', multiplied(matrix, placed([0.3, 0.7, 0.1], 0))),
+    piece('chair.1', 'table.1', null, multiplied(matrix, placed([0, 0, 0.6], 0))),
+  ];
 }
 
 test('a moved and turned piece takes along what it carries, and nothing else', () => {
-  const pieces = tableWithLamp();
+  const pieces = tableAndChair();
   const moved = carried(pieces[0], movedMatrix(pieces[0], [1, 0], Math.PI / 2), pieces);
   assert.deepEqual(moved.map(({ id }) => id), ['table.1', 'lamp.1']);
   near(moved[0].at, [3, 1]);
   near(moved[1].at, [3.1, 1.3]);
-  assert.deepEqual(entryOf(moved[0]), { at: [3, 1], turn: 90 });
+  assert.deepEqual(entryOf(moved[0], pieces), { at: [3, 1], turn: 90 });
 });
 
-test('the entry of a piece that stands on another is in the frame of that one', () => {
-  const pieces = tableWithLamp();
+test('the entry of a piece whose parent is an object is in the frame of that one, whether it stands on it or beside it', () => {
+  const pieces = tableAndChair();
   const [lamp] = carried(pieces[1], movedMatrix(pieces[1], [0, 0.05], 0), pieces);
-  assert.deepEqual(entryOf(lamp, { isLocked: true }), { at: [0.3, -0.05], turn: 0, lock: true });
+  assert.deepEqual(entryOf(lamp, pieces, { isLocked: true }), { at: [0.3, -0.05], turn: 0, lock: true });
+  assert.deepEqual(entryOf(pieces[2], pieces), { at: [0, -0.6], turn: 0 });
 });
 
 test('a flight begins where one is and ends where one goes', () => {

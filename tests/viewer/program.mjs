@@ -27,9 +27,9 @@ export async function startView(program, path) {
 
 function stopped(child) {
   return new Promise((resolve) => {
-    if (child.exitCode !== null) return resolve();
+    if (child.exitCode !== null || child.signalCode !== null) return resolve();
     child.on('exit', resolve);
-    child.kill('SIGINT');
+    child.kill();
     return undefined;
   });
 }

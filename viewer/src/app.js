@@ -181,14 +181,14 @@ export class App {
     if (!room) return;
     const piece = pieceId && this.rooms.pieceOf(roomId, pieceId);
     const target = piece ? piece.at : middleOf(room);
-    if (this.mode !== 'walk') this.view.goTo(toScene(target, piece?.bottom ?? 0), piece ? 5 : 9);
-    else this.walkTo(room, target, piece);
+    const front = piece && directionOf(piece.angle - Math.PI / 2);
+    if (this.mode === 'walk') this.walkTo(room, target, front);
+    else this.view.goTo(toScene(target, piece?.bottom ?? 0), piece ? 5 : 9, front && toScene(front));
   }
 
-  walkTo(room, target, piece) {
-    const front = piece ? add(target, scale(directionOf(piece.angle - Math.PI / 2), VISIT_DISTANCE)) : target;
-    this.views.walk.enter(room, front);
-    if (piece) this.views.walk.faceTo(target);
+  walkTo(room, target, front) {
+    this.views.walk.enter(room, front ? add(target, scale(front, VISIT_DISTANCE)) : target);
+    if (front) this.views.walk.faceTo(target);
   }
 
   setLight(mode) {

@@ -39,34 +39,40 @@ export class Editor {
     this.sendSoon();
   }
 
+  /** What the edits file is to say about the chosen piece as it is now. */
+  entryNow() {
+    const { pieces } = this.app.rooms.shown.get(this.app.selected.room).content;
+    return entryOf(this.app.piece(), pieces, { isLocked: this.isLocked() });
+  }
+
   sendSoon() {
     const target = { ...this.app.place, ...this.app.selected };
-    const piece = this.app.piece();
+    const entry = this.entryNow();
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.send(target, entryOf(piece, { isLocked: this.locked.has(this.nameOf(target)) })), PAUSE);
+    this.timer = setTimeout(() => this.send(target, entry), PAUSE);
   }
 
   toggleLock() {
     if (!this.isEditable) return;
     const name = this.nameOf(this.app.selected);
     if (!this.locked.delete(name)) this.locked.add(name);
-    this.sendNow((piece) => entryOf(piece, { isLocked: this.locked.has(name) }));
+    this.sendNow(this.entryNow());
     this.app.hooks.selectionChanged();
   }
 
   remove() {
-    this.sendNow(() => ({ remove: true }));
+    this.sendNow({ remove: true });
   }
 
   forget() {
     if (this.isEditable) this.locked.delete(this.nameOf(this.app.selected));
-    this.sendNow(() => null);
+    this.sendNow(null);
   }
 
-  sendNow(entryFor) {
+  sendNow(entry) {
     if (!this.isEditable) return;
     clearTimeout(this.timer);
-    this.send({ ...this.app.place, ...this.app.selected }, entryFor(this.app.piece()));
+    this.send({ ...this.app.place, ...this.app.selected }, entry);
   }
 
   send({ building, level, room, piece }, entry) {

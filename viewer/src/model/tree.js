@@ -31,16 +31,16 @@ class Reader {
   visit(index, parentMatrix, within) {
     const node = this.json.nodes[index];
     const matrix = multiplied(parentMatrix, matrixOf(node));
-    const place = this.entered(node, matrix, parentMatrix, within);
+    const place = this.entered(node, matrix, within);
     this.readPrimitives(node, matrix, place);
     for (const child of node.children ?? []) this.visit(child, matrix, place);
   }
 
-  entered(node, matrix, parentMatrix, within) {
+  entered(node, matrix, within) {
     const extras = node.extras ?? {};
     if (extras.kind === 'room') return { room: this.addRoom(extras) };
     if (extras.kind === 'opening') return { opening: this.addOpening(node, matrix) };
-    if (extras.kind === 'furniture' && within.room) return { ...within, piece: addPiece(node, matrix, parentMatrix, within) };
+    if (extras.kind === 'furniture' && within.room) return { ...within, piece: addPiece(node, matrix, within) };
     if (extras.kind === 'light' && within.room) within.room.lamps.push({ position: positionOf(matrix), lumens: extras.lumens, kelvin: extras.kelvin });
     if (extras.kind === 'part') return this.enteredPart(node, extras, matrix, within);
     return within;
@@ -104,13 +104,13 @@ class Reader {
   }
 }
 
-function addPiece(node, matrix, parentMatrix, { room, piece: holder }) {
+function addPiece(node, matrix, { room, piece: holder }) {
   const { class: kind, id, parent, side, size, variant } = node.extras;
   const [x, y] = toPlan(positionOf(matrix));
   const piece = {
     id, kind, parent, side, size, variant, room: room.id,
-    // The piece that carries this one, whose frame its edits are in.
-    holder: holder?.id ?? null, holderMatrix: holder ? parentMatrix : IDENTITY,
+    // The piece that carries this one; its parent may only stand beside it.
+    holder: holder?.id ?? null,
     matrix, at: [x, y], angle: angleOf(matrix), bottom: matrix[13],
   };
   room.pieces.push(piece);

@@ -46,9 +46,9 @@ function basisOf([x, y, z]) {
 /** Rise to run of the view of one place: steep enough to look over the walls of a room. */
 const STEEPNESS = 1.7;
 
-/** The view of one place of a level, keeping the direction of the present view. */
-export function viewOfPlace(target, { position, target: former }, distance = 5) {
-  const direction = position.map((value, axis) => value - former[axis]);
+/** The view of one place of a level: from the side that `front` (a direction of the scene) faces, else from where the viewer is. */
+export function viewOfPlace(target, { position, target: former }, distance, front = null) {
+  const direction = front ? [...front] : position.map((value, axis) => value - former[axis]);
   direction[1] = Math.max(direction[1], STEEPNESS * Math.hypot(direction[0], direction[2]));
   const length = Math.hypot(...direction) || 1;
   return { target, position: target.map((value, axis) => value + direction[axis] / length * distance) };

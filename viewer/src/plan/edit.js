@@ -1,6 +1,6 @@
 // A piece at another place: its matrix, those of what it carries, and the entry of the edits file that says so.
 import { add, degrees } from './frame.js';
-import { angleOf, inverseOf, multiplied, placed, positionOf } from '../model/matrix.js';
+import { IDENTITY, angleOf, inverseOf, multiplied, placed, positionOf } from '../model/matrix.js';
 
 /** The file holds millimetres and tenths of degrees; finer steps are noise. */
 const rounded = (value, digits) => Number(value.toFixed(digits)) || 0;
@@ -15,17 +15,21 @@ export function movedMatrix(piece, step, angle) {
 export function carried(piece, matrix, pieces) {
   const change = multiplied(matrix, inverseOf(piece.matrix));
   const isCarried = (candidate) => candidate.id === piece.id || candidate.holder !== null && isCarried(pieces.find(({ id }) => id === candidate.holder));
-  return pieces.filter(isCarried).map((each) => at(each, multiplied(change, each.matrix), each.id === piece.id ? each.holderMatrix : multiplied(change, each.holderMatrix)));
+  return pieces.filter(isCarried).map((each) => movedTo(each, multiplied(change, each.matrix)));
 }
 
-function at(piece, matrix, holderMatrix) {
+function movedTo(piece, matrix) {
   const [x, height, z] = positionOf(matrix);
-  return { ...piece, matrix, holderMatrix, at: [x, -z], angle: angleOf(matrix), bottom: height };
+  return { ...piece, matrix, at: [x, -z], angle: angleOf(matrix), bottom: height };
 }
 
-/** The entry for a piece where it is now: in the frame of the level, or of the piece that carries it. */
-export function entryOf({ matrix, holderMatrix }, { isLocked = false } = {}) {
-  const local = multiplied(inverseOf(holderMatrix), matrix);
+/**
+ * The entry for a piece where it is now. The frame is that of its parent if this is an object, also one that it stands beside;
+ * else that of the level.
+ */
+export function entryOf({ matrix, parent }, pieces, { isLocked = false } = {}) {
+  const frame = pieces.find(({ id }) => id === parent)?.matrix ?? IDENTITY;
+  const local = multiplied(inverseOf(frame), matrix);
   const [x, , z] = positionOf(local);
   const entry = { at: [rounded(x, 3), rounded(-z, 3)], turn: rounded((degrees(angleOf(local)) + 360) % 360, 1) };
   return isLocked ? { ...entry, lock: true } : entry;

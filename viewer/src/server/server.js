@@ -41,7 +41,7 @@ export class Server {
 
   async fetch(path, options) {
     const response = await fetch(path, options).catch(() => { throw new ServerFault(ANSWERS_NOT, 0); });
-    if (response.ok) return response;
+    if (response.ok && response.status !== 204) return response;
     throw new ServerFault(await messageOf(response), response.status);
   }
 }

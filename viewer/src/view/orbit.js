@@ -111,8 +111,8 @@ export class OrbitView extends Outside {
     this.set(viewOfLevel(bounds, height, MathUtils.degToRad(FIELD_OF_VIEW), this.camera.aspect));
   }
 
-  goTo(target, distance) {
-    this.flyTo(viewOfPlace(target, this.view(), distance));
+  goTo(target, distance, front) {
+    this.flyTo(viewOfPlace(target, this.view(), distance, front));
   }
 
   span() {
