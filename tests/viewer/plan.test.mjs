@@ -7,7 +7,7 @@ import { closingTurn, isNear, slidesOf, swung } from '../../viewer/src/plan/door
 import { viewDuring, viewOfLevel } from '../../viewer/src/plan/camera_path.js';
 import { distanceToWalls, isInRoom, middleOf, roomAt } from '../../viewer/src/plan/polygon.js';
 import { intoFrame, meetsBox, meetsTriangles } from '../../viewer/src/plan/pick.js';
-import { isWay, wallsOf } from '../../viewer/src/plan/walls.js';
+import { isWay, placeInsideDoor, wallsOf } from '../../viewer/src/plan/walls.js';
 import { stepOf, velocityOf } from '../../viewer/src/plan/steps.js';
 import { multiplied, placed } from '../../viewer/src/model/matrix.js';
 
@@ -38,6 +38,12 @@ test('windows and doors to the open air are no ways', () => {
   assert.ok(!isWay({ ...DOOR, kind: 'window' }));
   assert.ok(!isWay({ ...DOOR, rooms: ['west'] }));
   assert.ok(!isWay({ ...DOOR, bottom: 0.9 }));
+});
+
+test('who comes into a room stands inside its door', () => {
+  near(placeInsideDoor(EAST, [DOOR]), [4.8, 1.5]);
+  near(placeInsideDoor(WEST, [DOOR]), [3.3, 1.5]);
+  assert.equal(placeInsideDoor(WEST, [{ ...DOOR, kind: 'window' }]), null);
 });
 
 test('a turned box of furniture pushes a walker out, and a long step does not jump over it', () => {
@@ -136,7 +142,7 @@ test('a moved and turned piece takes along what it carries, and nothing else', (
 test('the entry of a piece whose parent is an object is in the frame of that one, whether it stands on it or beside it', () => {
   const pieces = tableAndChair();
   const [lamp] = carried(pieces[1], movedMatrix(pieces[1], [0, 0.05], 0), pieces);
-  assert.deepEqual(entryOf(lamp, pieces, { isLocked: true }), { at: [0.3, -0.05], turn: 0, lock: true });
+  assert.deepEqual(entryOf(lamp, pieces), { at: [0.3, -0.05], turn: 0 });
   assert.deepEqual(entryOf(pieces[2], pieces), { at: [0, -0.6], turn: 0 });
 });
 

@@ -5,7 +5,7 @@ import { Rooms } from './model/rooms.js';
 import { obstaclesOf, openestHeading } from './plan/collision.js';
 import { add, directionOf, scale, toPlan, toScene } from './plan/frame.js';
 import { boundsOf, clampedInto, middleOf, roomAt } from './plan/polygon.js';
-import { wallsOf } from './plan/walls.js';
+import { placeInsideDoor, wallsOf } from './plan/walls.js';
 import { readEvent, readLevel, readPlace, readSite, writePlace } from './server/contract.js';
 import { Feed } from './server/feed.js';
 import { clear, say } from './page/messages.js';
@@ -116,10 +116,7 @@ export class App {
   enterSomewhere() {
     const room = roomAt(this.map.rooms, toPlan(this.views.orbit.view().target)) ?? this.map.rooms[0];
     if (!room) return;
-    const { walk } = this.views;
-    walk.enter(room, middleOf(room));
-    walk.heading = openestHeading(walk.position, this.ground().obstacles);
-    walk.pitch = -0.1;
+    this.walkTo(room, middleOf(room), null);
   }
 
   setMode(mode) {
@@ -186,9 +183,13 @@ export class App {
     else this.view.goTo(toScene(target, piece?.bottom ?? 0), piece ? 5 : 9, front && toScene(front));
   }
 
+  /** Puts the walker before a piece that faces `front`, or inside the door of a room. */
   walkTo(room, target, front) {
-    this.views.walk.enter(room, front ? add(target, scale(front, VISIT_DISTANCE)) : target);
-    if (front) this.views.walk.faceTo(target);
+    const { walk } = this.views;
+    const place = front ? add(target, scale(front, VISIT_DISTANCE)) : placeInsideDoor(room, this.map.openings);
+    walk.enter(room, place ?? target);
+    if (front) walk.faceTo(target);
+    else walk.face(openestHeading(walk.position, this.ground().obstacles));
   }
 
   setLight(mode) {

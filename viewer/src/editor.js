@@ -12,7 +12,8 @@ export class Editor {
     Object.assign(this, { app, server });
     /** Locks of this session, by the full name of the piece. */
     this.locked = new Set();
-    this.timer = null;
+    /** The move that is not sent yet: {name, timer, send}. */
+    this.due = null;
   }
 
   get isEditable() {
@@ -39,44 +40,63 @@ export class Editor {
     this.sendSoon();
   }
 
-  /** What the edits file is to say about the chosen piece as it is now. */
+  /** Where the chosen piece is now, as the edits file says it; the server keeps what else its entry holds, such as a lock. */
   entryNow() {
     const { pieces } = this.app.rooms.shown.get(this.app.selected.room).content;
-    return entryOf(this.app.piece(), pieces, { isLocked: this.isLocked() });
+    return entryOf(this.app.piece(), pieces);
   }
 
   sendSoon() {
     const target = { ...this.app.place, ...this.app.selected };
+    const name = this.nameOf(target);
     const entry = this.entryNow();
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.send(target, entry), PAUSE);
+    if (this.due?.name !== name) this.due?.send();
+    clearTimeout(this.due?.timer);
+    const send = () => {
+      clearTimeout(this.due.timer);
+      this.due = null;
+      this.send(target, entry);
+    };
+    this.due = { name, send, timer: setTimeout(send, PAUSE) };
   }
 
   toggleLock() {
     if (!this.isEditable) return;
     const name = this.nameOf(this.app.selected);
     if (!this.locked.delete(name)) this.locked.add(name);
-    this.sendNow(this.entryNow());
+    this.sendNow({ ...this.entryNow(), lock: this.locked.has(name) });
     this.app.hooks.selectionChanged();
   }
 
+  /** Takes the piece out of the room. An entry says either where a piece is or that it is gone: the former edit is forgotten. */
   remove() {
-    this.sendNow({ remove: true });
+    this.sendNow(null, { remove: true });
+  }
+
+  /** Whether the chosen piece, also one that an edit removed, can get back its own place. */
+  get isForgettable() {
+    return this.app.site?.is_editable === true && Boolean(this.app.selected?.piece);
   }
 
   forget() {
-    if (this.isEditable) this.locked.delete(this.nameOf(this.app.selected));
+    if (!this.isForgettable) return;
+    this.locked.delete(this.nameOf(this.app.selected));
     this.sendNow(null);
   }
 
-  sendNow(entry) {
-    if (!this.isEditable) return;
-    clearTimeout(this.timer);
-    this.send({ ...this.app.place, ...this.app.selected }, entry);
+  sendNow(...entries) {
+    if (!this.isForgettable) return;
+    // What is sent now holds the place of the piece, too, or takes it back.
+    clearTimeout(this.due?.timer);
+    this.due = null;
+    this.send({ ...this.app.place, ...this.app.selected }, ...entries);
   }
 
-  send({ building, level, room, piece }, entry) {
-    return this.attempt(() => this.server.edit({ building, level, room, object: piece, entry }));
+  /** Sends one entry after the other. */
+  send({ building, level, room, piece }, ...entries) {
+    return this.attempt(async () => {
+      for (const entry of entries) await this.server.edit({ building, level, room, object: piece, entry });
+    });
   }
 
   reroll(room) {

@@ -54,7 +54,7 @@ export class Panel {
   showRoom(room, shown) {
     const { extras = {} } = shown?.content ?? {};
     fillFacts(byId('room-facts'), room ? [
-      ['Type', words(extras.type ?? room.type)],
+      ['Type', words(extras.type ?? room.type ?? '')],
       ['Style', extras.style],
       ['Pieces', extras.requested === undefined ? null : `${extras.placed} of ${extras.requested}`],
       ['Grade', extras.grade && `${extras.grade}${typeof extras.score === 'number' ? `, score ${extras.score.toFixed(2)}` : ''}`],
@@ -73,8 +73,9 @@ export class Panel {
       ['Place', `${piece.at[0].toFixed(2)}, ${piece.at[1].toFixed(2)}; ${piece.bottom.toFixed(2)} m above the floor`],
       ['Turned', `${Math.round((piece.angle * 180 / Math.PI + 360) % 360)}°`],
       ['Variant', piece.variant],
-    ] : []);
+    ] : this.app.selected?.piece ? [['Piece', `${this.app.selected.piece} is not in the room now`]] : []);
     for (const button of byId('piece-buttons').querySelectorAll('button')) button.disabled = !this.editor.isEditable;
+    byId('forget').disabled = !this.editor.isForgettable;
     byId('lock').setAttribute('aria-pressed', String(this.editor.isLocked()));
   }
 

@@ -27,10 +27,9 @@ function movedTo(piece, matrix) {
  * The entry for a piece where it is now. The frame is that of its parent if this is an object, also one that it stands beside;
  * else that of the level.
  */
-export function entryOf({ matrix, parent }, pieces, { isLocked = false } = {}) {
+export function entryOf({ matrix, parent }, pieces) {
   const frame = pieces.find(({ id }) => id === parent)?.matrix ?? IDENTITY;
   const local = multiplied(inverseOf(frame), matrix);
   const [x, , z] = positionOf(local);
-  const entry = { at: [rounded(x, 3), rounded(-z, 3)], turn: rounded((degrees(angleOf(local)) + 360) % 360, 1) };
-  return isLocked ? { ...entry, lock: true } : entry;
+  return { at: [rounded(x, 3), rounded(-z, 3)], turn: rounded((degrees(angleOf(local)) + 360) % 360, 1) };
 }

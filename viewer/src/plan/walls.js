@@ -1,6 +1,6 @@
 // The walls that stop somebody who walks: the outlines of rooms without the openings that one can walk through.
 import { add, cross, dot, scale, subtract } from './frame.js';
-import { sidesOf } from './polygon.js';
+import { isInRoom, sidesOf } from './polygon.js';
 
 /** Farther from the middle of an opening, a side of a room is another wall (metres): the thickest walls of plans, and some. */
 const FARTHEST_FACE = 0.9;
@@ -69,4 +69,15 @@ function remaining({ segment, gaps }) {
   }
   if (length > from) pieces.push([from, length]);
   return pieces.map(([start, end]) => [pointAlong(segment, start), pointAlong(segment, end)]);
+}
+
+/** Metres from the middle of a door to somebody who came in by it. */
+const INSIDE = 0.75;
+
+/** Where somebody stands who came into a room by its first door, or null: furniture leaves the places before doors free. */
+export function placeInsideDoor(room, openings) {
+  const door = openings.find(({ kind, rooms }) => kind !== 'window' && rooms.includes(room.id));
+  if (!door) return null;
+  const normal = scale([-door.along[1], door.along[0]], INSIDE);
+  return [add(door.center, normal), subtract(door.center, normal)].find((place) => isInRoom(place, room)) ?? null;
 }

@@ -8,7 +8,7 @@ export class ServerFault extends Error {
   }
 }
 
-const ANSWERS_NOT = 'the server does not answer. Start `roomwright view` again, then reload this page';
+const ANSWERS_NOT = 'the server does not answer. Start `roomwright view` again and open the address that it prints';
 
 export class Server {
   site() { return this.get('api/site'); }

@@ -4,7 +4,7 @@ import { ACESFilmicToneMapping, Color, Scene, WebGLRenderer } from 'three';
 /** Finer pixels cost more than they show. */
 const FINEST_PIXELS = 2;
 /** A frame after a pause would otherwise move everything by the whole pause (seconds). */
-const LONGEST_STEP = 0.1;
+const LONGEST_STEP = 0.25;
 
 export class Stage {
   /** Throws where the browser has no WebGL. */

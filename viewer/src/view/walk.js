@@ -1,7 +1,7 @@
 // The view of somebody who walks through the level, by keys, mouse, finger and an on-screen stick.
 import { PerspectiveCamera } from 'three';
 import { findFree, move } from '../plan/collision.js';
-import { add, distance, directionOf, scale, toScene } from '../plan/frame.js';
+import { distance, directionOf, headingOf, scale, subtract, toScene } from '../plan/frame.js';
 import { roomAt } from '../plan/polygon.js';
 import { velocityOf } from '../plan/steps.js';
 
@@ -10,7 +10,7 @@ export const EYE = 1.6;
 const FIELD_OF_VIEW = 70;
 /** Radians for each pixel of a drag, and radians a second for a key. */
 const [DRAG_TURN, KEY_TURN] = [0.0045, 1.9];
-const STEEPEST = 1.3;
+const [STEEPEST, LOWERED] = [1.3, -0.12];
 const KEYS = {
   KeyW: 'forward', ArrowUp: 'forward', KeyS: 'back', ArrowDown: 'back', KeyA: 'left', KeyD: 'right',
   ArrowLeft: 'turnLeft', ArrowRight: 'turnRight', ShiftLeft: 'run', ShiftRight: 'run',
@@ -56,9 +56,14 @@ export class WalkView {
     this.isChanged = true;
   }
 
-  faceTo([x, y]) {
-    if (distance([x, y], this.position) > 0.01) this.heading = Math.atan2(y - this.position[1], x - this.position[0]);
-    this.pitch = -0.15;
+  faceTo(place) {
+    if (distance(place, this.position) > 0.01) this.face(headingOf(subtract(place, this.position)));
+  }
+
+  /** Looks along a heading, a little down, as people do. */
+  face(heading) {
+    this.heading = heading;
+    this.pitch = LOWERED;
     this.isChanged = true;
   }
 
@@ -97,7 +102,7 @@ export class WalkView {
       this.position = move(before, scale(velocityOf(wish, this.heading), seconds), this.level().obstacles);
       this.room = roomAt(this.level().rooms, this.position) ?? this.room;
     }
-    this.velocity = seconds > 0 ? scale(add(this.position, scale(before, -1)), 1 / seconds) : [0, 0];
+    this.velocity = seconds > 0 ? scale(subtract(this.position, before), 1 / seconds) : [0, 0];
     const isMoving = wish.turn !== 0 || distance(before, this.position) > 1e-5;
     const isChanged = isMoving || this.isChanged;
     this.isChanged = false;
