@@ -102,6 +102,13 @@ viewers() {
   counted env ROOMWRIGHT_BAKED="$work/release" node --test --test-reporter=./tests/viewers/report.mjs tests/viewers/viewers.test.mjs
 }
 
+# The page of `roomwright view`: its modules without a browser, and, where there is one, the page itself.
+viewer() {
+  if node tests/viewers/find_chromium.mjs; then set_up_viewer; fi
+  counted env ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" \
+    node --test --test-reporter=./tests/viewers/report.mjs tests/viewer/*.test.mjs
+}
+
 step "Python environment" set_up_python
 step "Khronos validator" set_up_validator
 step "cargo fmt" checked cargo fmt --check
@@ -122,5 +129,6 @@ step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --
 step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd"
 step "docs/walkthrough.sh" checked walk
 step "Viewers" viewers
+step "The page of roomwright view" viewer
 step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" .venv/bin/python -m pytest -q tests/scripts
 step_name=

@@ -3,8 +3,8 @@ import { Batches } from './model/batches.js';
 import { Library } from './model/library.js';
 import { Rooms } from './model/rooms.js';
 import { obstaclesOf, openestHeading } from './plan/collision.js';
-import { add, directionOf, scale, toPlan, toScene } from './plan/frame.js';
-import { boundsOf, clampedInto, middleOf, roomAt } from './plan/polygon.js';
+import { add, directionOf, distance, headingOf, scale, subtract, toPlan, toScene } from './plan/frame.js';
+import { boundsOf, clampedInto, middleOf, roomAt, sidesOf } from './plan/polygon.js';
 import { placeInsideDoor, wallsOf } from './plan/walls.js';
 import { readEvent, readLevel, readPlace, readSite, writePlace } from './server/contract.js';
 import { Feed } from './server/feed.js';
@@ -17,6 +17,8 @@ import { WalkView } from './view/walk.js';
 
 /** Metres between a viewer who is sent to a piece and that piece. */
 const VISIT_DISTANCE = 1.8;
+/** Metres: nearer to the middle of a room, one does not look towards it. */
+const NEAR_MIDDLE = 0.4;
 
 export class App {
   constructor(stage, server, isReduced) {
@@ -188,8 +190,9 @@ export class App {
     const { walk } = this.views;
     const place = front ? add(target, scale(front, VISIT_DISTANCE)) : placeInsideDoor(room, this.map.openings);
     walk.enter(room, place ?? target);
-    if (front) walk.faceTo(target);
-    else walk.face(openestHeading(walk.position, this.ground().obstacles));
+    // In the middle of a room, there is no other way to look than the longest one.
+    if (distance(walk.position, target) > NEAR_MIDDLE) walk.face(headingOf(subtract(target, walk.position)));
+    else walk.face(openestHeading(walk.position, { segments: sidesOf(room.outline) }));
   }
 
   setLight(mode) {

@@ -1,7 +1,7 @@
 // The view of somebody who walks through the level, by keys, mouse, finger and an on-screen stick.
 import { PerspectiveCamera } from 'three';
 import { findFree, move } from '../plan/collision.js';
-import { distance, directionOf, headingOf, scale, subtract, toScene } from '../plan/frame.js';
+import { distance, directionOf, scale, subtract, toScene } from '../plan/frame.js';
 import { roomAt } from '../plan/polygon.js';
 import { velocityOf } from '../plan/steps.js';
 
@@ -54,10 +54,6 @@ export class WalkView {
     this.heading -= right * DRAG_TURN;
     this.pitch = Math.min(STEEPEST, Math.max(-STEEPEST, this.pitch - down * DRAG_TURN));
     this.isChanged = true;
-  }
-
-  faceTo(place) {
-    if (distance(place, this.position) > 0.01) this.face(headingOf(subtract(place, this.position)));
   }
 
   /** Looks along a heading, a little down, as people do. */
