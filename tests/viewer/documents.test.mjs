@@ -14,15 +14,17 @@ import { address } from '../../viewer/src/server/server.js';
 /** A level with a room, a table with a lamp on it, and a door. The table lies in a shared file. */
 function level() {
   const primitive = (position) => ({ attributes: { POSITION: position, TANGENT: 0 }, indices: 2, material: 0 });
+  const piece = (kind, parent, size) => ({ kind: 'furniture', class: kind, id: `${kind}.1`, parent, side: 'above', size });
   return {
     asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }],
     nodes: [
       { name: 'house/ground', extras: { kind: 'level' }, children: [1, 5] },
       { name: 'room:study', extras: { kind: 'room', room: 'study', findings: [] }, children: [2, 7] },
-      { name: 'table.1@study', mesh: 0, translation: [2, 0, -1], children: [3], extras: { kind: 'furniture', class: 'table', id: 'table.1', parent: 'floor', side: 'above', size: [1, 1, 0.7] } },
-      { name: 'lamp.1@study', mesh: 0, translation: [0, 0.7, 0], children: [4], extras: { kind: 'furniture', class: 'lamp', id: 'lamp.1', parent: 'table.1', side: 'above', size: [0.2, 0.2, 0.4] } },
+      { name: 'table.1@study', mesh: 0, translation: [2, 0, -1], children: [3], extras: piece('table', 'floor', [1, 1, 0.7]) },
+      { name: 'lamp.1@study', mesh: 0, translation: [0, 0.7, 0], children: [4], extras: piece('lamp', 'table.1', [0.2, 0.2, 0.4]) },
       { name: 'light.lamp.1@study', translation: [0, 0.4, 0], extras: { kind: 'light', lumens: 800, kelvin: 2700 } },
-      { name: 'door:d', translation: [4, 0, -1], extras: { kind: 'opening', opening: 'door', closure: 'door', id: 'd', rooms: ['study', 'hall'], leaves: [] }, children: [6] },
+      { name: 'door:d', translation: [4, 0, -1], children: [6],
+        extras: { kind: 'opening', opening: 'door', closure: 'door', id: 'd', rooms: ['study', 'hall'], leaves: [] } },
       { name: 'leaf@door:d', mesh: 1, translation: [-0.5, 0, 0], extras: { kind: 'part', part: 'leaf' } },
       { name: 'floor@study', mesh: 1, extras: { kind: 'part', part: 'floor' } },
     ],
@@ -139,7 +141,9 @@ test('a reason says which wishes are met and what was refused', () => {
     search: { places: 9, refused: [{ reason: 'collision', places: 4, obstacles: [{ name: 'bed.1', places: 4 }] }] } }],
   missing: [{ class: 'floor_lamp', reason: 'no place', required: false }] };
   const lines = reasonOf(explanation, 'desk.1').flatMap((section) => section.lines);
-  assert.deepEqual(lines, ['Not met: away from window (window:w1), 1.20 m; 0.0 of 3.0 points', '9 places tried, 4 refused', '4 × collision: bed.1 4']);
+  assert.deepEqual(lines, [
+    'Not met: away from window (window:w1), 1.20 m; 0.0 of 3.0 points', '9 places tried, 4 refused', '4 × collision: bed.1 4',
+  ]);
   assert.deepEqual(reasonOf(explanation, 'bed.1'), []);
   assert.deepEqual(missingOf(explanation), ['Floor lamp: no place']);
 });

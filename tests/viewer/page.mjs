@@ -65,7 +65,9 @@ export class Page {
   async until(holds) {
     const end = Date.now() + LONGEST_WAIT;
     while (!await holds()) {
-      if (Date.now() > end) throw new Error(`still not so after ${LONGEST_WAIT} ms: ${holds}; ${JSON.stringify(await this.stats())}`);
+      if (Date.now() > end) {
+        throw new Error(`still not so after ${LONGEST_WAIT} ms: ${holds}; ${JSON.stringify(await this.stats())}`);
+      }
       await this.page.waitForTimeout(GLANCE);
     }
   }

@@ -15,6 +15,7 @@ import { Neighbours, Outline } from './view/outline.js';
 import { Storeys } from './view/storeys.js';
 import { WalkView } from './view/walk.js';
 
+const AFTER_BREAKAGE = 'Reload the page; if that does not help, start the server again.';
 /** Metres between a viewer who is sent to a piece and that piece. */
 const VISIT_DISTANCE = 1.8;
 /** Metres: nearer to the middle of a room, one does not look towards it. */
@@ -35,10 +36,12 @@ export class App {
       changed: (room) => this.roomChanged(room),
       failed: (error) => say('feed', `The view is not up to date: ${error.message}.`),
       recovered: () => clear('feed'),
-      broken: (error, room) => say('broken', `Room ${room} cannot be shown: ${error.message}. Reload the page; if that does not help, start the server again.`),
+      broken: (error, room) => say('broken', `Room ${room} cannot be shown: ${error.message}. ${AFTER_BREAKAGE}`),
       mended: () => clear('broken'),
     });
-    this.views = { orbit: new OrbitView(stage, isReduced), plan: new PlanView(stage, isReduced), walk: new WalkView(stage, () => this.ground()) };
+    this.views = {
+      orbit: new OrbitView(stage, isReduced), plan: new PlanView(stage, isReduced), walk: new WalkView(stage, () => this.ground()),
+    };
     this.mode = 'orbit';
     this.map = { rooms: [], openings: [] };
     this.selected = null;
@@ -171,7 +174,7 @@ export class App {
     this.obstacles = null;
     if (this.selected?.room === room) this.outline.show(this.piece());
     this.hooks.roomsChanged(room);
-    this.stage.invalidate();
+    this.stage.invalidateLater();
   }
 
   /** Brings the viewer to a piece, or to a room. */

@@ -10,7 +10,7 @@ export const TURN_STEP = 15;
 export class Editor {
   constructor(app, server) {
     Object.assign(this, { app, server });
-    /** Locks of this session, by the full name of the piece. */
+    /** Locks set since the page was opened, by the full name of the piece. */
     this.locked = new Set();
     /** The move that is not sent yet: {name, timer, send}. */
     this.due = null;
@@ -37,6 +37,7 @@ export class Editor {
     const { pieces } = app.rooms.shown.get(room).content;
     app.rooms.movePieces(room, carried(piece, movedMatrix(piece, step, radians(turn)), pieces));
     app.roomChanged(room);
+    app.stage.invalidate();
     this.sendSoon();
   }
 

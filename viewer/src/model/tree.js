@@ -41,7 +41,9 @@ class Reader {
     if (extras.kind === 'room') return { room: this.addRoom(extras) };
     if (extras.kind === 'opening') return { opening: this.addOpening(node, matrix) };
     if (extras.kind === 'furniture' && within.room) return { ...within, piece: addPiece(node, matrix, within) };
-    if (extras.kind === 'light' && within.room) within.room.lamps.push({ position: positionOf(matrix), lumens: extras.lumens, kelvin: extras.kelvin });
+    if (extras.kind === 'light' && within.room) {
+      within.room.lamps.push({ position: positionOf(matrix), lumens: extras.lumens, kelvin: extras.kelvin });
+    }
     if (extras.kind === 'part') return this.enteredPart(node, extras, matrix, within);
     return within;
   }

@@ -18,7 +18,8 @@ export function reasonOf(explanation, id) {
 
 /** Lines about the pieces that a room lacks. */
 export function missingOf(explanation) {
-  return (explanation.missing ?? []).map((piece) => `${words(piece.class)}: ${piece.reason}${piece.is_required ?? piece.required ? ', required' : ''}`);
+  const isRequired = (piece) => piece.is_required ?? piece.required;
+  return (explanation.missing ?? []).map((piece) => `${words(piece.class)}: ${piece.reason}${isRequired(piece) ? ', required' : ''}`);
 }
 
 function wishText({ about, target, is_met: isMet, decided_by: decidedBy, distance, points, weight }) {

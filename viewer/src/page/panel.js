@@ -103,7 +103,8 @@ export class Panel {
     const own = piece && explanation ? reasonOf(explanation, piece.id) : [];
     const missing = !piece && explanation ? missingOf(explanation) : [];
     const sections = [...own, ...missing.length > 0 ? [{ title: 'Missing', lines: missing }] : []];
-    const findings = piece ? findingsOf(this.app.rooms.contents()).filter(({ room, objects }) => room === piece.room && objects.includes(piece.id)) : [];
+    const isAbout = ({ room, objects }) => room === piece?.room && objects.includes(piece.id);
+    const findings = findingsOf(this.app.rooms.contents()).filter(isAbout);
     if (findings.length > 0) sections.unshift({ title: 'Findings', lines: findings.map(findingText) });
     byId('reason').replaceChildren(...sections.flatMap(({ title, lines }) => [
       element('h3', { text: title }), element('ul', { children: lines.map((text) => element('li', { text })) }),
@@ -116,7 +117,8 @@ export class Panel {
     if (key === this.findingsKey) return;
     this.findingsKey = key;
     const items = findings.map((finding) => {
-      const button = element('button', { type: 'button', children: [badge(finding), element('span', { text: `${finding.room}: ${findingText(finding)}` })] });
+      const text = element('span', { text: `${finding.room}: ${findingText(finding)}` });
+      const button = element('button', { type: 'button', children: [badge(finding), text] });
       button.addEventListener('click', () => this.choose(finding.room, finding.objects[0] ?? null));
       return element('li', { children: [button] });
     });

@@ -14,7 +14,8 @@ export function movedMatrix(piece, step, angle) {
 /** The piece at a new matrix, and all that it carries: a list of copies. */
 export function carried(piece, matrix, pieces) {
   const change = multiplied(matrix, inverseOf(piece.matrix));
-  const isCarried = (candidate) => candidate.id === piece.id || candidate.holder !== null && isCarried(pieces.find(({ id }) => id === candidate.holder));
+  const holderOf = ({ holder }) => pieces.find(({ id }) => id === holder);
+  const isCarried = (candidate) => candidate.id === piece.id || candidate.holder !== null && isCarried(holderOf(candidate));
   return pieces.filter(isCarried).map((each) => movedTo(each, multiplied(change, each.matrix)));
 }
 

@@ -62,7 +62,11 @@ class Outside {
     const [from, to] = [toPlan(position), toPlan(target)];
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
     const direction = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-    return { position: to, direction: Math.hypot(...direction) < 0.5 ? [0, 1] : direction, velocity: [0, 0], fov: FIELD_OF_VIEW, mode: 'orbit', isMoving: this.flight !== null };
+    return {
+      // Straight from above, up on the screen is north.
+      position: to, direction: Math.hypot(...direction) < 0.5 ? [0, 1] : direction, velocity: [0, 0], fov: FIELD_OF_VIEW,
+      mode: 'orbit', isMoving: this.flight !== null,
+    };
   }
 
   /** The direction on the plan that is up on the screen (radians). */

@@ -1,5 +1,7 @@
 // The box about the selected piece, seen through everything else, and the plain buildings around.
-import { BoxGeometry, EdgesGeometry, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial } from 'three';
+import {
+  BoxGeometry, EdgesGeometry, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial,
+} from 'three';
 import { multiplied, placed } from '../model/matrix.js';
 
 const COLOUR = 0xff7a1a;

@@ -5,6 +5,8 @@ import { ACESFilmicToneMapping, Color, Scene, WebGLRenderer } from 'three';
 const FINEST_PIXELS = 2;
 /** A frame after a pause would otherwise move everything by the whole pause (seconds). */
 const LONGEST_STEP = 0.25;
+/** Rooms that come in are drawn when this many times the cost of a frame has passed: a slow card else draws each time all the others. */
+const PATIENCE = 4;
 
 export class Stage {
   /** Throws where the browser has no WebGL. */
@@ -18,6 +20,7 @@ export class Stage {
     this.camera = null;
     this.frameTime = 0;
     this.isDirty = true;
+    this.isPending = false;
     canvas.addEventListener('webglcontextlost', () => this.lost?.());
     canvas.addEventListener('webglcontextrestored', () => this.invalidate());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
@@ -26,6 +29,11 @@ export class Stage {
   /** Draws the next frame. */
   invalidate() {
     this.isDirty = true;
+  }
+
+  /** Draws soon: as soon as the card keeps up. */
+  invalidateLater() {
+    this.isPending = true;
   }
 
   resize() {
@@ -39,16 +47,27 @@ export class Stage {
   /** Calls `step(seconds)` before each frame of the screen; it answers whether there is something new to see. */
   run(step) {
     let last = performance.now();
+    let [drawnAt, cost, isMeasuring] = [last, 0, false];
     this.renderer.setAnimationLoop((time) => {
       const seconds = Math.min(LONGEST_STEP, Math.max(0, (time - last) / 1000));
       last = time;
-      const started = performance.now();
+      // The callback after a drawn frame comes when the card is ready for the next one.
+      if (isMeasuring) cost = time - drawnAt;
+      isMeasuring = false;
       const isChanged = step(seconds);
+      if (this.isPending && time - drawnAt > PATIENCE * cost) this.isDirty = true;
       if (!isChanged && !this.isDirty) return;
-      this.isDirty = false;
-      this.renderer.render(this.scene, this.camera);
-      this.frameTime = performance.now() - started;
-      this.drawn?.();
+      this.draw();
+      [drawnAt, isMeasuring] = [time, true];
     });
+  }
+
+  draw() {
+    this.isDirty = false;
+    this.isPending = false;
+    const started = performance.now();
+    this.renderer.render(this.scene, this.camera);
+    this.frameTime = performance.now() - started;
+    this.drawn?.();
   }
 }
