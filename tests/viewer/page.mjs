@@ -93,6 +93,7 @@ export class Page {
 
   /** Presses a button by the keyboard. */
   async activate(selector) {
+    await this.page.waitForSelector(`${selector}:enabled`);
     await this.page.focus(selector);
     await this.press('Enter');
   }
