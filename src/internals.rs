@@ -86,3 +86,6 @@ pub mod storey {
 pub mod texture {
     pub use crate::texture::{SurfaceUse, TextureLibrary, TextureLocation, TextureSize};
 }
+pub mod world {
+    pub use crate::world::{Pace, Spread, WalkPath, WalkReport, walk};
+}

@@ -78,7 +78,9 @@ mod scene;
 mod solve;
 mod storey;
 mod texture;
+mod view;
 mod walk;
+mod world;
 
 pub use batch::{BakeOptions, BakeReport, OutputFault};
 pub use contract::RoomId;
@@ -86,6 +88,7 @@ pub use document::{Fault, Faults};
 pub use gltf::GltfError;
 pub use output::LevelOptions;
 pub use project::{EditsChoice, FinishedRoom, Project, ProjectPaths, Rooms, UnknownRoom};
+pub use world::{Budget, Change, Eye, UnknownLevel, WantedRoom, World, WorldRoom};
 
 /// The types of the fields of [`LevelOptions`] and [`BakeOptions`].
 pub mod options {
@@ -96,6 +99,7 @@ pub mod options {
     pub use crate::output::{Format, TextureOptions};
     pub use crate::scene::{Lights, Parts, SceneOptions};
     pub use crate::texture::TextureSize;
+    pub use crate::world::{DEFAULT_REACH, Need};
 }
 
 /// Plans as they were read: the types of [`Project::plan`].

@@ -188,6 +188,7 @@ fn catalog() -> Catalog {
         id: "office".into(),
         label: "Office".into(),
         is_furnished: true,
+        joins_levels: false,
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),

@@ -20,6 +20,8 @@ pub struct RoomType {
     pub label: String,
     /// Whether it is furnished at all; shafts and stairs are not.
     pub is_furnished: bool,
+    /// Whether people go from level to level in it: stairs, lifts.
+    pub joins_levels: bool,
     /// The pieces of such a room, unless the style has a programme of its own.
     pub programme: Vec<Request>,
     /// Groups of classes that contradict it (`sleeping` in an office), sorted.

@@ -9,6 +9,8 @@ use serde::Serialize;
 use super::audit::JudgedLevel;
 #[cfg(test)]
 use super::plan::{PlanAnswer, ReportFile};
+#[cfg(test)]
+use super::walk::WalkAnswer;
 use crate::audit::AuditSummary;
 use crate::batch::Totals;
 use crate::catalog::Side;
@@ -385,6 +387,7 @@ pub(crate) fn answer_schemas() -> Vec<(&'static str, schemars::Schema)> {
         ("merge", schemars::schema_for!(MergeAnswer)),
         ("plan", schemars::schema_for!(PlanAnswer)),
         ("plan-report", schemars::schema_for!(ReportFile)),
+        ("walk", schemars::schema_for!(WalkAnswer)),
     ]
 }
 

@@ -15,8 +15,8 @@ use crate::batch::{distinct_names, recorded_plan};
 use crate::catalog::load_catalog;
 use crate::document::{Fault, Faults, printable};
 use crate::edits::{
-    Captured, EDITS_ENDING, RoomEntry, capture, edits_path, lock_objects, merge, read_edits, read_edits_file,
-    write_edits,
+    Captured, EDITS_ENDING, EditsFile, RoomEntry, capture, edits_path, lock_objects, merge, read_edits,
+    read_edits_file, write_edits,
 };
 use crate::plan::{PlanReading, project_settings};
 use crate::read_back::{Survey, parse_survey, read_bytes};
@@ -127,12 +127,20 @@ fn write(found: &NewEdits) -> Result<(), Faults> {
     if found.entries.is_empty() {
         return Ok(());
     }
-    update_text(&found.file, || {
-        let known = match found.file.exists() {
-            true => Some(read_edits_file(&found.file)?),
-            false => None,
-        };
-        Ok(write_edits(&merge(known, found.entries.clone())))
+    change_edits_file(&found.file, &|known| Ok(merge(known, found.entries.clone())))
+}
+
+/// Changes an edits file, which need not be there yet.
+///
+/// # Errors
+/// Those of `change`, and if the file cannot be read or written.
+pub(super) fn change_edits_file(
+    path: &Path,
+    change: &dyn Fn(Option<EditsFile>) -> Result<EditsFile, Faults>,
+) -> Result<(), Faults> {
+    update_text(path, || {
+        let known = if path.exists() { Some(read_edits_file(path)?) } else { None };
+        Ok(write_edits(&change(known)?))
     })
 }
 

@@ -31,6 +31,8 @@ mod sources;
 mod summary;
 mod update;
 mod usage;
+mod view;
+mod walk;
 mod watch;
 
 use clap::Parser;
@@ -68,6 +70,8 @@ fn run_command() -> Outcome {
         Command::Plan(arguments) => plan::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),
         Command::Init(arguments) => init::run(&arguments, screen),
+        Command::View(arguments) => view::run(arguments, screen),
+        Command::Walk(arguments) => walk::run(&arguments, screen),
         Command::Completions(arguments) => man::run_completions(arguments, screen),
         Command::Man(arguments) => man::run_man(&arguments, screen),
     }

@@ -15,6 +15,7 @@ use crate::diff::Report;
 use crate::edits::EditsFile;
 use crate::plan::{PlanFile, ProjectFile};
 use crate::storey::Typologies;
+use crate::world::PathFile;
 
 fn schema<T: JsonSchema>(name: &str) -> (String, Schema) {
     (name.to_owned(), schema_for!(T))
@@ -29,6 +30,7 @@ fn schemas() -> Vec<(String, Schema)> {
         schema::<Extras>("extras"),
         schema::<HouseholdsFile>("households"),
         schema::<Manifest>("manifest"),
+        schema::<PathFile>("path"),
         schema::<PlanFile>("plan"),
         schema::<PaletteFile>("palettes"),
         schema::<ProjectFile>("project"),

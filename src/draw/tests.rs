@@ -23,6 +23,7 @@ fn catalog() -> Catalog {
         id: "office".to_owned(),
         label: "Office".to_owned(),
         is_furnished: true,
+        joins_levels: false,
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),

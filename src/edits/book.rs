@@ -60,6 +60,14 @@ impl EditBook {
 }
 
 impl RoomEdits {
+    /// A text that is equal for equal edits, wherever they are written.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let objects: BTreeMap<&String, &ObjectEntry> =
+            self.objects.iter().map(|(id, edit)| (id, &edit.entry)).collect();
+        serde_json::to_string(&(self.seed, objects)).expect("edits are texts and finite numbers")
+    }
+
     /// Ids of the objects of which the arrangement knows nothing.
     #[must_use]
     pub fn later_edits(&self) -> Vec<String> {

@@ -21,6 +21,7 @@ mod locks;
 mod merge;
 mod misfit;
 mod read;
+mod set;
 mod standing;
 #[cfg(test)]
 mod tests;
@@ -29,12 +30,11 @@ mod write;
 
 pub use book::{EditBook, LevelEdits, RoomEdits};
 pub use capture::{Captured, capture};
-#[cfg(test)]
-pub(crate) use file::EditsFile;
-pub use file::RoomEntry;
+pub use file::{EditsFile, RoomEntry};
 pub use finish::{Finished, finish, furnish_edited};
 pub use locked::lock_objects;
 pub use merge::merge;
 pub use misfit::{Misfit, distinct_misfits};
 pub use read::{EDITS_ENDING, edits_path, read_edits, read_edits_file};
+pub use set::{set_object, set_seed};
 pub use write::write_edits;

@@ -38,6 +38,7 @@ pub use library::{SharedLibrary, SharedModel};
 pub use models::EncodedModels;
 pub use options::{FlatNormals, WriteOptions};
 pub(crate) use output::{GLB, GLTF};
+pub(crate) use shared::GeometryLibrary;
 
 use crate::scene::Scene;
 

@@ -46,7 +46,7 @@ struct GltfOutput<'a> {
     /// Catalogue models that other levels have encoded.
     encoded: EncodedModels,
     /// None where each level carries its models.
-    library: Option<GeometryLibrary<'a>>,
+    library: Option<GeometryLibrary>,
 }
 
 impl<'a> GltfOutput<'a> {

@@ -1,5 +1,6 @@
 //! Models that the levels of a building share: one file for each model in use.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::encode::Painting;
@@ -9,6 +10,7 @@ use crate::catalog::Catalog;
 use crate::disk::content_hash;
 use crate::model::{Model, ModelMaterial, TextureUse};
 use crate::output::{LevelOptions, SHARED_GEOMETRY};
+use crate::recipes::Slot;
 use crate::scene::{ModelKey, Scene};
 use crate::texture::has_relief;
 
@@ -16,16 +18,15 @@ use crate::texture::has_relief;
 const NAME_DIGITS: usize = 12;
 
 /// The models of a run as floors share them, laid out when a level first shows them.
-pub(crate) struct GeometryLibrary<'a> {
-    catalog: &'a Catalog,
-    options: &'a LevelOptions,
+pub(crate) struct GeometryLibrary {
+    paintings: Paintings,
     known: Mutex<SharedLibrary>,
 }
 
-impl<'a> GeometryLibrary<'a> {
+impl GeometryLibrary {
     /// Nothing is laid out yet.
-    pub(crate) fn new(catalog: &'a Catalog, options: &'a LevelOptions) -> Self {
-        Self { catalog, options, known: Mutex::default() }
+    pub(crate) fn new(catalog: &Catalog, options: &LevelOptions) -> Self {
+        Self { paintings: Paintings::new(catalog, options), known: Mutex::default() }
     }
 
     /// The models that a scene shows. A file's bytes and its name depend on the model and the catalogue alone, so that
@@ -41,7 +42,7 @@ impl<'a> GeometryLibrary<'a> {
             return Arc::clone(found);
         }
         // Two threads may come here at once: both make the same.
-        let painting = |material: &ModelMaterial| painting(self.catalog, material, self.options);
+        let painting = |material: &ModelMaterial| self.paintings.of(material);
         let made = Arc::new(SharedModel::new(model, painting, |bytes| file_name(key, bytes)));
         known().insert(key.clone(), Arc::clone(&made));
         made
@@ -54,31 +55,42 @@ fn file_name(key: &ModelKey, bytes: &[u8]) -> String {
     format!("{SHARED_GEOMETRY}/{}.{}.bin", key.variant, &hash[..NAME_DIGITS])
 }
 
-/// The painting of a material, over all palettes.
-fn painting(catalog: &Catalog, material: &ModelMaterial, options: &LevelOptions) -> Painting {
-    let has_textures = options.textures.size.is_some();
-    let lacks_flat_normals = options.flat_normals == FlatNormals::Implied;
-    match material {
-        ModelMaterial::Slot(slot) => {
-            let materials = catalog.palettes.values().filter_map(|palette| palette.materials.get(slot));
-            let surfaces: Vec<&str> = materials.filter_map(|material| material.texture).collect();
-            Painting {
-                has_coordinates: has_textures && !surfaces.is_empty(),
-                has_tangents: has_textures && surfaces.into_iter().any(has_relief),
-                normal_set: 0,
-                lacks_flat_normals,
+/// The paintings of materials, over all palettes.
+struct Paintings {
+    slots: BTreeMap<Slot, Painting>,
+    lacks_flat_normals: bool,
+}
+
+impl Paintings {
+    fn new(catalog: &Catalog, options: &LevelOptions) -> Self {
+        let has_textures = options.textures.size.is_some();
+        let lacks_flat_normals = options.flat_normals == FlatNormals::Implied;
+        let mut slots: BTreeMap<Slot, Painting> = BTreeMap::new();
+        for (slot, material) in catalog.palettes.values().flat_map(|palette| &palette.materials) {
+            let painting = slots.entry(*slot).or_default();
+            painting.lacks_flat_normals = lacks_flat_normals;
+            if let Some(surface) = material.texture.filter(|_| has_textures) {
+                painting.has_coordinates = true;
+                painting.has_tangents |= has_relief(surface);
             }
         }
-        ModelMaterial::Swatches(_) => {
-            Painting { has_coordinates: true, lacks_flat_normals, ..Painting::default() }
-        }
-        ModelMaterial::Own(own) => {
-            let normal = own.textures.iter().find(|(purpose, _)| *purpose == TextureUse::Normal);
-            Painting {
-                has_coordinates: !own.textures.is_empty(),
-                has_tangents: normal.is_some(),
-                normal_set: normal.map_or(0, |(_, texture)| texture.coordinate_set),
-                lacks_flat_normals,
+        Self { slots, lacks_flat_normals }
+    }
+
+    fn of(&self, material: &ModelMaterial) -> Painting {
+        let lacks_flat_normals = self.lacks_flat_normals;
+        let plain = Painting { lacks_flat_normals, ..Painting::default() };
+        match material {
+            ModelMaterial::Slot(slot) => self.slots.get(slot).copied().unwrap_or(plain),
+            ModelMaterial::Swatches(_) => Painting { has_coordinates: true, ..plain },
+            ModelMaterial::Own(own) => {
+                let normal = own.textures.iter().find(|(purpose, _)| *purpose == TextureUse::Normal);
+                Painting {
+                    has_coordinates: !own.textures.is_empty(),
+                    has_tangents: normal.is_some(),
+                    normal_set: normal.map_or(0, |(_, texture)| texture.coordinate_set),
+                    ..plain
+                }
             }
         }
     }

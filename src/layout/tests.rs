@@ -84,6 +84,7 @@ pub(super) fn catalog(programme: &[(usize, Count)], untidiness: Untidiness) -> C
         id: "office".into(),
         label: "Office".into(),
         is_furnished: true,
+        joins_levels: false,
         programme: programme.iter().map(request).collect(),
         excludes: Vec::new(),
         area: (0.0, 1e6),

@@ -8,6 +8,8 @@
 mod plausible;
 mod read;
 mod rooms;
+mod writer;
 
 pub use read::{EditsChoice, Project, ProjectPaths};
 pub use rooms::{FinishedRoom, Rooms, UnknownRoom};
+pub(crate) use writer::{RoomView, RoomWriter, WrittenRoom};

@@ -125,6 +125,14 @@ impl Project {
         })
     }
 
+    /// Whether the plan has a room.
+    pub(crate) fn has_room(&self, id: &RoomId) -> bool {
+        let building = self.plan.buildings.iter().find(|placed| placed.id == id.building);
+        let level =
+            building.and_then(|placed| placed.building.levels.iter().find(|level| level.id == id.level));
+        level.is_some_and(|level| level.rooms.iter().any(|room| room.id == id.room))
+    }
+
     /// The rooms one by one, as a bake with these options furnishes them.
     #[must_use]
     pub fn rooms<'a>(&'a self, options: &'a LevelOptions) -> Rooms<'a> {

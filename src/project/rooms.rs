@@ -4,17 +4,16 @@ use std::fmt;
 use std::sync::OnceLock;
 
 use super::read::Project;
+use super::writer::{RoomView, RoomWriter};
 use crate::audit::Verdict;
 use crate::contract::RoomId;
-use crate::dwelling::Occupancy;
-use crate::edits::{Finished, Misfit, furnish_edited};
-use crate::gltf::{EncodedModels, GltfError, WriteOptions, write_glb_with};
-use crate::layout::{FurnishOptions, Furnished};
-use crate::model::SwatchedModels;
-use crate::output::{LevelOptions, TextureOptions};
+use crate::edits::{Finished, Misfit};
+use crate::gltf::GltfError;
+use crate::layout::Furnished;
+use crate::output::LevelOptions;
 use crate::plan::{Level, PlacedBuilding};
-use crate::scene::{Scene, SceneInput, build_scene};
-use crate::texture::TextureLibrary;
+#[cfg(test)]
+use crate::scene::Scene;
 
 /// A room that the plan does not have.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,23 +49,16 @@ pub struct Rooms<'a> {
     /// The buildings with people in them, each when it is first asked for.
     occupied: Vec<OnceLock<PlacedBuilding>>,
     options: &'a LevelOptions,
-    textures: Option<TextureLibrary>,
-    swatches: Option<SwatchedModels>,
-    encoded: EncodedModels,
+    writer: RoomWriter,
 }
 
 impl<'a> Rooms<'a> {
     pub(super) fn new(project: &'a Project, options: &'a LevelOptions) -> Self {
-        // A room alone is one file: its images are in it.
-        let textures = TextureOptions { are_shared: false, ..options.textures };
-        let alone = LevelOptions { textures, ..options.clone() };
         Self {
             project,
             occupied: project.plan.buildings.iter().map(|_| OnceLock::new()).collect(),
             options,
-            textures: alone.texture_library(None),
-            swatches: options.swatches(&project.catalog),
-            encoded: EncodedModels::default(),
+            writer: RoomWriter::alone(&project.catalog, options),
         }
     }
 
@@ -75,25 +67,16 @@ impl<'a> Rooms<'a> {
     /// # Errors
     /// If the plan has no such room.
     pub fn furnish(&self, id: &RoomId) -> Result<FinishedRoom<'_>, UnknownRoom> {
-        let Project { edits, catalog, .. } = self.project;
         let (building, level, room) = self.find(id).ok_or_else(|| UnknownRoom(id.clone()))?;
-        let run = FurnishOptions::new(self.options.seed, &building.id);
-        let run = run.with_style(self.options.style.as_deref());
-        let edits = edits.level(&building.id, &level.id);
         let Finished { judged, misfits } =
-            furnish_edited(level.room(room), catalog, &run, self.options.effort, edits);
+            self.project.furnish_room(self.options, &building.id, level.room(room));
         Ok(FinishedRoom { building, level, furnished: judged.furnished, verdict: judged.verdict, misfits })
     }
 
     fn find(&self, id: &RoomId) -> Option<(&PlacedBuilding, &Level, usize)> {
         let buildings = &self.project.plan.buildings;
         let index = buildings.iter().position(|placed| placed.id == id.building)?;
-        let building = self.occupied[index].get_or_init(|| {
-            let placed = &buildings[index];
-            let households = &self.project.catalog.households;
-            let people = Occupancy::new(&placed.building, &placed.id, households, self.options.seed);
-            PlacedBuilding { building: people.apply(&placed.building), ..placed.clone() }
-        });
+        let building = self.occupied[index].get_or_init(|| self.project.occupied(index, self.options.seed));
         let level = building.building.levels.iter().find(|level| level.id == id.level)?;
         let room = level.rooms.iter().position(|room| room.id == id.room)?;
         Some((building, level, room))
@@ -102,23 +85,9 @@ impl<'a> Rooms<'a> {
     /// The tree of nodes of a room: its level, its openings, its shell and its furniture, with the names that they have in the
     /// file of the level.
     #[must_use]
+    #[cfg(test)]
     pub(crate) fn scene(&self, room: &FinishedRoom<'_>) -> Scene {
-        let Project { catalog, models, .. } = self.project;
-        let LevelOptions { detail, scene, seed, ref style, .. } = *self.options;
-        build_scene(&SceneInput {
-            level: room.level,
-            building: &room.building.id,
-            site: room.building.site,
-            furnished: std::slice::from_ref(&room.furnished),
-            verdicts: std::slice::from_ref(&room.verdict),
-            catalog,
-            models: &|of, geometry| models.model_in_detail(of, geometry, detail),
-            textures: self.textures.as_ref(),
-            swatches: self.swatches.as_ref(),
-            options: scene,
-            seed,
-            style: style.as_deref(),
-        })
+        self.writer.scene(self.project, self.options, &room.view())
     }
 
     /// The room alone as one binary glTF file with all that it shows, whatever [`LevelOptions::format`] says.
@@ -126,12 +95,14 @@ impl<'a> Rooms<'a> {
     /// # Errors
     /// If the file would have 4 GiB or more.
     pub fn glb(&self, room: &FinishedRoom<'_>) -> Result<Vec<u8>, GltfError> {
-        let options = WriteOptions {
-            library: None,
-            models: Some(&self.encoded),
-            flat_normals: self.options.flat_normals,
-        };
-        write_glb_with(&self.scene(room), options)
+        self.writer.glb(self.project, self.options, &room.view())
+    }
+}
+
+impl FinishedRoom<'_> {
+    fn view(&self) -> RoomView<'_> {
+        let Self { building, level, furnished, verdict, .. } = self;
+        RoomView { building, level, furnished, verdict }
     }
 }
 
@@ -143,7 +114,8 @@ mod tests {
     use super::super::ProjectPaths;
     use super::*;
     use crate::dwelling::occupied;
-    use crate::scene::Node;
+    use crate::output::TextureOptions;
+    use crate::scene::{Node, SceneInput, build_scene};
 
     fn house() -> Project {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/plans/house.yaml");

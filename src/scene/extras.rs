@@ -45,13 +45,7 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
     };
     Extras::Opening(OpeningExtras {
         opening: if opening.kind.is_walkable() { OpeningWord::Door } else { OpeningWord::Window },
-        closure: match opening.kind {
-            OpeningKind::Door => Closure::Door,
-            OpeningKind::SlidingDoor => Closure::Sliding,
-            OpeningKind::Passage => Closure::Passage,
-            OpeningKind::OpenBoundary => Closure::Open,
-            OpeningKind::Window => Closure::Window,
-        },
+        closure: closure(opening.kind),
         id: opening.id.clone(),
         rooms: opening.sides.iter().map(|side| level.rooms[side.room].id.clone()).collect(),
         sides: opening.sides.iter().map(side).collect(),
@@ -60,6 +54,17 @@ pub(crate) fn opening_extras(level: &Level, opening: &Opening) -> Extras {
         sill: rounded(opening.bottom),
         leaves: opening.leaves.iter().map(leaf).collect(),
     })
+}
+
+/// How an opening of a kind is closed, in the words of the contract.
+pub(crate) fn closure(kind: OpeningKind) -> Closure {
+    match kind {
+        OpeningKind::Door => Closure::Door,
+        OpeningKind::SlidingDoor => Closure::Sliding,
+        OpeningKind::Passage => Closure::Passage,
+        OpeningKind::OpenBoundary => Closure::Open,
+        OpeningKind::Window => Closure::Window,
+    }
 }
 
 pub(crate) fn room_extras(room: &Room, furnished: &Furnished, verdict: Verdict, catalog: &Catalog) -> Extras {

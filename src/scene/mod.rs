@@ -27,7 +27,7 @@ pub use node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, Scen
 pub use options::{Lights, Parts, SceneOptions};
 
 pub(crate) use axes::{plan_angle, plan_point, plan_rotation};
-pub(crate) use extras::GENERATOR;
+pub(crate) use extras::{GENERATOR, closure};
 
 use axes::Pose;
 use meshes::{Look, MeshTable};

@@ -168,6 +168,7 @@ pub(crate) fn catalog() -> Catalog {
         id: "office".into(),
         label: "Office".into(),
         is_furnished: true,
+        joins_levels: false,
         programme: Vec::new(),
         excludes: Vec::new(),
         area: (0.0, 1e6),

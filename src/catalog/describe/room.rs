@@ -45,6 +45,7 @@ pub(super) fn describe_room_type(catalog: &Catalog, room_type: &RoomType) -> (Li
     let value = json!({
         "label": room_type.label,
         "furnish": room_type.is_furnished,
+        "joins_levels": room_type.joins_levels,
         "area": [room_type.area.0, room_type.area.1],
         "density": [room_type.density.0, room_type.density.1],
         "excludes": room_type.excludes,

@@ -34,6 +34,8 @@ pub(crate) struct RoomTypeEntry {
     pub(crate) is_abstract: bool,
     /// Whether it is furnished at all; default true.
     pub(crate) furnish: Option<bool>,
+    /// Whether people go from level to level in it: stairs, lifts; default false.
+    pub(crate) joins_levels: Option<bool>,
     /// Square metres that such rooms usually have; default [0, 1000000].
     pub(crate) area: Option<Pair>,
     /// The sizes of such rooms that cause no warning; merged key by key.

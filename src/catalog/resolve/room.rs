@@ -65,6 +65,9 @@ fn resolve_room_type(
         id: chain.own().id.clone(),
         label: resolve_label(chain, |entry| entry.label.as_ref()),
         is_furnished: chain.find("furnish", |entry| entry.furnish.as_ref()).is_none_or(|found| *found.value),
+        joins_levels: chain
+            .find("joins_levels", |entry| entry.joins_levels.as_ref())
+            .is_some_and(|found| *found.value),
         programme: programme.requests.clone(),
         excludes,
         area,

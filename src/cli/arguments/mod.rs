@@ -14,6 +14,8 @@ mod pages;
 mod plan;
 mod setup;
 mod sources;
+mod view;
+mod walk;
 
 use clap::{Args, Parser, Subcommand};
 
@@ -29,6 +31,8 @@ pub(crate) use judge::{AuditArguments, DiffArguments};
 pub(crate) use plan::PlanArguments;
 pub(crate) use setup::{CompletionsArguments, InitArguments, ManArguments};
 pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
+pub(crate) use view::ViewArguments;
+pub(crate) use walk::WalkArguments;
 
 /// Furnishes the rooms of floor plans and writes one glTF file for each level of a building.
 ///
@@ -98,6 +102,12 @@ pub(crate) enum Command {
     /// Join the records of several bakes into one folder (--shard) into its manifest.
     #[command(after_help = EXIT_CODES)]
     Merge(MergeArguments),
+    /// Show furnished buildings in the browser: walk through them, ask why, move furniture.
+    #[command(after_help = EXIT_CODES)]
+    View(ViewArguments),
+    /// Walk through furnished buildings without a picture; report whether rooms are there before they are seen.
+    #[command(after_help = EXIT_CODES)]
+    Walk(WalkArguments),
     /// Print a script that completes commands and options in a shell.
     Completions(CompletionsArguments),
     /// Print the manual page.

@@ -14,6 +14,7 @@ use crate::best::furnish_best;
 use crate::dwelling::occupied;
 use crate::edits::RoomEdits;
 use crate::layout::{Explanation, FurnishOptions, Furnished, RoomLayout};
+use crate::output::LevelOptions;
 use crate::project::Project;
 
 /// A room in its building, and all that is to be said about it.
@@ -46,7 +47,9 @@ pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
             argument: "ROOM",
         };
         let found = find_room(&sources.plan.buildings, wanted)?;
-        let subject = subject(arguments, &sources, found, style.as_deref());
+        let options =
+            LevelOptions { seed, style, effort: arguments.furnish.effort, ..LevelOptions::default() };
+        let subject = subject(&sources, found, &options);
         if screen.is_json {
             screen.json(&report::report(&subject));
         } else {
@@ -60,21 +63,25 @@ pub(crate) fn run(arguments: &ExplainArguments, screen: Screen) -> Outcome {
     })
 }
 
+/// The explanation of a room of an occupied building for machines.
+pub(crate) fn explain_room(
+    sources: &Project,
+    found: FoundRoom<'_>,
+    options: &LevelOptions,
+) -> serde_json::Value {
+    serde_json::to_value(report::report(&subject(sources, found, options))).expect("answers are plain data")
+}
+
 /// Furnishes the room as `bake` does, then once more with a trace of the search.
-fn subject<'a>(
-    arguments: &ExplainArguments,
-    sources: &'a Project,
-    found: FoundRoom<'a>,
-    style: Option<&str>,
-) -> Subject<'a> {
-    let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
+fn subject<'a>(sources: &'a Project, found: FoundRoom<'a>, options: &LevelOptions) -> Subject<'a> {
+    let LevelOptions { seed, ref style, effort, .. } = *options;
     let (at, catalog) = (found.at, &sources.catalog);
     let edits = sources.edits.level(&found.placed.id, &at.level.id);
     let edits = edits.and_then(|edits| edits.room(&at.room.id));
     let locks = edits.map(|edits| edits.locks(at, catalog)).unwrap_or_default();
-    let run = FurnishOptions::new(seed, &found.placed.id).with_style(style);
+    let run = FurnishOptions::new(seed, &found.placed.id).with_style(style.as_deref());
     let options = edits.map_or(run, |edits| edits.options(run, &locks));
-    let best = furnish_best(at, catalog, &options, arguments.furnish.effort);
+    let best = furnish_best(at, catalog, &options, effort);
     let (furnished, explanation) = RoomLayout::new(at, catalog, &options).explain(&best.alternative);
     Subject {
         sources,

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf};
 
-use super::super::arguments::BakeArguments;
+use super::super::arguments::{BakeArguments, SourceArguments};
 use super::super::sources::read_plans_only;
 use crate::document::Faults;
 use crate::edits::edits_path;
@@ -24,11 +24,13 @@ impl Inputs {
     /// Everything that a bake reads: what was typed, the plans of projects, edits beside them, configuration, and the files
     /// that have faults.
     pub(super) fn of(arguments: &BakeArguments) -> Self {
-        let sources = &arguments.sources;
+        let outputs = [Some(&arguments.out), arguments.cache.as_ref()].into_iter().flatten();
+        Self { outputs: outputs.filter_map(real).collect(), ..Self::of_sources(&arguments.sources) }
+    }
+
+    /// Everything that a project reads.
+    pub(super) fn of_sources(sources: &SourceArguments) -> Self {
         let mut inputs = Self::default();
-        inputs
-            .outputs
-            .extend([Some(&arguments.out), arguments.cache.as_ref()].into_iter().flatten().filter_map(real));
         sources.paths.iter().for_each(|path| inputs.add_plan(path));
         sources.edits.files.iter().for_each(|path| inputs.add_file(path));
         sources.catalog.iter().for_each(|path| inputs.add_tree(path));

@@ -9,7 +9,7 @@ mod watcher;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-use super::arguments::BakeArguments;
+use super::arguments::{BakeArguments, SourceArguments};
 use super::bake::bake_once;
 use super::exit::Outcome;
 use super::screen::Screen;
@@ -19,6 +19,9 @@ use watcher::{Change, FolderWatcher};
 
 /// Time without a change after which a burst of them is over: editors write a file in several steps.
 const QUIET: Duration = Duration::from_millis(200);
+
+/// The same for somebody who looks at the screen.
+const SHORT_QUIET: Duration = Duration::from_millis(40);
 
 /// Longest burst: inputs that change all the time are baked now and then.
 const LONGEST_BURST: Duration = Duration::from_secs(3);
@@ -47,16 +50,41 @@ fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Fau
         };
         bake_once(arguments.clone(), screen);
         screen.note(&format!("Watching {} files and folders{how_to_end}.", inputs.count()));
-        match next_change(changes, &inputs) {
+        match next_change(changes, &inputs, QUIET) {
             Some(name) => screen.note(&format!("{name} changed: baking again.")),
             None => return Fault::of_file(&arguments.sources.paths[0], "can no longer be watched").into(),
         }
     }
 }
 
+/// Calls `changed` after each change of the inputs of a project, with less patience than a bake has; ends where nothing can be
+/// watched any more, and says why.
+pub(super) fn watch_sources(sources: &SourceArguments, changed: impl Fn()) -> Faults {
+    let place = sources.paths.first().cloned().unwrap_or_default();
+    let mut watcher = FolderWatcher::default();
+    let mut is_first = true;
+    loop {
+        let inputs = Inputs::of_sources(sources);
+        if inputs.is_empty() {
+            return Fault::of_file(&place, "is in no folder that can be watched").into();
+        }
+        let changes = match watcher.watch(&inputs) {
+            Ok(changes) => changes,
+            Err(faults) => return faults,
+        };
+        // What changed before the folders were watched is read now.
+        if !std::mem::take(&mut is_first) {
+            changed();
+        }
+        if next_change(changes, &inputs, SHORT_QUIET).is_none() {
+            return Fault::of_file(&place, "can no longer be watched").into();
+        }
+    }
+}
+
 /// Waits for a change of an input and the end of its burst; the name of the first file that changed, or nothing if nobody
 /// watches any more.
-fn next_change(changes: &Receiver<Change>, inputs: &Inputs) -> Option<String> {
+fn next_change(changes: &Receiver<Change>, inputs: &Inputs, quiet: Duration) -> Option<String> {
     let first = loop {
         match changes.recv().ok()? {
             Change::Of(path) if inputs.contains(&path) => break inputs.show(&path),
@@ -66,7 +94,7 @@ fn next_change(changes: &Receiver<Change>, inputs: &Inputs) -> Option<String> {
     };
     let started = Instant::now();
     while started.elapsed() < LONGEST_BURST {
-        match changes.recv_timeout(QUIET) {
+        match changes.recv_timeout(quiet) {
             Ok(_) => {}
             Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected) => break,
         }

@@ -1,0 +1,130 @@
+//! `view`: shows furnished buildings in a browser on this machine.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde_json::Value;
+
+use super::arguments::{SourceArguments, ViewArguments};
+use super::bake::cache_root;
+use super::edits::change_edits_file;
+use super::exit::Outcome;
+use super::explain::explain_room;
+use super::find_room::FoundRoom;
+use super::screen::Screen;
+use super::sources::{read_sources, run_style};
+use super::watch::watch_sources;
+use crate::batch::PROGRAM;
+use crate::cache::Cache;
+use crate::contract::RoomId;
+use crate::document::{Fault, Faults};
+use crate::edits::edits_path;
+use crate::output::{LevelOptions, TextureOptions};
+use crate::project::{Project, RoomWriter};
+use crate::view::{Controls, EditsChange, Server, Session, ViewSources, serve};
+
+/// Runs the command until Ctrl-C.
+pub(crate) fn run(arguments: ViewArguments, screen: Screen) -> Outcome {
+    // Nothing is half written at any time.
+    let is_handled = ctrlc::set_handler(|| std::process::exit(Outcome::Done as i32)).is_ok();
+    match start(&arguments, screen, if is_handled { " Ctrl-C ends." } else { "" }) {
+        Ok(()) => Outcome::Done,
+        Err(faults) => {
+            screen.faults(&faults);
+            Outcome::NotStarted
+        }
+    }
+}
+
+fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<(), Faults> {
+    let ViewArguments { sources, furnish, port, no_open, threads } = arguments.clone();
+    let controls = Controls { seed: furnish.seed, style: furnish.style.clone() };
+    let files = Files { sources: sources.clone(), effort: furnish.effort };
+    let (mut project, options) = files.read(&controls)?;
+    screen.faults(&std::mem::take(&mut project.faults));
+    let threads = threads.and_then(NonZeroUsize::new);
+    let threads = threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let fault = |error: std::io::Error| {
+        let message = format!("the server cannot start: {error}");
+        Fault::of_file(Path::new("--port"), message).with_hint("take another port, or 0 for any that is free")
+    };
+    let session = Session::open(Box::new(files), controls, (project, options), threads).map_err(fault)?;
+    let session = Arc::new(session);
+    let server = Server::listen(port).map_err(fault)?;
+    let address = server.address();
+    screen.result(&address);
+    screen.note(&format!("The page is for this machine alone.{how_to_end}"));
+    if !sources.paths.is_empty() {
+        let session = Arc::clone(&session);
+        std::thread::spawn(move || {
+            let ended = watch_sources(&sources, || session.reload());
+            screen.faults(&ended);
+        });
+    }
+    if !no_open && let Err(error) = open::that_detached(&address) {
+        screen.note(&format!("No browser could be opened ({error}): open the address yourself."));
+    }
+    serve(server, session).map_err(|error| fault(error).into())
+}
+
+/// The files of the command line.
+struct Files {
+    sources: SourceArguments,
+    effort: u32,
+}
+
+impl ViewSources for Files {
+    fn read(&self, controls: &Controls) -> Result<(Project, LevelOptions), Faults> {
+        let project = read_sources(&self.sources.seeded(controls.seed))?;
+        let style = run_style(controls.style.as_ref(), &project)?;
+        let defaults = project.level_options();
+        let options = LevelOptions {
+            seed: controls.seed.unwrap_or(defaults.seed),
+            style,
+            effort: self.effort,
+            has_shared_library: true,
+            textures: TextureOptions { are_shared: true, ..defaults.textures },
+            ..defaults
+        };
+        Ok((project, options))
+    }
+
+    fn explain(&self, project: &Project, options: &LevelOptions, id: &RoomId) -> Option<Value> {
+        let index = project.plan.buildings.iter().position(|placed| placed.id == id.building)?;
+        let placed = project.occupied(index, options.seed);
+        let level = placed.building.levels.iter().find(|level| level.id == id.level)?;
+        let room = level.rooms.iter().position(|room| room.id == id.room)?;
+        let found = FoundRoom { placed: &placed, at: level.room(room) };
+        Some(explain_room(project, found, options))
+    }
+
+    fn change_edits(
+        &self,
+        project: &Project,
+        building: &str,
+        change: &EditsChange<'_>,
+    ) -> Result<PathBuf, Faults> {
+        // Files that were named win over those beside plans, the last of them over all.
+        let named = self.sources.edits.files.last().cloned();
+        let beside = || {
+            let placed = project.plan.buildings.iter().find(|placed| placed.id == building)?;
+            let source = &placed.source;
+            Some(edits_path(source.project.as_ref().unwrap_or(&source.plan)))
+        };
+        let unknown = || Fault::of_file(Path::new(building), "there is no such building");
+        let file = named.or_else(beside).ok_or_else(unknown)?;
+        change_edits_file(&file, change)?;
+        Ok(file)
+    }
+
+    fn is_editable(&self) -> bool {
+        // The demo has no files that stay.
+        !self.sources.paths.is_empty() && !self.sources.edits.no_edits
+    }
+
+    fn writer(&self, project: &Project, options: &LevelOptions) -> RoomWriter {
+        let cache = cache_root(None).map(|root| Cache::new(&root, PROGRAM));
+        RoomWriter::new(&project.catalog, options, cache)
+    }
+}

@@ -1,0 +1,371 @@
+//! The world that a page looks at, and the answers to what it asks.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+use tokio::sync::broadcast;
+
+use super::site::{Abilities, level, site};
+use crate::contract::RoomId;
+use crate::document::Faults;
+use crate::edits::{EditsFile, set_object, set_seed};
+use crate::geometry::Point;
+use crate::gltf::SharedLibrary;
+use crate::output::LevelOptions;
+use crate::project::{Project, RoomWriter, WrittenRoom};
+use crate::scene::SceneMaterial;
+use crate::world::{Budget, DEFAULT_REACH, Eye, Need, World};
+
+/// Rooms that the world holds for a page: those of a large level, and of the levels beside it.
+const BUDGET: Budget = Budget { rooms: 2048, bytes: 64 << 20 };
+/// Rooms that a page is told to draw at most.
+const MOST_ROOMS: usize = 600;
+/// Events that a slow page may lag behind.
+const EVENTS: usize = 16;
+
+/// Seed and style, which the page may change while the server runs.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Controls {
+    /// Seed of the run; that of the project where none is said.
+    pub(crate) seed: Option<u64>,
+    /// Style of the run, likewise.
+    pub(crate) style: Option<String>,
+}
+
+/// Changes the edits file of somebody.
+pub(crate) type EditsChange<'a> = dyn Fn(Option<EditsFile>) -> Result<EditsFile, Faults> + 'a;
+
+/// Where a session has its project from; the command line knows.
+pub(crate) trait ViewSources: Send + Sync {
+    /// Reads everything anew, and says with which options it is furnished.
+    ///
+    /// # Errors
+    /// If nothing can be read.
+    fn read(&self, controls: &Controls) -> Result<(Project, LevelOptions), Faults>;
+
+    /// What `explain` says about a room; none if there is no such room.
+    fn explain(&self, project: &Project, options: &LevelOptions, id: &RoomId) -> Option<Value>;
+
+    /// Changes the edits file of a building, and says which file that is.
+    ///
+    /// # Errors
+    /// If it cannot be read or written.
+    fn change_edits(
+        &self,
+        project: &Project,
+        building: &str,
+        change: &EditsChange<'_>,
+    ) -> Result<PathBuf, Faults>;
+
+    /// Whether edits can be kept at all.
+    fn is_editable(&self) -> bool;
+
+    /// Keeps textures between runs.
+    fn writer(&self, project: &Project, options: &LevelOptions) -> RoomWriter;
+}
+
+/// Why a question has no answer.
+#[derive(Debug)]
+pub(crate) enum Refusal {
+    /// There is no such thing.
+    NotFound(String),
+    /// The question makes no sense.
+    Bad(String),
+}
+
+/// What the rooms are made from, and how they are written.
+struct Scenery {
+    project: Arc<Project>,
+    options: LevelOptions,
+    writer: RoomWriter,
+}
+
+/// The state behind a page.
+pub(crate) struct Session {
+    sources: Box<dyn ViewSources>,
+    controls: Mutex<Controls>,
+    world: Mutex<World>,
+    scenery: Mutex<Arc<Scenery>>,
+    /// Models and images that rooms refer to, by path.
+    shared: Mutex<BTreeMap<String, Arc<Vec<u8>>>>,
+    revision: AtomicU64,
+    events: broadcast::Sender<String>,
+}
+
+/// Where a page looks from.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Look {
+    building: String,
+    level: String,
+    position: [f64; 2],
+    #[serde(default)]
+    direction: [f64; 2],
+    #[serde(default)]
+    velocity: [f64; 2],
+    #[serde(default)]
+    fov: f64,
+    mode: Mode,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Mode {
+    Walk,
+    Orbit,
+}
+
+/// The rooms to draw.
+#[derive(Serialize)]
+pub(super) struct LookAnswer {
+    revision: u64,
+    rooms: Vec<ShownRoom>,
+    waiting: usize,
+}
+
+#[derive(Serialize)]
+struct ShownRoom {
+    building: String,
+    level: String,
+    room: String,
+    version: String,
+    is_visible: bool,
+}
+
+/// An edit of an object.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Edit {
+    building: String,
+    level: String,
+    room: String,
+    object: String,
+    entry: Option<Map<String, Value>>,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Session {
+    /// Opens what was read, and furnishes in the background with so many threads.
+    ///
+    /// # Errors
+    /// If the system has no more threads.
+    pub(crate) fn open(
+        sources: Box<dyn ViewSources>,
+        controls: Controls,
+        (project, options): (Project, LevelOptions),
+        threads: std::num::NonZeroUsize,
+    ) -> std::io::Result<Self> {
+        let project = Arc::new(project);
+        let writer = sources.writer(&project, &options);
+        let mut world = World::open(Arc::clone(&project), options.clone());
+        world.start(threads)?;
+        Ok(Self {
+            sources,
+            controls: Mutex::new(controls),
+            world: Mutex::new(world),
+            scenery: Mutex::new(Arc::new(Scenery { project, options, writer })),
+            shared: Mutex::default(),
+            revision: AtomicU64::new(1),
+            events: broadcast::channel(EVENTS).0,
+        })
+    }
+
+    fn scenery(&self) -> Arc<Scenery> {
+        Arc::clone(&lock(&self.scenery))
+    }
+
+    fn revision(&self) -> u64 {
+        self.revision.load(Ordering::SeqCst)
+    }
+
+    /// Events from now on.
+    pub(super) fn events(&self) -> broadcast::Receiver<String> {
+        self.events.subscribe()
+    }
+
+    fn tell(&self, event: &Value) {
+        // Without a page nobody listens.
+        let _ = self.events.send(event.to_string());
+    }
+
+    /// Reads everything anew; rooms of which nothing has changed stay. What cannot be read is told, and all stays as it was.
+    pub(crate) fn reload(&self) {
+        let controls = lock(&self.controls).clone();
+        match self.sources.read(&controls) {
+            Ok((project, options)) => self.replace(project, options),
+            Err(faults) => {
+                let faults: Vec<String> = faults.0.iter().map(crate::document::Fault::report).collect();
+                self.tell(&json!({"kind": "faults", "faults": faults}));
+            }
+        }
+    }
+
+    fn replace(&self, project: Project, options: LevelOptions) {
+        let faults: Vec<String> = project
+            .faults
+            .0
+            .iter()
+            .filter(|fault| fault.is_error())
+            .map(crate::document::Fault::report)
+            .collect();
+        let project = Arc::new(project);
+        let before = self.scenery();
+        // Models and textures of an equal catalogue are those that are there.
+        let is_equal = before.project.catalog.digest == project.catalog.digest && before.options == options;
+        if !is_equal || !Arc::ptr_eq(&before.project, &project) {
+            let writer = self.sources.writer(&project, &options);
+            *lock(&self.scenery) =
+                Arc::new(Scenery { project: Arc::clone(&project), options: options.clone(), writer });
+        }
+        lock(&self.world).replace(project, options);
+        let revision = self.revision.fetch_add(1, Ordering::SeqCst) + 1;
+        self.tell(&json!({"kind": "changed", "revision": revision, "rooms": null}));
+        if !faults.is_empty() {
+            self.tell(&json!({"kind": "faults", "faults": faults}));
+        }
+    }
+
+    /// All buildings.
+    pub(super) fn site(&self) -> Value {
+        let Scenery { project, options, .. } = &*self.scenery();
+        let abilities =
+            Abilities { revision: self.revision(), kind: "plan", is_editable: self.sources.is_editable() };
+        json!(site(&project.plan, &project.catalog, options, abilities))
+    }
+
+    /// The rooms of a level.
+    pub(super) fn level(&self, building: &str, id: &str) -> Result<Value, Refusal> {
+        let Scenery { project, options, .. } = &*self.scenery();
+        let unknown = || Refusal::NotFound(format!("there is no level {building}/{id}"));
+        let index =
+            project.plan.buildings.iter().position(|placed| placed.id == building).ok_or_else(unknown)?;
+        let placed = project.occupied(index, options.seed);
+        let at = placed.building.levels.iter().position(|level| level.id == id).ok_or_else(unknown)?;
+        Ok(json!(level((building, &placed.building), at, &project.catalog, self.revision())))
+    }
+
+    /// Looks around: the rooms that are there now.
+    pub(super) fn look(&self, look: &Look) -> Result<LookAnswer, Refusal> {
+        let numbers = look.position.iter().chain(&look.direction).chain(&look.velocity);
+        if !numbers.chain([&look.fov]).all(|number| number.is_finite()) {
+            return Err(Refusal::Bad("a look has finite numbers".to_owned()));
+        }
+        let eye = Eye {
+            velocity: Point::from(look.velocity),
+            field_of_view: look.fov.to_radians(),
+            reach: DEFAULT_REACH,
+            ..Eye::new(&look.building, &look.level, Point::from(look.position), Point::from(look.direction))
+        };
+        let mut world = lock(&self.world);
+        let change = match look.mode {
+            Mode::Walk => world.update(&eye, BUDGET),
+            Mode::Orbit => world.survey(&eye, BUDGET),
+        };
+        let change = change.map_err(|error| Refusal::NotFound(error.to_string()))?;
+        let rooms = world.wanted().into_iter().filter_map(|wanted| {
+            let version = format!("{:x}", wanted.room?.number);
+            let RoomId { building, level, room } = wanted.id;
+            Some(ShownRoom { building, level, room, version, is_visible: wanted.need == Need::Visible })
+        });
+        let rooms = rooms.take(MOST_ROOMS).collect();
+        Ok(LookAnswer { revision: self.revision(), rooms, waiting: change.waiting })
+    }
+
+    /// A room as a binary glTF file that refers to shared models and images.
+    pub(super) fn room(&self, id: &RoomId) -> Result<Vec<u8>, Refusal> {
+        let scenery = self.scenery();
+        // Not under the lock: a page that looks around does not wait for a room.
+        let room = lock(&self.world).room(id);
+        let room = room
+            .ok_or_else(|| Refusal::NotFound(format!("room {id} is not furnished now: look at it first")))?;
+        let Scenery { project, options, writer } = &*scenery;
+        let written = writer.write(project, options, &room.view());
+        let WrittenRoom { glb, scene, models } = written.map_err(|error| Refusal::Bad(error.to_string()))?;
+        self.share(models, &scene.materials);
+        Ok(glb)
+    }
+
+    fn share(&self, models: SharedLibrary, materials: &[SceneMaterial]) {
+        let mut shared = lock(&self.shared);
+        for model in models.into_values() {
+            shared.entry(model.path().to_owned()).or_insert_with(|| Arc::new(model.bytes()));
+        }
+        for (_, texture) in materials.iter().flat_map(SceneMaterial::textures) {
+            if let Some(uri) = &texture.image.uri {
+                shared.entry(uri.clone()).or_insert_with(|| Arc::new(texture.image.bytes.clone()));
+            }
+        }
+    }
+
+    /// A model or an image that a room refers to.
+    pub(super) fn shared(&self, path: &str) -> Result<Arc<Vec<u8>>, Refusal> {
+        let found = lock(&self.shared).get(path).map(Arc::clone);
+        found.ok_or_else(|| Refusal::NotFound(format!("no room refers to {path}")))
+    }
+
+    /// Why each piece of a room stands where it is.
+    pub(super) fn explain(&self, id: &RoomId) -> Result<Value, Refusal> {
+        let Scenery { project, options, .. } = &*self.scenery();
+        let answer = self.sources.explain(project, options, id);
+        answer.ok_or_else(|| Refusal::NotFound(format!("there is no room {id}")))
+    }
+
+    /// Changes the edit of an object, in the file beside the plan.
+    pub(super) fn edit(&self, edit: &Edit) -> Result<Value, Refusal> {
+        let Edit { building, level, room, object, entry } = edit;
+        let id = RoomId::new(building, level, room);
+        let change = |file| {
+            let set = set_object(file, &id, object, entry.as_ref());
+            set.map_err(|message| {
+                crate::document::Fault::of_file(std::path::Path::new("edit"), message).into()
+            })
+        };
+        let file = self.change_edits(&id, &change)?;
+        Ok(json!({"revision": self.revision(), "file": file}))
+    }
+
+    /// Gives a room the next seed, in the file beside the plan.
+    pub(super) fn reroll(&self, id: &RoomId) -> Result<Value, Refusal> {
+        let scenery = self.scenery();
+        let edits = scenery.project.edits.level(&id.building, &id.level);
+        let own = edits.and_then(|edits| edits.room(&id.room)?.seed);
+        let seed = own.unwrap_or(scenery.options.seed).wrapping_add(1);
+        let file = self.change_edits(id, &|file| Ok(set_seed(file, id, Some(seed))))?;
+        Ok(json!({"revision": self.revision(), "seed": seed, "file": file}))
+    }
+
+    fn change_edits(&self, id: &RoomId, change: &EditsChange<'_>) -> Result<String, Refusal> {
+        let project = self.scenery().project.clone();
+        if !self.sources.is_editable() {
+            return Err(Refusal::Bad("there is no plan beside which edits could be kept".to_owned()));
+        }
+        if !project.has_room(id) {
+            return Err(Refusal::NotFound(format!("there is no room {id}")));
+        }
+        let path = self.sources.change_edits(&project, &id.building, change).map_err(|faults| {
+            Refusal::Bad(faults.0.first().map(|fault| fault.report()).unwrap_or_default())
+        })?;
+        // At once, so that the answer is about what is there; the watcher finds nothing new afterwards.
+        self.reload();
+        Ok(path.display().to_string())
+    }
+
+    /// Other seeds and styles, while the server runs.
+    pub(super) fn set_controls(&self, controls: Controls) -> Result<Value, Refusal> {
+        let known = self.scenery();
+        if let Some(style) = controls.style.as_ref().filter(|style| !known.project.catalog.has_style(style)) {
+            return Err(Refusal::Bad(format!("there is no style \"{style}\"")));
+        }
+        *lock(&self.controls) = controls;
+        self.reload();
+        Ok(json!({"revision": self.revision()}))
+    }
+}
