@@ -30,6 +30,8 @@ mod command_line {
     mod unknown_words;
     mod user_models;
     mod verdicts;
+    mod view;
+    mod walk;
     mod watch;
     mod world;
 }

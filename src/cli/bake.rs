@@ -186,7 +186,7 @@ pub(super) fn cache_root(typed: Option<PathBuf>) -> Option<PathBuf> {
     typed.or_else(Cache::default_root).filter(|root| root.as_os_str() != "none")
 }
 
-fn textures(word: TextureWord, are_shared: bool) -> TextureOptions {
+pub(super) fn textures(word: TextureWord, are_shared: bool) -> TextureOptions {
     let size = match word {
         TextureWord::None => None,
         TextureWord::Small => Some(TextureSize::Small),

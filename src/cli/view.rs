@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use serde_json::Value;
 
-use super::arguments::{SourceArguments, ViewArguments};
-use super::bake::cache_root;
+use super::arguments::{SourceArguments, TextureWord, ViewArguments};
+use super::bake::{cache_root, textures};
 use super::edits::change_edits_file;
 use super::exit::Outcome;
 use super::explain::explain_room;
@@ -20,7 +20,7 @@ use crate::cache::Cache;
 use crate::contract::RoomId;
 use crate::document::{Fault, Faults};
 use crate::edits::edits_path;
-use crate::output::{LevelOptions, TextureOptions};
+use crate::output::LevelOptions;
 use crate::project::{Project, RoomWriter};
 use crate::view::{Controls, EditsChange, Server, Session, ViewSources, serve};
 
@@ -38,9 +38,9 @@ pub(crate) fn run(arguments: ViewArguments, screen: Screen) -> Outcome {
 }
 
 fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<(), Faults> {
-    let ViewArguments { sources, furnish, port, no_open, threads } = arguments.clone();
+    let ViewArguments { sources, furnish, port, textures, cache, no_open, threads } = arguments.clone();
     let controls = Controls { seed: furnish.seed, style: furnish.style.clone() };
-    let files = Files { sources: sources.clone(), effort: furnish.effort };
+    let files = Files { sources: sources.clone(), effort: furnish.effort, textures, cache };
     let (mut project, options) = files.read(&controls)?;
     screen.faults(&std::mem::take(&mut project.faults));
     let threads = threads.and_then(NonZeroUsize::new);
@@ -72,6 +72,8 @@ fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<
 struct Files {
     sources: SourceArguments,
     effort: u32,
+    textures: TextureWord,
+    cache: Option<PathBuf>,
 }
 
 impl ViewSources for Files {
@@ -84,7 +86,7 @@ impl ViewSources for Files {
             style,
             effort: self.effort,
             has_shared_library: true,
-            textures: TextureOptions { are_shared: true, ..defaults.textures },
+            textures: textures(self.textures, true),
             ..defaults
         };
         Ok((project, options))
@@ -124,7 +126,7 @@ impl ViewSources for Files {
     }
 
     fn writer(&self, project: &Project, options: &LevelOptions) -> RoomWriter {
-        let cache = cache_root(None).map(|root| Cache::new(&root, PROGRAM));
+        let cache = cache_root(self.cache.clone()).map(|root| Cache::new(&root, PROGRAM));
         RoomWriter::new(&project.catalog, options, cache)
     }
 }

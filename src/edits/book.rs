@@ -51,6 +51,15 @@ impl EditBook {
         Some(self.buildings.get(building)?.get(level)?)
     }
 
+    /// A text that is equal for equal edits, wherever they are written.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let levels = self.buildings.iter().flat_map(|(id, levels)| {
+            levels.iter().map(move |(level, edits)| format!("{id}/{level} {}\n", edits.fingerprint()))
+        });
+        levels.collect()
+    }
+
     /// Gives a room another seed, as long as this book lives.
     pub fn pin(&mut self, id: &RoomId, seed: u64) {
         let levels = self.buildings.entry(id.building.clone()).or_default();

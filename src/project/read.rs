@@ -11,7 +11,7 @@ use crate::document::{Faults, Warned};
 use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;
 use crate::output::LevelOptions;
-use crate::plan::{Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
+use crate::plan::{Level, PlacedBuilding, Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
 use crate::storey::Choices;
 
 /// Plans, edits, catalogue and models.
@@ -123,6 +123,24 @@ impl Project {
                 .iter()
                 .flat_map(|level| level.rooms.iter().map(|room| RoomId::new(&placed.id, &level.id, &room.id)))
         })
+    }
+
+    /// Whether all rooms, their edits and their places are those of another project.
+    pub(crate) fn is_equal(&self, other: &Self) -> bool {
+        let is_level = |one: &Level, other: &Level| {
+            (&one.id, &one.name, one.digest) == (&other.id, &other.name, other.digest)
+        };
+        let is_building = |one: &PlacedBuilding, other: &PlacedBuilding| {
+            let (levels, others) = (&one.building.levels, &other.building.levels);
+            (&one.id, one.site, &one.building.name) == (&other.id, other.site, &other.building.name)
+                && levels.len() == others.len()
+                && levels.iter().zip(others).all(|(one, other)| is_level(one, other))
+        };
+        let (buildings, others) = (&self.plan.buildings, &other.plan.buildings);
+        self.catalog.digest == other.catalog.digest
+            && self.edits.fingerprint() == other.edits.fingerprint()
+            && buildings.len() == others.len()
+            && buildings.iter().zip(others).all(|(one, other)| is_building(one, other))
     }
 
     /// Whether the plan has a room.

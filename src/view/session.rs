@@ -1,7 +1,7 @@
 //! The world that a page looks at, and the answers to what it asks.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -11,7 +11,7 @@ use tokio::sync::broadcast;
 
 use super::site::{Abilities, level, site};
 use crate::contract::RoomId;
-use crate::document::Faults;
+use crate::document::{Fault, Faults};
 use crate::edits::{EditsFile, set_object, set_seed};
 use crate::geometry::Point;
 use crate::gltf::SharedLibrary;
@@ -93,6 +93,8 @@ pub(crate) struct Session {
     scenery: Mutex<Arc<Scenery>>,
     /// Models and images that rooms refer to, by path.
     shared: Mutex<BTreeMap<String, Arc<Vec<u8>>>>,
+    /// What was wrong when the inputs were read last.
+    faults: Mutex<Vec<String>>,
     revision: AtomicU64,
     events: broadcast::Sender<String>,
 }
@@ -173,6 +175,7 @@ impl Session {
             world: Mutex::new(world),
             scenery: Mutex::new(Arc::new(Scenery { project, options, writer })),
             shared: Mutex::default(),
+            faults: Mutex::default(),
             revision: AtomicU64::new(1),
             events: broadcast::channel(EVENTS).0,
         })
@@ -202,32 +205,30 @@ impl Session {
         match self.sources.read(&controls) {
             Ok((project, options)) => self.replace(project, options),
             Err(faults) => {
-                let faults: Vec<String> = faults.0.iter().map(crate::document::Fault::report).collect();
+                let faults: Vec<String> = faults.0.iter().map(Fault::report).collect();
+                lock(&self.faults).clone_from(&faults);
                 self.tell(&json!({"kind": "faults", "faults": faults}));
             }
         }
     }
 
     fn replace(&self, project: Project, options: LevelOptions) {
-        let faults: Vec<String> = project
-            .faults
-            .0
-            .iter()
-            .filter(|fault| fault.is_error())
-            .map(crate::document::Fault::report)
-            .collect();
-        let project = Arc::new(project);
+        let errors = project.faults.0.iter().filter(|fault| fault.is_error());
+        let faults: Vec<String> = errors.map(Fault::report).collect();
         let before = self.scenery();
-        // Models and textures of an equal catalogue are those that are there.
-        let is_equal = before.project.catalog.digest == project.catalog.digest && before.options == options;
-        if !is_equal || !Arc::ptr_eq(&before.project, &project) {
+        let is_equal = before.options == options && before.project.is_equal(&project);
+        let had_faults = std::mem::replace(&mut *lock(&self.faults), faults.clone()) != faults;
+        if !is_equal {
+            let project = Arc::new(project);
             let writer = self.sources.writer(&project, &options);
             *lock(&self.scenery) =
                 Arc::new(Scenery { project: Arc::clone(&project), options: options.clone(), writer });
+            lock(&self.world).replace(project, options);
+            self.revision.fetch_add(1, Ordering::SeqCst);
         }
-        lock(&self.world).replace(project, options);
-        let revision = self.revision.fetch_add(1, Ordering::SeqCst) + 1;
-        self.tell(&json!({"kind": "changed", "revision": revision, "rooms": null}));
+        if !is_equal || had_faults {
+            self.tell(&json!({"kind": "changed", "revision": self.revision(), "rooms": null}));
+        }
         if !faults.is_empty() {
             self.tell(&json!({"kind": "faults", "faults": faults}));
         }
@@ -324,9 +325,7 @@ impl Session {
         let id = RoomId::new(building, level, room);
         let change = |file| {
             let set = set_object(file, &id, object, entry.as_ref());
-            set.map_err(|message| {
-                crate::document::Fault::of_file(std::path::Path::new("edit"), message).into()
-            })
+            set.map_err(|message| Fault::of_file(Path::new("edit"), message).into())
         };
         let file = self.change_edits(&id, &change)?;
         Ok(json!({"revision": self.revision(), "file": file}))

@@ -57,12 +57,11 @@ fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Fau
     }
 }
 
-/// Calls `changed` after each change of the inputs of a project, with less patience than a bake has; ends where nothing can be
-/// watched any more, and says why.
+/// Calls `changed` once its inputs are watched and after each change of them, with less patience than a bake has; ends where
+/// nothing can be watched any more, and says why.
 pub(super) fn watch_sources(sources: &SourceArguments, changed: impl Fn()) -> Faults {
     let place = sources.paths.first().cloned().unwrap_or_default();
     let mut watcher = FolderWatcher::default();
-    let mut is_first = true;
     loop {
         let inputs = Inputs::of_sources(sources);
         if inputs.is_empty() {
@@ -73,9 +72,7 @@ pub(super) fn watch_sources(sources: &SourceArguments, changed: impl Fn()) -> Fa
             Err(faults) => return faults,
         };
         // What changed before the folders were watched is read now.
-        if !std::mem::take(&mut is_first) {
-            changed();
-        }
+        changed();
         if next_change(changes, &inputs, SHORT_QUIET).is_none() {
             return Fault::of_file(&place, "can no longer be watched").into();
         }
