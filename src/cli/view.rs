@@ -7,6 +7,7 @@ use std::sync::Arc;
 use serde_json::Value;
 
 use super::arguments::{SourceArguments, TextureWord, ViewArguments};
+use super::audit::level_files;
 use super::bake::{cache_root, textures};
 use super::edits::change_edits_file;
 use super::exit::Outcome;
@@ -15,14 +16,15 @@ use super::find_room::FoundRoom;
 use super::screen::Screen;
 use super::sources::{read_sources, run_style};
 use super::watch::watch_sources;
-use crate::batch::PROGRAM;
+use crate::batch::{MANIFEST_NAME, PROGRAM};
 use crate::cache::Cache;
+use crate::catalog::load_catalog;
 use crate::contract::RoomId;
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, Warned};
 use crate::edits::edits_path;
-use crate::output::LevelOptions;
+use crate::output::{LevelOptions, is_read_back};
 use crate::project::{Project, RoomWriter};
-use crate::view::{Controls, EditsChange, Server, Session, ViewSources, serve};
+use crate::view::{Answers, Baked, Controls, EditsChange, Server, Session, ViewSources, serve};
 
 /// Runs the command until Ctrl-C.
 pub(crate) fn run(arguments: ViewArguments, screen: Screen) -> Outcome {
@@ -38,23 +40,58 @@ pub(crate) fn run(arguments: ViewArguments, screen: Screen) -> Outcome {
 }
 
 fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<(), Faults> {
-    let ViewArguments { sources, furnish, port, textures, cache, no_open, threads } = arguments.clone();
+    let fault = |error: std::io::Error| {
+        let message = format!("the server cannot start: {error}");
+        Fault::of_file(Path::new("--port"), message).with_hint("take another port, or 0 for any that is free")
+    };
+    let answers: Arc<dyn Answers> = match finished_levels(&arguments.sources)? {
+        Some(files) => Arc::new(baked(arguments, &files, screen)?),
+        None => session(arguments, screen)?,
+    };
+    let server = Server::listen(arguments.port).map_err(fault)?;
+    let address = server.address();
+    screen.result(&address);
+    screen.note(&format!("The page is for this machine alone.{how_to_end}"));
+    if !arguments.no_open
+        && let Err(error) = open::that_detached(&address)
+    {
+        screen.note(&format!("No browser could be opened ({error}): open the address yourself."));
+    }
+    serve(server, answers).map_err(|error| fault(error).into())
+}
+
+/// The finished levels that the paths name: files of levels, and folders with a manifest; none where the paths are plans.
+fn finished_levels(sources: &SourceArguments) -> Result<Option<Vec<PathBuf>>, Faults> {
+    let is_finished = |path: &PathBuf| path.join(MANIFEST_NAME).is_file() || is_read_back(path);
+    if sources.paths.is_empty() || !sources.paths.iter().all(is_finished) {
+        return Ok(None);
+    }
+    level_files(&sources.paths).map(|(files, _)| Some(files))
+}
+
+fn baked(arguments: &ViewArguments, files: &[PathBuf], screen: Screen) -> Result<Baked, Faults> {
+    let Warned { value: catalog, mut warnings } = load_catalog(&arguments.sources.catalog)?;
+    let (baked, faults) = Baked::read(files, catalog)?;
+    warnings.merge(faults);
+    screen.faults(&warnings);
+    Ok(baked)
+}
+
+/// A project that is furnished on demand and read again when its files change.
+fn session(arguments: &ViewArguments, screen: Screen) -> Result<Arc<Session>, Faults> {
+    let ViewArguments { sources, furnish, textures, cache, threads, .. } = arguments.clone();
     let controls = Controls { seed: furnish.seed, style: furnish.style.clone() };
     let files = Files { sources: sources.clone(), effort: furnish.effort, textures, cache };
     let (mut project, options) = files.read(&controls)?;
     screen.faults(&std::mem::take(&mut project.faults));
     let threads = threads.and_then(NonZeroUsize::new);
     let threads = threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
-    let fault = |error: std::io::Error| {
-        let message = format!("the server cannot start: {error}");
-        Fault::of_file(Path::new("--port"), message).with_hint("take another port, or 0 for any that is free")
-    };
-    let session = Session::open(Box::new(files), controls, (project, options), threads).map_err(fault)?;
-    let session = Arc::new(session);
-    let server = Server::listen(port).map_err(fault)?;
-    let address = server.address();
-    screen.result(&address);
-    screen.note(&format!("The page is for this machine alone.{how_to_end}"));
+    let opened = Session::open(Box::new(files), controls, (project, options), threads);
+    let opened = opened.map_err(|error| {
+        Fault::of_file(Path::new("--threads"), format!("the threads cannot start: {error}"))
+            .with_hint("take fewer")
+    })?;
+    let session = Arc::new(opened);
     if !sources.paths.is_empty() {
         let session = Arc::clone(&session);
         std::thread::spawn(move || {
@@ -62,10 +99,7 @@ fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<
             screen.faults(&ended);
         });
     }
-    if !no_open && let Err(error) = open::that_detached(&address) {
-        screen.note(&format!("No browser could be opened ({error}): open the address yourself."));
-    }
-    serve(server, session).map_err(|error| fault(error).into())
+    Ok(session)
 }
 
 /// The files of the command line.

@@ -20,7 +20,7 @@ use tokio::net::TcpListener;
 use tokio::sync::broadcast::error::RecvError;
 
 use super::page;
-use super::session::{Controls, Edit, Look, Refusal, Session};
+use super::questions::{Answers, Controls, Edit, Look, Refusal};
 use crate::contract::RoomId;
 use crate::disk::to_hex;
 
@@ -69,16 +69,16 @@ impl Server {
 ///
 /// # Errors
 /// If the system refuses to go on listening.
-pub(crate) fn serve(server: Server, session: Arc<Session>) -> std::io::Result<()> {
+pub(crate) fn serve(server: Server, answers: Arc<dyn Answers>) -> std::io::Result<()> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
     runtime.block_on(async move {
         let listener = TcpListener::from_std(server.listener)?;
         let _: SocketAddr = listener.local_addr()?;
-        axum::serve(listener, router(session, server.guard)).await
+        axum::serve(listener, router(answers, server.guard)).await
     })
 }
 
-fn router(session: Arc<Session>, guard: Arc<Guard>) -> Router {
+fn router(answers: Arc<dyn Answers>, guard: Arc<Guard>) -> Router {
     // Routes are below the token: without it, nothing is there at all.
     let at = |path: &str| format!("/{}/{path}", guard.token);
     Router::new()
@@ -86,6 +86,7 @@ fn router(session: Arc<Session>, guard: Arc<Guard>) -> Router {
         .route(&at("page/{*path}"), get(page_file))
         .route(&at("api/site"), get(site))
         .route(&at("api/level"), get(level))
+        .route(&at("api/levelfile"), get(level_file))
         .route(&at("api/look"), post(look))
         .route(&at("api/room"), get(room))
         .route(&at("api/explain"), get(explain))
@@ -94,7 +95,7 @@ fn router(session: Arc<Session>, guard: Arc<Guard>) -> Router {
         .route(&at("api/settings"), post(settings))
         .route(&at("api/events"), get(events))
         .route(&at("shared/{*path}"), get(shared))
-        .with_state(session)
+        .with_state(answers)
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
         .layer(from_fn_with_state(guard, guarded))
 }
@@ -196,21 +197,24 @@ async fn page_file(Path(path): Path<String>) -> Answer<Response> {
     page::file(&path).map(file).ok_or_else(|| Refusal::NotFound(format!("the page has no file {path}")))
 }
 
-async fn site(State(session): State<Arc<Session>>) -> Answer<Json<Value>> {
-    blocking(move || Ok(session.site())).await.map(Json)
+async fn site(State(answers): State<Arc<dyn Answers>>) -> Answer<Json<Value>> {
+    blocking(move || Ok(answers.site())).await.map(Json)
 }
 
-async fn level(State(session): State<Arc<Session>>, Query(query): Query<RoomQuery>) -> Answer<Json<Value>> {
-    blocking(move || session.level(&query.building, &query.level)).await.map(Json)
+async fn level(
+    State(answers): State<Arc<dyn Answers>>,
+    Query(query): Query<RoomQuery>,
+) -> Answer<Json<Value>> {
+    blocking(move || answers.level(&query.building, &query.level)).await.map(Json)
 }
 
-async fn look(State(session): State<Arc<Session>>, Json(look): Json<Look>) -> Answer<Response> {
-    blocking(move || session.look(&look)).await.map(|answer| Json(answer).into_response())
+async fn look(State(answers): State<Arc<dyn Answers>>, Json(look): Json<Look>) -> Answer<Response> {
+    blocking(move || answers.look(&look)).await.map(|answer| Json(answer).into_response())
 }
 
-async fn room(State(session): State<Arc<Session>>, Query(query): Query<RoomQuery>) -> Answer<Response> {
+async fn room(State(answers): State<Arc<dyn Answers>>, Query(query): Query<RoomQuery>) -> Answer<Response> {
     let has_version = query.version.is_some();
-    let bytes = blocking(move || session.room(&query.id())).await?;
+    let bytes = blocking(move || answers.room(&query.id())).await?;
     let media_type = "model/gltf-binary";
     Ok(if has_version {
         lasting(bytes, media_type)
@@ -219,33 +223,47 @@ async fn room(State(session): State<Arc<Session>>, Query(query): Query<RoomQuery
     })
 }
 
-async fn shared(State(session): State<Arc<Session>>, Path(path): Path<String>) -> Answer<Response> {
+async fn level_file(
+    State(answers): State<Arc<dyn Answers>>,
+    Query(query): Query<RoomQuery>,
+) -> Answer<Response> {
+    let bytes = blocking(move || answers.level_file(&query.building, &query.level)).await?;
+    Ok(([(header::CONTENT_TYPE, "model/gltf-binary")], Body::from(bytes)).into_response())
+}
+
+async fn shared(State(answers): State<Arc<dyn Answers>>, Path(path): Path<String>) -> Answer<Response> {
     let media_type = if path.ends_with(".png") { "image/png" } else { "application/octet-stream" };
-    session.shared(&path).map(|bytes| lasting(bytes.to_vec(), media_type))
+    blocking(move || answers.shared(&path)).await.map(|bytes| lasting(bytes.to_vec(), media_type))
 }
 
-async fn explain(State(session): State<Arc<Session>>, Query(query): Query<RoomQuery>) -> Answer<Json<Value>> {
-    blocking(move || session.explain(&query.id())).await.map(Json)
+async fn explain(
+    State(answers): State<Arc<dyn Answers>>,
+    Query(query): Query<RoomQuery>,
+) -> Answer<Json<Value>> {
+    blocking(move || answers.explain(&query.id())).await.map(Json)
 }
 
-async fn edit(State(session): State<Arc<Session>>, Json(edit): Json<Edit>) -> Answer<Json<Value>> {
-    blocking(move || session.edit(&edit)).await.map(Json)
+async fn edit(State(answers): State<Arc<dyn Answers>>, Json(edit): Json<Edit>) -> Answer<Json<Value>> {
+    blocking(move || answers.edit(&edit)).await.map(Json)
 }
 
-async fn reroll(State(session): State<Arc<Session>>, Json(query): Json<RoomQuery>) -> Answer<Json<Value>> {
-    blocking(move || session.reroll(&query.id())).await.map(Json)
+async fn reroll(
+    State(answers): State<Arc<dyn Answers>>,
+    Json(query): Json<RoomQuery>,
+) -> Answer<Json<Value>> {
+    blocking(move || answers.reroll(&query.id())).await.map(Json)
 }
 
 async fn settings(
-    State(session): State<Arc<Session>>,
+    State(answers): State<Arc<dyn Answers>>,
     Json(controls): Json<Controls>,
 ) -> Answer<Json<Value>> {
-    blocking(move || session.set_controls(controls)).await.map(Json)
+    blocking(move || answers.set_controls(controls)).await.map(Json)
 }
 
 /// Tells the page what changes, for as long as it listens.
-async fn events(State(session): State<Arc<Session>>) -> impl IntoResponse {
-    let receiver = session.events();
+async fn events(State(answers): State<Arc<dyn Answers>>) -> impl IntoResponse {
+    let receiver = answers.events();
     let events = stream::unfold(receiver, |mut receiver| async {
         loop {
             match receiver.recv().await {

@@ -1,17 +1,21 @@
 //! Serves a project to a page in a browser on the same machine: rooms on demand, edits, changes of files.
 //!
-//! `session` holds the world and answers; `site` says what there is to see; `http` is the server, with
-//! the rules of who may ask; `page` has the files of the page (`viewer/`).
+//! `questions` is what the page may ask; `session` answers from a world, `baked` from finished files; `site` says what there is
+//! to see; `http` is the server, with the rules of who may ask; `page` has the files of the page (`viewer/`).
 //!
 //! Callers may rely on:
 //! - only this machine can ask, and only a page of this server that knows its random token;
 //! - nothing is read but the inputs that were named, and nothing is written but the edits files beside them;
 //! - a room is the one that a bake writes.
 
+mod baked;
 mod http;
 mod page;
+mod questions;
 mod session;
 mod site;
 
+pub(crate) use baked::Baked;
 pub(crate) use http::{Server, serve};
-pub(crate) use session::{Controls, EditsChange, Session, ViewSources};
+pub(crate) use questions::{Answers, Controls};
+pub(crate) use session::{EditsChange, Session, ViewSources};

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use tokio::sync::broadcast;
 
+use super::questions::{Answers, Controls, Edit, Look, LookAnswer, Mode, Refusal, ShownRoom};
 use super::site::{Abilities, level, site};
 use crate::contract::RoomId;
 use crate::document::{Fault, Faults};
@@ -26,16 +26,6 @@ const BUDGET: Budget = Budget { rooms: 2048, bytes: 64 << 20 };
 const MOST_ROOMS: usize = 600;
 /// Events that a slow page may lag behind.
 const EVENTS: usize = 16;
-
-/// Seed and style, which the page may change while the server runs.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Controls {
-    /// Seed of the run; that of the project where none is said.
-    pub(crate) seed: Option<u64>,
-    /// Style of the run, likewise.
-    pub(crate) style: Option<String>,
-}
 
 /// Changes the edits file of somebody.
 pub(crate) type EditsChange<'a> = dyn Fn(Option<EditsFile>) -> Result<EditsFile, Faults> + 'a;
@@ -69,15 +59,6 @@ pub(crate) trait ViewSources: Send + Sync {
     fn writer(&self, project: &Project, options: &LevelOptions) -> RoomWriter;
 }
 
-/// Why a question has no answer.
-#[derive(Debug)]
-pub(crate) enum Refusal {
-    /// There is no such thing.
-    NotFound(String),
-    /// The question makes no sense.
-    Bad(String),
-}
-
 /// What the rooms are made from, and how they are written.
 struct Scenery {
     project: Arc<Project>,
@@ -97,57 +78,6 @@ pub(crate) struct Session {
     faults: Mutex<Vec<String>>,
     revision: AtomicU64,
     events: broadcast::Sender<String>,
-}
-
-/// Where a page looks from.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Look {
-    building: String,
-    level: String,
-    position: [f64; 2],
-    #[serde(default)]
-    direction: [f64; 2],
-    #[serde(default)]
-    velocity: [f64; 2],
-    #[serde(default)]
-    fov: f64,
-    mode: Mode,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum Mode {
-    Walk,
-    Orbit,
-}
-
-/// The rooms to draw.
-#[derive(Serialize)]
-pub(super) struct LookAnswer {
-    revision: u64,
-    rooms: Vec<ShownRoom>,
-    waiting: usize,
-}
-
-#[derive(Serialize)]
-struct ShownRoom {
-    building: String,
-    level: String,
-    room: String,
-    version: String,
-    is_visible: bool,
-}
-
-/// An edit of an object.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Edit {
-    building: String,
-    level: String,
-    room: String,
-    object: String,
-    entry: Option<Map<String, Value>>,
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -187,11 +117,6 @@ impl Session {
 
     fn revision(&self) -> u64 {
         self.revision.load(Ordering::SeqCst)
-    }
-
-    /// Events from now on.
-    pub(super) fn events(&self) -> broadcast::Receiver<String> {
-        self.events.subscribe()
     }
 
     fn tell(&self, event: &Value) {
@@ -234,16 +159,48 @@ impl Session {
         }
     }
 
-    /// All buildings.
-    pub(super) fn site(&self) -> Value {
+    fn share(&self, models: SharedLibrary, materials: &[SceneMaterial]) {
+        let mut shared = lock(&self.shared);
+        for model in models.into_values() {
+            shared.entry(model.path().to_owned()).or_insert_with(|| Arc::new(model.bytes()));
+        }
+        for (_, texture) in materials.iter().flat_map(SceneMaterial::textures) {
+            if let Some(uri) = &texture.image.uri {
+                shared.entry(uri.clone()).or_insert_with(|| Arc::new(texture.image.bytes.clone()));
+            }
+        }
+    }
+
+    fn change_edits(&self, id: &RoomId, change: &EditsChange<'_>) -> Result<String, Refusal> {
+        let project = self.scenery().project.clone();
+        if !self.sources.is_editable() {
+            return Err(Refusal::Bad("there is no plan beside which edits could be kept".to_owned()));
+        }
+        if !project.has_room(id) {
+            return Err(Refusal::NotFound(format!("there is no room {id}")));
+        }
+        let path = self.sources.change_edits(&project, &id.building, change).map_err(|faults| {
+            Refusal::Bad(faults.0.first().map(|fault| fault.report()).unwrap_or_default())
+        })?;
+        // At once, so that the answer is about what is there; the watcher finds nothing new afterwards.
+        self.reload();
+        Ok(path.display().to_string())
+    }
+}
+
+impl Answers for Session {
+    fn events(&self) -> broadcast::Receiver<String> {
+        self.events.subscribe()
+    }
+
+    fn site(&self) -> Value {
         let Scenery { project, options, .. } = &*self.scenery();
         let abilities =
             Abilities { revision: self.revision(), kind: "plan", is_editable: self.sources.is_editable() };
         json!(site(&project.plan, &project.catalog, options, abilities))
     }
 
-    /// The rooms of a level.
-    pub(super) fn level(&self, building: &str, id: &str) -> Result<Value, Refusal> {
+    fn level(&self, building: &str, id: &str) -> Result<Value, Refusal> {
         let Scenery { project, options, .. } = &*self.scenery();
         let unknown = || Refusal::NotFound(format!("there is no level {building}/{id}"));
         let index =
@@ -253,8 +210,7 @@ impl Session {
         Ok(json!(level((building, &placed.building), at, &project.catalog, self.revision())))
     }
 
-    /// Looks around: the rooms that are there now.
-    pub(super) fn look(&self, look: &Look) -> Result<LookAnswer, Refusal> {
+    fn look(&self, look: &Look) -> Result<LookAnswer, Refusal> {
         let numbers = look.position.iter().chain(&look.direction).chain(&look.velocity);
         if !numbers.chain([&look.fov]).all(|number| number.is_finite()) {
             return Err(Refusal::Bad("a look has finite numbers".to_owned()));
@@ -280,8 +236,7 @@ impl Session {
         Ok(LookAnswer { revision: self.revision(), rooms, waiting: change.waiting })
     }
 
-    /// A room as a binary glTF file that refers to shared models and images.
-    pub(super) fn room(&self, id: &RoomId) -> Result<Vec<u8>, Refusal> {
+    fn room(&self, id: &RoomId) -> Result<Vec<u8>, Refusal> {
         let scenery = self.scenery();
         // Not under the lock: a page that looks around does not wait for a room.
         let room = lock(&self.world).room(id);
@@ -294,33 +249,18 @@ impl Session {
         Ok(glb)
     }
 
-    fn share(&self, models: SharedLibrary, materials: &[SceneMaterial]) {
-        let mut shared = lock(&self.shared);
-        for model in models.into_values() {
-            shared.entry(model.path().to_owned()).or_insert_with(|| Arc::new(model.bytes()));
-        }
-        for (_, texture) in materials.iter().flat_map(SceneMaterial::textures) {
-            if let Some(uri) = &texture.image.uri {
-                shared.entry(uri.clone()).or_insert_with(|| Arc::new(texture.image.bytes.clone()));
-            }
-        }
-    }
-
-    /// A model or an image that a room refers to.
-    pub(super) fn shared(&self, path: &str) -> Result<Arc<Vec<u8>>, Refusal> {
+    fn shared(&self, path: &str) -> Result<Arc<Vec<u8>>, Refusal> {
         let found = lock(&self.shared).get(path).map(Arc::clone);
         found.ok_or_else(|| Refusal::NotFound(format!("no room refers to {path}")))
     }
 
-    /// Why each piece of a room stands where it is.
-    pub(super) fn explain(&self, id: &RoomId) -> Result<Value, Refusal> {
+    fn explain(&self, id: &RoomId) -> Result<Value, Refusal> {
         let Scenery { project, options, .. } = &*self.scenery();
         let answer = self.sources.explain(project, options, id);
         answer.ok_or_else(|| Refusal::NotFound(format!("there is no room {id}")))
     }
 
-    /// Changes the edit of an object, in the file beside the plan.
-    pub(super) fn edit(&self, edit: &Edit) -> Result<Value, Refusal> {
+    fn edit(&self, edit: &Edit) -> Result<Value, Refusal> {
         let Edit { building, level, room, object, entry } = edit;
         let id = RoomId::new(building, level, room);
         let change = |file| {
@@ -331,8 +271,7 @@ impl Session {
         Ok(json!({"revision": self.revision(), "file": file}))
     }
 
-    /// Gives a room the next seed, in the file beside the plan.
-    pub(super) fn reroll(&self, id: &RoomId) -> Result<Value, Refusal> {
+    fn reroll(&self, id: &RoomId) -> Result<Value, Refusal> {
         let scenery = self.scenery();
         let edits = scenery.project.edits.level(&id.building, &id.level);
         let own = edits.and_then(|edits| edits.room(&id.room)?.seed);
@@ -341,24 +280,7 @@ impl Session {
         Ok(json!({"revision": self.revision(), "seed": seed, "file": file}))
     }
 
-    fn change_edits(&self, id: &RoomId, change: &EditsChange<'_>) -> Result<String, Refusal> {
-        let project = self.scenery().project.clone();
-        if !self.sources.is_editable() {
-            return Err(Refusal::Bad("there is no plan beside which edits could be kept".to_owned()));
-        }
-        if !project.has_room(id) {
-            return Err(Refusal::NotFound(format!("there is no room {id}")));
-        }
-        let path = self.sources.change_edits(&project, &id.building, change).map_err(|faults| {
-            Refusal::Bad(faults.0.first().map(|fault| fault.report()).unwrap_or_default())
-        })?;
-        // At once, so that the answer is about what is there; the watcher finds nothing new afterwards.
-        self.reload();
-        Ok(path.display().to_string())
-    }
-
-    /// Other seeds and styles, while the server runs.
-    pub(super) fn set_controls(&self, controls: Controls) -> Result<Value, Refusal> {
+    fn set_controls(&self, controls: Controls) -> Result<Value, Refusal> {
         let known = self.scenery();
         if let Some(style) = controls.style.as_ref().filter(|style| !known.project.catalog.has_style(style)) {
             return Err(Refusal::Bad(format!("there is no style \"{style}\"")));

@@ -374,3 +374,40 @@ fn a_port_that_is_taken_is_said() {
         "{error}"
     );
 }
+
+#[test]
+fn a_finished_bake_is_shown_as_it_is() {
+    let world = World::new();
+    house(&world);
+    world.must(&["bake", "plans/house.yaml", "--effort", "1", "--shared-library"]);
+    for path in ["out", "out/house/ground.glb"] {
+        let serving = Serving::start(&world, &[path]);
+        let site = serving.get("api/site").json();
+        assert_eq!((&site["kind"], &site["is_editable"]), (&json!("bake"), &json!(false)));
+        assert_eq!(site["buildings"][0]["levels"][0]["id"], "ground");
+        let level = serving.get("api/level?building=house&level=ground").json();
+        assert_eq!(level["rooms"].as_array().unwrap().len(), 7);
+        let file = serving.get("api/levelfile?building=house&level=ground").body;
+        assert_eq!(file, world.read("out/house/ground.glb"));
+        let uris = gltf_uris(&file);
+        assert!(!uris.is_empty());
+        for uri in uris {
+            assert_eq!(
+                serving.get(&format!("shared/{uri}")).body,
+                world.read(&format!("out/house/{uri}")),
+                "{uri}"
+            );
+        }
+        for path in [
+            "shared/ground.glb",
+            "shared/shared-geometry/../ground.glb",
+            "shared/../manifest.json",
+            "shared/shared-geometry/",
+        ] {
+            assert!(serving.get(path).status >= 400, "{path}");
+        }
+        let roll = json!({"building": "house", "level": "ground", "room": "living"});
+        assert_eq!(serving.post("api/reroll", &roll).status, 422);
+    }
+    assert!(!world.path("plans/house.edits.yaml").exists());
+}

@@ -16,7 +16,7 @@ use crate::audit::AuditSummary;
 use crate::catalog::{Catalog, load_catalog};
 use crate::document::{Faults, Warned};
 
-use files::level_files;
+pub(super) use files::level_files;
 pub(super) use judge::JudgedLevel;
 use judge::judge_file;
 
