@@ -89,3 +89,6 @@ pub mod texture {
 pub mod world {
     pub use crate::world::{Pace, Spread, WalkPath, WalkReport, walk};
 }
+pub mod view {
+    pub use crate::view::{PageAnswer, PlanPage};
+}

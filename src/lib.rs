@@ -44,6 +44,8 @@
 //! [`judgement`] hold the types that the fields of these structs have. `ARCHITECTURE.md` shows how the stages follow each other; `docs/output.md` says
 //! what the files hold.
 
+// What only the command uses is dead without it, and unused imports come with it.
+#![cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports))]
 // The documentation of the inside is for `cargo doc --document-private-items`, where its links lead somewhere.
 #![allow(rustdoc::private_intra_doc_links)]
 
@@ -52,6 +54,7 @@ mod batch;
 mod best;
 mod cache;
 mod catalog;
+#[cfg(feature = "cli")]
 mod cli;
 mod contract;
 mod diff;
@@ -124,6 +127,7 @@ pub mod judgement {
     pub use crate::edits::Misfit;
 }
 
+#[cfg(feature = "cli")]
 #[doc(hidden)]
 pub use cli::run as run_command;
 

@@ -51,6 +51,7 @@ impl Cache {
     }
 
     /// The system's folder for what programs may lose; `None` where there is none, as for users without a home.
+    #[cfg(feature = "cli")]
     #[must_use]
     pub fn default_root() -> Option<PathBuf> {
         use etcetera::BaseStrategy;

@@ -86,7 +86,7 @@ fn session(arguments: &ViewArguments, screen: Screen) -> Result<Arc<Session>, Fa
     screen.faults(&std::mem::take(&mut project.faults));
     let threads = threads.and_then(NonZeroUsize::new);
     let threads = threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
-    let opened = Session::open(Box::new(files), controls, (project, options), threads);
+    let opened = Session::open(Box::new(files), controls, (project, options), Some(threads));
     let opened = opened.map_err(|error| {
         Fault::of_file(Path::new("--threads"), format!("the threads cannot start: {error}"))
             .with_hint("take fewer")
@@ -115,14 +115,9 @@ impl ViewSources for Files {
         let project = read_sources(&self.sources.seeded(controls.seed))?;
         let style = run_style(controls.style.as_ref(), &project)?;
         let defaults = project.level_options();
-        let options = LevelOptions {
-            seed: controls.seed.unwrap_or(defaults.seed),
-            style,
-            effort: self.effort,
-            has_shared_library: true,
-            textures: textures(self.textures, true),
-            ..defaults
-        };
+        let seed = controls.seed.unwrap_or(defaults.seed);
+        let textures = textures(self.textures, true);
+        let options = LevelOptions { seed, style, effort: self.effort, textures, ..defaults }.shared();
         Ok((project, options))
     }
 

@@ -4,7 +4,7 @@ use crate::contract::RoomId;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::file::ObjectEntry;
+use super::file::{ObjectEntry, RoomEntry};
 use crate::document::Fault;
 
 /// The edits of all buildings.
@@ -49,6 +49,22 @@ impl EditBook {
     #[must_use]
     pub fn level(&self, building: &str, level: &str) -> Option<&LevelEdits> {
         Some(self.buildings.get(building)?.get(level)?)
+    }
+
+    /// The edits of a building, room by room, as a file writes them.
+    #[must_use]
+    pub fn entries(&self, building: &str) -> Vec<RoomEntry> {
+        let levels = self.buildings.get(building).into_iter().flatten();
+        let rooms = levels
+            .flat_map(|(level, edits)| edits.rooms.iter().map(move |(room, edits)| (level, room, edits)));
+        let entry = |(level, room, edits): (&String, &String, &RoomEdits)| RoomEntry {
+            building: Some(building.to_owned()),
+            level: level.clone(),
+            room: room.clone(),
+            seed: edits.seed,
+            objects: edits.objects.iter().map(|(id, edit)| (id.clone(), edit.entry.clone())).collect(),
+        };
+        rooms.map(entry).collect()
     }
 
     /// A text that is equal for equal edits, wherever they are written.

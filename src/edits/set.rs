@@ -25,6 +25,8 @@ pub fn set_object(
         merged.extend(keys.clone());
         let entry: ObjectEntry =
             serde_json::from_value(Value::Object(merged)).map_err(|error| error.to_string())?;
+        // What goes has no place and no lock.
+        let entry = if entry.remove { ObjectEntry { remove: true, ..ObjectEntry::default() } } else { entry };
         // What was added and is gone was never there.
         let is_undone = entry.remove && before.is_some_and(|before| before.add);
         if !is_undone && entry != ObjectEntry::default() {
@@ -88,6 +90,16 @@ mod tests {
         let entry = &file.edits[0].objects["sofa.1"];
         assert_eq!((entry.at.as_deref(), entry.turn, entry.lock), (Some(&[1.0, 2.0][..]), Some(90.0), false));
         assert!(set_object(Some(file), &room, "sofa.1", None).unwrap().edits.is_empty());
+    }
+
+    #[test]
+    fn what_is_removed_has_no_other_keys() {
+        let room = RoomId::new("house", "ground", "living");
+        let moved = keys(json!({"at": [1.0, 2.0], "lock": true}));
+        let file = set_object(None, &room, "sofa.1", Some(&moved)).unwrap();
+        let file = set_object(Some(file), &room, "sofa.1", Some(&keys(json!({"remove": true})))).unwrap();
+        let entry = &file.edits[0].objects["sofa.1"];
+        assert_eq!(*entry, ObjectEntry { remove: true, ..ObjectEntry::default() });
     }
 
     #[test]

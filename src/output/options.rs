@@ -33,6 +33,14 @@ pub struct LevelOptions {
     pub scene: SceneOptions,
 }
 
+impl LevelOptions {
+    /// The same, with images and models in files of their own.
+    pub(crate) fn shared(self) -> Self {
+        let textures = TextureOptions { are_shared: true, ..self.textures };
+        Self { has_shared_library: true, textures, ..self }
+    }
+}
+
 impl Default for LevelOptions {
     fn default() -> Self {
         Self {

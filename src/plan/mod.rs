@@ -46,7 +46,8 @@ pub(crate) use inset::inner_faces;
 pub(crate) use mirror::mirror_building;
 pub use options::{PlanOptions, PlanReading, Planning, ProjectSettings};
 pub use read::{
-    DrawnPiece, ReadFormat, drawn_furniture, project_settings, read_formats, read_plans, unread_formats,
+    DrawnPiece, ReadFormat, drawn_furniture, parse_plan, project_settings, read_formats, read_plans,
+    unread_formats,
 };
 #[cfg(test)]
 pub(crate) use read::{PlanFile, ProjectFile};

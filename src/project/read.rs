@@ -7,11 +7,13 @@ use super::rooms::Rooms;
 use crate::batch::{BakeInput, BakeOptions, BakeReport, OutputFault, OutputFolder, bake};
 use crate::catalog::{Catalog, load_catalog};
 use crate::contract::RoomId;
-use crate::document::{Faults, Warned};
+use crate::document::{Faults, Source, Warned};
 use crate::edits::{EditBook, read_edits};
 use crate::model::ModelLibrary;
 use crate::output::LevelOptions;
-use crate::plan::{Level, PlacedBuilding, Plan, PlanOptions, ProjectSettings, project_settings, read_plans};
+use crate::plan::{
+    Level, PlacedBuilding, Plan, PlanOptions, ProjectSettings, parse_plan, project_settings, read_plans,
+};
 use crate::storey::Choices;
 
 /// Plans, edits, catalogue and models.
@@ -91,6 +93,25 @@ impl Project {
         };
         faults.merge(edit_faults);
         faults.merge(check_plausible(&plan, &catalog));
+        Ok(Self { catalog, models, plan, edits, settings, faults })
+    }
+
+    /// As [`Project::read`], of one plan in YAML or JSON that is in memory, with the built-in catalogue and without edits: for
+    /// programs without files. The name stands in the faults.
+    ///
+    /// # Errors
+    /// All faults of the plan, if no building of it can be read.
+    pub fn parse(name: &str, text: &str) -> Result<Self, Faults> {
+        let Warned { value: catalog, warnings: mut faults } = load_catalog(&[])?;
+        let models = ModelLibrary::load(&catalog)?;
+        let reading = parse_plan(Source::new(Path::new(name), text), &PlanOptions::new(&catalog.room_words));
+        faults.merge(reading.faults);
+        if reading.plan.buildings.is_empty() {
+            return Err(faults);
+        }
+        let plan = reading.plan;
+        faults.merge(check_plausible(&plan, &catalog));
+        let (edits, settings) = (EditBook::default(), ProjectSettings::default());
         Ok(Self { catalog, models, plan, edits, settings, faults })
     }
 

@@ -1,6 +1,7 @@
 //! Furnishes, judges, builds and writes one room on demand, without the other rooms of its level.
 
 use std::fmt;
+use std::slice::from_ref;
 use std::sync::OnceLock;
 
 use super::read::Project;
@@ -102,7 +103,7 @@ impl<'a> Rooms<'a> {
 impl FinishedRoom<'_> {
     fn view(&self) -> RoomView<'_> {
         let Self { building, level, furnished, verdict, .. } = self;
-        RoomView { building, level, furnished, verdict }
+        RoomView { building, level, furnished: from_ref(furnished), verdicts: from_ref(verdict) }
     }
 }
 

@@ -30,17 +30,17 @@ impl Project {
     }
 }
 
-/// A furnished room, as it is written.
+/// Furnished rooms of a level, as they are written.
 #[derive(Clone, Copy)]
 pub(crate) struct RoomView<'a> {
-    /// Its building, occupied.
+    /// Their building, occupied.
     pub(crate) building: &'a PlacedBuilding,
-    /// Its level in that building.
+    /// Their level in that building.
     pub(crate) level: &'a Level,
-    /// Its furniture; says which room of the level it is.
-    pub(crate) furnished: &'a Furnished,
-    /// The findings of the audit.
-    pub(crate) verdict: &'a Verdict,
+    /// Their furniture, in the order of the level; says which rooms they are.
+    pub(crate) furnished: &'a [Furnished],
+    /// The findings of the audit, in the same order.
+    pub(crate) verdicts: &'a [Verdict],
 }
 
 /// Writes rooms, and keeps what they share: textures, models, encoded models.
@@ -86,8 +86,8 @@ impl RoomWriter {
             level: room.level,
             building: &room.building.id,
             site: room.building.site,
-            furnished: std::slice::from_ref(room.furnished),
-            verdicts: std::slice::from_ref(room.verdict),
+            furnished: room.furnished,
+            verdicts: room.verdicts,
             catalog,
             models: &|of, geometry| models.model_in_detail(of, geometry, detail),
             textures: self.textures.as_ref(),

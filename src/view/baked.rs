@@ -7,9 +7,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 use serde_json::{Value, json};
-use tokio::sync::broadcast;
 
-use super::questions::{Answers, Refusal};
+use super::questions::{Answers, Listener, Refusal};
 use super::site::{Abilities, level, site};
 use crate::catalog::Catalog;
 use crate::disk::open_inside;
@@ -30,7 +29,6 @@ pub(crate) struct Baked {
     options: LevelOptions,
     /// The file of each level, by building and level.
     files: BTreeMap<(String, String), PathBuf>,
-    events: broadcast::Sender<String>,
 }
 
 impl Baked {
@@ -80,8 +78,7 @@ impl Baked {
             }
         });
         let plan = Plan { buildings: placed.collect() };
-        let (events, _) = broadcast::channel(1);
-        Ok((Self { plan, catalog, options: LevelOptions::default(), files: known, events }, faults))
+        Ok((Self { plan, catalog, options: LevelOptions::default(), files: known }, faults))
     }
 
     fn file(&self, building: &str, level: &str) -> Result<&PathBuf, Refusal> {
@@ -133,7 +130,6 @@ impl Answers for Baked {
         Err(unknown())
     }
 
-    fn events(&self) -> broadcast::Receiver<String> {
-        self.events.subscribe()
-    }
+    /// Finished files are shown as they were when they were read.
+    fn listen(&self, _: Listener) {}
 }

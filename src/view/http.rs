@@ -17,7 +17,8 @@ use futures_util::stream;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use tokio::net::TcpListener;
-use tokio::sync::broadcast::error::RecvError;
+use tokio::sync::mpsc::channel;
+use tokio::sync::mpsc::error::TrySendError;
 
 use super::page;
 use super::questions::{Answers, Controls, Edit, Look, Refusal};
@@ -28,6 +29,8 @@ use crate::disk::to_hex;
 const LARGEST_BODY: usize = 64 << 10;
 /// Bytes of the token: nobody guesses 128 bits.
 const TOKEN_BYTES: usize = 16;
+/// Events that a slow page may lag behind.
+const EVENTS: usize = 16;
 /// The header that a page of another origin cannot send without asking first.
 const OWN_HEADER: &str = "x-roomwright";
 
@@ -90,6 +93,7 @@ fn router(answers: Arc<dyn Answers>, guard: Arc<Guard>) -> Router {
         .route(&at("api/look"), post(look))
         .route(&at("api/room"), get(room))
         .route(&at("api/explain"), get(explain))
+        .route(&at("api/edits"), get(edits))
         .route(&at("api/edit"), post(edit))
         .route(&at("api/reroll"), post(reroll))
         .route(&at("api/settings"), post(settings))
@@ -144,6 +148,12 @@ fn is_from_page(headers: &HeaderMap) -> bool {
     headers.contains_key(OWN_HEADER)
 }
 
+/// The id of a building in an address.
+#[derive(Deserialize)]
+struct BuildingQuery {
+    building: String,
+}
+
 /// The ids of a room in an address.
 #[derive(Deserialize)]
 struct RoomQuery {
@@ -172,10 +182,8 @@ async fn blocking<T: Send + 'static>(
 
 impl IntoResponse for Refusal {
     fn into_response(self) -> Response {
-        let (status, error) = match self {
-            Self::NotFound(error) => (StatusCode::NOT_FOUND, error),
-            Self::Bad(error) => (StatusCode::UNPROCESSABLE_ENTITY, error),
-        };
+        let (status, error) = self.told();
+        let status = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
         (status, Json(json!({"error": error}))).into_response()
     }
 }
@@ -243,6 +251,13 @@ async fn explain(
     blocking(move || answers.explain(&query.id())).await.map(Json)
 }
 
+async fn edits(
+    State(answers): State<Arc<dyn Answers>>,
+    Query(query): Query<BuildingQuery>,
+) -> Answer<Json<Value>> {
+    blocking(move || Ok(answers.edits(&query.building))).await.map(Json)
+}
+
 async fn edit(State(answers): State<Arc<dyn Answers>>, Json(edit): Json<Edit>) -> Answer<Json<Value>> {
     blocking(move || answers.edit(&edit)).await.map(Json)
 }
@@ -263,16 +278,14 @@ async fn settings(
 
 /// Tells the page what changes, for as long as it listens.
 async fn events(State(answers): State<Arc<dyn Answers>>) -> impl IntoResponse {
-    let receiver = answers.events();
+    let (sender, receiver) = channel::<String>(EVENTS);
+    answers.listen(Box::new(move |event| {
+        // A page that has events to read asks for everything anew anyway.
+        !matches!(sender.try_send(event.to_owned()), Err(TrySendError::Closed(_)))
+    }));
     let events = stream::unfold(receiver, |mut receiver| async {
-        loop {
-            match receiver.recv().await {
-                Ok(text) => return Some((Ok::<Event, Infallible>(Event::default().data(text)), receiver)),
-                // The page asks for everything anew at the next event anyway.
-                Err(RecvError::Lagged(_)) => {}
-                Err(RecvError::Closed) => return None,
-            }
-        }
+        let text = receiver.recv().await?;
+        Some((Ok::<Event, Infallible>(Event::default().data(text)), receiver))
     });
     Sse::new(events).keep_alive(KeepAlive::default())
 }

@@ -1,9 +1,9 @@
 //! What a page may ask. A project answers all of it, a finished bake what can be said of files.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use std::sync::Arc;
-use tokio::sync::broadcast;
 
 use crate::contract::RoomId;
 
@@ -14,6 +14,16 @@ pub(crate) enum Refusal {
     NotFound(String),
     /// The question makes no sense.
     Bad(String),
+}
+
+impl Refusal {
+    /// The status of HTTP, and the fact.
+    pub(super) fn told(self) -> (u16, String) {
+        match self {
+            Self::NotFound(error) => (404, error),
+            Self::Bad(error) => (422, error),
+        }
+    }
 }
 
 /// Seed and style, which the page may change while the server runs.
@@ -87,6 +97,9 @@ fn read_only<T>() -> Result<T, Refusal> {
     Err(Refusal::Bad("finished files are only looked at: view the plan to furnish and to edit".to_owned()))
 }
 
+/// Takes note of an event; `false` where nobody listens any more.
+pub(crate) type Listener = Box<dyn Fn(&str) -> bool + Send>;
+
 /// What answers a page.
 pub(crate) trait Answers: Send + Sync {
     /// All buildings and levels.
@@ -104,8 +117,8 @@ pub(crate) trait Answers: Send + Sync {
     /// If none refers to it.
     fn shared(&self, path: &str) -> Result<Arc<Vec<u8>>, Refusal>;
 
-    /// Events from now on.
-    fn events(&self) -> broadcast::Receiver<String>;
+    /// Tells a listener what changes from now on, as JSON.
+    fn listen(&self, listener: Listener);
 
     /// The finished file of a level.
     ///
@@ -137,6 +150,11 @@ pub(crate) trait Answers: Send + Sync {
     /// If there is no such room.
     fn explain(&self, _: &RoomId) -> Result<Value, Refusal> {
         read_only()
+    }
+
+    /// The edits of a building that are in force, as edits files write them.
+    fn edits(&self, _: &str) -> Value {
+        serde_json::json!({"rooms": []})
     }
 
     /// Changes the edit of an object.

@@ -1,22 +1,24 @@
 //! The world that a page looks at, and the answers to what it asks.
 
 use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use serde_json::{Value, json};
-use tokio::sync::broadcast;
 
-use super::questions::{Answers, Controls, Edit, Look, LookAnswer, Mode, Refusal, ShownRoom};
+use super::questions::{Answers, Controls, Edit, Listener, Look, LookAnswer, Mode, Refusal, ShownRoom};
 use super::site::{Abilities, level, site};
+use crate::audit::Verdict;
 use crate::contract::RoomId;
 use crate::document::{Fault, Faults};
 use crate::edits::{EditsFile, set_object, set_seed};
 use crate::geometry::Point;
 use crate::gltf::SharedLibrary;
+use crate::layout::Furnished;
 use crate::output::LevelOptions;
-use crate::project::{Project, RoomWriter, WrittenRoom};
+use crate::project::{Project, RoomView, RoomWriter, WrittenRoom};
 use crate::scene::SceneMaterial;
 use crate::world::{Budget, DEFAULT_REACH, Eye, Need, World};
 
@@ -24,8 +26,8 @@ use crate::world::{Budget, DEFAULT_REACH, Eye, Need, World};
 const BUDGET: Budget = Budget { rooms: 2048, bytes: 64 << 20 };
 /// Rooms that a page is told to draw at most.
 const MOST_ROOMS: usize = 600;
-/// Events that a slow page may lag behind.
-const EVENTS: usize = 16;
+/// Rooms that are furnished for one look where nothing happens in the background.
+const ROOMS_A_LOOK: usize = 3;
 
 /// Changes the edits file of somebody.
 pub(crate) type EditsChange<'a> = dyn Fn(Option<EditsFile>) -> Result<EditsFile, Faults> + 'a;
@@ -77,7 +79,9 @@ pub(crate) struct Session {
     /// What was wrong when the inputs were read last.
     faults: Mutex<Vec<String>>,
     revision: AtomicU64,
-    events: broadcast::Sender<String>,
+    listeners: Mutex<Vec<Listener>>,
+    /// Whether rooms are furnished in the background.
+    has_threads: bool,
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -85,7 +89,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl Session {
-    /// Opens what was read, and furnishes in the background with so many threads.
+    /// Opens what was read, and furnishes in the background with so many threads; without any, a few rooms at each look.
     ///
     /// # Errors
     /// If the system has no more threads.
@@ -93,12 +97,14 @@ impl Session {
         sources: Box<dyn ViewSources>,
         controls: Controls,
         (project, options): (Project, LevelOptions),
-        threads: std::num::NonZeroUsize,
+        threads: Option<NonZeroUsize>,
     ) -> std::io::Result<Self> {
         let project = Arc::new(project);
         let writer = sources.writer(&project, &options);
         let mut world = World::open(Arc::clone(&project), options.clone());
-        world.start(threads)?;
+        if let Some(threads) = threads {
+            world.start(threads)?;
+        }
         Ok(Self {
             sources,
             controls: Mutex::new(controls),
@@ -107,7 +113,8 @@ impl Session {
             shared: Mutex::default(),
             faults: Mutex::default(),
             revision: AtomicU64::new(1),
-            events: broadcast::channel(EVENTS).0,
+            listeners: Mutex::default(),
+            has_threads: threads.is_some(),
         })
     }
 
@@ -120,8 +127,8 @@ impl Session {
     }
 
     fn tell(&self, event: &Value) {
-        // Without a page nobody listens.
-        let _ = self.events.send(event.to_string());
+        let event = event.to_string();
+        lock(&self.listeners).retain(|listener| listener(&event));
     }
 
     /// Reads everything anew; rooms of which nothing has changed stay. What cannot be read is told, and all stays as it was.
@@ -159,6 +166,31 @@ impl Session {
         }
     }
 
+    /// All rooms of a level as one binary glTF file, the one of a bake.
+    ///
+    /// # Errors
+    /// If there is no such level, in words.
+    pub(super) fn level_glb(&self, building: &str, id: &str) -> Result<Vec<u8>, String> {
+        let Scenery { project, options, .. } = &*self.scenery();
+        let unknown = || format!("there is no level {building}/{id}");
+        let index =
+            project.plan.buildings.iter().position(|placed| placed.id == building).ok_or_else(unknown)?;
+        let placed = project.occupied(index, options.seed);
+        let level = placed.building.levels.iter().find(|level| level.id == id).ok_or_else(unknown)?;
+        let world = lock(&self.world);
+        let rooms = level.rooms.iter().map(|room| world.furnish(&RoomId::new(building, id, &room.id)));
+        let rooms = rooms.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
+        drop(world);
+        let (furnished, verdicts): (Vec<Furnished>, Vec<Verdict>) =
+            rooms.iter().map(|room| (room.furnished.clone(), room.verdict.clone())).unzip();
+        let view = RoomView { building: &placed, level, furnished: &furnished, verdicts: &verdicts };
+        let defaults = project.level_options();
+        let alone = LevelOptions { seed: options.seed, style: options.style.clone(), ..defaults };
+        RoomWriter::alone(&project.catalog, &alone)
+            .glb(project, &alone, &view)
+            .map_err(|error| error.to_string())
+    }
+
     fn share(&self, models: SharedLibrary, materials: &[SceneMaterial]) {
         let mut shared = lock(&self.shared);
         for model in models.into_values() {
@@ -189,8 +221,8 @@ impl Session {
 }
 
 impl Answers for Session {
-    fn events(&self) -> broadcast::Receiver<String> {
-        self.events.subscribe()
+    fn listen(&self, listener: Listener) {
+        lock(&self.listeners).push(listener);
     }
 
     fn site(&self) -> Value {
@@ -226,7 +258,10 @@ impl Answers for Session {
             Mode::Walk => world.update(&eye, BUDGET),
             Mode::Orbit => world.survey(&eye, BUDGET),
         };
-        let change = change.map_err(|error| Refusal::NotFound(error.to_string()))?;
+        let mut change = change.map_err(|error| Refusal::NotFound(error.to_string()))?;
+        if !self.has_threads {
+            change.waiting -= (0..ROOMS_A_LOOK.min(change.waiting)).take_while(|_| world.step()).count();
+        }
         let rooms = world.wanted().into_iter().filter_map(|wanted| {
             let version = format!("{:x}", wanted.room?.number);
             let RoomId { building, level, room } = wanted.id;
@@ -239,7 +274,7 @@ impl Answers for Session {
     fn room(&self, id: &RoomId) -> Result<Vec<u8>, Refusal> {
         let scenery = self.scenery();
         // Not under the lock: a page that looks around does not wait for a room.
-        let room = lock(&self.world).room(id);
+        let room = lock(&self.world).shown(id);
         let room = room
             .ok_or_else(|| Refusal::NotFound(format!("room {id} is not furnished now: look at it first")))?;
         let Scenery { project, options, writer } = &*scenery;
@@ -269,6 +304,10 @@ impl Answers for Session {
         };
         let file = self.change_edits(&id, &change)?;
         Ok(json!({"revision": self.revision(), "file": file}))
+    }
+
+    fn edits(&self, building: &str) -> Value {
+        json!({"rooms": self.scenery().project.edits.entries(building)})
     }
 
     fn reroll(&self, id: &RoomId) -> Result<Value, Refusal> {

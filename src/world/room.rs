@@ -1,5 +1,6 @@
 //! A room that was furnished on demand.
 
+use std::slice::from_ref;
 use std::sync::Arc;
 
 use crate::audit::{Finding, Verdict};
@@ -58,7 +59,8 @@ impl WorldRoom {
 
     pub(crate) fn view(&self) -> RoomView<'_> {
         let Self { building, furnished, verdict, .. } = self;
-        RoomView { building, level: self.level(), furnished, verdict }
+        let (furnished, verdicts) = (from_ref(furnished), from_ref(verdict));
+        RoomView { building, level: self.level(), furnished, verdicts }
     }
 
     /// Bytes of memory that it takes itself, without the plan: what a budget counts.

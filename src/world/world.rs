@@ -247,6 +247,12 @@ impl World {
         self.shared.store().ready(key).map(Arc::clone)
     }
 
+    /// A room as it is, or as it was before the last change of the inputs.
+    pub(crate) fn shown(&self, id: &RoomId) -> Option<Arc<WorldRoom>> {
+        let key = self.shared.inputs().key(id)?;
+        self.shared.store().shown(key).map(Arc::clone)
+    }
+
     /// A room now: waits for it if it is being made, else makes it on this thread.
     ///
     /// # Errors

@@ -71,6 +71,24 @@ pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
     PlanReading { plan, faults, reports }
 }
 
+/// As [`read_plans`], of one plan in YAML or JSON that is in memory; the name of its source is the file of its faults.
+#[must_use]
+pub fn parse_plan(source: Source, options: &PlanOptions<'_>) -> PlanReading {
+    let path = source.file().to_owned();
+    let reading: Reading = match kind_of(&source) {
+        Kind::Project => {
+            let fault = Fault::of_file(&path, "is a project, which names plans in other files");
+            Faults::from(fault.with_hint("take one of its plans")).into()
+        }
+        Kind::Other if !native::may_be_plan(&source) => Faults::from(nothing::of_text(&source)).into(),
+        _ => finish_all(&path, "native", native_drafts(source, options.words), options.words),
+    };
+    let Reading { buildings, mut faults, report } = reading;
+    let plan = Plan { buildings: unique(buildings, &mut faults) };
+    faults.sort();
+    PlanReading { plan, faults, reports: report.into_iter().collect() }
+}
+
 /// The settings of the project files among the paths: read before the catalogue, which they may extend.
 ///
 /// # Errors
