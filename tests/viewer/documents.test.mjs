@@ -9,7 +9,9 @@ import { findingsOf, findingText, severityOf } from '../../viewer/src/page/findi
 import { missingOf, reasonOf } from '../../viewer/src/page/explanation.js';
 import { standsText, words } from '../../viewer/src/page/text.js';
 import { pauseBeforeLook, planOf, readEvent, readPlace, readSite, writePlace } from '../../viewer/src/server/contract.js';
-import { address } from '../../viewer/src/server/server.js';
+import { Levels, stopBeyond } from '../../viewer/src/server/levels.js';
+import { Server, address } from '../../viewer/src/server/server.js';
+import { editText, removedOf } from '../../viewer/src/edits.js';
 
 /** A level with a room, a table with a lamp on it, and a door. The table lies in a shared file. */
 function level() {
@@ -77,12 +79,20 @@ test('images inside documents are told by their bytes', () => {
   assert.notDeepEqual(textureKeys(document()), textureKeys(other));
 });
 
-test('only what is unknown is extracted, without tangents, and without images where the material is known', () => {
-  const { json } = readGlb(extract(document(), [{ source: [1, 0], isPlain: true }]));
+test('only what is unknown is extracted, without tangents, and without images where the material is known', async () => {
+  const { json } = readGlb(await extract(document(), [{ source: [1, 0], isPlain: true }], async (path) => path));
   assert.equal(json.nodes.length, 1);
   const [primitive] = json.meshes[json.nodes[0].mesh].primitives;
   assert.deepEqual(Object.keys(primitive.attributes), ['POSITION']);
   assert.deepEqual(json.materials[primitive.material], { name: 'known' });
+});
+
+test('files beside a document are located where they are needed', async () => {
+  const located = [];
+  const locate = async (path) => { located.push(path); return `blob:${path}`; };
+  const { json } = readGlb(await extract(document(), [{ source: [0, 0], isPlain: true }], locate));
+  assert.deepEqual(located, ['shared-geometry/table.1.abc.bin']);
+  assert.equal(json.buffers[1].uri, 'blob:shared-geometry/table.1.abc.bin');
 });
 
 test('matrices turn about Y as glTF says, and back', () => {
@@ -153,4 +163,33 @@ test('places of pieces are said in words', () => {
   assert.equal(standsText({ parent: 'desk.1', side: 'above' }), 'on desk.1');
   assert.equal(standsText({ parent: 'wall.2', side: 'front' }), 'at wall.2');
   assert.equal(words('wide_tv_stand'), 'Wide tv stand');
+});
+
+test('a lift is followed from level to level, also where its room has another id or a level has no stop', async () => {
+  const room = (id, above, below) => ({ id, outline: [], above: above?.[1] ?? null, above_level: above?.[0] ?? null, below: below?.[1] ?? null, below_level: below?.[0] ?? null });
+  const maps = {
+    cellar: [room('lift', ['second', 'lift-b'], null)], first: [room('hall', null, null)],
+    second: [room('lift-b', ['third', 'lift'], ['cellar', 'lift'])], third: [room('lift', null, ['second', 'lift-b'])],
+  };
+  const asked = [];
+  const levels = new Levels({ level: async ({ level }) => { asked.push(level); return { rooms: maps[level], openings: [] }; } });
+  const stops = await levels.stopsOf('tower', { level: 'second', room: 'lift-b' });
+  assert.deepEqual(stops, [{ level: 'cellar', room: 'lift' }, { level: 'second', room: 'lift-b' }, { level: 'third', room: 'lift' }]);
+  assert.equal(asked.length, new Set(asked).size);
+  assert.equal(stopBeyond(maps.first[0], 'above'), null);
+});
+
+test('edits are said in words, and removed pieces are listed', () => {
+  assert.equal(editText({ lock: true, at: [1, 2], turn: 90 }), 'locked, moved');
+  assert.equal(editText({ turn: 90 }), 'turned');
+  assert.equal(editText(null), null);
+  assert.deepEqual(removedOf({ 'chair.1': { remove: true }, 'desk.1': { at: [1, 2] } }), ['chair.1']);
+});
+
+test('a refusal is said in the words of the program', async () => {
+  const bytes = (text) => new TextEncoder().encode(text).buffer;
+  const server = (status, text) => new Server({ ask: async () => ({ status, bytes: bytes(text) }) });
+  assert.deepEqual(await server(200, '{"buildings":[]}').site(), { buildings: [] });
+  await assert.rejects(server(404, '{"error":"there is no room attic"}').room({}), { message: 'there is no room attic', status: 404 });
+  await assert.rejects(server(500, '').edit({}), { message: 'the server answers 500' });
 });

@@ -15,9 +15,6 @@ const [THERE, STRAIGHT] = [0.3, 0.12];
 
 const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 
-/** A room may be furnished anew between the answer that names its version and the question for it; the next answer names the new one. */
-const isOutdated = (url) => url.includes('/api/room?');
-
 export class Page {
   static async open(chromium, executablePath, url) {
     const isRoot = process.getuid?.() === 0;
@@ -36,10 +33,10 @@ export class Page {
   watch({ host }) {
     const { page, faults } = this;
     page.on('console', (message) => {
-      if (message.type() === 'error' && !isOutdated(message.location().url)) faults.push(`console: ${message.text()}`);
+      if (message.type() === 'error') faults.push(`console: ${message.text()}`);
     });
     page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
-    page.on('response', (response) => { if (response.status() >= 400 && !isOutdated(response.url())) faults.push(`${response.status()}: ${response.url()}`); });
+    page.on('response', (response) => { if (response.status() >= 400) faults.push(`${response.status()}: ${response.url()}`); });
     page.on('requestfailed', (request) => {
       // A reload breaks off what is on its way, and the stream of events never ends.
       if (request.failure()?.errorText !== 'net::ERR_ABORTED') faults.push(`failed: ${request.url()}`);

@@ -7,7 +7,8 @@ import { closingTurn, isNear, slidesOf, swung } from '../../viewer/src/plan/door
 import { viewDuring, viewOfLevel } from '../../viewer/src/plan/camera_path.js';
 import { distanceToWalls, isInRoom, middleOf, roomAt } from '../../viewer/src/plan/polygon.js';
 import { intoFrame, meetsBox, meetsTriangles } from '../../viewer/src/plan/pick.js';
-import { isWay, placeInsideDoor, wallsOf } from '../../viewer/src/plan/walls.js';
+import { wallPanels } from '../../viewer/src/plan/shell.js';
+import { facesOf, groundOf, isWay, placeInsideDoor } from '../../viewer/src/plan/walls.js';
 import { stepOf, velocityOf } from '../../viewer/src/plan/steps.js';
 import { multiplied, placed } from '../../viewer/src/model/matrix.js';
 
@@ -16,28 +17,63 @@ const WEST = { id: 'west', outline: [[0, 0], [4, 0], [4, 3], [0, 3]] };
 const EAST = { id: 'east', outline: [[4.1, 0], [8.1, 0], [8.1, 3], [4.1, 3]] };
 const DOOR = { id: 'd', kind: 'door', center: [4.05, 1.5], along: [0, 1], width: 0.9, bottom: 0, top: 2, rooms: ['west', 'east'], leaves: [] };
 const LEVEL = { rooms: [WEST, EAST], openings: [DOOR] };
-const EMPTY = { columns: [], boxes: [] };
+const wallsOf = (level) => groundOf(level).walls;
 
 const near = (actual, expected, tolerance = 1e-6) => actual.forEach((value, axis) => assert.ok(
   Math.abs(value - expected[axis]) < tolerance, `${actual} is not ${expected}`));
 
 test('a walker goes through a doorway and not through the wall beside it', () => {
-  const ground = obstaclesOf(wallsOf(LEVEL), EMPTY);
+  const ground = obstaclesOf(wallsOf(LEVEL), [], []);
   near(move([2, 1.5], [4, 0], ground), [6, 1.5]);
   near(move([2, 0.5], [4, 0], ground), [4 - WALKER_RADIUS, 0.5]);
 });
 
 test('a walker who pushes against the side of a doorway slides out of it, never into the wall', () => {
-  const ground = obstaclesOf(wallsOf(LEVEL), EMPTY);
+  const ground = obstaclesOf(wallsOf(LEVEL), [], []);
   const place = move([4.05, 1.5], [0, 1], ground);
   assert.ok(isFree(place, ground) && (isInRoom(place, WEST) || isInRoom(place, EAST)));
 });
 
-test('windows and doors to the open air are no ways', () => {
+test('windows and hatches are no ways', () => {
   assert.ok(isWay(DOOR));
   assert.ok(!isWay({ ...DOOR, kind: 'window' }));
-  assert.ok(!isWay({ ...DOOR, rooms: ['west'] }));
   assert.ok(!isWay({ ...DOOR, bottom: 0.9 }));
+});
+
+/** A door in the outer wall of the west room, 0.3 thick. */
+const FRONT_DOOR = { ...DOOR, id: 'front', center: [-0.15, 1.5], rooms: ['west'] };
+
+test('by a door to the open air, a walker gets onto the apron, not off it and not through the outer wall', () => {
+  const ground = obstaclesOf(wallsOf({ rooms: [WEST, EAST], openings: [DOOR, FRONT_DOOR] }), [], []);
+  const outside = move([1, 1.5], [-2.5, 0], ground);
+  near(outside, [-1.5, 1.5]);
+  near(move(outside, [-9, 0], ground), [-0.3 - 3 + WALKER_RADIUS, 1.5]);
+  const aside = move(outside, [0, -9], ground);
+  assert.ok(aside[1] > -1, `at ${aside}`);
+  near([move(aside, [9, 0], ground)[0]], [-0.3 - WALKER_RADIUS]);
+});
+
+test('between wings, an apron is smaller; without space for it, and above the ground, a door to the open air is no way', () => {
+  const wing = (x, y) => ({ id: 'wing', outline: [[x, y], [x + 3, y], [x + 3, y + 3], [x, y + 3]] });
+  const aprons = (rooms, elevation = 0) => groundOf({ rooms, openings: [FRONT_DOOR], elevation }).aprons;
+  const depth = ([{ corners: [[from], [to]] }]) => from - to;
+  near([depth(aprons([WEST]))], [3]);
+  assert.ok(depth(aprons([WEST, wing(-5.4, 0)])) < 3);
+  assert.deepEqual(aprons([WEST, wing(-3.6, 0)]), []);
+  assert.deepEqual(aprons([WEST], 2.9), []);
+});
+
+test('a column stops a walker', () => {
+  const column = [[2, 1], [2.4, 1], [2.4, 2], [2, 2]];
+  near(move([1, 1.5], [3, 0], obstaclesOf(wallsOf(LEVEL), [column], [])), [2 - WALKER_RADIUS, 1.5]);
+});
+
+test('the plain walls of a room leave out its openings', () => {
+  const window = { ...DOOR, id: 'w', kind: 'window', center: [2, -0.1], along: [1, 0], width: 2, bottom: 0.9, top: 2, rooms: ['west'] };
+  const faces = facesOf({ rooms: [WEST], openings: [window] });
+  const panels = wallPanels(faces[0], 2.5);
+  assert.deepEqual(panels.map(({ from, to, bottom, top }) => [from[0], to[0], bottom, top]),
+    [[0, 1, 0, 2.5], [3, 4, 0, 2.5], [1, 3, 0, 0.9], [1, 3, 2, 2.5]]);
 });
 
 test('who comes into a room stands inside its door', () => {
@@ -48,7 +84,7 @@ test('who comes into a room stands inside its door', () => {
 
 test('a turned box of furniture pushes a walker out, and a long step does not jump over it', () => {
   const box = { center: [2, 1.5], half: [0.5, 0.2], angle: Math.PI / 2 };
-  const ground = obstaclesOf(wallsOf(LEVEL), { columns: [], boxes: [box] });
+  const ground = obstaclesOf(wallsOf(LEVEL), [], [box]);
   near(move([1, 1.5], [2, 0], ground), [2 - 0.2 - WALKER_RADIUS, 1.5]);
 });
 
@@ -59,13 +95,13 @@ test('rugs and lamps below the ceiling are not in the way', () => {
 });
 
 test('a walker who enters a room stands where nothing stands', () => {
-  const ground = obstaclesOf(wallsOf(LEVEL), { columns: [], boxes: [{ center: [2, 1.5], half: [0.6, 0.6], angle: 0.4 }] });
+  const ground = obstaclesOf(wallsOf(LEVEL), [], [{ center: [2, 1.5], half: [0.6, 0.6], angle: 0.4 }]);
   const place = findFree(WEST, [2, 1.5], ground);
   assert.ok(isFree(place, ground) && isInRoom(place, WEST));
 });
 
 test('somebody who enters looks along the longest free way', () => {
-  near([Math.cos(openestHeading([1, 1.2], obstaclesOf(wallsOf(LEVEL), EMPTY)))], [1]);
+  near([Math.cos(openestHeading([1, 1.2], obstaclesOf(wallsOf(LEVEL), [], [])))], [1]);
 });
 
 test('the middle of an L-shaped room lies in it, and a hole is not in its room', () => {
@@ -82,8 +118,8 @@ test('a leaf turns from open to shut the short way, about its own hinge', () => 
   assert.equal(closingTurn([1, 1], leaves), 0);
 });
 
-test('leaves of a sliding door gather at the first one', () => {
-  near(slidesOf([{ from: -1.3, to: 0 }, { from: 0, to: 1.3 }]), [0, -1.3]);
+test('leaves of a sliding door leave the whole doorway free', () => {
+  near(slidesOf([{ from: -1.3, to: 0 }, { from: 0, to: 1.3 }]), [-1.3, 1.3]);
   near(slidesOf([{ from: -0.5, to: 0.5 }]), [-1]);
 });
 

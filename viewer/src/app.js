@@ -1,20 +1,26 @@
 // What is shown now, and the ways to change that: building, level, way of looking, chosen piece. The controls call it; it calls `hooks`.
+import { Edits } from './edits.js';
 import { Batches } from './model/batches.js';
 import { Library } from './model/library.js';
 import { Rooms } from './model/rooms.js';
-import { obstaclesOf, openestHeading } from './plan/collision.js';
+import { WALKER_RADIUS, obstaclesOf, openestHeading } from './plan/collision.js';
 import { add, directionOf, distance, headingOf, scale, subtract, toPlan, toScene } from './plan/frame.js';
 import { boundsOf, clampedInto, middleOf, roomAt, sidesOf } from './plan/polygon.js';
-import { placeInsideDoor, wallsOf } from './plan/walls.js';
-import { readEvent, readLevel, readPlace, readSite, writePlace } from './server/contract.js';
+import { doorOf, groundOf, placeInsideDoor } from './plan/walls.js';
+import { readEvent, readPlace, readSite, writePlace } from './server/contract.js';
 import { Feed } from './server/feed.js';
+import { Levels, stopBeyond } from './server/levels.js';
 import { clear, say } from './page/messages.js';
+import { Aprons } from './view/aprons.js';
 import { Light } from './view/light.js';
 import { OrbitView, PlanView } from './view/orbit.js';
 import { Neighbours, Outline } from './view/outline.js';
+import { Shell } from './view/shell.js';
 import { Storeys } from './view/storeys.js';
 import { WalkView } from './view/walk.js';
 
+/** The room type of lifts. */
+const LIFT = 'elevator';
 const AFTER_BREAKAGE = 'Reload the page; if that does not help, start the server again.';
 /** Metres between a viewer who is sent to a piece and that piece. */
 const VISIT_DISTANCE = 1.8;
@@ -26,12 +32,16 @@ export class App {
     Object.assign(this, { stage, server, isReduced });
     this.batches = new Batches(stage.scene);
     this.rooms = new Rooms(this.batches);
+    this.shell = new Shell(stage.scene);
+    this.aprons = new Aprons(stage.scene);
     this.light = new Light(stage);
     this.outline = new Outline(stage.scene);
     this.neighbours = new Neighbours(stage.scene);
     this.storeys = new Storeys(stage.scene);
+    this.levels = new Levels(server);
+    this.edits = new Edits(server);
     const anisotropy = Math.min(8, stage.renderer.capabilities.getMaxAnisotropy());
-    this.feed = new Feed(server, new Library(this.batches, anisotropy), this.rooms, {
+    this.feed = new Feed(server, new Library(this.batches, anisotropy, (path) => server.locate(path)), this.rooms, {
       viewpoint: () => this.view.viewpoint(),
       changed: (room) => this.roomChanged(room),
       failed: (error) => say('feed', `The view is not up to date: ${error.message}.`),
@@ -40,17 +50,23 @@ export class App {
       mended: () => clear('broken'),
     });
     this.views = {
-      orbit: new OrbitView(stage, isReduced), plan: new PlanView(stage, isReduced), walk: new WalkView(stage, () => this.ground()),
+      orbit: new OrbitView(stage, isReduced), plan: new PlanView(stage, isReduced), walk: new WalkView(stage, () => this.walkable()),
     };
     this.mode = 'orbit';
     this.map = { rooms: [], openings: [] };
     this.selected = null;
-    this.hooks = { levelOpened() {}, modeChanged() {}, roomsChanged() {}, selectionChanged() {}, siteChanged() {} };
+    this.hooks = { levelOpened() {}, modeChanged() {}, roomsChanged() {}, selectionChanged() {}, siteChanged() {}, walkedRoomChanged() {} };
     stage.resized = (aspect) => Object.values(this.views).forEach((view) => view.resize(aspect));
   }
 
   get view() {
     return this.views[this.mode];
+  }
+
+  /** Where the viewer is, for the question what is worth drawing. */
+  viewpoint() {
+    const { isMoving, ...viewpoint } = this.view.viewpoint();
+    return viewpoint;
   }
 
   get place() {
@@ -72,42 +88,50 @@ export class App {
     const building = this.site.buildings.find(({ id }) => id === buildingId);
     const level = building.levels.find(({ id }) => id === levelId) ?? building.levels[0];
     const isOther = building !== this.building;
-    const map = readLevel(await this.server.level({ building: building.id, level: level.id }));
+    const map = await this.levels.map({ building: building.id, level: level.id });
     this.rooms.clear();
     this.batches.tidy();
     Object.assign(this, { building, level });
     this.setMap(map);
     this.select(null);
-    this.light.lowerGround(level.elevation);
+    this.light.lowerGround(level);
     this.neighbours.show(building, level, this.site.buildings);
     if (isOther || this.mode !== 'walk') this.fit();
-    if (isOther) this.enterSomewhere();
+    if (isOther) {
+      this.enterSomewhere();
+      this.readEdits().catch((error) => say('edits', `Nobody knows which edits are in force: ${error.message}`));
+    }
     this.feed.open(this.place, this.site.kind === 'bake');
     this.keepPlace();
     this.hooks.levelOpened();
     this.stage.invalidate();
-    await this.showStoreysBelow();
+    await this.showOtherStoreys();
   }
 
-  async showStoreysBelow() {
+  async showOtherStoreys() {
     const { building, level } = this;
     this.storeys.clear();
-    const below = building.levels.filter(({ elevation }) => elevation < level.elevation);
-    const maps = await Promise.all(below.map(({ id }) => this.server.level({ building: building.id, level: id })));
+    const others = building.levels.filter((each) => each !== level);
+    const maps = await Promise.all(others.map(({ id }) => this.levels.map({ building: building.id, level: id })));
     if (level !== this.level) return;
-    this.storeys.show(level.elevation, maps.map(readLevel));
+    this.storeys.show(level, maps);
     this.stage.invalidate();
   }
 
   setMap(map) {
     this.map = map;
-    this.walls = wallsOf(map);
+    this.ground = groundOf(map);
     this.obstacles = null;
+    this.rooms.openings.ways = new Set(this.ground.ways.map(({ id }) => id));
+    this.aprons.show(this.ground.aprons, this.light.heightAbove(this.level));
+    this.shell.build(map);
+    for (const room of this.rooms.shown.keys()) this.shell.show(room, false);
   }
 
   /** Rooms and obstacles of the level as a walker asks for them. */
-  ground() {
-    this.obstacles ??= obstaclesOf(this.walls, this.rooms.bodies());
+  walkable() {
+    const columns = this.map.rooms.flatMap(({ obstacles }) => obstacles);
+    this.obstacles ??= obstaclesOf(this.ground.walls, columns, this.rooms.boxes());
     return { rooms: this.map.rooms, obstacles: this.obstacles };
   }
 
@@ -131,6 +155,8 @@ export class App {
     this.view.activate(true);
     // Somebody who looks from above ceilings sees nothing else.
     this.rooms.showCeilings(mode === 'walk');
+    this.shell.showCeilings(mode === 'walk');
+    this.storeys.showAbove(mode === 'walk');
     this.feed.lookNow();
     this.keepPlace();
     this.hooks.modeChanged();
@@ -143,19 +169,37 @@ export class App {
 
   /** Takes the stairs or the lift of the room where the walker is. */
   async changeFloor(direction) {
-    const target = this.roomBeyond(direction);
-    const index = this.building.levels.indexOf(this.level) + (direction === 'above' ? 1 : -1);
-    if (!target || !this.building.levels[index]) return;
-    const { position } = this.views.walk;
-    await this.openLevel(this.building.id, this.building.levels[index].id);
-    const room = this.map.rooms.find(({ id }) => id === target);
-    if (room) this.views.walk.enter(room, clampedInto(position, room, 0.3));
+    const stop = this.stopBeyond(direction);
+    if (stop) await this.goToStop(stop);
   }
 
-  /** The room above or below the walker, to which stairs or a lift lead, or null. */
-  roomBeyond(direction) {
-    const { room } = this.views.walk;
-    return this.map.rooms.find(({ id }) => id === room?.id)?.[direction] ?? null;
+  /** Brings the walker to a stop of stairs or a lift, {level, room}, with the door before the eyes. */
+  async goToStop(stop) {
+    const { walk } = this.views;
+    const { position } = walk;
+    await this.openLevel(this.building.id, stop.level);
+    const room = this.map.rooms.find(({ id }) => id === stop.room);
+    if (!room) return;
+    walk.enter(room, clampedInto(position, room, WALKER_RADIUS));
+    const door = doorOf(room, this.map.openings);
+    if (door) walk.face(headingOf(subtract(door.center, walk.position)));
+  }
+
+  /** The next stop above or below the walker, to which stairs or a lift lead, or null. */
+  stopBeyond(direction) {
+    return stopBeyond(this.walkedRoom(), direction);
+  }
+
+  /** All stops of the lift in which the walker stands; none elsewhere. */
+  async liftStops() {
+    const room = this.walkedRoom();
+    if (this.mode !== 'walk' || room?.type !== LIFT) return [];
+    return this.levels.stopsOf(this.building.id, { level: this.level.id, room: room.id });
+  }
+
+  /** The room of the walker, as the map has it now. */
+  walkedRoom() {
+    return this.map.rooms.find(({ id }) => id === this.views.walk.room?.id) ?? null;
   }
 
   select(selected) {
@@ -172,6 +216,7 @@ export class App {
 
   roomChanged(room) {
     this.obstacles = null;
+    this.shell.show(room, this.rooms.versionOf(room) === null);
     if (this.selected?.room === room) this.outline.show(this.piece());
     this.hooks.roomsChanged(room);
     this.stage.invalidateLater();
@@ -203,31 +248,39 @@ export class App {
     this.hooks.modeChanged();
   }
 
+  /** Asks which edits are in force; a finished bake has none to show. */
+  async readEdits() {
+    if (!this.site.is_editable) return;
+    await this.edits.read(this.building.id);
+    this.hooks.selectionChanged();
+  }
+
   /** Keeps up with the files of the plan. */
   listen() {
-    const events = new EventSource('api/events');
-    events.addEventListener('message', ({ data }) => {
-      const event = readEvent(data);
+    const hear = (text) => {
+      const event = readEvent(text);
       if (event?.kind === 'faults') say('faults', `The plan as it is now cannot be read; the last good state stays.\n${event.faults.join('\n')}`);
       if (event?.kind === 'changed') this.followChange(event).catch((error) => say('feed', error.message));
-    });
+    };
     // A stream that broke off begins again by itself; changes meanwhile are seen at the next look. Feed says if nobody answers.
-    events.addEventListener('open', () => this.feed.lookNow());
+    this.server.listen(hear, () => this.feed.lookNow());
   }
 
   async followChange({ rooms }) {
     clear('faults');
     this.feed.lookNow();
+    await this.readEdits();
     // Without a list of rooms, walls and doors may have changed, too.
     if (rooms !== null) return;
     const { place } = this;
-    const [site, map] = await Promise.all([this.server.site(), this.server.level(place)]);
+    this.levels.forget();
+    const [site, map] = await Promise.all([this.server.site(), this.levels.map(place)]);
     this.site = readSite(site);
     const building = this.site.buildings.find(({ id }) => id === place.building);
     const level = building?.levels.find(({ id }) => id === place.level);
     if (!level) return this.openLevel((building ?? this.site.buildings[0]).id, null);
     Object.assign(this, { building, level });
-    this.setMap(readLevel(map));
+    this.setMap(map);
     this.hooks.siteChanged();
     this.hooks.levelOpened();
     return undefined;
@@ -236,6 +289,10 @@ export class App {
   /** Moves everything on by a frame; gives whether there is something new to see. */
   update(seconds) {
     const isMoved = this.view.update(seconds);
+    if (this.views.walk.room?.id !== this.walkedId) {
+      this.walkedId = this.views.walk.room?.id;
+      this.hooks.walkedRoomChanged();
+    }
     const walker = this.mode === 'walk' ? this.views.walk.position : null;
     const isSwinging = this.rooms.openings.update(walker, seconds, this.isReduced);
     const eye = this.mode === 'walk' ? this.views.walk.camera.position.toArray() : this.view.view().target;

@@ -10,8 +10,6 @@ export const TURN_STEP = 15;
 export class Editor {
   constructor(app, server) {
     Object.assign(this, { app, server });
-    /** Locks set since the page was opened, by the full name of the piece. */
-    this.locked = new Set();
     /** The move that is not sent yet: {name, timer, send}. */
     this.due = null;
   }
@@ -24,8 +22,14 @@ export class Editor {
     return [this.app.building.id, this.app.level.id, room, piece].join('/');
   }
 
+  /** The edit of the chosen piece that is in force, or null. */
+  get entry() {
+    const { selected, place, edits } = this.app;
+    return selected?.piece ? edits.of({ ...place, room: selected.room }, selected.piece) : null;
+  }
+
   isLocked() {
-    return this.app.selected?.piece ? this.locked.has(this.nameOf(this.app.selected)) : false;
+    return this.entry?.lock === true;
   }
 
   /** Moves the chosen piece on the plan and turns it by degrees, with all that it carries. */
@@ -63,41 +67,32 @@ export class Editor {
 
   toggleLock() {
     if (!this.isEditable) return;
-    const name = this.nameOf(this.app.selected);
-    if (!this.locked.delete(name)) this.locked.add(name);
-    this.sendNow({ ...this.entryNow(), lock: this.locked.has(name) });
-    this.app.hooks.selectionChanged();
+    this.sendNow({ ...this.entryNow(), lock: !this.isLocked() });
   }
 
-  /** Takes the piece out of the room. An entry says either where a piece is or that it is gone: the former edit is forgotten. */
+  /** Takes the piece out of the room. */
   remove() {
-    this.sendNow(null, { remove: true });
+    if (this.isEditable) this.sendNow({ remove: true });
   }
 
   /** Whether the chosen piece, also one that an edit removed, can get back its own place. */
   get isForgettable() {
-    return this.app.site?.is_editable === true && Boolean(this.app.selected?.piece);
+    return this.app.site?.is_editable === true && (this.entry !== null || this.due !== null);
   }
 
   forget() {
-    if (!this.isForgettable) return;
-    this.locked.delete(this.nameOf(this.app.selected));
-    this.sendNow(null);
+    if (this.isForgettable) this.sendNow(null);
   }
 
-  sendNow(...entries) {
-    if (!this.isForgettable) return;
-    // What is sent now holds the place of the piece, too, or takes it back.
+  /** Sends what holds the place of the chosen piece, too, or takes it back. */
+  sendNow(entry) {
     clearTimeout(this.due?.timer);
     this.due = null;
-    this.send({ ...this.app.place, ...this.app.selected }, ...entries);
+    this.send({ ...this.app.place, ...this.app.selected }, entry);
   }
 
-  /** Sends one entry after the other. */
-  send({ building, level, room, piece }, ...entries) {
-    return this.attempt(async () => {
-      for (const entry of entries) await this.server.edit({ building, level, room, object: piece, entry });
-    });
+  send({ building, level, room, piece }, entry) {
+    return this.attempt(() => this.server.edit({ building, level, room, object: piece, entry }));
   }
 
   reroll(room) {

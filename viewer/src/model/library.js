@@ -3,13 +3,13 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { extract } from './extract.js';
 import { textureKeys } from './tree.js';
 
-/** Below it lie the files that several rooms share. */
-const SHARED_FOLDER = 'shared/';
 const TEXTURE_SLOTS = ['map', 'normalMap', 'roughnessMap', 'metalnessMap', 'aoMap', 'emissiveMap'];
 
 export class Library {
-  constructor(batches, anisotropy) {
+  /** `locate` gives the address of a file that rooms share. */
+  constructor(batches, anisotropy, locate) {
     this.batches = batches;
+    this.locate = locate;
     this.anisotropy = anisotropy;
     this.loader = new GLTFLoader();
     /** By key: {texture, uses}. */
@@ -24,9 +24,10 @@ export class Library {
     }
     if (missing.size === 0) return;
     const wanted = [...missing.values()];
-    const file = extract(document, wanted.map(({ source, material }) => ({ source, isPlain: this.batches.hasMaterial(material) })));
+    const sources = wanted.map(({ source, material }) => ({ source, isPlain: this.batches.hasMaterial(material) }));
+    const file = await extract(document, sources, this.locate);
     const textures = textureKeys(document);
-    const { scene, parser } = await this.loader.parseAsync(file, SHARED_FOLDER);
+    const { scene, parser } = await this.loader.parseAsync(file, '');
     // What is not adopted was never drawn: it holds nothing of the graphics card.
     wanted.forEach(({ key, material }, index) => {
       const mesh = firstMesh(scene.children[index]);

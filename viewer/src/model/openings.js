@@ -7,6 +7,8 @@ export class Openings {
     this.batches = batches;
     /** By name: {contents: Map(room → content), owner, handles, leaves, openness}. */
     this.shown = new Map();
+    /** The ids of openings that let people through; all others stay shut. */
+    this.ways = new Set();
   }
 
   add(room, content) {
@@ -52,8 +54,7 @@ export class Openings {
     for (const opening of this.shown.values()) {
       if (opening.leaves.length === 0) continue;
       const { center, extras } = opening.contents.get(opening.owner);
-      // A door to the open air stays shut, as the walls of `plan/walls.js` have it.
-      const isWanted = extras.rooms.length > 1 && isNear(walker, center);
+      const isWanted = this.ways.has(extras.id) && isNear(walker, center);
       const openness = swung(opening.openness, isWanted, seconds, isInstant);
       if (openness === opening.openness) continue;
       opening.openness = openness;
@@ -61,6 +62,12 @@ export class Openings {
       isMoving = true;
     }
     return isMoving;
+  }
+
+  /** How far the opening of an id is open, 0 to 1; null where it is not drawn. */
+  opennessOf(id) {
+    const found = [...this.shown.values()].find(({ contents, owner }) => contents.get(owner).extras.id === id);
+    return found?.openness ?? null;
   }
 
   pose({ leaves, openness }) {

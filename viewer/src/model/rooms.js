@@ -84,12 +84,8 @@ export class Rooms {
     return [...this.shown.values()].map(({ content }) => content);
   }
 
-  /** Columns and boxes of furniture that stop a walker. */
-  bodies() {
-    const contents = this.contents();
-    return {
-      columns: contents.flatMap(({ columns }) => columns),
-      boxes: contents.flatMap(({ pieces }) => pieces.filter(isObstacle).map(footprintOf)),
-    };
+  /** The boxes of furniture that stop a walker. */
+  boxes() {
+    return this.contents().flatMap(({ pieces }) => pieces.filter(isObstacle).map(footprintOf));
   }
 }

@@ -49,13 +49,12 @@ class Reader {
   }
 
   enteredPart(node, extras, matrix, within) {
-    if (extras.part === 'column' && within.room && extras.outline) within.room.columns.push(extras.outline);
     if (extras.part === 'leaf' && within.opening) return { ...within, part: 'leaf', leaf: this.addLeaf(node, matrix, within.opening) };
     return { ...within, part: extras.part };
   }
 
   addRoom(extras) {
-    const room = { id: extras.room, extras, primitives: [], pieces: [], lamps: [], columns: [] };
+    const room = { id: extras.room, extras, primitives: [], pieces: [], lamps: [] };
     this.rooms.push(room);
     return room;
   }

@@ -9,8 +9,8 @@ import { byId, isTyping } from './elements.js';
 const [CLICK_PIXELS, CLICK_TIME] = [6, 600];
 
 export class Input {
-  constructor(app, editor, panel, toolbar) {
-    Object.assign(this, { app, editor, panel, toolbar });
+  constructor(app, editor, { panel, toolbar, lift }) {
+    Object.assign(this, { app, editor, panel, toolbar, lift });
     const { canvas } = app.stage;
     this.press = null;
     // In the capture phase, before the controls of the orbit hear of it: a drag of a piece is not theirs.
@@ -124,6 +124,7 @@ export class Input {
   moving(event) {
     if (this.app.mode !== 'walk') return this.app.view.press(event);
     if (this.app.views.walk.keyDown(event)) return true;
+    if (event.key === 'Enter') return this.lift.focus();
     return run({ e: () => this.toolbar.changeFloor('above'), q: () => this.toolbar.changeFloor('below') }, event.key);
   }
 

@@ -2,6 +2,7 @@
 import { byId, element, fillFacts, fillSelect } from './elements.js';
 import { missingOf, reasonOf } from './explanation.js';
 import { findingText, findingsOf, severityOf } from './findings.js';
+import { editText, removedOf } from '../edits.js';
 import { sizeText, standsText, words } from './text.js';
 
 export class Panel {
@@ -65,7 +66,10 @@ export class Panel {
 
   showPiece(pieces) {
     const piece = this.app.piece();
-    fillSelect(byId('piece'), [['', 'none'], ...pieces.map(({ id }) => [id, id])], piece?.id ?? '');
+    const entries = this.entries();
+    const options = pieces.map(({ id }) => [id, entries[id] ? `${id} (${editText(entries[id])})` : id]);
+    const removed = this.removed(pieces).map((id) => [id, `${id} (removed)`]);
+    fillSelect(byId('piece'), [['', 'none'], ...options, ...removed], this.app.selected?.piece ?? '');
     fillFacts(byId('piece-facts'), piece ? [
       ['Class', words(piece.kind)],
       ['Stands', standsText(piece)],
@@ -73,10 +77,29 @@ export class Panel {
       ['Place', `${piece.at[0].toFixed(2)}, ${piece.at[1].toFixed(2)}; ${piece.bottom.toFixed(2)} m above the floor`],
       ['Turned', `${Math.round((piece.angle * 180 / Math.PI + 360) % 360)}°`],
       ['Variant', piece.variant],
-    ] : this.app.selected?.piece ? [['Piece', `${this.app.selected.piece} is not in the room now`]] : []);
+      ['Edit', editText(this.editor.entry)],
+    ] : this.absentFacts());
     for (const button of byId('piece-buttons').querySelectorAll('button')) button.disabled = !this.editor.isEditable;
     byId('forget').disabled = !this.editor.isForgettable;
+    byId('forget').textContent = this.editor.entry?.remove ? 'Bring back' : 'Forget edit';
     byId('lock').setAttribute('aria-pressed', String(this.editor.isLocked()));
+  }
+
+  /** The edits of the room that the panel is about. */
+  entries() {
+    const { app } = this;
+    return app.building ? app.edits.inRoom({ ...app.place, room: this.room() }) : {};
+  }
+
+  /** The pieces that edits took out of the room. */
+  removed(pieces) {
+    return removedOf(this.entries()).filter((id) => !pieces.some((piece) => piece.id === id));
+  }
+
+  absentFacts() {
+    const id = this.app.selected?.piece;
+    if (!id) return [];
+    return [['Piece', this.editor.entry?.remove ? `${id} was removed by an edit` : `${id} is not in the room now`]];
   }
 
   /** Asks for the reason of the room's pieces once for each version of the room. */

@@ -65,8 +65,8 @@ export class Toolbar {
   }
 
   updateStairs() {
-    byId('go-up').hidden = this.app.roomBeyond('above') === null;
-    byId('go-down').hidden = this.app.roomBeyond('below') === null;
+    byId('go-up').hidden = this.app.stopBeyond('above') === null;
+    byId('go-down').hidden = this.app.stopBeyond('below') === null;
   }
 
   updateSettings() {

@@ -22,7 +22,7 @@ export function footprintOf({ at, angle, size }) {
 }
 
 /** What `move` and `findFree` ask for: walls of a level, outlines of columns and boxes of furniture. */
-export function obstaclesOf(walls, { columns, boxes }) {
+export function obstaclesOf(walls, columns, boxes) {
   return { segments: [...walls, ...columns.flatMap(sidesOf)], boxes };
 }
 

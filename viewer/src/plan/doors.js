@@ -15,10 +15,10 @@ export function closingTurn(hingeOfNode, leaves = []) {
   return wrapped(headingOf(subtract(leaf.closed, leaf.hinge)) - headingOf(subtract(leaf.open, leaf.hinge)));
 }
 
-/** By how much each leaf {from, to} of a sliding door moves along the wall until it is open: over the first one, or beside its way. */
+/** By how much each leaf {from, to} of a sliding door moves along the wall until it is open: into the wall at the nearer side. */
 export function slidesOf(leaves) {
-  if (leaves.length === 1) return [leaves[0].from - leaves[0].to];
-  return leaves.map((leaf) => leaves[0].from - leaf.from);
+  const [low, high] = [Math.min(...leaves.map(({ from }) => from)), Math.max(...leaves.map(({ to }) => to))];
+  return leaves.map(({ from, to }) => from + to > low + high ? high - from : low - to);
 }
 
 export const isNear = (walker, center) => walker !== null && distance(walker, center) < NEAR;

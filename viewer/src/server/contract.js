@@ -10,7 +10,7 @@ export function readSite(site) {
 
 /** The answer of api/level. */
 export function readLevel(level) {
-  const rooms = (level.rooms ?? []).map((room) => ({ holes: [], above: null, below: null, ...room }));
+  const rooms = (level.rooms ?? []).map((room) => ({ holes: [], obstacles: [], above: null, below: null, ...room }));
   const openings = (level.openings ?? []).map((opening) => ({ leaves: [], bottom: 0, rooms: [], ...opening }));
   return { ...level, rooms, openings };
 }

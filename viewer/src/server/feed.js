@@ -9,8 +9,6 @@ const MOST_FETCHES = 4;
 const MOST_KEPT = 48;
 /** Milliseconds that a parse waits at most for an idle moment. */
 const LONGEST_IDLE = 100;
-/** Statuses of answers that say that a room has a newer version. */
-const GONE = [204, 404, 410];
 /** Milliseconds before a room is asked for again that failed to come. */
 const PAUSE_AFTER_FAULT = 2000;
 
@@ -111,8 +109,7 @@ export class Feed {
   }
 
   failed(error, room, version, generation) {
-    // A version that is no longer there is followed by a newer one in the next answer.
-    if (generation !== this.generation || GONE.includes(error.status)) return;
+    if (generation !== this.generation) return;
     if (error.status === 0) return this.hooks.failed(error);
     this.broken.set(room, version);
     this.hooks.broken(error, room);

@@ -1,4 +1,8 @@
-// What the page asks of the server, one method for each address. Every address is relative to the page's own.
+// What the page asks, one method for each address, over whatever brings questions to the program: `http.js`, or a worker with the
+// program inside.
+//
+// A transport is {ask(address, body?) → {status, bytes: ArrayBuffer}, locate(path) → address that the browser can read, of a file that
+// rooms share, listen(hear, opened)}. `ask` throws a ServerFault of status 0 where nobody answers.
 
 /** A refusal or a failure, in words for people. `status` 0: no answer at all. */
 export class ServerFault extends Error {
@@ -8,41 +12,49 @@ export class ServerFault extends Error {
   }
 }
 
-const ANSWERS_NOT = 'the server does not answer. Start `roomwright view` again and open the address that it prints';
-
 export class Server {
-  site() { return this.get('api/site'); }
-
-  level(place) { return this.get('api/level', place); }
-
-  explain(place) { return this.get('api/explain', place); }
-
-  look(viewpoint) { return this.post('api/look', viewpoint); }
-
-  edit(edit) { return this.post('api/edit', edit); }
-
-  reroll(place) { return this.post('api/reroll', place); }
-
-  settings(settings) { return this.post('api/settings', settings); }
-
-  async room(place) { return (await this.fetch(address('api/room', place))).arrayBuffer(); }
-
-  async levelFile(place) { return (await this.fetch(address('api/levelfile', place))).arrayBuffer(); }
-
-  async get(path, query) {
-    return (await this.fetch(address(path, query))).json();
+  constructor(transport) {
+    this.transport = transport;
   }
 
-  async post(path, body) {
-    // The header cannot be sent by pages of other origins without the server's consent.
-    const headers = { 'Content-Type': 'application/json', 'X-Roomwright': '1' };
-    return (await this.fetch(path, { method: 'POST', headers, body: JSON.stringify(body) })).json();
+  site() { return this.question('api/site'); }
+
+  level(place) { return this.question('api/level', place); }
+
+  explain(place) { return this.question('api/explain', place); }
+
+  edits(building) { return this.question('api/edits', building); }
+
+  look(viewpoint) { return this.order('api/look', viewpoint); }
+
+  edit(edit) { return this.order('api/edit', edit); }
+
+  reroll(place) { return this.order('api/reroll', place); }
+
+  settings(settings) { return this.order('api/settings', settings); }
+
+  room(place) { return this.bytes(address('api/room', place)); }
+
+  levelFile(place) { return this.bytes(address('api/levelfile', place)); }
+
+  /** The address of a file that rooms share. */
+  locate(path) { return this.transport.locate(path); }
+
+  /** Calls `hear(text)` with each message of the program, `opened()` whenever the line to it is there. */
+  listen(hear, opened) { this.transport.listen(hear, opened); }
+
+  async question(path, query) {
+    return jsonOf(await this.bytes(address(path, query)));
   }
 
-  async fetch(path, options) {
-    const response = await fetch(path, options).catch(() => { throw new ServerFault(ANSWERS_NOT, 0); });
-    if (response.ok && response.status !== 204) return response;
-    throw new ServerFault(await messageOf(response), response.status);
+  async order(path, body) {
+    return jsonOf(await this.bytes(path, JSON.stringify(body)));
+  }
+
+  async bytes(path, body) {
+    const { status, bytes } = await this.transport.ask(path, body);
+    if (status === 200) return bytes;
+    throw new ServerFault(messageOf(status, bytes), status);
   }
 }
 
@@ -51,13 +63,17 @@ export function address(path, query = {}) {
   return text ? `${path}?${text}` : path;
 }
 
-async function messageOf(response) {
-  const text = await response.text().catch(() => '');
+const textOf = (bytes) => new TextDecoder().decode(bytes);
+
+const jsonOf = (bytes) => JSON.parse(textOf(bytes));
+
+function messageOf(status, bytes) {
+  const text = textOf(bytes);
   try {
     const { error } = JSON.parse(text);
     if (typeof error === 'string') return error;
   } catch {
     // An answer without JSON is shown as it is.
   }
-  return text.slice(0, 300) || `the server answers ${response.status}`;
+  return text.slice(0, 300) || `the server answers ${status}`;
 }

@@ -14,6 +14,9 @@ const REACH = 9;
 /** Eyes adapt to the colour of lamps: so much of it is left, of 1. */
 const COLOUR_LEFT = 0.4;
 
+/** Metres between the ground and a floor at height 0, so that the two do not flicker. */
+const FLOOR_THICKNESS = 0.06;
+
 const DAY = { background: 0xdbe4ec, ground: 0xb9c2b4, hemisphere: 1.3, sun: 1.8, fill: 0.5, environment: 0.45, exposure: 1 };
 const NIGHT = { background: 0x0c1017, ground: 0x39424d, hemisphere: 0.22, sun: 0, fill: 0, environment: 0.1, exposure: 1.1 };
 
@@ -66,8 +69,13 @@ export class Light {
   }
 
   /** Puts the ground below a level. */
-  lowerGround(metres) {
-    this.ground.position.y = -metres - 0.06;
+  lowerGround(level) {
+    this.ground.position.y = -this.heightAbove(level);
+  }
+
+  /** Metres from the ground up to the floor of a level. */
+  heightAbove({ elevation }) {
+    return elevation + FLOOR_THICKNESS;
   }
 }
 
