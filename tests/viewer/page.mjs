@@ -1,5 +1,6 @@
 // The page in a browser, used as people use it: by keys and clicks. What is wrong on the way is collected in `faults`.
 import { readFile } from 'node:fs/promises';
+import { routeTo } from './route.mjs';
 
 /** Chromium draws in software here; small pictures are drawn sooner. */
 const SIZE = { width: 760, height: 420 };
@@ -12,6 +13,14 @@ const SWITCHES = [
 const [LONGEST_WAIT, GLANCE] = [30_000, 100];
 /** Metres from a place at which a walker is there, radians of a heading that is right. */
 const [THERE, STRAIGHT] = [0.3, 0.12];
+/** Metres of a way that is worth running. */
+const RUN = 3;
+/** Metres: who gets on by less stands before something. */
+const STUCK = 0.05;
+/** Milliseconds of a walk across a hotel. */
+const LONGEST_WALK = 120_000;
+
+const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
 const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 
@@ -59,11 +68,11 @@ export class Page {
     return this.page.evaluate(() => window.roomwright?.stats());
   }
 
-  async until(holds) {
-    const end = Date.now() + LONGEST_WAIT;
+  async until(holds, longest = LONGEST_WAIT) {
+    const end = Date.now() + longest;
     while (!await holds()) {
       if (Date.now() > end) {
-        throw new Error(`still not so after ${LONGEST_WAIT} ms: ${holds}; ${JSON.stringify(await this.stats())}`);
+        throw new Error(`still not so after ${longest} ms: ${holds}; ${JSON.stringify(await this.stats())}`);
       }
       await this.page.waitForTimeout(GLANCE);
     }
@@ -159,16 +168,67 @@ export class Page {
     await this.hold('w', milliseconds);
   }
 
-  /** Walks straight to a place, by keys. */
-  async walkTo([x, y]) {
+  /** Walks to a place around what stands in the way, by keys. */
+  async goTo(place) {
+    const routed = async () => routeTo((await this.stats()).position, place, await this.page.evaluate(() => window.roomwright.obstacles()));
+    let route = await routed();
     await this.until(async () => {
-      const { position } = await this.stats();
-      const [east, north] = [x - position[0], y - position[1]];
-      const far = Math.hypot(east, north);
-      if (far < THERE) return true;
-      await this.walkTowards(Math.atan2(north, east), Math.max(60, far * 300));
+      if (route.length === 0) return true;
+      const before = (await this.stats()).position;
+      if (await this.stepTo(route[0])) route.shift();
+      // Rooms that came meanwhile have furniture of their own.
+      else if (distance(before, (await this.stats()).position) < STUCK) route = await routed();
+      return false;
+    }, LONGEST_WALK);
+  }
+
+  /** The rooms that the program says are in view from here, and those that are drawn. */
+  inView() {
+    return this.page.evaluate(async () => {
+      const headers = { 'Content-Type': 'application/json', 'X-Roomwright': '1' };
+      const viewpoint = window.roomwright.viewpoint();
+      const answer = await fetch('api/look', { method: 'POST', headers, body: JSON.stringify(viewpoint) });
+      const { rooms } = await answer.json();
+      const visible = rooms.filter(({ level, is_visible: isVisible }) => isVisible && level === viewpoint.level);
+      return { visible: visible.map(({ room }) => room), shown: window.roomwright.shown() };
+    });
+  }
+
+  openness(opening) {
+    return this.page.evaluate((id) => window.roomwright.openness(id), opening);
+  }
+
+  /** Takes the lift to a level by the keyboard: opens the list, and goes to its button. */
+  async ride(level) {
+    await this.focusPicture();
+    await this.page.waitForSelector('#lift:not([hidden])');
+    await this.press('Enter');
+    await this.until(async () => {
+      const [at, buttons] = await this.page.evaluate(() => [document.activeElement.dataset.level,
+        [...document.querySelectorAll('#lift button')].map(({ dataset }) => dataset.level)]);
+      if (at === level) return true;
+      await this.press(buttons.indexOf(at) > buttons.indexOf(level) ? 'ArrowUp' : 'ArrowDown');
       return false;
     });
+    await this.press('Enter');
+    await this.until(async () => (await this.stats()).level === level);
+  }
+
+  /** Walks straight to a place, by keys. */
+  async walkTo(place) {
+    await this.until(() => this.stepTo(place));
+  }
+
+  /** Goes some way to a place; gives whether one was there already. */
+  async stepTo([x, y]) {
+    const { position } = await this.stats();
+    const far = distance([x, y], position);
+    if (far < THERE) return true;
+    await this.turnTo(Math.atan2(y - position[1], x - position[0]));
+    if (far > RUN) await this.page.keyboard.down('Shift');
+    await this.hold('w', Math.min(2000, Math.max(60, far * 300)));
+    await this.page.keyboard.up('Shift');
+    return false;
   }
 
   /** The ids of all that Tab reaches, from the beginning of the page to its end. */

@@ -9,18 +9,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { findChromium } from '../viewers/find_chromium.mjs';
 import { Page } from './page.mjs';
 import { startView } from './program.mjs';
+import { chromium, driver, program, skip } from './requirements.mjs';
 
 const HOUSE = fileURLToPath(new URL('../../configs/plans/house.yaml', import.meta.url));
-
-const chromium = findChromium();
-const program = process.env.ROOMWRIGHT_PROGRAM;
-const driver = await import('playwright-core').catch(() => null);
-const skip = !program && 'ROOMWRIGHT_PROGRAM names no program'
-  || chromium === null && 'no chromium or google-chrome on the path; ROOMWRIGHT_CHROMIUM names another'
-  || driver === null && 'tests/viewer/node_modules/ has no playwright-core: source scripts/set_up.sh && set_up_viewer';
 
 describe('roomwright view', { skip }, () => {
   let folder, view, page;

@@ -31,6 +31,7 @@ export function openViewer(server) {
     stairs: (direction) => app.map.rooms.find((room) => room[direction])?.id ?? null,
     shown: () => [...app.rooms.shown.keys()],
     viewpoint: () => ({ ...app.place, ...app.viewpoint() }),
+    obstacles: () => app.walkable().obstacles,
     openness: (opening) => app.rooms.openings.opennessOf(opening),
   };
   app.start().then(() => stage.run((seconds) => {
