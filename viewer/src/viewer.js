@@ -75,7 +75,20 @@ function connect(app, { toolbar, panel, markers, lift }) {
     roomsChanged: refresh,
     selectionChanged: refresh,
   };
-  app.stage.drawn = () => markers.place();
+  app.stage.drawn = () => {
+    markers.place();
+    noteFirstFrames(app);
+  };
+}
+
+/** Milliseconds from navigation to the first pictures with walls and with a furnished room. */
+const firstFrames = { walls: null, room: null };
+
+function noteFirstFrames({ shell, rooms }) {
+  const parts = { walls: shell.parts.length > 0, room: rooms.size > 0 };
+  const due = Object.keys(parts).filter((part) => parts[part] && firstFrames[part] === null);
+  // The next frame is due when this one has been handed to the screen.
+  if (due.length > 0) requestAnimationFrame(() => due.forEach((part) => { firstFrames[part] ??= Math.round(performance.now()); }));
 }
 
 function statusOf({ feed }) {
@@ -90,6 +103,6 @@ function statsOf(app) {
     rooms: app.rooms.size, calls: render.calls, triangles: render.triangles, frame_ms: app.stage.frameTime, mode: app.mode, light: app.light.mode,
     building: app.building?.id, level: app.level?.id, room: app.mode === 'walk' ? walk.room?.id ?? null : app.selected?.room ?? null,
     position: app.mode === 'walk' ? walk.position : null, heading: walk.heading, selected: app.selected, place: app.piece()?.at ?? null,
-    waiting: app.feed.waiting, textures: memory.textures, geometries: memory.geometries,
+    first_frames_ms: firstFrames, waiting: app.feed.waiting, textures: memory.textures, geometries: memory.geometries,
   };
 }
