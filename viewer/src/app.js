@@ -74,13 +74,20 @@ export class App {
   }
 
   async start() {
+    await this.open();
+    if (this.site.kind === 'plan') this.listen();
+  }
+
+  /** Shows what the server has now, which may be another plan than before. */
+  async open() {
     this.site = readSite(await this.server.site());
+    this.feed.forget();
+    this.levels.forget();
     const wanted = readPlace(window.location.hash);
     const building = this.site.buildings.find(({ id }) => id === wanted.building) ?? this.site.buildings[0];
     this.hooks.siteChanged();
     await this.openLevel(building.id, wanted.level);
     this.setMode(wanted.mode);
-    if (this.site.kind === 'plan') this.listen();
   }
 
   /** Shows a level; the first one of the building if it has none of that id. */

@@ -61,6 +61,7 @@ export class Toolbar {
     byId('lamps').setAttribute('aria-pressed', String(app.light.mode === 'lamp'));
     byId('walking').hidden = app.mode !== 'walk';
     for (const control of document.querySelectorAll('.editing')) control.hidden = !site.is_editable;
+    byId('settings').hidden = site.kind !== 'plan';
     this.updateStairs();
   }
 

@@ -20,9 +20,22 @@ export class Feed {
     /** Grows with each change of level: answers to older questions are thrown away. */
     this.generation = 0;
     this.kept = new Map();
+    /** Grows with each plan, which counts its versions anew. */
+    this.planNumber = 0;
     /** Rooms whose file cannot be shown, with its version: the same file would fail again. */
     this.broken = new Map();
     this.waiting = 0;
+  }
+
+  /** Another plan follows: none of its rooms is known. */
+  forget() {
+    this.planNumber += 1;
+    this.kept.clear();
+  }
+
+  /** What is in no other file: the plan, the level, and the room in one version. */
+  keyOf(...names) {
+    return [this.planNumber, this.place.building, this.place.level, ...names].join('/');
   }
 
   /** Begins with another level, whose rooms come by api/look or, where the server shows a finished bake, in one file. */
@@ -116,7 +129,7 @@ export class Feed {
   }
 
   async fileOf(room, version) {
-    const name = `${this.place.building}/${this.place.level}/${room}/${version}`;
+    const name = this.keyOf(room, version);
     const file = this.kept.get(name) ?? await this.server.room({ ...this.place, room, version });
     this.kept.delete(name);
     this.kept.set(name, file);
@@ -133,9 +146,8 @@ export class Feed {
 
   async show(room, version, file, generation) {
     if (this.wanted.get(room) !== version) return;
-    const documentKey = `${this.place.building}/${this.place.level}/${room}/${version}`;
     const document = readGlb(file);
-    const tree = readTree(document, documentKey);
+    const tree = readTree(document, this.keyOf(room, version));
     const content = tree.rooms.find(({ id }) => id === room);
     if (!content) throw new Error(`the file of room ${room} holds no such room`);
     await this.library.load(document, primitivesOf(content, tree.openings));
@@ -149,8 +161,7 @@ export class Feed {
 
   async readLevelFile(generation) {
     const document = readGlb(await this.server.levelFile(this.place));
-    const documentKey = `${this.place.building}/${this.place.level}`;
-    const tree = readTree(document, documentKey);
+    const tree = readTree(document, this.keyOf());
     this.waiting = tree.rooms.length;
     for (const content of tree.rooms) {
       const openings = tree.openings.filter(({ extras }) => extras.rooms.includes(content.id));
