@@ -25,10 +25,10 @@ const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 
 export class Page {
-  static async open(chromium, executablePath, url) {
+  static async open(chromium, executablePath, url, viewport = SIZE) {
     const isRoot = process.getuid?.() === 0;
     const browser = await chromium.launch({ executablePath, headless: true, args: isRoot ? [...SWITCHES, '--no-sandbox'] : SWITCHES });
-    const page = new Page(browser, await browser.newPage({ viewport: SIZE, reducedMotion: 'reduce' }));
+    const page = new Page(browser, await browser.newPage({ viewport, reducedMotion: 'reduce' }));
     page.page.setDefaultTimeout(LONGEST_WAIT);
     page.watch(new URL(url));
     await page.page.goto(url);

@@ -9,6 +9,7 @@ import { distanceToWalls, isInRoom, middleOf, roomAt } from '../../viewer/src/pl
 import { intoFrame, meetsBox, meetsTriangles } from '../../viewer/src/plan/pick.js';
 import { wallPanels } from '../../viewer/src/plan/shell.js';
 import { facesOf, groundOf, isWay, placeInsideDoor } from '../../viewer/src/plan/walls.js';
+import { isCutOff, sectionOf } from '../../viewer/src/plan/section.js';
 import { stepOf, velocityOf } from '../../viewer/src/plan/steps.js';
 import { multiplied, placed } from '../../viewer/src/model/matrix.js';
 
@@ -202,4 +203,15 @@ test('the view of a level holds all its corners', () => {
     // Half the diagonal of the picture.
     assert.ok(aside / depth < Math.tan(fov / 2) * Math.hypot(1, 0.5));
   }
+});
+
+test('for a low view, walls before the place that is looked at are cut off, and those behind it stay', () => {
+  const section = sectionOf({ position: [0, 3, 10], target: [0, 0, 0] }, 3);
+  assert.ok(isCutOff(section, [0, 2, 4]));
+  assert.ok(!isCutOff(section, [0, 2, -4]));
+  assert.ok(!isCutOff(section, [0, 0.1, 4]));
+  const higher = sectionOf({ position: [0, 8, 10], target: [0, 0, 0] }, 3);
+  assert.ok(higher.height > section.height && higher.height < 3);
+  assert.equal(sectionOf({ position: [0, 10, 2], target: [0, 0, 0] }, 3), null);
+  assert.ok(!isCutOff(null, [0, 2, 4]));
 });

@@ -15,6 +15,7 @@ import { Aprons } from './view/aprons.js';
 import { Light } from './view/light.js';
 import { OrbitView, PlanView } from './view/orbit.js';
 import { Neighbours, Outline } from './view/outline.js';
+import { Section } from './view/section.js';
 import { Shell } from './view/shell.js';
 import { Storeys } from './view/storeys.js';
 import { WalkView } from './view/walk.js';
@@ -32,7 +33,8 @@ export class App {
     Object.assign(this, { stage, server, isReduced });
     this.batches = new Batches(stage.scene);
     this.rooms = new Rooms(this.batches);
-    this.shell = new Shell(stage.scene);
+    this.section = new Section(stage.renderer);
+    this.shell = new Shell(stage.scene, this.section);
     this.aprons = new Aprons(stage.scene);
     this.light = new Light(stage);
     this.outline = new Outline(stage.scene);
@@ -41,7 +43,7 @@ export class App {
     this.levels = new Levels(server);
     this.edits = new Edits(server);
     const anisotropy = Math.min(8, stage.renderer.capabilities.getMaxAnisotropy());
-    this.feed = new Feed(server, new Library(this.batches, anisotropy, (path) => server.locate(path)), this.rooms, {
+    this.feed = new Feed(server, new Library(this.batches, this.section, anisotropy, (path) => server.locate(path)), this.rooms, {
       viewpoint: () => this.view.viewpoint(),
       changed: (room) => this.roomChanged(room),
       failed: (error) => say('feed', `The view is not up to date: ${error.message}.`),
@@ -164,6 +166,7 @@ export class App {
     this.rooms.showCeilings(mode === 'walk');
     this.shell.showCeilings(mode === 'walk');
     this.storeys.showAbove(mode === 'walk');
+    this.section.follow(mode === 'orbit' ? this.view.view() : null, this.level.height);
     this.feed.lookNow();
     this.keepPlace();
     this.hooks.modeChanged();
@@ -300,6 +303,7 @@ export class App {
       this.walkedId = this.views.walk.room?.id;
       this.hooks.walkedRoomChanged();
     }
+    if (isMoved) this.section.follow(this.mode === 'orbit' ? this.view.view() : null, this.level.height);
     const walker = this.mode === 'walk' ? this.views.walk.position : null;
     const isSwinging = this.rooms.openings.update(walker, seconds, this.isReduced);
     const eye = this.mode === 'walk' ? this.views.walk.camera.position.toArray() : this.view.view().target;

@@ -6,9 +6,10 @@ import { textureKeys } from './tree.js';
 const TEXTURE_SLOTS = ['map', 'normalMap', 'roughnessMap', 'metalnessMap', 'aoMap', 'emissiveMap'];
 
 export class Library {
-  /** `locate` gives the address of a file that rooms share. */
-  constructor(batches, anisotropy, locate) {
+  /** `section` cuts the shell of rooms; `locate` gives the address of a file that rooms share. */
+  constructor(batches, section, anisotropy, locate) {
     this.batches = batches;
+    this.section = section;
     this.locate = locate;
     this.anisotropy = anisotropy;
     this.loader = new GLTFLoader();
@@ -29,9 +30,10 @@ export class Library {
     const textures = textureKeys(document);
     const { scene, parser } = await this.loader.parseAsync(file, '');
     // What is not adopted was never drawn: it holds nothing of the graphics card.
-    wanted.forEach(({ key, material }, index) => {
+    wanted.forEach(({ key, material, isShell }, index) => {
       const mesh = firstMesh(scene.children[index]);
-      this.batches.addGeometry(key, material, () => this.adopt(mesh.material, parser, textures), mesh.geometry);
+      const own = (shared) => isShell ? this.section.cut(shared.clone()) : shared;
+      this.batches.addGeometry(key, material, () => this.adopt(own(mesh.material), parser, textures), mesh.geometry);
     });
   }
 

@@ -31,9 +31,9 @@ export class Rooms {
     for (const opening of openings) this.openings.add(content.id, opening);
   }
 
-  drawn({ key, matrix, role, piece }) {
+  drawn({ key, matrix, role, piece, isShell }) {
     const handle = this.batches.place(key, matrix);
-    return Object.assign(handle, { role, piece });
+    return Object.assign(handle, { role, piece, isShell });
   }
 
   drop(id) {

@@ -1,7 +1,8 @@
 // A document taken apart: which rooms and openings it holds, and of each the primitives to draw and where, the pieces of furniture
 // and the lamps. Nothing here looks at triangles.
 //
-// A primitive is {key, source: [mesh, primitive], material, matrix, role, piece}. Equal keys are equal triangles with equal material,
+// A primitive is {key, source: [mesh, primitive], material, matrix, role, piece, isShell}; the shell is walls, doors, windows and what
+// hangs on them. Equal keys are equal triangles with equal material,
 // in all documents: furniture lies in files of its own, whose names hold a hash of their bytes, and images inside a document are told
 // by their bytes. Everything else is keyed by its document.
 import { toPlan } from '../plan/frame.js';
@@ -81,11 +82,15 @@ class Reader {
   readPrimitives({ mesh }, matrix, { room, opening, piece, part, leaf }) {
     const owner = leaf ?? opening ?? room;
     if (mesh === undefined || !owner) return;
+    const isShell = piece ? hangs(piece) : part !== 'floor';
+    // The shell has materials of its own: it is cut where it hides the room.
+    const kind = isShell ? 'shell' : 'furniture';
     this.json.meshes[mesh].primitives.forEach((primitive, index) => {
       owner.primitives.push({
-        key: this.keyOf(mesh, index, primitive),
+        key: `${kind} ${this.keyOf(mesh, index, primitive)}`,
         source: [mesh, index],
-        material: this.materialKeys[primitive.material] ?? 'none',
+        material: `${kind} ${this.materialKeys[primitive.material] ?? 'none'}`,
+        isShell,
         matrix,
         role: piece ? 'furniture' : part ?? 'part',
         piece: piece?.id ?? null,
@@ -103,6 +108,13 @@ class Reader {
     const triangles = places.every(Boolean) ? places.join('+') : `${this.documentKey}:${mesh}.${index}`;
     return `${triangles} ${this.materialKeys[material] ?? 'none'}`;
   }
+}
+
+/** Metres above the floor: a piece at a wall that begins higher hangs there, as pictures and curtain rails do. */
+const HANGING = 0.4;
+
+function hangs({ parent, bottom }) {
+  return /^(wall|window|door)[.:]/.test(parent) && bottom > HANGING;
 }
 
 function addPiece(node, matrix, { room, piece: holder }) {

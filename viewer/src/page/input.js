@@ -42,7 +42,7 @@ export class Input {
   heldPiece(at) {
     if (!this.editor.isEditable) return null;
     const ray = rayThrough(this.app.stage, at);
-    const found = pick(ray, this.app.rooms);
+    const found = pick(ray, this.app.rooms, this.app.section.current);
     const piece = this.app.piece();
     if (found?.piece !== piece.id || found.room !== this.app.selected.room) return null;
     const place = onPlane(ray, piece.bottom);
@@ -76,7 +76,7 @@ export class Input {
     if (!press || !event.isPrimary) return;
     this.endPress();
     if (press.isDrag || event.timeStamp - press.time > CLICK_TIME) return;
-    const found = pick(rayThrough(this.app.stage, press.last), this.app.rooms);
+    const found = pick(rayThrough(this.app.stage, press.last), this.app.rooms, this.app.section.current);
     this.app.select(found && { room: found.room, piece: found.piece });
   }
 

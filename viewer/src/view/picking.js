@@ -1,5 +1,6 @@
 // What lies below a point of the screen.
 import { Raycaster, Vector2 } from 'three';
+import { isCutOff } from '../plan/section.js';
 import { intoFrame, meetsBox, meetsTriangles } from '../plan/pick.js';
 
 const raycaster = new Raycaster();
@@ -12,14 +13,14 @@ export function rayThrough(stage, [x, y]) {
   return { origin: raycaster.ray.origin.toArray(), direction: raycaster.ray.direction.toArray() };
 }
 
-/** The first thing that a ray meets: {room, piece} with `piece` null for walls and floors, or null for nothing. */
-export function pick({ origin, direction }, rooms) {
+/** The first thing that a ray meets: {room, piece} with `piece` null for walls and floors, or null for nothing. What a section cuts off is not there. */
+export function pick({ origin, direction }, rooms, section) {
   let nearest = null;
   for (const { content, handles } of rooms.shown.values()) {
     const boxed = new Set(content.pieces.filter((piece) => meetsPiece(origin, direction, piece)).map(({ id }) => id));
     for (const handle of handles) {
       if (handle.piece ? !boxed.has(handle.piece) : handle.role === 'ceiling' && !rooms.hasCeilings) continue;
-      const distance = meetsHandle(origin, direction, handle, rooms.batches);
+      const distance = meetsHandle(origin, direction, handle, rooms.batches, section);
       if (distance === null || nearest && nearest.distance <= distance) continue;
       nearest = { room: content.id, piece: handle.piece, distance };
     }
@@ -34,10 +35,21 @@ function meetsPiece(origin, direction, { matrix, size: [width, depth, height] })
     [-width / 2 - slack, -slack, -depth / 2 - slack], [width / 2 + slack, height + slack, depth / 2 + slack]) !== null;
 }
 
-function meetsHandle(origin, direction, handle, batches) {
+/** Metres behind a surface that is cut off from which the ray goes on. */
+const BEHIND = 0.001;
+
+function meetsHandle(origin, direction, handle, batches, section) {
   const { positions, indices, range, isTwoSided } = batches.trianglesOf(handle);
-  return meetsTriangles(...intoFrame(origin, direction, handle.elements), positions, indices, range, isTwoSided);
+  for (let gone = 0; ;) {
+    const from = along(origin, direction, gone);
+    const distance = meetsTriangles(...intoFrame(from, direction, handle.elements), positions, indices, range, isTwoSided);
+    if (distance === null) return null;
+    if (!handle.isShell || !isCutOff(section, along(from, direction, distance))) return gone + distance;
+    gone += distance + BEHIND;
+  }
 }
+
+const along = (origin, direction, distance) => origin.map((value, axis) => value + direction[axis] * distance);
 
 /** Where a ray meets the horizontal plane at a height, as a point of the plan, or null. */
 export function onPlane({ origin, direction }, height) {

@@ -7,9 +7,10 @@ import { facesOf } from '../plan/walls.js';
 const COLOURS = { floor: 0xcdbfa8, wall: 0xeae6de, ceiling: 0xf4f2ee };
 
 export class Shell {
-  constructor(scene) {
+  constructor(scene, section) {
     this.scene = scene;
     this.materials = Object.entries(COLOURS).map(([part, color]) => [part, new MeshStandardMaterial({ color, roughness: 1 })]);
+    for (const [part, material] of this.materials) if (part === 'wall') section.cut(material);
     /** One mesh for each part: {part, mesh, instances: Map(room → instance)}. */
     this.parts = [];
     this.hasCeilings = false;
