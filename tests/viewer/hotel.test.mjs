@@ -12,7 +12,7 @@ import { chromium, driver, program, skip } from './requirements.mjs';
 
 const HOTEL = fileURLToPath(new URL('../../configs/plans/grand-hotel.yaml', import.meta.url));
 /** A picture so small is drawn in software as fast as somebody walks. */
-const SIZE = { width: 360, height: 240 };
+const SIZE = { width: 240, height: 180 };
 /** Calls that a weak card draws in a sixtieth of a second. */
 const MOST_CALLS = 300;
 

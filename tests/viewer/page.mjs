@@ -10,15 +10,17 @@ const SWITCHES = [
   '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-quic', '--no-first-run',
 ];
 /** Milliseconds. */
-const [LONGEST_WAIT, GLANCE] = [30_000, 100];
+const [LONGEST_WAIT, GLANCE] = [60_000, 100];
 /** Metres from a place at which a walker is there, radians of a heading that is right. */
 const [THERE, STRAIGHT] = [0.3, 0.12];
+/** Radians that the view turns for each pixel of a drag. */
+const TURN_A_PIXEL = 0.0045;
 /** Metres of a way that is worth running. */
 const RUN = 3;
 /** Metres: who gets on by less stands before something. */
 const STUCK = 0.05;
 /** Milliseconds of a walk across a hotel. */
-const LONGEST_WALK = 120_000;
+const LONGEST_WALK = 300_000;
 
 const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
@@ -163,6 +165,22 @@ export class Page {
     });
   }
 
+  /** Turns by dragging the picture, which is as precise however seldom a picture is drawn. */
+  async lookTo(heading) {
+    const { x, y, width, height } = await this.page.locator('#canvas').boundingBox();
+    const middle = [x + width / 2, y + height / 2];
+    await this.until(async () => {
+      const off = wrapped(heading - (await this.stats()).heading);
+      if (Math.abs(off) < STRAIGHT) return true;
+      const reach = Math.max(-width / 2, Math.min(width / 2, off / TURN_A_PIXEL));
+      await this.page.mouse.move(middle[0] - reach / 2, middle[1]);
+      await this.page.mouse.down();
+      await this.page.mouse.move(middle[0] + reach / 2, middle[1]);
+      await this.page.mouse.up();
+      return false;
+    });
+  }
+
   async walkTowards(heading, milliseconds) {
     await this.turnTo(heading);
     await this.hold('w', milliseconds);
@@ -224,7 +242,7 @@ export class Page {
     const { position } = await this.stats();
     const far = distance([x, y], position);
     if (far < THERE) return true;
-    await this.turnTo(Math.atan2(y - position[1], x - position[0]));
+    await this.lookTo(Math.atan2(y - position[1], x - position[0]));
     if (far > RUN) await this.page.keyboard.down('Shift');
     await this.hold('w', Math.min(2000, Math.max(60, far * 300)));
     await this.page.keyboard.up('Shift');
