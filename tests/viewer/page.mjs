@@ -32,8 +32,8 @@ export class Page {
     const browser = await chromium.launch({ executablePath, headless: true, args: isRoot ? [...SWITCHES, '--no-sandbox'] : SWITCHES });
     const page = new Page(browser, await browser.newPage({ viewport, reducedMotion: 'reduce' }));
     page.page.setDefaultTimeout(LONGEST_WAIT);
-    page.watch(new URL(url));
-    await page.page.goto(url);
+    page.watch();
+    await page.visit(url);
     return page;
   }
 
@@ -41,7 +41,13 @@ export class Page {
     Object.assign(this, { browser, page, faults: [] });
   }
 
-  watch({ host }) {
+  /** Opens an address; only its host may be asked from now on. */
+  async visit(url) {
+    this.host = new URL(url).host;
+    await this.page.goto(url);
+  }
+
+  watch() {
     const { page, faults } = this;
     page.on('console', (message) => {
       if (message.type() === 'error') faults.push(`console: ${message.text()}`);
@@ -54,8 +60,13 @@ export class Page {
     });
     page.on('request', (request) => {
       const address = new URL(request.url());
-      if (!['blob:', 'data:'].includes(address.protocol) && address.host !== host) faults.push(`another host: ${request.url()}`);
+      if (!['blob:', 'data:'].includes(address.protocol) && address.host !== this.host) faults.push(`another host: ${request.url()}`);
     });
+  }
+
+  /** Leaves the page, so that its server can be stopped. */
+  leave() {
+    return this.page.goto('about:blank');
   }
 
   close() {
@@ -134,6 +145,10 @@ export class Page {
 
   async waitForFile(path, pattern) {
     await this.until(async () => pattern.test(await readFile(path, 'utf8').catch(() => '')));
+  }
+
+  async isPressed(selector) {
+    return await this.page.getAttribute(selector, 'aria-pressed') === 'true';
   }
 
   isVisible(selector) {

@@ -87,6 +87,30 @@ describe('roomwright view', { skip }, () => {
     await page.until(async () => !(await readFile(join(folder, 'house.edits.yaml'), 'utf8').catch(() => '')).includes(selected.piece));
   });
 
+  test('after a restart, locked and removed pieces are said to be so, and a removed one is brought back', async () => {
+    await page.choosePiece('coffee_table.1', 'living');
+    await page.activate('#lock');
+    await page.waitForText('#piece-facts', /locked/);
+    const [{ id }] = await page.piecesOf('store');
+    await page.choosePiece(id, 'store');
+    await page.activate('#remove');
+    await page.waitForText('#piece-facts', /removed by an edit/);
+
+    await page.leave();
+    await view.stop();
+    view = await startView(program, join(folder, 'house.yaml'));
+    await page.visit(view.url);
+    await page.settled();
+    await page.choosePiece('coffee_table.1', 'living');
+    await page.waitForText('#piece-facts', /locked/);
+    assert.equal(await page.isPressed('#lock'), true);
+    await page.activate('#forget');
+    await page.choosePiece(id, 'store');
+    assert.equal((await page.piecesOf('store')).some((piece) => piece.id === id), false);
+    await page.activate('#forget');
+    await page.until(async () => (await page.piecesOf('store')).some((piece) => piece.id === id));
+  });
+
   test('a room is rerolled, the house furnished by another seed', async () => {
     const before = await page.piecesOf('study');
     await page.chooseRoom('study');
