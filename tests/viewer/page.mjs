@@ -91,11 +91,11 @@ export class Page {
     }
   }
 
-  /** Waits until no room is on its way. */
+  /** Waits until no room is on its way, and all that came are drawn. */
   async settled() {
     await this.until(async () => {
       const stats = await this.stats();
-      return stats && stats.rooms > 0 && stats.waiting === 0;
+      return stats && stats.rooms > 0 && stats.waiting === 0 && stats.is_drawn;
     });
     await this.page.waitForTimeout(3 * GLANCE);
     return this.stats();

@@ -103,6 +103,6 @@ function statsOf(app) {
     rooms: app.rooms.size, calls: render.calls, triangles: render.triangles, frame_ms: app.stage.frameTime, mode: app.mode, light: app.light.mode,
     building: app.building?.id, level: app.level?.id, room: app.mode === 'walk' ? walk.room?.id ?? null : app.selected?.room ?? null,
     position: app.mode === 'walk' ? walk.position : null, heading: walk.heading, selected: app.selected, place: app.piece()?.at ?? null,
-    first_frames_ms: firstFrames, waiting: app.feed.waiting, textures: memory.textures, geometries: memory.geometries,
+    first_frames_ms: firstFrames, is_drawn: !app.stage.isDirty && !app.stage.isPending, waiting: app.feed.waiting, textures: memory.textures, geometries: memory.geometries,
   };
 }
