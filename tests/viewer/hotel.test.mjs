@@ -69,7 +69,7 @@ describe('a walk through a hotel', { skip }, () => {
     await page.settled();
     await goInto('landing-west', [-3, 7.6]);
     await goInto('corridor', [11, 7.6]);
-    await goInto('2505', [11.2, 9.6]);
+    await goInto('2505', [11.2, 9.3]);
     assert.ok((await page.piecesOf('2505')).length > 3);
     assert.equal(await page.isVisible('#lift'), false);
   });

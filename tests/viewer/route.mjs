@@ -7,9 +7,10 @@ const MESH = 0.25;
 const SLACK = 0.06;
 const NEIGHBOURS = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [1, -1], [-1, 1], [-1, -1]];
 
-/** Places to walk to one after the other; throws where there is no way. A*, by P. Hart, N. Nilsson and B. Raphael, 1968. */
-export function routeTo(from, to, ground) {
+/** Places to walk to one after the other, the last one as near to `wanted` as furniture allows; throws where there is no way. A*, by P. Hart, N. Nilsson and B. Raphael, 1968. */
+export function routeTo(from, wanted, ground) {
   const near = nearby(ground);
+  const to = freeNear(wanted, near);
   const free = new Map();
   const placeOf = ([column, row]) => [from[0] + column * MESH, from[1] + row * MESH];
   const isOpen = (cell) => {
@@ -34,6 +35,17 @@ export function routeTo(from, to, ground) {
     if (reached.size > 40_000) break;
   }
   throw new Error(`no way from ${from} to ${to}`);
+}
+
+/** Metres: whatever stands in a doorway or before it is not larger. */
+const FARTHEST = 1;
+
+function freeNear(wanted, near) {
+  const steps = Math.round(FARTHEST / MESH);
+  const offsets = Array.from({ length: 2 * steps + 1 }, (_, index) => (index - steps) * MESH);
+  const places = offsets.flatMap((x) => offsets.map((y) => [x, y])).sort((a, b) => Math.hypot(...a) - Math.hypot(...b))
+    .map(([x, y]) => [wanted[0] + x, wanted[1] + y]);
+  return places.find((place) => around(place).every((each) => isFree(each, near(each)))) ?? wanted;
 }
 
 /** Keeps the list sorted, the cheapest last. */
