@@ -20,6 +20,8 @@ import { Shell } from './view/shell.js';
 import { Storeys } from './view/storeys.js';
 import { WalkView } from './view/walk.js';
 
+/** Seconds without new rooms after which what takes a while disturbs nobody. */
+const CALM = 0.5;
 /** The room type of lifts. */
 const LIFT = 'elevator';
 const AFTER_BREAKAGE = 'Reload the page; if that does not help, start the server again.';
@@ -57,6 +59,7 @@ export class App {
     this.mode = 'orbit';
     this.map = { rooms: [], openings: [] };
     this.selected = null;
+    this.calm = 0;
     this.hooks = { levelOpened() {}, modeChanged() {}, roomsChanged() {}, selectionChanged() {}, siteChanged() {}, walkedRoomChanged() {} };
     stage.resized = (aspect) => Object.values(this.views).forEach((view) => view.resize(aspect));
   }
@@ -304,6 +307,8 @@ export class App {
       this.hooks.walkedRoomChanged();
     }
     if (isMoved) this.section.follow(this.mode === 'orbit' ? this.view.view() : null, this.level.height);
+    this.calm = this.feed.isCalm ? this.calm + seconds : 0;
+    if (this.calm > CALM) this.light.raiseSky();
     const walker = this.mode === 'walk' ? this.views.walk.position : null;
     const isSwinging = this.rooms.openings.update(walker, seconds, this.isReduced);
     const eye = this.mode === 'walk' ? this.views.walk.camera.position.toArray() : this.view.view().target;

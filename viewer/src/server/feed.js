@@ -55,6 +55,11 @@ export class Feed {
     else this.look();
   }
 
+  /** Whether all rooms that the server has are shown. */
+  get isCalm() {
+    return this.rooms.size > 0 && this.queue.length === 0 && this.pending.size === 0;
+  }
+
   /** Asks at once what is worth drawing. */
   lookNow() {
     if (!this.isLooking || this.isAsking) return;

@@ -20,10 +20,16 @@ const FLOOR_THICKNESS = 0.06;
 const DAY = { background: 0xdbe4ec, ground: 0xb9c2b4, hemisphere: 1.3, sun: 1.8, fill: 0.5, environment: 0.45, exposure: 1 };
 const NIGHT = { background: 0x0c1017, ground: 0x39424d, hemisphere: 0.22, sun: 0, fill: 0, environment: 0.1, exposure: 1.1 };
 
+/** Pixels of each side of the sky's cube: it is smooth. */
+const SKY_SIZE = 32;
+
+/** What the sky adds to diffuse light, in units of the hemisphere, until it is there itself: π times its mean brightness. */
+const SKY_IRRADIANCE = 2.8;
+
 export class Light {
   constructor(stage) {
     this.stage = stage;
-    const { scene, renderer } = stage;
+    const { scene } = stage;
     this.hemisphere = new HemisphereLight(0xf3f7ff, 0xd9d0c6);
     this.sun = new DirectionalLight(0xfff1dc);
     this.sun.position.set(0.7, 1, 0.3);
@@ -33,7 +39,7 @@ export class Light {
     this.lamps = Array.from({ length: MOST_LAMPS }, () => new PointLight(0xffffff, 0, REACH));
     this.ground = groundPlate();
     scene.add(this.hemisphere, this.sun, this.fill, ...this.lamps, this.ground);
-    scene.environment = skyOf(renderer);
+    this.hasSky = false;
     this.set('day');
   }
 
@@ -44,13 +50,21 @@ export class Light {
     scene.background.set(look.background);
     scene.environmentIntensity = look.environment;
     renderer.toneMappingExposure = look.exposure;
-    this.hemisphere.intensity = look.hemisphere;
+    this.hemisphere.intensity = look.hemisphere + (this.hasSky ? 0 : look.environment * SKY_IRRADIANCE);
     this.sun.intensity = look.sun;
     this.fill.intensity = look.fill;
     this.ground.material.color.set(look.ground);
     // All of them or none: materials are compiled anew when the number of lights changes.
     for (const lamp of this.lamps) lamp.visible = mode === 'lamp';
     this.stage.invalidate();
+  }
+
+  /** Lets metal and glass reflect the sky. Its shaders take software renderers seconds: not before the rooms are there. */
+  raiseSky() {
+    if (this.hasSky) return;
+    this.hasSky = true;
+    this.stage.scene.environment = skyOf(this.stage.renderer);
+    this.set(this.mode);
   }
 
   /** Lights the lamps nearest to a place of the scene. */
@@ -108,7 +122,7 @@ function skyOf(renderer) {
   const sky = new Scene();
   sky.add(new Mesh(sphere, new MeshBasicMaterial({ vertexColors: true, side: BackSide })));
   const generator = new PMREMGenerator(renderer);
-  const { texture } = generator.fromScene(sky, 0.03);
+  const { texture } = generator.fromScene(sky, 0, 0.1, 100, { size: SKY_SIZE });
   generator.dispose();
   sphere.dispose();
   return texture;
