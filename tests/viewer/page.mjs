@@ -183,14 +183,15 @@ export class Page {
   /** Turns by dragging the picture, which is as precise however seldom a picture is drawn. */
   async lookTo(heading) {
     const { x, y, width, height } = await this.page.locator('#canvas').boundingBox();
-    const middle = [x + width / 2, y + height / 2];
+    // The buttons of a lift lie over the right half.
+    const [left, middle] = [x + width * 0.02, y + height / 2];
     await this.until(async () => {
       const off = wrapped(heading - (await this.stats()).heading);
       if (Math.abs(off) < STRAIGHT) return true;
-      const reach = Math.max(-width / 2, Math.min(width / 2, off / TURN_A_PIXEL));
-      await this.page.mouse.move(middle[0] - reach / 2, middle[1]);
+      const reach = Math.max(-width * 0.45, Math.min(width * 0.45, off / TURN_A_PIXEL));
+      await this.page.mouse.move(left + Math.max(0, -reach), middle);
       await this.page.mouse.down();
-      await this.page.mouse.move(middle[0] + reach / 2, middle[1]);
+      await this.page.mouse.move(left + Math.max(0, reach), middle);
       await this.page.mouse.up();
       return false;
     });
