@@ -1,15 +1,15 @@
 // The rooms of a level in plain colours from its map alone: there at once, until the furnished room comes and takes its place.
-import { BatchedMesh, BufferGeometry, Float32BufferAttribute, Matrix4, MeshStandardMaterial, Path, Shape, ShapeGeometry } from 'three';
+import { BatchedMesh, BufferGeometry, DoubleSide, Float32BufferAttribute, FrontSide, Matrix4, MeshStandardMaterial, Path, Shape, ShapeGeometry } from 'three';
 import { toScene } from '../plan/frame.js';
 import { wallPanels } from '../plan/shell.js';
 import { facesOf } from '../plan/walls.js';
 
-const COLOURS = { floor: 0xcdbfa8, wall: 0xeae6de, ceiling: 0xf4f2ee };
+const COLOURS = { floor: 0xa58a63, wall: 0xbdb4a4, ceiling: 0xe4e0d8 };
 
 export class Shell {
   constructor(scene, section) {
     this.scene = scene;
-    this.materials = Object.entries(COLOURS).map(([part, color]) => [part, new MeshStandardMaterial({ color, roughness: 1 })]);
+    this.materials = Object.entries(COLOURS).map(([part, color]) => [part, new MeshStandardMaterial({ color, roughness: 1, side: part === 'wall' ? DoubleSide : FrontSide })]);
     for (const [part, material] of this.materials) if (part === 'wall') section.cut(material);
     /** One mesh for each part: {part, mesh, instances: Map(room → instance)}. */
     this.parts = [];
