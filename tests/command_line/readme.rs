@@ -2,6 +2,7 @@
 //! newcomer.
 
 use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -23,6 +24,9 @@ const PAGES: [&str; 5] = [
     include_str!("../../docs/diff.md"),
     include_str!("../../docs/usd.md"),
 ];
+
+/// The page about walks.
+const WALKING: &str = include_str!("../../docs/walking.md");
 
 /// The page about edits, which begins with a plan.
 const EDITS: &str = include_str!("../../docs/edits.md");
@@ -124,20 +128,35 @@ impl Newcomer {
         if words.contains(&"edited.glb") && !self.world.path("edited.glb").exists() {
             self.world.write("edited.glb", self.world.read("out/house/ground.glb"));
         }
-        let output = Command::new("sh")
-            .args(["-c", &typed])
-            .current_dir(self.world.path("."))
-            .env("PATH", &self.path)
-            .env("ROOMWRIGHT_CACHE", self.world.path("cache"))
-            .stdin(Stdio::null())
-            .output()
-            .unwrap();
+        if words[1] == "view" {
+            self.serve(&typed);
+            return Ok(());
+        }
+        let output = self.shell(&typed).output().unwrap();
         // Differences of the kinds that somebody asks for are an answer, too.
         let is_answer =
             output.status.success() || (line.contains("--fail-on") && output.status.code() == Some(1));
         let stderr = String::from_utf8_lossy(&output.stderr);
         assert!(is_answer, "{line}: {:?}\n{stderr}", output.status.code());
         Ok(())
+    }
+
+    fn shell(&self, line: &str) -> Command {
+        let mut command = Command::new("sh");
+        command.args(["-c", line]).current_dir(self.world.path(".")).env("PATH", &self.path);
+        command.env("ROOMWRIGHT_CACHE", self.world.path("cache")).stdin(Stdio::null());
+        command
+    }
+
+    /// Runs a server until it says where it is. No browser opens in tests.
+    fn serve(&self, line: &str) {
+        let mut command = self.shell(&format!("exec {line} --no-open"));
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let mut address = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut address).unwrap();
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(address.starts_with("http://127.0.0.1:"), "{line}: {address:?}");
     }
 }
 
@@ -187,6 +206,14 @@ fn every_command_of_the_pages_runs_as_it_is_written() {
 fn every_command_of_the_page_about_edits_runs_as_it_is_written() {
     let lines: Vec<&str> = [&["roomwright init"], &*commands(EDITS)].concat();
     run_all(&lines, &["out/house/ground.glb", "plans/house.edits.yaml"]);
+}
+
+#[test]
+#[cfg(unix)]
+fn every_command_of_the_page_about_walks_runs_as_it_is_written() {
+    let lines: Vec<&str> = [&["roomwright init"], &*commands(WALKING)].concat();
+    assert!(lines.len() > 4, "{lines:?}");
+    run_all(&lines, &["plans/house.yaml"]);
 }
 
 #[test]
