@@ -109,10 +109,22 @@ viewer() {
     node --test --test-reporter=./tests/viewers/report.mjs tests/viewer/*.test.mjs
 }
 
+# The program as WebAssembly writes the bytes of the native one. Without the target, it is said and left out.
+web() {
+  local status=0
+  cargo fmt --manifest-path web/Cargo.toml --check
+  CARGO_TARGET_DIR=$top/target/web bash web/build.sh "$work/try" || status=$?
+  if [ "$status" -eq 3 ]; then return; fi
+  [ "$status" -eq 0 ]
+  counted env ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" ROOMWRIGHT_WASM="$work/try/roomwright.wasm" \
+    node --test --test-reporter=./tests/viewers/report.mjs web/compare.test.mjs
+}
+
 step "Python environment" set_up_python
 step "Khronos validator" set_up_validator
 step "cargo fmt" checked cargo fmt --check
 step "cargo clippy" checked cargo clippy --all-targets --locked -- -D warnings
+step "cargo check (without the command)" checked cargo check --no-default-features --lib --locked
 step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --document-private-items
 # With checks of arithmetic and debug assertions, and slow: single stages, damaged inputs, and the pinned levels.
 # Whole commands, random rooms and kills run below, as users run them; `cargo test` alone runs everything with these checks.
@@ -130,5 +142,6 @@ step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd
 step "docs/walkthrough.sh" checked walk
 step "Viewers" viewers
 step "The page of roomwright view" viewer
+step "WebAssembly" web
 step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" .venv/bin/python -m pytest -q tests/scripts
 step_name=

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::graph::Place;
 use super::room::WorldRoom;
+use super::site::Site;
 use super::store::Key;
 use crate::contract::RoomId;
 use crate::output::LevelOptions;
@@ -20,6 +21,8 @@ pub(crate) struct Inputs {
     pub(crate) options: LevelOptions,
     /// Index of a building by its id.
     buildings: BTreeMap<String, usize>,
+    /// Where the buildings stand.
+    pub(crate) site: Site,
     /// The buildings with people in them that rooms were made of last, the latest at the end.
     occupied: Mutex<Vec<(usize, Arc<PlacedBuilding>)>>,
 }
@@ -28,7 +31,7 @@ impl Inputs {
     pub(crate) fn new(project: Arc<Project>, options: LevelOptions) -> Self {
         let ids = project.plan.buildings.iter().enumerate();
         let buildings = ids.map(|(index, placed)| (placed.id.clone(), index)).collect();
-        Self { project, options, buildings, occupied: Mutex::default() }
+        Self { project, options, buildings, site: Site::default(), occupied: Mutex::default() }
     }
 
     /// A level by its ids: the indices of building and level.

@@ -9,7 +9,7 @@
 //! - time per look has a bound that depends on the neighbourhood, not on the size of the city.
 //!
 //! `graph` has the rooms of a building and their openings; `sight` says which of them one sees, `near` which one reaches; `wish`
-//! ranks them; `store` holds what is made; `inputs` makes it; `journey` walks through a world and measures.
+//! ranks them; `site` knows where the buildings stand; `store` holds what is made; `inputs` makes it; `journey` walks through a world and measures.
 
 mod graph;
 mod inputs;
@@ -19,6 +19,7 @@ mod path;
 mod room;
 mod route;
 mod sight;
+mod site;
 mod store;
 #[cfg(test)]
 mod tests;

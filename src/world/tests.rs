@@ -173,6 +173,22 @@ fn from_outside_one_sees_rooms_with_windows() {
 }
 
 #[test]
+fn in_the_street_one_sees_into_the_buildings_on_both_sides() {
+    // Towers of 80 x 15 m stand 100 m apart from west to east, and 40 m from south to north.
+    let mut world = World::open(project("city.yaml"), plain());
+    let street = world.eye_on_site(Point::new(40.0, 27.5), 1.6, Point::X).unwrap();
+    assert_eq!(street.level, "1");
+    world.update(&street, Budget::default()).unwrap();
+    let seen: BTreeSet<String> = world.wanted().into_iter().map(|wanted| wanted.id.building).collect();
+    assert_eq!(seen.iter().map(String::as_str).collect::<Vec<_>>(), ["tower-001", "tower-011"]);
+    let inside = world.eye_on_site(Point::new(140.0, 7.6), 31.7, Point::X).unwrap();
+    assert_eq!((inside.building.as_str(), inside.level.as_str()), ("tower-002", "11"));
+    world.update(&inside, Budget::default()).unwrap();
+    assert!(world.wanted().iter().all(|wanted| wanted.id.building == "tower-002"));
+    assert_eq!(world.wanted()[0].id.room, "corridor");
+}
+
+#[test]
 fn stairs_join_levels_and_ways_are_measured() {
     let project = project("plans/hotel.yaml");
     let building: &Building = &project.plan.buildings[0].building;
@@ -341,7 +357,8 @@ fn random_walks_stay_in_rooms_and_are_repeated() {
         let project = project(plan);
         let path = WalkPath::random(&project.plan, &project.catalog, 5, 700.0).unwrap();
         assert_eq!(path, WalkPath::random(&project.plan, &project.catalog, 5, 700.0).unwrap());
-        assert!((path.metres() - 700.0).abs() < 1.0 && path.pieces.len() >= 2);
+        // A piece may end in the middle of a flight of stairs, which counts whole.
+        assert!((path.metres() - 700.0).abs() < 9.0 && path.pieces.len() >= 2, "{}", path.metres());
         for stop in path.pieces.iter().flatten() {
             let building = &project.plan.buildings[stop.building].building;
             let graph = BuildingGraph::new(building, &project.catalog);

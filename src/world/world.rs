@@ -9,6 +9,7 @@ use std::thread::JoinHandle;
 use super::graph::{BuildingGraph, Place};
 use super::inputs::Inputs;
 use super::room::WorldRoom;
+use super::site::{in_building, on_site, turned};
 use super::store::{Budget, Key, Store, Wanted};
 use super::wish::{Gaze, Need, wishes};
 use crate::batch::catch_bug;
@@ -178,14 +179,42 @@ impl World {
             field_of_view: eye.field_of_view,
             reach: eye.reach,
         };
-        let graph = self.graph(&inputs, building);
-        let wished = wishes(&graph, &inputs.project.plan.buildings[building].building, &gaze);
+        let mut wanted = self.wishes(&inputs, building, &gaze);
+        for (other, gaze) in gazes_beside(&inputs, building, &gaze) {
+            wanted.extend(self.wishes(&inputs, other, &gaze));
+        }
+        wanted.sort_by(|one, other| {
+            one.need.cmp(&other.need).then_with(|| one.distance.total_cmp(&other.distance))
+        });
+        Ok(self.want(&inputs, wanted, budget))
+    }
+
+    fn wishes(&mut self, inputs: &Inputs, building: usize, gaze: &Gaze) -> Vec<Wanted> {
+        let graph = self.graph(inputs, building);
+        let wished = wishes(&graph, &inputs.project.plan.buildings[building].building, gaze);
         let wanted = wished.into_iter().map(|wish| Wanted {
             key: Key { building, place: wish.place },
             need: wish.need,
             distance: wish.distance,
         });
-        Ok(self.want(&inputs, wanted.collect(), budget))
+        wanted.collect()
+    }
+
+    /// The eye of somebody at a place of the site: in the building there, or before the nearest one, on the highest level whose
+    /// floor is below the eye. Metres east and north of the site's origin, and above the buildings' zero; none in a plan without
+    /// levels.
+    #[must_use]
+    pub fn eye_on_site(&self, position: Point, height: f64, direction: Point) -> Option<Eye> {
+        let inputs = self.shared.inputs();
+        let plan = &inputs.project.plan;
+        let placed = &plan.buildings[inputs.site.nearest(plan, position)?];
+        let levels = &placed.building.levels;
+        let below = levels.iter().filter(|level| level.elevation <= height);
+        let highest = below.max_by(|one, other| one.elevation.total_cmp(&other.elevation));
+        let lowest = levels.iter().min_by(|one, other| one.elevation.total_cmp(&other.elevation));
+        let level = highest.or(lowest)?;
+        let position = in_building(placed.site, position);
+        Some(Eye::new(&placed.id, &level.id, position, turned(direction, -placed.site.turn)))
     }
 
     /// Wants all rooms of a level, the nearest to a place first: what one sees from above.
@@ -385,6 +414,29 @@ impl fmt::Debug for World {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("World").field("rooms", &self.len()).field("threads", &self.workers.len()).finish()
     }
+}
+
+/// What somebody in the open air sees of the other buildings around: each with the eye in its own frame, on the level that is as
+/// high as that where the eye is.
+fn gazes_beside(inputs: &Inputs, building: usize, gaze: &Gaze) -> Vec<(usize, Gaze)> {
+    let plan = &inputs.project.plan;
+    let placed = &plan.buildings[building];
+    let level = &placed.building.levels[gaze.level];
+    if level.rooms.iter().any(|room| room.region.contains(gaze.position)) {
+        return Vec::new();
+    }
+    let beside = inputs.site.beside(plan, building, gaze.position).into_iter().filter_map(|other| {
+        let there = &plan.buildings[other];
+        let levels = there.building.levels.iter().enumerate();
+        let off = |elevation: f64| (elevation - level.elevation).abs();
+        let nearest =
+            levels.min_by(|(_, one), (_, other)| off(one.elevation).total_cmp(&off(other.elevation)));
+        let turn = placed.site.turn - there.site.turn;
+        let position = in_building(there.site, on_site(placed.site, gaze.position));
+        let (direction, velocity) = (turned(gaze.direction, turn), turned(gaze.velocity, turn));
+        Some((other, Gaze { level: nearest?.0, position, direction, velocity, ..*gaze }))
+    });
+    beside.collect()
 }
 
 /// A room to be made.
