@@ -110,9 +110,16 @@ struct Files {
     cache: Option<PathBuf>,
 }
 
+impl Files {
+    fn cache(&self) -> Option<Cache> {
+        cache_root(self.cache.clone()).map(|root| Cache::new(&root, PROGRAM))
+    }
+}
+
 impl ViewSources for Files {
     fn read(&self, controls: &Controls) -> Result<(Project, LevelOptions), Faults> {
-        let project = read_sources(&self.sources.seeded(controls.seed))?;
+        let mut project = read_sources(&self.sources.seeded(controls.seed))?;
+        project.models = project.models.with_cache(self.cache());
         let style = run_style(controls.style.as_ref(), &project)?;
         let defaults = project.level_options();
         let seed = controls.seed.unwrap_or(defaults.seed);
@@ -155,7 +162,6 @@ impl ViewSources for Files {
     }
 
     fn writer(&self, project: &Project, options: &LevelOptions) -> RoomWriter {
-        let cache = cache_root(self.cache.clone()).map(|root| Cache::new(&root, PROGRAM));
-        RoomWriter::new(&project.catalog, options, cache)
+        RoomWriter::new(&project.catalog, options, self.cache())
     }
 }

@@ -65,7 +65,25 @@ pub(crate) trait ViewSources: Send + Sync {
 struct Scenery {
     project: Arc<Project>,
     options: LevelOptions,
-    writer: RoomWriter,
+    writer: Arc<RoomWriter>,
+    /// The project with whose models rooms are written: an earlier one, where the catalogue is still the same.
+    models: Arc<Project>,
+}
+
+impl Scenery {
+    fn new(project: Arc<Project>, options: LevelOptions, sources: &dyn ViewSources) -> Self {
+        let writer = Arc::new(sources.writer(&project, &options));
+        Self { models: Arc::clone(&project), project, options, writer }
+    }
+
+    /// The scenery after a change. Models and textures that are made already are kept where they would be the same.
+    fn changed(&self, project: Arc<Project>, options: LevelOptions, sources: &dyn ViewSources) -> Self {
+        if self.options == options && self.project.catalog.digest == project.catalog.digest {
+            let (writer, models) = (Arc::clone(&self.writer), Arc::clone(&self.models));
+            return Self { project, options, writer, models };
+        }
+        Self::new(project, options, sources)
+    }
 }
 
 /// The state behind a page.
@@ -100,16 +118,16 @@ impl Session {
         threads: Option<NonZeroUsize>,
     ) -> std::io::Result<Self> {
         let project = Arc::new(project);
-        let writer = sources.writer(&project, &options);
         let mut world = World::open(Arc::clone(&project), options.clone());
         if let Some(threads) = threads {
             world.start(threads)?;
         }
+        let scenery = Scenery::new(project, options, &*sources);
         Ok(Self {
             sources,
             controls: Mutex::new(controls),
             world: Mutex::new(world),
-            scenery: Mutex::new(Arc::new(Scenery { project, options, writer })),
+            scenery: Mutex::new(Arc::new(scenery)),
             shared: Mutex::default(),
             faults: Mutex::default(),
             revision: AtomicU64::new(1),
@@ -152,9 +170,8 @@ impl Session {
         let had_faults = std::mem::replace(&mut *lock(&self.faults), faults.clone()) != faults;
         if !is_equal {
             let project = Arc::new(project);
-            let writer = self.sources.writer(&project, &options);
-            *lock(&self.scenery) =
-                Arc::new(Scenery { project: Arc::clone(&project), options: options.clone(), writer });
+            let changed = before.changed(Arc::clone(&project), options.clone(), &*self.sources);
+            *lock(&self.scenery) = Arc::new(changed);
             lock(&self.world).replace(project, options);
             self.revision.fetch_add(1, Ordering::SeqCst);
         }
@@ -277,8 +294,8 @@ impl Answers for Session {
         let room = lock(&self.world).shown(id);
         let room = room
             .ok_or_else(|| Refusal::NotFound(format!("room {id} is not furnished now: look at it first")))?;
-        let Scenery { project, options, writer } = &*scenery;
-        let written = writer.write(project, options, &room.view());
+        let Scenery { models, options, writer, .. } = &*scenery;
+        let written = writer.write(models, options, &room.view());
         let WrittenRoom { glb, scene, models } = written.map_err(|error| Refusal::Bad(error.to_string()))?;
         self.share(models, &scene.materials);
         Ok(glb)

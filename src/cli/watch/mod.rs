@@ -62,8 +62,8 @@ fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Fau
 pub(super) fn watch_sources(sources: &SourceArguments, changed: impl Fn()) -> Faults {
     let place = sources.paths.first().cloned().unwrap_or_default();
     let mut watcher = FolderWatcher::default();
+    let mut inputs = Inputs::of_sources(sources);
     loop {
-        let inputs = Inputs::of_sources(sources);
         if inputs.is_empty() {
             return Fault::of_file(&place, "is in no folder that can be watched").into();
         }
@@ -73,8 +73,16 @@ pub(super) fn watch_sources(sources: &SourceArguments, changed: impl Fn()) -> Fa
         };
         // What changed before the folders were watched is read now.
         changed();
-        if next_change(changes, &inputs, SHORT_QUIET).is_none() {
-            return Fault::of_file(&place, "can no longer be watched").into();
+        let mut is_watched = true;
+        while is_watched {
+            if next_change(changes, &inputs, SHORT_QUIET).is_none() {
+                return Fault::of_file(&place, "can no longer be watched").into();
+            }
+            // At once: which files are inputs from now on is asked afterwards.
+            changed();
+            let now = Inputs::of_sources(sources);
+            is_watched = now.folders() == inputs.folders();
+            inputs = now;
         }
     }
 }
