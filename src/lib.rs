@@ -37,8 +37,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Plans are read from files: a program that makes rooms itself writes them as YAML first, in some ten lines a level
-//! (`configs/plans/README.md`), and names that file.
+//! A game or a walkthrough asks for what is around an eye. A [`World`] furnishes rooms before they are seen, in the background after
+//! [`World::start`] or where the program has time for a [`World::step`], holds them within a budget, and forgets those that are far:
+//!
+//! ```
+//! use roomwright::building::Point;
+//! use roomwright::{Budget, Eye, Project, RoomId, World};
+//!
+//! let project = Project::read(&["configs/plans/house.yaml"].into_iter().collect())?;
+//! let options = project.level_options();
+//! let mut world = World::open(project, options);
+//! let eye = Eye::new("house", "ground", Point::new(3.0, 2.0), Point::X);
+//! world.update(&eye, Budget::default())?;
+//! while world.step() {}
+//! let living = world.room(&RoomId::new("house", "ground", "living"));
+//! assert!(living.is_some_and(|room| room.furnished.placements.len() > 20));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Plans are read from files, or from a text in memory ([`Project::parse`]): a program that makes rooms itself writes them as YAML
+//! first, in some ten lines a level (`configs/plans/README.md`).
 //!
 //! Lengths are metres, angles radians counter-clockwise, x east, y north. The modules [`options`], [`building`], [`furniture`] and
 //! [`judgement`] hold the types that the fields of these structs have. `ARCHITECTURE.md` shows how the stages follow each other; `docs/output.md` says
