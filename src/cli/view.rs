@@ -129,8 +129,7 @@ impl ViewSources for Files {
     }
 
     fn explain(&self, project: &Project, options: &LevelOptions, id: &RoomId) -> Option<Value> {
-        let index = project.plan.buildings.iter().position(|placed| placed.id == id.building)?;
-        let placed = project.occupied(index, options.seed);
+        let placed = project.occupied_by_id(&id.building, options.seed)?;
         let level = placed.building.levels.iter().find(|level| level.id == id.level)?;
         let room = level.rooms.iter().position(|room| room.id == id.room)?;
         let found = FoundRoom { placed: &placed, at: level.room(room) };

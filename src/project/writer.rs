@@ -22,6 +22,12 @@ impl Project {
         PlacedBuilding { building: people.apply(&placed.building), ..placed.clone() }
     }
 
+    /// The same by the id of the building; none if there is no such building.
+    pub(crate) fn occupied_by_id(&self, id: &str, seed: u64) -> Option<PlacedBuilding> {
+        let index = self.plan.buildings.iter().position(|placed| placed.id == id)?;
+        Some(self.occupied(index, seed))
+    }
+
     /// Furnishes a room of an occupied building, applies its edits and judges it, as a bake does.
     pub(crate) fn furnish_room(&self, options: &LevelOptions, building: &str, at: RoomRef<'_>) -> Finished {
         let run = FurnishOptions::new(options.seed, building).with_style(options.style.as_deref());

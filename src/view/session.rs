@@ -94,6 +94,8 @@ pub(crate) struct Session {
     scenery: Mutex<Arc<Scenery>>,
     /// Models and images that rooms refer to, by path.
     shared: Mutex<BTreeMap<String, Arc<Vec<u8>>>>,
+    /// Held while the inputs are read.
+    reading: Mutex<()>,
     /// What was wrong when the inputs were read last.
     faults: Mutex<Vec<String>>,
     revision: AtomicU64,
@@ -129,6 +131,7 @@ impl Session {
             world: Mutex::new(world),
             scenery: Mutex::new(Arc::new(scenery)),
             shared: Mutex::default(),
+            reading: Mutex::default(),
             faults: Mutex::default(),
             revision: AtomicU64::new(1),
             listeners: Mutex::default(),
@@ -151,6 +154,8 @@ impl Session {
 
     /// Reads everything anew; rooms of which nothing has changed stay. What cannot be read is told, and all stays as it was.
     pub(crate) fn reload(&self) {
+        // One after the other, so that what was read last is what counts.
+        let _turn = lock(&self.reading);
         let controls = lock(&self.controls).clone();
         match self.sources.read(&controls) {
             Ok((project, options)) => self.replace(project, options),
@@ -190,9 +195,7 @@ impl Session {
     pub(super) fn level_glb(&self, building: &str, id: &str) -> Result<Vec<u8>, String> {
         let Scenery { project, options, .. } = &*self.scenery();
         let unknown = || format!("there is no level {building}/{id}");
-        let index =
-            project.plan.buildings.iter().position(|placed| placed.id == building).ok_or_else(unknown)?;
-        let placed = project.occupied(index, options.seed);
+        let placed = project.occupied_by_id(building, options.seed).ok_or_else(unknown)?;
         let level = placed.building.levels.iter().find(|level| level.id == id).ok_or_else(unknown)?;
         let world = lock(&self.world);
         let rooms = level.rooms.iter().map(|room| world.furnish(&RoomId::new(building, id, &room.id)));
@@ -252,9 +255,7 @@ impl Answers for Session {
     fn level(&self, building: &str, id: &str) -> Result<Value, Refusal> {
         let Scenery { project, options, .. } = &*self.scenery();
         let unknown = || Refusal::NotFound(format!("there is no level {building}/{id}"));
-        let index =
-            project.plan.buildings.iter().position(|placed| placed.id == building).ok_or_else(unknown)?;
-        let placed = project.occupied(index, options.seed);
+        let placed = project.occupied_by_id(building, options.seed).ok_or_else(unknown)?;
         let at = placed.building.levels.iter().position(|level| level.id == id).ok_or_else(unknown)?;
         Ok(json!(level((building, &placed.building), at, &project.catalog, self.revision())))
     }
@@ -289,9 +290,11 @@ impl Answers for Session {
     }
 
     fn room(&self, id: &RoomId) -> Result<Vec<u8>, Refusal> {
-        let scenery = self.scenery();
-        // Not under the lock: a page that looks around does not wait for a room.
+        // Written without the lock: a page that looks around does not wait for a room.
         let room = lock(&self.world).shown(id);
+        let scenery = self.scenery();
+        // One of another catalogue is as good as gone.
+        let room = room.filter(|room| room.catalog == scenery.project.catalog.digest);
         let room = room
             .ok_or_else(|| Refusal::NotFound(format!("room {id} is not furnished now: look at it first")))?;
         let Scenery { models, options, writer, .. } = &*scenery;

@@ -61,7 +61,7 @@ impl Inputs {
         let building = self.occupied(key.building);
         let level = &building.building.levels[key.place.level];
         let finished = self.project.furnish_room(&self.options, &building.id, level.room(key.place.room));
-        WorldRoom::new(building, key.place.level, finished)
+        WorldRoom::new(building, key.place.level, finished, self.project.catalog.digest)
     }
 
     /// Whether a room that was made from other inputs is the one that these make.
@@ -74,7 +74,7 @@ impl Inputs {
         };
         // The digest leaves out who lives there.
         self.options == before.options
-            && self.project.catalog.digest == before.project.catalog.digest
+            && self.project.catalog.digest == room.catalog
             && level.digest == room.level().digest
             && level.rooms[key.place.room].home == room.room().home
             && level.rooms[key.place.room].room_type == room.room().room_type

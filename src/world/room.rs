@@ -23,16 +23,32 @@ pub struct WorldRoom {
     pub misfits: Vec<Misfit>,
     /// Counts the rooms that a world has made, from 1: another number is another room, or the same one made again.
     pub number: u64,
+    /// The digest of the catalogue that its furniture is of.
+    pub(crate) catalog: [u8; 32],
     building: Arc<PlacedBuilding>,
     level: usize,
 }
 
 impl WorldRoom {
-    pub(super) fn new(building: Arc<PlacedBuilding>, level: usize, finished: Finished) -> Self {
+    pub(super) fn new(
+        building: Arc<PlacedBuilding>,
+        level: usize,
+        finished: Finished,
+        catalog: [u8; 32],
+    ) -> Self {
         let Finished { judged, misfits } = finished;
         let at = &building.building.levels[level];
         let id = RoomId::new(&building.id, &at.id, &at.rooms[judged.furnished.room].id);
-        Self { id, furnished: judged.furnished, verdict: judged.verdict, misfits, number: 0, building, level }
+        Self {
+            id,
+            furnished: judged.furnished,
+            verdict: judged.verdict,
+            misfits,
+            number: 0,
+            catalog,
+            building,
+            level,
+        }
     }
 
     pub(super) fn numbered(self, number: u64) -> Self {
