@@ -117,7 +117,7 @@ web() {
   if [ "$status" -eq 3 ]; then return; fi
   [ "$status" -eq 0 ]
   counted env ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" ROOMWRIGHT_WASM="$work/try/roomwright.wasm" \
-    node --test --test-reporter=./tests/viewers/report.mjs web/compare.test.mjs
+    ROOMWRIGHT_TRY="$work/try" node --test --test-reporter=./tests/viewers/report.mjs web/compare.test.mjs tests/viewer/try.test.mjs
 }
 
 step "Python environment" set_up_python
