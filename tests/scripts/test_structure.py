@@ -17,7 +17,8 @@ def graph() -> SourceGraph:
 
 
 FOLDERS = [
-    "layout", "audit", "solve", "best", "batch", "plan/read", "recipes", "texture", "scene", "walk", "geometry"
+    "layout", "audit", "solve", "best", "batch", "plan/read", "recipes", "texture", "scene", "walk", "geometry",
+    "view", "world",
 ]
 # Rooms are furnished, judged, searched for places and furnished again: no stage knows those after it.
 STAGES = ["layout", "audit", "solve", "best"]
