@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use serde_json::Value;
 
@@ -15,14 +15,14 @@ use super::explain::explain_room;
 use super::find_room::FoundRoom;
 use super::screen::Screen;
 use super::sources::{read_sources, run_style};
-use super::watch::watch_sources;
+use super::watch::{Inputs, watch_inputs};
 use crate::batch::{MANIFEST_NAME, PROGRAM};
 use crate::cache::Cache;
 use crate::catalog::load_catalog;
-use crate::contract::RoomId;
 use crate::document::{Fault, Faults, Warned};
 use crate::edits::edits_path;
 use crate::output::{LevelOptions, is_read_back};
+use crate::plan::{PlacedBuilding, RoomRef};
 use crate::project::{Project, RoomWriter};
 use crate::view::{Answers, Baked, Controls, EditsChange, Server, Session, ViewSources, serve};
 
@@ -45,7 +45,7 @@ fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<
         Fault::of_file(Path::new("--port"), message).with_hint("take another port, or 0 for any that is free")
     };
     let answers: Arc<dyn Answers> = match finished_levels(&arguments.sources)? {
-        Some(files) => Arc::new(baked(arguments, &files, screen)?),
+        Some((files, faults)) => Arc::new(baked(arguments, &files, faults, screen)?),
         None => session(arguments, screen)?,
     };
     let server = Server::listen(arguments.port).map_err(fault)?;
@@ -61,19 +61,26 @@ fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<
 }
 
 /// The finished levels that the paths name: files of levels, and folders with a manifest; none where the paths are plans.
-fn finished_levels(sources: &SourceArguments) -> Result<Option<Vec<PathBuf>>, Faults> {
+fn finished_levels(sources: &SourceArguments) -> Result<Option<(Vec<PathBuf>, Faults)>, Faults> {
     let is_finished = |path: &PathBuf| path.join(MANIFEST_NAME).is_file() || is_read_back(path);
     if sources.paths.is_empty() || !sources.paths.iter().all(is_finished) {
         return Ok(None);
     }
-    level_files(&sources.paths).map(|(files, _)| Some(files))
+    level_files(&sources.paths).map(Some)
 }
 
-fn baked(arguments: &ViewArguments, files: &[PathBuf], screen: Screen) -> Result<Baked, Faults> {
-    let Warned { value: catalog, mut warnings } = load_catalog(&arguments.sources.catalog)?;
-    let (baked, faults) = Baked::read(files, catalog)?;
-    warnings.merge(faults);
-    screen.faults(&warnings);
+/// Finished levels; `faults` are those of the folders that they lie in.
+fn baked(
+    arguments: &ViewArguments,
+    files: &[PathBuf],
+    mut faults: Faults,
+    screen: Screen,
+) -> Result<Baked, Faults> {
+    let Warned { value: catalog, warnings } = load_catalog(&arguments.sources.catalog)?;
+    let (baked, found) = Baked::read(files, catalog)?;
+    faults.merge(warnings);
+    faults.merge(found);
+    screen.faults(&faults);
     Ok(baked)
 }
 
@@ -81,7 +88,14 @@ fn baked(arguments: &ViewArguments, files: &[PathBuf], screen: Screen) -> Result
 fn session(arguments: &ViewArguments, screen: Screen) -> Result<Arc<Session>, Faults> {
     let ViewArguments { sources, furnish, textures, cache, threads, .. } = arguments.clone();
     let controls = Controls { seed: furnish.seed, style: furnish.style.clone() };
-    let files = Files { sources: sources.clone(), effort: furnish.effort, textures, cache };
+    let inputs = Arc::default();
+    let files = Files {
+        sources: sources.clone(),
+        effort: furnish.effort,
+        textures,
+        cache,
+        inputs: Arc::clone(&inputs),
+    };
     let (mut project, options) = files.read(&controls)?;
     screen.faults(&std::mem::take(&mut project.faults));
     let threads = threads.and_then(NonZeroUsize::new);
@@ -95,7 +109,14 @@ fn session(arguments: &ViewArguments, screen: Screen) -> Result<Arc<Session>, Fa
     if !sources.paths.is_empty() {
         let session = Arc::clone(&session);
         std::thread::spawn(move || {
-            let ended = watch_sources(&sources, || session.reload());
+            let place = sources.paths.first().cloned().unwrap_or_default();
+            let read = || {
+                session.reload();
+                lock(&inputs).clone()
+            };
+            // By itself: the lock would be held for as long as the call takes.
+            let first = lock(&inputs).clone();
+            let ended = watch_inputs(&place, first, read);
             screen.faults(&ended);
         });
     }
@@ -108,6 +129,12 @@ struct Files {
     effort: u32,
     textures: TextureWord,
     cache: Option<PathBuf>,
+    /// What was read last, faulty or not.
+    inputs: Arc<Mutex<Inputs>>,
+}
+
+fn lock(inputs: &Mutex<Inputs>) -> MutexGuard<'_, Inputs> {
+    inputs.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Files {
@@ -118,7 +145,10 @@ impl Files {
 
 impl ViewSources for Files {
     fn read(&self, controls: &Controls) -> Result<(Project, LevelOptions), Faults> {
-        let mut project = read_sources(&self.sources.seeded(controls.seed))?;
+        let read = read_sources(&self.sources.seeded(controls.seed));
+        let seen = read.as_ref().map(|project| (&project.plan, &project.faults));
+        *lock(&self.inputs) = Inputs::of_reading(&self.sources, seen);
+        let mut project = read?;
         project.models = project.models.with_cache(self.cache());
         let style = run_style(controls.style.as_ref(), &project)?;
         let defaults = project.level_options();
@@ -128,12 +158,14 @@ impl ViewSources for Files {
         Ok((project, options))
     }
 
-    fn explain(&self, project: &Project, options: &LevelOptions, id: &RoomId) -> Option<Value> {
-        let placed = project.occupied_by_id(&id.building, options.seed)?;
-        let level = placed.building.levels.iter().find(|level| level.id == id.level)?;
-        let room = level.rooms.iter().position(|room| room.id == id.room)?;
-        let found = FoundRoom { placed: &placed, at: level.room(room) };
-        Some(explain_room(project, found, options))
+    fn explain(
+        &self,
+        project: &Project,
+        options: &LevelOptions,
+        building: &PlacedBuilding,
+        at: RoomRef<'_>,
+    ) -> Option<Value> {
+        Some(explain_room(project, FoundRoom { placed: building, at }, options))
     }
 
     fn change_edits(

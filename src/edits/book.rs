@@ -1,10 +1,12 @@
 //! All edits of a run, sorted by building, level and room.
 
-use crate::contract::RoomId;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use serde::Serialize;
+
 use super::file::{ObjectEntry, RoomEntry};
+use crate::contract::RoomId;
 use crate::document::Fault;
 
 /// The edits of all buildings.
@@ -88,9 +90,12 @@ impl RoomEdits {
     /// A text that is equal for equal edits, wherever they are written.
     #[must_use]
     pub fn fingerprint(&self) -> String {
-        let objects: BTreeMap<&String, &ObjectEntry> =
-            self.objects.iter().map(|(id, edit)| (id, &edit.entry)).collect();
-        serde_json::to_string(&(self.seed, objects)).expect("edits are texts and finite numbers")
+        as_text(&self.content())
+    }
+
+    /// What the edits say, without where they say it.
+    fn content(&self) -> (Option<u64>, BTreeMap<&String, &ObjectEntry>) {
+        (self.seed, self.objects.iter().map(|(id, edit)| (id, &edit.entry)).collect())
     }
 
     /// Ids of the objects of which the arrangement knows nothing.
@@ -111,11 +116,11 @@ impl LevelEdits {
     /// A text that is equal for equal edits, wherever they are written: what a level is made from besides its plan.
     #[must_use]
     pub fn fingerprint(&self) -> String {
-        let objects = |room: &RoomEdits| -> BTreeMap<String, ObjectEntry> {
-            room.objects.iter().map(|(id, edit)| (id.clone(), edit.entry.clone())).collect()
-        };
-        let rooms: BTreeMap<&String, (Option<u64>, BTreeMap<String, ObjectEntry>)> =
-            self.rooms.iter().map(|(id, room)| (id, (room.seed, objects(room)))).collect();
-        serde_json::to_string(&rooms).expect("edits are texts and finite numbers")
+        let rooms = self.rooms.iter().map(|(id, room)| (id, room.content()));
+        as_text(&rooms.collect::<BTreeMap<_, _>>())
     }
+}
+
+fn as_text(content: &impl Serialize) -> String {
+    serde_json::to_string(content).expect("edits are texts and finite numbers")
 }

@@ -13,8 +13,6 @@ use crate::gltf::GltfError;
 use crate::layout::Furnished;
 use crate::output::LevelOptions;
 use crate::plan::{Level, PlacedBuilding};
-#[cfg(test)]
-use crate::scene::Scene;
 
 /// A room that the plan does not have.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -83,11 +81,9 @@ impl<'a> Rooms<'a> {
         Some((building, level, room))
     }
 
-    /// The tree of nodes of a room: its level, its openings, its shell and its furniture, with the names that they have in the
-    /// file of the level.
-    #[must_use]
+    /// The tree of nodes of a room, for tests.
     #[cfg(test)]
-    pub(crate) fn scene(&self, room: &FinishedRoom<'_>) -> Scene {
+    pub(crate) fn scene(&self, room: &FinishedRoom<'_>) -> crate::scene::Scene {
         self.writer.scene(self.project, self.options, &room.view())
     }
 

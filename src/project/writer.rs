@@ -22,12 +22,6 @@ impl Project {
         PlacedBuilding { building: people.apply(&placed.building), ..placed.clone() }
     }
 
-    /// The same by the id of the building; none if there is no such building.
-    pub(crate) fn occupied_by_id(&self, id: &str, seed: u64) -> Option<PlacedBuilding> {
-        let index = self.plan.buildings.iter().position(|placed| placed.id == id)?;
-        Some(self.occupied(index, seed))
-    }
-
     /// Furnishes a room of an occupied building, applies its edits and judges it, as a bake does.
     pub(crate) fn furnish_room(&self, options: &LevelOptions, building: &str, at: RoomRef<'_>) -> Finished {
         let run = FurnishOptions::new(options.seed, building).with_style(options.style.as_deref());
@@ -84,7 +78,8 @@ impl RoomWriter {
         }
     }
 
-    /// The tree of nodes of a room.
+    /// The tree of nodes of rooms: their level, their openings, their shells and furniture, with the names that they have in the
+    /// file of the level.
     pub(crate) fn scene(&self, project: &Project, options: &LevelOptions, room: &RoomView<'_>) -> Scene {
         let Project { catalog, models, .. } = project;
         let LevelOptions { detail, scene, seed, ref style, .. } = *options;

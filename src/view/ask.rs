@@ -12,6 +12,7 @@ use super::session::{EditsChange, Session, ViewSources};
 use crate::contract::RoomId;
 use crate::document::{Fault, Faults};
 use crate::output::LevelOptions;
+use crate::plan::{PlacedBuilding, RoomRef};
 use crate::project::{Project, RoomWriter};
 
 /// A plan in memory, furnished on demand on the thread that asks.
@@ -107,7 +108,7 @@ impl ViewSources for TextSources {
         Ok((project, options))
     }
 
-    fn explain(&self, _: &Project, _: &LevelOptions, _: &RoomId) -> Option<Value> {
+    fn explain(&self, _: &Project, _: &LevelOptions, _: &PlacedBuilding, _: RoomRef<'_>) -> Option<Value> {
         None
     }
 

@@ -16,6 +16,7 @@ use crate::document::{Fault, Faults};
 use crate::output::{LevelOptions, SHARED_GEOMETRY, SHARED_TEXTURES};
 use crate::plan::{Building, PlacedBuilding, Plan};
 use crate::read_back::{ReadLevel, read_bytes, read_level};
+use crate::world::BuildingGraph;
 
 /// Levels that are read at most: more are looked at building by building.
 const MOST_LEVELS: usize = 1000;
@@ -99,7 +100,8 @@ impl Answers for Baked {
         let placed = self.plan.buildings.iter().find(|placed| placed.id == building).ok_or_else(unknown)?;
         let levels = &placed.building.levels;
         let index = levels.iter().position(|level| level.id == id).ok_or_else(unknown)?;
-        Ok(json!(level((building, &placed.building), index, &self.catalog, 1)))
+        let graph = BuildingGraph::new(&placed.building, &self.catalog);
+        Ok(json!(level((building, &placed.building), index, &graph, 1)))
     }
 
     fn level_file(&self, building: &str, level: &str) -> Result<Vec<u8>, Refusal> {

@@ -1,7 +1,7 @@
 //! The server: loopback only, a random token in every address, and nothing for pages of other origins.
 
 use std::convert::Infallible;
-use std::net::{Ipv4Addr, SocketAddr};
+use std::net::Ipv4Addr;
 use std::sync::Arc;
 
 use axum::Json;
@@ -45,6 +45,8 @@ struct Guard {
     token: String,
     /// The names by which the server may be called, against pages that make a name of theirs point to this machine.
     hosts: [String; 2],
+    /// What the page may do.
+    policy: HeaderValue,
 }
 
 impl Server {
@@ -59,7 +61,8 @@ impl Server {
         let mut token = [0_u8; TOKEN_BYTES];
         getrandom::fill(&mut token).map_err(|error| std::io::Error::other(error.to_string()))?;
         let hosts = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
-        Ok(Self { listener, guard: Arc::new(Guard { token: to_hex(&token), hosts }) })
+        let policy = HeaderValue::from_str(&page::policy()).map_err(std::io::Error::other)?;
+        Ok(Self { listener, guard: Arc::new(Guard { token: to_hex(&token), hosts, policy }) })
     }
 
     /// The address of the page.
@@ -76,7 +79,6 @@ pub(crate) fn serve(server: Server, answers: Arc<dyn Answers>) -> std::io::Resul
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
     runtime.block_on(async move {
         let listener = TcpListener::from_std(server.listener)?;
-        let _: SocketAddr = listener.local_addr()?;
         axum::serve(listener, router(answers, server.guard)).await
     })
 }
@@ -120,9 +122,7 @@ async fn guarded(State(guard): State<Arc<Guard>>, request: Request, next: Next) 
     set(header::X_FRAME_OPTIONS, "DENY");
     set(header::HeaderName::from_static("cross-origin-resource-policy"), "same-origin");
     set(header::HeaderName::from_static("cross-origin-opener-policy"), "same-origin");
-    if let Ok(policy) = HeaderValue::from_str(&page::policy()) {
-        headers.insert(header::CONTENT_SECURITY_POLICY, policy);
-    }
+    headers.insert(header::CONTENT_SECURITY_POLICY, guard.policy.clone());
     response
 }
 

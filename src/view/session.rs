@@ -18,6 +18,7 @@ use crate::geometry::Point;
 use crate::gltf::SharedLibrary;
 use crate::layout::Furnished;
 use crate::output::LevelOptions;
+use crate::plan::{PlacedBuilding, RoomRef};
 use crate::project::{Project, RoomView, RoomWriter, WrittenRoom};
 use crate::scene::SceneMaterial;
 use crate::world::{Budget, DEFAULT_REACH, Eye, Need, World};
@@ -40,8 +41,14 @@ pub(crate) trait ViewSources: Send + Sync {
     /// If nothing can be read.
     fn read(&self, controls: &Controls) -> Result<(Project, LevelOptions), Faults>;
 
-    /// What `explain` says about a room; none if there is no such room.
-    fn explain(&self, project: &Project, options: &LevelOptions, id: &RoomId) -> Option<Value>;
+    /// What `explain` says about a room of an occupied building; none where nobody can say it.
+    fn explain(
+        &self,
+        project: &Project,
+        options: &LevelOptions,
+        building: &PlacedBuilding,
+        at: RoomRef<'_>,
+    ) -> Option<Value>;
 
     /// Changes the edits file of a building, and says which file that is.
     ///
@@ -195,9 +202,9 @@ impl Session {
     pub(super) fn level_glb(&self, building: &str, id: &str) -> Result<Vec<u8>, String> {
         let Scenery { project, options, .. } = &*self.scenery();
         let unknown = || format!("there is no level {building}/{id}");
-        let placed = project.occupied_by_id(building, options.seed).ok_or_else(unknown)?;
+        let mut world = lock(&self.world);
+        let (placed, _) = world.building(building).ok_or_else(unknown)?;
         let level = placed.building.levels.iter().find(|level| level.id == id).ok_or_else(unknown)?;
-        let world = lock(&self.world);
         let rooms = level.rooms.iter().map(|room| world.furnish(&RoomId::new(building, id, &room.id)));
         let rooms = rooms.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
         drop(world);
@@ -253,11 +260,10 @@ impl Answers for Session {
     }
 
     fn level(&self, building: &str, id: &str) -> Result<Value, Refusal> {
-        let Scenery { project, options, .. } = &*self.scenery();
         let unknown = || Refusal::NotFound(format!("there is no level {building}/{id}"));
-        let placed = project.occupied_by_id(building, options.seed).ok_or_else(unknown)?;
+        let (placed, graph) = lock(&self.world).building(building).ok_or_else(unknown)?;
         let at = placed.building.levels.iter().position(|level| level.id == id).ok_or_else(unknown)?;
-        Ok(json!(level((building, &placed.building), at, &project.catalog, self.revision())))
+        Ok(json!(level((building, &placed.building), at, &graph, self.revision())))
     }
 
     fn look(&self, look: &Look) -> Result<LookAnswer, Refusal> {
@@ -310,9 +316,13 @@ impl Answers for Session {
     }
 
     fn explain(&self, id: &RoomId) -> Result<Value, Refusal> {
+        let unknown = || Refusal::NotFound(format!("there is no room {id}"));
         let Scenery { project, options, .. } = &*self.scenery();
-        let answer = self.sources.explain(project, options, id);
-        answer.ok_or_else(|| Refusal::NotFound(format!("there is no room {id}")))
+        let (placed, _) = lock(&self.world).building(&id.building).ok_or_else(unknown)?;
+        let level = placed.building.levels.iter().find(|level| level.id == id.level).ok_or_else(unknown)?;
+        let room = level.rooms.iter().position(|room| room.id == id.room).ok_or_else(unknown)?;
+        let answer = self.sources.explain(project, options, &placed, level.room(room));
+        answer.ok_or_else(|| Refusal::NotFound("reasons need the program on a machine".to_owned()))
     }
 
     fn edit(&self, edit: &Edit) -> Result<Value, Refusal> {

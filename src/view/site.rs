@@ -146,10 +146,9 @@ struct LeafAnswer {
 pub(super) fn level<'a>(
     (id, building): (&'a str, &'a Building),
     index: usize,
-    catalog: &Catalog,
+    graph: &BuildingGraph,
     revision: u64,
 ) -> LevelAnswer<'a> {
-    let graph = BuildingGraph::new(building, catalog);
     let level = &building.levels[index];
     let rooms = level.rooms.iter().enumerate().map(|(room, found)| {
         let joined = &graph.cell(Place { level: index, room }).joined;

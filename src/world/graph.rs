@@ -13,6 +13,15 @@ pub(crate) struct Place {
     pub(crate) room: usize,
 }
 
+/// A room of a world, as indices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Key {
+    /// Index into the buildings of the plan.
+    pub(crate) building: usize,
+    /// The room of that building.
+    pub(crate) place: Place,
+}
+
 /// The rooms of a building as one sees through them. Equal for all buildings that share a plan.
 #[derive(Debug)]
 pub(crate) struct BuildingGraph {
@@ -75,6 +84,12 @@ impl BuildingGraph {
             }
         }
         Self { levels }
+    }
+
+    /// Whether a place is in no room of a level.
+    pub(crate) fn is_outside(&self, building: &Building, level: usize, at: Point) -> bool {
+        let cells = self.levels[level].cells.iter().zip(&building.levels[level].rooms);
+        !cells.into_iter().any(|(cell, room)| cell.bounds.contains(at) && room.region.contains(at))
     }
 
     /// A room.

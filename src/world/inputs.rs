@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::graph::Place;
+use super::graph::{Key, Place};
 use super::room::WorldRoom;
 use super::site::Site;
-use super::store::Key;
 use crate::contract::RoomId;
 use crate::output::LevelOptions;
 use crate::plan::PlacedBuilding;
@@ -34,9 +33,14 @@ impl Inputs {
         Self { project, options, buildings, site: Site::default(), occupied: Mutex::default() }
     }
 
+    /// The index of a building.
+    pub(crate) fn building(&self, id: &str) -> Option<usize> {
+        self.buildings.get(id).copied()
+    }
+
     /// A level by its ids: the indices of building and level.
     pub(crate) fn level(&self, building: &str, level: &str) -> Option<(usize, usize)> {
-        let building = *self.buildings.get(building)?;
+        let building = self.building(building)?;
         let levels = &self.project.plan.buildings[building].building.levels;
         Some((building, levels.iter().position(|other| other.id == level)?))
     }
@@ -82,7 +86,7 @@ impl Inputs {
     }
 
     /// A building with people in it.
-    fn occupied(&self, building: usize) -> Arc<PlacedBuilding> {
+    pub(crate) fn occupied(&self, building: usize) -> Arc<PlacedBuilding> {
         let lock = || self.occupied.lock().unwrap_or_else(PoisonError::into_inner);
         let found = |known: &mut Vec<(usize, Arc<PlacedBuilding>)>| {
             let index = known.iter().position(|(index, _)| *index == building)?;

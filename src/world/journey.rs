@@ -10,9 +10,10 @@ use std::time::{Duration, Instant};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::graph::Key;
 use super::path::{Stop, WalkPath, metres};
-use super::store::{Budget, Key};
-use super::wish::Need;
+use super::store::Budget;
+use super::wish::{Need, Wanted};
 use super::world::{Eye, Job, MadeRoom, UnknownLevel, World};
 use crate::geometry::Point;
 
@@ -51,7 +52,7 @@ pub struct WalkReport {
     pub arrival_ms: Spread,
     /// Rooms in view, frame by frame.
     pub rooms_in_view: Spread,
-    /// Rooms that one reaches within the distance of `--reach`, frame by frame.
+    /// Further rooms that one reaches within the distance of `--reach`, frame by frame.
     pub rooms_near: Spread,
     /// Pieces of furniture in the rooms in view, frame by frame.
     pub pieces_in_view: Spread,
@@ -196,8 +197,9 @@ fn arrive(world: &mut World, piece: &[Stop], pace: &Pace, notes: &mut Notes) -> 
     let mut spent = 0.0;
     let mut is_seen = false;
     loop {
-        let is_complete = world.each_wanted(|need, _, room| need > Need::Visible || room.is_some());
-        if is_complete.iter().all(|is_there| *is_there) && !is_seen {
+        let mut is_complete = true;
+        world.each_wanted(|wanted, room| is_complete &= wanted.need > Need::Visible || room.is_some());
+        if is_complete && !is_seen {
             is_seen = true;
             notes.arrival_ms.push(spent * 1000.0 / pace.threads.max(1) as f64);
         }
@@ -278,14 +280,14 @@ impl Notes {
     fn frame(&mut self, world: &World, now: f64, metres: f64) {
         let (mut in_view, mut near, mut pieces, mut is_late) = (0, 0, 0, false);
         let mut needed = BTreeSet::new();
-        world.each_wanted(|need, key, room| {
+        world.each_wanted(|&Wanted { key, need, is_near, .. }, room| {
             let is_in_view = need == Need::Visible;
             if is_in_view {
                 in_view += 1;
                 pieces += room.map_or(0, |room| room.furnished.placements.len());
             }
-            if is_in_view || need == Need::Near {
-                near += usize::from(need == Need::Near);
+            if is_in_view || is_near {
+                near += u32::from(!is_in_view);
                 needed.insert(key);
                 let known = self.needs.entry(key).or_insert((now, false, false));
                 if room.is_some() && !known.1 {
@@ -302,7 +304,7 @@ impl Notes {
         self.needs.retain(|key, _| needed.contains(key));
         self.late_frames += u64::from(is_late);
         self.in_view.push(f64::from(in_view));
-        self.near.push(near as f64);
+        self.near.push(f64::from(near));
         self.pieces.push(pieces as f64);
         self.rooms = self.rooms.max(world.len());
         self.bytes.push((metres, world.bytes()));

@@ -3,18 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::graph::Place;
+use super::graph::Key;
 use super::room::WorldRoom;
-use super::wish::Need;
-
-/// A room of a world, as indices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Key {
-    /// Index into the buildings of the plan.
-    pub(crate) building: usize,
-    /// The room of that building.
-    pub(crate) place: Place,
-}
+use super::wish::Wanted;
 
 /// How much a world may hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,17 +21,6 @@ impl Default for Budget {
     fn default() -> Self {
         Self { rooms: 512, bytes: 64 << 20 }
     }
-}
-
-/// A room that is wanted, by rank: the most urgent first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Wanted {
-    /// The room.
-    pub(crate) key: Key,
-    /// Why.
-    pub(crate) need: Need,
-    /// Metres to it.
-    pub(crate) distance: f64,
 }
 
 /// A room that is held.
@@ -107,6 +87,11 @@ impl Store {
         self.kept.get(&key).map(|kept| &kept.room)
     }
 
+    /// Whether a room is held, as it is or as it was.
+    pub(crate) fn holds(&self, key: Key) -> bool {
+        self.kept.contains_key(&key)
+    }
+
     /// All rooms that are held.
     pub(crate) fn keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.kept.keys().copied()
@@ -142,8 +127,7 @@ impl Store {
         if self.is_closing {
             return None;
         }
-        let is_free = |key: Key| !self.is_settled(key) && !self.making.contains(&key);
-        let key = self.fitting().map(|wanted| wanted.key).find(|key| is_free(*key))?;
+        let key = self.next()?;
         self.making.insert(key);
         Some(key)
     }
@@ -200,8 +184,13 @@ impl Store {
 
     /// Whether all that is waited for is being made.
     pub(crate) fn is_idle(&self) -> bool {
-        let is_free = |key: Key| !self.is_settled(key) && !self.making.contains(&key);
-        !self.fitting().any(|wanted| is_free(wanted.key))
+        self.next().is_none()
+    }
+
+    /// The most urgent room that is neither there nor being made.
+    fn next(&self) -> Option<Key> {
+        let is_free = |key: &Key| !self.is_settled(*key) && !self.making.contains(key);
+        self.fitting().map(|wanted| wanted.key).find(is_free)
     }
 
     fn is_settled(&self, key: Key) -> bool {

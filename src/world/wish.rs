@@ -1,8 +1,9 @@
 //! Which rooms are wanted for an eye, the most urgent first.
 
+use core::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use super::graph::{BuildingGraph, Place};
+use super::graph::{BuildingGraph, Key, Place};
 use super::near::near;
 use super::sight::{Sector, Stand, rooms_at, seen_from};
 use crate::geometry::Point;
@@ -32,13 +33,22 @@ pub enum Need {
 
 /// A room that is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Wish {
+pub(crate) struct Wanted {
     /// The room.
-    pub(crate) place: Place,
+    pub(crate) key: Key,
     /// Why.
     pub(crate) need: Need,
     /// Metres to it: to the opening through which one sees it, or of the way to it.
     pub(crate) distance: f64,
+    /// Whether one reaches it within [`Gaze::reach`], whatever else it is wanted for.
+    pub(crate) is_near: bool,
+}
+
+impl Wanted {
+    /// The more urgent first.
+    pub(crate) fn order(&self, other: &Self) -> Ordering {
+        self.need.cmp(&other.need).then_with(|| self.distance.total_cmp(&other.distance))
+    }
 }
 
 /// The eye in the frame of a building.
@@ -58,38 +68,40 @@ pub(crate) struct Gaze {
     pub(crate) reach: f64,
 }
 
-/// The rooms that are wanted, each once, the most urgent first.
-pub(crate) fn wishes(graph: &BuildingGraph, building: &Building, gaze: &Gaze) -> Vec<Wish> {
-    let mut found: BTreeMap<Place, (Need, f64)> = BTreeMap::new();
-    let mut want = |place: Place, need: Need, distance: f64| {
-        let known = found.entry(place).or_insert((need, distance));
-        if (need, distance) < *known {
-            *known = (need, distance);
+/// The rooms of a building that are wanted, each once, in the order of the plan.
+pub(crate) fn wishes(
+    graph: &BuildingGraph,
+    building: (usize, &Building),
+    gaze: &Gaze,
+) -> impl Iterator<Item = Wanted> + use<> {
+    let (index, building) = building;
+    let mut found: BTreeMap<Place, Wanted> = BTreeMap::new();
+    let mut want = |place: Place, need: Need, distance: f64, is_near: bool| {
+        let new = Wanted { key: Key { building: index, place }, need, distance, is_near };
+        let known = found.entry(place).or_insert(new);
+        let is_near = known.is_near || is_near;
+        if new.order(known).is_lt() {
+            *known = new;
         }
+        known.is_near = is_near;
     };
     let view = Sector::around(gaze.direction, gaze.field_of_view + MARGIN.to_radians());
     let stand = Stand { level: gaze.level, position: gaze.position, view };
     for (place, seen) in seen_from(graph, building, &stand) {
-        want(place, if seen.is_in_view { Need::Visible } else { Need::Around }, seen.distance);
+        want(place, if seen.is_in_view { Need::Visible } else { Need::Around }, seen.distance, false);
     }
-    let speed = gaze.velocity.length();
     for stand in next_stands(graph, building, gaze) {
         // Stairs are short: what one sees at their end is as near as if one stood there.
         let way = stand.position.distance(gaze.position);
         for (place, seen) in seen_from(graph, building, &stand) {
-            want(place, Need::Ahead, seen.distance + way);
+            want(place, Need::Ahead, seen.distance + way, false);
         }
     }
-    let reach = gaze.reach + speed * AHEAD[1];
+    let reach = gaze.reach + gaze.velocity.length() * AHEAD[1];
     for (place, metres) in near(graph, building, (gaze.level, gaze.position), reach) {
-        want(place, Need::Near, metres);
+        want(place, Need::Near, metres, metres <= gaze.reach);
     }
-    let mut wishes: Vec<Wish> =
-        found.into_iter().map(|(place, (need, distance))| Wish { place, need, distance }).collect();
-    wishes.sort_by(|one, other| {
-        one.need.cmp(&other.need).then_with(|| one.distance.total_cmp(&other.distance))
-    });
-    wishes
+    found.into_values()
 }
 
 /// Where one may be in a moment: straight on, in the doors that are near, and at the other end of stairs. What one sees from there

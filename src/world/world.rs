@@ -1,21 +1,22 @@
 //! Keeps the rooms around an eye furnished, in the background.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 
-use super::graph::{BuildingGraph, Place};
+use super::graph::{BuildingGraph, Key, Place};
 use super::inputs::Inputs;
 use super::room::WorldRoom;
 use super::site::{in_building, on_site, turned};
-use super::store::{Budget, Key, Store, Wanted};
-use super::wish::{Gaze, Need, wishes};
+use super::store::{Budget, Store};
+use super::wish::{Gaze, Need, Wanted, wishes};
 use crate::batch::catch_bug;
 use crate::contract::RoomId;
 use crate::geometry::Point;
 use crate::output::LevelOptions;
+use crate::plan::PlacedBuilding;
 use crate::project::{Project, UnknownRoom};
 
 /// Metres of the way to rooms that are furnished though nobody sees them: the threshold of the paper's section 4.
@@ -125,9 +126,8 @@ pub struct World {
     shared: Arc<Shared>,
     workers: Vec<JoinHandle<()>>,
     graphs: BTreeMap<usize, Arc<BuildingGraph>>,
-    told: BTreeSet<Key>,
-    /// The ids of rooms that were told of, for the day they are forgotten.
-    names: BTreeMap<Key, RoomId>,
+    /// The rooms that were told of, with their ids for the day they are forgotten.
+    told: BTreeMap<Key, RoomId>,
 }
 
 impl World {
@@ -140,13 +140,7 @@ impl World {
             store: Mutex::default(),
             bell: Condvar::new(),
         };
-        Self {
-            shared: Arc::new(shared),
-            workers: Vec::new(),
-            graphs: BTreeMap::new(),
-            told: BTreeSet::new(),
-            names: BTreeMap::new(),
-        }
+        Self { shared: Arc::new(shared), workers: Vec::new(), graphs: BTreeMap::new(), told: BTreeMap::new() }
     }
 
     /// Furnishes in the background from now on, with so many threads in all. They end with the world.
@@ -168,9 +162,7 @@ impl World {
     /// # Errors
     /// If the plan has no such level; then nothing changes.
     pub fn update(&mut self, eye: &Eye, budget: Budget) -> Result<Change, UnknownLevel> {
-        let inputs = self.shared.inputs();
-        let unknown = || UnknownLevel { building: eye.building.clone(), level: eye.level.clone() };
-        let (building, level) = inputs.level(&eye.building, &eye.level).ok_or_else(unknown)?;
+        let (inputs, building, level) = self.find(eye)?;
         let gaze = Gaze {
             level,
             position: eye.position,
@@ -179,25 +171,25 @@ impl World {
             field_of_view: eye.field_of_view,
             reach: eye.reach,
         };
-        let mut wanted = self.wishes(&inputs, building, &gaze);
-        for (other, gaze) in gazes_beside(&inputs, building, &gaze) {
-            wanted.extend(self.wishes(&inputs, other, &gaze));
+        let graph = self.graph(&inputs, building);
+        let plan = &inputs.project.plan.buildings;
+        let mut wanted: Vec<Wanted> = wishes(&graph, (building, &plan[building].building), &gaze).collect();
+        if graph.is_outside(&plan[building].building, level, eye.position) {
+            for (other, gaze) in gazes_beside(&inputs, building, &gaze) {
+                let graph = self.graph(&inputs, other);
+                wanted.extend(wishes(&graph, (other, &plan[other].building), &gaze));
+            }
         }
-        wanted.sort_by(|one, other| {
-            one.need.cmp(&other.need).then_with(|| one.distance.total_cmp(&other.distance))
-        });
         Ok(self.want(&inputs, wanted, budget))
     }
 
-    fn wishes(&mut self, inputs: &Inputs, building: usize, gaze: &Gaze) -> Vec<Wanted> {
-        let graph = self.graph(inputs, building);
-        let wished = wishes(&graph, &inputs.project.plan.buildings[building].building, gaze);
-        let wanted = wished.into_iter().map(|wish| Wanted {
-            key: Key { building, place: wish.place },
-            need: wish.need,
-            distance: wish.distance,
-        });
-        wanted.collect()
+    /// The indices of the building and level of an eye.
+    fn find(&self, eye: &Eye) -> Result<(Arc<Inputs>, usize, usize), UnknownLevel> {
+        let inputs = self.shared.inputs();
+        let Eye { building, level, .. } = eye;
+        let found = inputs.level(building, level);
+        let unknown = || UnknownLevel { building: building.clone(), level: level.clone() };
+        found.map(|(building, level)| (inputs, building, level)).ok_or_else(unknown)
     }
 
     /// The eye of somebody at a place of the site: in the building there, or before the nearest one, on the highest level whose
@@ -222,36 +214,32 @@ impl World {
     /// # Errors
     /// If the plan has no such level; then nothing changes.
     pub fn survey(&mut self, eye: &Eye, budget: Budget) -> Result<Change, UnknownLevel> {
-        let inputs = self.shared.inputs();
-        let unknown = || UnknownLevel { building: eye.building.clone(), level: eye.level.clone() };
-        let (building, level) = inputs.level(&eye.building, &eye.level).ok_or_else(unknown)?;
+        let (inputs, building, level) = self.find(eye)?;
         let graph = self.graph(&inputs, building);
         let rooms = graph.levels[level].cells.iter().enumerate();
-        let mut wanted: Vec<Wanted> = rooms
-            .map(|(room, cell)| Wanted {
-                key: Key { building, place: Place { level, room } },
-                need: Need::Visible,
-                distance: cell.bounds.center().distance(eye.position),
-            })
-            .collect();
-        wanted.sort_by(|one, other| one.distance.total_cmp(&other.distance));
+        let wanted = rooms.map(|(room, cell)| Wanted {
+            key: Key { building, place: Place { level, room } },
+            need: Need::Visible,
+            distance: cell.bounds.center().distance(eye.position),
+            is_near: false,
+        });
+        let wanted = wanted.collect();
         Ok(self.want(&inputs, wanted, budget))
     }
 
-    fn want(&mut self, inputs: &Inputs, wanted: Vec<Wanted>, budget: Budget) -> Change {
+    fn want(&mut self, inputs: &Inputs, mut wanted: Vec<Wanted>, budget: Budget) -> Change {
+        // Stable, so that of equals the first in the plan comes first.
+        wanted.sort_by(Wanted::order);
         let mut store = self.shared.store();
         store.want(wanted, budget);
-        let now: BTreeSet<Key> = store.keys().collect();
+        let new: Vec<Key> = store.keys().filter(|key| !self.told.contains_key(key)).collect();
+        let gone: Vec<Key> = self.told.keys().copied().filter(|key| !store.holds(*key)).collect();
         let waiting = store.waiting();
         drop(store);
         self.shared.bell.notify_all();
-        for &key in now.difference(&self.told) {
-            self.names.insert(key, inputs.id(key));
-        }
-        let came = now.difference(&self.told).filter_map(|key| self.names.get(key).cloned()).collect();
-        let gone: Vec<Key> = self.told.difference(&now).copied().collect();
-        let went = gone.iter().filter_map(|key| self.names.remove(key)).collect();
-        self.told = now;
+        let came: Vec<RoomId> = new.iter().map(|key| inputs.id(*key)).collect();
+        self.told.extend(new.into_iter().zip(came.iter().cloned()));
+        let went = gone.iter().filter_map(|key| self.told.remove(key)).collect();
         Change { came, went, waiting }
     }
 
@@ -326,13 +314,19 @@ impl World {
         self.shared.keep(made);
     }
 
-    /// Goes through what the last look wanted, the most urgent first.
-    pub(crate) fn each_wanted<T>(&self, mut visit: impl FnMut(Need, Key, Option<&WorldRoom>) -> T) -> Vec<T> {
+    /// Goes through what the last look wanted, the most urgent first, with the rooms that are there.
+    pub(crate) fn each_wanted(&self, mut visit: impl FnMut(&Wanted, Option<&WorldRoom>)) {
         let store = self.shared.store();
-        let wanted = store.wanted().iter();
-        wanted
-            .map(|wanted| visit(wanted.need, wanted.key, store.ready(wanted.key).map(|room| &**room)))
-            .collect()
+        for wanted in store.wanted() {
+            visit(wanted, store.ready(wanted.key).map(|room| &**room));
+        }
+    }
+
+    /// A building with people in it, and its graph; none if there is no such building.
+    pub(crate) fn building(&mut self, id: &str) -> Option<(Arc<PlacedBuilding>, Arc<BuildingGraph>)> {
+        let inputs = self.shared.inputs();
+        let index = inputs.building(id)?;
+        Some((inputs.occupied(index), self.graph(&inputs, index)))
     }
 
     /// Goes on with other inputs: a plan, edits or options that have changed. Rooms of which all inputs are equal stay.
@@ -349,8 +343,7 @@ impl World {
         });
         self.graphs.clear();
         // Keys are indices into the plan before.
-        self.told = self.shared.store().keys().collect();
-        self.names = self.told.iter().map(|key| (*key, inputs.id(*key))).collect();
+        self.told = self.shared.store().keys().map(|key| (key, inputs.id(key))).collect();
     }
 
     /// The project of the rooms.
@@ -422,9 +415,6 @@ fn gazes_beside(inputs: &Inputs, building: usize, gaze: &Gaze) -> Vec<(usize, Ga
     let plan = &inputs.project.plan;
     let placed = &plan.buildings[building];
     let level = &placed.building.levels[gaze.level];
-    if level.rooms.iter().any(|room| room.region.contains(gaze.position)) {
-        return Vec::new();
-    }
     let beside = inputs.site.beside(plan, building, gaze.position).into_iter().filter_map(|other| {
         let there = &plan.buildings[other];
         let levels = there.building.levels.iter().enumerate();

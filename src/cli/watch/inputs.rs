@@ -7,11 +7,11 @@ use super::super::arguments::{BakeArguments, SourceArguments};
 use super::super::sources::read_plans_only;
 use crate::document::Faults;
 use crate::edits::edits_path;
-use crate::plan::{PlanReading, project_settings};
+use crate::plan::{Plan, project_settings};
 
 /// Inputs as the system names them: without links, `.` and `..`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Inputs {
+pub(crate) struct Inputs {
     /// Single files, there or not yet there.
     files: BTreeSet<PathBuf>,
     /// Folders with all that is in them.
@@ -29,7 +29,13 @@ impl Inputs {
     }
 
     /// Everything that a project reads.
-    pub(super) fn of_sources(sources: &SourceArguments) -> Self {
+    fn of_sources(sources: &SourceArguments) -> Self {
+        let read = read_plans_only(sources);
+        Self::of_reading(sources, read.as_ref().map(|reading| (&reading.plan, &reading.faults)))
+    }
+
+    /// Everything that was read: the buildings and faults, or the faults alone where there are no buildings.
+    pub(crate) fn of_reading(sources: &SourceArguments, read: Result<(&Plan, &Faults), &Faults>) -> Self {
         let mut inputs = Self::default();
         sources.paths.iter().for_each(|path| inputs.add_plan(path));
         sources.edits.files.iter().for_each(|path| inputs.add_file(path));
@@ -37,8 +43,8 @@ impl Inputs {
         let of_projects =
             project_settings(&sources.paths).map(|settings| settings.catalog).unwrap_or_default();
         of_projects.iter().for_each(|path| inputs.add_tree(path));
-        let faults = match read_plans_only(sources) {
-            Ok(PlanReading { plan, faults, .. }) => {
+        let faults = match read {
+            Ok((plan, faults)) => {
                 for placed in &plan.buildings {
                     inputs.add_plan(&placed.source.plan);
                 }
@@ -46,7 +52,7 @@ impl Inputs {
             }
             Err(faults) => faults,
         };
-        inputs.add_faulty(&faults);
+        inputs.add_faulty(faults);
         inputs
     }
 

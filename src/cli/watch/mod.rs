@@ -6,15 +6,16 @@
 mod inputs;
 mod watcher;
 
+use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-use super::arguments::{BakeArguments, SourceArguments};
+use super::arguments::BakeArguments;
 use super::bake::bake_once;
 use super::exit::Outcome;
 use super::screen::Screen;
 use crate::document::{Fault, Faults};
-use inputs::Inputs;
+pub(crate) use inputs::Inputs;
 use watcher::{Change, FolderWatcher};
 
 /// Time without a change after which a burst of them is over: editors write a file in several steps.
@@ -57,32 +58,26 @@ fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Fau
     }
 }
 
-/// Calls `changed` once its inputs are watched and after each change of them, with less patience than a bake has; ends where
-/// nothing can be watched any more, and says why.
-pub(super) fn watch_sources(sources: &SourceArguments, changed: impl Fn()) -> Faults {
-    let place = sources.paths.first().cloned().unwrap_or_default();
+/// Calls `read`, which says what it has read, once the inputs are watched and after each change of them, with less patience than a
+/// bake has; ends where nothing can be watched any more, and says why.
+pub(super) fn watch_inputs(place: &Path, mut inputs: Inputs, read: impl Fn() -> Inputs) -> Faults {
     let mut watcher = FolderWatcher::default();
-    let mut inputs = Inputs::of_sources(sources);
     loop {
         if inputs.is_empty() {
-            return Fault::of_file(&place, "is in no folder that can be watched").into();
+            return Fault::of_file(place, "is in no folder that can be watched").into();
         }
         let changes = match watcher.watch(&inputs) {
             Ok(changes) => changes,
             Err(faults) => return faults,
         };
-        // What changed before the folders were watched is read now.
-        changed();
-        let mut is_watched = true;
-        while is_watched {
+        let watched = inputs.folders();
+        // What changed before these folders were watched is read now.
+        inputs = read();
+        while inputs.folders() == watched {
             if next_change(changes, &inputs, SHORT_QUIET).is_none() {
-                return Fault::of_file(&place, "can no longer be watched").into();
+                return Fault::of_file(place, "can no longer be watched").into();
             }
-            // At once: which files are inputs from now on is asked afterwards.
-            changed();
-            let now = Inputs::of_sources(sources);
-            is_watched = now.folders() == inputs.folders();
-            inputs = now;
+            inputs = read();
         }
     }
 }

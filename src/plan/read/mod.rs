@@ -80,8 +80,7 @@ pub fn parse_plan(source: Source, options: &PlanOptions<'_>) -> PlanReading {
             let fault = Fault::of_file(&path, "is a project, which names plans in other files");
             Faults::from(fault.with_hint("take one of its plans")).into()
         }
-        Kind::Other if !native::may_be_plan(&source) => Faults::from(nothing::of_text(&source)).into(),
-        _ => finish_all(&path, "native", native_drafts(source, options.words), options.words),
+        Kind::Plan | Kind::Other => read_text(source, options.words),
     };
     let Reading { buildings, mut faults, report } = reading;
     let plan = Plan { buildings: unique(buildings, &mut faults) };
@@ -169,9 +168,17 @@ fn read_input(input: &Input, options: &PlanOptions<'_>) -> Reading {
             Reading { buildings, faults, report: None }
         }
         Kind::Other | Kind::Project if !input.is_named => Reading::default(),
-        Kind::Other if !native::may_be_plan(&source) => Faults::from(nothing::of_text(&source)).into(),
-        _ => finish_all(&input.path, "native", native_drafts(source, words), words),
+        _ => read_text(source, words),
     }
+}
+
+/// A plan in the native format, or what else the text may be.
+fn read_text(source: Source, words: &RoomWords) -> Reading {
+    if kind_of(&source) == Kind::Other && !native::may_be_plan(&source) {
+        return Faults::from(nothing::of_text(&source)).into();
+    }
+    let path = source.file().to_owned();
+    finish_all(&path, "native", native_drafts(source, words), words)
 }
 
 fn finish_all(file: &Path, format: &'static str, reading: Drafts, words: &RoomWords) -> Reading {
