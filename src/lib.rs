@@ -74,6 +74,7 @@ mod cache;
 mod catalog;
 #[cfg(feature = "cli")]
 mod cli;
+mod compact;
 mod contract;
 mod diff;
 mod disk;
@@ -99,6 +100,7 @@ mod scene;
 mod solve;
 mod storey;
 mod texture;
+mod tiles;
 mod view;
 mod walk;
 mod world;
@@ -115,9 +117,11 @@ pub use world::{Budget, Change, Eye, UnknownLevel, WantedRoom, World, WorldRoom}
 pub mod options {
     pub use crate::batch::{Shard, Unplanned};
     pub use crate::cache::Cache;
+    pub use crate::compact::Instancing;
     pub use crate::gltf::FlatNormals;
     pub use crate::model::Detail;
-    pub use crate::output::{Format, TextureOptions};
+    pub use crate::output::{Format, IndexOptions, TextureOptions};
+    pub use crate::plan::{EarthPlace, SiteOrigin};
     pub use crate::scene::{Lights, Parts, SceneOptions};
     pub use crate::texture::TextureSize;
     pub use crate::world::{DEFAULT_REACH, Need};

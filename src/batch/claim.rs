@@ -4,7 +4,7 @@
 use super::file_name::{is_name_of, is_safe_name};
 use super::record::{FileRecord, LevelRecord};
 use crate::document::{Fault, FaultSeverity, PathStep, Source};
-use crate::output::OUTPUTS;
+use crate::output::{INDEX_FOLDER, INDEX_NAME, OUTPUTS};
 
 /// Digits of a SHA-256.
 const HASH_DIGITS: usize = 64;
@@ -68,7 +68,8 @@ pub(super) fn check_shared(file: &FileRecord) -> Result<(), FalseClaim> {
 
 /// Refuses a file that no bake would write.
 pub(super) fn check_file(file: &FileRecord) -> Result<(), FalseClaim> {
-    let is_ours = file.path.contains('/') && file.path.split('/').all(is_safe_name);
+    let is_ours =
+        is_index_path(&file.path) || file.path.contains('/') && file.path.split('/').all(is_safe_name);
     if !is_ours {
         let message = format!("{:?} is no path that a bake writes to", file.path);
         return Err(FalseClaim { path: vec!["path".into()], message });
@@ -79,6 +80,22 @@ pub(super) fn check_file(file: &FileRecord) -> Result<(), FalseClaim> {
         return Err(FalseClaim { path: vec!["sha256".into()], message });
     }
     Ok(())
+}
+
+/// Refuses the record of a file over all levels that none can be.
+pub(super) fn check_index(file: &FileRecord) -> Result<(), FalseClaim> {
+    if is_index_path(&file.path) {
+        return check_file(file);
+    }
+    let message = format!("{:?} is no path of an index", file.path);
+    Err(FalseClaim { path: vec!["path".into()], message })
+}
+
+/// Whether files over all levels lie there: `tileset.json`, and more of them in a folder of that name.
+fn is_index_path(path: &str) -> bool {
+    let name = path.strip_prefix(INDEX_FOLDER).unwrap_or(path);
+    let is_whole = path == INDEX_NAME;
+    is_whole || name.len() < path.len() && is_safe_name(name) && name.ends_with(".json")
 }
 
 /// Shared files lie in folders of their own, at the top or in that of a building.
@@ -94,9 +111,9 @@ fn check_shared_path(path: &str) -> Result<(), FalseClaim> {
 /// Whether a path is `<building>/<level>.<kind>`, as the ids are written as names.
 fn is_file_of(building: &str, level: &str, path: &str) -> bool {
     let Some((folder, name)) = path.split_once('/') else { return false };
-    let Some((stem, kind)) = name.rsplit_once('.') else { return false };
-    let is_kind = OUTPUTS.iter().any(|output| output.extensions.contains(&kind));
-    is_kind && is_name_of(building, folder) && is_name_of(level, stem)
+    let extensions = OUTPUTS.iter().flat_map(|output| output.extensions);
+    let stems = extensions.filter_map(|kind| name.strip_suffix(kind)?.strip_suffix('.'));
+    is_name_of(building, folder) && stems.into_iter().any(|stem| is_name_of(level, stem))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Joins the records of all runs into the manifest, with the same bytes for any number of processes.
 
 use std::collections::BTreeSet;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -10,7 +10,7 @@ use super::folder::OutputFolder;
 use super::manifest::{Listed, MANIFEST_NAME, without_own_program, write_manifest};
 use super::options::Shard;
 use super::options::Unplanned;
-use super::record::{LevelKey, LevelRecord, Totals};
+use super::record::{FileRecord, LevelKey, LevelRecord, Totals};
 use super::sources::{Contents, FoundRecord, Sources, manifest_paths};
 use super::state::{
     JOINING_PREFIX, Runs, check_state, create_state, find_runs, lock_state, remove_runs, state_folder,
@@ -18,6 +18,7 @@ use super::state::{
 use super::unplanned::{Apart, Leftovers, is_there};
 use crate::disk::new_temporary;
 use crate::document::{Fault, FaultSeverity, Faults};
+use crate::output::IndexedLevel;
 
 /// The state of the records after a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -92,6 +93,8 @@ pub(crate) struct Planned<'a> {
     pub(crate) shard: Option<Shard>,
     /// The treatment of other levels.
     pub(crate) unplanned: Unplanned,
+    /// The files over all levels, given those that are in place.
+    pub(crate) index: &'a dyn Fn(&[IndexedLevel]) -> Vec<(String, Vec<u8>)>,
     /// Whether all levels of the plan are in place.
     pub(crate) is_whole: &'a dyn Fn(&Contents<'_>) -> bool,
 }
@@ -104,7 +107,7 @@ impl OutputFolder {
     /// If the manifest cannot be written; the records stay where the next run or merge finds them.
     pub(crate) fn finish(&self, planned: &Planned<'_>) -> Result<(Joined, Leftovers), OutputFault> {
         let state = state_folder(&self.root);
-        let _lock = lock_state(&state)?;
+        let lock = lock_state(&state)?;
         let mut runs = find_runs(&state, Some(&self.run))?;
         let sources = Sources::read(&manifest_paths(&self.root)?, &runs.journals())?;
         let mut contents = sources.contents(self.is_forced)?;
@@ -123,14 +126,19 @@ impl OutputFolder {
             }
             _ => {
                 let manifest = self.root.join(MANIFEST_NAME);
-                let mut apart = self.set_apart(planned, &contents, &runs)?;
+                let index = self.write_index(planned, &contents, &lock)?;
+                let mut apart = self.set_apart(planned, &contents, &index, &runs)?;
                 let mut leftovers = apart.leftovers();
                 if planned.unplanned == Unplanned::Removed {
                     leftovers = apart.remove(&self.root, &contents)?;
                     let removed = std::mem::take(&mut apart).levels;
                     contents.levels.retain(|key, _| !removed.contains(key));
                 }
-                let is_new = self.has_news() || !runs.abandoned.is_empty() || !sources.is_one_manifest();
+                let is_new = self.has_news()
+                    || index != contents.index
+                    || !runs.abandoned.is_empty()
+                    || !sources.is_one_manifest();
+                contents.index = index;
                 if is_new || !leftovers.is_nothing_removed() || apart != Apart::as_listed(&contents) {
                     write_joined(&self.root, &contents, &apart, &manifest)?;
                     clear(&contents.parts, &runs.abandoned)?;
@@ -142,11 +150,37 @@ impl OutputFolder {
         Ok(finished)
     }
 
+    /// Puts the files over all levels into place; none while a part of the plan is not known.
+    fn write_index(
+        &self,
+        planned: &Planned<'_>,
+        contents: &Contents<'_>,
+        lock: &File,
+    ) -> Result<Vec<FileRecord>, OutputFault> {
+        let fault = |error: io::Error| OutputFault::of(&self.root, "read the records", &error);
+        let is_current =
+            |key: &&LevelKey| planned.unplanned == Unplanned::Listed || planned.levels.contains(*key);
+        let newest =
+            contents.levels.iter().filter(|(key, _)| is_current(key)).filter_map(|(_, found)| found.last());
+        let levels: io::Result<Vec<IndexedLevel>> =
+            newest.map(|found| found.read().map(LevelRecord::indexed)).collect();
+        let files = (planned.index)(&levels.map_err(fault)?);
+        let files: Vec<(FileRecord, Vec<u8>)> =
+            files.into_iter().map(|(path, bytes)| FileRecord::with_bytes(path, bytes)).collect();
+        let records: Vec<FileRecord> = files.iter().map(|(file, _)| file.clone()).collect();
+        if records != contents.index || !records.iter().all(|file| is_there(&self.root, file)) {
+            self.announce(&records)?;
+            self.place_all(&files, lock)?;
+        }
+        Ok(records)
+    }
+
     /// The levels in the folder that neither this run nor any run beside it was to bake.
     fn set_apart(
         &self,
         planned: &Planned<'_>,
         contents: &Contents<'_>,
+        index: &[FileRecord],
         runs: &Runs,
     ) -> Result<Apart, OutputFault> {
         let is_planned = |key: &LevelKey| planned.levels.contains(key);
@@ -156,7 +190,7 @@ impl OutputFolder {
         let living = runs.living.iter().filter(|run| **run != self.run).cloned().collect();
         let beside = Runs { living, abandoned: Vec::new() };
         let beside = Sources::read(&[], &beside.journals())?;
-        Ok(Apart::of_plan(&self.root, contents, &beside.contents(false)?, is_planned))
+        Ok(Apart::of_plan(&self.root, contents, index, &beside.contents(false)?, is_planned))
     }
 }
 
@@ -175,8 +209,12 @@ fn write_joined(
     let former: io::Result<Vec<LevelRecord>> =
         former.into_iter().filter_map(|(_, found)| read(found)).collect();
     let former_levels = former.map_err(fault)?.into_iter().map(without_own_program).collect();
-    let listed =
-        Listed { library: &contents.library, former_levels, former_files: apart.files.iter().collect() };
+    let listed = Listed {
+        library: &contents.library,
+        index: &contents.index,
+        former_levels,
+        former_files: apart.files.iter().collect(),
+    };
     let is_whole = |found: &&FoundRecord<'_>| found.head.files.iter().all(|file| is_there(root, file));
     let in_place = current.into_iter().filter_map(|(_, found)| found.last()).filter(is_whole);
     let mut out = BufWriter::new(temporary);

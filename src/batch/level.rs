@@ -7,9 +7,9 @@ use crate::best::{Judged, best_of};
 use crate::catalog::Catalog;
 use crate::edits::{Finished, Misfit, finish};
 use crate::layout::{FurnishOptions, Furnished, RoomLayout, room_style};
-use crate::output::{LevelToWrite, TooLarge, WrittenLevel};
+use crate::output::{LevelToWrite, SceneLook, TooLarge, WrittenLevel, output_format};
 use crate::plan::Level;
-use crate::scene::{Scene, SceneInput, build_scene};
+use crate::scene::{LevelBounds, Scene, SceneInput, build_scene};
 use crate::solve::RoomSolver;
 
 use super::bug::catch_bug;
@@ -55,20 +55,25 @@ pub(crate) fn bake_level(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLe
 
     // The tree of nodes, and what it becomes; what other levels refer to as well is put into place at once.
     let built = catch_bug(|| {
-        let scene = context.watch.measure(Stage::Scene, || scene(context, job, &results));
-        let level = LevelToWrite { scene: &scene, path: &job.path };
+        let look = SceneLook::of(&context.options.level);
+        let shown =
+            |look: SceneLook| context.watch.measure(Stage::Scene, || scene(context, job, &results, look));
+        let scene = shown(look);
+        let bounds = LevelBounds::of(&scene, job.level.elevation);
+        let level = LevelToWrite { scene: &scene, path: &job.path, shown: &shown };
         let written = context.watch.measure(Stage::Encoding, || context.output.level(&level));
         let written = written.map_err(|error| too_large(context, job, error))?;
-        context.watch.measure(Stage::Writing, || LevelFiles::new(context, job, written))
+        let files = context.watch.measure(Stage::Writing, || LevelFiles::new(context, job, written))?;
+        Ok((files, bounds))
     });
-    let files = match built {
-        Ok(Ok(files)) => files,
+    let (files, bounds) = match built {
+        Ok(Ok(built)) => built,
         Ok(Err(fault)) => return Err(Box::new(level_failure(context, job, fault))),
         Err(bug) => return Err(Box::new(bug_failure(context, job, None, bug))),
     };
 
     // Files first, the record after them: what is recorded is there.
-    let record = record(context, job, &files, &results);
+    let record = LevelRecord { bounds, ..record(context, job, &files, &results) };
     let written = context.watch.measure(Stage::Writing, || write(context.folder, &files, &record));
     written.map_err(|fault| Box::new(level_failure(context, job, fault)))?;
     Ok(BakedLevel {
@@ -97,7 +102,8 @@ impl LevelFiles {
 }
 
 fn too_large(context: &Context<'_>, job: &Job<'_>, TooLarge { message, hint }: TooLarge) -> OutputFault {
-    let name = format!("{}.{}", job.path, context.options.level.format.name());
+    let extension = output_format(context.options.level.format).extensions[0];
+    let name = format!("{}.{extension}", job.path);
     OutputFault {
         code: FaultCode::TooLarge,
         path: context.folder.root().join(name),
@@ -154,8 +160,9 @@ fn unfurnished(context: &Context<'_>, job: &Job<'_>, room: usize) -> Furnished {
     }
 }
 
-fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
+fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults, look: SceneLook) -> Scene {
     let catalog = context.catalog;
+
     build_scene(&SceneInput {
         level: job.level,
         building: &job.placed.id,
@@ -163,10 +170,10 @@ fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults) -> Scene {
         furnished: &rooms.furnished,
         verdicts: &rooms.verdicts,
         catalog,
-        models: &|of, geometry| context.models.model_in_detail(of, geometry, context.options.level.detail),
-        swatches: context.swatched.as_ref(),
-        options: context.options.level.scene,
-        textures: context.textures.as_ref(),
+        models: &|of, geometry| context.models.model_in_detail(of, geometry, look.detail),
+        swatches: context.swatched.as_ref().filter(|_| !look.is_plain),
+        options: look.options(context.options.level.scene),
+        textures: context.textures.as_ref().filter(|_| !look.is_plain),
         seed: context.options.level.seed,
         style: context.options.level.style.as_deref(),
     })
@@ -207,6 +214,7 @@ fn record(context: &Context<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &Room
         inputs: job.inputs.clone(),
         seed: context.options.level.seed,
         site: SiteRecord { position: [site.position.x, site.position.y], turn: site.turn },
+        bounds: None,
         files: files.files.iter().map(|(file, _)| file.clone()).collect(),
         library: files.shared.clone(),
         totals: Totals { rooms: rooms.furnished.len() as u64, ..Totals::default() },

@@ -48,6 +48,9 @@ pub(crate) struct Manifest {
     levels: Vec<LevelRecord>,
     /// Shared geometry and textures that the levels refer to.
     library: Vec<FileRecord>,
+    /// Files over all levels, the one to open first.
+    #[serde(default)]
+    index: Vec<FileRecord>,
     /// Levels that are in the folder, but no longer in the plan.
     #[serde(default)]
     former_levels: Vec<LevelRecord>,
@@ -71,6 +74,9 @@ pub(crate) struct ManifestText<'a> {
     /// Shared geometry.
     #[serde(default)]
     pub(crate) library: Vec<FileRecord>,
+    /// Files over all levels.
+    #[serde(default)]
+    pub(crate) index: Vec<FileRecord>,
     /// A [`LevelRecord`] for each level that is in the folder, but no longer in the plan.
     #[serde(default, borrow)]
     pub(crate) former_levels: Vec<&'a RawValue>,
@@ -83,6 +89,8 @@ pub(crate) struct ManifestText<'a> {
 pub(crate) struct Listed<'a> {
     /// Shared files by path, also those that no level uses.
     pub(crate) library: &'a BTreeMap<String, FileRecord>,
+    /// Files over all levels.
+    pub(crate) index: &'a [FileRecord],
     /// Levels that the plan has no longer.
     pub(crate) former_levels: Vec<LevelRecord>,
     /// Other files of earlier bakes that no level uses.
@@ -123,6 +131,10 @@ pub(crate) fn write_manifest<W: Write>(
     }
     out.write_all(b"\n],\n\"library\": ")?;
     write_value(out, &used.values().collect::<Vec<_>>())?;
+    if !listed.index.is_empty() {
+        out.write_all(b",\n\"index\": ")?;
+        write_value(out, &listed.index)?;
+    }
     // Left out where there is none: then the bytes do not depend on the past.
     if !listed.former_levels.is_empty() {
         out.write_all(b",\n\"former_levels\": ")?;
@@ -239,6 +251,7 @@ pub(crate) mod tests {
             inputs: "00".to_owned(),
             seed: 1,
             site: SiteRecord { position: [0.1 + 0.2, -4.0], turn: 1.0 / 3.0 },
+            bounds: None,
             files: vec![FileRecord {
                 path: format!("{building}/{level}.glb"),
                 sha256: crate::disk::content_hash(level.as_bytes()),
@@ -270,7 +283,8 @@ pub(crate) mod tests {
     fn written(records: &[LevelRecord]) -> String {
         let mut out = Vec::new();
         let library = BTreeMap::new();
-        let listed = Listed { library: &library, former_levels: Vec::new(), former_files: Vec::new() };
+        let listed =
+            Listed { library: &library, index: &[], former_levels: Vec::new(), former_files: Vec::new() };
         write_manifest(&mut out, records.iter().cloned().map(Ok), &listed).unwrap();
         String::from_utf8(out).unwrap()
     }

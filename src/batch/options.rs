@@ -1,13 +1,15 @@
 //! The options of a bake.
 
 use crate::cache::Cache;
-use crate::output::LevelOptions;
+use crate::output::{IndexOptions, LevelOptions};
 
 /// How a bake goes. Beside `level`, nothing changes a byte of a level.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BakeOptions {
     /// The options that the files of levels depend on.
     pub level: LevelOptions,
+    /// The options that files over all levels depend on.
+    pub index: IndexOptions,
     /// Threads; more bake faster and hold more levels in memory. Default 1.
     pub threads: usize,
     /// The share of the levels to bake; default all.
@@ -22,6 +24,7 @@ impl Default for BakeOptions {
     fn default() -> Self {
         Self {
             level: LevelOptions::default(),
+            index: IndexOptions::default(),
             threads: 1,
             shard: None,
             unplanned: Unplanned::default(),

@@ -73,11 +73,29 @@ impl OutputFolder {
         if let [(file, bytes)] = files {
             return self.place(file, bytes);
         }
-        let waiting = files.iter().map(|(file, bytes)| self.write_temporary(file, bytes));
-        let waiting: Vec<Waiting<'_>> = waiting.collect::<Result<_, _>>()?;
+        let waiting = self.write_temporaries(files)?;
         let lock = lock_state(&state_folder(&self.root))?;
+        self.put_all(waiting, &lock)
+    }
+
+    /// As [`OutputFolder::place_level`], where the short lock is held already.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::place`].
+    pub(crate) fn place_all(&self, files: &[(FileRecord, Vec<u8>)], lock: &File) -> Result<(), OutputFault> {
+        self.put_all(self.write_temporaries(files)?, lock)
+    }
+
+    fn write_temporaries<'a>(
+        &self,
+        files: &'a [(FileRecord, Vec<u8>)],
+    ) -> Result<Vec<Waiting<'a>>, OutputFault> {
+        files.iter().map(|(file, bytes)| self.write_temporary(file, bytes)).collect()
+    }
+
+    fn put_all(&self, waiting: Vec<Waiting<'_>>, lock: &File) -> Result<(), OutputFault> {
         // Everything is looked at before anything is changed.
-        let standing = waiting.iter().map(|waiting| self.standing(waiting.file, Some(&lock)));
+        let standing = waiting.iter().map(|waiting| self.standing(waiting.file, Some(lock)));
         let standing: Vec<Standing> = standing.collect::<Result<_, _>>()?;
         let changes_a_part = standing.iter().skip(1).any(|standing| *standing != Standing::Same);
         if let (Some(Standing::Replaceable), Some(first)) = (standing.first(), waiting.first())

@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 use crate::audit::{AuditSummary, Grade};
 use crate::contract::FindingExtras;
 use crate::disk::content_hash;
+use crate::output::IndexedLevel;
+use crate::scene::LevelBounds;
 
 /// One level of one building as it was written. The keys and their order are part of the output.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -25,6 +27,9 @@ pub struct LevelRecord {
     pub seed: u64,
     /// Where the building stands.
     pub site: SiteRecord,
+    /// The box around all that it shows; none where it shows nothing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bounds: Option<LevelBounds>,
     /// The files, the one to open first.
     pub files: Vec<FileRecord>,
     /// Paths of shared geometry that the files refer to, sorted.
@@ -150,6 +155,18 @@ pub(crate) struct LevelKey {
 }
 
 impl LevelRecord {
+    /// What an index says of it.
+    pub(crate) fn indexed(self) -> IndexedLevel {
+        IndexedLevel {
+            building: self.building,
+            level: self.level,
+            position: self.site.position,
+            turn: self.site.turn,
+            bounds: self.bounds,
+            paths: self.files.into_iter().map(|file| file.path).collect(),
+        }
+    }
+
     /// Building id and level id.
     pub(crate) fn key(&self) -> LevelKey {
         LevelKey { building: self.building.clone(), level: self.level.clone() }

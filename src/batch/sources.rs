@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::value::RawValue;
 
-use super::claim::{FalseClaim, check_file, check_level, check_shared};
+use super::claim::{FalseClaim, check_file, check_index, check_level, check_shared};
 use super::fault::{FaultCode, OutputFault};
 use super::in_place::is_in_place;
 use super::journal::{JournalText, journal_lines};
@@ -37,6 +37,8 @@ pub(crate) struct Contents<'a> {
     pub(crate) written: Written,
     /// Shared geometry by path.
     pub(crate) library: BTreeMap<String, FileRecord>,
+    /// Files over all levels.
+    pub(crate) index: Vec<FileRecord>,
     /// Levels that no plan had when they were last listed.
     pub(crate) former: BTreeSet<LevelKey>,
     /// Shared files that no level used when they were last listed.
@@ -152,6 +154,15 @@ impl<'a> Contents<'a> {
             match check_shared(&file) {
                 Ok(()) => drop(self.library.insert(file.path.clone(), file)),
                 Err(claim) => claims.push((vec!["library".into(), index.into()], claim)),
+            }
+        }
+        for (index, file) in manifest.index.into_iter().enumerate() {
+            match check_index(&file) {
+                Ok(()) => {
+                    self.add_files(std::slice::from_ref(&file));
+                    self.index.push(file);
+                }
+                Err(claim) => claims.push((vec!["index".into(), index.into()], claim)),
             }
         }
         for (index, file) in manifest.former_files.into_iter().enumerate() {

@@ -59,10 +59,11 @@ impl Apart {
         Self { levels, files }
     }
 
-    /// All that is neither planned nor written by a bake `beside` this one.
+    /// All that is neither planned nor in the new index nor written by a bake `beside` this one.
     pub(super) fn of_plan(
         root: &Path,
         contents: &Contents<'_>,
+        index: &[FileRecord],
         beside: &Contents<'_>,
         is_planned: impl Fn(&LevelKey) -> bool,
     ) -> Self {
@@ -71,6 +72,7 @@ impl Apart {
         let levels: BTreeSet<LevelKey> = levels.cloned().collect();
         // Files of levels that are set apart are theirs; what they share with others is set apart by itself.
         let mut used = used_paths(contents, |key| !is_apart(key));
+        used.extend(index.iter().map(|file| file.path.as_str()));
         used.extend(levels.iter().flat_map(|key| &contents.levels[key]).flat_map(own_paths));
         let is_left = |path: &&String| !used.contains(path.as_str()) && !beside.written.contains_key(*path);
         let left = contents.written.keys().filter(is_left);

@@ -74,9 +74,6 @@ pub fn bake(
     let swatched = options.level.swatches(catalog).filter(|_| !open.is_empty());
     let context = Context { catalog, options, folder, models, swatched, output, textures, shared, watch };
     let tally = work(&pool, &context, &open, observer);
-    for file in context.output.finish() {
-        context.shared.put(file, folder)?;
-    }
 
     // The records become the manifest.
     let (joined, leftovers) = folder
@@ -84,6 +81,7 @@ pub fn bake(
             levels: jobs.iter().map(Job::key).collect(),
             shard: options.shard,
             unplanned: options.unplanned,
+            index: &|levels| context.output.index(levels, &options.index),
             is_whole: &|contents| jobs.iter().all(|job| is_recorded(contents, job)),
         })
         .map_or_else(|fault| (Err(fault), Leftovers::default()), |(joined, found)| (Ok(joined), found));

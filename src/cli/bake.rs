@@ -20,11 +20,12 @@ use crate::batch::{
     record_plans,
 };
 use crate::cache::Cache;
+use crate::compact::Instancing;
 use crate::document::{Fault, Faults, counted};
 use crate::edits::distinct_misfits;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
-use crate::output::{Format, LevelOptions, TextureOptions};
+use crate::output::{Format, IndexOptions, LevelOptions, TextureOptions};
 use crate::project::Project;
 use crate::scene::{Lights, Parts, SceneOptions};
 use crate::texture::TextureSize;
@@ -130,9 +131,12 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
             DetailWord::Boxes => Detail::Boxes,
         },
         scene: scene_options(&arguments),
+        instancing: Instancing::default(),
     };
+    let index = IndexOptions { origin: sources.settings.origin.clone(), ..IndexOptions::default() };
     let options = BakeOptions {
         level,
+        index,
         threads: arguments.threads.map_or_else(cores, usize::from),
         shard: arguments.shard,
         unplanned: unplanned(arguments.prune, &sources.faults, screen),

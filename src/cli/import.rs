@@ -26,7 +26,7 @@ struct Target<'a> {
 pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
     let ImportArguments { paths, out, force, catalog, report: is_report_wanted } = arguments;
     let read = read_plans_only(&SourceArguments { paths, catalog, ..SourceArguments::default() });
-    let PlanReading { plan, mut faults, reports } = match read {
+    let PlanReading { plan, mut faults, reports, .. } = match read {
         Ok(read) => read,
         Err(faults) => {
             screen.faults(&faults);

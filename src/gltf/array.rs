@@ -95,7 +95,7 @@ impl Array {
 
 /// A number that differs for nearly all bytes that differ, eight of them at a time: those that it does not distinguish are compared
 /// byte by byte. The multiplier is that of D. Knuth's linear congruential generator MMIX.
-fn fingerprint(bytes: &[u8]) -> u64 {
+pub(crate) fn fingerprint(bytes: &[u8]) -> u64 {
     let (words, rest) = bytes.as_chunks::<8>();
     let mut last = [0; 8];
     last[..rest.len()].copy_from_slice(rest);

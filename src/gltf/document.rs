@@ -8,6 +8,7 @@ use gltf_json::texture::Sampler;
 use gltf_json::validation::Checked;
 use gltf_json::{Asset, Image, Index, Root, Scene as JsonScene, Texture, image};
 use serde::Serialize;
+use serde_json::{Map, Value};
 
 use super::encode::{Corners, Painting, encode};
 use super::library::SharedModel;
@@ -20,7 +21,7 @@ use super::pack::{PackedPrimitive, Packer};
 use super::variant::{VARIANTS, add_variants};
 use super::view::{Views, percent_encoded};
 use crate::model::{Model, TextureSampler, TextureUse};
-use crate::scene::{GENERATOR, Scene, SceneMesh};
+use crate::scene::{GENERATOR, Scene, SceneMaterial, SceneMesh};
 
 /// A level ready to be written.
 pub(crate) struct Document<'s> {
@@ -81,6 +82,22 @@ pub(crate) fn build<'s>(scene: &'s Scene, uri: Option<&str>, options: WriteOptio
     root.scene = Some(root.push(level_scene));
     root.extensions_used = extensions_used(&root);
     Document { text: Text { root, nodes: list_nodes(&scene.root) }, packer }
+}
+
+/// The document of some materials alone, with their textures and images, and the buffer of images that have no file of their own.
+pub(crate) fn looks(materials: impl Iterator<Item = SceneMaterial>) -> (Map<String, Value>, Vec<u8>) {
+    let (mut packer, mut images) = (Packer::default(), Images::default());
+    let materials = materials.map(|source| material(&source, &mut images, &mut packer)).collect();
+    let mut root = Root { materials, ..Root::default() };
+    let mut views = Views::new(&mut root, &packer, None);
+    add_images(&mut root, &mut views, &images);
+    root.extensions_used = extensions_used(&root);
+    let mut bytes = Vec::with_capacity(packer.byte_count());
+    packer.append_to(&mut bytes);
+    match serde_json::to_value(root) {
+        Ok(Value::Object(root)) => (root, bytes),
+        _ => unreachable!("a document is an object of names and finite numbers"),
+    }
 }
 
 fn asset() -> Asset {

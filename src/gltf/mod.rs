@@ -33,9 +33,12 @@ mod view;
 
 use std::fmt;
 
+pub(crate) use array::fingerprint;
+pub(crate) use document::looks;
 pub use encode::Painting;
 pub use library::{SharedLibrary, SharedModel};
 pub use models::EncodedModels;
+pub(crate) use node::bare_nodes;
 pub use options::{FlatNormals, WriteOptions};
 pub(crate) use output::{GLB, GLTF};
 pub(crate) use shared::GeometryLibrary;
@@ -75,7 +78,8 @@ pub fn write_glb(scene: &Scene) -> Result<Vec<u8>, GltfError> {
 /// [`GltfError::TooLarge`] for files of 4 GiB and more.
 pub fn write_glb_with(scene: &Scene, options: WriteOptions<'_>) -> Result<Vec<u8>, GltfError> {
     let document = document::build(scene, None, options);
-    container::write(&document.json(), &document.packer)
+    let packer = &document.packer;
+    container::write(&document.json(), packer.byte_count(), |file| packer.append_to(file))
 }
 
 /// A level as JSON and the bytes of the file beside it. `bin_name` is its path relative to the JSON; the
@@ -92,4 +96,12 @@ pub fn write_gltf_with(scene: &Scene, bin_name: &str, options: WriteOptions<'_>)
     let mut bin = Vec::with_capacity(document.packer.byte_count());
     document.packer.append_to(&mut bin);
     (document.json(), bin)
+}
+
+/// A binary file of a document and a buffer, a multiple of four bytes long, for documents of other makers.
+///
+/// # Errors
+/// [`GltfError::TooLarge`] for files of 4 GiB and more.
+pub(crate) fn write_container(json: &[u8], buffer: &[u8]) -> Result<Vec<u8>, GltfError> {
+    container::write(json, buffer.len(), |file| file.extend_from_slice(buffer))
 }

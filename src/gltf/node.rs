@@ -34,6 +34,15 @@ pub(crate) fn list_nodes(root: &scene::Node) -> Vec<Node<'_>> {
     nodes
 }
 
+/// The nodes of a tree as JSON, parents first, without meshes.
+pub(crate) fn bare_nodes(root: &scene::Node) -> Vec<serde_json::Value> {
+    let value = |node: Node<'_>| {
+        let bare = Node { mesh: None, extensions: None, ..node };
+        serde_json::to_value(bare).expect("names are strings and numbers are finite")
+    };
+    list_nodes(root).into_iter().map(value).collect()
+}
+
 fn add_node<'s>(nodes: &mut Vec<Node<'s>>, source: &'s scene::Node) -> usize {
     let index = nodes.len();
     let is_moved = source.translation != glam::Vec3::ZERO;

@@ -18,6 +18,7 @@ pub(crate) const GLB: OutputFormat = OutputFormat {
     about: "One binary file per level",
     extensions: &["glb"],
     shows_textures: true,
+    shares_all_images: false,
     is_read_back: true,
     begin: |catalog, options| Box::new(GltfOutput::new(catalog, options, Container::Binary)),
 };
@@ -28,6 +29,7 @@ pub(crate) const GLTF: OutputFormat = OutputFormat {
     about: "A JSON file and a binary one beside it",
     extensions: &["gltf", "bin"],
     shows_textures: true,
+    shares_all_images: false,
     is_read_back: true,
     begin: |catalog, options| Box::new(GltfOutput::new(catalog, options, Container::Json)),
 };

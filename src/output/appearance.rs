@@ -13,11 +13,13 @@ impl LevelOptions {
     /// The textures, generated when a level first shows them; none where materials stay plain.
     pub(crate) fn texture_library(&self, cache: Option<Cache>) -> Option<TextureLibrary> {
         let TextureOptions { size, are_shared } = self.textures;
-        let location = match are_shared {
-            true => TextureLocation::Beside(SHARED_TEXTURES.to_owned()),
-            false => TextureLocation::Embedded,
+        let format = output_format(self.format);
+        let location = match (format.shares_all_images, are_shared) {
+            (true, _) => TextureLocation::Beside(format!("../{SHARED_TEXTURES}")),
+            (false, true) => TextureLocation::Beside(SHARED_TEXTURES.to_owned()),
+            (false, false) => TextureLocation::Embedded,
         };
-        let size = size.filter(|_| output_format(self.format).shows_textures)?;
+        let size = size.filter(|_| format.shows_textures)?;
         Some(TextureLibrary::new(size, location).with_cache(cache))
     }
 

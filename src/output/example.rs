@@ -17,6 +17,7 @@ const OBJ: OutputFormat = OutputFormat {
     about: "A text file of shapes and one of materials",
     extensions: &["obj", "mtl"],
     shows_textures: false,
+    shares_all_images: false,
     is_read_back: false,
     begin: |_, options| Box::new(ObjOutput { options }),
 };
@@ -117,7 +118,8 @@ fn a_level_is_written_with_all_its_corners_and_materials() {
     let rooms = project.rooms(&options);
     let room = rooms.furnish(&crate::RoomId::new("house", "ground", "living")).unwrap();
     let scene = rooms.scene(&room);
-    let level = LevelToWrite { scene: &scene, path: "house/ground" };
+    let shown = |_| scene.clone();
+    let level = LevelToWrite { scene: &scene, path: "house/ground", shown: &shown };
     let output = (OBJ.begin)(&project.catalog, &options);
     let written = output.level(&level).unwrap_or_else(|refusal| panic!("{}", refusal.message));
     assert_eq!(written.files.iter().map(|(extension, _)| *extension).collect::<Vec<_>>(), OBJ.extensions);

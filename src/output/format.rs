@@ -1,8 +1,9 @@
 //! The interface of an output format.
 
-use super::options::LevelOptions;
+use super::options::{IndexOptions, LevelOptions};
 use crate::catalog::Catalog;
-use crate::scene::Scene;
+use crate::model::Detail;
+use crate::scene::{LevelBounds, Parts, Scene, SceneOptions};
 
 /// A line of the table.
 pub(crate) struct OutputFormat {
@@ -10,10 +11,13 @@ pub(crate) struct OutputFormat {
     pub(crate) name: &'static str,
     /// A description of its files, for `--help`.
     pub(crate) about: &'static str,
-    /// Extensions of the files of a level, the one to open first. The files of a level are `<level>.<extension>`.
+    /// Extensions of the files of a level, the one to open first; they may hold points. The files of a level are
+    /// `<level>.<extension>`.
     pub(crate) extensions: &'static [&'static str],
     /// Whether its files hold images; where they do not, scenes have no textures and each material has its own colour.
     pub(crate) shows_textures: bool,
+    /// Whether images lie in one folder for all buildings, whatever the user asks for.
+    pub(crate) shares_all_images: bool,
     /// Whether `audit`, `diff` and `edits` read its files again.
     pub(crate) is_read_back: bool,
     /// Begins a run.
@@ -28,9 +32,9 @@ pub(crate) trait Output: Sync {
     /// If the format cannot hold the level.
     fn level<'s>(&'s self, level: &LevelToWrite<'s>) -> Result<WrittenLevel<'s>, TooLarge>;
 
-    /// Files over all levels, such as an index: those that levels refer to and have not given themselves. Called once, after
-    /// the last level of the run.
-    fn finish(&self) -> Vec<SharedFile<'_>> {
+    /// Files over all levels, as path in the output folder and content, the one to open first: [`super::INDEX_NAME`], and others in
+    /// [`super::INDEX_FOLDER`]. Called when all levels of the plan are in place, whichever runs wrote them; sorted by building and level.
+    fn index(&self, _levels: &[IndexedLevel], _options: &IndexOptions) -> Vec<(String, Vec<u8>)> {
         Vec::new()
     }
 }
@@ -40,9 +44,49 @@ pub(crate) trait Output: Sync {
 pub(crate) struct LevelToWrite<'a> {
     /// The content of the level.
     pub(crate) scene: &'a Scene,
+    /// The same content in another look.
+    pub(crate) shown: &'a dyn Fn(SceneLook) -> Scene,
     /// `<building>/<level>` in the output folder, with `/`, without extension. Both names hold ASCII letters, digits and
     /// `. _ - % ~` only (`batch/file_name.rs`), so that files may refer to each other by them.
     pub(crate) path: &'a str,
+}
+
+/// How the same rooms are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct SceneLook {
+    /// How finely furniture is modelled.
+    pub(crate) detail: Detail,
+    /// Whether materials are plain colours and every part has its own mesh.
+    pub(crate) is_plain: bool,
+}
+
+impl SceneLook {
+    /// The look that the user asks for.
+    pub(crate) fn of(options: &LevelOptions) -> Self {
+        Self { detail: options.detail, is_plain: false }
+    }
+
+    /// The options of a scene in this look.
+    pub(crate) fn options(self, options: SceneOptions) -> SceneOptions {
+        let parts = if self.is_plain { Parts::Separate } else { options.parts };
+        SceneOptions { parts, ..options }
+    }
+}
+
+/// A level that is in place, for an index.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct IndexedLevel {
+    /// Building id.
+    pub(crate) building: String,
+    /// Level id.
+    pub(crate) level: String,
+    /// Where the building stands: metres east and north of the site's origin, and radians counter-clockwise.
+    pub(crate) position: [f64; 2],
+    pub(crate) turn: f64,
+    /// The box around it; none where it shows nothing.
+    pub(crate) bounds: Option<LevelBounds>,
+    /// Its files in the output folder.
+    pub(crate) paths: Vec<String>,
 }
 
 impl<'a> LevelToWrite<'a> {

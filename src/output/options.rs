@@ -3,8 +3,10 @@
 use serde::Serialize;
 
 use crate::best::DEFAULT_EFFORT;
+use crate::compact::Instancing;
 use crate::gltf::FlatNormals;
 use crate::model::Detail;
+use crate::plan::SiteOrigin;
 use crate::scene::SceneOptions;
 use crate::texture::TextureSize;
 
@@ -31,6 +33,23 @@ pub struct LevelOptions {
     pub detail: Detail,
     /// The options of levels beyond rooms and furniture.
     pub scene: SceneOptions,
+    /// Whether equal models are instances where a format merges meshes; default by the extension of the graphics card.
+    pub instancing: Instancing,
+}
+
+/// What the files over all levels depend on besides these (`--format tiles`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct IndexOptions {
+    /// Metres from which on boxes, reduced and full furniture are shown, falling; of a view 1080 pixels high in CesiumJS.
+    pub near: [f64; 3],
+    /// Where the site is on the earth; none where nobody says so.
+    pub origin: Option<SiteOrigin>,
+}
+
+impl Default for IndexOptions {
+    fn default() -> Self {
+        Self { near: [100.0, 35.0, 12.0], origin: None }
+    }
 }
 
 impl LevelOptions {
@@ -53,6 +72,7 @@ impl Default for LevelOptions {
             flat_normals: FlatNormals::default(),
             detail: Detail::default(),
             scene: SceneOptions::default(),
+            instancing: Instancing::default(),
         }
     }
 }

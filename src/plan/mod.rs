@@ -25,6 +25,7 @@ mod report;
 mod room_ref;
 #[cfg(test)]
 mod sample;
+mod site_origin;
 mod units;
 mod words;
 mod write_native;
@@ -54,5 +55,6 @@ pub(crate) use read::{PlanFile, ProjectFile};
 pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, id_taken, read_and_plan};
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use room_ref::RoomRef;
+pub use site_origin::{EarthPlace, SiteOrigin};
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};
 pub use write_native::write_native;

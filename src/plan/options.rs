@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{InputReport, Plan, RoomWords};
+use super::{InputReport, Plan, RoomWords, SiteOrigin};
 use crate::document::Faults;
 use crate::storey::{Choices, Typologies};
 
@@ -39,7 +39,7 @@ impl<'a> PlanOptions<'a> {
 }
 
 /// The settings of project files for the whole run.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProjectSettings {
     /// Further folders of configuration, in the order in which they are named, relative to the working folder.
     pub catalog: Vec<PathBuf>,
@@ -47,6 +47,8 @@ pub struct ProjectSettings {
     pub style: Option<String>,
     /// Seed of the run.
     pub seed: Option<u64>,
+    /// Where the site is on the earth.
+    pub origin: Option<SiteOrigin>,
 }
 
 /// The buildings that could be read, and what is wrong with the rest: one bad file does not stop the others.
@@ -59,4 +61,6 @@ pub struct PlanReading {
     pub faults: Faults,
     /// The report on each input, sorted by path; plans that projects name are not among them.
     pub reports: Vec<InputReport>,
+    /// Where the site is on the earth, if the only file that was read says so; projects say it in their settings.
+    pub origin: Option<SiteOrigin>,
 }

@@ -109,6 +109,11 @@ impl LocalPlane {
     pub(crate) fn project(&self, longitude: f64, latitude: f64) -> Point {
         Point::new(longitude - self.longitude, latitude - self.latitude) * self.scale
     }
+
+    /// A place on the plane in degrees: the way back.
+    pub(crate) fn degrees(&self, place: Point) -> Point {
+        Point::new(self.longitude, self.latitude) + place / self.scale
+    }
 }
 
 #[cfg(test)]

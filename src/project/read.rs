@@ -74,7 +74,7 @@ impl Project {
     /// # Errors
     /// If nothing could be read: all faults of the catalogue, of the project file, or of every plan.
     pub fn read(paths: &ProjectPaths) -> Result<Self, Faults> {
-        let settings = project_settings(&paths.plans)?;
+        let mut settings = project_settings(&paths.plans)?;
         let folders: Vec<PathBuf> = settings.catalog.iter().chain(&paths.catalog).cloned().collect();
         let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
         let models = ModelLibrary::load(&catalog)?;
@@ -86,6 +86,7 @@ impl Project {
         if reading.plan.buildings.is_empty() {
             return Err(faults);
         }
+        settings.origin = settings.origin.or(reading.origin);
         let plan = reading.plan;
         let (edits, edit_faults) = match &paths.edits {
             EditsChoice::With(files) => read_edits(&plan, files, &catalog),

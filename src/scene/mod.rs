@@ -10,6 +10,7 @@
 //! - every mesh has triangles.
 
 mod axes;
+mod bounds;
 mod carrier;
 mod extras;
 mod input;
@@ -21,6 +22,7 @@ mod room;
 mod shell;
 mod tint;
 
+pub use bounds::LevelBounds;
 pub use input::SceneInput;
 pub use node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, SceneVariant};
 

@@ -15,7 +15,7 @@ mod swatches;
 pub use library::{TextureLibrary, TextureLocation};
 pub use surface::has_relief;
 
-pub(crate) use swatches::swatch_textures;
+pub(crate) use swatches::{average_shade, swatch_textures};
 
 /// The resolution of textures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]

@@ -50,6 +50,11 @@ fn texture(name: String, mut pixels: Vec<u8>) -> Texture {
     Texture::plain(Arc::new(image), TextureSampler::default())
 }
 
+/// The factor by which the texture of a surface darkens the colour of its material on average, linear.
+pub(crate) fn average_shade(surface: &str) -> f32 {
+    known_average(surface).0 as f32
+}
+
 /// [`average`], taken once a run: each level has swatches, which would sample every surface anew.
 fn known_average(surface: &str) -> (f64, f64) {
     static AVERAGES: LazyLock<Vec<(f64, f64)>> =

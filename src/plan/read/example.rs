@@ -165,7 +165,7 @@ fn a_room_list_is_read_with_its_faults() {
         words: [(NAME.to_owned(), [("kitchen".to_owned(), "kitchen".to_owned())].into())].into(),
         ..RoomWords::default()
     };
-    let ReadBuildings { buildings, faults } =
+    let ReadBuildings { buildings, faults, .. } =
         (FORMAT.read)(&file, &crate::plan::PlanOptions::new(&words)).unwrap();
     let shown: Vec<(usize, &str)> =
         faults.0.iter().map(|fault| (fault.position.unwrap().0, fault.message.as_str())).collect();

@@ -33,7 +33,7 @@ use self::finish::{Drafted, Finished, Provenance, Variation, finish};
 pub(crate) use {native::PlanFile, project::ProjectFile};
 
 pub(crate) use self::finish::finish_draft;
-pub(crate) use self::footprint::SiteNotes;
+pub(crate) use self::footprint::{Projection, SiteNotes, code_of};
 pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
@@ -45,7 +45,7 @@ pub use self::readers::read_formats;
 pub use self::unread::unread_formats;
 use super::{
     BuildingReport, InputReport, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource, ProjectSettings,
-    RoomWords, SitePlacement,
+    RoomWords, SiteOrigin, SitePlacement,
 };
 use crate::document::{Fault, Faults, Source};
 
@@ -57,8 +57,9 @@ use crate::document::{Fault, Faults, Source};
 pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
     let (inputs, mut faults) = find_inputs(paths);
     let readings: Vec<_> = inputs.par_iter().map(|input| read_input(input, options)).collect();
-    let (mut buildings, mut reports) = (Vec::new(), Vec::new());
+    let (mut buildings, mut reports, mut origins) = (Vec::new(), Vec::new(), Vec::new());
     for reading in readings {
+        origins.push(reading.origin);
         buildings.extend(reading.buildings);
         faults.merge(reading.faults);
         reports.extend(reading.report);
@@ -68,7 +69,9 @@ pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
         paths.iter().for_each(|path| faults.merge(nothing::of_path(path)));
     }
     faults.sort();
-    PlanReading { plan, faults, reports }
+    // Several files stand on planes of their own: then nothing is said of where on the earth they are.
+    let origin = if let [origin] = origins.as_mut_slice() { origin.take() } else { None };
+    PlanReading { plan, faults, reports, origin }
 }
 
 /// As [`read_plans`], of one plan in YAML or JSON that is in memory; the name of its source is the file of its faults.
@@ -82,10 +85,10 @@ pub fn parse_plan(source: Source, options: &PlanOptions<'_>) -> PlanReading {
         }
         Kind::Plan | Kind::Other => read_text(source, options.words),
     };
-    let Reading { buildings, mut faults, report } = reading;
+    let Reading { buildings, mut faults, report, origin } = reading;
     let plan = Plan { buildings: unique(buildings, &mut faults) };
     faults.sort();
-    PlanReading { plan, faults, reports: report.into_iter().collect() }
+    PlanReading { plan, faults, reports: report.into_iter().collect(), origin }
 }
 
 /// The settings of the project files among the paths: read before the catalogue, which they may extend.
@@ -111,7 +114,7 @@ pub fn project_settings(paths: &[PathBuf]) -> Result<ProjectSettings, Faults> {
 }
 
 fn merge_settings(merged: &mut ProjectSettings, settings: ProjectSettings, file: &Path, faults: &mut Faults) {
-    let ProjectSettings { catalog, style, seed } = settings;
+    let ProjectSettings { catalog, style, seed, origin } = settings;
     merged.catalog.extend(catalog);
     let mut contradict = |what: &str, differ: bool| {
         if differ {
@@ -122,7 +125,9 @@ fn merge_settings(merged: &mut ProjectSettings, settings: ProjectSettings, file:
     contradict("style", merged.style.is_some() && style.is_some() && merged.style != style);
     contradict("seed", merged.seed.is_some() && seed.is_some() && merged.seed != seed);
     merged.style = merged.style.take().or(style);
+    contradict("origin", merged.origin.is_some() && origin.is_some() && merged.origin != origin);
     merged.seed = merged.seed.or(seed);
+    merged.origin = merged.origin.take().or(origin);
 }
 
 /// A building and the file that named it.
@@ -138,6 +143,8 @@ struct Reading {
     faults: Faults,
     /// None of what is no plan, and of projects.
     report: Option<InputReport>,
+    /// Where the site is on the earth, if the file says; projects say it in their settings.
+    origin: Option<SiteOrigin>,
 }
 
 impl From<Faults> for Reading {
@@ -165,7 +172,7 @@ fn read_input(input: &Input, options: &PlanOptions<'_>) -> Reading {
         // Projects count when they are named; in a folder their plans stand beside them.
         Kind::Project if input.is_named => {
             let (buildings, faults) = project::read_project(&source, options);
-            Reading { buildings, faults, report: None }
+            Reading { buildings, faults, ..Reading::default() }
         }
         Kind::Other | Kind::Project if !input.is_named => Reading::default(),
         _ => read_text(source, words),
@@ -200,7 +207,7 @@ fn finish_all(file: &Path, format: &'static str, reading: Drafts, words: &RoomWo
         };
         buildings.push(ReadBuilding { placed, file: file.to_owned() });
     }
-    Reading { buildings, faults, report: Some(report) }
+    Reading { buildings, faults, report: Some(report), origin: reading.origin }
 }
 
 /// Finishes the buildings of a file: one after the other where guesses are told, which are counted over all of them.
@@ -228,6 +235,8 @@ fn finish_each(drafts: Vec<Drafted>, words: &RoomWords) -> Vec<(Drafted, Finishe
 struct Drafts {
     drafts: Vec<Drafted>,
     faults: Faults,
+    /// Where the site is on the earth, if the file says.
+    origin: Option<SiteOrigin>,
     is_project: bool,
 }
 
@@ -249,14 +258,14 @@ fn read_drafts(path: &Path, options: &PlanOptions<'_>) -> Drafts {
         };
     };
     match (format.read)(path, options) {
-        Ok(ReadBuildings { buildings, faults }) => {
+        Ok(ReadBuildings { buildings, faults, origin }) => {
             let drafted = |DraftedBuilding { id, draft, placement }| Drafted {
                 id,
                 draft,
                 placement,
                 provenance: Provenance::Foreign(path.to_owned()),
             };
-            Drafts { drafts: buildings.into_iter().map(drafted).collect(), faults, is_project: false }
+            Drafts { drafts: buildings.into_iter().map(drafted).collect(), faults, origin, is_project: false }
         }
         Err(faults) => Drafts { faults, ..Drafts::default() },
     }

@@ -9,7 +9,7 @@ use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat};
 use crate::document::{Fault, Faults, did_you_mean};
 use crate::geometry::{Bounds, Point};
 use crate::plan::units::{LocalPlane, US_FOOT};
-use crate::plan::{PlanOptions, Planning};
+use crate::plan::{PlanOptions, Planning, SiteOrigin};
 use crate::storey::{Neighbourhood, Origin, PlannedBuilding, Site, plan_building};
 
 /// Maps of building outlines.
@@ -29,7 +29,10 @@ pub(super) const FORMAT: ForeignFormat = ForeignFormat {
             draft: building.draft,
             placement: building.placement,
         };
-        ReadBuildings::new(planned.buildings.into_iter().map(drafted).collect(), planned.site.faults)
+        let origin = on_earth(&planned.site.site);
+        let read =
+            ReadBuildings::new(planned.buildings.into_iter().map(drafted).collect(), planned.site.faults)?;
+        Ok(ReadBuildings { origin, ..read })
     },
 };
 
@@ -72,6 +75,12 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
         read.leave_out(path, &narrow, "nobody can stand in it");
     }
     Ok(PlannedSite { site: read, buildings: planned.into_iter().flatten().collect() })
+}
+
+/// Where the plane of a site is on the earth, where its map says so.
+fn on_earth(site: &Site) -> Option<SiteOrigin> {
+    let Origin { position, degrees, .. } = site.origin;
+    SiteOrigin::of(site.reference_system.as_deref(), Point::from(position), degrees.map(Point::from))
 }
 
 /// A use that nobody knows would be passed over, and each building planned as the map says.

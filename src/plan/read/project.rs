@@ -15,7 +15,9 @@ use super::native::{
 use super::{ReadBuilding, read_drafts};
 use crate::document::{Faults, PathStep, Source};
 use crate::geometry::Point;
-use crate::plan::{Building, PlacedBuilding, PlanOptions, PlanSource, ProjectSettings, SitePlacement};
+use crate::plan::{
+    Building, PlacedBuilding, PlanOptions, PlanSource, ProjectSettings, SiteOrigin, SitePlacement,
+};
 
 /// Most buildings of a project.
 const BUILDING_LIMIT: u32 = 1_000_000;
@@ -43,10 +45,8 @@ struct Project {
     /// Seed of the run, unless the command line names one.
     seed: Option<u64>,
     /// Name of the reference system in which the site's origin is given, such as `EPSG:25832`.
-    #[allow(dead_code)] // for programs that place the site on a map
     reference_system: Option<String>,
     /// Where the site's origin is.
-    #[allow(dead_code)] // for programs that place the site on a map
     origin: Option<OriginFile>,
     /// Further folders of configuration, relative to this file.
     #[serde(default)]
@@ -60,10 +60,8 @@ struct Project {
 #[serde(deny_unknown_fields)]
 struct OriginFile {
     /// In the units of the reference system: degrees of longitude and latitude, or metres east and north.
-    #[allow(dead_code)] // for programs that place the site on a map
     position: [f64; 2],
     /// Degrees of longitude and latitude.
-    #[allow(dead_code)] // for programs that place the site on a map
     degrees: Option<[f64; 2]>,
 }
 
@@ -107,7 +105,11 @@ pub(super) fn project_settings(source: &Source) -> Result<ProjectSettings, Fault
     let project = parse(source)?.project;
     let folder = folder_of(source);
     let catalog = project.catalog.iter().map(|path| folder.join(path)).collect();
-    Ok(ProjectSettings { catalog, style: project.style, seed: project.seed })
+    let system = project.reference_system.as_deref();
+    let origin = project.origin.and_then(|origin| {
+        SiteOrigin::of(system, Point::from(origin.position), origin.degrees.map(Point::from))
+    });
+    Ok(ProjectSettings { catalog, style: project.style, seed: project.seed, origin })
 }
 
 /// All buildings of a project, and what is wrong with the project and its plans.

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::foreign::Parts;
 use crate::document::Faults;
-use crate::plan::{BuildingDraft, PlanOptions, SitePlacement};
+use crate::plan::{BuildingDraft, PlanOptions, SiteOrigin, SitePlacement};
 
 /// A format that plans are read in, for people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -47,6 +47,8 @@ pub(crate) struct ReadBuildings {
     pub(crate) buildings: Vec<DraftedBuilding>,
     /// Warnings, and errors about what was left out.
     pub(crate) faults: Faults,
+    /// Where the site is on the earth, if the file says.
+    pub(crate) origin: Option<SiteOrigin>,
 }
 
 /// A building as a reader drafts it; `assemble` checks and completes it.
@@ -68,6 +70,10 @@ impl ReadBuildings {
     pub(crate) fn new(mut buildings: Vec<DraftedBuilding>, mut faults: Faults) -> ReadResult {
         buildings.retain(|building| !building.draft.levels.is_empty());
         faults.sort();
-        if buildings.is_empty() && faults.has_errors() { Err(faults) } else { Ok(Self { buildings, faults }) }
+        if buildings.is_empty() && faults.has_errors() {
+            Err(faults)
+        } else {
+            Ok(Self { buildings, faults, origin: None })
+        }
     }
 }

@@ -35,6 +35,7 @@ mod tidy;
 use std::path::Path;
 
 pub use notes::SiteNotes;
+pub(crate) use projection::{Projection, code_of};
 pub(crate) use recognise::{FootprintFormat, recognises};
 
 use crate::document::{Fault, Faults, Source};

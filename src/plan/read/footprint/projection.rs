@@ -16,7 +16,7 @@ const DEGREES: &str = "+proj=longlat +datum=WGS84";
 
 /// A reference system, by its number in the register of EPSG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Projection {
+pub(crate) enum Projection {
     /// Longitude and latitude.
     Degrees,
     /// Metres, by its number in the table.
@@ -29,7 +29,7 @@ pub(super) enum Projection {
 
 impl Projection {
     /// By its number.
-    pub(super) fn of(code: u32) -> Self {
+    pub(crate) fn of(code: u32) -> Self {
         match code {
             4326 | 4258 | 4979 | 4937 | 6697 | 6668 | 4612 | 4269 | 4283 | 7844 | 4617 => Self::Degrees,
             _ if definition_of(code).is_some() => Self::Metres(code),
@@ -40,6 +40,12 @@ impl Projection {
 
     /// Longitude and latitude of a place in metres; `None` where the system is not in the table, or the place is none of it.
     pub(super) fn degrees(self, place: Point) -> Option<Point> {
+        let degrees = self.exact_degrees(place)?;
+        Some((degrees * DEGREE_PARTS).round() / DEGREE_PARTS + Point::ZERO)
+    }
+
+    /// The same to the last digit, which other systems' functions may have otherwise.
+    pub(crate) fn exact_degrees(self, place: Point) -> Option<Point> {
         let Self::Metres(code) = self else { return None };
         let from = Proj::from_proj_string(&definition_of(code)?).ok()?;
         let to = Proj::from_proj_string(DEGREES).ok()?;
@@ -47,13 +53,13 @@ impl Projection {
         transform(&from, &to, &mut point).ok()?;
         let degrees = Point::new(point.0.to_degrees(), point.1.to_degrees());
         let is_place = degrees.x.abs() <= 180.0 && degrees.y.abs() <= 90.0;
-        is_place.then(|| (degrees * DEGREE_PARTS).round() / DEGREE_PARTS + Point::ZERO)
+        is_place.then_some(degrees)
     }
 }
 
 /// The number of a reference system by its name: `EPSG:7415`, `urn:ogc:def:crs:EPSG::7415`,
 /// `https://www.opengis.net/def/crs/EPSG/0/7415`; of a compound one that of the plane. `CRS84` is longitude and latitude.
-pub(super) fn code_of(name: &str) -> Option<u32> {
+pub(crate) fn code_of(name: &str) -> Option<u32> {
     let name = name.to_ascii_uppercase();
     if name.contains("CRS84") {
         return Some(4326);

@@ -1,0 +1,62 @@
+//! Writes a scene as a binary glTF file of few draw calls, for clients that draw whole cities or run in browsers.
+//!
+//! A level as `gltf/` writes it has a node for every part, and viewers draw each primitive of each by itself. Here, what is the same
+//! model is drawn as instances (`EXT_mesh_gpu_instancing`), and all else is merged, one primitive a material. Every corner or instance
+//! has the number of its *feature*, the piece or part that it belongs to (`EXT_mesh_features`, `EXT_instance_features`), and a table
+//! names the features (`EXT_structural_metadata`), so that a click on a triangle still names the chair. Numbers are quantised
+//! (`KHR_mesh_quantization`).
+//!
+//! - `sieve`: what is large enough to be seen;
+//! - `listing`: what is drawn, where, and which feature it is;
+//! - `grouping`: which meshes become instances;
+//! - `merged` and `instances`: the arrays of both;
+//! - `buffer`, `table`, `document`: the file.
+//!
+//! What is drawn is where the scene has it, to half of [`CompactOptions::coarsest_step`].
+
+mod buffer;
+mod document;
+mod feature;
+mod grouping;
+mod instances;
+mod listing;
+mod merged;
+mod options;
+mod sieve;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use options::Instancing;
+pub(crate) use options::{Coloring, CompactOptions, Shapes};
+
+use std::borrow::Cow;
+
+use crate::gltf::GltfError;
+use crate::mesh::Model;
+use crate::scene::Scene;
+
+/// What is shown of a scene.
+#[derive(Clone, Copy)]
+struct Shown<'s> {
+    scene: &'s Scene,
+    /// The models of its meshes as far as they are seen.
+    models: &'s [Option<Cow<'s, Model>>],
+    coloring: Coloring,
+}
+
+/// A scene as one binary file.
+///
+/// # Errors
+/// [`GltfError::TooLarge`] for files of 4 GiB and more.
+pub(crate) fn write_compact(scene: &Scene, options: &CompactOptions) -> Result<Vec<u8>, GltfError> {
+    let models = sieve::seen(scene, options);
+    let shown = Shown { scene, models: &models, coloring: options.coloring };
+    let listing = listing::Listing::new(&shown);
+    let instanced = grouping::instanced(&shown, &listing.drawn, options);
+    let (alike, single): (Vec<_>, Vec<_>) =
+        listing.drawn.iter().partition(|drawn| instanced.contains(&drawn.mesh));
+    let merged = merged::merge(&shown, &single);
+    let instances = instances::gather(&shown, &alike);
+    document::write(&document::Parts { scene, options, features: &listing.features, merged, instances })
+}

@@ -1,0 +1,114 @@
+//! 3D Tiles as a format of the table.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::tileset;
+use crate::compact::{Coloring, CompactOptions, Instancing, Shapes, write_compact};
+use crate::mesh::{Image, TextureUse};
+use crate::model::Detail;
+use crate::output::{
+    IndexOptions, IndexedLevel, LevelToWrite, Output, OutputFormat, SceneLook, SharedFile, TooLarge,
+    WrittenLevel,
+};
+use crate::scene::{Scene, SceneMaterial};
+
+/// Three details of each level, and the tileset that leads to them.
+pub(crate) const TILES: OutputFormat = OutputFormat {
+    name: "tiles",
+    about: "3D Tiles 1.1: tileset.json, and each level in three details",
+    extensions: &["full.glb", "reduced.glb", "boxes.glb"],
+    shows_textures: true,
+    shares_all_images: true,
+    is_read_back: false,
+    begin: |_, options| Box::new(TilesOutput { instancing: options.instancing, detail: options.detail }),
+};
+
+/// Tiles in a run.
+struct TilesOutput {
+    instancing: Instancing,
+    /// Of the scenes that levels come with.
+    detail: Detail,
+}
+
+/// Metres of the smallest and thinnest parts of boxes: less than what they are wrong by where they are shown first
+/// ([`super::near`]).
+const LEAST_OF_BOXES: f64 = 0.3;
+const SHAPES_OF_BOXES: Shapes = Shapes::Boxes { least_width: 0.1, boxed: 1.0 };
+/// Metres of the smallest parts of reduced furniture.
+const LEAST_OF_REDUCED: f64 = 0.1;
+/// Draw calls of a level up to which equal models are instances.
+const DRAWS_OF_REDUCED: usize = 150;
+const DRAWS_OF_FULL: usize = 300;
+/// Metres of the coarsest steps of positions; levels of 65 m have steps of a millimetre.
+const STEP_OF_FULL: f64 = 0.003;
+const STEP_OF_REDUCED: f64 = 0.01;
+const STEP_OF_BOXES: f64 = 0.03;
+
+impl Output for TilesOutput {
+    fn level<'s>(&'s self, level: &LevelToWrite<'s>) -> Result<WrittenLevel<'s>, TooLarge> {
+        let shown = |detail, is_plain| (level.shown)(SceneLook { detail, is_plain });
+        let made = (self.detail != Detail::Full).then(|| shown(Detail::Full, false));
+        let full = made.as_ref().unwrap_or(level.scene);
+        let reduced = shown(Detail::Reduced, true);
+        let boxes = shown(Detail::Boxes, true);
+        let options = CompactOptions {
+            coloring: Coloring::Materials,
+            least_size: 0.0,
+            shapes: Shapes::Kept,
+            coarsest_step: STEP_OF_FULL,
+            instancing: self.instancing,
+            most_draws: DRAWS_OF_FULL,
+            has_normal_maps: false,
+            keeps_nodes: false,
+        };
+        let of_reduced = CompactOptions {
+            coloring: Coloring::Corners,
+            least_size: LEAST_OF_REDUCED,
+            coarsest_step: STEP_OF_REDUCED,
+            most_draws: DRAWS_OF_REDUCED,
+            ..options
+        };
+        let of_boxes = CompactOptions {
+            least_size: LEAST_OF_BOXES,
+            shapes: SHAPES_OF_BOXES,
+            coarsest_step: STEP_OF_BOXES,
+            instancing: Instancing::None,
+            ..of_reduced
+        };
+        let written = [
+            ("full.glb", full, options),
+            ("reduced.glb", &reduced, of_reduced),
+            ("boxes.glb", &boxes, of_boxes),
+        ];
+        let written = written.map(|(extension, scene, options)| {
+            let bytes = write_compact(scene, &options)
+                .map_err(|error| TooLarge { message: error.to_string(), hint: "split the level" });
+            bytes.map(|bytes| (extension, bytes))
+        });
+        let files = written.into_iter().collect::<Result<Vec<_>, _>>()?;
+        Ok(WrittenLevel { files, shared: shared_images(full, level.folder()) })
+    }
+
+    fn index(&self, levels: &[IndexedLevel], options: &IndexOptions) -> Vec<(String, Vec<u8>)> {
+        tileset::files(levels, options)
+    }
+}
+
+/// The images that tiles refer to, sorted by path.
+fn shared_images(scene: &Scene, folder: &str) -> Vec<SharedFile<'static>> {
+    let textures = scene.materials.iter().flat_map(SceneMaterial::textures);
+    let shown = textures.filter(|(purpose, _)| *purpose != TextureUse::Normal);
+    let by_path: BTreeMap<String, Arc<Image>> = shown
+        .filter_map(|(_, texture)| {
+            let uri = texture.image.uri.as_ref()?;
+            let path = uri.strip_prefix("../").map_or_else(|| format!("{folder}/{uri}"), str::to_owned);
+            Some((path, Arc::clone(&texture.image)))
+        })
+        .collect();
+    let file = |(path, image): (String, Arc<Image>)| SharedFile {
+        path,
+        content: Box::new(move || image.bytes.clone()),
+    };
+    by_path.into_iter().map(file).collect()
+}
