@@ -27,6 +27,7 @@ mod command_line {
     mod readme;
     mod recipe;
     mod schemas;
+    mod tiles;
     mod unknown_words;
     mod user_models;
     mod verdicts;

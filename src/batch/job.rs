@@ -9,7 +9,6 @@ use crate::output::LevelOptions;
 use crate::plan::{Building, Level, PlacedBuilding, Plan};
 
 use super::file_name::distinct_names;
-use super::record::LevelKey;
 use crate::disk::FieldHash;
 
 /// One level to bake.
@@ -27,13 +26,6 @@ pub(crate) struct Job<'a> {
     pub(crate) edits: Option<&'a LevelEdits>,
     /// Hash of all that the level is made from, the program excepted.
     pub(crate) inputs: String,
-}
-
-impl Job<'_> {
-    /// Building id and level id.
-    pub(crate) fn key(&self) -> LevelKey {
-        LevelKey { building: self.placed.id.clone(), level: self.level.id.clone() }
-    }
 }
 
 /// All levels of the plan, sorted by building id, then level id: whatever order the files were named in,

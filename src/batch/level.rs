@@ -62,8 +62,8 @@ pub(crate) fn bake_level(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLe
         let bounds = LevelBounds::of(&scene, job.level.elevation);
         let level = LevelToWrite { scene: &scene, path: &job.path, shown: &shown };
         let written = context.watch.measure(Stage::Encoding, || context.output.level(&level));
-        let written = written.map_err(|error| too_large(context, job, error))?;
-        let files = context.watch.measure(Stage::Writing, || LevelFiles::new(context, job, written))?;
+        let written = written.map_err(|error| too_large(context, &job.path, error))?;
+        let files = context.watch.measure(Stage::Writing, || LevelFiles::new(context, &job.path, written))?;
         Ok((files, bounds))
     });
     let (files, bounds) = match built {
@@ -85,25 +85,33 @@ pub(crate) fn bake_level(context: &Context<'_>, job: &Job<'_>) -> Result<BakedLe
 }
 
 /// The files of a level with their content, the one to open first.
-struct LevelFiles {
-    files: Vec<(FileRecord, Vec<u8>)>,
+pub(super) struct LevelFiles {
+    pub(super) files: Vec<(FileRecord, Vec<u8>)>,
     /// Paths in the output folder of the shared files that they refer to.
-    shared: Vec<String>,
+    pub(super) shared: Vec<String>,
 }
 
 impl LevelFiles {
     /// Puts what a level shares with others into place, and hashes its own files.
-    fn new(context: &Context<'_>, job: &Job<'_>, written: WrittenLevel<'_>) -> Result<Self, OutputFault> {
+    pub(super) fn new(
+        context: &Context<'_>,
+        path: &str,
+        written: WrittenLevel<'_>,
+    ) -> Result<Self, OutputFault> {
         let shared = written.shared.into_iter().map(|file| context.shared.put(file, context.folder));
         let shared = shared.collect::<Result<_, _>>()?;
-        let record = |(extension, bytes)| FileRecord::with_bytes(format!("{}.{extension}", job.path), bytes);
+        let record = |(extension, bytes)| FileRecord::with_bytes(format!("{path}.{extension}"), bytes);
         Ok(Self { files: written.files.into_iter().map(record).collect(), shared })
     }
 }
 
-fn too_large(context: &Context<'_>, job: &Job<'_>, TooLarge { message, hint }: TooLarge) -> OutputFault {
+pub(super) fn too_large(
+    context: &Context<'_>,
+    path: &str,
+    TooLarge { message, hint }: TooLarge,
+) -> OutputFault {
     let extension = output_format(context.options.level.format).extensions[0];
-    let name = format!("{}.{extension}", job.path);
+    let name = format!("{path}.{extension}");
     OutputFault {
         code: FaultCode::TooLarge,
         path: context.folder.root().join(name),
@@ -180,7 +188,11 @@ fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults, look: SceneL
 }
 
 /// Puts the files of a level into place and records them.
-fn write(folder: &OutputFolder, files: &LevelFiles, record: &LevelRecord) -> Result<(), OutputFault> {
+pub(super) fn write(
+    folder: &OutputFolder,
+    files: &LevelFiles,
+    record: &LevelRecord,
+) -> Result<(), OutputFault> {
     folder.announce(&record.files)?;
     folder.place_level(&files.files)?;
     folder.record(record)?;

@@ -8,10 +8,12 @@
 
 mod bug;
 mod claim;
+mod coarser;
 mod context;
 mod event;
 mod fault;
 mod file_name;
+mod finished;
 mod folder;
 mod in_place;
 mod job;
@@ -28,16 +30,18 @@ mod record;
 mod shared;
 mod sources;
 mod state;
+mod task;
 mod unplanned;
 mod work;
 
 pub(crate) use bug::catch_bug;
 pub use bug::collect_panics;
-pub use event::{BakeReport, Event, LevelFailure, LevelMisfit, Stage};
+pub use event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage};
 #[cfg(test)]
 pub(crate) use fault::FaultCode;
 pub use fault::OutputFault;
 pub(crate) use file_name::distinct_names;
+pub(crate) use finished::{FinishedInput, is_bake, write_finished};
 pub use folder::OutputFolder;
 pub use join::{Joined, MergeReport, merge};
 pub(crate) use listing::{Listing, list_levels};

@@ -10,14 +10,15 @@ use super::event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage
 use super::fault::{FaultCode, OutputFault};
 use super::folder::OutputFolder;
 use super::in_place::is_in_place;
-use super::job::{Job, list_jobs};
+use super::job::list_jobs;
 use super::join::Planned;
 use super::level::{BakedLevel, bake_level};
 use super::options::BakeOptions;
 use super::program::PROGRAM;
-use super::record::{FileRecord, Totals};
+use super::record::{FileRecord, LevelKey, Totals};
 use super::shared::SharedFiles;
 use super::sources::{Contents, RecordHead};
+use super::task::Task;
 use super::unplanned::Leftovers;
 use crate::catalog::Catalog;
 use crate::disk::look_inside;
@@ -54,31 +55,57 @@ pub fn bake(
     observer: &Observer<'_>,
 ) -> Result<BakeReport, OutputFault> {
     let &BakeInput { plan, edits, catalog, models, options } = input;
-    // The levels of this share; those that are up to date are kept.
     let jobs = list_jobs(plan, edits, catalog, &options.level);
+    let begin = |pool: &rayon::ThreadPool, has_work: bool| {
+        let output = (output_format(options.level.format).begin)(catalog, &options.level);
+        let textures = options.level.texture_library(options.cache.clone()).filter(|_| has_work);
+        let watch = Stopwatch::default();
+        if let Some(textures) = &textures {
+            watch.measure(Stage::Scene, || pool.install(|| textures.paint_all()));
+        }
+        let shared = SharedFiles::default();
+        let swatched = options.level.swatches(catalog).filter(|_| has_work);
+        Context { catalog, options, folder, models, swatched, output, textures, shared, watch }
+    };
+    write_all(&jobs, &Run { options, folder, observer }, &begin, &bake_level)
+}
+
+/// Where and how levels are written.
+#[derive(Clone, Copy)]
+pub(super) struct Run<'a> {
+    pub(super) options: &'a BakeOptions,
+    pub(super) folder: &'a OutputFolder,
+    pub(super) observer: &'a Observer<'a>,
+}
+
+/// Writes a level of a kind of task.
+pub(super) type Writer<'w, T> = dyn Fn(&Context<'_>, &T) -> Result<BakedLevel, Box<LevelFailure>> + Sync + 'w;
+
+/// Writes all levels, or those of this shard, and joins their records. `begin` makes what they share, on the threads of the run; it
+/// is told whether any is left to write.
+pub(super) fn write_all<'a, T: Task>(
+    jobs: &[T],
+    run: &Run<'_>,
+    begin: &dyn Fn(&rayon::ThreadPool, bool) -> Context<'a>,
+    write: &Writer<'_, T>,
+) -> Result<BakeReport, OutputFault> {
+    // The levels of this share; those that are up to date are kept.
+    let &Run { options, folder, observer } = run;
     let is_ours = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
     let share = jobs.iter().enumerate().filter(|(index, _)| is_ours(*index)).map(|(_, job)| job);
-    let (kept, open): (Vec<&Job<'_>>, Vec<&Job<'_>>) = share.partition(|job| folder.is_current(job));
-    let rooms = open.iter().map(|job| job.level.rooms.len()).sum();
+    let (kept, open): (Vec<&T>, Vec<&T>) = share.partition(|job| folder.is_current(*job));
+    let rooms = open.iter().map(|job| job.room_count()).sum();
     observer(&Event::Started { levels: open.len(), rooms, kept: kept.len() });
 
     // The others are baked.
     let pool = thread_pool(options, folder.root())?;
-    let output = (output_format(options.level.format).begin)(catalog, &options.level);
-    let textures = options.level.texture_library(options.cache.clone()).filter(|_| !open.is_empty());
-    let watch = Stopwatch::default();
-    if let Some(textures) = &textures {
-        watch.measure(Stage::Scene, || pool.install(|| textures.paint_all()));
-    }
-    let shared = SharedFiles::default();
-    let swatched = options.level.swatches(catalog).filter(|_| !open.is_empty());
-    let context = Context { catalog, options, folder, models, swatched, output, textures, shared, watch };
-    let tally = work(&pool, &context, &open, observer);
+    let context = begin(&pool, !open.is_empty());
+    let tally = work(&pool, &open, &|job| write(&context, job), observer);
 
     // The records become the manifest.
     let (joined, leftovers) = folder
         .finish(&Planned {
-            levels: jobs.iter().map(Job::key).collect(),
+            levels: jobs.iter().map(Task::key).collect(),
             shard: options.shard,
             unplanned: options.unplanned,
             index: &|levels| context.output.index(levels, &options.index),
@@ -116,10 +143,10 @@ struct Tally {
 
 /// Each thread takes the next level until none is left, so that no more levels are in memory than there are
 /// threads. A thread that finds none left helps the others with their rooms.
-fn work(
+fn work<T: Task>(
     pool: &rayon::ThreadPool,
-    context: &Context<'_>,
-    jobs: &[&Job<'_>],
+    jobs: &[&T],
+    write: &(dyn Fn(&T) -> Result<BakedLevel, Box<LevelFailure>> + Sync),
     observer: &Observer<'_>,
 ) -> Tally {
     let next = AtomicUsize::new(0);
@@ -130,8 +157,8 @@ fn work(
     pool.broadcast(|_| {
         while !is_stopped.load(Ordering::Relaxed) {
             let Some(job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
-            let result = bake_level(context, job);
-            tell(observer, job, &result);
+            let result = write(job);
+            tell(observer, &job.key(), &result);
             if result.as_ref().is_err_and(|failure| failure.code.stops_the_run()) {
                 is_stopped.store(true, Ordering::Relaxed);
             }
@@ -164,13 +191,13 @@ impl Tally {
     }
 }
 
-fn tell(observer: &Observer<'_>, job: &Job<'_>, result: &Result<BakedLevel, Box<LevelFailure>>) {
+fn tell(observer: &Observer<'_>, key: &LevelKey, result: &Result<BakedLevel, Box<LevelFailure>>) {
     match result {
         Ok(baked) => {
             for failure in &baked.failures {
                 observer(&Event::Failed(failure));
             }
-            let (building, level) = (&job.placed.id, &job.level.id);
+            let LevelKey { building, level } = key;
             observer(&Event::Baked { building, level, totals: &baked.totals });
         }
         Err(failure) => observer(&Event::Failed(failure)),
@@ -189,7 +216,7 @@ fn thread_pool(options: &BakeOptions, root: &Path) -> Result<rayon::ThreadPool, 
 
 impl OutputFolder {
     /// Whether a level is in place, made from the same inputs by the same program.
-    fn is_current(&self, job: &Job<'_>) -> bool {
+    fn is_current(&self, job: &impl Task) -> bool {
         let Some((program, head)) = self.known.levels.get(&job.key()) else { return false };
         let library: BTreeSet<&String> = head.library.iter().collect();
         let library = self.known.library.values().filter(|file| library.contains(&file.path));
@@ -214,11 +241,11 @@ impl OutputFolder {
 }
 
 /// Whether the newest record of a level is of these inputs and this program.
-fn is_recorded(contents: &Contents<'_>, job: &Job<'_>) -> bool {
+fn is_recorded(contents: &Contents<'_>, job: &impl Task) -> bool {
     let newest = contents.levels.get(&job.key()).and_then(|found| found.last());
     newest.is_some_and(|found| is_up_to_date(&found.program, &found.head, job))
 }
 
-fn is_up_to_date(program: &str, head: &RecordHead, job: &Job<'_>) -> bool {
-    program == PROGRAM && head.inputs == job.inputs && head.totals.broken == 0
+fn is_up_to_date(program: &str, head: &RecordHead, job: &impl Task) -> bool {
+    program == PROGRAM && head.inputs == job.inputs() && head.totals.broken == 0
 }

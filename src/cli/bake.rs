@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::arguments::{
-    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
+    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, RunArguments, TextureWord,
 };
 use super::exit::Outcome;
 use super::leftovers::leftovers_text;
@@ -16,11 +16,10 @@ use super::sources::{read_sources, run_style};
 use super::summary::{bake_answer, failure_text, summary_text, timing_text, where_to_look};
 use super::watch::watch;
 use crate::batch::{
-    BakeInput, BakeOptions, BakeReport, LevelMisfit, OutputFault, OutputFolder, PROGRAM, Unplanned, bake,
-    record_plans,
+    BakeInput, BakeOptions, BakeReport, LevelMisfit, Observer, OutputFault, OutputFolder, PROGRAM, Unplanned,
+    bake, record_plans,
 };
 use crate::cache::Cache;
-use crate::compact::Instancing;
 use crate::document::{Fault, Faults, counted};
 use crate::edits::distinct_misfits;
 use crate::gltf::FlatNormals;
@@ -43,13 +42,21 @@ pub(crate) const DEFAULT_SEED: u64 = 1;
 struct Run {
     sources: Project,
     options: BakeOptions,
-    out: PathBuf,
     cache_root: Option<PathBuf>,
     is_forced: bool,
-    is_demo: bool,
-    progress: ProgressWord,
-    has_input_faults: bool,
+    teller: Teller,
 }
+
+/// What has to be known to tell how the work goes.
+pub(super) struct Teller {
+    pub(super) out: PathBuf,
+    pub(super) is_demo: bool,
+    pub(super) progress: ProgressWord,
+    pub(super) has_input_faults: bool,
+}
+
+/// The work itself.
+pub(super) type Work<'w> = dyn Fn(&Observer<'_>) -> Result<BakeReport, OutputFault> + 'w;
 
 /// Runs the command, once or again and again.
 pub(crate) fn run(arguments: BakeArguments, screen: Screen) -> Outcome {
@@ -58,29 +65,64 @@ pub(crate) fn run(arguments: BakeArguments, screen: Screen) -> Outcome {
 
 /// Bakes.
 pub(super) fn bake_once(arguments: BakeArguments, screen: Screen) -> Outcome {
+    let level = LevelOptions {
+        format: arguments.format,
+        has_shared_library: arguments.shared_library,
+        textures: textures(arguments.run.textures, arguments.shared_textures),
+        flat_normals: flat_normals(arguments.flat_normals, arguments.run.textures),
+        detail: match arguments.detail {
+            DetailWord::Full => Detail::Full,
+            DetailWord::Reduced => Detail::Reduced,
+            DetailWord::Boxes => Detail::Boxes,
+        },
+        scene: scene_options(&arguments),
+        ..LevelOptions::default()
+    };
+    write_levels(
+        Request { run: arguments.run, out: arguments.out, level, index: IndexOptions::default() },
+        screen,
+    )
+}
+
+/// What is to be written, and how. Seed, style and effort of `level` are those of `run`, and the origin of `index` is that of the
+/// project where it has none.
+pub(super) struct Request {
+    pub(super) run: RunArguments,
+    pub(super) out: PathBuf,
+    pub(super) level: LevelOptions,
+    pub(super) index: IndexOptions,
+}
+
+/// Writes levels: the work of `bake` and `tiles`.
+pub(super) fn write_levels(request: Request, screen: Screen) -> Outcome {
     // Everything that can be refused is refused before the first second of work.
-    if let Some(fault) = file_as_folder(&arguments.out) {
+    if let Some(fault) = file_as_folder(&request.out) {
         screen.faults(&fault.into());
         return Outcome::NotStarted;
     }
-    if let Err(fault) = OutputFolder::check(&arguments.out) {
+    if let Err(fault) = OutputFolder::check(&request.out) {
         return refuse(screen, &fault);
     }
-    let run = match understand(arguments, screen) {
+    let run = match understand(request, screen) {
         Ok(run) => run,
         Err(outcome) => return outcome,
     };
-    match OutputFolder::open(&run.out, run.is_forced) {
+    match OutputFolder::open(&run.teller.out, run.is_forced) {
         Ok(folder) => {
             show_listed(folder.faults(), screen);
-            work(&run, &folder, screen)
+            screen.note(&announcement(&run));
+            let Project { plan, edits, catalog, models, .. } = &run.sources;
+            let input = BakeInput { plan, edits, catalog, models, options: &run.options };
+            let outcome = work(&run.teller, &|observer| bake(&input, &folder, observer), screen);
+            note_plans(&run);
+            outcome
         }
         Err(fault) => refuse(screen, &fault),
     }
 }
 
 /// A fault if the output folder has the name of a file that users may expect instead.
-fn file_as_folder(out: &Path) -> Option<Fault> {
+pub(super) fn file_as_folder(out: &Path) -> Option<Fault> {
     let ending = out.extension()?.to_str()?.to_ascii_lowercase();
     let is_result = Format::named(&ending).is_some() || OTHER_RESULTS.contains(&ending.as_str());
     let is_file_name = is_result && !out.is_dir();
@@ -92,7 +134,8 @@ fn file_as_folder(out: &Path) -> Option<Fault> {
 }
 
 /// From what was typed to what it means.
-fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> {
+fn understand(request: Request, screen: Screen) -> Result<Run, Outcome> {
+    let Request { run: arguments, out, level, index } = request;
     let is_demo = arguments.sources.paths.is_empty();
     let read = read_sources(&arguments.sources.seeded(arguments.furnish.seed)).and_then(|sources| {
         let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
@@ -116,42 +159,29 @@ fn understand(arguments: BakeArguments, screen: Screen) -> Result<Run, Outcome> 
     let cache_root = cache_root(arguments.cache.clone());
     let cache = cache_root.as_deref().map(|root| Cache::new(root, PROGRAM));
     sources.models = sources.models.with_cache(cache.clone());
-    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let level = LevelOptions {
-        seed,
-        style,
-        effort: arguments.furnish.effort,
-        format: arguments.format,
-        has_shared_library: arguments.shared_library,
-        textures: textures(arguments.textures, arguments.shared_textures),
-        flat_normals: flat_normals(arguments.flat_normals, arguments.textures),
-        detail: match arguments.detail {
-            DetailWord::Full => Detail::Full,
-            DetailWord::Reduced => Detail::Reduced,
-            DetailWord::Boxes => Detail::Boxes,
-        },
-        scene: scene_options(&arguments),
-        instancing: Instancing::default(),
-    };
-    let index = IndexOptions { origin: sources.settings.origin.clone(), ..IndexOptions::default() };
+    let origin = index.origin.or_else(|| sources.settings.origin.clone());
     let options = BakeOptions {
-        level,
-        index,
-        threads: arguments.threads.map_or_else(cores, usize::from),
+        level: LevelOptions { seed, style, effort: arguments.furnish.effort, ..level },
+        index: IndexOptions { origin, ..index },
+        threads: threads(arguments.threads),
         shard: arguments.shard,
         unplanned: unplanned(arguments.prune, &sources.faults, screen),
         cache,
     };
+    let has_input_faults = sources.faults.has_errors();
     Ok(Run {
-        has_input_faults: sources.faults.has_errors(),
         sources,
         options,
-        out: arguments.out,
         cache_root,
         is_forced: arguments.force,
-        is_demo,
-        progress: arguments.progress,
+        teller: Teller { out, is_demo, progress: arguments.progress, has_input_faults },
     })
+}
+
+/// The threads that were asked for, or one for each core.
+pub(super) fn threads(asked: Option<u16>) -> usize {
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    asked.map_or_else(cores, usize::from)
 }
 
 /// The treatment of levels that the plans do not have. They are not known while some plans cannot be read.
@@ -180,7 +210,7 @@ fn scene_options(arguments: &BakeArguments) -> SceneOptions {
             PartsWord::Merged => Parts::Merged,
             PartsWord::Separate => Parts::Separate,
         },
-        door_angle: arguments.door_angle,
+        door_angle: arguments.run.door_angle,
         has_variants: arguments.variants,
     }
 }
@@ -209,7 +239,7 @@ fn flat_normals(word: Option<NormalsWord>, textures: TextureWord) -> FlatNormals
     }
 }
 
-fn refuse(screen: Screen, fault: &OutputFault) -> Outcome {
+pub(super) fn refuse(screen: Screen, fault: &OutputFault) -> Outcome {
     show_fault(screen, fault);
     Outcome::NotStarted
 }
@@ -221,49 +251,50 @@ fn show_fault(screen: Screen, fault: &OutputFault) {
     }
 }
 
-fn work(run: &Run, folder: &OutputFolder, screen: Screen) -> Outcome {
-    screen.note(&announcement(run));
+/// Writes, and tells what came of it.
+pub(super) fn work(teller: &Teller, write: &Work<'_>, screen: Screen) -> Outcome {
     let started = Instant::now();
-    let progress = Progress::new(run.progress, screen.is_quiet);
-    let Project { plan, edits, catalog, models, .. } = &run.sources;
-    let input = BakeInput { plan, edits, catalog, models, options: &run.options };
-    let baked = bake(&input, folder, &|event| progress.observe(event));
-    let report = match baked {
+    let progress = Progress::new(teller.progress, screen.is_quiet);
+    let report = match write(&|event| progress.observe(event)) {
         Ok(report) => report,
         Err(fault) => return refuse(screen, &fault),
     };
     progress.finish(&report);
-    // The demo's plans are gone when the program ends.
-    if let Some(cache) = run.cache_root.as_ref().filter(|_| !run.is_demo) {
-        // Where nothing can be noted, `edits` asks for the file.
-        let _ = record_plans(cache, &run.out, plan);
-    }
     let elapsed = started.elapsed();
 
     show_failures(&report, screen);
     show_misfits(&report, screen);
     if screen.is_json {
-        screen.json(&bake_answer(&report, &run.out));
+        screen.json(&bake_answer(&report, &teller.out));
     } else if !screen.is_quiet {
         screen.result(&summary_text(&report, elapsed));
-        screen.result(&where_to_look(&report, &run.out));
-        if run.is_demo {
+        screen.result(&where_to_look(&report, &teller.out));
+        if teller.is_demo {
             screen.result(NEXT_STEPS);
         }
     }
-    if let Some(text) = leftovers_text(&report.leftovers, &run.out) {
+    if let Some(text) = leftovers_text(&report.leftovers, &teller.out) {
         screen.note(&text);
     }
     if report.baked > 0 {
         screen.note(&timing_text(&report));
     }
-    outcome(run, &report)
+    outcome(teller, &report)
+}
+
+/// Notes where the plans of the folder lie.
+fn note_plans(run: &Run) {
+    // The demo's plans are gone when the program ends.
+    if let Some(cache) = run.cache_root.as_ref().filter(|_| !run.teller.is_demo) {
+        // Where nothing can be noted, `edits` asks for the file.
+        let _ = record_plans(cache, &run.teller.out, &run.sources.plan);
+    }
 }
 
 fn announcement(run: &Run) -> String {
-    let Run { sources, options, out, .. } = run;
+    let Run { sources, options, teller: Teller { out, is_demo, .. }, .. } = run;
     let levels: usize = sources.plan.buildings.iter().map(|placed| placed.building.levels.len()).sum();
-    let what = if run.is_demo { "the built-in demo: " } else { "" };
+    let what = if *is_demo { "the built-in demo: " } else { "" };
     format!(
         "Baking {what}{} of {} into {} (seed {}, {}).",
         counted(levels, "level"),
@@ -288,7 +319,7 @@ fn show_failures(report: &BakeReport, screen: Screen) {
 }
 
 /// Shows the first of many faults.
-fn show_listed(faults: &Faults, screen: Screen) {
+pub(super) fn show_listed(faults: &Faults, screen: Screen) {
     let listed = faults.0.iter().take(LISTED_FAILURES).cloned().collect();
     screen.faults(&Faults(listed));
     if faults.0.len() > LISTED_FAILURES {
@@ -314,13 +345,13 @@ Open a .glb in Blender or any glTF viewer, or try next:
   roomwright bake PLAN.yaml --out out    your own plan; `roomwright check PLAN.yaml` reports its faults
   roomwright catalog rooms               the room types and their furniture";
 
-fn outcome(run: &Run, report: &BakeReport) -> Outcome {
+fn outcome(teller: &Teller, report: &BakeReport) -> Outcome {
     let nothing_done = report.baked + report.kept == 0 && !report.failures.is_empty();
     if nothing_done {
         return Outcome::NotStarted;
     }
     let has_unmade_edits = report.in_place.misfits > 0;
     let has_failures =
-        run.has_input_faults || has_unmade_edits || !report.failures.is_empty() || report.joined.is_err();
+        teller.has_input_faults || has_unmade_edits || !report.failures.is_empty() || report.joined.is_err();
     Outcome::of_failures(has_failures || report.skipped > 0)
 }

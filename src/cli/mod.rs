@@ -29,6 +29,7 @@ mod schemas;
 mod screen;
 mod sources;
 mod summary;
+mod tiles;
 mod update;
 mod usage;
 mod view;
@@ -70,6 +71,7 @@ fn run_command() -> Outcome {
         Command::Plan(arguments) => plan::run(arguments, screen),
         Command::Merge(arguments) => merge::run(&arguments, screen),
         Command::Init(arguments) => init::run(&arguments, screen),
+        Command::Tiles(arguments) => tiles::run(arguments, screen),
         Command::View(arguments) => view::run(arguments, screen),
         Command::Walk(arguments) => walk::run(&arguments, screen),
         Command::Completions(arguments) => man::run_completions(arguments, screen),

@@ -11,6 +11,7 @@ use super::leftovers::leftovers_answer;
 use crate::audit::{AuditSummary, Code, GradeCounts};
 use crate::batch::{BakeReport, Joined, LevelFailure, LevelMisfit, Stage, Totals};
 use crate::document::printable;
+use crate::output::INDEX_NAME;
 
 /// The summary for people.
 pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
@@ -83,7 +84,15 @@ fn levels(number: usize) -> String {
 pub(crate) fn where_to_look(report: &BakeReport, out: &Path) -> String {
     match &report.joined {
         Ok(Joined::Whole(manifest)) => {
-            format!("Results: {}/<building>/<level>, all listed in {}", out.display(), manifest.display())
+            let index = out.join(INDEX_NAME);
+            match index.is_file() {
+                true => format!("Results: {}, all files listed in {}", index.display(), manifest.display()),
+                false => format!(
+                    "Results: {}/<building>/<level>, all listed in {}",
+                    out.display(),
+                    manifest.display()
+                ),
+            }
         }
         Ok(Joined::Part(part)) => format!(
             "Results: {}/<building>/<level>, this share listed in {}; the last share, or `roomwright merge {}`, joins \

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::{DVec3, Vec3};
 use serde_json::{Map, Value, json};
 
+use super::Shown;
 use super::buffer::{Arrays, Kind};
 use super::feature::Feature;
 use super::instances::Instances;
@@ -31,7 +32,7 @@ const HIGHEST: f64 = i16::MAX as f64;
 
 /// What goes into a file.
 pub(super) struct Parts<'s> {
-    pub(super) scene: &'s Scene,
+    pub(super) shown: Shown<'s>,
     pub(super) options: &'s CompactOptions,
     pub(super) features: &'s [Feature],
     pub(super) merged: BTreeMap<Surface, Vec<Merged>>,
@@ -50,14 +51,14 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
         feature_count: parts.features.len(),
     };
     let table = (!parts.features.is_empty()).then(|| Table::new(parts.features, &mut text.arrays));
-    let kept = if parts.options.keeps_nodes { gltf::bare_nodes(&parts.scene.root) } else { Vec::new() };
+    let kept = if parts.options.keeps_nodes { gltf::bare_nodes(&parts.shown.scene.root) } else { Vec::new() };
     // All that is drawn is below one node, in the frame of the level.
     let top = kept.len();
     let mut children = Vec::new();
     if !parts.merged.is_empty() {
         children.push(text.merged(&parts.merged, parts.options.coarsest_step));
     }
-    children.extend(parts.instances.iter().map(|instances| text.instances(instances, parts.scene)));
+    children.extend(parts.instances.iter().map(|instances| text.instances(instances, parts.shown.scene)));
     let Text { nodes: drawn, meshes, arrays, mut used, .. } = text;
     let mut root = materials.root;
     let laid = arrays.lay(materials.images, count_of(&root, "bufferViews"));
@@ -65,7 +66,7 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
     append(&mut root, "accessors", laid.accessors);
     append(&mut root, "meshes", meshes);
     let shift = |index: usize| top + 1 + index;
-    let mut drawing = json!({"name": format!("{} drawn", parts.scene.root.name)});
+    let mut drawing = json!({"name": format!("{} drawn", parts.shown.scene.root.name)});
     if !children.is_empty() {
         drawing["children"] = json!(children.into_iter().map(shift).collect::<Vec<_>>());
     }
@@ -130,7 +131,7 @@ impl Materials {
             return Self { root, images: Vec::new(), of_surface };
         }
         let shown = surfaces.iter().filter_map(|surface| match surface {
-            Surface::Material(index) => Some(simplified(&parts.scene.materials[*index], parts.options)),
+            Surface::Material(index) => Some(simplified(&parts.shown.materials[*index], parts.options)),
             _ => None,
         });
         let (root, images) = gltf::looks(shown);

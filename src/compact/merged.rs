@@ -1,13 +1,15 @@
 //! Merges meshes: all triangles of one material become one primitive, in the frame of the level.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 
 use super::Shown;
+use super::image_colors::{ImageColors, KnownImages};
 use super::listing::{Drawn, Frame};
 use super::options::Coloring;
-use crate::mesh::Primitive;
+use crate::mesh::{Primitive, TextureUse};
 use crate::scene::SceneMaterial;
 use crate::texture::average_shade;
 
@@ -43,7 +45,7 @@ impl Surface {
     fn of(shown: &Shown<'_>, material: usize) -> Self {
         match shown.coloring {
             Coloring::Materials => Self::Material(material),
-            Coloring::Corners if is_clear(&shown.scene.materials[material]) => Self::Clear,
+            Coloring::Corners if is_clear(&shown.materials[material]) => Self::Clear,
             Coloring::Corners => Self::Opaque,
         }
     }
@@ -53,6 +55,9 @@ impl Surface {
 pub(super) fn surfaces(shown: &Shown<'_>, mesh: usize) -> BTreeSet<Surface> {
     shown.scene.meshes[mesh].materials.iter().map(|&material| Surface::of(shown, material)).collect()
 }
+
+/// Numbers of a corner: place, normal, colour, texture coordinates.
+const KEY_NUMBERS: usize = 12;
 
 /// White, which multiplies nothing.
 const WHITE: [f32; 4] = [1.0; 4];
@@ -72,11 +77,11 @@ pub(super) fn merge(shown: &Shown<'_>, drawn: &[&Drawn]) -> BTreeMap<Surface, Ve
             if primitive.indices.is_empty() {
                 continue;
             }
-            let source = &shown.scene.materials[material];
+            let source = &shown.materials[material];
             let surface = Surface::of(shown, material);
             let has_colors = shown.coloring == Coloring::Corners;
-            let (color, sets) =
-                if has_colors { (shown_color(source), 0) } else { (WHITE, coordinate_sets(source)) };
+            let sets = if has_colors { 0 } else { coordinate_sets(source) };
+            let color = if has_colors { ShownColor::of(source, shown.images) } else { ShownColor::PLAIN };
             let known = merged.entry(surface).or_default();
             let has_room = |last: &Merged| last.positions.len() + primitive.positions.len() <= MOST_CORNERS;
             if !known.last().is_some_and(has_room) {
@@ -85,21 +90,23 @@ pub(super) fn merge(shown: &Shown<'_>, drawn: &[&Drawn]) -> BTreeMap<Surface, Ve
             let Some(into) = known.last_mut() else { continue };
             into.add(primitive, &drawn.frame, drawn.feature);
             into.lay(primitive, sets);
-            into.paint(primitive, color, has_colors);
+            into.paint(primitive, &color, has_colors);
         }
     }
     merged
 }
 
 impl Merged {
-    /// Makes one of corners that agree in everything.
+    /// Makes one of corners that agree in everything; those with several sets of texture coordinates stay as they are.
     pub(super) fn join_corners(&mut self) {
-        let mut known: HashMap<Vec<u64>, u32> = HashMap::with_capacity(self.positions.len());
+        if self.coordinates.len() > 1 {
+            return;
+        }
+        let mut known: HashMap<[u32; KEY_NUMBERS], u32> = HashMap::with_capacity(self.positions.len());
         let mut kept: Vec<usize> = Vec::new();
         let mut new = Vec::with_capacity(self.positions.len());
         for corner in 0..self.positions.len() {
-            let key = self.key(corner);
-            new.push(*known.entry(key).or_insert_with(|| {
+            new.push(*known.entry(self.key(corner)).or_insert_with(|| {
                 kept.push(corner);
                 kept.len() as u32 - 1
             }));
@@ -116,16 +123,14 @@ impl Merged {
         }
     }
 
-    /// Everything about a corner.
-    fn key(&self, corner: usize) -> Vec<u64> {
-        let bits = |number: f32| u64::from((number + 0.0).to_bits());
-        let mut key: Vec<u64> =
-            self.positions[corner].to_array().map(|number| (number + 0.0).to_bits()).to_vec();
-        key.extend(self.normals[corner].to_array().map(bits));
-        key.extend(self.colors.get(corner).into_iter().flatten().copied().map(bits));
-        key.extend(self.coordinates.iter().flat_map(|set| set[corner]).map(bits));
-        key.push(self.features[corner] as u64);
-        key
+    /// Everything about a corner but its feature, of which models have one.
+    fn key(&self, corner: usize) -> [u32; KEY_NUMBERS] {
+        let bits = |number: f32| (number + 0.0).to_bits();
+        let [x, y, z] = self.positions[corner].as_vec3().to_array().map(bits);
+        let [i, j, k] = self.normals[corner].to_array().map(bits);
+        let [red, green, blue, opacity] = self.colors.get(corner).copied().unwrap_or_default().map(bits);
+        let [u, v] = self.coordinates.first().map_or([0.0; 2], |set| set[corner]).map(bits);
+        [x, y, z, i, j, k, red, green, blue, opacity, u, v]
     }
 
     fn add(&mut self, primitive: &Primitive, frame: &Frame, feature: usize) {
@@ -153,18 +158,50 @@ impl Merged {
     }
 
     /// The colours of what was added last.
-    fn paint(&mut self, primitive: &Primitive, color: [f32; 4], is_always: bool) {
+    fn paint(&mut self, primitive: &Primitive, color: &ShownColor, is_always: bool) {
         let count = self.positions.len();
         let has_own = primitive.colors.len() == primitive.positions.len();
         if !(is_always || has_own || !self.colors.is_empty()) {
             return;
         }
-        self.colors.resize(count - primitive.positions.len(), WHITE);
-        if has_own {
-            let times = |own: &[f32; 4]| [0, 1, 2, 3].map(|channel| own[channel] * color[channel]);
-            self.colors.extend(primitive.colors.iter().map(times));
-        }
-        self.colors.resize(count, color);
+        let first = count - primitive.positions.len();
+        self.colors.resize(first, WHITE);
+        self.colors.extend((0..primitive.positions.len()).map(|corner| color.at(primitive, corner)));
+    }
+}
+
+/// The colour of a material without its images.
+struct ShownColor {
+    /// As bright as the texture of its surface is on average, with the light that it gives added.
+    color: [f32; 4],
+    /// Those that multiply it, by the set of texture coordinates.
+    image: Option<(Arc<ImageColors>, usize)>,
+}
+
+impl ShownColor {
+    const PLAIN: Self = Self { color: WHITE, image: None };
+
+    fn of(material: &SceneMaterial, images: &KnownImages) -> Self {
+        let factors = factors(material);
+        let [red, green, blue, opacity] = factors.base_color;
+        let shade = factors.texture.map_or(1.0, average_shade);
+        let lit = |base: f32, light: f32| (base * shade + light).min(1.0);
+        let [r, g, b] = factors.emissive;
+        let opacity = if factors.transmission > 0.0 { GLASS_OPACITY } else { opacity };
+        let base = material.textures().iter().find(|(purpose, _)| *purpose == TextureUse::BaseColor);
+        let image =
+            base.and_then(|(_, texture)| Some((images.colors(&texture.image)?, texture.coordinate_set)));
+        Self { color: [lit(red, r), lit(green, g), lit(blue, b), opacity], image }
+    }
+
+    /// The colour of a corner.
+    fn at(&self, primitive: &Primitive, corner: usize) -> [f32; 4] {
+        let own = primitive.colors.get(corner).copied().unwrap_or(WHITE);
+        let image = self.image.as_ref().map_or(WHITE, |(image, set)| {
+            let place = primitive.coordinate_sets().nth(*set).and_then(|set| set.get(corner));
+            image.at(place.copied().unwrap_or_default())
+        });
+        [0, 1, 2, 3].map(|channel| self.color[channel] * own[channel] * image[channel])
     }
 }
 
@@ -184,15 +221,4 @@ fn factors(material: &SceneMaterial) -> &crate::mesh::Material {
         SceneMaterial::Slot { material, .. } => material,
         SceneMaterial::Own(own) => &own.material,
     }
-}
-
-/// The colour of a surface without its images: its own as bright as its texture is on average, and the light that it gives.
-fn shown_color(material: &SceneMaterial) -> [f32; 4] {
-    let factors = factors(material);
-    let [red, green, blue, opacity] = factors.base_color;
-    let shade = factors.texture.map_or(1.0, average_shade);
-    let lit = |base: f32, light: f32| (base * shade + light).min(1.0);
-    let [r, g, b] = factors.emissive;
-    let opacity = if factors.transmission > 0.0 { GLASS_OPACITY } else { opacity };
-    [lit(red, r), lit(green, g), lit(blue, b), opacity]
 }

@@ -8,6 +8,7 @@
 //!
 //! - `sieve`: what is large enough to be seen;
 //! - `listing`: what is drawn, where, and which feature it is;
+//! - `image_colors`: the colours of images, for files without;
 //! - `grouping`: which meshes become instances;
 //! - `merged` and `instances`: the arrays of both;
 //! - `buffer`, `table`, `document`: the file.
@@ -18,6 +19,7 @@ mod buffer;
 mod document;
 mod feature;
 mod grouping;
+mod image_colors;
 mod instances;
 mod listing;
 mod merged;
@@ -27,6 +29,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use image_colors::KnownImages;
 pub use options::Instancing;
 pub(crate) use options::{Coloring, CompactOptions, Shapes};
 
@@ -34,29 +37,38 @@ use std::borrow::Cow;
 
 use crate::gltf::GltfError;
 use crate::mesh::Model;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneMaterial};
 
 /// What is shown of a scene.
 #[derive(Clone, Copy)]
 struct Shown<'s> {
     scene: &'s Scene,
+    /// Its materials, or others in their place.
+    materials: &'s [SceneMaterial],
     /// The models of its meshes as far as they are seen.
     models: &'s [Option<Cow<'s, Model>>],
     coloring: Coloring,
+    images: &'s KnownImages,
 }
 
-/// A scene as one binary file.
+/// A scene as one binary file. `materials` are those of the scene, or others in their place; `images` keeps the colours of images from
+/// file to file.
 ///
 /// # Errors
 /// [`GltfError::TooLarge`] for files of 4 GiB and more.
-pub(crate) fn write_compact(scene: &Scene, options: &CompactOptions) -> Result<Vec<u8>, GltfError> {
+pub(crate) fn write_compact(
+    scene: &Scene,
+    materials: &[SceneMaterial],
+    images: &KnownImages,
+    options: &CompactOptions,
+) -> Result<Vec<u8>, GltfError> {
     let models = sieve::seen(scene, options);
-    let shown = Shown { scene, models: &models, coloring: options.coloring };
+    let shown = Shown { scene, materials, models: &models, coloring: options.coloring, images };
     let listing = listing::Listing::new(&shown);
     let instanced = grouping::instanced(&shown, &listing.drawn, options);
     let (alike, single): (Vec<_>, Vec<_>) =
         listing.drawn.iter().partition(|drawn| instanced.contains(&drawn.mesh));
     let merged = merged::merge(&shown, &single);
     let instances = instances::gather(&shown, &alike);
-    document::write(&document::Parts { scene, options, features: &listing.features, merged, instances })
+    document::write(&document::Parts { shown, options, features: &listing.features, merged, instances })
 }

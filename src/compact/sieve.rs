@@ -48,21 +48,28 @@ pub(super) fn seen<'s>(scene: &'s Scene, options: &CompactOptions) -> Vec<Option
 
 /// What each mesh is.
 fn kinds(scene: &Scene) -> Vec<Kind> {
-    let furniture = |is_furniture| if is_furniture { Kind::Furniture } else { Kind::Shell };
-    let mut kinds = scene.meshes.iter().map(|mesh| furniture(mesh.is_shared())).collect();
+    let mut kinds = vec![Kind::Shell; scene.meshes.len()];
     mark(&scene.root, &mut kinds);
     kinds
 }
 
-fn mark(node: &Node, kinds: &mut Vec<Kind>) {
-    if let (Some(mesh), Some(Extras::Part(part))) = (node.mesh, &node.extras) {
-        kinds[mesh] = match part.part {
+fn kind(extras: &Extras) -> Kind {
+    match extras {
+        Extras::Furniture(_) => Kind::Furniture,
+        Extras::Part(part) => match part.part {
             Part::Leaf => Kind::Leaf,
             Part::Skirting | Part::Socket | Part::Switch | Part::Threshold | Part::Frame | Part::Sill => {
                 Kind::Trim
             }
-            _ => kinds[mesh],
-        };
+            _ => Kind::Shell,
+        },
+        _ => Kind::Shell,
+    }
+}
+
+fn mark(node: &Node, kinds: &mut [Kind]) {
+    if let Some(mesh) = node.mesh {
+        kinds[mesh] = node.extras.as_ref().map_or(Kind::Shell, kind);
     }
     node.children.iter().for_each(|child| mark(child, kinds));
 }

@@ -17,5 +17,7 @@ pub use crate::mesh::{
 };
 pub use detail::Detail;
 pub use library::ModelLibrary;
+pub(crate) use reduce::reduced;
+pub(crate) use stand_in::stand_in;
 pub(crate) use swatches::SWATCHES_PER_SIDE;
 pub use swatches::SwatchedModels;

@@ -13,7 +13,7 @@ const REACH: f64 = 0.03;
 
 /// A stand-in for a model: one solid for each prism of the class's shape, in the material that covers most of what the
 /// model has there.
-pub(super) fn stand_in(model: &Model, shape: &Shape, size: Size) -> Model {
+pub(crate) fn stand_in(model: &Model, shape: &Shape, size: Size) -> Model {
     let rules = rules(shape);
     let mut primitives: Vec<Primitive> = Vec::new();
     for rule in &rules {

@@ -29,7 +29,7 @@ pub(super) fn read_geometry(
     materials: &[ReadMaterial],
     turn: f64,
 ) -> Result<Model, Problem> {
-    let mut gathered = Gathered { numbers: *numbers, materials, parts: BTreeMap::new(), triangle_count: 0 };
+    let mut gathered = Gathered::new(*numbers, materials);
     let mut is_visited = vec![false; numbers.document.nodes.len()];
     let start = DMat4::from_rotation_y(turn);
     let mut open: Vec<(Index<scene::Node>, DMat4)> =
@@ -49,7 +49,7 @@ pub(super) fn read_geometry(
 }
 
 /// The roots of the default scene, or of the first, or all nodes that are no child.
-fn roots(document: &Root) -> impl Iterator<Item = Index<scene::Node>> {
+pub(super) fn roots(document: &Root) -> impl Iterator<Item = Index<scene::Node>> {
     let scene = document.scene.and_then(|scene| document.get(scene)).or(document.scenes.first());
     let nodes = scene.map(|scene| scene.nodes.clone()).unwrap_or_else(|| {
         let children: Vec<usize> =
@@ -60,7 +60,7 @@ fn roots(document: &Root) -> impl Iterator<Item = Index<scene::Node>> {
     nodes.into_iter()
 }
 
-fn transform(node: &scene::Node) -> DMat4 {
+pub(super) fn transform(node: &scene::Node) -> DMat4 {
     if let Some(matrix) = node.matrix {
         return DMat4::from_cols_array(&matrix.map(f64::from));
     }
@@ -74,7 +74,7 @@ fn transform(node: &scene::Node) -> DMat4 {
 }
 
 /// Parts by position of their material; the last material is for parts that name none.
-struct Gathered<'a> {
+pub(super) struct Gathered<'a> {
     numbers: Numbers<'a>,
     materials: &'a [ReadMaterial],
     parts: BTreeMap<usize, Primitive>,
@@ -91,8 +91,14 @@ struct Surface {
     triangles: Vec<[u32; 3]>,
 }
 
-impl Gathered<'_> {
-    fn add(&mut self, part: &JsonPrimitive, place: DMat4) -> Result<(), Problem> {
+impl<'a> Gathered<'a> {
+    /// Nothing yet.
+    pub(super) fn new(numbers: Numbers<'a>, materials: &'a [ReadMaterial]) -> Self {
+        Self { numbers, materials, parts: BTreeMap::new(), triangle_count: 0 }
+    }
+
+    /// Adds the triangles of a primitive in their place.
+    pub(super) fn add(&mut self, part: &JsonPrimitive, place: DMat4) -> Result<(), Problem> {
         let material = part.material.map_or(self.materials.len() - 1, |material| material.value());
         let Some(surface) = self.surface(part, &self.materials[material].layings)? else {
             return Ok(());
@@ -181,7 +187,8 @@ impl Gathered<'_> {
         Ok(colors.into_iter().map(|color| color.map(|share| share.clamp(0.0, 1.0))).collect())
     }
 
-    fn into_model(self) -> Result<Model, Problem> {
+    /// What was added.
+    pub(super) fn into_model(self) -> Result<Model, Problem> {
         let mut primitives: Vec<Primitive> =
             self.parts.into_values().filter(|part| !part.indices.is_empty()).collect();
         for part in &mut primitives {

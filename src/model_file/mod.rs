@@ -1,4 +1,4 @@
-//! Reads users' `.glb` and `.gltf` files as models.
+//! Reads users' `.glb` and `.gltf` files as models, and finished levels as scenes (`scene.rs`).
 //!
 //! Taken are triangles of the default scene with all node transforms applied, positions, normals (flat ones
 //! where the file has none), texture coordinates with the transforms of the images that use them, the first set of vertex
@@ -14,6 +14,7 @@ mod laying;
 mod material;
 mod problem;
 mod resource;
+mod scene;
 #[cfg(test)]
 mod tests;
 
@@ -22,6 +23,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) use container::{companion_files, unchecked_document};
 pub(crate) use resource::MODEL_BYTES_LIMIT;
+pub(crate) use scene::read_scene;
 
 use crate::document::Faults;
 use crate::geometry::Size;

@@ -18,11 +18,15 @@ pub(crate) fn output_format(format: Format) -> &'static OutputFormat {
 
 /// Whether a path ends as the file to open of a format that is read back.
 pub(crate) fn is_read_back(path: &Path) -> bool {
-    let is_of = |line: &OutputFormat| {
-        let ending = path.extension().and_then(OsStr::to_str);
-        line.is_read_back && ending.is_some_and(|ending| ending.eq_ignore_ascii_case(line.name))
+    let Some(name) = path.file_name().and_then(OsStr::to_str).map(str::to_ascii_lowercase) else {
+        return false;
     };
-    OUTPUTS.iter().any(is_of)
+    let ends_with = |extension: &str| name.strip_suffix(extension).is_some_and(|stem| stem.ends_with('.'));
+    let is_of = |line: &OutputFormat| line.is_read_back && ends_with(line.name);
+    // `.full.glb` ends with `.glb`, too.
+    let is_of_longer = |extension: &&str| extension.contains('.') && ends_with(extension);
+    let mut others = OUTPUTS.iter().filter(|line| !line.is_read_back).flat_map(|line| line.extensions);
+    OUTPUTS.iter().any(is_of) && !others.any(|extension| is_of_longer(extension))
 }
 
 impl Format {
@@ -44,6 +48,15 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
+
+    #[test]
+    fn levels_are_told_from_tiles_by_their_endings() {
+        let is_read = |path: &str| is_read_back(Path::new(path));
+        assert!(is_read("out/a/1.glb") && is_read("1.GLTF") && is_read("full.glb") && is_read("a.b.glb"));
+        assert!(
+            !is_read("tiles/a/1.full.glb") && !is_read("1.boxes.GLB") && !is_read("1.bin") && !is_read("glb")
+        );
+    }
 
     #[test]
     fn formats_are_known_by_their_names_and_levels_end_as_they_say() {

@@ -17,6 +17,8 @@ mod near;
 mod output;
 mod placement;
 mod quadtree;
+#[cfg(test)]
+mod tests;
 mod tileset;
 mod volume;
 

@@ -4,14 +4,15 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::tileset;
-use crate::compact::{Coloring, CompactOptions, Instancing, Shapes, write_compact};
+use crate::compact::{Coloring, CompactOptions, Instancing, KnownImages, Shapes, write_compact};
+use crate::disk::content_hash;
 use crate::mesh::{Image, TextureUse};
 use crate::model::Detail;
 use crate::output::{
-    IndexOptions, IndexedLevel, LevelToWrite, Output, OutputFormat, SceneLook, SharedFile, TooLarge,
-    WrittenLevel,
+    IndexOptions, IndexedLevel, LevelOptions, LevelToWrite, Output, OutputFormat, SHARED_TEXTURES, SceneLook,
+    SharedFile, TooLarge, WrittenLevel,
 };
-use crate::scene::{Scene, SceneMaterial};
+use crate::scene::SceneMaterial;
 
 /// Three details of each level, and the tileset that leads to them.
 pub(crate) const TILES: OutputFormat = OutputFormat {
@@ -21,7 +22,10 @@ pub(crate) const TILES: OutputFormat = OutputFormat {
     shows_textures: true,
     shares_all_images: true,
     is_read_back: false,
-    begin: |_, options| Box::new(TilesOutput { instancing: options.instancing, detail: options.detail }),
+    begin: |_, options| {
+        let LevelOptions { instancing, detail, .. } = *options;
+        Box::new(TilesOutput { instancing, detail, images: KnownImages::default() })
+    },
 };
 
 /// Tiles in a run.
@@ -29,6 +33,7 @@ struct TilesOutput {
     instancing: Instancing,
     /// Of the scenes that levels come with.
     detail: Detail,
+    images: KnownImages,
 }
 
 /// Metres of the smallest and thinnest parts of boxes: less than what they are wrong by where they are shown first
@@ -45,6 +50,11 @@ const STEP_OF_FULL: f64 = 0.003;
 const STEP_OF_REDUCED: f64 = 0.01;
 const STEP_OF_BOXES: f64 = 0.03;
 
+/// Bytes of the largest image inside a file.
+const LARGEST_INSIDE: usize = 4096;
+/// Digits of the content's hash in the name of an image.
+const NAME_DIGITS: usize = 12;
+
 impl Output for TilesOutput {
     fn level<'s>(&'s self, level: &LevelToWrite<'s>) -> Result<WrittenLevel<'s>, TooLarge> {
         let shown = |detail, is_plain| (level.shown)(SceneLook { detail, is_plain });
@@ -52,6 +62,7 @@ impl Output for TilesOutput {
         let full = made.as_ref().unwrap_or(level.scene);
         let reduced = shown(Detail::Reduced, true);
         let boxes = shown(Detail::Boxes, true);
+        let materials: Vec<SceneMaterial> = full.materials.iter().map(with_shared_images).collect();
         let options = CompactOptions {
             coloring: Coloring::Materials,
             least_size: 0.0,
@@ -82,12 +93,14 @@ impl Output for TilesOutput {
             ("boxes.glb", &boxes, of_boxes),
         ];
         let written = written.map(|(extension, scene, options)| {
-            let bytes = write_compact(scene, &options)
+            let materials =
+                if options.coloring == Coloring::Materials { &materials } else { &scene.materials };
+            let bytes = write_compact(scene, materials, &self.images, &options)
                 .map_err(|error| TooLarge { message: error.to_string(), hint: "split the level" });
             bytes.map(|bytes| (extension, bytes))
         });
         let files = written.into_iter().collect::<Result<Vec<_>, _>>()?;
-        Ok(WrittenLevel { files, shared: shared_images(full, level.folder()) })
+        Ok(WrittenLevel { files, shared: shared_images(&materials, level.folder()) })
     }
 
     fn index(&self, levels: &[IndexedLevel], options: &IndexOptions) -> Vec<(String, Vec<u8>)> {
@@ -95,9 +108,32 @@ impl Output for TilesOutput {
     }
 }
 
+/// A material whose images have files of their own, in one folder for all buildings, but for tiny ones: clients keep one copy of what
+/// has one address.
+fn with_shared_images(material: &SceneMaterial) -> SceneMaterial {
+    let SceneMaterial::Own(own) = material else { return material.clone() };
+    let is_large = |image: &Image| image.uri.is_none() && image.bytes.len() > LARGEST_INSIDE;
+    let mut own = Arc::clone(own);
+    if own.textures.iter().any(|(_, texture)| is_large(&texture.image)) {
+        for (_, texture) in &mut Arc::make_mut(&mut own).textures {
+            if is_large(&texture.image) {
+                let uri = Some(format!("../{SHARED_TEXTURES}/{}", file_name(&texture.image)));
+                texture.image = Arc::new(Image { uri, ..(*texture.image).clone() });
+            }
+        }
+    }
+    SceneMaterial::Own(own)
+}
+
+/// A name for an image that depends on its content alone.
+fn file_name(image: &Image) -> String {
+    let ending = if image.mime_type == "image/jpeg" { "jpg" } else { "png" };
+    format!("image.{}.{ending}", &content_hash(&image.bytes)[..NAME_DIGITS])
+}
+
 /// The images that tiles refer to, sorted by path.
-fn shared_images(scene: &Scene, folder: &str) -> Vec<SharedFile<'static>> {
-    let textures = scene.materials.iter().flat_map(SceneMaterial::textures);
+fn shared_images(materials: &[SceneMaterial], folder: &str) -> Vec<SharedFile<'static>> {
+    let textures = materials.iter().flat_map(SceneMaterial::textures);
     let shown = textures.filter(|(purpose, _)| *purpose != TextureUse::Normal);
     let by_path: BTreeMap<String, Arc<Image>> = shown
         .filter_map(|(_, texture)| {

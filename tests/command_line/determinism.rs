@@ -92,8 +92,12 @@ fn processes_side_by_side_do_not_disturb_each_other() {
 fn text_format_and_shared_library_are_the_same_every_time() {
     let world = World::new();
     two_plans(&world);
-    for extra in [&["--format", "gltf"][..], &["--shared-library"], &["--format", "gltf", "--shared-library"]]
-    {
+    for extra in [
+        &["--format", "tiles"][..],
+        &["--format", "gltf"],
+        &["--shared-library"],
+        &["--format", "gltf", "--shared-library"],
+    ] {
         for (folder, threads) in [("one", "1"), ("two", "5")] {
             let _ = std::fs::remove_dir_all(world.path(folder));
             let common = ["bake", "plans", "--out", folder, "--threads", threads];

@@ -58,7 +58,7 @@ impl World {
         // Every test sees what is made, not what an earlier one left behind.
         command.env("ROOMWRIGHT_CACHE", "none");
         // Painting takes a while without optimisation: only tests that name textures have them.
-        let is_bake = arguments.first().is_none_or(|word| *word == "bake");
+        let is_bake = arguments.first().is_none_or(|word| ["bake", "tiles"].contains(word));
         if is_bake && !arguments.contains(&"--textures") {
             command.args(if arguments.is_empty() {
                 &["bake", "--textures", "none"][..]

@@ -10,16 +10,13 @@ use super::{FurnishArguments, SourceArguments};
 use crate::batch::Shard;
 use crate::output::{Format, OUTPUTS};
 
-/// `bake`.
+/// What all commands that write levels have in common.
 #[derive(Clone, Debug, Args)]
-pub(crate) struct BakeArguments {
+pub(crate) struct RunArguments {
     #[command(flatten)]
     pub(crate) sources: SourceArguments,
     #[command(flatten)]
     pub(crate) furnish: FurnishArguments,
-    /// Folder to write into.
-    #[arg(short, long, value_name = "DIR", default_value = "out")]
-    pub(crate) out: PathBuf,
     /// Number of threads [default: one per core]. Does not change the output.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u16>(1..=1024))]
     pub(crate) threads: Option<u16>,
@@ -34,15 +31,37 @@ pub(crate) struct BakeArguments {
     /// files that no level uses. Files that were changed since stay.
     #[arg(long)]
     pub(crate) prune: bool,
+    /// Resolution of the textures of wood, cloth, tiles and other surfaces.
+    #[arg(long, value_enum, default_value = "small")]
+    pub(crate) textures: TextureWord,
+    /// How far doors on hinges stand open; 0 is shut [default: as far as the plan allows].
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = whole_number::<u16>(0..=180))]
+    pub(crate) door_angle: Option<u16>,
+    /// Use the next seed for this room, in this run: [BUILDING/][LEVEL/]ROOM. May be repeated, also for the same room.
+    #[arg(long, value_name = "ROOM")]
+    pub(crate) reroll: Vec<String>,
+    /// Bake share I of N, so that N machines can split the work; then join their records with `merge`.
+    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
+    pub(crate) shard: Option<Shard>,
+    /// How to show progress on stderr.
+    #[arg(long, value_enum, default_value = "auto")]
+    pub(crate) progress: ProgressWord,
+}
+
+/// `bake`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct BakeArguments {
+    #[command(flatten)]
+    pub(crate) run: RunArguments,
+    /// Folder to write into.
+    #[arg(short, long, value_name = "DIR", default_value = "out")]
+    pub(crate) out: PathBuf,
     /// Format of the files.
     #[arg(long, value_parser = formats(), default_value = Format::default().name())]
     pub(crate) format: Format,
     /// Write each model once per building, into shared-geometry/ beside its levels, instead of into each level.
     #[arg(long)]
     pub(crate) shared_library: bool,
-    /// Resolution of the textures of wood, cloth, tiles and other surfaces.
-    #[arg(long, value_enum, default_value = "small")]
-    pub(crate) textures: TextureWord,
     /// Write textures once per building, into shared-textures/ beside its levels, instead of into each level.
     #[arg(long)]
     pub(crate) shared_textures: bool,
@@ -59,24 +78,12 @@ pub(crate) struct BakeArguments {
     /// Whether parts share meshes, which viewers draw in half the time, or stay separate.
     #[arg(long, value_enum, default_value = "merged")]
     pub(crate) parts: PartsWord,
-    /// How far doors on hinges stand open; 0 is shut [default: as far as the plan allows].
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = whole_number::<u16>(0..=180))]
-    pub(crate) door_angle: Option<u16>,
     /// Write all palettes, for viewers to choose one (KHR_materials_variants).
     #[arg(long)]
     pub(crate) variants: bool,
-    /// Use the next seed for this room, in this run: [BUILDING/][LEVEL/]ROOM. May be repeated, also for the same room.
-    #[arg(long, value_name = "ROOM")]
-    pub(crate) reroll: Vec<String>,
-    /// Bake share I of N, so that N machines can split the work; then join their records with `merge`.
-    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
-    pub(crate) shard: Option<Shard>,
     /// Bake again after every change to a plan, an edits file or the configuration, until Ctrl-C.
     #[arg(long, requires = "paths")]
     pub(crate) watch: bool,
-    /// How to show progress on stderr.
-    #[arg(long, value_enum, default_value = "auto")]
-    pub(crate) progress: ProgressWord,
 }
 
 /// The words of `--lights`.

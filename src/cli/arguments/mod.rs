@@ -14,6 +14,7 @@ mod pages;
 mod plan;
 mod setup;
 mod sources;
+mod tiles;
 mod view;
 mod walk;
 
@@ -22,7 +23,7 @@ use clap::{Args, Parser, Subcommand};
 use super::exit::{AUDIT_EXIT_CODES, DIFF_EXIT_CODES, EXIT_CODES};
 
 pub(crate) use bake::{
-    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, TextureWord,
+    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, RunArguments, TextureWord,
 };
 pub(crate) use edits::EditsCommand;
 pub(crate) use exchange::{ImportArguments, MergeArguments};
@@ -31,6 +32,7 @@ pub(crate) use judge::{AuditArguments, DiffArguments};
 pub(crate) use plan::PlanArguments;
 pub(crate) use setup::{CompletionsArguments, InitArguments, ManArguments};
 pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
+pub(crate) use tiles::{InstancingWord, Near, Origin, TilesArguments};
 pub(crate) use view::ViewArguments;
 pub(crate) use walk::WalkArguments;
 
@@ -102,6 +104,9 @@ pub(crate) enum Command {
     /// Join the records of several bakes into one folder (--shard) into its manifest.
     #[command(after_help = EXIT_CODES)]
     Merge(MergeArguments),
+    /// Furnish plans, or take a finished bake, and write 3D Tiles: one tileset for clients that stream cities.
+    #[command(after_help = EXIT_CODES)]
+    Tiles(TilesArguments),
     /// Show furnished buildings in the browser: walk through them, ask why, move furniture.
     #[command(after_help = EXIT_CODES)]
     View(ViewArguments),

@@ -24,8 +24,8 @@ impl Inputs {
     /// Everything that a bake reads: what was typed, the plans of projects, edits beside them, configuration, and the files
     /// that have faults.
     pub(super) fn of(arguments: &BakeArguments) -> Self {
-        let outputs = [Some(&arguments.out), arguments.cache.as_ref()].into_iter().flatten();
-        Self { outputs: outputs.filter_map(real).collect(), ..Self::of_sources(&arguments.sources) }
+        let outputs = [Some(&arguments.out), arguments.run.cache.as_ref()].into_iter().flatten();
+        Self { outputs: outputs.filter_map(real).collect(), ..Self::of_sources(&arguments.run.sources) }
     }
 
     /// Everything that a project reads.

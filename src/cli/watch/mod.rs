@@ -42,7 +42,8 @@ fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Fau
     loop {
         let inputs = Inputs::of(arguments);
         if inputs.is_empty() {
-            let fault = Fault::of_file(&arguments.sources.paths[0], "is in no folder that can be watched");
+            let fault =
+                Fault::of_file(&arguments.run.sources.paths[0], "is in no folder that can be watched");
             return fault.with_hint("check the path").into();
         }
         let changes = match watcher.watch(&inputs) {
@@ -53,7 +54,9 @@ fn watch_all(arguments: &BakeArguments, screen: Screen, how_to_end: &str) -> Fau
         screen.note(&format!("Watching {} files and folders{how_to_end}.", inputs.count()));
         match next_change(changes, &inputs, QUIET) {
             Some(name) => screen.note(&format!("{name} changed: baking again.")),
-            None => return Fault::of_file(&arguments.sources.paths[0], "can no longer be watched").into(),
+            None => {
+                return Fault::of_file(&arguments.run.sources.paths[0], "can no longer be watched").into();
+            }
         }
     }
 }
