@@ -97,7 +97,7 @@ fn boxes_hold_what_is_in_them() {
         }
         let [x, y] = [12, 13].map(|index| building["transform"][index].as_f64().unwrap());
         assert!((x - number(root, 0)).abs() < number(root, 3) + 1e-3);
-        assert!((y - number(root, 1)).abs() < number(root, 4) + 1e-3);
+        assert!((y - number(root, 1)).abs() < number(root, 7) + 1e-3);
     }
 }
 
