@@ -18,7 +18,7 @@ use super::state::{
 use super::unplanned::{Apart, Leftovers, is_there};
 use crate::disk::new_temporary;
 use crate::document::{Fault, FaultSeverity, Faults};
-use crate::output::IndexedLevel;
+use crate::output::{IndexFiles, IndexedLevel};
 
 /// The state of the records after a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,7 +94,7 @@ pub(crate) struct Planned<'a> {
     /// The treatment of other levels.
     pub(crate) unplanned: Unplanned,
     /// The files over all levels, given those that are in place.
-    pub(crate) index: &'a dyn Fn(&[IndexedLevel]) -> Vec<(String, Vec<u8>)>,
+    pub(crate) index: &'a dyn Fn(&[IndexedLevel]) -> IndexFiles,
     /// Whether all levels of the plan are in place.
     pub(crate) is_whole: &'a dyn Fn(&Contents<'_>) -> bool,
 }

@@ -40,10 +40,14 @@ impl ImageColors {
     }
 }
 
+/// The colours of an image, if it could be decoded.
+type Known = Option<Arc<ImageColors>>;
+
 /// The colours of images that were asked for, each decoded once a run.
 #[derive(Debug, Default)]
 pub(crate) struct KnownImages {
-    known: Mutex<HashMap<(usize, u64), Option<Arc<ImageColors>>>>,
+    /// By length and fingerprint. Nothing is read from it in its own order.
+    known: Mutex<HashMap<(usize, u64), Known>>,
 }
 
 impl KnownImages {

@@ -124,9 +124,8 @@ impl File {
                 if instanced.is_null() {
                     let features = self.elements(accessor(&primitive["attributes"]["_FEATURE_ID_0"]));
                     let (scale, move_by) = (vector("scale", 1.0), vector("translation", 0.0));
-                    for (at, feature) in positions.iter().zip(features) {
-                        add(feature[0], *at * scale + move_by);
-                    }
+                    let corners = positions.iter().zip(features);
+                    corners.for_each(|(at, feature)| add(feature[0], *at * scale + move_by));
                     triangles += count;
                     continue;
                 }

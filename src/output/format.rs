@@ -34,10 +34,13 @@ pub(crate) trait Output: Sync {
 
     /// Files over all levels, as path in the output folder and content, the one to open first: [`super::INDEX_NAME`], and others in
     /// [`super::INDEX_FOLDER`]. Called when all levels of the plan are in place, whichever runs wrote them; sorted by building and level.
-    fn index(&self, _levels: &[IndexedLevel], _options: &IndexOptions) -> Vec<(String, Vec<u8>)> {
+    fn index(&self, _levels: &[IndexedLevel], _options: &IndexOptions) -> IndexFiles {
         Vec::new()
     }
 }
+
+/// Files over all levels: path and content.
+pub(crate) type IndexFiles = Vec<(String, Vec<u8>)>;
 
 /// A level on its way into files.
 #[derive(Clone, Copy)]

@@ -46,7 +46,8 @@ mod table;
 
 pub(crate) use folders::{INDEX_FOLDER, INDEX_NAME, SHARED_GEOMETRY, SHARED_TEXTURES};
 pub(crate) use format::{
-    IndexedLevel, LevelToWrite, Output, OutputFormat, SceneLook, SharedFile, TooLarge, WrittenLevel,
+    IndexFiles, IndexedLevel, LevelToWrite, Output, OutputFormat, SceneLook, SharedFile, TooLarge,
+    WrittenLevel,
 };
 pub use options::{Format, IndexOptions, LevelOptions, TextureOptions};
 pub(crate) use table::{OUTPUTS, is_read_back, output_format};

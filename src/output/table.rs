@@ -26,7 +26,7 @@ pub(crate) fn is_read_back(path: &Path) -> bool {
     // `.full.glb` ends with `.glb`, too.
     let is_of_longer = |extension: &&str| extension.contains('.') && ends_with(extension);
     let mut others = OUTPUTS.iter().filter(|line| !line.is_read_back).flat_map(|line| line.extensions);
-    OUTPUTS.iter().any(is_of) && !others.any(|extension| is_of_longer(extension))
+    OUTPUTS.iter().any(is_of) && !others.any(is_of_longer)
 }
 
 impl Format {

@@ -9,8 +9,8 @@ use crate::disk::content_hash;
 use crate::mesh::{Image, TextureUse};
 use crate::model::Detail;
 use crate::output::{
-    IndexOptions, IndexedLevel, LevelOptions, LevelToWrite, Output, OutputFormat, SHARED_TEXTURES, SceneLook,
-    SharedFile, TooLarge, WrittenLevel,
+    IndexFiles, IndexOptions, IndexedLevel, LevelOptions, LevelToWrite, Output, OutputFormat,
+    SHARED_TEXTURES, SceneLook, SharedFile, TooLarge, WrittenLevel,
 };
 use crate::scene::SceneMaterial;
 
@@ -103,7 +103,7 @@ impl Output for TilesOutput {
         Ok(WrittenLevel { files, shared: shared_images(&materials, level.folder()) })
     }
 
-    fn index(&self, levels: &[IndexedLevel], options: &IndexOptions) -> Vec<(String, Vec<u8>)> {
+    fn index(&self, levels: &[IndexedLevel], options: &IndexOptions) -> IndexFiles {
         tileset::files(levels, options)
     }
 }

@@ -9,7 +9,7 @@ use super::near::errors;
 use super::placement::Placer;
 use super::quadtree::{Quarter, divide};
 use super::volume::{Volume, transform};
-use crate::output::{INDEX_FOLDER, INDEX_NAME, IndexOptions, IndexedLevel};
+use crate::output::{INDEX_FOLDER, INDEX_NAME, IndexFiles, IndexOptions, IndexedLevel};
 use crate::scene::GENERATOR;
 
 /// Files of the quadtree hold so many of its divisions.
@@ -20,7 +20,7 @@ const STEP: f64 = 2.0;
 const DETAILS: [&str; 3] = [".boxes.glb", ".reduced.glb", ".full.glb"];
 
 /// The files of the tileset of some levels, sorted by building and level; the one to open first.
-pub(super) fn files(levels: &[IndexedLevel], options: &IndexOptions) -> Vec<(String, Vec<u8>)> {
+pub(super) fn files(levels: &[IndexedLevel], options: &IndexOptions) -> IndexFiles {
     let placer = Placer::new(options.origin.as_ref());
     let errors = errors(options.near);
     let mut by_building: BTreeMap<&str, Vec<&IndexedLevel>> = BTreeMap::new();
@@ -142,7 +142,7 @@ fn level_tile(level: &IndexedLevel, elevation: f64, held: Volume, errors: [f64; 
 /// Writes the files below the first.
 struct Writer {
     buildings: Vec<BuildingTile>,
-    files: Vec<(String, Vec<u8>)>,
+    files: IndexFiles,
 }
 
 impl Writer {
