@@ -102,6 +102,7 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::batch::options::Shard;
+    use crate::compact::Instancing;
     use crate::contract::RoomId;
     use crate::gltf::FlatNormals;
     use crate::model::Detail;
@@ -169,6 +170,7 @@ pub(crate) mod tests {
             showing(SceneOptions { door_angle: Some(0), ..SceneOptions::default() }),
             showing(SceneOptions { has_variants: true, ..SceneOptions::default() }),
             LevelOptions { detail: Detail::Boxes, ..LevelOptions::default() },
+            LevelOptions { instancing: Instancing::None, ..LevelOptions::default() },
             LevelOptions { flat_normals: FlatNormals::Implied, ..LevelOptions::default() },
             LevelOptions {
                 textures: TextureOptions { size: None, are_shared: false },

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::arguments::{
-    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, RunArguments, TextureWord,
+    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProfileWord, ProgressWord, RunArguments,
+    TextureWord,
 };
 use super::exit::Outcome;
 use super::leftovers::leftovers_text;
@@ -66,7 +67,10 @@ pub(crate) fn run(arguments: BakeArguments, screen: Screen) -> Outcome {
 /// Bakes.
 pub(super) fn bake_once(arguments: BakeArguments, screen: Screen) -> Outcome {
     let level = LevelOptions {
-        format: arguments.format,
+        format: match arguments.profile {
+            ProfileWord::Any => arguments.format,
+            ProfileWord::Web => Format::named("web").expect("the table has this format"),
+        },
         has_shared_library: arguments.shared_library,
         textures: textures(arguments.run.textures, arguments.shared_textures),
         flat_normals: flat_normals(arguments.flat_normals, arguments.run.textures),

@@ -9,6 +9,7 @@ use super::Shown;
 use super::buffer::{Arrays, Kind};
 use super::feature::Feature;
 use super::instances::Instances;
+use super::lights;
 use super::merged::{GLASS_OPACITY, Merged, Surface};
 use super::options::{Coloring, CompactOptions};
 use super::table::{STRUCTURAL_METADATA, Table};
@@ -51,7 +52,9 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
         feature_count: parts.features.len(),
     };
     let table = (!parts.features.is_empty()).then(|| Table::new(parts.features, &mut text.arrays));
-    let kept = if parts.options.keeps_nodes { gltf::bare_nodes(&parts.shown.scene.root) } else { Vec::new() };
+    let lit = if parts.options.keeps_nodes { lights::kept(parts.shown.scene) } else { BTreeSet::new() };
+    let kept =
+        if parts.options.keeps_nodes { gltf::bare_nodes(&parts.shown.scene.root, &lit) } else { Vec::new() };
     // All that is drawn is below one node, in the frame of the level.
     let top = kept.len();
     let mut children = Vec::new();
@@ -77,8 +80,11 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
     }
     if let Some(table) = table {
         used.insert(STRUCTURAL_METADATA);
-        root.entry("extensions").or_insert_with(|| json!({}))[STRUCTURAL_METADATA] =
-            table.extension(&laid.tables);
+        extend(&mut root, STRUCTURAL_METADATA, table.extension(&laid.tables));
+    }
+    if !lit.is_empty() {
+        used.insert(gltf::LIGHTS);
+        extend(&mut root, gltf::LIGHTS, gltf::light_list(&parts.shown.scene.lights));
     }
     name_extensions(&mut root, &used);
     root.insert("scene".to_owned(), json!(0));
@@ -86,6 +92,11 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
     root.insert("asset".to_owned(), json!({"version": "2.0", "generator": GENERATOR}));
     let json = serde_json::to_vec(&root).expect("names are strings and numbers are finite");
     gltf::write_container(&json, &laid.bytes)
+}
+
+/// Adds an extension of the document.
+fn extend(root: &mut Map<String, Value>, name: &str, extension: Value) {
+    root.entry("extensions").or_insert_with(|| json!({}))[name] = extension;
 }
 
 /// Adds to a list of the document.

@@ -10,8 +10,10 @@
 //! - `listing`: what is drawn, where, and which feature it is;
 //! - `image_colors`: the colours of images, for files without;
 //! - `grouping`: which meshes become instances;
+//! - `lights`: which lamps give light;
 //! - `merged` and `instances`: the arrays of both;
-//! - `buffer`, `table`, `document`: the file.
+//! - `buffer`, `table`, `document`: the file;
+//! - `output`: the format of the table for browsers.
 //!
 //! What is drawn is where the scene has it, to half of [`CompactOptions::coarsest_step`].
 
@@ -21,9 +23,11 @@ mod feature;
 mod grouping;
 mod image_colors;
 mod instances;
+mod lights;
 mod listing;
 mod merged;
 mod options;
+mod output;
 mod sieve;
 mod table;
 #[cfg(test)]
@@ -32,6 +36,7 @@ mod tests;
 pub(crate) use image_colors::KnownImages;
 pub use options::Instancing;
 pub(crate) use options::{Coloring, CompactOptions, Shapes};
+pub(crate) use output::WEB;
 
 use std::borrow::Cow;
 

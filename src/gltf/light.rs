@@ -16,6 +16,15 @@ pub(crate) fn add_lights(root: &mut Root, lights: &[SceneLight]) {
     if lights.is_empty() {
         return;
     }
+    root.extensions.get_or_insert_default().khr_lights_punctual = Some(list(lights));
+}
+
+/// The list of lights as JSON.
+pub(crate) fn light_list(lights: &[SceneLight]) -> serde_json::Value {
+    serde_json::to_value(list(lights)).expect("names are strings and numbers are finite")
+}
+
+fn list(lights: &[SceneLight]) -> Lights {
     let light = |source: &SceneLight| Light {
         color: source.color,
         extensions: None,
@@ -26,8 +35,7 @@ pub(crate) fn add_lights(root: &mut Root, lights: &[SceneLight]) {
         spot: None,
         type_: Checked::Valid(Type::Point),
     };
-    let lights = Lights { lights: lights.iter().map(light).collect() };
-    root.extensions.get_or_insert_default().khr_lights_punctual = Some(lights);
+    Lights { lights: lights.iter().map(light).collect() }
 }
 
 /// The light of a node.

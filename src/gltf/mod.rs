@@ -37,10 +37,11 @@ pub(crate) use array::fingerprint;
 pub(crate) use document::looks;
 pub use encode::Painting;
 pub use library::{SharedLibrary, SharedModel};
+pub(crate) use light::{LIGHTS, light_list};
 pub use models::EncodedModels;
 pub(crate) use node::bare_nodes;
 pub use options::{FlatNormals, WriteOptions};
-pub(crate) use output::{GLB, GLTF};
+pub(crate) use output::{GLB, GLTF, shared_images};
 pub(crate) use shared::GeometryLibrary;
 
 use crate::scene::Scene;

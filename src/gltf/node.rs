@@ -1,5 +1,7 @@
 //! Nodes as the JSON has them.
 
+use std::collections::BTreeSet;
+
 use gltf_json::extensions;
 use serde::Serialize;
 
@@ -34,13 +36,14 @@ pub(crate) fn list_nodes(root: &scene::Node) -> Vec<Node<'_>> {
     nodes
 }
 
-/// The nodes of a tree as JSON, parents first, without meshes.
-pub(crate) fn bare_nodes(root: &scene::Node) -> Vec<serde_json::Value> {
-    let value = |node: Node<'_>| {
-        let bare = Node { mesh: None, extensions: None, ..node };
+/// The nodes of a tree as JSON, parents first, without meshes, and with the lights of those whose numbers are given.
+pub(crate) fn bare_nodes(root: &scene::Node, lit: &BTreeSet<usize>) -> Vec<serde_json::Value> {
+    let value = |(number, node): (usize, Node<'_>)| {
+        let extensions = node.extensions.filter(|_| lit.contains(&number));
+        let bare = Node { mesh: None, extensions, ..node };
         serde_json::to_value(bare).expect("names are strings and numbers are finite")
     };
-    list_nodes(root).into_iter().map(value).collect()
+    list_nodes(root).into_iter().enumerate().map(value).collect()
 }
 
 fn add_node<'s>(nodes: &mut Vec<Node<'s>>, source: &'s scene::Node) -> usize {

@@ -100,7 +100,7 @@ fn shared_models<'a>(library: SharedLibrary, folder: &str) -> Vec<SharedFile<'a>
 }
 
 /// The images that a level refers to, sorted by path.
-fn shared_images<'a>(scene: &'a Scene, folder: &str) -> Vec<SharedFile<'a>> {
+pub(crate) fn shared_images<'a>(scene: &'a Scene, folder: &str) -> Vec<SharedFile<'a>> {
     let textures = scene.materials.iter().flat_map(SceneMaterial::textures);
     let beside =
         textures.filter_map(|(_, texture)| Some((texture.image.uri.as_ref()?, &texture.image.bytes)));

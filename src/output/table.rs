@@ -5,10 +5,10 @@ use std::path::Path;
 
 use super::format::OutputFormat;
 use super::options::Format;
-use crate::{gltf, tiles};
+use crate::{compact, gltf, tiles};
 
 /// All formats; the first is the default.
-pub(crate) const OUTPUTS: &[OutputFormat] = &[gltf::GLB, gltf::GLTF, tiles::TILES];
+pub(crate) const OUTPUTS: &[OutputFormat] = &[gltf::GLB, gltf::GLTF, compact::WEB, tiles::TILES];
 
 /// The line of a format.
 pub(crate) fn output_format(format: Format) -> &'static OutputFormat {
@@ -22,7 +22,7 @@ pub(crate) fn is_read_back(path: &Path) -> bool {
         return false;
     };
     let ends_with = |extension: &str| name.strip_suffix(extension).is_some_and(|stem| stem.ends_with('.'));
-    let is_of = |line: &OutputFormat| line.is_read_back && ends_with(line.name);
+    let is_of = |line: &OutputFormat| line.is_read_back && ends_with(line.extensions[0]);
     // `.full.glb` ends with `.glb`, too.
     let is_of_longer = |extension: &&str| extension.contains('.') && ends_with(extension);
     let mut others = OUTPUTS.iter().filter(|line| !line.is_read_back).flat_map(|line| line.extensions);
@@ -65,7 +65,7 @@ mod tests {
         for line in OUTPUTS {
             let format = Format::named(line.name).unwrap();
             assert_eq!((format.name(), output_format(format).name), (line.name, line.name));
-            assert!(!line.is_read_back || line.extensions[0] == line.name);
+            assert!(!line.extensions.is_empty());
         }
         assert_eq!(Format::named("no-format"), None);
     }

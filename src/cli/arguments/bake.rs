@@ -81,6 +81,10 @@ pub(crate) struct BakeArguments {
     /// Write all palettes, for viewers to choose one (KHR_materials_variants).
     #[arg(long)]
     pub(crate) variants: bool,
+    /// For whom the files are: `web` is for clients in browsers, with few draw calls and lights. Programs that edit levels, such as
+    /// Blender, lose furniture from it.
+    #[arg(long, value_enum, default_value = "any", conflicts_with_all = ["format", "shared_library", "flat_normals", "parts", "variants"])]
+    pub(crate) profile: ProfileWord,
     /// Bake again after every change to a plan, an edits file or the configuration, until Ctrl-C.
     #[arg(long, requires = "paths")]
     pub(crate) watch: bool,
@@ -95,6 +99,15 @@ pub(crate) enum LightsWord {
     Physical,
     /// Shades do not emit light, and the file has no lights.
     None,
+}
+
+/// The words of `--profile`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ProfileWord {
+    /// Every part is a node.
+    Any,
+    /// Parts are merged by material, and equal furniture is drawn as instances (EXT_mesh_gpu_instancing).
+    Web,
 }
 
 /// The words of `--parts`.

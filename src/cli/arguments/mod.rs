@@ -23,7 +23,8 @@ use clap::{Args, Parser, Subcommand};
 use super::exit::{AUDIT_EXIT_CODES, DIFF_EXIT_CODES, EXIT_CODES};
 
 pub(crate) use bake::{
-    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProgressWord, RunArguments, TextureWord,
+    BakeArguments, DetailWord, LightsWord, NormalsWord, PartsWord, ProfileWord, ProgressWord, RunArguments,
+    TextureWord,
 };
 pub(crate) use edits::EditsCommand;
 pub(crate) use exchange::{ImportArguments, MergeArguments};
