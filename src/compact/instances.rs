@@ -1,19 +1,72 @@
 //! Gathers the instances of each mesh.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::Shown;
+use super::encode::{EncodedPart, Grid, encode};
 use super::listing::{Drawn, Frame};
-use super::merged::{Merged, Surface, merge};
+use super::merged::{Merged, Surface, looks_of, merge, ordered_surfaces};
+use crate::mesh::Model;
 
 /// A mesh with the places where it stands.
 pub(super) struct Instances<'s> {
     /// Index into the meshes of the scene.
     pub(super) mesh: usize,
-    /// Its triangles by look, in the frame of the model.
-    pub(super) parts: BTreeMap<Surface, Vec<Merged>>,
+    /// Its looks.
+    pub(super) surfaces: Vec<Surface>,
+    pub(super) model: Arc<EncodedModel>,
     /// Where it stands.
     pub(super) drawn: Vec<&'s Drawn>,
+}
+
+/// A model by its own: its arrays, which do not depend on what else is in a file.
+#[derive(Debug)]
+pub(super) struct EncodedModel {
+    /// Metres of a step of its positions.
+    pub(super) step: f32,
+    /// Each with the number of its look, in the order of the model's primitives.
+    pub(super) parts: Vec<(usize, EncodedPart)>,
+}
+
+/// Models of the catalogue that were encoded in this run: most stand in many levels.
+#[derive(Debug, Default)]
+pub(crate) struct KnownModels {
+    /// By where the model is in memory, and by the colours of its parts. Nothing is read from it in its own order.
+    known: Mutex<HashMap<(usize, Vec<u32>), Known>>,
+}
+
+/// A model and its arrays; as long as it is here, nothing else is where it is.
+type Known = (Arc<Model>, Arc<EncodedModel>);
+
+impl KnownModels {
+    fn encoded(&self, shown: &Shown<'_>, mesh: usize) -> Arc<EncodedModel> {
+        let source = &shown.scene.meshes[mesh];
+        // The shell is that of one level, and models that were changed are those of one file.
+        let looks = source.key.as_ref().and_then(|_| looks_of(shown, mesh));
+        let Some(looks) = looks else { return Arc::new(encoded(shown, mesh)) };
+        let key = (Arc::as_ptr(&source.model).addr(), looks);
+        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known().get(&key).map(|(_, made)| Arc::clone(made));
+        found.unwrap_or_else(|| {
+            let made = Arc::new(encoded(shown, mesh));
+            known().insert(key, (Arc::clone(&source.model), Arc::clone(&made)));
+            made
+        })
+    }
+}
+
+fn encoded(shown: &Shown<'_>, mesh: usize) -> EncodedModel {
+    let alone = Drawn { mesh, frame: Frame::IDENTITY, feature: 0 };
+    let mut merged = merge(shown, &[&alone]);
+    merged.values_mut().flatten().for_each(Merged::join_corners);
+    let grid = Grid::of_model(merged.values().flatten().flat_map(|part| &part.positions));
+    let surfaces = ordered_surfaces(shown, mesh).into_iter().enumerate();
+    let parts = surfaces.flat_map(|(look, surface)| {
+        let parts = merged.get(&surface).into_iter().flatten();
+        parts.map(|part| (look, encode(part, &grid))).collect::<Vec<_>>()
+    });
+    EncodedModel { step: grid.step as f32, parts: parts.collect() }
 }
 
 /// The instances of meshes, in the order of the meshes.
@@ -21,10 +74,8 @@ pub(super) fn gather<'s>(shown: &Shown<'_>, drawn: &[&'s Drawn]) -> Vec<Instance
     let mut places: BTreeMap<usize, Vec<&'s Drawn>> = BTreeMap::new();
     drawn.iter().for_each(|drawn| places.entry(drawn.mesh).or_default().push(drawn));
     let gathered = places.into_iter().map(|(mesh, drawn)| {
-        let alone = Drawn { mesh, frame: Frame::IDENTITY, feature: 0 };
-        let mut parts = merge(shown, &[&alone]);
-        parts.values_mut().flatten().for_each(Merged::join_corners);
-        Instances { mesh, parts, drawn }
+        let model = shown.models_known.encoded(shown, mesh);
+        Instances { mesh, surfaces: ordered_surfaces(shown, mesh), model, drawn }
     });
     gathered.collect()
 }

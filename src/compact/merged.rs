@@ -56,6 +56,41 @@ pub(super) fn surfaces(shown: &Shown<'_>, mesh: usize) -> BTreeSet<Surface> {
     shown.scene.meshes[mesh].materials.iter().map(|&material| Surface::of(shown, material)).collect()
 }
 
+/// The looks of a mesh in the order of its primitives, each once.
+pub(super) fn ordered_surfaces(shown: &Shown<'_>, mesh: usize) -> Vec<Surface> {
+    let mut found = Vec::new();
+    for &material in &shown.scene.meshes[mesh].materials {
+        let surface = Surface::of(shown, material);
+        if !found.contains(&surface) {
+            found.push(surface);
+        }
+    }
+    found
+}
+
+/// All that the arrays of a mesh depend on besides its model; `None` where that is an image.
+pub(super) fn looks_of(shown: &Shown<'_>, mesh: usize) -> Option<Vec<u32>> {
+    let order = ordered_surfaces(shown, mesh);
+    let mut looks = Vec::new();
+    for &material in &shown.scene.meshes[mesh].materials {
+        let surface = Surface::of(shown, material);
+        let group = order.iter().position(|known| *known == surface).unwrap_or(0);
+        looks.push(group as u32);
+        let source = &shown.materials[material];
+        match shown.coloring {
+            Coloring::Materials => looks.push(coordinate_sets(source) as u32),
+            Coloring::Corners => {
+                let color = ShownColor::of(source, shown.images);
+                if color.image.is_some() {
+                    return None;
+                }
+                looks.extend(color.color.map(f32::to_bits));
+            }
+        }
+    }
+    Some(looks)
+}
+
 /// Numbers of a corner: place, normal, colour, texture coordinates.
 const KEY_NUMBERS: usize = 12;
 

@@ -11,7 +11,8 @@
 //! - `image_colors`: the colours of images, for files without;
 //! - `grouping`: which meshes become instances;
 //! - `lights`: which lamps give light;
-//! - `merged` and `instances`: the arrays of both;
+//! - `merged` and `instances`: the triangles of both;
+//! - `encode`: arrays of both;
 //! - `buffer`, `table`, `document`: the file;
 //! - `output`: the format of the table for browsers.
 //!
@@ -19,6 +20,7 @@
 
 mod buffer;
 mod document;
+mod encode;
 mod feature;
 mod grouping;
 mod image_colors;
@@ -33,16 +35,27 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use image_colors::KnownImages;
 pub use options::Instancing;
 pub(crate) use options::{Coloring, CompactOptions, Shapes};
 pub(crate) use output::WEB;
 
-use std::borrow::Cow;
+use std::sync::Arc;
+
+use image_colors::KnownImages;
+use instances::KnownModels;
+use sieve::KnownSimplified;
 
 use crate::gltf::GltfError;
 use crate::mesh::Model;
 use crate::scene::{Scene, SceneMaterial};
+
+/// What is kept from file to file of a run. No byte depends on it.
+#[derive(Debug, Default)]
+pub(crate) struct Known {
+    images: KnownImages,
+    models: KnownModels,
+    simplified: KnownSimplified,
+}
 
 /// What is shown of a scene.
 #[derive(Clone, Copy)]
@@ -51,24 +64,26 @@ struct Shown<'s> {
     /// Its materials, or others in their place.
     materials: &'s [SceneMaterial],
     /// The models of its meshes as far as they are seen.
-    models: &'s [Option<Cow<'s, Model>>],
+    models: &'s [Option<Arc<Model>>],
     coloring: Coloring,
     images: &'s KnownImages,
+    models_known: &'s KnownModels,
 }
 
-/// A scene as one binary file. `materials` are those of the scene, or others in their place; `images` keeps the colours of images from
-/// file to file.
+/// A scene as one binary file. `materials` are those of the scene, or others in their place; `known` is kept from file to file.
 ///
 /// # Errors
 /// [`GltfError::TooLarge`] for files of 4 GiB and more.
 pub(crate) fn write_compact(
     scene: &Scene,
     materials: &[SceneMaterial],
-    images: &KnownImages,
+    known: &Known,
     options: &CompactOptions,
 ) -> Result<Vec<u8>, GltfError> {
-    let models = sieve::seen(scene, options);
-    let shown = Shown { scene, materials, models: &models, coloring: options.coloring, images };
+    let Known { images, models: models_known, simplified } = known;
+    let models = sieve::seen(scene, options, simplified);
+    let coloring = options.coloring;
+    let shown = Shown { scene, materials, models: &models, coloring, images, models_known };
     let listing = listing::Listing::new(&shown);
     let instanced = grouping::instanced(&shown, &listing.drawn, options);
     let (alike, single): (Vec<_>, Vec<_>) =

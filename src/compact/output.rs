@@ -1,7 +1,7 @@
 //! Compact files as a format of the table, for clients in browsers: all nodes are there with their extras, so that programs which
 //! read levels back find what they look for, and all that is drawn is below one more node.
 
-use super::{Coloring, CompactOptions, Instancing, KnownImages, Shapes, write_compact};
+use super::{Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
 use crate::gltf::shared_images;
 use crate::model::Detail;
 use crate::output::{LevelToWrite, Output, OutputFormat, TooLarge, WrittenLevel};
@@ -16,7 +16,7 @@ pub(crate) const WEB: OutputFormat = OutputFormat {
     is_read_back: true,
     begin: |_, options| {
         let most_draws = if options.detail == Detail::Full { DRAWS_OF_FULL } else { DRAWS_OF_COARSER };
-        Box::new(WebOutput { most_draws, instancing: options.instancing, images: KnownImages::default() })
+        Box::new(WebOutput { most_draws, instancing: options.instancing, known: Known::default() })
     },
 };
 
@@ -30,7 +30,7 @@ const COARSEST_STEP: f64 = 0.003;
 struct WebOutput {
     most_draws: usize,
     instancing: Instancing,
-    images: KnownImages,
+    known: Known,
 }
 
 impl Output for WebOutput {
@@ -46,7 +46,7 @@ impl Output for WebOutput {
             keeps_nodes: true,
         };
         let scene = level.scene;
-        let bytes = write_compact(scene, &scene.materials, &self.images, &options)
+        let bytes = write_compact(scene, &scene.materials, &self.known, &options)
             .map_err(|error| TooLarge { message: error.to_string(), hint: "split the level" })?;
         Ok(WrittenLevel { files: vec![("glb", bytes)], shared: shared_images(scene, level.folder()) })
     }

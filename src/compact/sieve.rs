@@ -1,14 +1,14 @@
 //! Leaves out what is too small or too thin to be seen, and makes boxes of what is seen from afar.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::Vec3;
 
 use super::options::{CompactOptions, Shapes};
 use crate::contract::{Extras, Part};
 use crate::mesh::{Model, Primitive};
-use crate::scene::{Node, Scene};
+use crate::scene::{Node, Scene, SceneMesh};
 
 /// What a mesh is, as far as it decides how it is simplified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,27 +23,56 @@ enum Kind {
     Shell,
 }
 
+/// Models of the catalogue that were simplified in this run: most stand in many levels.
+#[derive(Debug, Default)]
+pub(crate) struct KnownSimplified {
+    /// By where the model is in memory, and the limits. Nothing is read from it in its own order.
+    known: Mutex<HashMap<(usize, [u64; 3]), Simplified>>,
+}
+
+/// A model and what is left of it; as long as it is here, nothing else is where it is.
+type Simplified = (Arc<Model>, Option<Arc<Model>>);
+
+impl KnownSimplified {
+    fn simplified(&self, mesh: &SceneMesh, simplifier: &Simplifier) -> Option<Arc<Model>> {
+        if !mesh.is_shared() {
+            return simplifier.model(&mesh.model);
+        }
+        let limits = [simplifier.least_size, simplifier.least_width, simplifier.boxed].map(f64::to_bits);
+        let key = (Arc::as_ptr(&mesh.model).addr(), limits);
+        let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known().get(&key).map(|(_, made)| made.clone());
+        found.unwrap_or_else(|| {
+            let made = simplifier.model(&mesh.model);
+            known().insert(key, (Arc::clone(&mesh.model), made.clone()));
+            made
+        })
+    }
+}
+
 /// The models of the meshes of a scene as far as they are seen; `None` for those of which nothing is.
-pub(super) fn seen<'s>(scene: &'s Scene, options: &CompactOptions) -> Vec<Option<Cow<'s, Model>>> {
-    let kinds = kinds(scene);
-    let seen = |model: &'s Model, kind: Kind| {
-        let whole = Extent::of(model.primitives.iter().flat_map(|part| &part.positions));
+pub(super) fn seen(
+    scene: &Scene,
+    options: &CompactOptions,
+    known: &KnownSimplified,
+) -> Vec<Option<Arc<Model>>> {
+    let seen = |mesh: &SceneMesh, kind: Kind| {
+        let whole = Extent::of(mesh.model.primitives.iter().flat_map(|part| &part.positions));
         if whole.sides()[0] < options.least_size {
             return None;
         }
-        let Shapes::Boxes { least_width, boxed } = options.shapes else { return Some(Cow::Borrowed(model)) };
+        let Shapes::Boxes { least_width, boxed } = options.shapes else {
+            return Some(Arc::clone(&mesh.model));
+        };
         let boxed = match kind {
             Kind::Trim => return None,
             Kind::Furniture => boxed,
             Kind::Leaf => f64::INFINITY,
             Kind::Shell => 0.0,
         };
-        let simplifier = Simplifier { least_size: options.least_size, least_width, boxed };
-        let primitives: Vec<Primitive> =
-            model.primitives.iter().map(|primitive| simplifier.simplified(primitive)).collect();
-        primitives.iter().any(|part| !part.indices.is_empty()).then_some(Cow::Owned(Model { primitives }))
+        known.simplified(mesh, &Simplifier { least_size: options.least_size, least_width, boxed })
     };
-    scene.meshes.iter().zip(kinds).map(|(mesh, kind)| seen(&mesh.model, kind)).collect()
+    scene.meshes.iter().zip(kinds(scene)).map(|(mesh, kind)| seen(mesh, kind)).collect()
 }
 
 /// What each mesh is.
@@ -114,6 +143,13 @@ enum Fate {
 }
 
 impl Simplifier {
+    /// A model without what is not seen; `None` if nothing is left.
+    fn model(&self, model: &Model) -> Option<Arc<Model>> {
+        let primitives: Vec<Primitive> =
+            model.primitives.iter().map(|primitive| self.simplified(primitive)).collect();
+        primitives.iter().any(|part| !part.indices.is_empty()).then(|| Arc::new(Model { primitives }))
+    }
+
     /// A primitive without its loose parts that are not seen, and without faces that lie on the floor; it may be left without
     /// triangles.
     fn simplified(&self, primitive: &Primitive) -> Primitive {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::{DQuat, DVec3};
 use serde_json::Value;
 
-use super::{Coloring, CompactOptions, Instancing, KnownImages, Shapes, write_compact};
+use super::{Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
 use crate::contract::{Extras, RoomId};
 use crate::output::{LevelOptions, TextureOptions};
 use crate::project::Project;
@@ -41,7 +41,7 @@ fn living() -> Scene {
 }
 
 fn written(scene: &Scene, options: &CompactOptions) -> File {
-    let bytes = write_compact(scene, &scene.materials, &KnownImages::default(), options).unwrap();
+    let bytes = write_compact(scene, &scene.materials, &Known::default(), options).unwrap();
     let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
     let json = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
     File { json, data: bytes.get(28 + length..).unwrap_or_default().to_vec() }

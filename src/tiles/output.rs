@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::tileset;
-use crate::compact::{Coloring, CompactOptions, Instancing, KnownImages, Shapes, write_compact};
+use crate::compact::{Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
 use crate::disk::content_hash;
 use crate::mesh::{Image, TextureUse};
 use crate::model::Detail;
@@ -24,7 +24,7 @@ pub(crate) const TILES: OutputFormat = OutputFormat {
     is_read_back: false,
     begin: |_, options| {
         let LevelOptions { instancing, detail, .. } = *options;
-        Box::new(TilesOutput { instancing, detail, images: KnownImages::default() })
+        Box::new(TilesOutput { instancing, detail, known: Known::default() })
     },
 };
 
@@ -33,7 +33,7 @@ struct TilesOutput {
     instancing: Instancing,
     /// Of the scenes that levels come with.
     detail: Detail,
-    images: KnownImages,
+    known: Known,
 }
 
 /// Metres of the smallest and thinnest parts of boxes: less than what they are wrong by where they are shown first
@@ -95,7 +95,7 @@ impl Output for TilesOutput {
         let written = written.map(|(extension, scene, options)| {
             let materials =
                 if options.coloring == Coloring::Materials { &materials } else { &scene.materials };
-            let bytes = write_compact(scene, materials, &self.images, &options)
+            let bytes = write_compact(scene, materials, &self.known, &options)
                 .map_err(|error| TooLarge { message: error.to_string(), hint: "split the level" });
             bytes.map(|bytes| (extension, bytes))
         });
