@@ -1,6 +1,6 @@
 //! What a number in a file names.
 
-use crate::contract::{Extras, OpeningExtras, PartExtras, RoomExtras};
+use crate::contract::{Extras, OpeningExtras, Part, PartExtras, PartId, RoomExtras};
 
 /// A piece of furniture, an opening or a part of a room: what a click names.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,6 +60,13 @@ impl<'s> Above<'s> {
     }
 
     fn of_part(self, part: &PartExtras) -> Feature {
+        // As scenes with few meshes have them: a wall has one name in all details of a level.
+        let part = match part.part {
+            Part::Wall | Part::Skirting | Part::Column | Part::Socket | Part::Switch => {
+                &PartExtras::of(PartId::only(Part::Walls))
+            }
+            _ => part,
+        };
         Feature { class: part.part.name().to_owned(), id: part.id.to_string(), ..self.bare() }
     }
 
