@@ -14,9 +14,9 @@ import { chromium, reasonToSkip, write } from './program.mjs';
 import { serve } from './serve.mjs';
 
 const PLAN = 'configs/plans/hotel-tower.yaml';
-/** Megabytes that a host sends, compressed, from 2 km into a room and back. */
-const MOST_SENT = 25;
-/** Draw calls of the approach until the first rooms are more than boxes. */
+/** Megabytes from 2 km into a room and back. */
+const MOST_LOADED = 25;
+/** Draw calls before the façade. */
 const MOST_COMMANDS = 300;
 /** Metres beyond which nothing but the tileset may load. */
 const FARTHEST = 110;
@@ -47,8 +47,12 @@ describe('a flight to a tower', { skip }, () => {
       const row = (stop) => rows.find((one) => one.stop === stop);
       assert.equal(row(`${FARTHEST} m`).requests, 1, 'tiles load from afar');
       assert.ok(row('room').full > 0, 'the room is not there in full');
-      assert.ok(rows.at(-1).gzip_mb <= MOST_SENT, `${rows.at(-1).gzip_mb} MB were sent`);
-      assert.ok(row('60 m').commands <= MOST_COMMANDS, `${row('60 m').commands} draw calls before the façade`);
+      assert.ok(rows.at(-1).gzip_mb <= MOST_LOADED, `${rows.at(-1).gzip_mb} MB were sent`);
+      // While all that is seen are boxes. These two limits do not hold nearer and without compression: said, and not yet asserted.
+      assert.ok(row('60 m').commands <= MOST_COMMANDS, `${row('60 m').commands} draw calls of boxes`);
+      const limit = (what, value, most) => value > most && context.diagnostic(`NOT MET, not asserted: ${what}: ${value}, limit ${most}`);
+      limit('draw calls 30 m before the façade, levels reduced', row('30 m').commands, MOST_COMMANDS);
+      limit('megabytes without compression', rows.at(-1).plain_mb, MOST_LOADED);
       assert.equal(rows.at(-1).commands, 0);
       assert.ok(rows.at(-1).held < Math.max(...rows.map(({ held }) => held)), 'tiles are kept that nobody sees');
     });
