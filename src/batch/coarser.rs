@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::catalog::{Catalog, Size};
 use crate::contract::{Extras, FurnitureExtras};
-use crate::mesh::{Model, ModelMaterial};
+use crate::mesh::Model;
 use crate::model::{reduced, stand_in};
-use crate::scene::{Node, Scene, SceneMaterial, SceneMesh};
+use crate::scene::{Node, Scene, SceneMesh, own_materials};
 
 /// Models with what was made of them.
 type Pairs = Vec<(Arc<Model>, Arc<Model>)>;
@@ -56,22 +56,13 @@ impl CoarserModels {
             let class = catalog.classes.iter().find(|class| class.id == piece.class)?;
             let [width, depth, height] = piece.size;
             let model = stand_in(&mesh.model, &class.shape, Size { width, depth, height });
-            let materials = model.primitives.iter().map(|part| material(&part.material, scene)).collect();
+            let materials = own_materials(&scene.materials, &model);
             Some(SceneMesh { model: Arc::new(model), materials, ..mesh.clone() })
         };
         let meshes = scene.meshes.iter().enumerate();
         let meshes = meshes.map(|(index, mesh)| boxed(index, mesh).unwrap_or_else(|| mesh.clone()));
         Scene { meshes: meshes.collect(), ..scene.clone() }
     }
-}
-
-/// The index of a material of a model.
-fn material(of: &ModelMaterial, scene: &Scene) -> usize {
-    let is_same = |material: &SceneMaterial| match (material, of) {
-        (SceneMaterial::Own(known), ModelMaterial::Own(own)) => Arc::ptr_eq(known, own),
-        _ => false,
-    };
-    scene.materials.iter().position(is_same).unwrap_or(0)
 }
 
 /// The pieces that meshes show, by the index of the mesh; of several the first.

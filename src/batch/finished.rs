@@ -8,7 +8,7 @@ use super::context::Context;
 use super::event::{BakeReport, LevelFailure, Observer, Stage, Stopwatch};
 use super::fault::{FaultCode, OutputFault};
 use super::folder::OutputFolder;
-use super::level::{BakedLevel, LevelFiles, too_large, write};
+use super::level::{BakedLevel, LevelFiles, bug_failure, level_failure, too_large, write};
 use super::manifest::MANIFEST_NAME;
 use super::options::BakeOptions;
 use super::record::{LevelKey, LevelRecord};
@@ -35,11 +35,6 @@ pub(crate) struct FinishedInput<'a> {
     pub(crate) models: &'a ModelLibrary,
     /// Everything else that the output depends on.
     pub(crate) options: &'a BakeOptions,
-}
-
-/// Whether a folder holds a finished bake.
-pub(crate) fn is_bake(folder: &Path) -> bool {
-    folder.join(MANIFEST_NAME).is_file()
 }
 
 /// A level of the bake.
@@ -101,9 +96,7 @@ fn list<'a>(
     let fault = |error: std::io::Error| OutputFault::of(&manifest, "read the manifest", &error);
     let sources = Sources::read(std::slice::from_ref(&manifest), &[])?;
     let contents = sources.contents(false)?;
-    let current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
-    let records: std::io::Result<Vec<LevelRecord>> =
-        current.filter_map(|(_, found)| found.last()).map(|found| found.read()).collect();
+    let records: std::io::Result<Vec<LevelRecord>> = contents.current().map(|found| found.read()).collect();
     let mut levels = Vec::new();
     for record in records.map_err(fault)? {
         if !record.files.first().is_some_and(|file| is_read_back(Path::new(&file.path))) {
@@ -145,18 +138,17 @@ fn inputs(bake: &Path, record: &LevelRecord, options: &BakeOptions) -> Result<St
 }
 
 fn write_level(context: &Context<'_>, level: &FinishedLevel<'_>) -> Result<BakedLevel, Box<LevelFailure>> {
-    let failure = |code: FaultCode, message: String, hint: Option<String>| {
-        let LevelKey { building, level } = level.key();
-        let seed = context.options.level.seed;
-        Box::new(LevelFailure { building, level, room: None, code, message, hint, seed })
-    };
-    let of_fault = |fault: OutputFault| failure(fault.code, fault.to_string(), fault.hint);
+    let of_bug = |bug: String| Box::new(bug_failure(context, level, None, bug));
+    let of_fault = |fault: OutputFault| Box::new(level_failure(context, level, fault));
     let main = &level.record.files[0].path;
     let read = catch_bug(|| context.watch.measure(Stage::Scene, || read_scene(&level.bake.join(main))));
     let scene = match read {
         Ok(Ok(scene)) => scene,
-        Ok(Err(Fault { message, hint, .. })) => return Err(failure(FaultCode::LevelBroken, message, hint)),
-        Err(bug) => return Err(failure(FaultCode::LevelBroken, format!("the program failed: {bug}"), None)),
+        Ok(Err(Fault { message, hint, .. })) => {
+            let path = level.bake.join(main);
+            return Err(of_fault(OutputFault { code: FaultCode::LevelBroken, path, message, hint }));
+        }
+        Err(bug) => return Err(of_bug(bug)),
     };
     // The name that the bake chose for it.
     let path = main.rsplit_once('.').map_or(main.as_str(), |(path, _)| path);
@@ -170,7 +162,7 @@ fn write_level(context: &Context<'_>, level: &FinishedLevel<'_>) -> Result<Baked
     let written = match encoded {
         Ok(Ok(written)) => written,
         Ok(Err(error)) => return Err(of_fault(too_large(context, path, error))),
-        Err(bug) => return Err(failure(FaultCode::LevelBroken, format!("the program failed: {bug}"), None)),
+        Err(bug) => return Err(of_bug(bug)),
     };
     let files = LevelFiles::new(context, path, written).map_err(of_fault)?;
     let record = LevelRecord {

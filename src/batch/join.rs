@@ -157,14 +157,12 @@ impl OutputFolder {
         contents: &Contents<'_>,
         lock: &File,
     ) -> Result<Vec<FileRecord>, OutputFault> {
-        let fault = |error: io::Error| OutputFault::of(&self.root, "read the records", &error);
         let is_current =
-            |key: &&LevelKey| planned.unplanned == Unplanned::Listed || planned.levels.contains(*key);
-        let newest =
-            contents.levels.iter().filter(|(key, _)| is_current(key)).filter_map(|(_, found)| found.last());
-        let levels: io::Result<Vec<IndexedLevel>> =
-            newest.map(|found| found.read().map(LevelRecord::indexed)).collect();
-        let files = (planned.index)(&levels.map_err(fault)?);
+            |key: &LevelKey| planned.unplanned == Unplanned::Listed || planned.levels.contains(key);
+        let levels = contents.levels.iter().filter(|(key, _)| is_current(key));
+        let levels: Vec<IndexedLevel> =
+            levels.filter_map(|(key, found)| Some(found.last()?.head.indexed(key))).collect();
+        let files = (planned.index)(&levels);
         let files: Vec<(FileRecord, Vec<u8>)> =
             files.into_iter().map(|(path, bytes)| FileRecord::with_bytes(path, bytes)).collect();
         let records: Vec<FileRecord> = files.iter().map(|(file, _)| file.clone()).collect();

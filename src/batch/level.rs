@@ -18,7 +18,8 @@ use super::event::{LevelFailure, LevelMisfit, Stage};
 use super::fault::{FaultCode, OutputFault};
 use super::folder::OutputFolder;
 use super::job::Job;
-use super::record::{FileRecord, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
+use super::record::{FileRecord, LevelKey, LevelRecord, RemovedRecord, RoomRecord, SiteRecord, Totals};
+use super::task::Task;
 
 /// A level that is in place.
 pub(crate) struct BakedLevel {
@@ -300,10 +301,17 @@ fn room_failures(context: &Context<'_>, job: &Job<'_>, failures: Vec<Option<Stri
     failures.into_iter().enumerate().filter_map(failure).collect()
 }
 
-fn bug_failure(context: &Context<'_>, job: &Job<'_>, room: Option<String>, bug: String) -> LevelFailure {
+/// The failure of a level, or of one of its rooms, by a fault of the program.
+pub(super) fn bug_failure(
+    context: &Context<'_>,
+    task: &impl Task,
+    room: Option<String>,
+    bug: String,
+) -> LevelFailure {
+    let LevelKey { building, level } = task.key();
     LevelFailure {
-        building: job.placed.id.clone(),
-        level: job.level.id.clone(),
+        building,
+        level,
         code: if room.is_some() { FaultCode::RoomBroken } else { FaultCode::LevelBroken },
         room,
         message: format!("the program failed: {bug}"),
@@ -312,10 +320,12 @@ fn bug_failure(context: &Context<'_>, job: &Job<'_>, room: Option<String>, bug: 
     }
 }
 
-fn level_failure(context: &Context<'_>, job: &Job<'_>, fault: OutputFault) -> LevelFailure {
+/// The failure of a level that cannot be written.
+pub(super) fn level_failure(context: &Context<'_>, task: &impl Task, fault: OutputFault) -> LevelFailure {
+    let LevelKey { building, level } = task.key();
     LevelFailure {
-        building: job.placed.id.clone(),
-        level: job.level.id.clone(),
+        building,
+        level,
         room: None,
         code: fault.code,
         message: fault.to_string(),

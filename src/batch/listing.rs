@@ -16,13 +16,18 @@ pub(crate) struct Listing {
     pub(crate) faults: Faults,
 }
 
+/// Whether a folder holds a finished bake.
+pub(crate) fn is_bake(folder: &Path) -> bool {
+    folder.join(MANIFEST_NAME).is_file()
+}
+
 /// The levels that the manifest of a folder lists; `None` without a manifest of this program.
 pub(crate) fn list_levels(folder: &Path) -> Option<Listing> {
     let manifest = folder.join(MANIFEST_NAME);
     manifest.symlink_metadata().ok()?;
     let sources = Sources::read(&[manifest], &[]).ok()?;
     let contents = sources.contents(false).ok()?;
-    let current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
-    let main_file = current.filter_map(|(_, found)| Some(found.last()?.head.files.first()?.path.clone()));
-    Some(Listing { files: main_file.collect(), faults: contents.faults })
+    let main_files = contents.current().filter_map(|found| Some(found.head.files.first()?.path.clone()));
+    let files = main_files.collect();
+    Some(Listing { files, faults: contents.faults })
 }

@@ -41,10 +41,10 @@ pub use event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage};
 pub(crate) use fault::FaultCode;
 pub use fault::OutputFault;
 pub(crate) use file_name::distinct_names;
-pub(crate) use finished::{FinishedInput, is_bake, write_finished};
+pub(crate) use finished::{FinishedInput, write_finished};
 pub use folder::OutputFolder;
 pub use join::{Joined, MergeReport, merge};
-pub(crate) use listing::{Listing, list_levels};
+pub(crate) use listing::{Listing, is_bake, list_levels};
 #[cfg(test)]
 pub(crate) use manifest::Manifest;
 pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::audit::{AuditSummary, Grade};
 use crate::contract::FindingExtras;
 use crate::disk::content_hash;
-use crate::output::IndexedLevel;
 use crate::scene::LevelBounds;
 
 /// One level of one building as it was written. The keys and their order are part of the output.
@@ -155,18 +154,6 @@ pub(crate) struct LevelKey {
 }
 
 impl LevelRecord {
-    /// What an index says of it.
-    pub(crate) fn indexed(self) -> IndexedLevel {
-        IndexedLevel {
-            building: self.building,
-            level: self.level,
-            position: self.site.position,
-            turn: self.site.turn,
-            bounds: self.bounds,
-            paths: self.files.into_iter().map(|file| file.path).collect(),
-        }
-    }
-
     /// Building id and level id.
     pub(crate) fn key(&self) -> LevelKey {
         LevelKey { building: self.building.clone(), level: self.level.clone() }

@@ -14,9 +14,11 @@ use super::in_place::is_in_place;
 use super::journal::{JournalText, journal_lines};
 use super::manifest::{LARGEST_RECORDS, MANIFEST_NAME, ManifestText, is_part_name, parse_manifest};
 use super::program::PROGRAM;
-use super::record::{FileRecord, LevelKey, LevelRecord, Totals};
+use super::record::{FileRecord, LevelKey, LevelRecord, SiteRecord, Totals};
 use crate::disk::read_plain;
 use crate::document::{Fault, Faults, PathStep, Source};
+use crate::output::IndexedLevel;
+use crate::scene::LevelBounds;
 
 /// The texts, in a fixed order: manifest, parts by name, journals by name. Later ones are newer.
 #[derive(Default)]
@@ -71,7 +73,7 @@ pub(crate) struct FoundRecord<'a> {
     pub(crate) text: &'a RawValue,
 }
 
-/// The part of a record that decides whether a level is up to date.
+/// The part of a record that decides whether a level is up to date, and what an index says of it.
 #[derive(Clone, Debug)]
 pub(crate) struct RecordHead {
     /// Hash of all that it was made from.
@@ -82,6 +84,24 @@ pub(crate) struct RecordHead {
     pub(crate) library: Vec<String>,
     /// Its sums.
     pub(crate) totals: Totals,
+    /// Where its building stands.
+    pub(crate) site: SiteRecord,
+    /// The box around it.
+    pub(crate) bounds: Option<LevelBounds>,
+}
+
+impl RecordHead {
+    /// What an index says of a level.
+    pub(crate) fn indexed(&self, key: &LevelKey) -> IndexedLevel {
+        IndexedLevel {
+            building: key.building.clone(),
+            level: key.level.clone(),
+            position: self.site.position,
+            turn: self.site.turn,
+            bounds: self.bounds,
+            paths: self.files.iter().map(|file| file.path.clone()).collect(),
+        }
+    }
 }
 
 impl FoundRecord<'_> {
@@ -223,8 +243,8 @@ impl<'a> Contents<'a> {
         self.add_files(&record.files);
         let key = record.key();
         self.former.remove(&key);
-        let LevelRecord { inputs, files, library, totals, .. } = record;
-        let head = RecordHead { inputs, files, library, totals };
+        let LevelRecord { inputs, files, library, totals, site, bounds, .. } = record;
+        let head = RecordHead { inputs, files, library, totals, site, bounds };
         let program = record.program.unwrap_or_else(|| program.to_owned());
         self.levels.entry(key.clone()).or_default().push(FoundRecord { program, head, text });
         Ok(key)
@@ -233,6 +253,12 @@ impl<'a> Contents<'a> {
     fn add_former_file(&mut self, file: FileRecord) {
         self.add_files(std::slice::from_ref(&file));
         self.former_files.push(file);
+    }
+
+    /// The newest record of each level that is not set apart.
+    pub(crate) fn current(&self) -> impl Iterator<Item = &FoundRecord<'a>> {
+        let current = self.levels.iter().filter(|(key, _)| !self.former.contains(key));
+        current.filter_map(|(_, found)| found.last())
     }
 
     /// Leaves one record of each level: that of what lies on the disk.

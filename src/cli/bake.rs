@@ -51,6 +51,7 @@ struct Run {
 /// What has to be known to tell how the work goes.
 pub(super) struct Teller {
     pub(super) out: PathBuf,
+    pub(super) format: Format,
     pub(super) is_demo: bool,
     pub(super) progress: ProgressWord,
     pub(super) has_input_faults: bool,
@@ -97,15 +98,22 @@ pub(super) struct Request {
     pub(super) index: IndexOptions,
 }
 
+/// Looks whether a folder can be written into: everything that can be refused is refused before the first second of work.
+///
+/// # Errors
+/// The end of the command, which has been told.
+pub(super) fn check_folder(out: &Path, screen: Screen) -> Result<(), Outcome> {
+    if let Some(fault) = file_as_folder(out) {
+        screen.faults(&fault.into());
+        return Err(Outcome::NotStarted);
+    }
+    OutputFolder::check(out).map_err(|fault| refuse(screen, &fault))
+}
+
 /// Writes levels: the work of `bake` and `tiles`.
 pub(super) fn write_levels(request: Request, screen: Screen) -> Outcome {
-    // Everything that can be refused is refused before the first second of work.
-    if let Some(fault) = file_as_folder(&request.out) {
-        screen.faults(&fault.into());
-        return Outcome::NotStarted;
-    }
-    if let Err(fault) = OutputFolder::check(&request.out) {
-        return refuse(screen, &fault);
+    if let Err(outcome) = check_folder(&request.out, screen) {
+        return outcome;
     }
     let run = match understand(request, screen) {
         Ok(run) => run,
@@ -126,7 +134,7 @@ pub(super) fn write_levels(request: Request, screen: Screen) -> Outcome {
 }
 
 /// A fault if the output folder has the name of a file that users may expect instead.
-pub(super) fn file_as_folder(out: &Path) -> Option<Fault> {
+fn file_as_folder(out: &Path) -> Option<Fault> {
     let ending = out.extension()?.to_str()?.to_ascii_lowercase();
     let is_result = Format::named(&ending).is_some() || OTHER_RESULTS.contains(&ending.as_str());
     let is_file_name = is_result && !out.is_dir();
@@ -178,7 +186,7 @@ fn understand(request: Request, screen: Screen) -> Result<Run, Outcome> {
         options,
         cache_root,
         is_forced: arguments.force,
-        teller: Teller { out, is_demo, progress: arguments.progress, has_input_faults },
+        teller: Teller { out, format: level.format, is_demo, progress: arguments.progress, has_input_faults },
     })
 }
 
@@ -272,7 +280,7 @@ pub(super) fn work(teller: &Teller, write: &Work<'_>, screen: Screen) -> Outcome
         screen.json(&bake_answer(&report, &teller.out));
     } else if !screen.is_quiet {
         screen.result(&summary_text(&report, elapsed));
-        screen.result(&where_to_look(&report, &teller.out));
+        screen.result(&where_to_look(&report, &teller.out, teller.format));
         if teller.is_demo {
             screen.result(NEXT_STEPS);
         }

@@ -11,7 +11,7 @@ use super::leftovers::leftovers_answer;
 use crate::audit::{AuditSummary, Code, GradeCounts};
 use crate::batch::{BakeReport, Joined, LevelFailure, LevelMisfit, Stage, Totals};
 use crate::document::printable;
-use crate::output::INDEX_NAME;
+use crate::output::{Format, INDEX_NAME, output_format};
 
 /// The summary for people.
 pub(crate) fn summary_text(report: &BakeReport, elapsed: Duration) -> String {
@@ -81,19 +81,17 @@ fn levels(number: usize) -> String {
 }
 
 /// Where the results are.
-pub(crate) fn where_to_look(report: &BakeReport, out: &Path) -> String {
+pub(crate) fn where_to_look(report: &BakeReport, out: &Path, format: Format) -> String {
     match &report.joined {
-        Ok(Joined::Whole(manifest)) => {
-            let index = out.join(INDEX_NAME);
-            match index.is_file() {
-                true => format!("Results: {}, all files listed in {}", index.display(), manifest.display()),
-                false => format!(
-                    "Results: {}/<building>/<level>, all listed in {}",
-                    out.display(),
-                    manifest.display()
-                ),
+        Ok(Joined::Whole(manifest)) => match output_format(format).has_index {
+            true => {
+                let index = out.join(INDEX_NAME);
+                format!("Results: {}, all files listed in {}", index.display(), manifest.display())
             }
-        }
+            false => {
+                format!("Results: {}/<building>/<level>, all listed in {}", out.display(), manifest.display())
+            }
+        },
         Ok(Joined::Part(part)) => format!(
             "Results: {}/<building>/<level>, this share listed in {}; the last share, or `roomwright merge {}`, joins \
              the lists.",

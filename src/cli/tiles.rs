@@ -1,17 +1,18 @@
 //! `tiles`: 3D Tiles of plans, or of a finished bake.
 
-use super::arguments::{InstancingWord, Near, Origin, TilesArguments};
-use super::bake::{Request, Teller, refuse, show_listed, textures, threads, work, write_levels};
+use super::arguments::{InstancingWord, Near, RunArguments, TilesArguments};
+use super::bake::{
+    Request, Teller, check_folder, refuse, show_listed, textures, threads, work, write_levels,
+};
 use super::exit::Outcome;
 use super::screen::Screen;
 use crate::batch::{BakeOptions, FinishedInput, OutputFolder, Unplanned, is_bake, write_finished};
 use crate::catalog::load_catalog;
 use crate::compact::Instancing;
 use crate::document::Fault;
-use crate::geometry::Point;
 use crate::model::ModelLibrary;
 use crate::output::{Format, IndexOptions, LevelOptions};
-use crate::plan::{EarthPlace, SiteOrigin};
+use crate::plan::SiteOrigin;
 use crate::scene::SceneOptions;
 
 /// The word of the format in the table.
@@ -20,11 +21,8 @@ const FORMAT: &str = "tiles";
 /// Runs the command.
 pub(crate) fn run(arguments: TilesArguments, screen: Screen) -> Outcome {
     let TilesArguments { run, out, near: Near(near), origin, heading, instancing } = arguments;
-    let origin = origin.map(|Origin([longitude, latitude, height])| SiteOrigin {
-        place: EarthPlace::Degrees(Point::new(longitude, latitude)),
-        height,
-        heading: heading.unwrap_or(0.0).to_radians(),
-    });
+    let heading = heading.unwrap_or(0.0).to_radians();
+    let origin = origin.map(|origin| SiteOrigin { heading, ..origin });
     let level = LevelOptions {
         format: Format::named(FORMAT).expect("the table has this format"),
         textures: textures(run.textures, true),
@@ -55,8 +53,12 @@ pub(crate) fn run(arguments: TilesArguments, screen: Screen) -> Outcome {
 fn write_bake(request: Request, screen: Screen) -> Outcome {
     let Request { run, out, level, index } = request;
     let bake = &run.sources.paths[0];
-    if let Err(fault) = OutputFolder::check(&out) {
-        return refuse(screen, &fault);
+    if let Err(outcome) = check_folder(&out, screen) {
+        return outcome;
+    }
+    if let Some(fault) = inapplicable(&run) {
+        screen.faults(&fault.into());
+        return Outcome::NotStarted;
     }
     let is_same =
         bake.canonicalize().ok().is_some_and(|bake| out.canonicalize().is_ok_and(|out| out == bake));
@@ -95,6 +97,27 @@ fn write_bake(request: Request, screen: Screen) -> Outcome {
     show_listed(folder.faults(), screen);
     screen.note(&format!("Writing the levels of {} as tiles into {}.", bake.display(), out.display()));
     let input = FinishedInput { bake, catalog: &catalog, models: &models, options: &options };
-    let teller = Teller { out: out.clone(), is_demo: false, progress: run.progress, has_input_faults: false };
+    let teller = Teller {
+        out: out.clone(),
+        format: options.level.format,
+        is_demo: false,
+        progress: run.progress,
+        has_input_faults: false,
+    };
     work(&teller, &|observer| write_finished(&input, &folder, observer), screen)
+}
+
+/// A fault if the user asks for other rooms than those of the bake.
+fn inapplicable(run: &RunArguments) -> Option<Fault> {
+    let asked = [
+        ("--seed", run.furnish.seed.is_some()),
+        ("--style", run.furnish.style.is_some()),
+        ("--reroll", !run.reroll.is_empty()),
+        ("--edits", !run.sources.edits.files.is_empty()),
+        ("--door-angle", run.door_angle.is_some()),
+    ];
+    let (option, _) = asked.into_iter().find(|(_, is_asked)| *is_asked)?;
+    let message = format!("is a finished bake, which is written as it is: {option} does not apply");
+    let hint = "name the plans instead, or bake them again with it";
+    Some(Fault::of_file(&run.sources.paths[0], message).with_hint(hint))
 }

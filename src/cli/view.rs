@@ -16,7 +16,7 @@ use super::find_room::FoundRoom;
 use super::screen::Screen;
 use super::sources::{read_sources, run_style};
 use super::watch::{Inputs, watch_inputs};
-use crate::batch::{MANIFEST_NAME, PROGRAM};
+use crate::batch::{PROGRAM, is_bake};
 use crate::cache::Cache;
 use crate::catalog::load_catalog;
 use crate::document::{Fault, Faults, Warned};
@@ -62,7 +62,7 @@ fn start(arguments: &ViewArguments, screen: Screen, how_to_end: &str) -> Result<
 
 /// The finished levels that the paths name: files of levels, and folders with a manifest; none where the paths are plans.
 fn finished_levels(sources: &SourceArguments) -> Result<Option<(Vec<PathBuf>, Faults)>, Faults> {
-    let is_finished = |path: &PathBuf| path.join(MANIFEST_NAME).is_file() || is_read_back(path);
+    let is_finished = |path: &PathBuf| is_bake(path) || is_read_back(path);
     if sources.paths.is_empty() || !sources.paths.iter().all(is_finished) {
         return Ok(None);
     }

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Shown;
 use super::listing::Drawn;
-use super::merged::{Surface, surfaces};
+use super::merged::{Surface, ordered_surfaces};
 use super::options::{CompactOptions, Instancing};
 use crate::mesh::Model;
 
@@ -25,12 +25,13 @@ pub(super) fn instanced(shown: &Shown<'_>, drawn: &[Drawn], options: &CompactOpt
     let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
     drawn.iter().for_each(|drawn| *counts.entry(drawn.mesh).or_default() += 1);
     // Whatever becomes instances, no more than all surfaces are left to merge.
-    let left_over: BTreeSet<Surface> = counts.keys().flat_map(|&mesh| surfaces(shown, mesh)).collect();
+    let left_over: BTreeSet<Surface> =
+        counts.keys().flat_map(|&mesh| ordered_surfaces(shown, mesh)).collect();
     let mut left = options.most_draws.saturating_sub(left_over.len());
     let mut wanted: Vec<(usize, usize, usize)> = counts
         .into_iter()
         .filter_map(|(mesh, count)| {
-            let draws = surfaces(shown, mesh).len().max(1);
+            let draws = ordered_surfaces(shown, mesh).len().max(1);
             let saved = saved_bytes(shown.models[mesh].as_ref()?, count)?;
             Some((saved / draws, draws, mesh))
         })

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::contract::{Corner, Extras};
+use crate::geometry::{Point, signed_area};
 use crate::scene::{Node, Scene};
 
 /// The most lights of a file.
@@ -36,8 +37,6 @@ fn visit(scene: &Scene, node: &Node, count: &mut usize, rooms: &mut Vec<(f64, Op
 
 /// Square metres within an outline.
 fn area(outline: &[Corner]) -> f64 {
-    let next = outline.iter().cycle().skip(1);
-    let doubled: f64 =
-        outline.iter().zip(next).map(|(one, other)| one[0] * other[1] - other[0] * one[1]).sum();
-    doubled.abs() / 2.0
+    let corners: Vec<Point> = outline.iter().copied().map(Point::from).collect();
+    signed_area(&corners).abs()
 }

@@ -1,6 +1,6 @@
 //! Merges meshes: all triangles of one material become one primitive, in the frame of the level.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
@@ -51,12 +51,7 @@ impl Surface {
     }
 }
 
-/// The looks of a mesh: each is a draw call.
-pub(super) fn surfaces(shown: &Shown<'_>, mesh: usize) -> BTreeSet<Surface> {
-    shown.scene.meshes[mesh].materials.iter().map(|&material| Surface::of(shown, material)).collect()
-}
-
-/// The looks of a mesh in the order of its primitives, each once.
+/// The looks of a mesh in the order of its primitives, each once: each is a draw call.
 pub(super) fn ordered_surfaces(shown: &Shown<'_>, mesh: usize) -> Vec<Surface> {
     let mut found = Vec::new();
     for &material in &shown.scene.meshes[mesh].materials {
@@ -78,7 +73,7 @@ pub(super) fn looks_of(shown: &Shown<'_>, mesh: usize) -> Option<Vec<u32>> {
         looks.push(group as u32);
         let source = &shown.materials[material];
         match shown.coloring {
-            Coloring::Materials => looks.push(coordinate_sets(source) as u32),
+            Coloring::Materials => looks.push(source.coordinate_set_count() as u32),
             Coloring::Corners => {
                 let color = ShownColor::of(source, shown.images);
                 if color.image.is_some() {
@@ -115,7 +110,7 @@ pub(super) fn merge(shown: &Shown<'_>, drawn: &[&Drawn]) -> BTreeMap<Surface, Ve
             let source = &shown.materials[material];
             let surface = Surface::of(shown, material);
             let has_colors = shown.coloring == Coloring::Corners;
-            let sets = if has_colors { 0 } else { coordinate_sets(source) };
+            let sets = if has_colors { 0 } else { source.coordinate_set_count() };
             let color = if has_colors { ShownColor::of(source, shown.images) } else { ShownColor::PLAIN };
             let known = merged.entry(surface).or_default();
             let has_room = |last: &Merged| last.positions.len() + primitive.positions.len() <= MOST_CORNERS;
@@ -238,11 +233,6 @@ impl ShownColor {
         });
         [0, 1, 2, 3].map(|channel| self.color[channel] * own[channel] * image[channel])
     }
-}
-
-/// How many sets of texture coordinates a material needs.
-fn coordinate_sets(material: &SceneMaterial) -> usize {
-    material.textures().iter().map(|(_, texture)| texture.coordinate_set + 1).max().unwrap_or(0)
 }
 
 /// Whether something shines through.

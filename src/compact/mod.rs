@@ -35,11 +35,11 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
+
 pub use options::Instancing;
 pub(crate) use options::{Coloring, CompactOptions, Shapes};
 pub(crate) use output::WEB;
-
-use std::sync::Arc;
 
 use image_colors::KnownImages;
 use instances::KnownModels;

@@ -2,9 +2,8 @@
 //! read levels back find what they look for, and all that is drawn is below one more node.
 
 use super::{Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
-use crate::gltf::shared_images;
 use crate::model::Detail;
-use crate::output::{LevelToWrite, Output, OutputFormat, TooLarge, WrittenLevel};
+use crate::output::{LevelToWrite, Output, OutputFormat, TooLarge, WrittenLevel, shared_images};
 
 /// One binary file per level, of few draw calls.
 pub(crate) const WEB: OutputFormat = OutputFormat {
@@ -13,6 +12,7 @@ pub(crate) const WEB: OutputFormat = OutputFormat {
     extensions: &["glb"],
     shows_textures: true,
     shares_all_images: false,
+    has_index: false,
     is_read_back: true,
     begin: |_, options| {
         let most_draws = if options.detail == Detail::Full { DRAWS_OF_FULL } else { DRAWS_OF_COARSER };
@@ -48,6 +48,9 @@ impl Output for WebOutput {
         let scene = level.scene;
         let bytes = write_compact(scene, &scene.materials, &self.known, &options)
             .map_err(|error| TooLarge { message: error.to_string(), hint: "split the level" })?;
-        Ok(WrittenLevel { files: vec![("glb", bytes)], shared: shared_images(scene, level.folder()) })
+        Ok(WrittenLevel {
+            files: vec![("glb", bytes)],
+            shared: shared_images(scene.textures(), level.folder()),
+        })
     }
 }

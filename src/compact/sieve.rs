@@ -57,8 +57,7 @@ pub(super) fn seen(
     known: &KnownSimplified,
 ) -> Vec<Option<Arc<Model>>> {
     let seen = |mesh: &SceneMesh, kind: Kind| {
-        let whole = Extent::of(mesh.model.primitives.iter().flat_map(|part| &part.positions));
-        if whole.sides()[0] < options.least_size {
+        if Extent(mesh.model.bounds()).sides()[0] < options.least_size {
             return None;
         }
         let Shapes::Boxes { least_width, boxed } = options.shapes else {
@@ -109,10 +108,6 @@ struct Extent([Vec3; 2]);
 
 impl Extent {
     const EMPTY: Self = Self([Vec3::INFINITY, Vec3::NEG_INFINITY]);
-
-    fn of<'p>(corners: impl Iterator<Item = &'p [f32; 3]>) -> Self {
-        corners.fold(Self::EMPTY, |extent, corner| extent.with(corner))
-    }
 
     fn with(self, corner: &[f32; 3]) -> Self {
         let (Self([low, high]), corner) = (self, Vec3::from_array(*corner));

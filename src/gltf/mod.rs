@@ -41,7 +41,7 @@ pub(crate) use light::{LIGHTS, light_list};
 pub use models::EncodedModels;
 pub(crate) use node::bare_nodes;
 pub use options::{FlatNormals, WriteOptions};
-pub(crate) use output::{GLB, GLTF, shared_images};
+pub(crate) use output::{GLB, GLTF};
 pub(crate) use shared::GeometryLibrary;
 
 use crate::scene::Scene;

@@ -9,8 +9,9 @@ use super::options::WriteOptions;
 use super::shared::GeometryLibrary;
 use super::{GltfError, write_glb_with, write_gltf_with};
 use crate::catalog::Catalog;
-use crate::output::{LevelOptions, LevelToWrite, Output, OutputFormat, SharedFile, TooLarge, WrittenLevel};
-use crate::scene::{Scene, SceneMaterial};
+use crate::output::{
+    LevelOptions, LevelToWrite, Output, OutputFormat, SharedFile, TooLarge, WrittenLevel, shared_images,
+};
 
 /// One binary file per level.
 pub(crate) const GLB: OutputFormat = OutputFormat {
@@ -19,6 +20,7 @@ pub(crate) const GLB: OutputFormat = OutputFormat {
     extensions: &["glb"],
     shows_textures: true,
     shares_all_images: false,
+    has_index: false,
     is_read_back: true,
     begin: |catalog, options| Box::new(GltfOutput::new(catalog, options, Container::Binary)),
 };
@@ -30,6 +32,7 @@ pub(crate) const GLTF: OutputFormat = OutputFormat {
     extensions: &["gltf", "bin"],
     shows_textures: true,
     shares_all_images: false,
+    has_index: false,
     is_read_back: true,
     begin: |catalog, options| Box::new(GltfOutput::new(catalog, options, Container::Json)),
 };
@@ -79,7 +82,7 @@ impl Output for GltfOutput<'_> {
             }
         };
         let mut shared = shared_models(library.unwrap_or_default(), level.folder());
-        shared.extend(shared_images(level.scene, level.folder()));
+        shared.extend(shared_images(level.scene.textures(), level.folder()));
         Ok(WrittenLevel { files, shared })
     }
 }
@@ -95,20 +98,6 @@ fn shared_models<'a>(library: SharedLibrary, folder: &str) -> Vec<SharedFile<'a>
     let file = |(path, model): (String, Arc<SharedModel>)| SharedFile {
         path,
         content: Box::new(move || model.bytes()),
-    };
-    by_path.into_iter().map(file).collect()
-}
-
-/// The images that a level refers to, sorted by path.
-pub(crate) fn shared_images<'a>(scene: &'a Scene, folder: &str) -> Vec<SharedFile<'a>> {
-    let textures = scene.materials.iter().flat_map(SceneMaterial::textures);
-    let beside =
-        textures.filter_map(|(_, texture)| Some((texture.image.uri.as_ref()?, &texture.image.bytes)));
-    let by_path: BTreeMap<String, &'a Vec<u8>> =
-        beside.map(|(uri, bytes)| (format!("{folder}/{uri}"), bytes)).collect();
-    let file = |(path, bytes): (String, &'a Vec<u8>)| SharedFile::<'a> {
-        path,
-        content: Box::new(move || bytes.clone()),
     };
     by_path.into_iter().map(file).collect()
 }

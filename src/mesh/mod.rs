@@ -4,6 +4,7 @@ mod material;
 mod model;
 
 pub use material::Material;
+pub(crate) use model::coordinate_set_count;
 pub use model::{
     Image, Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureSampler, TextureUse, Transparency,
 };

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use glam::Vec3;
 use gltf_json::texture::{MagFilter, MinFilter, WrappingMode};
 use serde::{Deserialize, Serialize};
 
@@ -41,6 +42,15 @@ impl Primitive {
     /// All sets of texture coordinates, in their order.
     pub fn coordinate_sets(&self) -> impl Iterator<Item = &[[f32; 2]]> {
         std::iter::once(&self.texture_coordinates).chain(&self.further_coordinates).map(Vec::as_slice)
+    }
+}
+
+impl Model {
+    /// The lowest and the highest corner of its box; infinite where it has no corners.
+    pub(crate) fn bounds(&self) -> [Vec3; 2] {
+        let corners = self.primitives.iter().flat_map(|part| &part.positions).copied().map(Vec3::from_array);
+        let empty = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+        corners.fold(empty, |[low, high], corner| [low.min(corner), high.max(corner)])
     }
 }
 
@@ -100,8 +110,13 @@ impl OwnMaterial {
     /// How many sets of texture coordinates its images need.
     #[must_use]
     pub fn coordinate_set_count(&self) -> usize {
-        self.textures.iter().map(|(_, texture)| texture.coordinate_set + 1).max().unwrap_or(0)
+        coordinate_set_count(&self.textures)
     }
+}
+
+/// How many sets of texture coordinates some textures need.
+pub(crate) fn coordinate_set_count(textures: &[(TextureUse, Texture)]) -> usize {
+    textures.iter().map(|(_, texture)| texture.coordinate_set + 1).max().unwrap_or(0)
 }
 
 /// The meaning of the opacity of an [`OwnMaterial`].

@@ -16,8 +16,7 @@ use super::material::{ReadMaterial, read_materials};
 use super::problem::Problem;
 use crate::contract::Extras;
 use crate::document::Fault;
-use crate::mesh::{Model, ModelMaterial};
-use crate::scene::{Node, Scene, SceneMaterial, SceneMesh};
+use crate::scene::{Node, Scene, SceneMaterial, SceneMesh, own_materials};
 
 /// Nodes below each other that are read; a level has five or so.
 const DEEPEST: usize = 64;
@@ -34,7 +33,14 @@ fn read(path: &Path) -> Result<Scene, Problem> {
     let mut container = open(path)?;
     let materials = read_materials(path, &mut container)?;
     let numbers = Numbers { document: &container.document, buffers: &container.buffers };
-    let mut reader = Reader { numbers, materials: &materials, meshes: Vec::new(), known: BTreeMap::new() };
+    let mut reader = Reader {
+        numbers,
+        materials: &materials,
+        shown: materials.iter().map(|read| SceneMaterial::Own(Arc::clone(&read.material))).collect(),
+        meshes: Vec::new(),
+        known: BTreeMap::new(),
+        is_visited: vec![false; container.document.nodes.len()],
+    };
     let mut levels = Vec::new();
     for root in roots(&container.document) {
         levels.push(reader.node(root, Place::IDENTITY, 0)?);
@@ -45,9 +51,8 @@ fn read(path: &Path) -> Result<Scene, Problem> {
         Problem::new("has no level: no node at the top has extras that say {\"kind\": \"level\"}")
             .with_hint("use files that bake wrote, or that keep their extras (custom properties)")
     })?;
-    let Reader { meshes, .. } = reader;
-    let materials = materials.into_iter().map(|read| SceneMaterial::Own(read.material)).collect();
-    Ok(Scene { root, meshes, materials, lights: Vec::new(), variants: Vec::new() })
+    let Reader { meshes, shown, .. } = reader;
+    Ok(Scene { root, meshes, materials: shown, lights: Vec::new(), variants: Vec::new() })
 }
 
 /// A place without scale, and the scale that what it shows has.
@@ -66,9 +71,13 @@ impl Place {
 struct Reader<'a> {
     numbers: Numbers<'a>,
     materials: &'a [ReadMaterial],
+    /// The same as those of the scene.
+    shown: Vec<SceneMaterial>,
     meshes: Vec<SceneMesh>,
     /// The mesh of the scene for each mesh of the file in each size; `None` for those without triangles.
     known: BTreeMap<(usize, [u64; 3]), Option<usize>>,
+    /// By node: one below two others would be read as often as there are ways to it.
+    is_visited: Vec<bool>,
 }
 
 impl Reader<'_> {
@@ -78,6 +87,9 @@ impl Reader<'_> {
             return Err(Problem::new("names a node that does not exist"));
         };
         let name = source.name.clone().unwrap_or_else(|| format!("node {}", index.value()));
+        if std::mem::replace(&mut self.is_visited[index.value()], true) {
+            return Err(Problem::new(format!("node \"{name}\" is reached twice")));
+        }
         if depth > DEEPEST {
             return Err(Problem::new(format!("node \"{name}\" lies below more than {DEEPEST} others")));
         }
@@ -121,21 +133,45 @@ impl Reader<'_> {
         source.primitives.iter().try_for_each(|part| gathered.add(part, DMat4::from_scale(scale)))?;
         let found = gathered.into_model().ok().map(|model| {
             let name = source.name.clone().unwrap_or_else(|| format!("mesh {index}"));
-            let materials = self.materials_of(&model);
+            let materials = own_materials(&self.shown, &model);
             self.meshes.push(SceneMesh { name, model: Arc::new(model), materials, key: None });
             self.meshes.len() - 1
         });
         self.known.insert(key, found);
         Ok(found)
     }
+}
 
-    fn materials_of(&self, model: &Model) -> Vec<usize> {
-        let of = |material: &ModelMaterial| match material {
-            ModelMaterial::Own(own) => {
-                self.materials.iter().position(|read| Arc::ptr_eq(&read.material, own)).unwrap_or(0)
-            }
-            _ => 0,
-        };
-        model.primitives.iter().map(|part| of(&part.material)).collect()
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The level of a document with nodes.
+    fn level_of(nodes: &str) -> Result<Scene, Fault> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("level.gltf");
+        let text = format!(
+            "{{\"asset\": {{\"version\": \"2.0\"}}, \"scenes\": [{{\"nodes\": [0]}}], \"nodes\": [{nodes}]}}"
+        );
+        std::fs::write(&path, text).unwrap();
+        read_scene(&path)
+    }
+
+    const LEVEL: &str = r#""name": "a/1", "extras": {"kind": "level", "building": "a", "level": "1", "elevation": 0, "height": 3}"#;
+
+    #[test]
+    fn nodes_are_read_below_each_other() {
+        let child = r#"{"name": "b", "translation": [1, 2, 3], "scale": [2, 2, 2]}"#;
+        let scene = level_of(&format!("{{{LEVEL}, \"children\": [1]}}, {child}")).unwrap();
+        assert_eq!(scene.root.children[0].translation, glam::Vec3::new(1.0, 2.0, 3.0));
+        assert!(level_of(r#"{"name": "no level"}"#).unwrap_err().message.contains("has no level"));
+    }
+
+    #[test]
+    fn a_node_below_several_others_is_refused_however_many_ways_lead_to_it() {
+        // Twice as many ways with every step.
+        let steps = (0..60).map(|step| format!("{{\"children\": [{0}, {0}]}}", step + 2));
+        let nodes = format!("{{{LEVEL}, \"children\": [1]}}, {}, {{}}", steps.collect::<Vec<_>>().join(", "));
+        assert!(level_of(&nodes).unwrap_err().message.contains("is reached twice"));
     }
 }

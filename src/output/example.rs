@@ -18,6 +18,7 @@ const OBJ: OutputFormat = OutputFormat {
     extensions: &["obj", "mtl"],
     shows_textures: false,
     shares_all_images: false,
+    has_index: false,
     is_read_back: false,
     begin: |_, options| Box::new(ObjOutput { options }),
 };

@@ -18,6 +18,8 @@ pub(crate) struct OutputFormat {
     pub(crate) shows_textures: bool,
     /// Whether images lie in one folder for all buildings, whatever the user asks for.
     pub(crate) shares_all_images: bool,
+    /// Whether there are files over all levels, of which [`super::INDEX_NAME`] is the one to open.
+    pub(crate) has_index: bool,
     /// Whether `audit`, `diff` and `edits` read its files again.
     pub(crate) is_read_back: bool,
     /// Begins a run.

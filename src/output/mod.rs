@@ -42,6 +42,7 @@ mod example;
 mod folders;
 mod format;
 mod options;
+mod shared_images;
 mod table;
 
 pub(crate) use folders::{INDEX_FOLDER, INDEX_NAME, SHARED_GEOMETRY, SHARED_TEXTURES};
@@ -50,4 +51,5 @@ pub(crate) use format::{
     WrittenLevel,
 };
 pub use options::{Format, IndexOptions, LevelOptions, TextureOptions};
+pub(crate) use shared_images::shared_images;
 pub(crate) use table::{OUTPUTS, is_read_back, output_format};

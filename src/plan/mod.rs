@@ -56,5 +56,6 @@ pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, id_taken, read_and_p
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use room_ref::RoomRef;
 pub use site_origin::{EarthPlace, SiteOrigin};
+pub(crate) use units::{ECCENTRICITY_SQUARED, EQUATOR_RADIUS};
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};
 pub use write_native::write_native;

@@ -30,6 +30,14 @@ pub enum EarthPlace {
 }
 
 impl SiteOrigin {
+    /// A place in degrees, and metres above the ellipsoid, whose y axis is north; `None` where a plane is no picture of the ground, or
+    /// the numbers are not degrees.
+    #[must_use]
+    pub fn at(longitude: f64, latitude: f64, height: f64) -> Option<Self> {
+        LocalPlane::at(longitude, latitude)?;
+        Some(Self { place: EarthPlace::Degrees(Point::new(longitude, latitude)), height, heading: 0.0 })
+    }
+
     /// A place in a reference system, with the same place in degrees where they are known; `None` where neither says where it is.
     pub(crate) fn of(system: Option<&str>, position: Point, degrees: Option<Point>) -> Option<Self> {
         let by_degrees = || degrees.map(EarthPlace::Degrees);

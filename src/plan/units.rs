@@ -6,9 +6,9 @@ use crate::geometry::Point;
 pub(crate) const CENTIMETRE: f64 = 0.01;
 
 /// Semi-major axis of the WGS 84 ellipsoid in metres.
-const EQUATOR_RADIUS: f64 = 6_378_137.0;
+pub(crate) const EQUATOR_RADIUS: f64 = 6_378_137.0;
 /// Square of the ellipsoid's first eccentricity.
-const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_14e-3;
+pub(crate) const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_14e-3;
 
 /// Metres per pixel of a scan whose scale is given as square centimetres per square pixel.
 ///

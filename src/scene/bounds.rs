@@ -24,18 +24,7 @@ const PARTS: f64 = 1000.0;
 impl LevelBounds {
     /// The box of a scene; `None` where it shows nothing.
     pub(crate) fn of(scene: &Scene, elevation: f64) -> Option<Self> {
-        let boxes: Vec<[Vec3; 2]> = scene
-            .meshes
-            .iter()
-            .map(|mesh| {
-                let corners = mesh.model.primitives.iter().flat_map(|part| &part.positions);
-                let empty = [Vec3::INFINITY, Vec3::NEG_INFINITY];
-                corners.fold(empty, |[low, high], &corner| {
-                    let corner = Vec3::from_array(corner);
-                    [low.min(corner), high.max(corner)]
-                })
-            })
-            .collect();
+        let boxes: Vec<[Vec3; 2]> = scene.meshes.iter().map(|mesh| mesh.model.bounds()).collect();
         let mut found = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         add(&scene.root, Affine3A::IDENTITY, &boxes, &mut found);
         let [low, high] = found;

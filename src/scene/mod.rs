@@ -28,6 +28,8 @@ pub use node::{ModelKey, Node, Scene, SceneLight, SceneMaterial, SceneMesh, Scen
 
 pub use options::{Lights, Parts, SceneOptions};
 
+pub(crate) use node::own_materials;
+
 pub(crate) use axes::{plan_angle, plan_point, plan_rotation};
 pub(crate) use extras::{GENERATOR, closure};
 

@@ -8,7 +8,8 @@ use glam::{Quat, Vec3};
 use super::axes::Pose;
 use crate::catalog::Material;
 use crate::contract::{Extras, VariantId};
-use crate::model::{Model, OwnMaterial, Texture, TextureUse};
+use crate::mesh::coordinate_set_count;
+use crate::model::{Model, ModelMaterial, OwnMaterial, Primitive, Texture, TextureUse};
 use crate::recipes::GeometrySet;
 
 /// One level as a tree of nodes in the glTF frame: metres, right-handed, Y up.
@@ -24,6 +25,20 @@ pub struct Scene {
     pub lights: Vec<SceneLight>,
     /// Other looks of the whole level, if any are asked for.
     pub variants: Vec<SceneVariant>,
+}
+
+impl Scene {
+    /// All textures of its materials.
+    pub(crate) fn textures(&self) -> impl Iterator<Item = &Texture> {
+        self.materials.iter().flat_map(SceneMaterial::textures).map(|(_, texture)| texture)
+    }
+}
+
+/// The indices of the materials of a model among some; the first where one is not among them.
+pub(crate) fn own_materials(materials: &[SceneMaterial], model: &Model) -> Vec<usize> {
+    let index =
+        |part: &Primitive| materials.iter().position(|known| known.is_of(&part.material)).unwrap_or(0);
+    model.primitives.iter().map(index).collect()
 }
 
 /// Another look of a level.
@@ -90,6 +105,19 @@ impl SceneMaterial {
             Self::Slot { textures, .. } => textures,
             Self::Own(own) => &own.textures,
         }
+    }
+
+    /// Whether it is the material of a part of a user's model.
+    pub(crate) fn is_of(&self, part: &ModelMaterial) -> bool {
+        match (self, part) {
+            (Self::Own(known), ModelMaterial::Own(own)) => Arc::ptr_eq(known, own),
+            _ => false,
+        }
+    }
+
+    /// How many sets of texture coordinates its images need.
+    pub(crate) fn coordinate_set_count(&self) -> usize {
+        coordinate_set_count(self.textures())
     }
 
     /// The surface of its slot.

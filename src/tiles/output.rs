@@ -1,6 +1,5 @@
 //! 3D Tiles as a format of the table.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::tileset;
@@ -10,7 +9,7 @@ use crate::mesh::{Image, TextureUse};
 use crate::model::Detail;
 use crate::output::{
     IndexFiles, IndexOptions, IndexedLevel, LevelOptions, LevelToWrite, Output, OutputFormat,
-    SHARED_TEXTURES, SceneLook, SharedFile, TooLarge, WrittenLevel,
+    SHARED_TEXTURES, SceneLook, TooLarge, WrittenLevel, shared_images,
 };
 use crate::scene::SceneMaterial;
 
@@ -21,6 +20,7 @@ pub(crate) const TILES: OutputFormat = OutputFormat {
     extensions: &["full.glb", "reduced.glb", "boxes.glb"],
     shows_textures: true,
     shares_all_images: true,
+    has_index: true,
     is_read_back: false,
     begin: |_, options| {
         let LevelOptions { instancing, detail, .. } = *options;
@@ -100,7 +100,10 @@ impl Output for TilesOutput {
             bytes.map(|bytes| (extension, bytes))
         });
         let files = written.into_iter().collect::<Result<Vec<_>, _>>()?;
-        Ok(WrittenLevel { files, shared: shared_images(&materials, level.folder()) })
+        let textures = materials.iter().flat_map(SceneMaterial::textures);
+        let shown =
+            textures.filter(|(purpose, _)| *purpose != TextureUse::Normal).map(|(_, texture)| texture);
+        Ok(WrittenLevel { files, shared: shared_images(shown, level.folder()) })
     }
 
     fn index(&self, levels: &[IndexedLevel], options: &IndexOptions) -> IndexFiles {
@@ -129,22 +132,4 @@ fn with_shared_images(material: &SceneMaterial) -> SceneMaterial {
 fn file_name(image: &Image) -> String {
     let ending = if image.mime_type == "image/jpeg" { "jpg" } else { "png" };
     format!("image.{}.{ending}", &content_hash(&image.bytes)[..NAME_DIGITS])
-}
-
-/// The images that tiles refer to, sorted by path.
-fn shared_images(materials: &[SceneMaterial], folder: &str) -> Vec<SharedFile<'static>> {
-    let textures = materials.iter().flat_map(SceneMaterial::textures);
-    let shown = textures.filter(|(purpose, _)| *purpose != TextureUse::Normal);
-    let by_path: BTreeMap<String, Arc<Image>> = shown
-        .filter_map(|(_, texture)| {
-            let uri = texture.image.uri.as_ref()?;
-            let path = uri.strip_prefix("../").map_or_else(|| format!("{folder}/{uri}"), str::to_owned);
-            Some((path, Arc::clone(&texture.image)))
-        })
-        .collect();
-    let file = |(path, image): (String, Arc<Image>)| SharedFile {
-        path,
-        content: Box::new(move || image.bytes.clone()),
-    };
-    by_path.into_iter().map(file).collect()
 }

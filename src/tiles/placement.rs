@@ -3,12 +3,7 @@
 use glam::{DMat4, DVec3, DVec4};
 
 use crate::geometry::Point;
-use crate::plan::SiteOrigin;
-
-/// Metres of the ellipsoid of WGS 84 at the equator (NGA.STND.0036, table 3.1).
-const EQUATOR_RADIUS: f64 = 6_378_137.0;
-/// Its flattening.
-const FLATTENING: f64 = 1.0 / 298.257_223_563;
+use crate::plan::{ECCENTRICITY_SQUARED, EQUATOR_RADIUS, SiteOrigin};
 
 /// Metres on the plane of a site between two places by which the direction of its north is found.
 const BASE_LINE: f64 = 100.0;
@@ -78,13 +73,12 @@ fn axes(degrees: Point) -> [DVec3; 3] {
 fn earth(degrees: Point, height: f64) -> DVec3 {
     let (sine_of_longitude, cosine_of_longitude) = libm::sincos(degrees.x.to_radians());
     let (sine, cosine) = libm::sincos(degrees.y.to_radians());
-    let eccentricity_squared = FLATTENING * (2.0 - FLATTENING);
-    let radius = EQUATOR_RADIUS / (1.0 - eccentricity_squared * sine * sine).sqrt();
+    let radius = EQUATOR_RADIUS / (1.0 - ECCENTRICITY_SQUARED * sine * sine).sqrt();
     let across = (radius + height) * cosine;
     DVec3::new(
         across * cosine_of_longitude,
         across * sine_of_longitude,
-        (radius * (1.0 - eccentricity_squared) + height) * sine,
+        (radius * (1.0 - ECCENTRICITY_SQUARED) + height) * sine,
     )
 }
 

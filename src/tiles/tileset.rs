@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use glam::{DMat4, DVec3};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::near::errors;
 use super::placement::Placer;
 use super::quadtree::{Quarter, divide};
 use super::volume::{Volume, transform};
 use crate::output::{INDEX_FOLDER, INDEX_NAME, IndexFiles, IndexOptions, IndexedLevel};
-use crate::scene::GENERATOR;
+use crate::scene::{GENERATOR, LevelBounds};
 
 /// Files of the quadtree hold so many of its divisions.
 const DIVISIONS_OF_FILE: usize = 3;
@@ -22,15 +22,14 @@ const DETAILS: [&str; 3] = [".boxes.glb", ".reduced.glb", ".full.glb"];
 /// The files of the tileset of some levels, sorted by building and level; the one to open first.
 pub(super) fn files(levels: &[IndexedLevel], options: &IndexOptions) -> IndexFiles {
     let placer = Placer::new(options.origin.as_ref());
-    let errors = errors(options.near);
-    let mut by_building: BTreeMap<&str, Vec<&IndexedLevel>> = BTreeMap::new();
-    let shown = levels.iter().filter(|level| level.bounds.is_some());
-    shown.for_each(|level| by_building.entry(&level.building).or_default().push(level));
-    let buildings: Vec<BuildingTile> =
-        by_building.into_iter().map(|(id, levels)| BuildingTile::new(id, &levels, &placer, errors)).collect();
-    let mut writer = Writer { buildings, files: Vec::new() };
+    let mut by_building: BTreeMap<&str, Vec<(&IndexedLevel, LevelBounds)>> = BTreeMap::new();
+    let shown = levels.iter().filter_map(|level| Some((level, level.bounds?)));
+    shown.for_each(|(level, bounds)| by_building.entry(&level.building).or_default().push((level, bounds)));
+    let buildings: Vec<PlacedLevels<'_>> =
+        by_building.into_iter().filter_map(|(id, levels)| PlacedLevels::new(id, levels, &placer)).collect();
     let site: Vec<([f64; 2], usize)> =
-        writer.buildings.iter().map(|building| (building.volume.middle(), building.level_count)).collect();
+        buildings.iter().map(|building| (building.volume.middle(), building.levels.len())).collect();
+    let mut writer = Writer { buildings, errors: errors(options.near), files: Vec::new() };
     let top = match writer.buildings.is_empty() {
         true => Tile::nothing(),
         false => writer.quarter(&divide(&site), "", INDEX_FOLDER, 0),
@@ -39,8 +38,7 @@ pub(super) fn files(levels: &[IndexedLevel], options: &IndexOptions) -> IndexFil
     if let Some(matrix) = placer.root() {
         root["transform"] = transform(matrix);
     }
-    let whole = tileset(top.error * STEP, root, true);
-    let mut files = vec![(INDEX_NAME.to_owned(), whole)];
+    let mut files = vec![(INDEX_NAME.to_owned(), tileset(top.error * STEP, root))];
     files.extend(writer.files);
     files
 }
@@ -75,46 +73,50 @@ impl Tile {
     }
 }
 
-/// A building with its levels.
-struct BuildingTile {
-    json: Value,
+/// A building with its levels in its place.
+struct PlacedLevels<'l> {
+    id: &'l str,
+    levels: Vec<(&'l IndexedLevel, LevelBounds)>,
+    /// From the building's frame to that of the root.
+    matrix: DMat4,
+    /// In the frame of the building.
+    own_volume: Volume,
     /// In the frame of the root.
     volume: Volume,
-    error: f64,
-    level_count: usize,
 }
 
-impl BuildingTile {
-    fn new(id: &str, levels: &[&IndexedLevel], placer: &Placer<'_>, errors: [f64; 3]) -> Self {
-        let place = levels.first().map_or(([0.0; 2], 0.0), |level| (level.position, level.turn));
-        let matrix = placer.building(place.0, place.1);
-        let tiles = levels.iter().filter_map(|level| Some((level, level.bounds?)));
-        let mut volume: Option<Volume> = None;
-        let children: Vec<Value> = tiles
-            .map(|(level, bounds)| {
-                let held = Volume { low: DVec3::from(bounds.low), high: DVec3::from(bounds.high) };
-                volume = Some(volume.map_or(held, |known| known.joined(held)));
-                level_tile(level, bounds.elevation, held, errors)
-            })
-            .collect();
-        let volume = volume.expect("a building has levels with boxes").rounded();
+impl<'l> PlacedLevels<'l> {
+    /// `None` without levels.
+    fn new(id: &'l str, levels: Vec<(&'l IndexedLevel, LevelBounds)>, placer: &Placer<'_>) -> Option<Self> {
+        let (first, _) = levels.first()?;
+        let matrix = placer.building(first.position, first.turn);
+        let volumes = levels.iter().map(|(_, bounds)| Volume::of(bounds));
+        let own_volume = volumes.reduce(Volume::joined)?.rounded();
+        Some(Self { id, levels, matrix, own_volume, volume: own_volume.placed(&matrix).rounded() })
+    }
+
+    /// Its tile; `up` leads from the file that it is in to the output folder.
+    fn tile(&self, up: &str, errors: [f64; 3]) -> Tile {
+        let levels = self.levels.iter();
+        let children: Vec<Value> =
+            levels.map(|(level, bounds)| level_tile(level, bounds, up, errors)).collect();
         let error = errors[0] * STEP;
         let json = json!({
-            "transform": transform(&matrix),
-            "boundingVolume": volume.json(),
+            "transform": transform(&self.matrix),
+            "boundingVolume": self.own_volume.json(),
             "geometricError": tidy(error),
             "refine": "ADD",
-            "metadata": {"class": "building", "properties": {"id": id}},
+            "metadata": {"class": "building", "properties": {"id": self.id}},
             "children": children,
         });
-        Self { json, volume: volume.placed(&matrix).rounded(), error, level_count: levels.len() }
+        Tile { json, volume: self.volume, error }
     }
 }
 
 /// A level: from afar nothing, then its three details.
-fn level_tile(level: &IndexedLevel, elevation: f64, held: Volume, errors: [f64; 3]) -> Value {
-    let rise = DVec3::new(0.0, 0.0, elevation);
-    let volume = held.moved(-rise).rounded().json();
+fn level_tile(level: &IndexedLevel, bounds: &LevelBounds, up: &str, errors: [f64; 3]) -> Value {
+    let rise = DVec3::new(0.0, 0.0, bounds.elevation);
+    let volume = Volume::of(bounds).moved(-rise).rounded().json();
     let finer = [errors[1], errors[2], 0.0];
     let mut tile: Option<Value> = None;
     for (ending, error) in DETAILS.iter().zip(finer).rev() {
@@ -122,7 +124,7 @@ fn level_tile(level: &IndexedLevel, elevation: f64, held: Volume, errors: [f64; 
         let mut coarser = json!({
             "boundingVolume": volume,
             "geometricError": tidy(error),
-            "content": {"uri": path},
+            "content": {"uri": format!("{up}{path}")},
         });
         if let Some(finer) = tile {
             coarser["children"] = json!([finer]);
@@ -140,19 +142,20 @@ fn level_tile(level: &IndexedLevel, elevation: f64, held: Volume, errors: [f64; 
 }
 
 /// Writes the files below the first.
-struct Writer {
-    buildings: Vec<BuildingTile>,
+struct Writer<'l> {
+    buildings: Vec<PlacedLevels<'l>>,
+    errors: [f64; 3],
     files: IndexFiles,
 }
 
-impl Writer {
+impl Writer<'_> {
     /// The tile of a quarter. `name` says where it is: the numbers of the quarters that it is in. `folder` leads from the file that
     /// the tile is in to the folder of the others, and `depth` counts the divisions in that file.
     fn quarter(&mut self, quarter: &Quarter, name: &str, folder: &str, depth: usize) -> Tile {
         match quarter {
-            Quarter::Buildings(buildings) if name.is_empty() => self.buildings(buildings, "").0,
+            Quarter::Buildings(buildings) if name.is_empty() => self.buildings(buildings, ""),
             Quarter::Buildings(buildings) => {
-                let (tile, _) = self.buildings(buildings, "../");
+                let tile = self.buildings(buildings, "../");
                 self.outsourced(tile, name, folder)
             }
             Quarter::Quarters(parts) if depth == DIVISIONS_OF_FILE => {
@@ -171,22 +174,16 @@ impl Writer {
     }
 
     /// The tile of some buildings; `up` leads from the file that it is in to the output folder.
-    fn buildings(&self, buildings: &[usize], up: &str) -> (Tile, usize) {
-        let tiles = buildings.iter().map(|&building| {
-            let BuildingTile { json, volume, error, .. } = &self.buildings[building];
-            let mut json = json.clone();
-            if !up.is_empty() {
-                lift_paths(&mut json, up);
-            }
-            Tile { json, volume: *volume, error: *error }
-        });
-        (Tile::around(tiles.collect()), buildings.len())
+    fn buildings(&self, buildings: &[usize], up: &str) -> Tile {
+        Tile::around(
+            buildings.iter().map(|&building| self.buildings[building].tile(up, self.errors)).collect(),
+        )
     }
 
     /// Moves a tile into a file of its own, and gives the one that leads there.
     fn outsourced(&mut self, tile: Tile, name: &str, folder: &str) -> Tile {
         let Tile { json, volume, error } = tile;
-        self.files.push((format!("{INDEX_FOLDER}{name}.json"), tileset(error * STEP, json, true)));
+        self.files.push((format!("{INDEX_FOLDER}{name}.json"), tileset(error * STEP, json)));
         let error = error * STEP;
         let json = json!({
             "boundingVolume": volume.json(),
@@ -198,28 +195,17 @@ impl Writer {
     }
 }
 
-/// Puts a way up before the paths of all contents.
-fn lift_paths(tile: &mut Value, up: &str) {
-    if let Some(Value::String(uri)) = tile.pointer_mut("/content/uri") {
-        uri.insert_str(0, up);
-    }
-    for child in tile.get_mut("children").and_then(Value::as_array_mut).into_iter().flatten() {
-        lift_paths(child, up);
-    }
-}
-
 /// A file of the tileset.
-fn tileset(error: f64, root: Value, has_schema: bool) -> Vec<u8> {
-    let mut json = Map::new();
-    json.insert("asset".to_owned(), json!({"version": "1.1", "extras": {"generator": GENERATOR}}));
-    json.insert("geometricError".to_owned(), json!(tidy(error)));
-    if has_schema {
-        let id = json!({"type": "STRING", "required": true, "semantic": "ID"});
-        let class = |about: &str| json!({"description": about, "properties": {"id": id}});
-        let classes = json!({"building": class("A building"), "level": class("A level of a building")});
-        json.insert("schema".to_owned(), json!({"id": "roomwright_tileset", "classes": classes}));
-    }
-    json.insert("root".to_owned(), root);
+fn tileset(error: f64, root: Value) -> Vec<u8> {
+    let id = json!({"type": "STRING", "required": true, "semantic": "ID"});
+    let class = |about: &str| json!({"description": about, "properties": {"id": id}});
+    let classes = json!({"building": class("A building"), "level": class("A level of a building")});
+    let json = json!({
+        "asset": {"version": "1.1", "extras": {"generator": GENERATOR}},
+        "geometricError": tidy(error),
+        "schema": {"id": "roomwright_tileset", "classes": classes},
+        "root": root,
+    });
     serde_json::to_vec(&json).expect("ids are strings and numbers are finite")
 }
 

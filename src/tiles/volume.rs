@@ -3,6 +3,8 @@
 use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
 
+use crate::scene::LevelBounds;
+
 /// A box along the axes of a frame, in metres: never empty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Volume {
@@ -11,6 +13,11 @@ pub(super) struct Volume {
 }
 
 impl Volume {
+    /// The box of a level, in the frame of its building.
+    pub(super) fn of(bounds: &LevelBounds) -> Self {
+        Self { low: DVec3::from(bounds.low), high: DVec3::from(bounds.high) }
+    }
+
     /// The box around both.
     pub(super) fn joined(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }

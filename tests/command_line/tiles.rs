@@ -99,6 +99,8 @@ fn what_cannot_be_meant_is_refused() {
         (&["tiles", "a.yaml", "--origin", "52.5,100"], "latitude"),
         (&["tiles", "a.yaml", "--heading", "20"], "--origin"),
         (&["tiles", "out", "a.yaml"], "one by one"),
+        (&["tiles", "out", "--seed", "3"], "--seed does not apply"),
+        (&["tiles", "out", "--out", "tiles.glb"], "name of a file"),
         (&["tiles", "out", "--out", "out"], "bake itself"),
     ];
     for (arguments, word) in refused {

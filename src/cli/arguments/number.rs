@@ -48,6 +48,20 @@ pub(super) fn degrees(text: &str) -> Result<f64, String> {
     not_negative(text).ok_or_else(|| format!("write degrees, as a number from 0 on{}", without_unit(text)))
 }
 
+/// Reads finite numbers with commas between them.
+pub(super) fn numbers(text: &str) -> Result<Vec<f64>, String> {
+    let number = |word: &str| match word.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err(format!("\"{}\" is no number", word.trim())),
+    };
+    text.split(',').map(number).collect()
+}
+
+/// As [`numbers`], so many.
+pub(super) fn so_many_numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    numbers(text)?.try_into().map_err(|found: Vec<f64>| format!("{} numbers instead of {N}", found.len()))
+}
+
 fn not_negative(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number| (0.0..1e6).contains(number))
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::number::whole_number;
+use super::number::{so_many_numbers, whole_number};
 use crate::best::DEFAULT_EFFORT;
 use crate::storey::Choices;
 
@@ -45,12 +45,8 @@ pub(crate) struct MapArguments {
 }
 
 fn bounds(text: &str) -> Result<[f64; 4], String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
-    let numbers = numbers.map_err(|error| error.to_string())?;
-    let bounds: [f64; 4] =
-        numbers.try_into().map_err(|found: Vec<f64>| format!("{} numbers instead of 4", found.len()))?;
+    let bounds = so_many_numbers(text)?;
     let [west, south, east, north] = bounds;
-    // Written so that NaN fails.
     if west < east && south < north { Ok(bounds) } else { Err("the box has no area".to_owned()) }
 }
 

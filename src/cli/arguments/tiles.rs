@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::RunArguments;
+use super::number::{numbers, so_many_numbers};
+use crate::plan::SiteOrigin;
 
 /// `tiles`.
 #[derive(Clone, Debug, Args)]
@@ -20,7 +22,7 @@ pub(crate) struct TilesArguments {
     /// Where the site's origin is: degrees of longitude and latitude on WGS 84, and metres above the ellipsoid [default: what the
     /// project or the map says, at height 0].
     #[arg(long, value_name = "LON,LAT[,HEIGHT]", allow_negative_numbers = true, value_parser = origin)]
-    pub(crate) origin: Option<Origin>,
+    pub(crate) origin: Option<SiteOrigin>,
     /// Degrees clockwise from north to the site's y axis.
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, value_parser = heading, requires = "origin")]
     pub(crate) heading: Option<f64>,
@@ -33,34 +35,17 @@ pub(crate) struct TilesArguments {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Near(pub(crate) [f64; 3]);
 
-/// Degrees of longitude and latitude, and metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Origin(pub(crate) [f64; 3]);
-
 /// The words of `--instancing`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum InstancingWord {
     /// As instances (EXT_mesh_gpu_instancing).
     Gpu,
-    /// Merged, for clients without that extension; files are several times as large.
+    /// Merged, for clients without that extension; files are up to ten times as large.
     None,
 }
 
-/// Degrees of latitude up to which maps are drawn.
-const FARTHEST_LATITUDE: f64 = 85.0;
-
-fn numbers(text: &str) -> Result<Vec<f64>, String> {
-    let number = |word: &str| match word.trim().parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        _ => Err(format!("\"{}\" is no number", word.trim())),
-    };
-    text.split(',').map(number).collect()
-}
-
 fn near(text: &str) -> Result<Near, String> {
-    let numbers = numbers(text)?;
-    let near: [f64; 3] =
-        numbers.try_into().map_err(|found: Vec<f64>| format!("{} numbers instead of 3", found.len()))?;
+    let near = so_many_numbers(text)?;
     let [boxes, reduced, full] = near;
     if boxes > reduced && reduced > full && full > 0.0 {
         Ok(Near(near))
@@ -70,24 +55,20 @@ fn near(text: &str) -> Result<Near, String> {
     }
 }
 
-fn origin(text: &str) -> Result<Origin, String> {
-    let origin = match numbers(text)?.as_slice() {
-        &[longitude, latitude] => [longitude, latitude, 0.0],
-        &[longitude, latitude, height] => [longitude, latitude, height],
+fn origin(text: &str) -> Result<SiteOrigin, String> {
+    let (longitude, latitude, height) = match numbers(text)?.as_slice() {
+        &[longitude, latitude] => (longitude, latitude, 0.0),
+        &[longitude, latitude, height] => (longitude, latitude, height),
         found => return Err(format!("{} numbers instead of 2 or 3", found.len())),
     };
-    if origin[0].abs() <= 180.0 && origin[1].abs() <= FARTHEST_LATITUDE {
-        Ok(Origin(origin))
-    } else {
-        Err(format!(
-            "longitude is within 180 degrees, latitude within {FARTHEST_LATITUDE}; longitude comes first"
-        ))
-    }
+    SiteOrigin::at(longitude, latitude, height).ok_or_else(|| {
+        "longitude is within 180 degrees, latitude within 85; longitude comes first".to_owned()
+    })
 }
 
 fn heading(text: &str) -> Result<f64, String> {
-    match numbers(text)?.as_slice() {
-        &[degrees] if degrees.abs() <= 360.0 => Ok(degrees),
+    match so_many_numbers(text)? {
+        [degrees] if degrees.abs() <= 360.0 => Ok(degrees),
         _ => Err("one number within 360 degrees".to_owned()),
     }
 }
@@ -106,8 +87,8 @@ mod tests {
 
     #[test]
     fn an_origin_is_a_place_on_the_earth() {
-        assert_eq!(origin("13.41,52.53"), Ok(Origin([13.41, 52.53, 0.0])));
-        assert_eq!(origin("-70.5,-33,520.5"), Ok(Origin([-70.5, -33.0, 520.5])));
+        assert_eq!(origin("13.41,52.53"), Ok(SiteOrigin::at(13.41, 52.53, 0.0).unwrap()));
+        assert_eq!(origin("-70.5,-33,520.5"), Ok(SiteOrigin::at(-70.5, -33.0, 520.5).unwrap()));
         for wrong in ["52.53", "13,95", "200,5", "1,2,3,4", "a,b", "inf,0"] {
             assert!(origin(wrong).is_err(), "{wrong}");
         }

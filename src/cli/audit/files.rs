@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::batch::{Listing, MANIFEST_NAME, list_levels};
+use crate::batch::{Listing, is_bake, list_levels};
 use crate::document::{Fault, Faults};
 use crate::output::is_read_back;
 
@@ -123,7 +123,7 @@ fn collect(folder: &Path, depth: usize, below: &mut Below) -> std::io::Result<()
             continue;
         }
         if path.is_dir() {
-            if path.join(MANIFEST_NAME).is_file() {
+            if is_bake(&path) {
                 below.bakes.push(path);
             } else if depth > 0 {
                 collect(&path, depth - 1, below)?;
