@@ -15,6 +15,11 @@ For every .glb and .gltf:
                the edges of the floors
   trimesh      trimesh loads the file with the same count of instances and the same bounds
   khronos      the Khronos validator reports no error and no warning
+A .glb of a tileset, or one without extras that names its pieces by features, is judged by `file`, `path`, `texture`, `khronos` and
+  features     numbers of corners and instances are rows of a table, and the table is as EXT_structural_metadata says
+For every tileset.json:
+  tiles        it and those that it leads to are as 3D Tiles 1.1 says; boxes lie in the box of the tile above and hold what is
+               drawn in them, errors fall from tile to tile, each URI leads to a file of the folder, and each file is used
 For every .usd, .usda, .usdc and .usdz:
   file         the file opens, and the files that it names exist
   path         the file names no absolute path, nothing outside of the FOLDER that it was found in, and no pipe or device
@@ -49,6 +54,7 @@ import numpy as np
 from tqdm import tqdm
 
 from checks.contract import PATH, check_extras, check_names, check_paths, note_of
+from checks.features import check_features, is_tile
 from checks.geometry import check_collisions, check_containment, check_pieces
 from checks.khronos import check_khronos, is_installed
 from checks.loading import check_trimesh
@@ -58,6 +64,8 @@ from checks.schemas import FOLDER as SCHEMA_FOLDER
 from checks.shell import check_shell
 from checks.stages import ENDINGS as STAGE_ENDINGS
 from checks.stages import check_stage
+from checks.tileset import NAME as TILESET_NAME
+from checks.tileset import check_tileset, tilesets_in
 from gltf_document import GltfError
 from gltf_file import GltfFile
 from workers import outcomes
@@ -85,9 +93,9 @@ def check_file(file: Path, folder: Path | None = None) -> tuple[list[Fault], Cou
         notes += check_paths(gltf)
         kinds = Counter(node.kind for node in gltf.nodes)
         counts.update(nodes=len(gltf.nodes), rooms=kinds["room"], furniture=kinds["furniture"])
-        # Other readers are not sent after what a floor may not name.
+        # Other readers are not sent after what a floor may not name, nor do they know tiles.
         readers = () if any(note.code == PATH for note in notes) else (check_trimesh,)
-        for check in (*CHECKS, *readers):
+        for check in (check_features,) if is_tile(gltf) else (*CHECKS, *readers):
             notes += guarded(check, gltf)
     except Exception as error:
         notes.append(stopped(error))
@@ -137,23 +145,26 @@ def check_files(inputs: list[Input], jobs: int, with_khronos: bool, is_quiet: bo
     return faults, totals
 
 
-def find_inputs(paths: list[Path]) -> tuple[list[Input], list[Path]]:
-    """The files to judge and the manifests that the arguments name."""
-    files, manifests = [], []
+def find_inputs(paths: list[Path]) -> tuple[list[Input], list[Path], list[Path]]:
+    """The files to judge, the manifests and the tilesets that the arguments name."""
+    files, manifests, tilesets = [], [], []
     for path in paths:
         if path.is_dir():
             files += [Input(file, path) for file in scenes_in(path)]
             files += [Input(file, path) for file in sorted(path.rglob("*")) if file.suffix.lower() in STAGE_ENDINGS]
             manifests += sorted(path.rglob("manifest.json"))
+            tilesets += tilesets_in(path)
         elif not path.exists():
             raise FileNotFoundError(f"{path} is not there")
         elif path.suffix.lower() in SCENE_ENDINGS | STAGE_ENDINGS:
             files.append(Input(path))
+        elif path.name == TILESET_NAME:
+            tilesets.append(path)
         elif path.name.endswith(".json"):
             manifests.append(path)
         else:
-            raise FileNotFoundError(f"{path} is neither a folder nor a .glb, .gltf, USD file or manifest")
-    return files, manifests
+            raise FileNotFoundError(f"{path} is neither a folder nor a .glb, .gltf, USD file, manifest or tileset")
+    return files, manifests, tilesets
 
 
 def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
@@ -169,11 +180,11 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
 def main(arguments: list[str] | None = None) -> int:
     options = parse_arguments(arguments)
     try:
-        files, manifests = find_inputs(options.paths)
+        files, manifests, tilesets = find_inputs(options.paths)
     except OSError as error:
         print(f"validate: {error}", file=sys.stderr)
         return 2
-    if not files:
+    if not files and not tilesets:
         print("validate: there is no .glb, .gltf or USD file", file=sys.stderr)
         return 2
     if not SCHEMA_FOLDER.is_dir():
@@ -187,8 +198,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     faults, totals = check_files(files, max(1, options.jobs), with_khronos, options.quiet)
     faults += chain.from_iterable(map(check_manifest, manifests))
+    faults += chain.from_iterable(check_tileset(tileset, max(1, options.jobs)) for tileset in tilesets)
     faults.sort()
-    report(options.json, {"files": len(files), "manifests": len(manifests), **totals}, faults)
+    report(options.json, {"files": len(files), "manifests": len(manifests), "tilesets": len(tilesets), **totals}, faults)
     return 1 if faults else 0
 
 

@@ -14,4 +14,9 @@
     khronos      the Khronos validator
     manifest     files against the manifest
     stages       USD files
+    tileset      tilesets; with
+      tileset_schema  the shapes of their JSON
+      tile_metadata   values against the classes of a schema
+      tile_volumes    boxes, and what they hold
+    features     the pieces that tiles name
 """
