@@ -247,12 +247,22 @@ def test_a_folder_with_a_tileset_is_judged_as_one(site, tmp_path):
     assert status == 1 and [fault["code"] for fault in report["faults"]] == ["tiles"]
 
 
-@pytest.mark.parametrize(("plans", "tilesets"), [
-    (["configs/plans/house.yaml"], 1), (["configs/plans/house.yaml", "--instancing", "none"], 1), (["configs/city.yaml"], 1)])
-def test_what_the_program_writes_has_no_fault(tmp_path, plans, tilesets):
+PROJECT = """version: 1
+project:
+  name: Street
+  plans:
+    - {plan: %s, id: "house-{n}", count: 3, columns: 2, step: [20, 15]}
+"""
+
+
+@pytest.mark.parametrize("options", [
+    [], ["--instancing", "none"], ["--origin", "13.41,52.53,40", "--heading", "12"], ["--near", "60,20,8"]])
+def test_what_the_program_writes_has_no_fault(tmp_path, options):
     program = os.environ.get("ROOMWRIGHT_PROGRAM") or shutil.which("roomwright")
     if not program:
         pytest.skip("ROOMWRIGHT_PROGRAM names no program, and none is on the path")
-    subprocess.run([program, "tiles", *plans, "--out", tmp_path, "--quiet"], cwd=ROOT, check=True)
-    status, report = run(tmp_path)
-    assert (status, report["tilesets"], report["faults"]) == (0, tilesets, [])
+    project = tmp_path / "street.yaml"
+    project.write_text(PROJECT % (ROOT / "configs/plans/house.yaml"), encoding="utf-8")
+    subprocess.run([program, "tiles", project, *options, "--out", tmp_path / "tiles", "--quiet"], check=True)
+    status, report = run(tmp_path / "tiles")
+    assert (status, report["tilesets"], report["faults"]) == (0, 1, [])
