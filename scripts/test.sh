@@ -85,6 +85,12 @@ polygons() {
   .venv/bin/python scripts/validate.py "$work/polygons-out" --no-khronos
 }
 
+# The demo as 3D Tiles: its tree, its boxes, and the pieces that it names.
+tiles() {
+  "$top/target/release/roomwright" tiles --out "$work/tiles" --quiet
+  .venv/bin/python scripts/validate.py "$work/tiles"
+}
+
 # The newcomer's walk from a plan to kept edits, in Blender where there is one; its page and edits file are looked at.
 walk() {
   ROOMWRIGHT_PROGRAM=$top/target/release/roomwright bash docs/walkthrough.sh "$work/walkthrough"
@@ -137,11 +143,12 @@ step "cargo build" cargo build --locked
 step "The demo, twice" checked bake_twice
 step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"
 step "validate.py (random polygons)" checked polygons
+step "validate.py (tiles)" checked tiles
 step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --out "$work/usd"
 step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd"
 step "docs/walkthrough.sh" checked walk
 step "Viewers" viewers
 step "The page of roomwright view" viewer
 step "WebAssembly" web
-step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" .venv/bin/python -m pytest -q tests/scripts
+step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" .venv/bin/python -m pytest -q tests/scripts
 step_name=

@@ -63,7 +63,7 @@ def entries_of(document: object) -> Iterator[Entry]:
     """The files that a manifest lists, without entries that cannot be read."""
     levels = [(f"{key}[{number}].files", _list_in(level, "files"))
               for key in ("levels", "former_levels") for number, level in enumerate(_list_in(document, key))]
-    for place, values in [*levels, *((key, _list_in(document, key)) for key in ("library", "former_files"))]:
+    for place, values in [*levels, *((key, _list_in(document, key)) for key in ("library", "index", "former_files"))]:
         for number, value in enumerate(values):
             if file_record_schema().is_usable(value):
                 yield Entry(f"{place}[{number}]", value["path"], value["bytes"], value["sha256"])
