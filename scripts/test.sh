@@ -108,6 +108,17 @@ viewers() {
   counted env ROOMWRIGHT_BAKED="$work/release" node --test --test-reporter=./tests/viewers/report.mjs tests/viewers/viewers.test.mjs
 }
 
+# Tiles in the clients that stream cities, where there is a browser to open them in; ROOMWRIGHT_LONG=1 flies to a tower, too.
+tile_viewers() {
+  if ! node tests/viewers/find_chromium.mjs; then
+    echo "skipped: CesiumJS and 3d-tiles-renderer need it"
+    return
+  fi
+  set_up_viewers
+  counted env ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" \
+    node --test --test-reporter=./tests/viewers/report.mjs tests/tiles/*.test.mjs
+}
+
 # The page of `roomwright view`: its modules without a browser, and, where there is one, the page itself.
 viewer() {
   if node tests/viewers/find_chromium.mjs; then set_up_viewer; fi
@@ -148,6 +159,7 @@ step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --
 step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd"
 step "docs/walkthrough.sh" checked walk
 step "Viewers" viewers
+step "Tiles in viewers" tile_viewers
 step "The page of roomwright view" viewer
 step "WebAssembly" web
 step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" .venv/bin/python -m pytest -q tests/scripts
