@@ -19,6 +19,7 @@
 //! What is drawn is where the scene has it, to half of [`CompactOptions::coarsest_step`].
 
 mod buffer;
+mod coarse;
 mod document;
 mod encode;
 mod feature;

@@ -29,12 +29,15 @@ pub(crate) struct CompactOptions {
 pub(crate) enum Shapes {
     /// Not at all.
     Kept,
-    /// To what is seen through windows from afar.
-    Boxes {
-        /// Metres: loose parts of meshes that are thinner, and so no more than a line, are left out.
+    /// To what is seen through windows: loose parts of meshes that are thinner than a width, and so no more than a line, are left
+    /// out, and so are faces that lie on something.
+    Coarse {
+        /// Metres of the thinnest parts.
         least_width: f64,
-        /// Metres: loose parts of furniture that have no longer side, and all leaves of doors, are boxes.
+        /// Metres: loose parts of furniture and doors that have no longer side are boxes.
         boxed: f64,
+        /// Whether what lies along the edges of walls and openings is shown; where it is not, leaves of doors are boxes.
+        has_trim: bool,
     },
 }
 

@@ -213,7 +213,7 @@ fn what_is_small_is_left_out_and_boxes_are_few_triangles() {
     let (all, triangles) = written(&scene, &PLAIN).features();
     let (large, fewer) = written(&scene, &CompactOptions { least_size: 0.3, ..PLAIN }).features();
     assert!(large.len() < all.len() && fewer < triangles);
-    let shapes = Shapes::Boxes { least_width: 0.1, boxed: 1.0 };
+    let shapes = Shapes::Coarse { least_width: 0.1, boxed: 1.0, has_trim: false };
     let boxes = CompactOptions { least_size: 0.3, shapes, instancing: Instancing::None, ..PLAIN };
     let (seen, least) = written(&scene, &boxes).features();
     assert!(least * 3 < fewer, "{least} of {fewer}");

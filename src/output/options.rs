@@ -48,7 +48,7 @@ pub struct IndexOptions {
 
 impl Default for IndexOptions {
     fn default() -> Self {
-        Self { near: [100.0, 35.0, 12.0], origin: None }
+        Self { near: [70.0, 20.0, 4.0], origin: None }
     }
 }
 

@@ -26,7 +26,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_default_distances_have_errors_of_about_a_metre_a_third_and_a_tenth() {
+    fn a_hundred_metres_are_an_error_of_about_one() {
         let [boxes, reduced, full] = errors([100.0, 35.0, 12.0]);
         assert!(
             (boxes - 0.962).abs() < 1e-3 && (reduced - 0.337).abs() < 1e-3 && (full - 0.115).abs() < 1e-3

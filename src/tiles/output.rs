@@ -38,12 +38,13 @@ struct TilesOutput {
 
 /// Metres of the smallest and thinnest parts of boxes: less than what they are wrong by where they are shown first
 /// ([`super::near`]).
-const LEAST_OF_BOXES: f64 = 0.3;
-const SHAPES_OF_BOXES: Shapes = Shapes::Boxes { least_width: 0.1, boxed: 1.0 };
-/// Metres of the smallest parts of reduced furniture.
+const LEAST_OF_BOXES: f64 = 0.4;
+const SHAPES_OF_BOXES: Shapes = Shapes::Coarse { least_width: 0.12, boxed: 1.0, has_trim: false };
+/// Metres of the smallest and thinnest parts of reduced levels.
 const LEAST_OF_REDUCED: f64 = 0.1;
-/// Draw calls of a level up to which equal models are instances.
-const DRAWS_OF_REDUCED: usize = 150;
+const SHAPES_OF_REDUCED: Shapes = Shapes::Coarse { least_width: 0.03, boxed: 0.4, has_trim: true };
+/// Draw calls of a level up to which equal models are instances; seven reduced levels of a tower are in view before its façade.
+const DRAWS_OF_REDUCED: usize = 40;
 const DRAWS_OF_FULL: usize = 300;
 /// Metres of the coarsest steps of positions; levels of 65 m have steps of a millimetre.
 const STEP_OF_FULL: f64 = 0.003;
@@ -76,6 +77,7 @@ impl Output for TilesOutput {
         let of_reduced = CompactOptions {
             coloring: Coloring::Corners,
             least_size: LEAST_OF_REDUCED,
+            shapes: SHAPES_OF_REDUCED,
             coarsest_step: STEP_OF_REDUCED,
             most_draws: DRAWS_OF_REDUCED,
             ..options

@@ -116,8 +116,8 @@ fn an_origin_moves_the_root_and_nothing_else_of_one_building() {
 
 #[test]
 fn distances_become_errors() {
-    let options = IndexOptions { near: [300.0, 100.0, 30.0], ..IndexOptions::default() };
-    let [near, far] = [IndexOptions::default(), options].map(|options| {
+    let near = |boxes| IndexOptions { near: [boxes, 10.0, 5.0], ..IndexOptions::default() };
+    let [near, far] = [near(100.0), near(300.0)].map(|options| {
         parsed(&town(1, 1), &options)[0]
             .1
             .pointer("/root/children/0/children/0/geometricError")

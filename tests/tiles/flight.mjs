@@ -12,7 +12,7 @@ const before = (metres, height = STOREY) => ({ eye: [MIDDLE, FACADE - metres, he
 /** Where the flight stops until nothing more loads. */
 export const STOPS = [
   ...[2000, 1000, 500, 250, 150, 120, 110].map((metres) => ({ name: `${metres} m`, ...before(metres) })),
-  ...[100, 90, 60, 30].map((metres) => ({ name: `${metres} m`, ...before(metres) })),
+  ...[90, 70, 60, 30, 15, 6].map((metres) => ({ name: `${metres} m`, ...before(metres) })),
   { name: 'room', eye: ROOM, target: [42, -3, 13] },
   { name: 'corridor', eye: [41, 7.6, 13.6], target: [60, 7.6, 13.2] },
   { name: '30 m, back', ...before(30) },

@@ -14,7 +14,7 @@ import { chromium, reasonToSkip, write } from './program.mjs';
 import { serve } from './serve.mjs';
 
 const PLAN = 'configs/plans/hotel-tower.yaml';
-/** Megabytes from 2 km into a room and back. */
+/** Megabytes from 2 km into a room, a corridor and back, as a host sends them. */
 const MOST_LOADED = 25;
 /** Draw calls before the façade. */
 const MOST_COMMANDS = 300;
@@ -48,11 +48,8 @@ describe('a flight to a tower', { skip }, () => {
       assert.equal(row(`${FARTHEST} m`).requests, 1, 'tiles load from afar');
       assert.ok(row('room').full > 0, 'the room is not there in full');
       assert.ok(rows.at(-1).gzip_mb <= MOST_LOADED, `${rows.at(-1).gzip_mb} MB were sent`);
-      // While all that is seen are boxes. These two limits do not hold nearer and without compression: said, and not yet asserted.
-      assert.ok(row('60 m').commands <= MOST_COMMANDS, `${row('60 m').commands} draw calls of boxes`);
-      const limit = (what, value, most) => value > most && context.diagnostic(`NOT MET, not asserted: ${what}: ${value}, limit ${most}`);
-      limit('draw calls 30 m before the façade, levels reduced', row('30 m').commands, MOST_COMMANDS);
-      limit('megabytes without compression', rows.at(-1).plain_mb, MOST_LOADED);
+      const before = rows.slice(0, rows.findIndex(({ stop }) => stop === 'room'));
+      for (const { stop, commands } of before) assert.ok(commands <= MOST_COMMANDS, `${commands} draw calls at ${stop}`);
       assert.equal(rows.at(-1).commands, 0);
       assert.ok(rows.at(-1).held < Math.max(...rows.map(({ held }) => held)), 'tiles are kept that nobody sees');
     });

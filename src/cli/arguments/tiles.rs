@@ -17,7 +17,7 @@ pub(crate) struct TilesArguments {
     #[arg(short, long, value_name = "DIR", default_value = "tiles")]
     pub(crate) out: PathBuf,
     /// Metres from which on boxes, reduced and full furniture are shown, on a screen 1080 pixels high in CesiumJS.
-    #[arg(long, value_name = "BOXES,REDUCED,FULL", default_value = "100,35,12", value_parser = near)]
+    #[arg(long, value_name = "BOXES,REDUCED,FULL", default_value = "70,20,4", value_parser = near)]
     pub(crate) near: Near,
     /// Where the site's origin is: degrees of longitude and latitude on WGS 84, and metres above the ellipsoid [default: what the
     /// project or the map says, at height 0].
