@@ -12,9 +12,12 @@ use crate::scene::{Node, Scene, SceneMesh};
 /// Models of the catalogue that were simplified in this run: most stand in many levels.
 #[derive(Debug, Default)]
 pub(crate) struct KnownSimplified {
-    /// By where the model is in memory, and the limits. Nothing is read from it in its own order.
-    known: Mutex<HashMap<(usize, Kind, [u64; 3]), Simplified>>,
+    /// Nothing is read from it in its own order.
+    known: Mutex<HashMap<Looked, Simplified>>,
 }
+
+/// Where a model is in memory, what it is, and the limits.
+type Looked = (usize, Kind, [u64; 3]);
 
 /// A model and what is left of it; as long as it is here, nothing else is where it is.
 type Simplified = (Arc<Model>, Option<Arc<Model>>);

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Measures how the cost of a bake grows with its size, and prints the table of docs/figures.md as Markdown.
+
+    python3 scripts/measure_growth.py [--program target/release/roomwright] [--runs 3]
+
+Four series of plans: rooms of a level, levels of a building, corners of a room, objects in a room. Each plan is baked by one thread
+without textures; its cost is the least processor time of the runs, less that of the smallest plan of the series, which stands for the
+start of the program. The exponent is the slope of the logarithms between the two largest plans: 1 is in step with the size. Processor
+time does not depend on what else the machine does, as far as caches go. Needs nothing but Python's standard library.
+"""
+
+import argparse
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+ROOMS_OF_BLOCK = 50
+LEVELS_OF_HOUSE = ["living_room", "bedroom", "kitchen", "bathroom"]
+
+
+def plan(levels):
+    """A plan in the program's own format, as JSON, which is YAML."""
+    return json.dumps({"version": 1, "name": "Growth", "outlines": "center", "levels": levels})
+
+
+def block(index, count):
+    """Rooms on both sides of a corridor of their own."""
+    low = index * 20.0
+    rows = math.ceil(count / 2)
+    corridor = {"id": f"corridor-{index}", "type": "corridor", "rectangle": [0, low + 6, rows * 4, 2]}
+    rooms, openings = [corridor], []
+    openings.append({"kind": "door", "at": [0, low + 7], "rooms": [corridor["id"]]})
+    for number in range(count):
+        column, is_above = divmod(number, 2)
+        name = f"room-{index}-{number}"
+        rooms.append({"id": name, "type": "bedroom", "rectangle": [column * 4, low + (8 if is_above else 0), 4, 6]})
+        wall, outside = (low + 8, low + 14) if is_above else (low + 6, low)
+        openings.append({"kind": "door", "at": [column * 4 + 3, wall], "rooms": [corridor["id"], name]})
+        openings.append({"kind": "window", "at": [column * 4 + 2, outside], "rooms": [name]})
+    return rooms, openings
+
+
+def rooms_of_level(count):
+    rooms, openings = [], []
+    for index, first in enumerate(range(0, count, ROOMS_OF_BLOCK)):
+        more = block(index, min(ROOMS_OF_BLOCK, count - first))
+        rooms += more[0]
+        openings += more[1]
+    return plan([{"id": "1", "height": 3, "rooms": rooms, "openings": openings}])
+
+
+def levels_of_building(count):
+    rooms, openings = [], []
+    for number, kind in enumerate(LEVELS_OF_HOUSE):
+        rooms.append({"id": kind, "type": kind, "rectangle": [number * 4, 0, 4, 5]})
+        openings.append({"kind": "window", "at": [number * 4 + 2, 5], "rooms": [kind]})
+        if number:
+            openings.append({"kind": "door", "at": [number * 4, 1], "rooms": [LEVELS_OF_HOUSE[number - 1], kind]})
+    openings.append({"kind": "door", "at": [2, 0], "rooms": [LEVELS_OF_HOUSE[0]]})
+    return plan([{"id": str(index), "height": 3, "rooms": rooms, "openings": openings} for index in range(count)])
+
+
+def corners_of_room(count):
+    """A round room of 20 m across, as drawings have them: its wall is a polygon."""
+    angles = [2 * math.pi * corner / count for corner in range(count)]
+    outline = [[round(10 * math.cos(angle), 6), round(10 * math.sin(angle), 6)] for angle in angles]
+    return plan([{"id": "1", "height": 3, "rooms": [{"id": "round", "type": "living_room", "outline": outline}]}])
+
+
+def objects_in_room(count):
+    """A restaurant with as many square metres as give so many objects."""
+    side = round(math.sqrt(count * 0.75), 2)
+    room = {"id": "restaurant", "type": "restaurant", "style": "paper_restaurant", "rectangle": [0, 0, side, side]}
+    door = {"kind": "door", "at": [side / 2, 0], "rooms": ["restaurant"]}
+    return plan([{"id": "1", "height": 3.5, "rooms": [room], "openings": [door]}])
+
+
+SERIES = [
+    ("rooms of a level", rooms_of_level, [1, 10, 100, 1000, 10_000]),
+    ("levels of a building, 4 rooms each", levels_of_building, [1, 10, 100, 500, 2000]),
+    ("corners of a room", corners_of_room, [4, 10, 100, 1000, 10_000]),
+    ("objects in a room", objects_in_room, [10, 30, 100, 300, 1000]),
+]
+
+
+def bake(program, path, out):
+    """Processor seconds and peak megabytes of one bake."""
+    command = [program, "bake", path, "--out", out, "--force", "--threads", "1", "--textures", "none", "--quiet"]
+    child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    said = child.stderr.read().decode()
+    _, status, usage = os.wait4(child.pid, 0)
+    # Rooms that fail cost as much as others; without files there is nothing to measure.
+    if os.waitstatus_to_exitcode(status) not in (0, 1):
+        sys.exit(f"measure_growth: {path.read_text()[:200]}…: {said[-1000:]}")
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def measure(program, make, sizes, runs):
+    """For each size: least processor seconds of the runs, and most megabytes."""
+    costs = []
+    with tempfile.TemporaryDirectory(prefix="roomwright-growth-") as folder:
+        path = Path(folder) / "plan.yaml"
+        for size in sizes:
+            path.write_text(make(size))
+            results = [bake(program, path, Path(folder) / "out") for _ in range(runs)]
+            costs.append((min(seconds for seconds, _ in results), max(peak for _, peak in results)))
+            print(f"{make.__name__}({size}): {costs[-1][0]:.3f} s, {costs[-1][1]:.0f} MB", file=sys.stderr)
+    return costs
+
+
+def exponent(sizes, seconds):
+    """The slope between the two largest sizes, of what is beyond the smallest."""
+    (less, more), (first, second) = sizes[-2:], [value - seconds[0] for value in seconds[-2:]]
+    return math.log(second / first) / math.log(more / less)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", type=Path, default=ROOT / "target" / "release" / "roomwright")
+    parser.add_argument("--runs", type=int, default=3, help="runs of each plan (default 3)")
+    options = parser.parse_args()
+    print("| what grows | sizes | processor seconds | most memory | exponent at the end |\n|---|---|---|---|---|")
+    for name, make, sizes in SERIES:
+        costs = measure(options.program, make, sizes, options.runs)
+        seconds = [cost for cost, _ in costs]
+        shown = "; ".join(f"{size:,}" for size in sizes), "; ".join(f"{cost:.2f}" for cost in seconds)
+        print(f"| {name} | {shown[0]} | {shown[1]} | {costs[-1][1]:.0f} MB | {exponent(sizes, seconds):.2f} |")
+
+
+if __name__ == "__main__":
+    main()
