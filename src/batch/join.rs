@@ -68,13 +68,51 @@ pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
     contents.settle(root);
     let manifest = root.join(MANIFEST_NAME);
     let apart = Apart::of_records(root, &contents, |_| false);
+    let missing = missing_levels(root, &contents);
+    let current = contents.levels.len() - contents.former.len();
+    if current > 0 && missing.0.len() == current {
+        return Err(nothing_in_place(root, &contents));
+    }
     let totals = write_joined(root, &contents, &apart, &manifest)?;
-    clear(&contents.parts, &runs.abandoned)?;
+    // The files may still come; without the parts nobody would know of them.
+    let parts: &[PathBuf] = if missing.is_empty() { &contents.parts } else { &[] };
+    clear(parts, &runs.abandoned)?;
     // Nobody bakes their levels again now: they are missing.
     let as_error = |fault: Fault| Fault { severity: FaultSeverity::Error, ..fault };
-    let faults = Faults(std::mem::take(&mut contents.faults).0.into_iter().map(as_error).collect());
+    let mut faults = Faults(std::mem::take(&mut contents.faults).0.into_iter().map(as_error).collect());
+    faults.merge(missing);
     Ok(MergeReport { manifest, totals, living_runs: runs.living.len(), faults })
 }
+
+/// The first missing file of each level that was to be in place.
+fn missing_levels(root: &Path, contents: &Contents<'_>) -> Faults {
+    let current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
+    let missing = current.filter_map(|(LevelKey { building, level }, found)| {
+        let file = found.last()?.head.files.iter().find(|file| !is_there(root, file))?;
+        let message = format!("is not there: level {level:?} of building {building:?} is left out");
+        Some(Fault::of_file(&root.join(&file.path), message).with_hint(ELSEWHERE))
+    });
+    Faults(missing.collect())
+}
+
+/// Advice where files that records name are not there.
+const ELSEWHERE: &str = "copy the file to its place and merge again; if the files lie elsewhere, join their records with `roomwright merge --records`";
+
+/// The fault of a folder that has nothing but records.
+fn nothing_in_place(root: &Path, contents: &Contents<'_>) -> OutputFault {
+    let current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
+    let files = current.filter_map(|(_, found)| found.last()?.head.files.first());
+    let listed: Vec<&str> = files.map(|file| file.path.as_str()).take(LISTED_FILES).collect();
+    OutputFault {
+        code: FaultCode::NothingToJoin,
+        path: root.to_owned(),
+        message: format!("holds no file of the levels in its records, such as {}", listed.join(", ")),
+        hint: Some(ELSEWHERE.to_owned()),
+    }
+}
+
+/// The most missing files that one message lists.
+const LISTED_FILES: usize = 3;
 
 fn nothing_to_join(root: &Path) -> OutputFault {
     OutputFault {

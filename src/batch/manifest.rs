@@ -21,10 +21,17 @@ pub(crate) fn is_manifest_name(name: &str) -> bool {
 /// Whether a file name is that of a shard's part: `manifest.<i>-of-<n>.json`.
 pub(crate) fn is_part_name(name: &str) -> bool {
     let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    name.strip_prefix("manifest.")
-        .and_then(|rest| rest.strip_suffix(".json"))
-        .and_then(|share| share.split_once("-of-"))
-        .is_some_and(|(index, count)| is_number(index) && is_number(count))
+    part_words(name).is_some_and(|(index, count)| is_number(index) && is_number(count))
+}
+
+/// The share that the name of a part is of: which, and of how many. None if the numbers are too large to be any.
+pub(crate) fn part_numbers(name: &str) -> Option<(u32, u32)> {
+    let (index, count) = part_words(name)?;
+    Some((index.parse().ok()?, count.parse().ok()?))
+}
+
+fn part_words(name: &str) -> Option<(&str, &str)> {
+    name.strip_prefix("manifest.")?.strip_suffix(".json")?.split_once("-of-")
 }
 
 /// The most bytes of a manifest or journal that are read: ten thousand levels of forty rooms take a hundredth of it.

@@ -18,6 +18,7 @@ mod folder;
 mod in_place;
 mod job;
 mod join;
+mod join_records;
 mod journal;
 mod level;
 mod listing;
@@ -44,6 +45,7 @@ pub(crate) use file_name::distinct_names;
 pub(crate) use finished::{FinishedInput, write_finished};
 pub use folder::OutputFolder;
 pub use join::{Joined, MergeReport, merge};
+pub use join_records::merge_records;
 pub(crate) use listing::{Listing, is_bake, list_levels};
 #[cfg(test)]
 pub(crate) use manifest::Manifest;

@@ -335,7 +335,7 @@ pub(super) fn show_listed(faults: &Faults, screen: Screen) {
     let listed = faults.0.iter().take(LISTED_FAILURES).cloned().collect();
     screen.faults(&Faults(listed));
     if faults.0.len() > LISTED_FAILURES {
-        screen.note(&format!("… and {} more records that were left out", faults.0.len() - LISTED_FAILURES));
+        screen.note(&format!("… and {} more faults of records", faults.0.len() - LISTED_FAILURES));
     }
 }
 

@@ -2,12 +2,23 @@
 
 use super::answer::{MergeAnswer, fault_answers};
 use super::arguments::MergeArguments;
+use super::bake::show_listed;
 use super::exit::Outcome;
 use super::screen::Screen;
-use crate::batch::{MergeReport, merge};
+use crate::batch::{MANIFEST_NAME, MergeReport, merge, merge_records};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &MergeArguments, screen: Screen) -> Outcome {
+    if let Some(records) = &arguments.records {
+        let out = arguments.out.clone().unwrap_or_else(|| records.join(MANIFEST_NAME));
+        return match merge_records(records, &out) {
+            Ok(report) => show(&report, screen),
+            Err(faults) => {
+                show_listed(&faults, screen);
+                Outcome::NotStarted
+            }
+        };
+    }
     match merge(&arguments.folder) {
         Ok(report) => show(&report, screen),
         Err(fault) => {
@@ -20,7 +31,7 @@ pub(crate) fn run(arguments: &MergeArguments, screen: Screen) -> Outcome {
 
 fn show(report: &MergeReport, screen: Screen) -> Outcome {
     let MergeReport { manifest, totals, living_runs, faults } = report;
-    screen.faults(faults);
+    show_listed(faults, screen);
     if screen.is_json {
         screen.json(&MergeAnswer {
             manifest: manifest.display().to_string(),

@@ -75,6 +75,104 @@ fn shards_from_several_machines_are_merged() {
     assert_eq!(world.files("joined"), world.files("whole"), "merging twice is merging once");
 }
 
+/// Bakes shares into folders of their own, and keeps nothing of them but their parts.
+fn bake_parts(world: &World, shares: &[&str], extra: &[&str]) {
+    for (number, share) in shares.iter().enumerate() {
+        let folder = format!("machine-{number}");
+        world.must(&[&["bake", "plans", "--out", &folder, "--shard", share][..], extra].concat());
+        for (name, content) in world.contents(&folder) {
+            if name.starts_with("manifest.") {
+                world.write(&format!("records/{number}/{name}"), content);
+            }
+        }
+    }
+}
+
+#[test]
+fn records_whose_files_lie_elsewhere_are_joined_to_the_manifest_of_one_bake() {
+    for extra in [&[][..], &["--shared-library", "--shared-textures"]] {
+        let world = World::new();
+        two_plans(&world);
+        world.must(&[&["bake", "plans", "--out", "whole"][..], extra].concat());
+        // More shares than levels: some are empty. One share was baked twice.
+        let shares = ["1/9", "2/9", "3/9", "4/9", "5/9", "6/9", "7/9", "8/9", "9/9", "3/9"];
+        bake_parts(&world, &shares, extra);
+        let ran = world.must(&["merge", "--records", "records"]);
+        assert!(ran.stdout.contains("14 rooms"), "{}", ran.stdout);
+        assert_eq!(world.read("records/manifest.json"), world.read("whole/manifest.json"));
+        world.must(&["merge", "--records", "records", "--out", "new/joined.json"]);
+        assert_eq!(world.read("new/joined.json"), world.read("whole/manifest.json"));
+        assert_eq!(world.names("new"), ["joined.json"], "nothing else is left");
+    }
+}
+
+#[test]
+fn records_that_miss_a_share_or_contradict_each_other_are_not_joined() {
+    let refused = |shares: &[&str], seed: Option<&str>, reason: &str| {
+        let world = World::new();
+        two_plans(&world);
+        bake_parts(&world, shares, &[]);
+        if let Some(seed) = seed {
+            world.must(&["bake", "plans", "--out", "other", "--shard", "1/3", "--seed", seed]);
+            world.write("records/x/manifest.1-of-3.json", world.read("other/manifest.1-of-3.json"));
+        }
+        let ran = world.run(&["merge", "--records", "records"]);
+        assert_eq!(ran.code, Some(2), "{}", ran.stdout);
+        assert!(ran.stderr.contains(reason) && ran.stderr.contains("hint"), "{}", ran.stderr);
+        assert!(!world.path("records/manifest.json").exists());
+    };
+    refused(&["1/4", "3/4"], None, "lacks 2 of 4 parts: 2, 4");
+    refused(&["1/2", "2/3"], None, "of 2 shares, of 3");
+    refused(&[], Some("1"), "lacks 2 of 3 parts");
+    refused(&["1/3", "2/3", "3/3"], Some("2"), "otherwise than");
+}
+
+#[test]
+fn records_are_joined_by_the_program_that_wrote_them_and_replace_no_other_file() {
+    let world = World::new();
+    two_plans(&world);
+    bake_parts(&world, &["1/2", "2/2"], &[]);
+    world.write("records/manifest.json", "mine");
+    let ran = world.run(&["merge", "--records", "records"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("is no manifest of roomwright"), "{}", ran.stderr);
+    let part = String::from_utf8(world.read("records/1/manifest.2-of-2.json")).unwrap();
+    let other = part.replacen("\"program\": \"", "\"program\": \"0.0.9-", 1);
+    world.write("records/1/manifest.2-of-2.json", other);
+    let ran = world.run(&["merge", "--records", "records", "--out", "joined.json"]);
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.stderr.contains("was baked by 0.0.9-"), "{}", ran.stderr);
+    assert_eq!(world.run(&["merge", "--records", "plans"]).code, Some(2), "no part is there");
+}
+
+#[test]
+fn a_merge_names_the_files_that_are_not_there() {
+    let world = World::new();
+    two_plans(&world);
+    world.must(&["bake", "plans", "--out", "whole"]);
+    for share in ["1/3", "2/3"] {
+        world.must(&["bake", "plans", "--out", "shared", "--shard", share]);
+    }
+    for (name, content) in world.contents("shared") {
+        if name.starts_with("manifest.") {
+            world.write(&format!("parts/{name}"), &content);
+        }
+        world.write(&format!("most/{name}"), content);
+    }
+    let ran = world.run(&["merge", "parts"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stdout);
+    assert!(ran.stderr.contains("alpha/1.glb") && ran.stderr.contains("--records"), "{}", ran.stderr);
+    assert_eq!(world.names("parts").len(), 2, "the parts stay");
+    let gone = world.read("most/alpha/1.glb");
+    std::fs::remove_file(world.path("most/alpha/1.glb")).unwrap();
+    let ran = world.run(&["merge", "most"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stdout);
+    assert!(ran.stderr.contains("alpha/1.glb") && ran.stderr.contains("is not there"), "{}", ran.stderr);
+    world.write("most/alpha/1.glb", gone);
+    world.must(&["bake", "plans", "--out", "most", "--shard", "3/3"]);
+    assert_eq!(world.files("most"), world.files("whole"));
+}
+
 #[test]
 fn processes_side_by_side_do_not_disturb_each_other() {
     let world = World::new();

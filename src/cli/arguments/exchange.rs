@@ -30,4 +30,11 @@ pub(crate) struct MergeArguments {
     /// The output folder.
     #[arg(value_name = "DIR", default_value = "out")]
     pub(crate) folder: PathBuf,
+    /// Join the parts manifest.<I>-of-<N>.json in this folder and in the folders in it, without looking for the files of the
+    /// levels, which lie elsewhere. All parts of one division must be there.
+    #[arg(long, value_name = "DIR", conflicts_with = "folder")]
+    pub(crate) records: Option<PathBuf>,
+    /// File to write the joined records into [default: manifest.json in the folder of --records].
+    #[arg(long, value_name = "FILE", requires = "records")]
+    pub(crate) out: Option<PathBuf>,
 }
